@@ -1,0 +1,40 @@
+//! The kernel: points, vectors, planes, transforms, curves, meshes; construct, evaluate, measure, intersect.
+//!
+//! Everything here is a pure function on `f64`: no files, no graphs, no globals, and no threads besides
+//! `rayon` behind the `parallel` feature. Angles are radians, systems are right-handed with z up, vectors are
+//! columns, and every tolerance is an argument ([`Tolerance`]). Knot vectors follow openNURBS: their length is
+//! control points + degree − 1. Bad input is an [`Error`] that names it; NaN and infinity are refused.
+//!
+//! ```
+//! use katydid_geometry::{Point3, Vector3};
+//! let tip = Point3::new(1.0, 2.0, 3.0) + Vector3::new(2.0, 2.0, 2.0);
+//! assert_eq!(tip, Point3::new(3.0, 4.0, 5.0));
+//! ```
+
+mod bounding_box;
+mod box3;
+mod circle;
+mod error;
+mod interval;
+mod line;
+mod plane;
+mod point;
+mod rectangle;
+mod tolerance;
+mod units;
+mod vector;
+mod xform;
+
+pub use bounding_box::BoundingBox;
+pub use box3::Box3;
+pub use circle::{Arc, Circle};
+pub use error::{Error, Result};
+pub use interval::Interval;
+pub use line::Line;
+pub use plane::Plane;
+pub use point::Point3;
+pub use rectangle::Rectangle;
+pub use tolerance::Tolerance;
+pub use units::Units;
+pub use vector::Vector3;
+pub use xform::Xform;

@@ -1,0 +1,104 @@
+use std::ops::{Add, AddAssign, Sub, SubAssign};
+
+use crate::Vector3;
+
+/// A location in space. Points are not vectors: a point plus a vector is a point, and the difference of two
+/// points is a vector.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Point3 {
+    /// First coordinate.
+    pub x: f64,
+    /// Second coordinate.
+    pub y: f64,
+    /// Third coordinate.
+    pub z: f64,
+}
+
+impl Point3 {
+    /// The origin.
+    pub const ORIGIN: Self = Self::new(0.0, 0.0, 0.0);
+
+    /// The point at the three coordinates.
+    #[inline]
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The vector from the origin to this point.
+    #[inline]
+    pub const fn to_vector(self) -> Vector3 {
+        Vector3::new(self.x, self.y, self.z)
+    }
+
+    /// The distance to another point.
+    #[inline]
+    pub fn distance_to(self, other: Self) -> f64 {
+        (other - self).length()
+    }
+
+    /// The point at `t` on the way to `other`: this point at 0, the other at 1.
+    #[inline]
+    pub fn lerp(self, other: Self, t: f64) -> Self {
+        Self::new(
+            (1.0 - t) * self.x + t * other.x,
+            (1.0 - t) * self.y + t * other.y,
+            (1.0 - t) * self.z + t * other.z,
+        )
+    }
+
+    /// Whether all three coordinates are finite.
+    #[inline]
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl From<[f64; 3]> for Point3 {
+    fn from([x, y, z]: [f64; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl From<Point3> for [f64; 3] {
+    fn from(p: Point3) -> Self {
+        [p.x, p.y, p.z]
+    }
+}
+
+impl Add<Vector3> for Point3 {
+    type Output = Self;
+    #[inline]
+    fn add(self, v: Vector3) -> Self {
+        Self::new(self.x + v.x, self.y + v.y, self.z + v.z)
+    }
+}
+
+impl AddAssign<Vector3> for Point3 {
+    #[inline]
+    fn add_assign(&mut self, v: Vector3) {
+        *self = *self + v;
+    }
+}
+
+impl Sub<Vector3> for Point3 {
+    type Output = Self;
+    #[inline]
+    fn sub(self, v: Vector3) -> Self {
+        Self::new(self.x - v.x, self.y - v.y, self.z - v.z)
+    }
+}
+
+impl SubAssign<Vector3> for Point3 {
+    #[inline]
+    fn sub_assign(&mut self, v: Vector3) {
+        *self = *self - v;
+    }
+}
+
+impl Sub for Point3 {
+    type Output = Vector3;
+    #[inline]
+    fn sub(self, other: Self) -> Vector3 {
+        Vector3::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
