@@ -1,1 +1,44 @@
-//! (to be written)
+//! What a wire carries: values, typed columns, data trees; how one type becomes another, and how a panel
+//! shows each.
+//!
+//! A [`Tree`] is a list of branches with integer [`Path`]s. All branches together are one contiguous
+//! [`Column`] of one type plus the branches' ends, as Arrow lays out a list array: flattening or grafting a
+//! tree rewrites paths and ends and shares the items. Mixed lists fall back to a column of [`Value`]s. A null
+//! holds its place in a list.
+//!
+//! ```
+//! use katydid_data::{Path, Tree};
+//! let tree: Tree = Tree::list(vec![1.0, 2.0, 3.0]);
+//! assert_eq!(tree.branch_count(), 1);
+//! let grafted = tree.graft();
+//! assert_eq!(grafted.paths()[2], Path::from([0, 2]));
+//! ```
+
+pub mod cast;
+mod colour;
+mod column;
+mod complex;
+mod domain2;
+mod group;
+mod item;
+mod kind;
+mod material;
+mod path;
+pub mod text;
+mod time;
+mod tree;
+mod tree_shape;
+mod value;
+
+pub use colour::Colour;
+pub use column::{Column, Gather, Items};
+pub use complex::Complex;
+pub use domain2::Domain2;
+pub use group::Group;
+pub use item::{Geometry, Item};
+pub use kind::Kind;
+pub use material::Material;
+pub use path::{ParsePathError, Path};
+pub use time::DateTime;
+pub use tree::{Branch, Tree, TreeBuilder};
+pub use value::Value;

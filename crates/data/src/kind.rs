@@ -1,0 +1,115 @@
+use std::fmt;
+
+/// The type of a value, and of a port that takes values.
+///
+/// [`Kind::Generic`] and [`Kind::Geometry`] are types of ports only: they take values of any type, and of any
+/// geometric type, unchanged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "the names are Grasshopper's own parameter types")]
+pub enum Kind {
+    Generic,
+    Geometry,
+    Boolean,
+    Integer,
+    Number,
+    Complex,
+    Text,
+    Colour,
+    Time,
+    Guid,
+    Domain,
+    Domain2,
+    Path,
+    Point,
+    Vector,
+    Plane,
+    Line,
+    Circle,
+    Arc,
+    Rectangle,
+    Box,
+    Curve,
+    Surface,
+    Brep,
+    Mesh,
+    MeshFace,
+    SubD,
+    PointCloud,
+    Transform,
+    Matrix,
+    Material,
+    Group,
+    /// Geometry of a class that Katydid keeps whole but does not compute with.
+    Kept,
+}
+
+impl Kind {
+    /// The name that messages and port lists use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Generic => "Generic Data",
+            Self::Geometry => "Geometry",
+            Self::Boolean => "Boolean",
+            Self::Integer => "Integer",
+            Self::Number => "Number",
+            Self::Complex => "Complex",
+            Self::Text => "Text",
+            Self::Colour => "Colour",
+            Self::Time => "Time",
+            Self::Guid => "Guid",
+            Self::Domain => "Domain",
+            Self::Domain2 => "Domain²",
+            Self::Path => "Path",
+            Self::Point => "Point",
+            Self::Vector => "Vector",
+            Self::Plane => "Plane",
+            Self::Line => "Line",
+            Self::Circle => "Circle",
+            Self::Arc => "Arc",
+            Self::Rectangle => "Rectangle",
+            Self::Box => "Box",
+            Self::Curve => "Curve",
+            Self::Surface => "Surface",
+            Self::Brep => "Brep",
+            Self::Mesh => "Mesh",
+            Self::MeshFace => "Mesh face",
+            Self::SubD => "SubD",
+            Self::PointCloud => "Point Cloud",
+            Self::Transform => "Transform",
+            Self::Matrix => "Matrix",
+            Self::Material => "Shader",
+            Self::Group => "Group",
+            Self::Kept => "Geometry",
+        }
+    }
+
+    /// Whether values of this type have a place in space.
+    pub const fn is_geometry(self) -> bool {
+        matches!(
+            self,
+            Self::Geometry
+                | Self::Point
+                | Self::Vector
+                | Self::Plane
+                | Self::Line
+                | Self::Circle
+                | Self::Arc
+                | Self::Rectangle
+                | Self::Box
+                | Self::Curve
+                | Self::Surface
+                | Self::Brep
+                | Self::Mesh
+                | Self::SubD
+                | Self::PointCloud
+                | Self::Group
+                | Self::Kept
+        )
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

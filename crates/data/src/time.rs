@@ -1,0 +1,49 @@
+use std::fmt;
+
+/// A moment: .NET ticks of 100 ns since the start of year 1, without a time zone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct DateTime {
+    /// The ticks.
+    pub ticks: i64,
+}
+
+/// Year, month and day of a count of days since 0001-01-01, by the Gregorian calendar run backwards.
+/// Howard Hinnant, "chrono-compatible low-level date algorithms".
+fn civil_from_days(days: i64) -> (i64, u32, u32) {
+    // Shift the epoch to 0000-03-01, so that the leap day ends the year.
+    let z = days + 306;
+    let era = z.div_euclid(146_097);
+    let day_of_era = z.rem_euclid(146_097);
+    let year_of_era =
+        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let mp = (5 * day_of_year + 2) / 153;
+    let day = (day_of_year - (153 * mp + 2) / 5 + 1) as u32;
+    let month = if mp < 10 { mp + 3 } else { mp - 9 } as u32;
+    let year = year_of_era + era * 400 + i64::from(month <= 2);
+    (year, month, day)
+}
+
+impl fmt::Display for DateTime {
+    /// `2024-02-29 13:05:09`, the seconds whole.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let seconds = self.ticks.div_euclid(10_000_000);
+        let (days, rest) = (seconds.div_euclid(86_400), seconds.rem_euclid(86_400));
+        let (y, m, d) = civil_from_days(days);
+        write!(f, "{y:04}-{m:02}-{d:02} {:02}:{:02}:{:02}", rest / 3600, rest / 60 % 60, rest % 60)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_dates() {
+        assert_eq!(DateTime { ticks: 0 }.to_string(), "0001-01-01 00:00:00");
+        // .NET's own constant for 1970-01-01.
+        assert_eq!(DateTime { ticks: 621_355_968_000_000_000 }.to_string(), "1970-01-01 00:00:00");
+        let leap = 621_355_968_000_000_000 + (19_782 * 86_400 + 47_109) * 10_000_000;
+        assert_eq!(DateTime { ticks: leap }.to_string(), "2024-02-29 13:05:09");
+    }
+}

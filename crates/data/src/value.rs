@@ -1,0 +1,95 @@
+use std::sync::Arc as Shared;
+
+use katydid_3dm::RawObject;
+use katydid_geometry::{
+    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3, Xform,
+};
+use uuid::Uuid;
+
+use crate::{Colour, Complex, DateTime, Domain2, Group, Kind, Material, Path};
+
+/// One item of data of any type. Large contents are shared: a clone costs a counter.
+///
+/// There is no null here: a place without a value is `Option<Value>::None`.
+#[derive(Debug, Clone, PartialEq)]
+#[expect(missing_docs, reason = "each variant is the Kind of the same name")]
+pub enum Value {
+    Boolean(bool),
+    Integer(i32),
+    Number(f64),
+    Complex(Complex),
+    Text(Shared<str>),
+    Colour(Colour),
+    Time(DateTime),
+    Guid(Uuid),
+    Domain(Interval),
+    Domain2(Shared<Domain2>),
+    Path(Path),
+    Point(Point3),
+    Vector(Vector3),
+    Plane(Shared<Plane>),
+    Line(Shared<Line>),
+    Circle(Shared<Circle>),
+    Arc(Shared<Arc>),
+    Rectangle(Shared<Rectangle>),
+    Box(Shared<Box3>),
+    Curve(Shared<Curve>),
+    Mesh(Shared<Mesh>),
+    MeshFace(MeshFace),
+    Transform(Shared<Xform>),
+    Matrix(Shared<Matrix>),
+    Material(Shared<Material>),
+    Group(Shared<Group>),
+    Kept(Shared<RawObject>),
+}
+
+impl Value {
+    /// The type of this value.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Boolean(_) => Kind::Boolean,
+            Self::Integer(_) => Kind::Integer,
+            Self::Number(_) => Kind::Number,
+            Self::Complex(_) => Kind::Complex,
+            Self::Text(_) => Kind::Text,
+            Self::Colour(_) => Kind::Colour,
+            Self::Time(_) => Kind::Time,
+            Self::Guid(_) => Kind::Guid,
+            Self::Domain(_) => Kind::Domain,
+            Self::Domain2(_) => Kind::Domain2,
+            Self::Path(_) => Kind::Path,
+            Self::Point(_) => Kind::Point,
+            Self::Vector(_) => Kind::Vector,
+            Self::Plane(_) => Kind::Plane,
+            Self::Line(_) => Kind::Line,
+            Self::Circle(_) => Kind::Circle,
+            Self::Arc(_) => Kind::Arc,
+            Self::Rectangle(_) => Kind::Rectangle,
+            Self::Box(_) => Kind::Box,
+            Self::Curve(_) => Kind::Curve,
+            Self::Mesh(_) => Kind::Mesh,
+            Self::MeshFace(_) => Kind::MeshFace,
+            Self::Transform(_) => Kind::Transform,
+            Self::Matrix(_) => Kind::Matrix,
+            Self::Material(_) => Kind::Material,
+            Self::Group(_) => Kind::Group,
+            Self::Kept(_) => Kind::Kept,
+        }
+    }
+
+    /// A text value.
+    pub fn text(text: impl Into<Shared<str>>) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_stays_small() {
+        // Columns of mixed values hold millions of these.
+        assert!(size_of::<Value>() <= 32);
+    }
+}
