@@ -17,7 +17,9 @@ impl Xform {
 
     /// The move by `v`.
     pub const fn translation(v: Vector3) -> Self {
-        Self { rows: [[1.0, 0.0, 0.0, v.x], [0.0, 1.0, 0.0, v.y], [0.0, 0.0, 1.0, v.z], [0.0, 0.0, 0.0, 1.0]] }
+        Self {
+            rows: [[1.0, 0.0, 0.0, v.x], [0.0, 1.0, 0.0, v.y], [0.0, 0.0, 1.0, v.z], [0.0, 0.0, 0.0, 1.0]],
+        }
     }
 
     /// The uniform scale about a centre.
@@ -58,11 +60,7 @@ impl Xform {
         let r = &self.rows;
         let at = |i: usize| r[i][0] * p.x + r[i][1] * p.y + r[i][2] * p.z + r[i][3];
         let w = at(3);
-        if w == 1.0 {
-            Point3::new(at(0), at(1), at(2))
-        } else {
-            Point3::new(at(0) / w, at(1) / w, at(2) / w)
-        }
+        if w == 1.0 { Point3::new(at(0), at(1), at(2)) } else { Point3::new(at(0) / w, at(1) / w, at(2) / w) }
     }
 
     /// The image of a vector: translation does not move it.

@@ -1,0 +1,37 @@
+/// A face of a mesh: the indices of its corners, counter-clockwise seen from outside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MeshFace {
+    /// Three corners.
+    Triangle([u32; 3]),
+    /// Four corners.
+    Quad([u32; 4]),
+}
+
+impl MeshFace {
+    /// The corners in order.
+    #[inline]
+    pub fn indices(&self) -> &[u32] {
+        match self {
+            Self::Triangle(f) => f,
+            Self::Quad(f) => f,
+        }
+    }
+
+    /// The face as triangles; a quad is cut from its first to its third corner.
+    pub fn triangles(self) -> impl Iterator<Item = [u32; 3]> {
+        let (first, second) = match self {
+            Self::Triangle(f) => (f, None),
+            Self::Quad([a, b, c, d]) => ([a, b, c], Some([a, c, d])),
+        };
+        std::iter::once(first).chain(second)
+    }
+
+    /// The face walked the other way round, from the same first corner.
+    #[must_use]
+    pub fn flipped(self) -> Self {
+        match self {
+            Self::Triangle([a, b, c]) => Self::Triangle([a, c, b]),
+            Self::Quad([a, b, c, d]) => Self::Quad([a, d, c, b]),
+        }
+    }
+}
