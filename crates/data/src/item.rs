@@ -90,7 +90,18 @@ item!(Xform, Transform, Transforms, Xform::IDENTITY);
 item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::identity(1)));
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));
-item!(Shared<RawObject>, Kept, Kept, Shared::new(RawObject::default()));
+item!(
+    Shared<RawObject>,
+    Kept,
+    Kept,
+    Shared::new(RawObject {
+        class: Uuid::nil(),
+        archive_version: 70,
+        opennurbs_version: 0,
+        bytes: Vec::new(),
+        user_data: Vec::new(),
+    })
+);
 
 impl Item for Value {
     const KIND: Kind = Kind::Generic;

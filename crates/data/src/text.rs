@@ -70,7 +70,7 @@ pub fn value(value: &Value, style: &Style) -> String {
             1 => "Group with 1 object".to_owned(),
             n => format!("Group with {n} objects"),
         },
-        Value::Kept(object) => object.class_name().to_owned(),
+        Value::Kept(object) => object.class_name(),
     }
 }
 

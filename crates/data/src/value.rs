@@ -83,6 +83,53 @@ impl Value {
     }
 }
 
+macro_rules! from {
+    ($($type:ty, $variant:ident;)*) => {
+        $(impl From<$type> for Value {
+            fn from(value: $type) -> Self {
+                Self::$variant(value.into())
+            }
+        })*
+    };
+}
+
+from! {
+    bool, Boolean;
+    i32, Integer;
+    f64, Number;
+    Complex, Complex;
+    &str, Text;
+    String, Text;
+    Shared<str>, Text;
+    Colour, Colour;
+    DateTime, Time;
+    Uuid, Guid;
+    Interval, Domain;
+    Domain2, Domain2;
+    Path, Path;
+    Point3, Point;
+    Vector3, Vector;
+    Plane, Plane;
+    Line, Line;
+    Circle, Circle;
+    Arc, Arc;
+    Rectangle, Rectangle;
+    Box3, Box;
+    Curve, Curve;
+    Shared<Curve>, Curve;
+    Mesh, Mesh;
+    Shared<Mesh>, Mesh;
+    MeshFace, MeshFace;
+    Xform, Transform;
+    Matrix, Matrix;
+    Shared<Matrix>, Matrix;
+    Material, Material;
+    Group, Group;
+    Shared<Group>, Group;
+    RawObject, Kept;
+    Shared<RawObject>, Kept;
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,0 +1,123 @@
+use std::cell::RefCell;
+
+use katydid_data::{Path, cast::Rules, text};
+use katydid_definition::archive::Chunk;
+use katydid_geometry::Tolerance;
+
+use crate::{Call, Message, Notes};
+
+/// What a component's function may ask and tell besides its data.
+#[derive(Debug)]
+pub struct Context<'a> {
+    call: &'a Call<'a>,
+    notes: RefCell<Notes>,
+    path: RefCell<Path>,
+    iteration: std::cell::Cell<usize>,
+}
+
+impl<'a> Context<'a> {
+    pub(crate) fn new(call: &'a Call<'a>) -> Self {
+        Self { call, notes: RefCell::default(), path: RefCell::default(), iteration: std::cell::Cell::new(0) }
+    }
+
+    pub(crate) fn into_notes(self) -> Notes {
+        self.notes.into_inner()
+    }
+
+    pub(crate) fn enter_branch(&self, path: &Path) {
+        self.path.replace(path.clone());
+    }
+
+    pub(crate) fn enter_iteration(&self, i: usize) {
+        self.iteration.set(i);
+    }
+
+    /// The path of the branch that is being worked on.
+    pub fn path(&self) -> Path {
+        self.path.borrow().clone()
+    }
+
+    /// The number of this iteration in its branch.
+    pub fn iteration(&self) -> usize {
+        self.iteration.get()
+    }
+
+    /// Tells the user something; the component goes on.
+    pub fn tell(&self, message: Message) {
+        self.notes.borrow_mut().add(message);
+    }
+
+    /// Warns the user; the component goes on.
+    pub fn warn(&self, text: impl Into<String>) {
+        self.tell(Message::warning(text));
+    }
+
+    /// What the object has stored besides its ports.
+    pub fn settings(&self) -> &'a Chunk {
+        self.call.settings
+    }
+
+    /// The nickname of input `i`.
+    pub fn input_name(&self, i: usize) -> &'a str {
+        self.call.input_names.get(i).map_or("", String::as_str)
+    }
+
+    /// The number of inputs the object has.
+    pub fn input_count(&self) -> usize {
+        self.call.inputs.len()
+    }
+
+    /// Whether input `i` has any data at all.
+    pub fn has_data(&self, i: usize) -> bool {
+        self.call.inputs.get(i).is_some_and(|tree| !tree.is_empty())
+    }
+
+    /// The number of outputs the object has.
+    pub fn output_count(&self) -> usize {
+        self.call.output_count
+    }
+
+    /// Whether anybody reads output `i`; what nobody reads need not be made.
+    pub fn is_wanted(&self, i: usize) -> bool {
+        self.call.wanted.get(i).copied().unwrap_or(true)
+    }
+
+    /// How near is near enough in this document.
+    pub fn tolerance(&self) -> Tolerance {
+        self.call.rules.tolerance
+    }
+
+    /// Units and tolerances for casts.
+    pub fn rules(&self) -> &'a Rules {
+        &self.call.rules
+    }
+
+    /// Units and tolerances for texts.
+    pub fn style(&self) -> text::Style {
+        text::Style { units: self.call.rules.units, tolerance: self.call.rules.tolerance }
+    }
+
+    /// Asks whether `n` more items may be made, before they are.
+    ///
+    /// # Errors
+    /// The message to give back when that is more than the object may put out.
+    pub fn items(&self, n: usize) -> Result<(), Message> {
+        self.call.budget.fits(n)
+    }
+
+    /// Asks for `n` more bytes before they are made.
+    ///
+    /// # Errors
+    /// The message to give back when that is more than the object may put out.
+    pub fn bytes(&self, n: usize) -> Result<(), Message> {
+        self.call.budget.bytes(n)
+    }
+
+    /// To be asked now and then in long loops.
+    ///
+    /// # Errors
+    /// The message to give back when the work shall stop.
+    pub fn check(&self) -> Result<(), Message> {
+        self.call.budget.check()
+    }
+}

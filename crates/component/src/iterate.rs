@@ -1,0 +1,137 @@
+//! The loop over the data: runs a component's function once for each iteration of the matching, long runs
+//! in parallel. The results are the same to the last bit on any number of threads: a run of iterations is cut
+//! into pieces, and the pieces are joined in order.
+
+use katydid_data::Tree;
+
+use crate::input::Row;
+use crate::matching::Matching;
+use crate::output::Sinks;
+use crate::{Access, Call, Context, Message, Notes, Outcome};
+
+/// Below this many iterations a run is not worth cutting.
+#[cfg(feature = "parallel")]
+const SMALLEST_PIECE: usize = 256;
+
+/// How often the budget is asked whether to go on.
+const CHECK_EVERY: usize = 1024;
+
+/// Runs `function` over the data of `call`. It gives `Ok(None)` when a required item is null.
+#[doc(hidden)]
+pub fn run<S: Sinks>(
+    call: &Call<'_>,
+    access: &[Access],
+    function: impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync,
+) -> Outcome {
+    let last = access.last().copied().unwrap_or(Access::Item);
+    let access: Vec<Access> = (0..call.inputs.len()).map(|k| access.get(k).copied().unwrap_or(last)).collect();
+    let principal = call.settings.i32("PrincipalIndex").and_then(|k| usize::try_from(k).ok());
+    let matching = Matching::new(call.inputs, &access, principal);
+    let total = matching.iterations();
+    if let Err(message) = call.budget.check() {
+        return failed(call, message);
+    }
+
+    let piece = |range: std::ops::Range<usize>| piece::<S>(call, &matching, range, &function);
+    let mut pieces = in_pieces(total, piece).into_iter();
+    let mut notes = Notes::default();
+    let Some(first) = pieces.next() else {
+        let outputs = S::new(0, call.output_count).finish(&matching);
+        return Outcome { outputs, messages: Vec::new() };
+    };
+    let mut sinks = first.sinks;
+    notes.append(first.notes);
+    let mut stopped = first.stopped;
+    for next in pieces {
+        notes.append(next.notes);
+        stopped = stopped.or(next.stopped);
+        sinks.append(next.sinks);
+    }
+    if let Some(message) = stopped {
+        notes.add(message);
+        return Outcome { outputs: vec![Tree::empty(); call.output_count], messages: notes.into_messages() };
+    }
+    Outcome { outputs: sinks.finish(&matching), messages: notes.into_messages() }
+}
+
+fn failed(call: &Call<'_>, message: Message) -> Outcome {
+    Outcome { outputs: vec![Tree::empty(); call.output_count], messages: vec![message] }
+}
+
+/// What a run of iterations gave.
+struct Piece<S> {
+    sinks: S,
+    notes: Notes,
+    /// Why it did not go to its end: a limit, or a cancel.
+    stopped: Option<Message>,
+}
+
+fn piece<S: Sinks>(
+    call: &Call<'_>,
+    matching: &Matching,
+    range: std::ops::Range<usize>,
+    function: &(impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync),
+) -> Piece<S> {
+    let context = Context::new(call);
+    let mut sinks = S::new(range.len(), call.output_count);
+    let mut set = matching.set_of(range.start);
+    let mut at = range.start;
+    let mut stopped = None;
+    // Small results are counted together, so that threads do not queue for the counter.
+    let mut untaken = 0;
+    'sets: while at < range.end {
+        let iterations = matching.set_range(set);
+        if let Some(path) = matching.paths.get(set) {
+            context.enter_branch(path);
+        }
+        let ranges = matching.ranges(set);
+        for i in at..iterations.end.min(range.end) {
+            if (i - range.start) % CHECK_EVERY == CHECK_EVERY - 1 {
+                if let Err(message) = call.budget.check() {
+                    stopped = Some(message);
+                    break 'sets;
+                }
+            }
+            let row = Row { inputs: call.inputs, ranges, i: i - iterations.start };
+            context.enter_iteration(row.i);
+            let results = match function(&row, &context) {
+                Ok(results) => results,
+                Err(message) => {
+                    context.tell(message);
+                    None
+                }
+            };
+            untaken += results.as_ref().map_or(0, S::count);
+            if untaken >= CHECK_EVERY {
+                if let Err(message) = call.budget.items(untaken) {
+                    stopped = Some(message);
+                    break 'sets;
+                }
+                untaken = 0;
+            }
+            sinks.push(results);
+        }
+        at = iterations.end.max(at);
+        set += 1;
+    }
+    if stopped.is_none() {
+        stopped = call.budget.items(untaken).err();
+    }
+    Piece { sinks, notes: context.into_notes(), stopped }
+}
+
+#[cfg(feature = "parallel")]
+fn in_pieces<T: Send>(total: usize, piece: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
+    use rayon::prelude::*;
+    if total < 2 * SMALLEST_PIECE || rayon::current_num_threads() == 1 {
+        return vec![piece(0..total)];
+    }
+    let size = total.div_ceil(rayon::current_num_threads() * 8).max(SMALLEST_PIECE);
+    let starts: Vec<usize> = (0..total).step_by(size).collect();
+    starts.into_par_iter().map(|start| piece(start..(start + size).min(total))).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn in_pieces<T: Send>(total: usize, piece: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
+    vec![piece(0..total)]
+}

@@ -1,0 +1,58 @@
+//! What a component is: typed ports, the function behind them, and how data trees are matched to its inputs.
+//!
+//! A component is one plain function with the [`component`] attribute. The attribute reads ports, access and
+//! help off the signature, writes the loop over the data, and enters the component in the [`registry`].
+//!
+//! ```
+//! use katydid_component::component;
+//! use katydid_geometry::Point3;
+//!
+//! /// The straight distance between two points.
+//! #[component("00000000-0000-0000-0000-00000000d157", name = "Doc Distance", nick = "Dist", at = "Doc/Tests")]
+//! #[output("Distance", "D", "The distance, in the units of the points.")]
+//! fn doc_distance(
+//!     /// The first point.
+//!     #[port("Point A", "A")]
+//!     a: Point3,
+//!     /// The second point.
+//!     #[port("Point B", "B")]
+//!     b: Point3,
+//! ) -> f64 {
+//!     a.distance_to(b)
+//! }
+//!
+//! assert_eq!(katydid_component::registry::by_name("Doc Distance").unwrap().inputs.len(), 2);
+//! ```
+
+mod budget;
+mod call;
+mod context;
+mod input;
+mod iterate;
+mod matching;
+mod message;
+mod output;
+mod port;
+pub mod registry;
+
+pub use budget::{Budget, Cancel, Deadline, Limits};
+pub use call::{Call, Outcome};
+pub use context::Context;
+pub use input::{List, ManyItems, ManyLists, ManyTrees};
+pub use katydid_component_macros::component;
+pub use message::{Level, Message, Notes};
+pub use output::Each;
+pub use port::{Access, Component, Port};
+
+/// What the [`component`] attribute writes code against; not for use by hand.
+#[doc(hidden)]
+pub mod parts {
+    pub use inventory;
+    pub use katydid_data::{Item, Kind, Tree, Value};
+    pub use uuid::Uuid;
+
+    pub use crate::input::Row;
+    pub use crate::iterate::run;
+    pub use crate::output::{EachItems, EachLists, EachTrees, Items, Lists, Trees};
+    pub use crate::port::default_tree;
+}

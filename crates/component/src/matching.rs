@@ -1,0 +1,99 @@
+//! Which items meet in an iteration, and at which path its results go.
+//!
+//! A component runs once per branch set: as many as the input with the most branches has, and an input with
+//! fewer gives its last branch again. Inside a set it runs once per item set, in the same manner. Branches are
+//! matched by their order, not by their paths.
+
+use std::ops::Range;
+
+use katydid_data::{Path, Tree};
+
+use crate::Access;
+
+/// The plan of all iterations of one run.
+#[derive(Debug)]
+pub(crate) struct Matching {
+    /// The path of each branch set.
+    pub(crate) paths: Vec<Path>,
+    /// Where the iterations of each branch set end, counted over all sets.
+    pub(crate) ends: Vec<usize>,
+    /// Whether any input takes items, so that lists grow a path element.
+    pub(crate) grows: bool,
+    /// For each branch set, where the branch of each input lies; inputs side by side.
+    ranges: Vec<Range<usize>>,
+    inputs: usize,
+}
+
+impl Matching {
+    /// Matches the inputs that do not take whole trees. An input without any data is left out: the caller has
+    /// made sure that it is optional. `principal` overrides the choice of the input that gives the paths.
+    pub(crate) fn new(inputs: &[Tree], access: &[Access], principal: Option<usize>) -> Self {
+        let takes_part = |k: usize| access.get(k).is_some_and(|a| *a != Access::Tree);
+        let takes_items = |k: usize| access.get(k) == Some(&Access::Item);
+        let matched: Vec<usize> =
+            (0..inputs.len()).filter(|&k| takes_part(k) && !inputs[k].is_empty()).collect();
+        let grows = (0..inputs.len()).any(takes_items);
+        let sets = matched.iter().map(|&k| inputs[k].branch_count()).max().unwrap_or(1);
+        let master = principal
+            .filter(|k| matched.contains(k) && inputs[*k].branch_count() == sets)
+            .or_else(|| Self::master(inputs, &matched));
+        let paths = match master {
+            Some(k) => inputs[k].paths().to_vec(),
+            None => vec![Path::zero()],
+        };
+        let mut ends = Vec::with_capacity(sets);
+        let mut ranges = Vec::with_capacity(sets * inputs.len());
+        let mut total = 0;
+        for set in 0..sets {
+            let mut longest = 1;
+            let mut starved = false;
+            for (k, tree) in inputs.iter().enumerate() {
+                let range = match tree.branch_count() {
+                    0 => 0..0,
+                    count => tree.range(set.min(count - 1)),
+                };
+                if takes_items(k) && !tree.is_empty() {
+                    longest = longest.max(range.len());
+                    starved |= range.is_empty();
+                }
+                ranges.push(range);
+            }
+            total += if starved { 0 } else { longest };
+            ends.push(total);
+        }
+        Self { paths, ends, grows, ranges, inputs: inputs.len() }
+    }
+
+    /// The input whose paths the results get: the most branches, then the longest paths, then the first.
+    fn master(inputs: &[Tree], matched: &[usize]) -> Option<usize> {
+        let rank = |k: usize| (inputs[k].branch_count(), inputs[k].paths().first().map_or(0, Path::len));
+        let mut best: Option<usize> = None;
+        for &k in matched {
+            if best.is_none_or(|b| rank(k) > rank(b)) {
+                best = Some(k);
+            }
+        }
+        best
+    }
+
+    /// The number of iterations over all branch sets.
+    pub(crate) fn iterations(&self) -> usize {
+        self.ends.last().copied().unwrap_or(0)
+    }
+
+    /// Where the branches of branch set `set` lie, one for each input.
+    pub(crate) fn ranges(&self, set: usize) -> &[Range<usize>] {
+        self.ranges.get(set * self.inputs..(set + 1) * self.inputs).unwrap_or(&[])
+    }
+
+    /// Where iterations of branch set `set` lie among all.
+    pub(crate) fn set_range(&self, set: usize) -> Range<usize> {
+        let start = if set == 0 { 0 } else { self.ends.get(set - 1).copied().unwrap_or(0) };
+        start..self.ends.get(set).copied().unwrap_or(start)
+    }
+
+    /// The branch set that iteration `i` belongs to.
+    pub(crate) fn set_of(&self, i: usize) -> usize {
+        self.ends.partition_point(|&end| end <= i)
+    }
+}

@@ -1,0 +1,111 @@
+use std::fmt;
+
+/// How much a message matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Something worth knowing.
+    Remark,
+    /// The component ran, but not on all of its data, or not as its user may think.
+    Warning,
+    /// The component could not do its work.
+    Error,
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Remark => "remark",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        })
+    }
+}
+
+/// What a component tells its user, in the user's words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Message {
+    /// How much it matters.
+    pub level: Level,
+    /// The sentence.
+    pub text: String,
+}
+
+impl Message {
+    /// The work could not be done.
+    pub fn error(text: impl Into<String>) -> Self {
+        Self { level: Level::Error, text: text.into() }
+    }
+
+    /// Done, but with a catch.
+    pub fn warning(text: impl Into<String>) -> Self {
+        Self { level: Level::Warning, text: text.into() }
+    }
+
+    /// Worth knowing.
+    pub fn remark(text: impl Into<String>) -> Self {
+        Self { level: Level::Remark, text: text.into() }
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.level, self.text)
+    }
+}
+
+impl From<katydid_geometry::Error> for Message {
+    fn from(error: katydid_geometry::Error) -> Self {
+        Self::error(error.to_string())
+    }
+}
+
+/// Different messages beyond this many are counted, not kept.
+const KEPT: usize = 32;
+
+/// The messages of one component, each text once with the number of times it was said.
+#[derive(Debug, Clone, Default)]
+pub struct Notes {
+    entries: Vec<(Message, usize)>,
+    beyond: usize,
+}
+
+impl Notes {
+    /// Adds a message.
+    pub fn add(&mut self, message: Message) {
+        self.add_times(message, 1);
+    }
+
+    fn add_times(&mut self, message: Message, times: usize) {
+        if let Some((_, count)) = self.entries.iter_mut().find(|(m, _)| *m == message) {
+            *count += times;
+        } else if self.entries.len() < KEPT {
+            self.entries.push((message, times));
+        } else {
+            self.beyond += times;
+        }
+    }
+
+    /// Adds all of another's messages behind these.
+    pub fn append(&mut self, other: Self) {
+        for (message, times) in other.entries {
+            self.add_times(message, times);
+        }
+        self.beyond += other.beyond;
+    }
+
+    /// The messages as shown: what was said more than once ends with how often.
+    pub fn into_messages(self) -> Vec<Message> {
+        let mut messages: Vec<Message> = self
+            .entries
+            .into_iter()
+            .map(|(message, times)| match times {
+                1 => message,
+                _ => Message { text: format!("{} ({times} times)", message.text), ..message },
+            })
+            .collect();
+        if self.beyond > 0 {
+            messages.push(Message::remark(format!("and {} more messages", self.beyond)));
+        }
+        messages
+    }
+}

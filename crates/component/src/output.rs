@@ -1,0 +1,281 @@
+//! Where results go: each kind of output collects what the iterations give, and makes a tree of it.
+
+use katydid_data::{Column, Gather, Item, Tree};
+
+use crate::matching::Matching;
+
+/// One result for each of the ports that an output port stands for, in port order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Each<T>(pub Vec<T>);
+
+/// Collects one output's results over a run of iterations.
+#[doc(hidden)]
+pub trait Sink: Send + Sized {
+    /// What one iteration gives.
+    type Result;
+
+    /// Nothing yet. `ports` is the number of ports this output stands for.
+    fn new(capacity: usize, ports: usize) -> Self;
+    /// The result of the next iteration; `None` when it gave none.
+    fn push(&mut self, result: Option<Self::Result>);
+    /// The results of the iterations behind these.
+    fn append(&mut self, other: Self);
+    /// The number of items the result of one iteration holds, for the budget.
+    fn count(result: &Self::Result) -> usize;
+    /// The trees, one a port.
+    fn finish(self, matching: &Matching) -> Vec<Tree>;
+}
+
+/// One item an iteration: all iterations of a branch set share its path.
+#[derive(Debug)]
+pub struct Items<T: Item>(Gather<T>);
+
+impl<T: Item> Sink for Items<T> {
+    type Result = Option<T>;
+
+    fn new(capacity: usize, _: usize) -> Self {
+        Self(Gather::with_capacity(capacity))
+    }
+
+    #[inline]
+    fn push(&mut self, result: Option<Option<T>>) {
+        self.0.push(result.flatten());
+    }
+
+    fn append(&mut self, other: Self) {
+        self.0.append(other.0);
+    }
+
+    fn count(_: &Option<T>) -> usize {
+        1
+    }
+
+    fn finish(self, matching: &Matching) -> Vec<Tree> {
+        vec![Tree::from_parts(matching.paths.clone(), matching.ends.clone(), self.0.finish())]
+    }
+}
+
+/// A list an iteration: each goes to a branch of its own, one element longer when any input takes items.
+#[derive(Debug)]
+pub struct Lists<T: Item> {
+    items: Gather<T>,
+    ends: Vec<usize>,
+}
+
+impl<T: Item> Sink for Lists<T> {
+    type Result = Vec<Option<T>>;
+
+    fn new(_: usize, _: usize) -> Self {
+        Self { items: Gather::default(), ends: Vec::new() }
+    }
+
+    fn push(&mut self, result: Option<Vec<Option<T>>>) {
+        for item in result.unwrap_or_default() {
+            self.items.push(item);
+        }
+        self.ends.push(self.items.len());
+    }
+
+    fn append(&mut self, other: Self) {
+        let before = self.items.len();
+        self.items.append(other.items);
+        self.ends.extend(other.ends.into_iter().map(|end| end + before));
+    }
+
+    fn count(result: &Vec<Option<T>>) -> usize {
+        result.len()
+    }
+
+    fn finish(self, matching: &Matching) -> Vec<Tree> {
+        vec![list_tree(self.items.finish(), self.ends, matching)]
+    }
+}
+
+/// Lists, given by where each ends, at the paths that the iterations have.
+fn list_tree(column: Column, ends: Vec<usize>, matching: &Matching) -> Tree {
+    let mut paths = Vec::with_capacity(ends.len());
+    for (set, path) in matching.paths.iter().enumerate() {
+        let range = matching.set_range(set);
+        if matching.grows {
+            paths.extend((0..range.len()).map(|i| path.child(i)));
+        } else {
+            paths.extend(range.map(|_| path.clone()));
+        }
+    }
+    Tree::from_parts(paths, ends, column)
+}
+
+/// A whole tree an iteration; those of several iterations are joined.
+#[derive(Debug)]
+pub struct Trees(Vec<Tree>);
+
+impl Sink for Trees {
+    type Result = Tree;
+
+    fn new(_: usize, _: usize) -> Self {
+        Self(Vec::new())
+    }
+
+    fn push(&mut self, result: Option<Tree>) {
+        self.0.extend(result);
+    }
+
+    fn append(&mut self, other: Self) {
+        self.0.extend(other.0);
+    }
+
+    fn count(_: &Tree) -> usize {
+        // A tree's items are mostly shared with an input; components that make new ones ask the budget.
+        0
+    }
+
+    fn finish(self, _: &Matching) -> Vec<Tree> {
+        vec![Tree::merge(&self.0)]
+    }
+}
+
+macro_rules! each {
+    ($(#[$doc:meta])* $name:ident, $sink:ty, $result:ty) => {
+        $(#[$doc])*
+        #[derive(Debug)]
+        pub struct $name<T: Item>(Vec<$sink>, std::marker::PhantomData<T>);
+
+        impl<T: Item> Sink for $name<T> {
+            type Result = Vec<$result>;
+
+            fn new(capacity: usize, ports: usize) -> Self {
+                Self((0..ports).map(|_| <$sink>::new(capacity, 1)).collect(), std::marker::PhantomData)
+            }
+
+            fn push(&mut self, result: Option<Self::Result>) {
+                let mut results = result.map(Vec::into_iter);
+                for sink in &mut self.0 {
+                    sink.push(results.as_mut().and_then(Iterator::next));
+                }
+            }
+
+            fn append(&mut self, other: Self) {
+                for (mine, theirs) in self.0.iter_mut().zip(other.0) {
+                    mine.append(theirs);
+                }
+            }
+
+            fn count(result: &Self::Result) -> usize {
+                result.iter().map(<$sink>::count).sum()
+            }
+
+            fn finish(self, matching: &Matching) -> Vec<Tree> {
+                self.0.into_iter().flat_map(|sink| sink.finish(matching)).collect()
+            }
+        }
+    };
+}
+
+each!(
+    /// One item an iteration on each of several ports.
+    EachItems, Items<T>, Option<T>
+);
+each!(
+    /// One list an iteration on each of several ports.
+    EachLists, Lists<T>, Vec<Option<T>>
+);
+
+/// One tree an iteration on each of several ports.
+#[derive(Debug)]
+pub struct EachTrees(Vec<Trees>);
+
+impl Sink for EachTrees {
+    type Result = Vec<Tree>;
+
+    fn new(capacity: usize, ports: usize) -> Self {
+        Self((0..ports).map(|_| Trees::new(capacity, 1)).collect())
+    }
+
+    fn push(&mut self, result: Option<Vec<Tree>>) {
+        let mut results = result.map(Vec::into_iter);
+        for sink in &mut self.0 {
+            sink.push(results.as_mut().and_then(Iterator::next));
+        }
+    }
+
+    fn append(&mut self, other: Self) {
+        for (mine, theirs) in self.0.iter_mut().zip(other.0) {
+            mine.append(theirs);
+        }
+    }
+
+    fn count(_: &Vec<Tree>) -> usize {
+        0
+    }
+
+    fn finish(self, matching: &Matching) -> Vec<Tree> {
+        self.0.into_iter().flat_map(|sink| sink.finish(matching)).collect()
+    }
+}
+
+/// All outputs of a component side by side.
+#[doc(hidden)]
+pub trait Sinks: Send + Sized {
+    /// What one iteration gives.
+    type Results;
+    /// Nothing yet; `ports` is the number of outputs the object has.
+    fn new(capacity: usize, ports: usize) -> Self;
+    /// The results of the next iteration.
+    fn push(&mut self, results: Option<Self::Results>);
+    /// The results of the iterations behind these.
+    fn append(&mut self, other: Self);
+    /// The number of items in the results of one iteration.
+    fn count(results: &Self::Results) -> usize;
+    /// The trees of all outputs.
+    fn finish(self, matching: &Matching) -> Vec<Tree>;
+}
+
+macro_rules! sinks {
+    ($($name:ident $index:tt),*; $n:expr) => {
+        impl<$($name: Sink),*> Sinks for ($($name,)*) {
+            type Results = ($($name::Result,)*);
+
+            #[allow(unused_variables, reason = "no outputs, nothing to make")]
+            fn new(capacity: usize, ports: usize) -> Self {
+                // Only the last output stands for many: it has what the others leave.
+                let rest = (ports + 1).saturating_sub($n).max(1);
+                ($($name::new(capacity, if $index + 1 == $n { rest } else { 1 }),)*)
+            }
+
+            #[inline]
+            #[allow(unused_variables, reason = "no outputs, nothing to keep")]
+            fn push(&mut self, results: Option<Self::Results>) {
+                match results {
+                    Some(results) => { $(self.$index.push(Some(results.$index));)* }
+                    None => { $(self.$index.push(None);)* }
+                }
+            }
+
+            #[allow(unused_variables, reason = "no outputs, nothing to join")]
+            fn append(&mut self, other: Self) {
+                $(self.$index.append(other.$index);)*
+            }
+
+            #[allow(unused_variables, reason = "no outputs, nothing to count")]
+            fn count(results: &Self::Results) -> usize {
+                0 $(+ $name::count(&results.$index))*
+            }
+
+            #[allow(unused_variables, reason = "no outputs, no trees")]
+            fn finish(self, matching: &Matching) -> Vec<Tree> {
+                let trees: [Vec<Tree>; $n] = [$(self.$index.finish(matching)),*];
+                trees.into_iter().flatten().collect()
+            }
+        }
+    };
+}
+
+sinks!(; 0);
+sinks!(A 0; 1);
+sinks!(A 0, B 1; 2);
+sinks!(A 0, B 1, C 2; 3);
+sinks!(A 0, B 1, C 2, D 3; 4);
+sinks!(A 0, B 1, C 2, D 3, E 4; 5);
+sinks!(A 0, B 1, C 2, D 3, E 4, F 5; 6);
+sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6; 7);
+sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7; 8);

@@ -1,0 +1,36 @@
+//! All components there are, by id and by name.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use uuid::Uuid;
+
+use crate::Component;
+
+static BY_GUID: LazyLock<HashMap<Uuid, &'static Component>> = LazyLock::new(|| {
+    let mut map = HashMap::new();
+    for component in inventory::iter::<Component> {
+        map.insert(component.guid, component);
+        for &guid in component.also {
+            map.insert(guid, component);
+        }
+    }
+    map
+});
+
+/// The component of a type id, old ids included.
+pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
+    BY_GUID.get(&guid).copied()
+}
+
+/// The first component of that name, in order of tab, panel and name; case does not matter.
+pub fn by_name(name: &str) -> Option<&'static Component> {
+    all().into_iter().find(|c| c.name.eq_ignore_ascii_case(name))
+}
+
+/// All components, ordered by tab, panel, name and id.
+pub fn all() -> Vec<&'static Component> {
+    let mut all: Vec<_> = inventory::iter::<Component>.into_iter().collect();
+    all.sort_by_key(|c| (c.tab, c.panel, c.name, c.guid));
+    all
+}

@@ -1,0 +1,21 @@
+//! The components themselves: a folder a tab, a file a panel, a function a component.
+//!
+//! Geometry of more than a few lines belongs in `katydid-geometry`, where a Rust user finds it too. A program
+//! that wants the components in its registry calls [`link`].
+
+mod curve;
+mod display;
+mod maths;
+mod params;
+mod sets;
+mod transform;
+mod vector;
+
+/// Makes sure that the components are linked into the program, and tells how many there are.
+///
+/// ```
+/// assert!(katydid_components::link() > 100);
+/// ```
+pub fn link() -> usize {
+    katydid_component::registry::all().len()
+}

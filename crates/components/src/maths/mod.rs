@@ -1,0 +1,4 @@
+//! The Maths tab.
+
+mod arithmetic;
+mod operators;

@@ -1,0 +1,173 @@
+//! How a value of one type becomes one of another: the conversions that happen when a wire reaches a port.
+//!
+//! One table, a function for each type aimed at. Sources: the rules that pictures of Grasshopper prove, and
+//! public knowledge of its parameters where no picture settles it.
+
+mod curve;
+mod number;
+mod parse;
+mod place;
+
+use std::sync::Arc as Shared;
+
+use katydid_geometry::{Tolerance, Units};
+
+use crate::{Column, Gather, Geometry, Items, Kind, Material, Path, Value, text};
+
+pub use parse::{colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point};
+
+/// What some conversions need to know of the document.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rules {
+    /// How near a curve must be to a line, arc or circle to become one.
+    pub tolerance: Tolerance,
+    /// The unit that texts of lengths carry.
+    pub units: Units,
+}
+
+/// `value` as `kind`; `None` when there is no way from one to the other.
+pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
+    if value.kind() == kind {
+        return Some(value.clone());
+    }
+    match kind {
+        Kind::Generic => Some(value.clone()),
+        Kind::Geometry => geometry(value),
+        Kind::Boolean => number::boolean(value).map(Value::Boolean),
+        Kind::Integer => number::integer(value).map(Value::Integer),
+        Kind::Number => number::number(value).map(Value::Number),
+        Kind::Complex => number::complex(value).map(Value::Complex),
+        Kind::Text => {
+            let style = text::Style { units: rules.units, tolerance: rules.tolerance };
+            Some(Value::text(text::value(value, &style)))
+        }
+        Kind::Colour => number::colour(value).map(Value::Colour),
+        Kind::Time => None,
+        Kind::Guid => match value {
+            Value::Text(text) => uuid::Uuid::parse_str(text.trim()).ok().map(Value::Guid),
+            _ => None,
+        },
+        Kind::Domain => number::domain(value).map(Value::Domain),
+        Kind::Domain2 => number::domain2(value).map(|d| Value::Domain2(Shared::new(d))),
+        Kind::Path => match value {
+            Value::Text(text) => text.parse().ok().map(Value::Path),
+            Value::Integer(i) => Some(Value::Path(Path::from([*i]))),
+            Value::Number(_) => number::integer(value).map(|i| Value::Path(Path::from([i]))),
+            _ => None,
+        },
+        Kind::Point => place::point(value, rules).map(Value::Point),
+        Kind::Vector => place::vector(value, rules).map(Value::Vector),
+        Kind::Plane => place::plane(value, rules).map(|p| Value::Plane(Shared::new(p))),
+        Kind::Line => curve::line(value, rules).map(|l| Value::Line(Shared::new(l))),
+        Kind::Circle => curve::circle(value, rules).map(|c| Value::Circle(Shared::new(c))),
+        Kind::Arc => curve::arc(value, rules).map(|a| Value::Arc(Shared::new(a))),
+        Kind::Rectangle => curve::rectangle(value, rules).map(|r| Value::Rectangle(Shared::new(r))),
+        Kind::Box => place::bounding_box(value).map(|b| Value::Box(Shared::new(b))),
+        Kind::Curve => curve::curve(value).map(|c| Value::Curve(Shared::new(c))),
+        Kind::Mesh => place::mesh(value).map(|m| Value::Mesh(Shared::new(m))),
+        Kind::MeshFace => match value {
+            Value::Text(text) => parse::mesh_face(text).map(Value::MeshFace),
+            _ => None,
+        },
+        Kind::Surface | Kind::Brep | Kind::SubD | Kind::PointCloud => kept(value, kind),
+        Kind::Transform => match value {
+            Value::Vector(v) => {
+                Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v))))
+            }
+            _ => None,
+        },
+        Kind::Matrix => match value {
+            Value::Transform(x) => katydid_geometry::Matrix::from_rows(&x.rows.map(|row| row.to_vec()))
+                .ok()
+                .map(|m| Value::Matrix(Shared::new(m))),
+            _ => None,
+        },
+        Kind::Material => number::colour(value).map(|c| Value::Material(Shared::new(Material::from(c)))),
+        Kind::Group | Kind::Kept => None,
+    }
+}
+
+/// Any geometric value, unchanged; a text that reads as a point becomes one.
+fn geometry(value: &Value) -> Option<Value> {
+    match value {
+        Value::Text(text) => parse::point(text).map(Value::Point),
+        other if other.kind().is_geometry() => Some(other.clone()),
+        _ => None,
+    }
+}
+
+/// Geometry that is kept whole fits the port its class belongs to.
+fn kept(value: &Value, kind: Kind) -> Option<Value> {
+    let Value::Kept(object) = value else { return None };
+    let fits = match (kind, object.class_name().as_str()) {
+        (Kind::Brep, "Brep" | "Extrusion") | (Kind::SubD, "SubD") | (Kind::PointCloud, "PointCloud") => true,
+        (Kind::Surface, name) => name.ends_with("Surface") || matches!(name, "Brep" | "Extrusion"),
+        (Kind::Brep, name) => name.ends_with("Surface"),
+        _ => false,
+    };
+    fits.then(|| value.clone())
+}
+
+/// A column cast to a type, and what could not be cast.
+#[derive(Debug, Clone)]
+pub struct Cast {
+    /// The column; a failed item is null.
+    pub column: Column,
+    /// The type of the first item that could not be cast, and how many could not.
+    pub failed: Option<(Kind, usize)>,
+}
+
+/// Every item of a column as `kind`. A column that is of that type already is shared, not copied.
+pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
+    if kind == Kind::Generic || column.kind() == kind {
+        return Cast { column: column.clone(), failed: None };
+    }
+    if kind == Kind::Geometry && column.kind().is_geometry() {
+        return Cast { column: column.clone(), failed: None };
+    }
+    if let Some(items) = whole(column.items(), kind) {
+        let nulls = column.null_mask().map(<[bool]>::to_vec);
+        return Cast { column: Column::new(items, nulls), failed: None };
+    }
+    let mut failed: Option<(Kind, usize)> = None;
+    let mut cast = Gather::<Value>::with_capacity(column.len());
+    for item in column.iter() {
+        let Some(item) = item else {
+            cast.push(None);
+            continue;
+        };
+        let result = value(&item, kind, rules);
+        if result.is_none() {
+            failed.get_or_insert((item.kind(), 0)).1 += 1;
+        }
+        cast.push(result);
+    }
+    let cast = if kind == Kind::Geometry {
+        let mut geometry = Gather::<Geometry>::with_capacity(cast.len());
+        cast.finish().iter().for_each(|item| geometry.push(item.map(Geometry)));
+        geometry.finish()
+    } else {
+        cast.finish()
+    };
+    Cast { column: cast, failed }
+}
+
+/// The conversions that cannot fail, over whole runs.
+fn whole(items: &Items, kind: Kind) -> Option<Items> {
+    fn map<A: Copy, B>(items: &[A], f: impl Fn(A) -> B) -> Shared<Vec<B>> {
+        Shared::new(items.iter().copied().map(f).collect())
+    }
+    Some(match (items, kind) {
+        (Items::Integers(x), Kind::Number) => Items::Numbers(map(x, f64::from)),
+        (Items::Booleans(x), Kind::Number) => Items::Numbers(map(x, |b| f64::from(u8::from(b)))),
+        (Items::Booleans(x), Kind::Integer) => Items::Integers(map(x, i32::from)),
+        (Items::Integers(x), Kind::Boolean) => Items::Booleans(map(x, |i| i != 0)),
+        (Items::Numbers(x), Kind::Boolean) => Items::Booleans(map(x, |n| n != 0.0)),
+        (Items::Points(x), Kind::Vector) => Items::Vectors(map(x, katydid_geometry::Point3::to_vector)),
+        (Items::Vectors(x), Kind::Point) => Items::Points(map(x, katydid_geometry::Vector3::to_point)),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests;

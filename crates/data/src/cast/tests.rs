@@ -1,0 +1,86 @@
+use katydid_geometry::{Interval, MeshFace, Plane, Point3, Vector3};
+
+use super::*;
+use crate::{Colour, Domain2};
+
+fn to(v: Value, kind: Kind) -> Option<Value> {
+    value(&v, kind, &Rules::default())
+}
+
+#[test]
+fn numbers_round_to_integers_with_halves_to_even() {
+    for (x, i) in [(2.5, 2), (3.5, 4), (-0.5, 0), (2.4, 2), (-2.6, -3)] {
+        assert_eq!(to(Value::Number(x), Kind::Integer), Some(Value::Integer(i)));
+    }
+    assert_eq!(to(Value::Number(3e9), Kind::Integer), None);
+    assert_eq!(to(Value::Number(f64::NAN), Kind::Integer), None);
+}
+
+#[test]
+fn zero_is_false() {
+    assert_eq!(to(Value::Number(0.0), Kind::Boolean), Some(Value::Boolean(false)));
+    assert_eq!(to(Value::Number(-0.3), Kind::Boolean), Some(Value::Boolean(true)));
+    assert_eq!(to(Value::Boolean(true), Kind::Number), Some(Value::Number(1.0)));
+    assert_eq!(to(Value::text("0"), Kind::Boolean), Some(Value::Boolean(false)));
+    assert_eq!(to(Value::text("TRUE"), Kind::Boolean), Some(Value::Boolean(true)));
+    assert_eq!(to(Value::text("maybe"), Kind::Boolean), None);
+}
+
+#[test]
+fn texts_are_read() {
+    assert_eq!(to(Value::text(" 3.6 "), Kind::Number), Some(Value::Number(3.6)));
+    assert_eq!(to(Value::text("1/4"), Kind::Number), Some(Value::Number(0.25)));
+    assert_eq!(to(Value::text("1e3"), Kind::Integer), Some(Value::Integer(1000)));
+    assert_eq!(to(Value::text("20"), Kind::Domain), Some(Value::Domain(Interval::new(0.0, 20.0))));
+    assert_eq!(to(Value::text("-1 to 10"), Kind::Domain), Some(Value::Domain(Interval::new(-1.0, 10.0))));
+    assert_eq!(to(Value::text("{0,1.5, -2}"), Kind::Point), Some(Value::Point(Point3::new(0.0, 1.5, -2.0))));
+    assert_eq!(to(Value::text("Q{0,1,2,3}"), Kind::MeshFace), Some(Value::MeshFace(MeshFace::Quad([0, 1, 2, 3]))));
+    assert_eq!(to(Value::text("T{1;2;4}"), Kind::MeshFace), Some(Value::MeshFace(MeshFace::Triangle([1, 2, 4]))));
+    assert_eq!(to(Value::text("255,0,10"), Kind::Colour), Some(Value::Colour(Colour::rgb(255, 0, 10))));
+    assert_eq!(to(Value::text("#80ff0000"), Kind::Colour), Some(Value::Colour(Colour::argb(128, 255, 0, 0))));
+    let square = Domain2 { u: Interval::new(0.0, 50.0), v: Interval::new(0.0, 20.0) };
+    assert_eq!(to(Value::text("u:{0 To 50} v:{0 To 20}"), Kind::Domain2), Some(Value::Domain2(square.into())));
+    for nonsense in ["", "x", "1,2", "{", "to", "{1,2,3", "Q{a}"] {
+        assert_eq!(to(Value::text(nonsense), Kind::Number), None, "{nonsense}");
+    }
+}
+
+#[test]
+fn points_vectors_and_planes_change_into_each_other() {
+    let p = Point3::new(1.0, 2.0, 3.0);
+    assert_eq!(to(Value::Point(p), Kind::Vector), Some(Value::Vector(p.to_vector())));
+    assert_eq!(to(Value::Vector(p.to_vector()), Kind::Point), Some(Value::Point(p)));
+    let plane = Plane { origin: p, ..Plane::XY };
+    assert_eq!(to(Value::Point(p), Kind::Plane), Some(Value::Plane(plane.into())));
+    assert_eq!(to(Value::Plane(plane.into()), Kind::Point), Some(Value::Point(p)));
+    assert_eq!(to(Value::Plane(plane.into()), Kind::Vector), Some(Value::Vector(Vector3::Z)));
+}
+
+#[test]
+fn circles_lines_and_rectangles_are_curves_and_back() {
+    let circle = to(Value::Number(2.0), Kind::Circle).unwrap();
+    let curve = to(circle.clone(), Kind::Curve).unwrap();
+    assert_eq!(to(curve, Kind::Circle), Some(circle));
+    let rectangle = to(
+        Value::Domain2(Domain2 { u: Interval::new(0.0, 3.0), v: Interval::new(0.0, 2.0) }.into()),
+        Kind::Rectangle,
+    );
+    let curve = to(rectangle.clone().unwrap(), Kind::Curve).unwrap();
+    assert_eq!(to(curve, Kind::Rectangle), rectangle);
+}
+
+#[test]
+fn a_column_tells_what_failed_and_keeps_its_nulls() {
+    let column = Column::of_options(vec![Some(Value::text("1")), None, Some(Value::text("a")), Some(Value::text("b"))]);
+    let cast = super::column(&column, Kind::Number, &Rules::default());
+    assert_eq!(cast.failed, Some((Kind::Text, 2)));
+    assert_eq!(cast.column.iter().collect::<Vec<_>>(), [Some(Value::Number(1.0)), None, None, None]);
+}
+
+#[test]
+fn a_column_of_the_right_type_is_shared() {
+    let column = Column::of_values(vec![Value::Number(1.0)], None);
+    let cast = super::column(&column, Kind::Number, &Rules::default()).column;
+    let (Items::Numbers(a), Items::Numbers(b)) = (column.items(), cast.items()) else { panic!() };
+    assert!(Shared::ptr_eq(a, b));
+}
