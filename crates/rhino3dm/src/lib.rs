@@ -1,1 +1,49 @@
-//! (to be written)
+//! .3dm archives, read and written in safe Rust.
+//!
+//! A [`Model`] is what an archive holds: units, tolerances, notes, layers, and objects with their attributes.
+//! Points, point clouds, curves and meshes come as types of [`katydid_geometry`]; every other class is kept byte
+//! for byte as a [`RawObject`] and written back as it was where the archive version allows. Archives of version
+//! 2 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
+//! files and rhino3dm's JSON carry.
+//!
+//! What belongs here: the layout of the format, and nothing that computes geometry. Every length is checked
+//! before anything is allocated, nesting and inflation are bounded by [`Limits`], and broken bytes give an
+//! [`Error`] or a [`Warning`] with their offset, never a panic.
+//!
+//! ```
+//! use katydid_3dm::{Limits, Model, Object};
+//! use katydid_geometry::{Line, Point3};
+//!
+//! let line = Line::new(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0));
+//! let mut model = Model::default();
+//! model.objects.push(Object::Curve(line.into()).into());
+//! let bytes = model.write(70)?;
+//! let back = Model::read(&bytes, &Limits::default())?;
+//! assert_eq!(back.counts()["LineCurve"], 1);
+//! # Ok::<(), katydid_3dm::Error>(())
+//! ```
+
+mod attributes;
+mod chunk;
+mod class_ids;
+mod colour;
+mod compressed;
+mod crc;
+mod error;
+mod layer;
+mod limits;
+mod model;
+mod object;
+mod primitives;
+mod read;
+mod settings;
+mod typecode;
+mod version;
+mod write;
+
+pub use attributes::{Attributes, ObjectMode};
+pub use error::{Error, Result, Warning};
+pub use layer::Layer;
+pub use limits::Limits;
+pub use model::{Model, ModelObject, UnitScale};
+pub use object::{BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData};

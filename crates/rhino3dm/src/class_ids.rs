@@ -1,0 +1,93 @@
+//! The identifiers of openNURBS classes, their names, and the object type that a record states (sections 6–8).
+
+use uuid::{Uuid, uuid};
+
+pub(crate) const POINT: Uuid = uuid!("C3101A1D-F157-11D3-BFE7-0010830122F0");
+pub(crate) const POINT_CLOUD: Uuid = uuid!("2488F347-F8FA-11D3-BFEC-0010830122F0");
+pub(crate) const LINE_CURVE: Uuid = uuid!("4ED7D4DB-E947-11D3-BFE5-0010830122F0");
+pub(crate) const ARC_CURVE: Uuid = uuid!("CF33BE2A-09B4-11D4-BFFB-0010830122F0");
+pub(crate) const POLYLINE_CURVE: Uuid = uuid!("4ED7D4E6-E947-11D3-BFE5-0010830122F0");
+pub(crate) const POLY_CURVE: Uuid = uuid!("4ED7D4E0-E947-11D3-BFE5-0010830122F0");
+const POLY_EDGE_CURVE: Uuid = uuid!("39FF3DD3-FE0F-4807-9D59-185F0D73C0E4");
+pub(crate) const NURBS_CURVE: Uuid = uuid!("4ED7D4DD-E947-11D3-BFE5-0010830122F0");
+const NURBS_SURFACE: Uuid = uuid!("4ED7D4DE-E947-11D3-BFE5-0010830122F0");
+const REVOLUTION_SURFACE: Uuid = uuid!("A16220D3-163B-11D4-8000-0010830122F0");
+const SUM_SURFACE: Uuid = uuid!("C4CD5359-446D-4690-9FF5-29059732472B");
+pub(crate) const BREP: Uuid = uuid!("60B5DBC5-E660-11D3-BFE4-0010830122F0");
+pub(crate) const MESH: Uuid = uuid!("4ED7D4E4-E947-11D3-BFE5-0010830122F0");
+pub(crate) const SUBD: Uuid = uuid!("F09BA4D9-455B-42C3-BA3B-E6CCACEF853B");
+pub(crate) const LAYER: Uuid = uuid!("95809813-E985-11D3-BFE5-0010830122F0");
+
+/// User data: attribute and object user strings.
+pub(crate) const USER_STRINGS: Uuid = uuid!("CE28DE29-F4C5-4FAA-A50A-C3A6849B6329");
+/// User data: the double-precision vertices of a mesh in archives before version 60.
+pub(crate) const DOUBLE_VERTICES: Uuid = uuid!("17F24E75-21BE-4A7B-9F3D-7F85225247E3");
+/// The application that core openNURBS user data names as its owner.
+pub(crate) const OPENNURBS_APPLICATION: Uuid = uuid!("17B3ECDA-17BA-4E45-9E67-A2B8D9BE520D");
+
+/// Identifiers under which older programs (and Rhino itself, up to version 8) write a class.
+const ALIASES: &[(Uuid, Uuid)] = &[
+    (uuid!("5EAF1119-0B51-11D4-BFFE-0010830122F0"), NURBS_CURVE),
+    (uuid!("76A709D5-1550-11D4-8000-0010830122F0"), NURBS_CURVE),
+    (uuid!("4760C817-0BE3-11D4-BFFE-0010830122F0"), NURBS_SURFACE),
+    (uuid!("FA4FD4B5-1613-11D4-8000-0010830122F0"), NURBS_SURFACE),
+    (uuid!("EF638317-154B-11D4-8000-0010830122F0"), POLY_CURVE),
+    (POLY_EDGE_CURVE, POLY_CURVE),
+    (uuid!("0705FDEF-3E2A-11D4-800E-0010830122F0"), BREP),
+    (uuid!("2D4CFEDB-3E2A-11D4-800E-0010830122F0"), BREP),
+    (uuid!("F06FC243-A32A-4608-9DD8-A7D2C4CE2A36"), BREP),
+    (uuid!("0A8401B6-4D34-4B99-8615-1B4E723DC4E5"), REVOLUTION_SURFACE),
+    (uuid!("665F6331-2A66-4CCE-81D0-B5EEBD9B5417"), SUM_SURFACE),
+];
+
+/// Class, name, and object type of its record.
+const CLASSES: &[(Uuid, &str, u32)] = &[
+    (POINT, "Point", 1),
+    (POINT_CLOUD, "PointCloud", 2),
+    (LINE_CURVE, "LineCurve", 4),
+    (ARC_CURVE, "ArcCurve", 4),
+    (POLYLINE_CURVE, "PolylineCurve", 4),
+    (POLY_CURVE, "PolyCurve", 4),
+    (NURBS_CURVE, "NurbsCurve", 4),
+    (NURBS_SURFACE, "NurbsSurface", 8),
+    (uuid!("4ED7D4DF-E947-11D3-BFE5-0010830122F0"), "PlaneSurface", 8),
+    (REVOLUTION_SURFACE, "RevSurface", 8),
+    (SUM_SURFACE, "SumSurface", 8),
+    (uuid!("DBC5A584-CE3F-4170-98A8-497069CA5C36"), "ClippingPlaneSurface", 0x2000_0000),
+    (BREP, "Brep", 0x10),
+    (MESH, "Mesh", 0x20),
+    (uuid!("36F53175-72B8-4D47-BF1F-B4E6FC24F4B9"), "Extrusion", 0x4000_0000),
+    (SUBD, "SubD", 0x4_0000),
+    (uuid!("F9CFB638-B9D4-4340-87E3-C56E7865D96A"), "InstanceReference", 0x1000),
+    (uuid!("0559733B-5332-49D1-A936-0532AC76ADE5"), "Hatch", 0x1_0000),
+    (uuid!("74198302-CDF4-4F95-9609-6D684F22AB37"), "TextDot", 0x2000),
+    (uuid!("85A08513-F383-11D3-BFE7-0010830122F0"), "Light", 0x100),
+    (uuid!("C8C66EFA-B3CB-4E00-9440-2AD66203379E"), "DetailView", 0x8000),
+    (uuid!("06936AFB-3D3C-41AC-BF70-C9319FA480A1"), "NurbsCage", 0x0800_0000),
+    (uuid!("D379E6D8-7C31-4407-A913-E3B7040D034A"), "MorphControl", 0x2_0000),
+    (uuid!("57376349-62A9-4A16-B411-A46BCD544790"), "Text", 0x200),
+    (uuid!("945BF594-6FF9-4F5C-BFC0-B3AF528F29D2"), "Leader", 0x200),
+    (uuid!("E550882B-F44D-4154-A1EF-6E50CBBBF543"), "LinearDimension", 0x200),
+    (uuid!("D417786B-F6CD-4F12-9E1F-063F414DBEB6"), "AngularDimension", 0x200),
+    (uuid!("FC749C2F-4C00-41FD-9840-26D94F047AD3"), "RadialDimension", 0x200),
+    (uuid!("03124828-4C9B-4D28-9A82-664DDDE7A14F"), "OrdinateDimension", 0x200),
+    (uuid!("D46767BA-7E8F-4D9D-9A92-66050219A5B9"), "Centermark", 0x200),
+    (LAYER, "Layer", 0x40),
+];
+
+/// The class meant by an identifier: itself, or what it is another name of.
+pub(crate) fn canonical(class: Uuid) -> Uuid {
+    ALIASES.iter().find(|(alias, _)| *alias == class).map_or(class, |(_, meant)| *meant)
+}
+
+/// The name of a class by any of its identifiers, when it is known.
+pub(crate) fn name(class: Uuid) -> Option<&'static str> {
+    let class = canonical(class);
+    CLASSES.iter().find(|(id, ..)| *id == class).map(|(_, name, _)| *name)
+}
+
+/// The object type a record states for a class; 0 when it is not known.
+pub(crate) fn object_type(class: Uuid) -> u32 {
+    let class = canonical(class);
+    CLASSES.iter().find(|(id, ..)| *id == class).map_or(0, |(.., kind)| *kind)
+}

@@ -1,0 +1,113 @@
+//! A model: what an archive holds, as far as this crate takes it apart.
+
+use std::collections::BTreeMap;
+
+use katydid_geometry::{Tolerance, Units};
+
+use crate::{Attributes, Layer, Object, UserData, Warning};
+
+/// A model with its layers and objects, read from an archive or to be written to one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// The version of the archive it was read from; 0 for a new model.
+    pub archive_version: i32,
+    /// The openNURBS version that wrote that archive; 0 for a new model.
+    pub opennurbs_version: u32,
+    /// The length unit.
+    pub units: Units,
+    /// A unit that [`Units`] has no name for; `units` is [`Units::None`] then.
+    pub unit_scale: Option<UnitScale>,
+    /// Absolute tolerance in units, angle tolerance in radians.
+    pub tolerance: Tolerance,
+    /// Relative tolerance, a fraction.
+    pub relative_tolerance: f64,
+    /// The notes of the file.
+    pub notes: String,
+    /// The name of the program that wrote the file.
+    pub application: String,
+    /// The layers. A model without any is written with one, called Default.
+    pub layers: Vec<Layer>,
+    /// The objects in file order.
+    pub objects: Vec<ModelObject>,
+    /// The lights in file order; [`Object::Kept`] all of them.
+    pub lights: Vec<ModelObject>,
+    /// Records that were passed over, by table: they are not in this model and would not be written.
+    pub skipped: BTreeMap<String, usize>,
+    /// What was odd in the archive but did not stop the reading.
+    pub warnings: Vec<Warning>,
+}
+
+impl Default for Model {
+    fn default() -> Self {
+        Self {
+            archive_version: 0,
+            opennurbs_version: 0,
+            units: Units::default(),
+            unit_scale: None,
+            tolerance: Tolerance::default(),
+            relative_tolerance: 0.01,
+            notes: String::new(),
+            application: String::new(),
+            layers: Vec::new(),
+            objects: Vec::new(),
+            lights: Vec::new(),
+            skipped: BTreeMap::new(),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// One object of a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModelObject {
+    /// The geometry.
+    pub geometry: Object,
+    /// Identifier, name, layer, colour and the rest.
+    pub attributes: Attributes,
+    /// User data on the geometry itself. Of a kept object it is in its bytes, and nothing is here.
+    pub user_data: Vec<UserData>,
+}
+
+impl From<Object> for ModelObject {
+    fn from(geometry: Object) -> Self {
+        Self { geometry, attributes: Attributes::default(), user_data: Vec::new() }
+    }
+}
+
+/// A length unit outside those the kernel has names for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnitScale {
+    /// Its number in archives.
+    pub number: i32,
+    /// Its name.
+    pub name: String,
+    /// Its length in metres.
+    pub metres: f64,
+}
+
+impl Model {
+    /// The full name of a layer: the names from the top level down to it, joined by `::`.
+    pub fn layer_path(&self, layer: usize) -> Option<String> {
+        let mut current = self.layers.get(layer)?;
+        let mut names = vec![current.name.as_str()];
+        // Parents that run in a circle end after as many steps as there are layers.
+        for _ in 0..self.layers.len() {
+            let Some(parent) = current.parent.and_then(|id| self.layers.iter().find(|l| l.id == id)) else {
+                break;
+            };
+            names.push(&parent.name);
+            current = parent;
+        }
+        names.reverse();
+        Some(names.join("::"))
+    }
+
+    /// How many objects there are of each class, lights included.
+    pub fn counts(&self) -> BTreeMap<String, usize> {
+        let mut counts = BTreeMap::new();
+        for object in self.objects.iter().chain(&self.lights) {
+            *counts.entry(object.geometry.class_name()).or_default() += 1;
+        }
+        counts
+    }
+}

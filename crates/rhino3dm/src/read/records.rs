@@ -1,0 +1,66 @@
+//! Records of the object and light tables (section 7): a class object, its attributes, their user data.
+
+use crate::attributes::StoredAttributes;
+use crate::chunk::Reader;
+use crate::model::ModelObject;
+use crate::object::{ClassObject, Object};
+use crate::{Error, Result, typecode};
+
+/// The typecodes inside a record; objects and lights differ in them only.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RecordCodes {
+    pub(crate) attributes: u32,
+    pub(crate) user_data: u32,
+    pub(crate) end: u32,
+}
+
+impl RecordCodes {
+    pub(crate) const OBJECT: Self = Self {
+        attributes: typecode::OBJECT_ATTRIBUTES,
+        user_data: typecode::OBJECT_USER_DATA,
+        end: typecode::OBJECT_RECORD_END,
+    };
+    pub(crate) const LIGHT: Self = Self {
+        attributes: typecode::LIGHT_ATTRIBUTES,
+        user_data: typecode::LIGHT_USER_DATA,
+        end: typecode::LIGHT_RECORD_END,
+    };
+}
+
+/// Reads a record; gives the object and the number of its layer.
+pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<(ModelObject, i32)> {
+    let offset = record.offset();
+    let context = record.context();
+    let mut found: Option<(Object, Vec<_>)> = None;
+    let mut stored = StoredAttributes::default();
+    while !record.is_at_end() {
+        if record.peek_typecode() == Some(typecode::CLASS) && found.is_none() {
+            let class = ClassObject::read(&mut record)?;
+            let geometry = Object::from_class(&class).unwrap_or_else(|error| {
+                context.warn(class.offset, format!("an object is kept as bytes: {error}"));
+                Object::Kept(class.to_raw())
+            });
+            let user_data = if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            found = Some((geometry, user_data));
+            continue;
+        }
+        let chunk = record.chunk()?;
+        let at = chunk.offset;
+        let read = if chunk.typecode == codes.attributes {
+            StoredAttributes::read(chunk.body).map(|read| stored = read)
+        } else if chunk.typecode == codes.user_data {
+            stored.read_user_data(chunk.body)
+        } else if chunk.typecode == codes.end {
+            break;
+        } else {
+            Ok(())
+        };
+        if let Err(error) = read {
+            context.warn(at, format!("attributes left out: {error}"));
+        }
+    }
+    let Some((geometry, user_data)) = found else {
+        return Err(Error::malformed(offset, "object record", "it holds no object"));
+    };
+    Ok((ModelObject { geometry, attributes: stored.attributes, user_data }, stored.layer_number))
+}

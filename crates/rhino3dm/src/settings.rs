@@ -1,0 +1,111 @@
+//! Units and tolerances of the settings table (section 5).
+
+use katydid_geometry::{Tolerance, Units};
+
+use crate::chunk::{Reader, Writer};
+use crate::{Result, model::UnitScale};
+
+/// Unit number, unit, metres per unit. The units the kernel has names for.
+const UNITS: &[(i32, Units, f64)] = &[
+    (0, Units::None, 1.0),
+    (1, Units::Microns, 1e-6),
+    (2, Units::Millimeters, 1e-3),
+    (3, Units::Centimeters, 1e-2),
+    (4, Units::Meters, 1.0),
+    (5, Units::Kilometers, 1e3),
+    (8, Units::Inches, 0.0254),
+    (9, Units::Feet, 0.3048),
+    (10, Units::Miles, 1609.344),
+    (19, Units::Yards, 0.9144),
+];
+
+/// Units the kernel has no name for: number, name, metres per unit.
+const OTHER_UNITS: &[(i32, &str, f64)] = &[
+    (6, "microinches", 2.54e-8),
+    (7, "mils", 2.54e-5),
+    (11, "a custom unit", 1.0),
+    (12, "angstroms", 1e-10),
+    (13, "nanometers", 1e-9),
+    (14, "decimeters", 1e-1),
+    (15, "dekameters", 1e1),
+    (16, "hectometers", 1e2),
+    (17, "megameters", 1e6),
+    (18, "gigameters", 1e9),
+    (20, "printer points", 0.0254 / 72.0),
+    (21, "printer picas", 0.0254 / 6.0),
+    (22, "nautical miles", 1852.0),
+    (23, "astronomical units", 1.495_978_707e11),
+    (24, "light years", 9.460_730_472_580_8e15),
+    (25, "parsecs", 3.085_677_58e16),
+];
+
+const WHAT: &str = "units";
+const CUSTOM: i32 = 11;
+
+/// Units and tolerances as a file states them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StoredUnits {
+    pub(crate) units: Units,
+    pub(crate) scale: Option<UnitScale>,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) relative_tolerance: f64,
+}
+
+/// Reads the body of a units record.
+pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
+    let version = body.i32(WHAT)?;
+    let number = body.i32(WHAT)?;
+    let mut tolerance = Tolerance::default();
+    let (absolute, angle) = (body.f64(WHAT)?, body.f64(WHAT)?);
+    let relative_tolerance = body.f64(WHAT)?;
+    // Tolerances that cannot be any are left at the default.
+    if absolute.is_finite() && absolute > 0.0 {
+        tolerance.absolute = absolute;
+    }
+    if angle.is_finite() && angle > 0.0 {
+        tolerance.angle = angle;
+    }
+    if version >= 101 {
+        body.take(8, "distance display")?;
+    }
+    let mut custom = (1.0, String::new());
+    if version >= 102 {
+        custom = (body.f64(WHAT)?, body.string("unit name")?);
+    }
+    body.finish();
+    let (units, scale) = match UNITS.iter().find(|(known, ..)| *known == number) {
+        Some((_, units, _)) => (*units, None),
+        None => {
+            let other = OTHER_UNITS.iter().find(|(known, ..)| *known == number);
+            let (name, metres) = other.map_or(("an unknown unit", 1.0), |(_, name, metres)| (*name, *metres));
+            let is_custom = number == CUSTOM && custom.0.is_finite() && custom.0 > 0.0;
+            let metres = if is_custom { custom.0 } else { metres };
+            let name = if is_custom && !custom.1.is_empty() { custom.1 } else { name.to_owned() };
+            (Units::None, Some(UnitScale { number, name, metres }))
+        }
+    };
+    Ok(StoredUnits { units, scale, tolerance, relative_tolerance })
+}
+
+/// Writes the body of a units record.
+pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
+    let known = UNITS.iter().find(|(_, units, _)| *units == stored.units);
+    let (mut number, mut metres) = known.map_or((0, 1.0), |(number, _, metres)| (*number, *metres));
+    let mut name = "";
+    if let Some(scale) = &stored.scale {
+        (number, metres) = (scale.number, scale.metres);
+        if number == CUSTOM {
+            name = &scale.name;
+        }
+    }
+    w.i32(102);
+    w.i32(number);
+    w.f64(stored.tolerance.absolute);
+    w.f64(stored.tolerance.angle);
+    w.f64(stored.relative_tolerance);
+    // Lengths shown as decimals with three digits.
+    w.i32(0);
+    w.i32(3);
+    w.f64(metres);
+    w.string(name)
+}

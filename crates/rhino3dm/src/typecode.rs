@@ -1,0 +1,79 @@
+//! Chunk typecodes: the four bytes that say what a chunk is (sections 1, 2, 5, 6, 7).
+
+/// Bit of a short chunk: the value is data and there is no body.
+pub(crate) const SHORT: u32 = 0x8000_0000;
+/// Bit of a long chunk whose body ends in a CRC-32.
+pub(crate) const CRC: u32 = 0x8000;
+
+pub(crate) const COMMENT: u32 = 0x0000_0001;
+pub(crate) const END_OF_FILE: u32 = 0x0000_7FFF;
+pub(crate) const END_OF_TABLE: u32 = 0xFFFF_FFFF;
+
+pub(crate) const PROPERTIES_TABLE: u32 = 0x1000_0014;
+pub(crate) const SETTINGS_TABLE: u32 = 0x1000_0015;
+pub(crate) const BITMAP_TABLE: u32 = 0x1000_0016;
+pub(crate) const TEXTURE_MAPPING_TABLE: u32 = 0x1000_0025;
+pub(crate) const MATERIAL_TABLE: u32 = 0x1000_0010;
+pub(crate) const LINETYPE_TABLE: u32 = 0x1000_0023;
+pub(crate) const LAYER_TABLE: u32 = 0x1000_0011;
+pub(crate) const GROUP_TABLE: u32 = 0x1000_0018;
+pub(crate) const FONT_TABLE: u32 = 0x1000_0019;
+pub(crate) const DIMENSION_STYLE_TABLE: u32 = 0x1000_0020;
+pub(crate) const LIGHT_TABLE: u32 = 0x1000_0012;
+pub(crate) const HATCH_PATTERN_TABLE: u32 = 0x1000_0022;
+pub(crate) const INSTANCE_DEFINITION_TABLE: u32 = 0x1000_0021;
+pub(crate) const OBJECT_TABLE: u32 = 0x1000_0013;
+pub(crate) const HISTORY_TABLE: u32 = 0x1000_0026;
+pub(crate) const USER_TABLE: u32 = 0x1000_0017;
+
+pub(crate) const OPENNURBS_VERSION: u32 = 0xA000_0026;
+pub(crate) const NOTES: u32 = 0x2000_8022;
+pub(crate) const APPLICATION: u32 = 0x2000_8024;
+pub(crate) const UNITS: u32 = 0x2000_8031;
+
+pub(crate) const LAYER_RECORD: u32 = 0x2000_8050;
+pub(crate) const LIGHT_RECORD: u32 = 0x2000_8060;
+pub(crate) const LIGHT_ATTRIBUTES: u32 = 0x0200_8061;
+pub(crate) const LIGHT_USER_DATA: u32 = 0x0200_0062;
+pub(crate) const LIGHT_RECORD_END: u32 = 0x8200_006F;
+pub(crate) const OBJECT_RECORD: u32 = 0x2000_8070;
+pub(crate) const OBJECT_RECORD_TYPE: u32 = 0x8200_0071;
+pub(crate) const OBJECT_ATTRIBUTES: u32 = 0x0200_8072;
+pub(crate) const OBJECT_USER_DATA: u32 = 0x0200_0073;
+pub(crate) const OBJECT_RECORD_END: u32 = 0x8200_007F;
+
+pub(crate) const CLASS: u32 = 0x0002_7FFA;
+pub(crate) const CLASS_UUID: u32 = 0x0002_FFFB;
+pub(crate) const CLASS_DATA: u32 = 0x0002_FFFC;
+pub(crate) const CLASS_USER_DATA: u32 = 0x0002_7FFD;
+pub(crate) const USER_DATA_HEADER: u32 = 0x0002_FFF9;
+pub(crate) const CLASS_END: u32 = 0x8002_7FFF;
+pub(crate) const ANONYMOUS: u32 = 0x4000_8000;
+
+/// Whether the value of this short chunk counts as unsigned when it takes 4 bytes.
+pub(crate) fn is_unsigned_short(typecode: u32) -> bool {
+    matches!(typecode, OPENNURBS_VERSION | OBJECT_RECORD_TYPE | 0x8040_0001 | 0x8040_0006)
+}
+
+/// The table in words, for counts and messages; nothing for a typecode that is no table.
+pub(crate) fn table_name(typecode: u32) -> Option<&'static str> {
+    Some(match typecode {
+        PROPERTIES_TABLE => "properties",
+        SETTINGS_TABLE => "settings",
+        BITMAP_TABLE => "bitmap",
+        TEXTURE_MAPPING_TABLE => "texture mapping",
+        MATERIAL_TABLE => "material",
+        LINETYPE_TABLE => "linetype",
+        LAYER_TABLE => "layer",
+        GROUP_TABLE => "group",
+        FONT_TABLE => "text style",
+        DIMENSION_STYLE_TABLE => "dimension style",
+        LIGHT_TABLE => "light",
+        HATCH_PATTERN_TABLE => "hatch pattern",
+        INSTANCE_DEFINITION_TABLE => "block definition",
+        OBJECT_TABLE => "object",
+        HISTORY_TABLE => "history",
+        USER_TABLE => "user",
+        _ => return None,
+    })
+}
