@@ -19,6 +19,7 @@ mod colour;
 mod column;
 mod complex;
 mod domain2;
+pub mod formula;
 mod group;
 mod item;
 mod kind;

@@ -1,0 +1,51 @@
+//! The data of an input: what its wires bring, or what it keeps itself, cast to its type.
+
+use katydid_component::{Message, Port as Declared};
+use katydid_data::{Kind, Tree, cast};
+use katydid_definition::{Object, Port};
+
+use crate::{modifiers, stored};
+
+/// Data on its way into an input, and what to say about it.
+#[derive(Debug, Default)]
+pub(crate) struct Collected {
+    pub(crate) tree: Tree,
+    pub(crate) messages: Vec<Message>,
+}
+
+/// Collects the data of `port`: the trees on its wires, branch by branch in wire order; without wires the
+/// values kept in the port; without those the component's own default.
+pub(crate) fn port(
+    object: &Object,
+    port: &Port,
+    declared: Option<&Declared>,
+    wired: &[&Tree],
+    rules: &cast::Rules,
+) -> Collected {
+    let mut messages = Vec::new();
+    let tree = if !port.sources.is_empty() {
+        Tree::merge(wired.iter().copied())
+    } else if let Some(persistent) = object.persistent(port) {
+        let (tree, said) = stored::tree(&persistent);
+        messages.extend(said);
+        tree
+    } else {
+        declared.and_then(|d| d.default).map_or_else(Tree::empty, |default| default())
+    };
+    let kind = declared.map_or(Kind::Generic, |d| d.kind);
+    let tree = cast_to(tree, kind, rules, &mut messages);
+    let tree =
+        if object.is_floating() { tree } else { modifiers::apply(tree, &port.modifiers, rules, &mut messages) };
+    // An expression may give another type than the port's.
+    let tree = cast_to(tree, kind, rules, &mut messages);
+    Collected { tree, messages }
+}
+
+fn cast_to(tree: Tree, kind: Kind, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+    let cast::Cast { column, failed } = cast::column(tree.column(), kind, rules);
+    if let Some((from, count)) = failed {
+        let times = if count == 1 { String::new() } else { format!(" ({count} times)") };
+        messages.push(Message::warning(format!("Data conversion failed from {from} to {kind}{times}")));
+    }
+    tree.with_column(column)
+}

@@ -1,0 +1,28 @@
+//! Runs a definition: finds the order, solves what is dirty, in parallel where objects do not depend on each
+//! other, within a budget, and tells what each object gave, said and took.
+//!
+//! The results are the same to the last bit on any number of threads.
+//!
+//! ```
+//! use katydid_definition::Document;
+//! use katydid_solver::{Engine, Options};
+//!
+//! let mut engine = Engine::new(Document::default(), Options::default());
+//! assert_eq!(engine.solve().solved, 0);
+//! ```
+
+mod cluster;
+mod collect;
+mod engine;
+mod graph;
+mod modifiers;
+mod object;
+mod options;
+mod report;
+mod schedule;
+mod stored;
+
+pub use engine::{Engine, Summary};
+pub use options::{Options, Progress};
+pub use report::{ObjectReport, Status};
+pub use stored::tree as stored_tree;

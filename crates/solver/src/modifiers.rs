@@ -1,0 +1,103 @@
+//! What a port does to its data after collecting it: expression, switches of its type, shape of the tree.
+
+use std::sync::Arc;
+
+use katydid_component::Message;
+use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
+use katydid_definition::{Mapping, Modifiers};
+use katydid_expression::Expression;
+use katydid_geometry::{Interval, Vector3};
+
+/// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
+/// graft, reverse.
+pub(crate) fn apply(tree: Tree, modifiers: &Modifiers, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+    let tree = items(tree, modifiers, rules, messages);
+    shape(tree, modifiers)
+}
+
+fn items(mut tree: Tree, modifiers: &Modifiers, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+    if let Some(text) = modifiers.expression.as_deref().filter(|text| !text.trim().is_empty()) {
+        match expression(tree.column(), text) {
+            Ok(column) => tree = tree.with_column(column),
+            Err(message) => {
+                messages.push(message);
+                tree = tree.with_column(Column::nulls(tree.item_count()));
+            }
+        }
+    }
+    if modifiers.degrees {
+        tree = map::<f64>(&tree, rules, f64::to_radians);
+    }
+    if modifiers.invert {
+        tree = map::<bool>(&tree, rules, |b| !b);
+    }
+    if modifiers.unitize {
+        tree = map::<Vector3>(&tree, rules, |v| v.unitized().unwrap_or(v));
+    }
+    if modifiers.reparameterize {
+        let unit = |value: Value| match value {
+            Value::Curve(curve) => match curve.with_domain(Interval::UNIT) {
+                Ok(curve) => Value::from(curve),
+                Err(_) => Value::Curve(curve),
+            },
+            other => other,
+        };
+        tree = map::<Value>(&tree, rules, unit);
+    }
+    tree
+}
+
+/// Every item of type `T`, which the data is cast to, through `f`.
+fn map<T: Item>(tree: &Tree, rules: &cast::Rules, f: impl Fn(T) -> T) -> Tree {
+    let column = cast::column(tree.column(), T::KIND, rules).column;
+    let mut gather = Gather::<T>::with_capacity(column.len());
+    for i in 0..column.len() {
+        gather.push(T::get(&column, i).map(&f));
+    }
+    tree.with_column(gather.finish())
+}
+
+/// The shape of the tree only.
+fn shape(mut tree: Tree, modifiers: &Modifiers) -> Tree {
+    if modifiers.simplify {
+        tree = tree.simplify(false);
+    }
+    match modifiers.mapping {
+        Mapping::None => {}
+        Mapping::Flatten => tree = tree.flatten(),
+        Mapping::Graft => tree = tree.graft(),
+    }
+    if modifiers.reverse {
+        tree = tree.reverse_branches();
+    }
+    tree
+}
+
+/// Runs a formula in `x` over a column.
+fn expression(column: &Column, text: &str) -> Result<Column, Message> {
+    let in_port = |error: String| Message::error(format!("In the expression of the port: {error}"));
+    let program = Expression::parse(text)
+        .and_then(|parsed| parsed.bind(&["x"]))
+        .map_err(|error| in_port(error.render(text)))?;
+    if let (Items::Numbers(numbers), false) = (column.items(), column.has_nulls()) {
+        if let Some(Ok(results)) = program.evaluate_numbers(&[numbers.as_slice()], numbers.len()) {
+            return Ok(Column::new(Items::Numbers(Arc::new(results)), None));
+        }
+    }
+    let mut results = Gather::<Value>::with_capacity(column.len());
+    for item in column.iter() {
+        let Some(item) = item else {
+            results.push(None);
+            continue;
+        };
+        let variant = formula::variant(&item)
+            .ok_or_else(|| in_port(format!("a {} cannot be used in a formula", item.kind())))?;
+        let result = program.evaluate(&[variant]).map_err(|error| in_port(error.render(text)))?;
+        // A vector is a point to the formula: it comes back as what it was.
+        results.push(formula::value(result).map(|value| match (&item, value) {
+            (Value::Vector(_), Value::Point(p)) => Value::Vector(p.to_vector()),
+            (_, value) => value,
+        }));
+    }
+    Ok(results.finish())
+}

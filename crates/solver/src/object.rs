@@ -1,0 +1,133 @@
+//! One object's turn: collect, run, modify.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
+use katydid_data::{Column, Path, Tree};
+use katydid_definition::{Document, Object};
+
+use crate::report::{ObjectReport, Status};
+use crate::{Options, cluster, collect, modifiers};
+
+/// What an object needs to run besides its inputs.
+pub(crate) struct Turn<'a> {
+    pub(crate) document: &'a Document,
+    pub(crate) options: &'a Options,
+    pub(crate) deadline: Deadline,
+    /// How many clusters the object is inside of.
+    pub(crate) depth: usize,
+    /// Data that comes from outside, by object: what a cluster's inputs bring in.
+    pub(crate) given: &'a std::collections::HashMap<usize, Tree>,
+    pub(crate) wanted: &'a [bool],
+}
+
+/// Solves object `index`, whose wires bring `wired`: for each input, the trees in wire order.
+pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> ObjectReport {
+    let Some(object) = turn.document.objects().get(index) else {
+        return ObjectReport::idle(Status::Ok, Vec::new(), 0);
+    };
+    if object.is_annotation() {
+        return ObjectReport::idle(Status::Ok, Vec::new(), 0);
+    }
+    if object.locked {
+        return ObjectReport::idle(Status::Disabled, Vec::new(), object.outputs.len());
+    }
+    if let Some(tree) = turn.given.get(&index) {
+        let mut messages = Vec::new();
+        let outputs = vec![output(object, 0, tree.clone(), turn.options, &mut messages)];
+        return ObjectReport { outputs, ..ObjectReport::idle(Status::Ok, messages, 0) };
+    }
+    if let Some(report) = cluster::solve(turn, object, wired) {
+        return report;
+    }
+    match registry::by_guid(object.component) {
+        Some(component) => run(turn, object, component, wired),
+        None => unsupported(turn.document, object),
+    }
+}
+
+/// An object of a type that Katydid does not have gives a null on each output.
+fn unsupported(document: &Document, object: &Object) -> ObjectReport {
+    let plugin = object
+        .lib
+        .and_then(|lib| document.libraries().iter().find(|l| l.id == lib))
+        .map(|library| format!(" of the plug-in {}", library.name))
+        .unwrap_or_default();
+    let text = format!("{}{plugin} is not supported", object.name);
+    let mut report = ObjectReport::idle(Status::Unsupported, vec![Message::warning(text)], 0);
+    report.outputs = vec![Tree::branch_at(Path::zero(), Column::nulls(1)); object.outputs.len()];
+    report
+}
+
+fn run(turn: &Turn<'_>, object: &Object, component: &'static Component, wired: &[Vec<&Tree>]) -> ObjectReport {
+    let rules = turn.options.rules;
+    let mut messages = Vec::new();
+    let mut inputs = Vec::with_capacity(object.inputs.len());
+    let mut missing = false;
+    for (k, port) in object.inputs.iter().enumerate() {
+        let declared = component.input(k);
+        let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
+        let collected = collect::port(object, port, declared, wires, &rules);
+        messages.extend(collected.messages);
+        let optional = declared.is_none_or(|d| d.optional || d.many && d.access != Access::Item);
+        if collected.tree.is_empty() && !optional {
+            missing = true;
+            let name = if port.nickname.is_empty() { &port.name } else { &port.nickname };
+            messages.push(Message::warning(if object.is_floating() {
+                format!("Floating parameter {} failed to collect data", object.title())
+            } else {
+                format!("Input parameter {name} failed to collect data")
+            }));
+        }
+        inputs.push(collected.tree);
+    }
+    // An old file may know fewer inputs than the component has today: those have their defaults.
+    for declared in component.inputs.iter().skip(object.inputs.len()).filter(|d| !d.many) {
+        inputs.push(declared.default.map_or_else(Tree::empty, |default| default()));
+        missing |= declared.default.is_none() && !declared.optional;
+    }
+    if missing {
+        return ObjectReport::idle(Status::NoData, messages, object.outputs.len());
+    }
+    let names: Vec<String> = object.inputs.iter().map(|port| port.nickname.clone()).collect();
+    let budget = Budget::new(turn.options.limits, turn.options.cancel.clone(), turn.deadline);
+    let call = Call {
+        inputs: &inputs,
+        input_names: &names,
+        output_count: object.outputs.len(),
+        wanted: turn.wanted,
+        settings: object.container(),
+        rules,
+        budget: &budget,
+    };
+    let outcome = catch_unwind(AssertUnwindSafe(|| (component.run)(&call)));
+    let Ok(outcome) = outcome else {
+        messages.push(Message::error("Internal error: this component failed on its data; please report it"));
+        return ObjectReport::idle(Status::Error, messages, object.outputs.len());
+    };
+    messages.extend(outcome.messages);
+    let mut trees = outcome.outputs.into_iter();
+    let outputs: Vec<Tree> = (0..object.outputs.len())
+        .map(|k| output(object, k, trees.next().unwrap_or_default(), turn.options, &mut messages))
+        .collect();
+    let nothing = object.is_floating() && outputs.iter().all(Tree::is_empty);
+    let status = match ObjectReport::status_of(&messages) {
+        Status::Ok if nothing => Status::NoData,
+        status => status,
+    };
+    ObjectReport { status, messages, outputs, time: std::time::Duration::ZERO }
+}
+
+/// What output `k` shows: its data after its own modifiers.
+pub(crate) fn output(
+    object: &Object,
+    k: usize,
+    tree: Tree,
+    options: &Options,
+    messages: &mut Vec<Message>,
+) -> Tree {
+    match object.outputs.get(k) {
+        Some(port) => modifiers::apply(tree, &port.modifiers, &options.rules, messages),
+        None => tree,
+    }
+}

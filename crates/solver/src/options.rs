@@ -1,0 +1,52 @@
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use katydid_component::{Cancel, Limits};
+use katydid_data::cast::Rules;
+
+/// How far a solve has come.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Progress {
+    /// Objects done.
+    pub done: usize,
+    /// Objects to do.
+    pub total: usize,
+    /// The object that was done last.
+    pub name: String,
+}
+
+/// Called after each object, from whichever thread solved it.
+pub type Listener = Arc<dyn Fn(&Progress) + Send + Sync>;
+
+/// What a solve may use and how it reads the document.
+#[derive(Clone, Default)]
+pub struct Options {
+    /// Units and tolerances.
+    pub rules: Rules,
+    /// What each object may put out, and how long all may take.
+    pub limits: Limits,
+    /// Stops the solve from outside.
+    pub cancel: Cancel,
+    /// Told after each object.
+    pub progress: Option<Listener>,
+}
+
+impl Options {
+    /// The same with a time limit.
+    #[must_use]
+    pub fn with_time(mut self, time: Duration) -> Self {
+        self.limits.time = Some(time);
+        self
+    }
+}
+
+impl fmt::Debug for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Options")
+            .field("rules", &self.rules)
+            .field("limits", &self.limits)
+            .field("cancel", &self.cancel)
+            .finish_non_exhaustive()
+    }
+}

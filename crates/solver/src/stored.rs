@@ -1,0 +1,135 @@
+//! Values that are kept in a port, as a data tree.
+
+use katydid_3dm::Object as Archived;
+use katydid_component::Message;
+use katydid_data::{Colour, Complex, DateTime, Domain2, Material, Path, Tree, TreeBuilder, Value};
+use katydid_definition::{Persistent, Stored, StoredGeometry};
+use katydid_geometry::MeshFace;
+use uuid::Uuid;
+
+/// The values of a port, and what the user should know of those that could not be had.
+pub fn tree(persistent: &Persistent) -> (Tree, Vec<Message>) {
+    let mut missing = Missing::default();
+    let mut builder = TreeBuilder::<Value>::new();
+    for branch in &persistent.branches {
+        builder.branch(Path::from(branch.path.as_slice()));
+        for item in &branch.items {
+            builder.push(value(item, &mut missing));
+        }
+    }
+    (builder.finish(), missing.into_messages())
+}
+
+/// What could not be had, each reason once.
+#[derive(Default)]
+struct Missing {
+    referenced: Vec<Uuid>,
+    others: Vec<String>,
+}
+
+impl Missing {
+    fn add(&mut self, reason: String) {
+        if !self.others.contains(&reason) {
+            self.others.push(reason);
+        }
+    }
+
+    fn into_messages(self) -> Vec<Message> {
+        let mut messages: Vec<Message> = self.others.into_iter().map(Message::warning).collect();
+        if let Some(first) = self.referenced.first() {
+            let text = match self.referenced.len() {
+                1 => format!("Needs the Rhino model: object {first} is referenced, and not in this file"),
+                n => format!("Needs the Rhino model: {n} objects are referenced, the first is {first}"),
+            };
+            messages.insert(0, Message::warning(text));
+        }
+        messages
+    }
+}
+
+fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
+    Some(match stored {
+        Stored::Null => return None,
+        Stored::Number(x) => Value::Number(*x),
+        Stored::Integer(i) => Value::Integer(*i),
+        Stored::Boolean(b) => Value::Boolean(*b),
+        Stored::Text(text) => Value::from(text.as_str()),
+        Stored::Colour(c) => Value::Colour(colour(*c)),
+        Stored::Time(ticks) => Value::Time(DateTime { ticks: *ticks }),
+        Stored::Guid(id) => Value::Guid(*id),
+        Stored::Point(p) => Value::Point(*p),
+        Stored::Vector(v) => Value::Vector(*v),
+        Stored::Plane(p) => Value::from(**p),
+        Stored::Line(l) => Value::from(**l),
+        Stored::Circle(c) => Value::from(**c),
+        Stored::Arc(a) => Value::from(**a),
+        Stored::Rectangle(r) => Value::from(**r),
+        Stored::Box(b) => Value::from(**b),
+        Stored::Domain(d) => Value::Domain(*d),
+        Stored::Domain2([u, v]) => Value::from(Domain2 { u: *u, v: *v }),
+        Stored::Complex([re, im]) => Value::Complex(Complex { re: *re, im: *im }),
+        Stored::MeshFace(face) => match mesh_face(*face) {
+            Some(face) => Value::MeshFace(face),
+            None => {
+                missing.add(format!("A mesh face has negative indices: {face:?}"));
+                return None;
+            }
+        },
+        Stored::Path(path) => Value::Path(Path::from(path.as_slice())),
+        Stored::Material(m) => Value::from(Material {
+            diffuse: colour(m.diffuse),
+            specular: colour(m.specular),
+            emission: colour(m.emission),
+            transparency: m.transparency,
+            shine: m.shine,
+        }),
+        Stored::LoftOptions(_) | Stored::MeshSettings(_) => return None,
+        Stored::Geometry(g) => return geometry(g, missing),
+        Stored::Unknown(chunk) => {
+            let names: Vec<&str> = chunk.items.iter().map(|i| i.name.as_str()).collect();
+            missing.add(format!("A stored value is of an unknown form ({})", names.join(", ")));
+            return None;
+        }
+    })
+}
+
+fn colour(c: katydid_definition::archive::Colour) -> Colour {
+    Colour { a: c.a, r: c.r, g: c.g, b: c.b }
+}
+
+/// A triangle repeats its third index or has −1 behind it.
+fn mesh_face(indices: [i32; 4]) -> Option<MeshFace> {
+    let [a, b, c, d] = indices;
+    let index = |i: i32| u32::try_from(i).ok();
+    Some(if d < 0 || d == c {
+        MeshFace::Triangle([index(a)?, index(b)?, index(c)?])
+    } else {
+        MeshFace::Quad([index(a)?, index(b)?, index(c)?, index(d)?])
+    })
+}
+
+fn geometry(stored: &StoredGeometry, missing: &mut Missing) -> Option<Value> {
+    let Some(unpacked) = stored.unpack() else {
+        if !stored.ref_id.is_nil() {
+            missing.referenced.push(stored.ref_id);
+        }
+        return None;
+    };
+    let read = unpacked.map_err(|error| error.to_string()).and_then(|data| {
+        Archived::from_on_data(data.archive3dm, data.opennurbs, &data.data).map_err(|error| error.to_string())
+    });
+    match read {
+        Ok(Archived::Point(p)) => Some(Value::Point(p)),
+        Ok(Archived::Curve(curve)) => Some(Value::from(curve)),
+        Ok(Archived::Mesh(mesh)) => Some(Value::from(mesh)),
+        Ok(Archived::Kept(raw)) => Some(Value::from(raw)),
+        Ok(other) => {
+            missing.add(format!("{} is kept, but cannot be used yet", other.class_name()));
+            None
+        }
+        Err(error) => {
+            missing.add(format!("Stored geometry cannot be read: {error}"));
+            None
+        }
+    }
+}
