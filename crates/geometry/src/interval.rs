@@ -59,4 +59,48 @@ impl Interval {
     pub fn contains(self, t: f64) -> bool {
         self.min() <= t && t <= self.max()
     }
+
+    /// The number nearest to `t` between the ends.
+    #[inline]
+    pub fn clamp(self, t: f64) -> f64 {
+        t.max(self.min()).min(self.max())
+    }
+
+    /// From the end to the start.
+    #[inline]
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        Self { start: self.end, end: self.start }
+    }
+
+    /// The number halfway.
+    #[inline]
+    pub fn middle(self) -> f64 {
+        0.5 * self.start + 0.5 * self.end
+    }
+
+    /// Whether both ends are finite and the end is larger than the start.
+    #[inline]
+    pub fn is_increasing(self) -> bool {
+        self.start.is_finite() && self.end.is_finite() && self.start < self.end
+    }
+
+    /// The same range with the smaller end first.
+    #[inline]
+    #[must_use]
+    pub fn ordered(self) -> Self {
+        Self::new(self.min(), self.max())
+    }
+
+    /// The smallest increasing range that holds both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self::new(self.min().min(other.min()), self.max().max(other.max()))
+    }
+
+    /// What both ranges have in common; `None` when they are apart.
+    pub fn intersection(self, other: Self) -> Option<Self> {
+        let both = Self::new(self.min().max(other.min()), self.max().min(other.max()));
+        (both.start <= both.end).then_some(both)
+    }
 }

@@ -11,18 +11,27 @@
 //! assert_eq!(tip, Point3::new(3.0, 4.0, 5.0));
 //! ```
 
+#![allow(
+    clippy::needless_range_loop,
+    clippy::neg_cmp_op_on_partial_ord,
+    reason = "matrix code reads best with indices; !(x > limit) is how a NaN is refused together with the too small"
+)]
+
 mod bounding_box;
 mod box3;
 mod circle;
 mod curve;
 mod ellipse;
 mod error;
+pub mod intersect;
 mod interval;
 mod line;
+mod linear;
 mod mesh;
 mod nurbs;
 mod plane;
 mod point;
+mod quadrature;
 mod rectangle;
 mod tolerance;
 mod units;
@@ -32,13 +41,16 @@ mod xform;
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
-pub use curve::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
+pub use curve::{ArcCurve, ArcLength, Curve, LineCurve, PolyCurve, PolylineCurve};
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
 pub use line::Line;
 pub use mesh::{Mesh, MeshFace};
-pub use nurbs::{MAX_DEGREE, NurbsCurve, check_knots, span_index};
+pub use nurbs::{
+    DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
+    clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
+};
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::Rectangle;

@@ -1,11 +1,15 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod evaluate;
+mod length;
 mod line_curve;
+mod piece;
 mod poly_curve;
 mod polyline_curve;
 
 pub use arc_curve::ArcCurve;
+pub use length::ArcLength;
 pub use line_curve::LineCurve;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;

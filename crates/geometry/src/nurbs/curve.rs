@@ -208,6 +208,49 @@ impl NurbsCurve {
         }
     }
 
+    /// The point and the first two derivatives in span `j`, without allocation.
+    pub(crate) fn jet(&self, j: usize, t: f64) -> [Vector3; 3] {
+        match &self.controls {
+            Controls::Plain(p) => {
+                let mut d = [[0.0; 3]; 3];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d);
+                d.map(Vector3::from)
+            }
+            Controls::Rational(p) => {
+                let mut d = [[0.0; 4]; 3];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d);
+                let v = d.map(|[x, y, z, _]| Vector3::new(x, y, z));
+                let [w0, w1, w2] = d.map(|d| d[3]);
+                let c0 = v[0] / w0;
+                let c1 = (v[1] - c0 * w1) / w0;
+                let c2 = (v[2] - c1 * (2.0 * w1) - c0 * w2) / w0;
+                [c0, c1, c2]
+            }
+        }
+    }
+
+    /// The homogeneous control points of the Bézier form of span `j`.
+    pub(crate) fn bezier_points(&self, j: usize) -> Vec<[f64; 4]> {
+        let (a, b) = (self.knots[j + self.degree - 1], self.knots[j + self.degree]);
+        let p = self.degree;
+        let knots: Vec<f64> = std::iter::repeat_n(a, p).chain(std::iter::repeat_n(b, p)).collect();
+        match &self.controls {
+            Controls::Plain(points) => {
+                let piece = super::blossom::over_knots(p, &self.knots, points, &knots);
+                piece.unwrap_or_default().iter().map(|&[x, y, z]| [x, y, z, 1.0]).collect()
+            }
+            Controls::Rational(points) => {
+                super::blossom::over_knots(p, &self.knots, points, &knots).unwrap_or_default()
+            }
+        }
+    }
+
+    /// The indices of the spans that are not empty.
+    pub(crate) fn spans(&self) -> impl Iterator<Item = usize> + '_ {
+        let p = self.degree;
+        (0..self.knots.len() + 1 - 2 * p).filter(move |&j| self.knots[j + p - 1] < self.knots[j + p])
+    }
+
     /// The points at many parameters, fastest when they are sorted.
     pub fn points_at(&self, parameters: &[f64]) -> Vec<Point3> {
         let mut out = Vec::with_capacity(parameters.len());

@@ -60,7 +60,22 @@ pub(crate) fn derivatives<const N: usize>(
     t: f64,
     out: &mut [[f64; N]],
 ) {
-    let mut d = [[0.0; N]; MAX_DEGREE + 1];
+    match degree {
+        0..=3 => derivatives_sized::<N, 4>(degree, knots, points, j, t, out),
+        4..=7 => derivatives_sized::<N, 8>(degree, knots, points, j, t, out),
+        _ => derivatives_sized::<N, { MAX_DEGREE + 1 }>(degree, knots, points, j, t, out),
+    }
+}
+
+fn derivatives_sized<const N: usize, const M: usize>(
+    degree: usize,
+    knots: &[f64],
+    points: &[[f64; N]],
+    j: usize,
+    t: f64,
+    out: &mut [[f64; N]],
+) {
+    let mut d = [[0.0; N]; M];
     let (Some(local), Some(u)) = (points.get(j..=j + degree), knots.get(j..j + 2 * degree)) else {
         out.fill([f64::NAN; N]);
         return;
@@ -80,7 +95,26 @@ pub(crate) fn derivatives<const N: usize>(
             }
         }
         // u without its first and last k knots is the local knot vector of the derivative.
-        *slot = de_boor(degree - k, &u[k..2 * degree - k], &d[..=degree - k], 0, t);
+        *slot = de_boor_sized::<N, M>(degree - k, &u[k..2 * degree - k], &d[..=degree - k], 0, t);
+    }
+}
+
+/// The degree + 1 basis functions that act in span `j`, at `t` (P&T, *The NURBS Book*, algorithm A2.2).
+pub(crate) fn basis(degree: usize, knots: &[f64], j: usize, t: f64, out: &mut [f64; MAX_DEGREE + 1]) {
+    let Some(u) = knots.get(j..j + 2 * degree) else {
+        out.fill(f64::NAN);
+        return;
+    };
+    out[0] = 1.0;
+    for level in 1..=degree {
+        let mut saved = 0.0;
+        for i in 0..level {
+            let (right, left) = (u[degree + i] - t, t - u[degree + i - level]);
+            let term = out[i] / (right + left);
+            out[i] = saved + right * term;
+            saved = left * term;
+        }
+        out[level] = saved;
     }
 }
 

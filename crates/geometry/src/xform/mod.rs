@@ -1,3 +1,7 @@
+mod classify;
+mod construct;
+mod inverse;
+
 use std::ops::Mul;
 
 use crate::{Plane, Point3, Vector3};

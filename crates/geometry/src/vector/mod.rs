@@ -1,3 +1,5 @@
+mod angle;
+
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::Point3;

@@ -1,0 +1,142 @@
+//! Derivatives, tangents, curvature, torsion and frames.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::Curve;
+use crate::{Plane, Point3, Vector3};
+
+impl Curve {
+    /// The point at `t` and the derivatives of order 1…`count` by the parameter (64 at most). At a joint those of
+    /// the piece that begins there, with `from_below` of the piece that ends there.
+    pub fn derivatives(&self, t: f64, count: usize, from_below: bool) -> (Point3, Vec<Vector3>) {
+        let count = count.min(64);
+        let straight = |point: Point3, d: Vector3| {
+            let mut out = vec![Vector3::ZERO; count];
+            if let Some(first) = out.first_mut() {
+                *first = d;
+            }
+            (point, out)
+        };
+        match self {
+            Self::Line(c) => straight(c.point_at(t), c.line.direction() / c.domain.length()),
+            Self::Polyline(c) => {
+                let i = match c.parameters().partition_point(|&p| p < t) {
+                    below if from_below => below.saturating_sub(1).min(c.segment_count() - 1),
+                    _ => c.segment_at(t),
+                };
+                let (p, u) = (c.points(), c.parameters());
+                straight(c.point_at(t), (p[i + 1] - p[i]) / (u[i + 1] - u[i]))
+            }
+            Self::Arc(c) => {
+                let (angle, plane) = (c.angle_at(t), &c.arc.circle.plane);
+                let speed = c.arc.angle.length() / c.domain.length();
+                let mut size = c.arc.circle.radius;
+                let derivatives = (1..=count)
+                    .map(|k| {
+                        size *= speed;
+                        let (sin, cos) = (angle + FRAC_PI_2 * (k % 4) as f64).sin_cos();
+                        plane.x_axis * (size * cos) + plane.y_axis * (size * sin)
+                    })
+                    .collect();
+                (c.point_at(t), derivatives)
+            }
+            Self::Nurbs(c) => c.derivatives(t, count, from_below),
+            Self::Poly(c) => {
+                let i = match c.parameters().partition_point(|&p| p < t) {
+                    below if from_below => below.saturating_sub(1).min(c.segments().len() - 1),
+                    _ => c.segment_at(t),
+                };
+                let segment = &c.segments()[i];
+                let (point, mut d) = segment.derivatives(c.to_segment_parameter(i, t), count, from_below);
+                let speed = segment.domain().length() / c.segment_domain(i).length();
+                let mut factor = 1.0;
+                for v in &mut d {
+                    factor *= speed;
+                    *v = *v * factor;
+                }
+                (point, d)
+            }
+        }
+    }
+
+    /// The unit tangent at `t`. Where the first derivative vanishes it is the limit, by the first derivative that
+    /// does not; `None` for a curve without extent there. At a kink the tangent of the outgoing side, at the end of
+    /// the domain that of the incoming one.
+    pub fn tangent_at(&self, t: f64) -> Option<Vector3> {
+        self.tangent_on_side(t, t >= self.domain().end)
+    }
+
+    /// The unit tangent at `t` of the piece that ends there (`from_below`) or begins there.
+    pub fn tangent_on_side(&self, t: f64, from_below: bool) -> Option<Vector3> {
+        let (_, d) = self.derivatives(t, 4, from_below);
+        let span = self.domain().length();
+        // Sizes that can be compared: what each derivative contributes over the whole domain.
+        let mut scale = 1.0;
+        let sizes: Vec<f64> = d
+            .iter()
+            .map(|v| {
+                scale *= span;
+                v.length() * scale
+            })
+            .collect();
+        let largest = sizes.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
+        for (k, (v, size)) in d.iter().zip(&sizes).enumerate() {
+            if *size > 1e-12 * largest {
+                // (t − t0)^k changes sign from below when k is odd.
+                let sign = if from_below && k % 2 == 1 { -1.0 } else { 1.0 };
+                return v.unitized().map(|v| v * sign);
+            }
+        }
+        None
+    }
+
+    /// The curvature vector at `t`: it points to the centre of the osculating circle and is 1/radius long. Zero
+    /// where the curve is straight or stands still.
+    pub fn curvature_at(&self, t: f64) -> Vector3 {
+        let (_, d) = self.derivatives(t, 2, t >= self.domain().end);
+        curvature(d[0], d[1])
+    }
+
+    /// The curvature with a sign, for a curve seen in a plane: positive where it turns left about the normal.
+    pub fn signed_curvature_at(&self, t: f64, normal: Vector3) -> f64 {
+        let k = self.curvature_at(t);
+        match self.tangent_at(t) {
+            Some(tangent) => k.length().copysign(tangent.cross(k).dot(normal)),
+            None => 0.0,
+        }
+    }
+
+    /// The torsion at `t`: the rate at which the osculating plane turns about the tangent, positive for a right-hand
+    /// screw. Zero where the curve is straight.
+    pub fn torsion_at(&self, t: f64) -> f64 {
+        let (_, d) = self.derivatives(t, 3, t >= self.domain().end);
+        let binormal = d[0].cross(d[1]);
+        let squared = binormal.length_squared();
+        if squared > (1e-12 * d[0].length() * d[1].length()).powi(2) && squared > 0.0 {
+            binormal.dot(d[2]) / squared
+        } else {
+            0.0
+        }
+    }
+
+    /// The frame of tangent (x) and direction of curvature (y); where the curve is straight y is
+    /// [`Vector3::perpendicular`] of the tangent, as in openNURBS. `None` when there is no tangent.
+    pub fn frame_at(&self, t: f64) -> Option<Plane> {
+        let tangent = self.tangent_at(t)?;
+        let k = self.curvature_at(t);
+        let size = self.domain().length() * self.derivatives(t, 1, false).1[0].length();
+        let y = if k.length() * size > 1e-10 { k } else { tangent.perpendicular()? };
+        Plane::from_axes(self.point_at(t), tangent, y).ok()
+    }
+}
+
+/// The curvature vector of first and second derivative: the part of the second that is at right angles to the first,
+/// over the square of the speed.
+pub(crate) fn curvature(d1: Vector3, d2: Vector3) -> Vector3 {
+    let squared = d1.length_squared();
+    if !(squared > f64::MIN_POSITIVE) {
+        return Vector3::ZERO;
+    }
+    let k = (d2 - d1 * (d2.dot(d1) / squared)) / squared;
+    if k.is_finite() { k } else { Vector3::ZERO }
+}

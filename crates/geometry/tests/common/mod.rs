@@ -1,0 +1,97 @@
+//! What several test files share: the oracle data and comparisons.
+#![allow(
+    dead_code,
+    unreachable_pub,
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "each test file uses a part of this"
+)]
+
+use katydid_geometry::{Interval, NurbsCurve, Plane, Point3, Vector3};
+use serde_json::Value;
+
+/// The answers of another kernel, or `None` with a printed line when the shared data is absent.
+pub fn oracle(file: &str) -> Option<Value> {
+    let path = format!("{}/../../../shared/data/oracle/{file}", env!("CARGO_MANIFEST_DIR"));
+    match std::fs::read_to_string(&path) {
+        Ok(text) => Some(serde_json::from_str(&text).unwrap()),
+        Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
+        Err(_) => {
+            println!("skipped: {path} is absent");
+            None
+        }
+    }
+}
+
+pub fn numbers(v: &Value) -> Vec<f64> {
+    v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+}
+
+pub fn number(v: &Value) -> f64 {
+    v.as_f64().unwrap()
+}
+
+pub fn point(v: &Value) -> Point3 {
+    let n = numbers(v);
+    Point3::new(n[0], n[1], n.get(2).copied().unwrap_or(0.0))
+}
+
+pub fn vector(v: &Value) -> Vector3 {
+    point(v).to_vector()
+}
+
+pub fn interval(v: &Value) -> Interval {
+    let n = numbers(v);
+    Interval::new(n[0], n[1])
+}
+
+pub fn plane(v: &Value) -> Plane {
+    Plane { origin: point(&v[0]), x_axis: vector(&v[1]), y_axis: vector(&v[2]), z_axis: vector(&v[3]) }
+}
+
+pub fn curve(v: &Value) -> NurbsCurve {
+    let degree = v["order"].as_u64().unwrap() as usize - 1;
+    let knots = numbers(&v["knots"]);
+    let rows: Vec<Vec<f64>> = v["cv"].as_array().unwrap().iter().map(numbers).collect();
+    if v["rat"].as_u64().unwrap() == 1 {
+        let rows = rows
+            .iter()
+            .map(|r| if r.len() == 3 { [r[0], r[1], 0.0, r[2]] } else { [r[0], r[1], r[2], r[3]] });
+        NurbsCurve::rational(degree, rows.collect(), knots).unwrap()
+    } else {
+        let rows = rows.iter().map(|r| Point3::new(r[0], r[1], r.get(2).copied().unwrap_or(0.0)));
+        NurbsCurve::new(degree, rows.collect(), knots).unwrap()
+    }
+}
+
+#[track_caller]
+pub fn close(a: f64, b: f64, tolerance: f64, what: &str) {
+    let scale = 1.0_f64.max(a.abs()).max(b.abs());
+    assert!((a - b).abs() <= tolerance * scale, "{what}: {a} against {b}");
+}
+
+#[track_caller]
+pub fn close_points(a: Point3, b: Point3, tolerance: f64, what: &str) {
+    let scale = 1.0_f64.max(b.to_vector().length());
+    assert!(a.distance_to(b) <= tolerance * scale, "{what}: {a:?} against {b:?}");
+}
+
+#[track_caller]
+pub fn close_vectors(a: Vector3, b: Vector3, tolerance: f64, what: &str) {
+    close_points(a.to_point(), b.to_point(), tolerance, what);
+}
+
+#[track_caller]
+pub fn close_curves(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64, what: &str) {
+    assert_eq!(a.degree(), b.degree(), "{what}: degree");
+    assert_eq!(a.is_rational(), b.is_rational(), "{what}: rational");
+    assert_eq!(a.knots().len(), b.knots().len(), "{what}: knot count");
+    for (x, y) in a.knots().iter().zip(b.knots()) {
+        close(*x, *y, tolerance, what);
+    }
+    for (x, y) in a.homogeneous_points().iter().zip(b.homogeneous_points()) {
+        for (x, y) in x.iter().zip(y) {
+            close(*x, y, tolerance, what);
+        }
+    }
+}
