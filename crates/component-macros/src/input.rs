@@ -4,7 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::{
-    Error, Expr, FnArg, GenericArgument, Ident, LitStr, PathArguments, Result, Token, Type, TypePath, spanned::Spanned,
+    Error, Expr, FnArg, GenericArgument, Ident, LitStr, PathArguments, Result, Token, Type, TypePath,
+    spanned::Spanned,
 };
 
 use crate::parse::{help, take_attributes};

@@ -31,12 +31,14 @@ pub fn component(attribute: TokenStream, item: TokenStream) -> TokenStream {
 fn expand(header: &Header, mut function: ItemFn) -> Result<proc_macro2::TokenStream> {
     let help = help(&function.attrs);
     if help.is_empty() {
-        return Err(syn::Error::new(function.sig.ident.span(), "a component needs a doc comment: it is its help"));
+        return Err(syn::Error::new(
+            function.sig.ident.span(),
+            "a component needs a doc comment: it is its help",
+        ));
     }
     let output_attributes = take_attributes(&mut function.attrs, "output");
     let outputs = Outputs::new(&function.sig.output, &output_attributes)?;
-    let inputs =
-        function.sig.inputs.iter_mut().map(Input::new).collect::<Result<Vec<Input>>>()?;
+    let inputs = function.sig.inputs.iter_mut().map(Input::new).collect::<Result<Vec<Input>>>()?;
 
     let name = &function.sig.ident;
     let parts = quote!(::katydid_component::parts);

@@ -82,7 +82,10 @@ impl Outputs {
         };
         if types.len() != attributes.len() {
             let (n, m) = (types.len(), attributes.len());
-            return Err(Error::new(span, format!("{n} results, but {m} #[output(\"Name\", \"N\", \"help\")]")));
+            return Err(Error::new(
+                span,
+                format!("{n} results, but {m} #[output(\"Name\", \"N\", \"help\")]"),
+            ));
         }
         let shapes: Vec<Shape> = types.iter().map(shape).collect::<Result<_>>()?;
         Ok(Self { fallible, tuple, results: shapes.into_iter().zip(attributes).collect() })
@@ -190,7 +193,10 @@ fn shape(t: &Type) -> Result<Shape> {
                 None => return Err(Error::new(path.span(), "expected Each<Vec<Option<T>>>")),
             },
             other => {
-                return Err(Error::new(other.span(), "expected Each<Option<T>>, Each<Vec<Option<T>>> or Each<Tree>"));
+                return Err(Error::new(
+                    other.span(),
+                    "expected Each<Option<T>>, Each<Vec<Option<T>>> or Each<Tree>",
+                ));
             }
         },
         _ => Shape::Item(t.clone()),

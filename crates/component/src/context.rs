@@ -1,4 +1,5 @@
-use std::cell::RefCell;
+use std::any::Any;
+use std::cell::{OnceCell, RefCell};
 
 use katydid_data::{Path, cast::Rules, text};
 use katydid_definition::archive::Chunk;
@@ -13,11 +14,18 @@ pub struct Context<'a> {
     notes: RefCell<Notes>,
     path: RefCell<Path>,
     iteration: std::cell::Cell<usize>,
+    prepared: OnceCell<Result<Box<dyn Any>, Message>>,
 }
 
 impl<'a> Context<'a> {
     pub(crate) fn new(call: &'a Call<'a>) -> Self {
-        Self { call, notes: RefCell::default(), path: RefCell::default(), iteration: std::cell::Cell::new(0) }
+        Self {
+            call,
+            notes: RefCell::default(),
+            path: RefCell::default(),
+            iteration: std::cell::Cell::new(0),
+            prepared: OnceCell::new(),
+        }
     }
 
     pub(crate) fn into_notes(self) -> Notes {
@@ -50,6 +58,18 @@ impl<'a> Context<'a> {
     /// Warns the user; the component goes on.
     pub fn warn(&self, text: impl Into<String>) {
         self.tell(Message::warning(text));
+    }
+
+    /// Something made once and used in every iteration: a formula parsed, a mask read.
+    ///
+    /// # Errors
+    /// The message of `make`, in every iteration.
+    pub fn prepared<T: 'static>(&self, make: impl FnOnce() -> Result<T, Message>) -> Result<&T, Message> {
+        let made = self.prepared.get_or_init(|| make().map(|made| Box::new(made) as Box<dyn Any>));
+        match made {
+            Ok(made) => made.downcast_ref().ok_or_else(|| Message::error("Internal error: prepared twice")),
+            Err(message) => Err(message.clone()),
+        }
     }
 
     /// What the object has stored besides its ports.

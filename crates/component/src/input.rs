@@ -46,8 +46,10 @@ impl<'a, T: Item> List<'a, T> {
 
     /// The items as they lie, when there is no null among them.
     pub fn as_slice(&self) -> Option<&'a [T]> {
-        let no_nulls =
-            self.column.null_mask().is_none_or(|n| n.get(self.range.clone()).is_some_and(|n| !n.contains(&true)));
+        let no_nulls = self
+            .column
+            .null_mask()
+            .is_none_or(|n| n.get(self.range.clone()).is_some_and(|n| !n.contains(&true)));
         if no_nulls { T::slice(self.column)?.get(self.range.clone()) } else { None }
     }
 

@@ -24,7 +24,8 @@ pub fn run<S: Sinks>(
     function: impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync,
 ) -> Outcome {
     let last = access.last().copied().unwrap_or(Access::Item);
-    let access: Vec<Access> = (0..call.inputs.len()).map(|k| access.get(k).copied().unwrap_or(last)).collect();
+    let access: Vec<Access> =
+        (0..call.inputs.len()).map(|k| access.get(k).copied().unwrap_or(last)).collect();
     let principal = call.settings.i32("PrincipalIndex").and_then(|k| usize::try_from(k).ok());
     let matching = Matching::new(call.inputs, &access, principal);
     let total = matching.iterations();

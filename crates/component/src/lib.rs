@@ -34,6 +34,7 @@ mod message;
 mod output;
 mod port;
 pub mod registry;
+pub mod testing;
 
 pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};

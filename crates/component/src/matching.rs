@@ -12,7 +12,7 @@ use crate::Access;
 
 /// The plan of all iterations of one run.
 #[derive(Debug)]
-pub(crate) struct Matching {
+pub struct Matching {
     /// The path of each branch set.
     pub(crate) paths: Vec<Path>,
     /// Where the iterations of each branch set end, counted over all sets.

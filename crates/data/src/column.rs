@@ -2,7 +2,8 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3, Xform,
+    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3,
+    Xform,
 };
 use uuid::Uuid;
 
@@ -236,9 +237,10 @@ impl Column {
             [one] => return (*one).clone(),
             _ => {}
         }
-        let nulls = parts.iter().any(|p| p.has_nulls()).then(|| {
-            parts.iter().flat_map(|p| (0..p.len()).map(|i| p.is_null(i))).collect::<Vec<bool>>()
-        });
+        let nulls = parts
+            .iter()
+            .any(|p| p.has_nulls())
+            .then(|| parts.iter().flat_map(|p| (0..p.len()).map(|i| p.is_null(i))).collect::<Vec<bool>>());
         let runs: Vec<&Items> = parts.iter().map(|p| &p.items).collect();
         match Items::concat(&runs) {
             Some(items) => Self::new(items, nulls),

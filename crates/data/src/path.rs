@@ -120,9 +120,11 @@ mod tests {
 
     #[test]
     fn paths_are_written_and_read() {
-        for (text, path) in
-            [("{0;0;17}", Path::from([0, 0, 17])), (" { 1 ; -2 } ", Path::from([1, -2])), ("88", Path::from([88]))]
-        {
+        for (text, path) in [
+            ("{0;0;17}", Path::from([0, 0, 17])),
+            (" { 1 ; -2 } ", Path::from([1, -2])),
+            ("88", Path::from([88])),
+        ] {
             assert_eq!(text.parse::<Path>().unwrap(), path);
         }
         assert_eq!(Path::from([0, 1]).to_string(), "{0;1}");

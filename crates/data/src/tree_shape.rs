@@ -47,9 +47,7 @@ impl Tree {
         }
         let shortest = self.paths.iter().map(Path::len).min().unwrap_or(0);
         let same_length = self.paths.iter().all(|p| p.len() == first.len());
-        let shared = |k: usize| {
-            self.paths.iter().all(|p| p.elements().get(k) == first.elements().get(k))
-        };
+        let shared = |k: usize| self.paths.iter().all(|p| p.elements().get(k) == first.elements().get(k));
         // Elements at equal places can be told apart from the front only, unless all paths have one length.
         let lead = (0..shortest).take_while(|&k| shared(k)).count();
         let drop = |k: usize| if front || !same_length { k < lead } else { shared(k) };
@@ -170,7 +168,10 @@ mod tests {
         let m = Tree::merge([&a, &b]);
         let expected = [("{0}", 2), ("{1}", 1), ("{2}", 1)];
         assert_eq!(shape(&m), expected.map(|(p, n)| (p.to_owned(), n)));
-        assert_eq!(m.branch(0).unwrap().iter().collect::<Vec<_>>(), [1.0, 3.0].map(|x| Some(Value::Number(x))));
+        assert_eq!(
+            m.branch(0).unwrap().iter().collect::<Vec<_>>(),
+            [1.0, 3.0].map(|x| Some(Value::Number(x)))
+        );
     }
 
     fn any_tree() -> impl Strategy<Value = Tree> {

@@ -2,7 +2,8 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3, Xform,
+    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3,
+    Xform,
 };
 use uuid::Uuid;
 

@@ -70,7 +70,9 @@ pub(super) fn add(a: &Value, b: &Value) -> Result {
             let n = float(n).unwrap_or_default();
             Value::Domain(Interval::new(d.start + n, d.end + n))
         }
-        (Value::Domain(d), Value::Domain(e)) => Value::Domain(Interval::new(d.start + e.start, d.end + e.end)),
+        (Value::Domain(d), Value::Domain(e)) => {
+            Value::Domain(Interval::new(d.start + e.start, d.end + e.end))
+        }
         (Value::Colour(c), Value::Colour(d)) => channels(*c, *d, |x, y| x + y),
         (Value::Plane(p), Value::Vector(v)) => {
             Value::from(katydid_geometry::Plane { origin: p.origin + *v, ..**p })
@@ -110,7 +112,9 @@ pub(super) fn subtract(a: &Value, b: &Value) -> Result {
             let n = float(n).unwrap_or_default();
             Value::Domain(Interval::new(d.start - n, d.end - n))
         }
-        (Value::Domain(d), Value::Domain(e)) => Value::Domain(Interval::new(d.start - e.start, d.end - e.end)),
+        (Value::Domain(d), Value::Domain(e)) => {
+            Value::Domain(Interval::new(d.start - e.start, d.end - e.end))
+        }
         (Value::Colour(c), Value::Colour(d)) => channels(*c, *d, |x, y| x - y),
         (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.add(&n.scaled(-1.0))?),
         _ => match (complex(&x), complex(&y)) {
@@ -149,10 +153,9 @@ pub(super) fn multiply(a: &Value, b: &Value) -> Result {
         (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.multiply(n)?),
         (Value::Transform(f), Value::Transform(g)) => Value::from(**f * **g),
         _ => match (complex(&x), complex(&y)) {
-            (Some(x), Some(y)) => Value::Complex(Complex {
-                re: x.re * y.re - x.im * y.im,
-                im: x.re * y.im + x.im * y.re,
-            }),
+            (Some(x), Some(y)) => {
+                Value::Complex(Complex { re: x.re * y.re - x.im * y.im, im: x.re * y.im + x.im * y.re })
+            }
             _ => return Err(unsupported("multiplied", a, b)),
         },
     })
@@ -229,7 +232,9 @@ pub(super) fn negate(a: &Value) -> Result {
 pub(super) fn absolute(a: &Value) -> Result {
     Ok(match as_number(a) {
         Value::Number(x) => Value::Number(x.abs()),
-        Value::Integer(i) => i.checked_abs().map_or_else(|| Value::Number(f64::from(i).abs()), Value::Integer),
+        Value::Integer(i) => {
+            i.checked_abs().map_or_else(|| Value::Number(f64::from(i).abs()), Value::Integer)
+        }
         Value::Complex(z) => Value::Number(z.re.hypot(z.im)),
         Value::Vector(v) => Value::Vector(Vector3::new(v.x.abs(), v.y.abs(), v.z.abs())),
         Value::Point(p) => Value::Point(Point3::new(p.x.abs(), p.y.abs(), p.z.abs())),

@@ -35,7 +35,11 @@ fn fold(context: &Context<'_>, terms: ManyItems<Value>, operator: Binary) -> Res
     name = "Addition",
     nick = "A+B",
     at = "Maths/Operators",
-    also("d18db32b-7099-4eea-85c4-8ba675ee8ec3", "cae37d1c-8146-4e0b-9cf1-14cb3e337b94", "58669268-a825-4688-8072-7d3508fcf91c")
+    also(
+        "d18db32b-7099-4eea-85c4-8ba675ee8ec3",
+        "cae37d1c-8146-4e0b-9cf1-14cb3e337b94",
+        "58669268-a825-4688-8072-7d3508fcf91c"
+    )
 )]
 #[output("Result", "R", "The sum.")]
 fn addition(
@@ -108,4 +112,29 @@ fn running(
         partial.push(next);
     }
     Ok((partial.last().cloned(), partial))
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+    use katydid_geometry::{Point3, Vector3};
+
+    #[test]
+    fn addition_of_points_vectors_and_texts() {
+        let trial = Trial::of("Addition").item(Point3::new(1.0, 2.0, 3.0)).item(Vector3::new(2.0, 2.0, 2.0));
+        assert_eq!(trial.texts(0), ["{0}: {3, 4, 5}"]);
+        assert_eq!(Trial::of("Addition").item("3.5").item(2).texts(0), ["{0}: 5.5"]);
+        assert_eq!(Trial::of("Addition").item("ab").item("c").texts(0), ["{0}: abc"]);
+    }
+
+    #[test]
+    fn division_by_zero_is_an_error() {
+        assert_eq!(Trial::of("Division").item(1.0).item(0.0).message(), "Division by zero");
+        assert_eq!(Trial::of("Division").item(7).item(2).texts(0), ["{0}: 3.5"]);
+    }
+
+    #[test]
+    fn mass_addition_shows_the_way() {
+        assert_eq!(Trial::of("Mass Addition").list([1.0, 2.0, 3.5]).texts(1), ["{0}: 1, 3, 6.5"]);
+    }
 }

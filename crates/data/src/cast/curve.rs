@@ -1,6 +1,8 @@
 //! Between lines, circles, arcs, rectangles and curves.
 
-use katydid_geometry::{Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Plane, Point3, PolylineCurve, Rectangle};
+use katydid_geometry::{
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Plane, Point3, PolylineCurve, Rectangle,
+};
 
 use super::Rules;
 use crate::Value;

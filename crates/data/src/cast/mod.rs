@@ -14,7 +14,9 @@ use katydid_geometry::{Tolerance, Units};
 
 use crate::{Column, Gather, Geometry, Items, Kind, Material, Path, Value, text};
 
-pub use parse::{colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point};
+pub use parse::{
+    colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point,
+};
 
 /// What some conversions need to know of the document.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -71,9 +73,7 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         },
         Kind::Surface | Kind::Brep | Kind::SubD | Kind::PointCloud => kept(value, kind),
         Kind::Transform => match value {
-            Value::Vector(v) => {
-                Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v))))
-            }
+            Value::Vector(v) => Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v)))),
             _ => None,
         },
         Kind::Matrix => match value {

@@ -15,7 +15,7 @@ fn trimmed(text: &str) -> Option<&str> {
 }
 
 /// `true`, `false`, `yes`, `no` in any case, or a number (0 is false).
-pub fn boolean(text: &str) -> Option<bool> {
+pub(super) fn boolean(text: &str) -> Option<bool> {
     let text = trimmed(text)?;
     if ["true", "yes"].iter().any(|word| text.eq_ignore_ascii_case(word)) {
         return Some(true);
@@ -45,7 +45,9 @@ pub fn number(text: &str) -> Option<f64> {
 pub fn point(text: &str) -> Option<Point3> {
     let text = trimmed(text)?;
     let inner = match (text.chars().next(), text.chars().last()) {
-        (Some('{'), Some('}')) | (Some('('), Some(')')) | (Some('['), Some(']')) => text.get(1..text.len() - 1)?,
+        (Some('{'), Some('}')) | (Some('('), Some(')')) | (Some('['), Some(']')) => {
+            text.get(1..text.len() - 1)?
+        }
         _ => text,
     };
     let parts: Option<Vec<f64>> = inner.split([',', ';']).map(number).collect();
@@ -68,7 +70,7 @@ pub fn domain(text: &str) -> Option<Interval> {
 }
 
 /// `u:{a To b} v:{c To d}`.
-pub fn domain2(text: &str) -> Option<Domain2> {
+pub(super) fn domain2(text: &str) -> Option<Domain2> {
     let text = trimmed(text)?.to_ascii_lowercase();
     let (u, v) = text.split_once('v')?;
     let part = |s: &str| -> Option<Interval> {
@@ -79,7 +81,7 @@ pub fn domain2(text: &str) -> Option<Domain2> {
 }
 
 /// `Q{0,1,2,3}`, `T{1;2;4}`, or the bare lists in braces.
-pub fn mesh_face(text: &str) -> Option<MeshFace> {
+pub(super) fn mesh_face(text: &str) -> Option<MeshFace> {
     let text = trimmed(text)?;
     let inner = text.trim_start_matches(['Q', 'T', 'q', 't']).trim().strip_prefix('{')?.strip_suffix('}')?;
     let indices: Option<Vec<u32>> = inner.split([',', ';']).map(|i| i.trim().parse().ok()).collect();

@@ -34,12 +34,21 @@ fn texts_are_read() {
     assert_eq!(to(Value::text("20"), Kind::Domain), Some(Value::Domain(Interval::new(0.0, 20.0))));
     assert_eq!(to(Value::text("-1 to 10"), Kind::Domain), Some(Value::Domain(Interval::new(-1.0, 10.0))));
     assert_eq!(to(Value::text("{0,1.5, -2}"), Kind::Point), Some(Value::Point(Point3::new(0.0, 1.5, -2.0))));
-    assert_eq!(to(Value::text("Q{0,1,2,3}"), Kind::MeshFace), Some(Value::MeshFace(MeshFace::Quad([0, 1, 2, 3]))));
-    assert_eq!(to(Value::text("T{1;2;4}"), Kind::MeshFace), Some(Value::MeshFace(MeshFace::Triangle([1, 2, 4]))));
+    assert_eq!(
+        to(Value::text("Q{0,1,2,3}"), Kind::MeshFace),
+        Some(Value::MeshFace(MeshFace::Quad([0, 1, 2, 3])))
+    );
+    assert_eq!(
+        to(Value::text("T{1;2;4}"), Kind::MeshFace),
+        Some(Value::MeshFace(MeshFace::Triangle([1, 2, 4])))
+    );
     assert_eq!(to(Value::text("255,0,10"), Kind::Colour), Some(Value::Colour(Colour::rgb(255, 0, 10))));
     assert_eq!(to(Value::text("#80ff0000"), Kind::Colour), Some(Value::Colour(Colour::argb(128, 255, 0, 0))));
     let square = Domain2 { u: Interval::new(0.0, 50.0), v: Interval::new(0.0, 20.0) };
-    assert_eq!(to(Value::text("u:{0 To 50} v:{0 To 20}"), Kind::Domain2), Some(Value::Domain2(square.into())));
+    assert_eq!(
+        to(Value::text("u:{0 To 50} v:{0 To 20}"), Kind::Domain2),
+        Some(Value::Domain2(square.into()))
+    );
     for nonsense in ["", "x", "1,2", "{", "to", "{1,2,3", "Q{a}"] {
         assert_eq!(to(Value::text(nonsense), Kind::Number), None, "{nonsense}");
     }
@@ -71,7 +80,12 @@ fn circles_lines_and_rectangles_are_curves_and_back() {
 
 #[test]
 fn a_column_tells_what_failed_and_keeps_its_nulls() {
-    let column = Column::of_options(vec![Some(Value::text("1")), None, Some(Value::text("a")), Some(Value::text("b"))]);
+    let column = Column::of_options(vec![
+        Some(Value::text("1")),
+        None,
+        Some(Value::text("a")),
+        Some(Value::text("b")),
+    ]);
     let cast = super::column(&column, Kind::Number, &Rules::default());
     assert_eq!(cast.failed, Some((Kind::Text, 2)));
     assert_eq!(cast.column.iter().collect::<Vec<_>>(), [Some(Value::Number(1.0)), None, None, None]);
