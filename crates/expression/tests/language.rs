@@ -360,6 +360,13 @@ fn hostile_texts_are_errors_not_crashes() {
         let source = open.repeat(20_000 / open.len());
         assert!(Expression::parse(&source).is_err());
     }
+    // Half a megabyte of stack is enough for the deepest text.
+    let deepest = || {
+        for open in ["(", "max(", "-", "2^-", "{1,", "0 xor 0 or 0 and 0=0+0*("] {
+            assert!(Expression::parse(&open.repeat(65_000 / open.len())).is_err());
+        }
+    };
+    std::thread::Builder::new().stack_size(1 << 19).spawn(deepest).unwrap().join().unwrap();
     // Long chains are not deep.
     let chain = format!("x{}", "+x".repeat(30_000));
     let program = Expression::parse(&chain).unwrap().bind(&["x"]).unwrap();

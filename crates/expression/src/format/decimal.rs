@@ -10,9 +10,8 @@ pub(super) struct Decimal {
     pub(super) scale: i32,
 }
 
-/// Digits beyond the wanted ones that are asked for: with two, only a tail that rounds to 50 leaves open on which
-/// side of the half the number lies, and then all digits are asked for.
-const GUARD: usize = 2;
+/// Digits beyond the wanted ones that are asked for, one number after the other while the answer is open.
+const GUARDS: [usize; 3] = [2, 22, ALL];
 
 /// The most significant digits that a double has in full: 767, for the largest odd subnormal.
 const ALL: usize = 767;
@@ -26,29 +25,33 @@ impl Decimal {
     /// `x` in `count` significant digits, halves away from zero by its exact decimal value; `x` must be finite.
     pub(super) fn significant(x: f64, count: usize) -> Self {
         let count = count.clamp(1, ALL);
-        let wide = count + GUARD;
-        let mut decimal = Self::from_scientific(&format!("{x:.*e}", wide.min(ALL) - 1));
-        if decimal.digits.len() == count + 1 && decimal.digits.last() == Some(&b'5') && wide < ALL {
-            decimal = Self::from_scientific(&format!("{x:.*e}", ALL - 1));
-        }
-        decimal.round(i32::try_from(count).unwrap_or(i32::MAX));
-        decimal
+        Self::rounded(x, count, |_| i32::try_from(count).unwrap_or(i32::MAX))
     }
 
     /// `x` to `places` decimals, halves away from zero by its exact decimal value; `x` must be finite.
     pub(super) fn places(x: f64, places: usize) -> Self {
         let places = i32::try_from(places).unwrap_or(i32::MAX);
         // The shortest digits tell the scale, or one more than it: enough to know how many digits are needed.
-        let wanted = usize::try_from(Self::shortest(x).scale.saturating_add(places)).unwrap_or(0);
-        let wide = wanted.min(ALL).saturating_add(GUARD).min(ALL);
-        let mut decimal = Self::from_scientific(&format!("{x:.*e}", wide - 1));
-        let at = decimal.scale.saturating_add(places);
-        let half =
-            decimal.digits.last() == Some(&b'5') && usize::try_from(at) == Ok(decimal.digits.len() - 1);
-        if half && wide < ALL {
-            decimal = Self::from_scientific(&format!("{x:.*e}", ALL - 1));
+        let count = usize::try_from(Self::shortest(x).scale.saturating_add(places)).unwrap_or(0);
+        Self::rounded(x, count, |scale| scale.saturating_add(places))
+    }
+
+    /// `x` rounded behind the digit that `keep` finds from the scale, of about `count` digits.
+    ///
+    /// A few digits more tell on which side of the half the number lies, unless they read 50…0: then more are
+    /// asked for, in the end all.
+    fn rounded(x: f64, count: usize, keep: impl Fn(i32) -> i32) -> Self {
+        let mut decimal = Self { negative: x.is_sign_negative(), digits: Vec::new(), scale: 0 };
+        for guard in GUARDS {
+            let wide = count.saturating_add(guard).min(ALL);
+            decimal = Self::from_scientific(&format!("{x:.*e}", wide - 1));
+            let half = decimal.digits.last() == Some(&b'5')
+                && usize::try_from(keep(decimal.scale)) == Ok(decimal.digits.len() - 1);
+            if !half || wide == ALL {
+                break;
+            }
         }
-        decimal.round(decimal.scale.saturating_add(places));
+        decimal.round(keep(decimal.scale));
         decimal
     }
 
