@@ -2,7 +2,7 @@
 
 use katydid_component::{Message, Port as Declared};
 use katydid_data::{Kind, Tree, cast};
-use katydid_definition::{Object, Port};
+use katydid_definition::document::{Object, Port};
 
 use crate::{modifiers, stored};
 

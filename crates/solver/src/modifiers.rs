@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use katydid_component::Message;
 use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
-use katydid_definition::{Mapping, Modifiers};
+use katydid_definition::document::{Mapping, Modifiers};
 use katydid_expression::Expression;
 use katydid_geometry::{Interval, Vector3};
 
