@@ -68,3 +68,8 @@ impl Mesh {
         Err(Error::Unsupported(""))
     }
 }
+impl crate::Curve {
+    pub fn with_domain(&self, _: crate::Interval) -> crate::Result<Self> {
+        Ok(self.clone())
+    }
+}

@@ -44,7 +44,12 @@ impl Engine {
         &self.document
     }
 
-    /// What a solve may use.
+    /// What a solve may use, and how it reads the document.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// The same, to be changed; results that stand are kept.
     pub fn options_mut(&mut self) -> &mut Options {
         &mut self.options
     }
