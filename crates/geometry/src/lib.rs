@@ -17,6 +17,7 @@
     reason = "matrix code reads best with indices; !(x > limit) is how a NaN is refused together with the too small"
 )]
 
+mod bernstein;
 mod bounding_box;
 mod box3;
 mod circle;
@@ -41,7 +42,10 @@ mod xform;
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
-pub use curve::{ArcCurve, ArcLength, Curve, LineCurve, PolyCurve, PolylineCurve};
+pub use curve::{
+    ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
+    join_curves,
+};
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
@@ -53,7 +57,7 @@ pub use nurbs::{
 };
 pub use plane::Plane;
 pub use point::Point3;
-pub use rectangle::Rectangle;
+pub use rectangle::{Rectangle, regular_polygon};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
