@@ -118,6 +118,9 @@ def check_geometry(ours, theirs, what):
         assert [c[:3] for c in detail["colours"]] == [list(c[:3]) for c in colours], f"{what} colours"
     elif isinstance(theirs, rhino3dm.Point):
         close(detail["point"], xyz(theirs.Location), what)
+    elif ours["class"] == "AnnotationArrow":
+        # rhino3dm turns the arrows of version 2 into lines.
+        pass
     elif isinstance(theirs, rhino3dm.Curve):
         assert not ours["kept"], f"{what}: a curve is kept as bytes"
         check_curve(detail, theirs, what)
@@ -191,7 +194,7 @@ def check_sample(version):
     assert len(objects) == len(file.Objects) == 11
     for i, o in enumerate(file.Objects):
         assert o.Attributes.Id.int == 0xABCD_0000 + i + 1
-        valid, log = o.Geometry.IsValidWithLog()
+        valid, log = o.Geometry.IsValidWithLog
         assert valid, f"{o.Attributes.Name}: {log}"
     where = {"point": 2, "cloud": 2, "line": 0, "arc": 1, "circle": 1, "polyline": 0, "nurbs": 0, "rational": 1,
              "polycurve": 0, "mesh": 2, "plain mesh": 2}
@@ -246,8 +249,8 @@ def check_encoded(path, strict):
 
 def test_encoded_objects_come_out_as_they_went_in():
     geometry = check_sample(60)
-    # A mesh is deflated by another library here than there, and normals and colours are too.
-    names = [name for name in geometry if name not in ("mesh",)]
+    # A long buffer is deflated by another library here than there.
+    names = [name for name in geometry if name != "mesh"]
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "objects.jsonl"
         path.write_text("\n".join(json.dumps(geometry[name].Encode()) for name in names))
@@ -271,8 +274,11 @@ def check_archive(path):
     for i, (ours, theirs) in enumerate(zip(objects, file.Objects)):
         what = f"{path.name} object {i}"
         attributes = theirs.Attributes
-        assert ours["name"] == attributes.Name, what
-        assert ours["layer"] == attributes.LayerIndex, f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
+        # rhino3dm copies a light's own name into attributes without one.
+        if ours["name"] or not isinstance(theirs.Geometry, rhino3dm.Light):
+            assert ours["name"] == attributes.Name, what
+        # A layer that is not there is -1 there and the first one here.
+        assert ours["layer"] == max(0, attributes.LayerIndex), f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
         assert ours["visible"] == attributes.Visible, what
         own = attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromObject
         assert (ours["colour"] or [None] * 3)[:3] == (list(attributes.ObjectColor[:3]) if own else [None] * 3), what

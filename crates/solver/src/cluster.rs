@@ -6,10 +6,10 @@ use katydid_component::Message;
 use katydid_data::{Column, Path, Tree};
 use katydid_definition::{ClusterContent, Object};
 
+use crate::collect;
 use crate::engine::solve_nested;
 use crate::object::{Turn, output};
 use crate::report::{ObjectReport, Status};
-use crate::collect;
 
 /// Clusters deeper than this are refused.
 const DEEPEST: usize = 16;
@@ -18,7 +18,9 @@ const DEEPEST: usize = 16;
 pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> Option<ObjectReport> {
     let content = match object.cluster()? {
         Ok(content) => content,
-        Err(error) => return Some(failed(object, Status::Error, format!("The cluster cannot be opened: {error}"))),
+        Err(error) => {
+            return Some(failed(object, Status::Error, format!("The cluster cannot be opened: {error}")));
+        }
     };
     Some(match content {
         ClusterContent::Open(open) if turn.depth < DEEPEST => {
@@ -34,9 +36,14 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
             }
             let reports = solve_nested(&open.document, turn, &given);
             for (inner, report) in open.document.objects().iter().zip(&reports) {
-                messages.extend(report.messages.iter().filter(|m| m.level > katydid_component::Level::Remark).map(
-                    |message| Message { text: format!("{}: {}", inner.title(), message.text), ..message.clone() },
-                ));
+                messages.extend(
+                    report.messages.iter().filter(|m| m.level > katydid_component::Level::Remark).map(
+                        |message| Message {
+                            text: format!("{}: {}", inner.title(), message.text),
+                            ..message.clone()
+                        },
+                    ),
+                );
             }
             let outputs = object
                 .outputs
@@ -59,10 +66,14 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
         ClusterContent::Open(_) => {
             failed(object, Status::Error, format!("Clusters are nested deeper than {DEEPEST} levels"))
         }
-        ClusterContent::Locked => failed(object, Status::Unsupported, "The cluster is locked by a password".to_owned()),
-        ClusterContent::File(path) => {
-            failed(object, Status::Unsupported, format!("The cluster lives in another file, {path}: not supported yet"))
+        ClusterContent::Locked => {
+            failed(object, Status::Unsupported, "The cluster is locked by a password".to_owned())
         }
+        ClusterContent::File(path) => failed(
+            object,
+            Status::Unsupported,
+            format!("The cluster lives in another file, {path}: not supported yet"),
+        ),
     })
 }
 

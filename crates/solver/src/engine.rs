@@ -84,7 +84,9 @@ impl Engine {
         while let Some(object) = stack.pop() {
             // What is dirty already has dirty readers.
             if self.reports[object].take().is_some() || object == index {
-                stack.extend(self.graph.readers[object].iter().copied().filter(|&r| self.reports[r].is_some()));
+                stack.extend(
+                    self.graph.readers[object].iter().copied().filter(|&r| self.reports[r].is_some()),
+                );
             }
         }
     }
@@ -106,7 +108,11 @@ impl Engine {
 }
 
 /// Solves a whole nested document.
-pub(crate) fn solve_nested(document: &Document, outer: &Turn<'_>, given: &HashMap<usize, Tree>) -> Vec<ObjectReport> {
+pub(crate) fn solve_nested(
+    document: &Document,
+    outer: &Turn<'_>,
+    given: &HashMap<usize, Tree>,
+) -> Vec<ObjectReport> {
     let graph = Graph::new(document);
     let mut reports = vec![None; document.objects().len()];
     // Progress counts the objects of the outermost document.

@@ -10,7 +10,12 @@ use katydid_geometry::{Interval, Vector3};
 
 /// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
 /// graft, reverse.
-pub(crate) fn apply(tree: Tree, modifiers: &Modifiers, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+pub(crate) fn apply(
+    tree: Tree,
+    modifiers: &Modifiers,
+    rules: &cast::Rules,
+    messages: &mut Vec<Message>,
+) -> Tree {
     let tree = items(tree, modifiers, rules, messages);
     shape(tree, modifiers)
 }

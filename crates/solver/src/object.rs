@@ -59,7 +59,12 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
     report
 }
 
-fn run(turn: &Turn<'_>, object: &Object, component: &'static Component, wired: &[Vec<&Tree>]) -> ObjectReport {
+fn run(
+    turn: &Turn<'_>,
+    object: &Object,
+    component: &'static Component,
+    wired: &[Vec<&Tree>],
+) -> ObjectReport {
     let rules = turn.options.rules;
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());

@@ -8,6 +8,7 @@ use crate::Value;
 /// The place of a value: a plane's origin, a circle's centre, the middle of a line, rectangle or box.
 pub(super) fn point(value: &Value, rules: &Rules) -> Option<Point3> {
     match value {
+        Value::Point(p) => Some(*p),
         Value::Vector(v) => Some(v.to_point()),
         Value::Text(text) => parse::point(text),
         Value::Integer(i) => Some(Point3::new(f64::from(*i), 0.0, 0.0)),
