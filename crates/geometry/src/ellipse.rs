@@ -42,3 +42,12 @@ impl Ellipse {
         }
     }
 }
+
+impl Ellipse {
+    /// The image under a similarity; `None` when the map does not keep angles. Other images are exact as NURBS curves:
+    /// [`Ellipse::to_nurbs`], then [`crate::NurbsCurve::transformed`].
+    pub fn transformed(&self, xform: &crate::Xform) -> Option<Self> {
+        let factor = xform.similarity_factor(1e-12)?.abs();
+        Self::new(self.plane.transformed(xform).ok()?, self.rx * factor, self.ry * factor).ok()
+    }
+}

@@ -17,6 +17,7 @@
     reason = "matrix code reads best with indices; !(x > limit) is how a NaN is refused together with the too small"
 )]
 
+mod bernstein;
 mod bounding_box;
 mod box3;
 mod circle;
@@ -27,6 +28,7 @@ pub mod intersect;
 mod interval;
 mod line;
 mod linear;
+mod matrix;
 mod mesh;
 mod nurbs;
 mod plane;
@@ -41,19 +43,23 @@ mod xform;
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
-pub use curve::{ArcCurve, ArcLength, Curve, LineCurve, PolyCurve, PolylineCurve};
+pub use curve::{
+    ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
+    join_curves,
+};
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
 pub use line::Line;
-pub use mesh::{Mesh, MeshFace};
+pub use matrix::Matrix;
+pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
 };
 pub use plane::Plane;
 pub use point::Point3;
-pub use rectangle::Rectangle;
+pub use rectangle::{Rectangle, regular_polygon};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

@@ -1,4 +1,4 @@
-use crate::{Interval, Plane};
+use crate::{Error, Interval, Plane, Point3, PolylineCurve, Result, Xform};
 
 /// A rectangle in a plane, by its ranges along the plane's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,4 +9,94 @@ pub struct Rectangle {
     pub x: Interval,
     /// The range along the y axis.
     pub y: Interval,
+}
+
+impl Rectangle {
+    /// The rectangle in a plane with two diagonal corners, which are projected into it; its ranges increase.
+    pub fn from_corners(plane: &Plane, a: Point3, b: Point3) -> Self {
+        let ([ax, ay, _], [bx, by, _]) = (plane.coordinates(a), plane.coordinates(b));
+        Self { plane: *plane, x: Interval::new(ax, bx).ordered(), y: Interval::new(ay, by).ordered() }
+    }
+
+    /// The rectangle with the edge from `a` to `b`, as high as `c` is beside it; its plane has its origin in `a`, x
+    /// along the edge and `c` on the side of y.
+    ///
+    /// # Errors
+    /// When the three points lie on a line.
+    pub fn from_points(a: Point3, b: Point3, c: Point3) -> Result<Self> {
+        let plane = Plane::from_points(a, b, c)?;
+        let height = plane.coordinates(c)[1];
+        Ok(Self { plane, x: Interval::new(0.0, a.distance_to(b)), y: Interval::new(0.0, height) })
+    }
+
+    /// The four corners, counter-clockwise from the smallest.
+    pub fn corners(&self) -> [Point3; 4] {
+        let (x, y) = (self.x.ordered(), self.y.ordered());
+        [(x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end)]
+            .map(|(u, v)| self.plane.at(u, v, 0.0))
+    }
+
+    /// The middle.
+    pub fn center(&self) -> Point3 {
+        self.plane.at(self.x.middle(), self.y.middle(), 0.0)
+    }
+
+    /// The area.
+    pub fn area(&self) -> f64 {
+        (self.x.length() * self.y.length()).abs()
+    }
+
+    /// The length of the four sides.
+    pub fn perimeter(&self) -> f64 {
+        2.0 * (self.x.length().abs() + self.y.length().abs())
+    }
+
+    /// The closed polyline of five points around it, counter-clockwise from the smallest corner; domain 0…4.
+    ///
+    /// # Errors
+    /// A number is not finite.
+    pub fn to_polyline(&self) -> Result<PolylineCurve> {
+        let [a, b, c, d] = self.corners();
+        PolylineCurve::new(vec![a, b, c, d, a])
+    }
+
+    /// The image under a similarity.
+    ///
+    /// # Errors
+    /// The map does not keep angles, so that the image need be no rectangle.
+    pub fn transformed(&self, xform: &Xform) -> Result<Self> {
+        let (plane, f) = similar_frame(&self.plane, xform, "rectangle")?;
+        let grown = |r: Interval| Interval::new(r.start * f.abs(), r.end * f.abs());
+        Ok(Self { plane, x: grown(self.x), y: grown(self.y) })
+    }
+}
+
+/// The image of a frame under a similarity and the signed factor of the map.
+pub(crate) fn similar_frame(plane: &Plane, xform: &Xform, what: &'static str) -> Result<(Plane, f64)> {
+    let factor = xform
+        .similarity_factor(1e-9)
+        .ok_or(Error::degenerate(what, "the transform does not keep its angles"))?;
+    Ok((plane.transformed(xform)?, factor))
+}
+
+/// The closed regular polygon with `sides` corners at `radius` from the plane's origin, the first on its x axis.
+///
+/// # Errors
+/// Fewer than 3 or more than a million sides, or a radius that is not finite and greater than 0.
+pub fn regular_polygon(plane: &Plane, radius: f64, sides: usize) -> Result<PolylineCurve> {
+    if !(3..=1_000_000).contains(&sides) {
+        return Err(Error::OutOfRange {
+            what: "number of sides",
+            value: sides as f64,
+            must: "from 3 to 1000000",
+        });
+    }
+    if !(radius > 0.0 && radius.is_finite()) {
+        return Err(Error::OutOfRange { what: "radius", value: radius, must: "finite and greater than 0" });
+    }
+    let circle = crate::Circle { plane: *plane, radius };
+    let mut points: Vec<Point3> =
+        (0..sides).map(|i| circle.at(std::f64::consts::TAU * i as f64 / sides as f64)).collect();
+    points.extend(points.first().copied());
+    PolylineCurve::new(points)
 }

@@ -123,9 +123,9 @@ fn m6_scale_and_m7_shear() {
     assert_eq!(Xform::scale(c, 5.0).point(c), c);
     let shear = Xform::shear(&Plane::XY, [[0.1, 0.2], [0.3, 0.4], [0.5, 0.6]]);
     let want = [[1.0, 0.1, 0.2], [0.3, 1.0, 0.4], [0.5, 0.6, 1.0]];
-    for i in 0..3 {
-        for j in 0..3 {
-            close(shear.rows[i][j], want[i][j], 1e-15, "shear");
+    for (row, want) in shear.rows.iter().zip(want) {
+        for (a, b) in row.iter().zip(want) {
+            close(*a, b, 1e-15, "shear");
         }
     }
 }

@@ -63,7 +63,7 @@ impl<'a> ArcLength<'a> {
             return self.sums[i];
         }
         let size = self.sums[i + 1] - self.sums[i];
-        self.sums[i] + piece_length(piece, piece.own.start, piece.to_own(t), 1e-13 * size)
+        self.sums[i] + piece_length(piece, piece.own.start, piece.own_parameter(t), 1e-13 * size)
     }
 
     /// The parameter at a length from the start; a length outside 0…total counts as the nearest end.
@@ -85,7 +85,7 @@ impl<'a> ArcLength<'a> {
             return piece.whole.start;
         }
         let Shape::Span(curve, j) = piece.shape else {
-            return piece.to_whole(piece.own.at(wanted / size));
+            return piece.whole_parameter(piece.own.at(wanted / size));
         };
         let (mut low, mut high) = (piece.own.start, piece.own.end);
         let mut u = piece.own.at(wanted / size);
@@ -111,7 +111,7 @@ impl<'a> ArcLength<'a> {
             have += piece_length(piece, u, next, 1e-14 * size) * (next - u).signum();
             u = next;
         }
-        piece.to_whole(u)
+        piece.whole_parameter(u)
     }
 }
 

@@ -1,18 +1,33 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod bounds;
+mod classify;
+mod closest;
+mod convert;
+mod discontinuity;
+mod divide;
+mod edit;
 mod evaluate;
+mod explode;
+mod frames;
+mod join;
 mod length;
 mod line_curve;
 mod piece;
 mod poly_curve;
 mod polyline_curve;
+mod region;
 
 pub use arc_curve::ArcCurve;
+pub use closest::CurvePoint;
+pub use discontinuity::Continuity;
+pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
+pub use region::Containment;
 
 use crate::{Arc, Circle, Interval, Line, NurbsCurve, Point3};
 

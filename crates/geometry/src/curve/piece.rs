@@ -58,12 +58,12 @@ impl Piece<'_> {
     }
 
     /// The whole curve's parameter for a shape's own.
-    pub(crate) fn to_whole(&self, u: f64) -> f64 {
+    pub(crate) fn whole_parameter(self, u: f64) -> f64 {
         if self.own == self.whole { u } else { self.whole.at(self.own.normalized(u)) }
     }
 
     /// The shape's own parameter for the whole curve's.
-    pub(crate) fn to_own(&self, t: f64) -> f64 {
+    pub(crate) fn own_parameter(self, t: f64) -> f64 {
         if self.own == self.whole { t } else { self.own.at(self.whole.normalized(t)) }
     }
 

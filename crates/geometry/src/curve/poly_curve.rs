@@ -69,6 +69,11 @@ impl PolyCurve {
         Ok(Self { segments, parameters, depth })
     }
 
+    /// Other segments of the same nesting, known to fit.
+    pub(super) fn with_same_depth(&self, segments: Vec<Curve>, parameters: Vec<f64>) -> Self {
+        Self { segments, parameters, depth: self.depth }
+    }
+
     /// The segments in order.
     #[inline]
     pub fn segments(&self) -> &[Curve] {

@@ -49,6 +49,11 @@ impl PolylineCurve {
         Ok(Self { points, parameters })
     }
 
+    /// Parts that are known to fit.
+    pub(super) fn from_checked(points: Vec<Point3>, parameters: Vec<f64>) -> Self {
+        Self { points, parameters }
+    }
+
     /// The vertices; a closed polyline repeats its first vertex at the end.
     #[inline]
     pub fn points(&self) -> &[Point3] {

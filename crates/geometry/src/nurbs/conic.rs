@@ -11,8 +11,15 @@ use crate::{Arc, ArcCurve, Circle, Ellipse, Interval, Plane, Result};
 /// span's angle as its weight (P&T, *The NURBS Book*, §7.3).
 fn conic(plane: &Plane, rx: f64, ry: f64, angle: Interval, domain: Interval) -> Result<NurbsCurve> {
     let sweep = angle.length();
-    // The same limits as openNURBS: a quarter turn and a hair more is still one span.
-    let spans = ((sweep.abs() / FRAC_PI_2 - 1e-9).ceil().clamp(1.0, 4.0)) as usize;
+    // One span up to a quarter turn, two up to a half, else four, as openNURBS has it.
+    let quarters = sweep.abs() / FRAC_PI_2 - 1e-9;
+    let spans: usize = if quarters <= 1.0 {
+        1
+    } else if quarters <= 2.0 {
+        2
+    } else {
+        4
+    };
     let half = sweep / (2 * spans) as f64;
     let weight = half.cos();
     let at = |theta: f64, w: f64| {
@@ -53,7 +60,7 @@ fn exact_sin_cos(theta: f64) -> (f64, f64) {
 }
 
 impl Arc {
-    /// The exact NURBS form over `domain`: rational of degree 2, one span for each quarter turn begun.
+    /// The exact NURBS form over `domain`: rational of degree 2, one, two or four spans of at most a quarter turn.
     ///
     /// # Errors
     /// The radius is not positive, the arc has no angle, or the domain does not increase.

@@ -1,0 +1,157 @@
+//! Curves joined end to end.
+
+use std::collections::HashMap;
+
+use super::{Curve, PolyCurve, PolylineCurve};
+use crate::{Interval, Line, LineCurve, Point3};
+
+/// Ends of curves by the cell of a grid they lie in, to find those near a point.
+struct Ends {
+    cell: f64,
+    cells: HashMap<[i64; 3], Vec<(usize, bool)>>,
+}
+
+impl Ends {
+    fn key(&self, p: Point3) -> [i64; 3] {
+        [p.x, p.y, p.z].map(|x| (x / self.cell).floor() as i64)
+    }
+
+    fn add(&mut self, p: Point3, curve: usize, at_end: bool) {
+        let key = self.key(p);
+        self.cells.entry(key).or_default().push((curve, at_end));
+    }
+
+    /// The nearest free end within the tolerance of `p`; of equally near ones the one of the earlier curve.
+    fn nearest(
+        &self,
+        p: Point3,
+        tolerance: f64,
+        point: impl Fn(usize, bool) -> Point3,
+        usable: impl Fn(usize, bool) -> bool,
+    ) -> Option<(usize, bool)> {
+        let [i, j, k] = self.key(p);
+        let mut best: Option<(f64, usize, bool)> = None;
+        for x in i.saturating_sub(1)..=i.saturating_add(1) {
+            for y in j.saturating_sub(1)..=j.saturating_add(1) {
+                for z in k.saturating_sub(1)..=k.saturating_add(1) {
+                    for &(curve, at_end) in self.cells.get(&[x, y, z]).into_iter().flatten() {
+                        let d = point(curve, at_end).distance_to(p);
+                        let better = best.is_none_or(|(b, c, _)| d < b || (d == b && curve < c));
+                        if d <= tolerance && usable(curve, at_end) && better {
+                            best = Some((d, curve, at_end));
+                        }
+                    }
+                }
+            }
+        }
+        best.map(|(_, curve, at_end)| (curve, at_end))
+    }
+}
+
+/// Joins curves whose ends lie within `tolerance` of each other, into polylines where all parts are straight and
+/// poly-curves otherwise. Each result stands where its first member stood; closed curves and those that meet no other
+/// come back as they are. Unless `preserve_direction` is set, curves may be turned round to fit; the first member of
+/// a chain gives the direction.
+pub fn join_curves(curves: &[Curve], tolerance: f64, preserve_direction: bool) -> Vec<Curve> {
+    let tolerance = if tolerance.is_finite() { tolerance.max(0.0) } else { 0.0 };
+    let ends: Vec<(Point3, Point3)> = curves.iter().map(|c| (c.start(), c.end())).collect();
+    let size =
+        ends.iter().fold(1.0_f64, |m, (a, b)| m.max(a.to_vector().length()).max(b.to_vector().length()));
+    let mut grid = Ends { cell: (2.0 * tolerance).max(1e-9 * size), cells: HashMap::new() };
+    let mut used: Vec<bool> = curves.iter().map(Curve::is_closed).collect();
+    for (i, &(a, b)) in ends.iter().enumerate() {
+        if !used[i] {
+            grid.add(a, i, false);
+            grid.add(b, i, true);
+        }
+    }
+    let mut out = Vec::new();
+    for first in 0..curves.len() {
+        if used[first] {
+            if curves[first].is_closed() {
+                out.push(curves[first].clone());
+            }
+            continue;
+        }
+        used[first] = true;
+        // (curve, whether it is walked backwards)
+        let mut chain = std::collections::VecDeque::from([(first, false)]);
+        let point = |i: usize, at_end: bool| if at_end { ends[i].1 } else { ends[i].0 };
+        for forward in [true, false] {
+            while let (Some(&head), Some(&tail)) = (chain.front(), chain.back()) {
+                let (start, end) = (point(head.0, head.1), point(tail.0, !tail.1));
+                // A chain of two or more whose ends meet is complete.
+                if chain.len() > 1 && start.distance_to(end) <= tolerance {
+                    break;
+                }
+                let here = if forward { end } else { start };
+                let usable = |i: usize, at_end: bool| !used[i] && (!preserve_direction || at_end != forward);
+                let Some((next, at_end)) = grid.nearest(here, tolerance, point, usable) else { break };
+                used[next] = true;
+                if forward {
+                    chain.push_back((next, at_end));
+                } else {
+                    chain.push_front((next, !at_end));
+                }
+            }
+        }
+        let parts: Vec<Curve> = chain
+            .iter()
+            .map(|&(i, backwards)| if backwards { curves[i].reversed() } else { curves[i].clone() })
+            .collect();
+        out.push(chained(parts, tolerance));
+    }
+    out
+}
+
+/// One curve from parts that follow each other.
+fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
+    if parts.len() == 1
+        && let Some(only) = parts.pop()
+    {
+        return only;
+    }
+    let fallback = parts.first().cloned();
+    if let Some(lists) = parts.iter().map(Curve::as_polyline).collect::<Option<Vec<_>>>() {
+        let mut points: Vec<Point3> = Vec::new();
+        for list in lists {
+            let skip = usize::from(!points.is_empty());
+            points.extend(list.into_iter().skip(skip));
+        }
+        // A chain that closes within the tolerance closes exactly.
+        if let (Some(first), Some(last)) = (points.first().copied(), points.last_mut())
+            && first.distance_to(*last) <= tolerance
+        {
+            *last = first;
+        }
+        if let Ok(polyline) = PolylineCurve::new(points) {
+            return polyline.into();
+        }
+    }
+    let mut segments: Vec<Curve> = Vec::new();
+    for part in parts {
+        match part {
+            Curve::Poly(c) => segments.extend(c.into_parts().0),
+            other => segments.push(other),
+        }
+    }
+    // Straight segments can meet their neighbours exactly; others keep their ends.
+    for i in 1..segments.len() {
+        let (end, start) = (segments[i - 1].end(), segments[i].start());
+        if end == start {
+            continue;
+        }
+        if let Curve::Line(LineCurve { line, domain }) = segments[i] {
+            segments[i] = LineCurve { line: Line::new(end, line.to), domain }.into();
+        } else if let Curve::Line(LineCurve { line, domain }) = segments[i - 1] {
+            segments[i - 1] = LineCurve { line: Line::new(line.from, start), domain }.into();
+        }
+    }
+    match (PolyCurve::new(segments), fallback) {
+        (Ok(joined), _) => joined.into(),
+        (Err(_), Some(first)) => first,
+        (Err(_), None) => {
+            LineCurve { line: Line::new(Point3::ORIGIN, Point3::ORIGIN), domain: Interval::UNIT }.into()
+        }
+    }
+}
