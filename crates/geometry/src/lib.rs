@@ -28,6 +28,7 @@ pub mod intersect;
 mod interval;
 mod line;
 mod linear;
+mod matrix;
 mod mesh;
 mod nurbs;
 mod plane;
@@ -50,7 +51,8 @@ pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
 pub use line::Line;
-pub use mesh::{Mesh, MeshFace};
+pub use matrix::Matrix;
+pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,

@@ -1,1 +1,7 @@
-//! The tab.
+//! The Vector tab.
+
+mod grid;
+mod plane;
+mod point;
+mod populate;
+mod vector;

@@ -34,4 +34,24 @@ impl MeshFace {
             Self::Quad([a, b, c, d]) => Self::Quad([a, d, c, b]),
         }
     }
+
+    /// The face with other indices in the same corners.
+    #[must_use]
+    pub fn map(self, f: impl Fn(u32) -> u32) -> Self {
+        match self {
+            Self::Triangle(c) => Self::Triangle(c.map(f)),
+            Self::Quad(c) => Self::Quad(c.map(f)),
+        }
+    }
+
+    /// Sets corner `k`; nothing happens when there is none.
+    pub(super) fn set(&mut self, k: usize, index: u32) {
+        let corners: &mut [u32] = match self {
+            Self::Triangle(c) => c,
+            Self::Quad(c) => c,
+        };
+        if let Some(corner) = corners.get_mut(k) {
+            *corner = index;
+        }
+    }
 }

@@ -1,8 +1,15 @@
 //! Polygon meshes of triangles and quads.
 
+mod closest;
+mod edit;
 mod face;
+mod measure;
+mod primitives;
+mod topology;
 
+pub use closest::MeshPoint;
 pub use face::MeshFace;
+pub use topology::MeshEdge;
 
 use crate::{Error, Point3, Result, Vector3};
 

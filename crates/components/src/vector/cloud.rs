@@ -1,0 +1,409 @@
+//! Vector / Point: points among points and other geometry.
+
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, List, Message, component};
+use katydid_data::{Geometry, Path, Tree, TreeBuilder};
+use katydid_geometry::{Curve, Point3, Vector3};
+
+use super::hit;
+use super::near::ByX;
+
+/// Where a tree output of this iteration begins: the branch's path and the number of the iteration.
+fn place(context: &Context<'_>) -> Path {
+    context.path().child(context.iteration())
+}
+
+/// A place in a list as a number of 32 bits.
+fn index(i: usize) -> i32 {
+    i32::try_from(i).unwrap_or(i32::MAX)
+}
+
+/// The point of a cloud nearest to a point; of equally near ones the first.
+///
+/// A cloud without points is an error. Nulls in it are skipped.
+#[component(
+    "571ca323-6e55-425a-bf9e-ee103c7ba4b9",
+    name = "Closest Point",
+    nick = "CP",
+    at = "Vector/Point"
+)]
+#[output("Closest Point", "P", "The nearest point.")]
+#[output("CP Index", "i", "Its place in the cloud.")]
+#[output("Distance", "D", "The distance to it.")]
+fn closest_point(
+    /// The point to start from.
+    #[port("Point", "P")]
+    point: Point3,
+    /// The points to choose from.
+    #[port("Cloud", "C")]
+    cloud: List<Point3>,
+) -> Result<(Point3, i32, f64), Message> {
+    let squared = |q: Point3| (q - point).length_squared();
+    let mut best: Option<(usize, Point3, f64)> = None;
+    for (i, q) in cloud.iter().enumerate() {
+        let Some(q) = q else { continue };
+        let d = squared(q);
+        if best.is_none_or(|(_, _, least)| d < least) {
+            best = Some((i, q, d));
+        }
+    }
+    let (i, q, _) = best.ok_or_else(|| Message::error("The cloud has no points"))?;
+    Ok((q, index(i), q.distance_to(point)))
+}
+
+/// The points of a cloud nearest to a point, the nearest first.
+///
+/// A count larger than the cloud gives all of it. Nulls in the cloud are skipped.
+#[component(
+    "446014c4-c11c-45a7-8839-c45dc60950d6",
+    name = "Closest Points",
+    nick = "CPs",
+    at = "Vector/Point"
+)]
+#[output("Closest Point", "P", "The nearest points.")]
+#[output("CP Index", "i", "Their places in the cloud.")]
+#[output("Distance", "D", "The distances to them.")]
+fn closest_points(
+    context: &Context<'_>,
+    /// The point to start from.
+    #[port("Point", "P")]
+    point: Point3,
+    /// The points to choose from.
+    #[port("Cloud", "C")]
+    cloud: List<Point3>,
+    /// How many to give; not negative.
+    #[port("Count", "N", default = 3)]
+    count: i32,
+) -> Result<(Vec<Point3>, Vec<i32>, Vec<f64>), Message> {
+    let count = usize::try_from(count).map_err(|_| Message::error("The count must not be negative"))?;
+    let mut all: Vec<(f64, usize, Point3)> = cloud
+        .iter()
+        .enumerate()
+        .filter_map(|(i, q)| q.map(|q| (q.distance_to(point), i, q)))
+        .collect();
+    context.check()?;
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.truncate(count);
+    Ok((
+        all.iter().map(|a| a.2).collect(),
+        all.iter().map(|a| index(a.1)).collect(),
+        all.iter().map(|a| a.0).collect(),
+    ))
+}
+
+/// The nearest point on any of several pieces of geometry.
+///
+/// Works with points, planes, curves, meshes and boxes (on their skin). Nulls are skipped.
+#[component(
+    "902289da-28dc-454b-98d4-b8f8aa234516",
+    name = "Pull Point",
+    nick = "Pull",
+    at = "Vector/Point"
+)]
+#[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
+#[output("Distance", "D", "The distance to it.")]
+fn pull_point(
+    context: &Context<'_>,
+    /// The point to pull.
+    #[port("Point", "P")]
+    point: Point3,
+    /// What to pull it to.
+    #[port("Geometry", "G")]
+    geometry: List<Geometry>,
+) -> Result<(Option<Point3>, Option<f64>), Message> {
+    if context.settings().bool("ClosestOnly") == Some(false) {
+        return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
+    }
+    let mut best: Option<(f64, Point3)> = None;
+    for piece in geometry.present() {
+        if let Some(q) = hit::closest(&piece.0, point)? {
+            let d = q.distance_to(point);
+            if best.is_none_or(|(least, _)| d < least) {
+                best = Some((d, q));
+            }
+        }
+    }
+    Ok((best.map(|b| b.1), best.map(|b| b.0)))
+}
+
+/// Follows a direction from a point to the first geometry that it meets.
+///
+/// Where nothing lies ahead, what lies behind is taken. Works with meshes, boxes and planes.
+#[component(
+    "5184b8cb-b71e-4def-a590-cd2c9bc58906",
+    name = "Project Point",
+    nick = "Project",
+    at = "Vector/Point"
+)]
+#[output("Point", "P", "The point met; nothing when there is none.")]
+#[output("Index", "I", "The place of the geometry met in its list, -1 when there is none.")]
+fn project_point(
+    /// The point to project.
+    #[port("Point", "P")]
+    point: Point3,
+    /// Where to look; not zero.
+    #[port("Direction", "D", default = Vector3::new(0.0, 0.0, -1.0))]
+    direction: Vector3,
+    /// What to project to.
+    #[port("Geometry", "G")]
+    geometry: List<Geometry>,
+) -> Result<(Option<Point3>, i32), Message> {
+    let unit = direction.unitized().ok_or_else(|| Message::error("The direction has length 0"))?;
+    // Ahead comes before behind, near before far.
+    let rank = |t: f64| (t < 0.0, t.abs());
+    let mut best: Option<(f64, usize)> = None;
+    for (i, piece) in geometry.iter().enumerate() {
+        let Some(piece) = piece else { continue };
+        for t in hit::along(&piece.0, point, unit)? {
+            if best.is_none_or(|(least, _)| rank(t) < rank(least)) {
+                best = Some((t, i));
+            }
+        }
+    }
+    Ok((best.map(|(t, _)| point + unit * t), best.map_or(-1, |(_, i)| index(i))))
+}
+
+/// Thins out points that lie near each other. The object's menu chooses how: the first of a clump stays, all of
+/// them go, or their mean takes their place (as when nothing is chosen).
+///
+/// In order of the list, each point not yet in a clump gathers all others within the tolerance that are in none.
+#[component(
+    "6eaffbb2-3392-441a-8556-2dc126aa8910",
+    name = "Cull Duplicates",
+    nick = "CullPt",
+    at = "Vector/Point"
+)]
+#[output("Points", "P", "The points left.")]
+#[output("Indices", "I", "Where each was in the list; -1 for the mean of a clump.")]
+#[output("Valence", "V", "How many points each stands for.")]
+fn cull_duplicates(
+    context: &Context<'_>,
+    /// The points; nulls are skipped.
+    #[port("Points", "P")]
+    points: List<Point3>,
+    /// Points at most this far apart count as the same; not negative.
+    #[port("Tolerance", "T", default = 0.1)]
+    tolerance: f64,
+) -> Result<(Vec<Point3>, Vec<i32>, Vec<i32>), Message> {
+    if !(tolerance >= 0.0) {
+        return Err(Message::error("The tolerance must not be negative"));
+    }
+    let (places, list): (Vec<usize>, Vec<Point3>) =
+        points.iter().enumerate().filter_map(|(i, p)| p.map(|p| (i, p))).unzip();
+    let near = ByX::new(&list);
+    let mut taken = vec![false; list.len()];
+    let (mut out, mut indices, mut valence) = (Vec::new(), Vec::new(), Vec::new());
+    let mode = context.settings().i32("CullMode").unwrap_or(3);
+    for (i, (&p, &place)) in list.iter().zip(&places).enumerate() {
+        if taken.get(i).copied().unwrap_or(true) {
+            continue;
+        }
+        context.check()?;
+        let mut clump: Vec<usize> =
+            near.within(p, tolerance).filter(|&j| taken.get(j) == Some(&false)).collect();
+        clump.sort_unstable();
+        for &j in &clump {
+            if let Some(t) = taken.get_mut(j) {
+                *t = true;
+            }
+        }
+        if mode == 2 && clump.len() > 1 {
+            continue;
+        }
+        let average = mode == 3 && clump.len() > 1;
+        out.push(if average { mean(clump.iter().filter_map(|&j| list.get(j).copied())) } else { p });
+        indices.push(if average { -1 } else { index(place) });
+        valence.push(index(clump.len()));
+    }
+    Ok((out, indices, valence))
+}
+
+/// The mean of points, of which there is at least one.
+fn mean(points: impl Iterator<Item = Point3>) -> Point3 {
+    let (mut sum, mut count) = (Vector3::ZERO, 0.0);
+    for p in points {
+        sum += p.to_vector();
+        count += 1.0;
+    }
+    (sum / count).to_point()
+}
+
+/// Sorts points into groups: two points are in one group when steps of at most a distance lead from one to the other.
+#[component(
+    "81f6afc9-22d9-49f0-8579-1fd7e0df6fa6",
+    name = "Point Groups",
+    nick = "PGroups",
+    at = "Vector/Point"
+)]
+#[output("Groups", "G", "The groups, a branch each, in order of their first members.", kind = Point)]
+#[output("Indices", "I", "The places of the members in the list, a branch a group.", kind = Integer)]
+fn point_groups(
+    context: &Context<'_>,
+    /// The points; nulls are skipped.
+    #[port("Points", "P")]
+    points: List<Point3>,
+    /// The longest step; not negative.
+    #[port("Distance", "D")]
+    distance: f64,
+) -> Result<(Tree, Tree), Message> {
+    if !(distance >= 0.0) {
+        return Err(Message::error("The distance must not be negative"));
+    }
+    let (places, list): (Vec<usize>, Vec<Point3>) =
+        points.iter().enumerate().filter_map(|(i, p)| p.map(|p| (i, p))).unzip();
+    let near = ByX::new(&list);
+    let mut group: Vec<Option<usize>> = vec![None; list.len()];
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for first in 0..list.len() {
+        if group.get(first).is_none_or(Option::is_some) {
+            continue;
+        }
+        context.check()?;
+        let mut members = vec![first];
+        let mut next = 0;
+        if let Some(g) = group.get_mut(first) {
+            *g = Some(groups.len());
+        }
+        while let Some(&i) = members.get(next) {
+            next += 1;
+            let Some(&p) = list.get(i) else { continue };
+            for j in near.within(p, distance) {
+                if let Some(g @ None) = group.get_mut(j) {
+                    *g = Some(groups.len());
+                    members.push(j);
+                }
+            }
+        }
+        members.sort_unstable();
+        groups.push(members);
+    }
+    let (mut points, mut indices) = (TreeBuilder::<Point3>::new(), TreeBuilder::<i32>::new());
+    for (k, members) in groups.iter().enumerate() {
+        let path = place(context).child(k);
+        points.branch(path.clone());
+        indices.branch(path);
+        for &j in members {
+            points.push(list.get(j).copied());
+            indices.push(places.get(j).copied().map(index));
+        }
+    }
+    Ok((points.finish(), indices.finish()))
+}
+
+/// Sorts points by x, those of equal x by y, then by z. Coordinates are compared exactly; nulls are left out.
+#[component(
+    "4e86ba36-05e2-4cc0-a0f5-3ad57c91f04e",
+    name = "Sort Points",
+    nick = "Sort Pt",
+    at = "Vector/Point"
+)]
+#[output("Points", "P", "The points in order.")]
+#[output("Indices", "I", "Where each was in the list.")]
+fn sort_points(
+    /// The points.
+    #[port("Points", "P")]
+    points: List<Point3>,
+) -> (Vec<Point3>, Vec<i32>) {
+    let mut all: Vec<(usize, Point3)> =
+        points.iter().enumerate().filter_map(|(i, p)| p.map(|p| (i, p))).collect();
+    all.sort_by(|(_, a), (_, b)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
+    (all.iter().map(|a| a.1).collect(), all.iter().map(|a| index(a.0)).collect())
+}
+
+/// Sorts points by the place on a curve that each is nearest to, from its start to its end. Nulls are left out.
+#[component(
+    "59aaebf8-6654-46b7-8386-89223c773978",
+    name = "Sort Along Curve",
+    nick = "AlongCrv",
+    at = "Vector/Point"
+)]
+#[output("Points", "P", "The points in order.")]
+#[output("Indices", "I", "Where each was in the list.")]
+fn sort_along_curve(
+    /// The points.
+    #[port("Points", "P")]
+    points: List<Point3>,
+    /// The curve that gives the order.
+    #[port("Curve", "C")]
+    curve: &Curve,
+) -> Result<(Vec<Point3>, Vec<i32>), Message> {
+    let mut all = Vec::with_capacity(points.len());
+    for (i, p) in points.iter().enumerate() {
+        if let Some(p) = p {
+            all.push((curve.closest_point(p)?.parameter, i, p));
+        }
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok((all.iter().map(|a| a.2).collect(), all.iter().map(|a| index(a.1)).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+    use katydid_geometry::{Box3, Circle, Interval, Line, Mesh, MeshFace, Plane, Point3, Vector3};
+
+    fn row(xs: &[f64]) -> Vec<Point3> {
+        xs.iter().map(|&x| Point3::new(x, 0.0, 0.0)).collect()
+    }
+
+    #[test]
+    fn nearest_points() {
+        let trial = |name| Trial::of(name).item(Point3::ORIGIN).list(row(&[3.0, -1.0, 1.0]));
+        assert_eq!(trial("Closest Point").texts(1), ["{0}: 1"]);
+        assert_eq!(trial("Closest Point").texts(2), ["{0}: 1"]);
+        assert_eq!(trial("Closest Points").item(2).texts(1), ["{0;0}: 1, 2"]);
+        assert_eq!(trial("Closest Points").item(9).texts(2), ["{0;0}: 1, 1, 3"]);
+        assert!(trial("Closest Points").item(-1).message().contains("negative"));
+        let none = Trial::of("Closest Point").item(Point3::ORIGIN).gaps::<Point3>([None]);
+        assert!(none.message().contains("no points"));
+    }
+
+    #[test]
+    fn pulled_and_projected() {
+        let p = Point3::new(5.0, 1.0, 2.0);
+        let line = Line::new(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0));
+        assert_eq!(Trial::of("Pull Point").item(p).item(line).texts(0), ["{0}: {3, 0, 0}"]);
+        let circle = Circle { plane: Plane::XY, radius: 1.0 };
+        let pulled = Trial::of("Pull Point").item(Point3::new(5.0, 0.0, 0.0)).item(circle);
+        assert_eq!(pulled.texts(1), ["{0}: 4"]);
+        let unit = Interval::UNIT;
+        let b = Box3 { plane: Plane::XY, x: unit, y: unit, z: unit };
+        let inside = Point3::new(0.5, 0.5, 0.9);
+        assert_eq!(Trial::of("Pull Point").item(inside).item(b).texts(0), ["{0}: {0.5, 0.5, 1}"]);
+        let corners = row(&[0.0, 9.0]).into_iter().chain([Point3::new(9.0, 9.0, 0.0), Point3::new(0.0, 9.0, 0.0)]);
+        let mesh = Mesh::new(corners.collect(), vec![MeshFace::Quad([0, 1, 2, 3])]).unwrap();
+        assert_eq!(Trial::of("Pull Point").item(p).item(mesh.clone()).texts(0), ["{0}: {5, 1, 0}"]);
+        let project = |p: Point3| Trial::of("Project Point").item(p).default().item(mesh.clone());
+        assert_eq!(project(p).texts(0), ["{0}: {5, 1, 0}"]);
+        assert_eq!(project(p).texts(1), ["{0}: 0"]);
+        assert_eq!(project(Point3::new(-1.0, 0.0, 1.0)).texts(1), ["{0}: -1"]);
+        let up = Trial::of("Project Point").item(p).item(Vector3::Z).item(mesh);
+        assert_eq!(up.texts(0), ["{0}: {5, 1, 0}"]);
+    }
+
+    #[test]
+    fn duplicates() {
+        let trial = || Trial::of("Cull Duplicates").list(row(&[0.0, 5.0, 0.05, 9.0])).item(0.1);
+        assert_eq!(trial().texts(0), ["{0;0}: {0.025, 0, 0}, {5, 0, 0}, {9, 0, 0}"]);
+        assert_eq!(trial().texts(1), ["{0;0}: -1, 1, 3"]);
+        assert_eq!(trial().texts(2), ["{0;0}: 2, 1, 1"]);
+        assert_eq!(trial().setting("CullMode", 1).texts(1), ["{0;0}: 0, 1, 3"]);
+        assert_eq!(trial().setting("CullMode", 2).texts(1), ["{0;0}: 1, 3"]);
+    }
+
+    #[test]
+    fn groups() {
+        let trial = || Trial::of("Point Groups").list(row(&[0.0, 5.0, 1.0, 2.0, 5.5])).item(1.0);
+        assert_eq!(trial().texts(1), ["{0;0;0}: 0, 2, 3", "{0;0;1}: 1, 4"]);
+        assert_eq!(trial().texts(0)[1], "{0;0;1}: {5, 0, 0}, {5.5, 0, 0}");
+    }
+
+    #[test]
+    fn in_order() {
+        let points = [[1.0, 2.0, 0.0], [1.0, 1.0, 5.0], [0.0, 9.0, 9.0]].map(Point3::from);
+        assert_eq!(Trial::of("Sort Points").list(points).texts(1), ["{0}: 2, 1, 0"]);
+        let line = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 9.0));
+        assert_eq!(Trial::of("Sort Along Curve").list(points).item(line).texts(1), ["{0;0}: 0, 1, 2"]);
+    }
+}
