@@ -87,7 +87,7 @@ item!(Shared<Curve>, Curve, Curves, Shared::new(Curve::Line(LineCurve::new(Line:
 item!(Shared<Mesh>, Mesh, Meshes, Shared::new(Mesh::default()));
 item!(MeshFace, MeshFace, MeshFaces, MeshFace::Triangle([0, 0, 0]));
 item!(Xform, Transform, Transforms, Xform::IDENTITY);
-item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::identity(1)));
+item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::default()));
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));
 item!(

@@ -65,5 +65,3 @@ pub use units::Units;
 pub use vector::Vector3;
 pub use xform::Xform;
 
-mod stub;
-pub use stub::Matrix;

@@ -11,6 +11,13 @@ pub struct Matrix {
     values: Vec<f64>,
 }
 
+impl Default for Matrix {
+    /// The 1 × 1 identity.
+    fn default() -> Self {
+        Self { rows: 1, columns: 1, values: vec![1.0] }
+    }
+}
+
 impl Matrix {
     /// The matrix with the given entries, row by row.
     ///

@@ -84,7 +84,7 @@ fn bounds(value: &Value) -> Option<BoundingBox> {
 /// A box as a mesh of six quads.
 pub(super) fn mesh(value: &Value) -> Option<Mesh> {
     match value {
-        Value::Box(b) => Mesh::from_box(b, 1, 1, 1).ok(),
+        Value::Box(b) => Mesh::cuboid(b, 1, 1, 1).ok(),
         _ => None,
     }
 }
