@@ -64,6 +64,3 @@ pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
 pub use xform::Xform;
-
-mod stub;
-pub use stub::Matrix;
