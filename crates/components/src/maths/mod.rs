@@ -1,4 +1,6 @@
 //! The Maths tab.
 
 mod arithmetic;
+pub(crate) mod formula;
+
 mod operators;

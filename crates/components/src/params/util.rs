@@ -1,0 +1,178 @@
+//! Params / Util: relays, hooks of clusters, viewers, and what gives results to the outside.
+
+use katydid_component::{Context, Each, ManyTrees, Message, component};
+use katydid_data::{Path, Tree, Value};
+
+parameters! {
+    /// Hands data on, unchanged: a bend in a wire.
+    relay, "b6236720-8d88-4289-93c3-ac4c99f9b97b", "Relay", "", "Params/Util", Generic;
+
+    /// Data that comes into a cluster from outside.
+    cluster_input, "448de216-3a12-43cf-a135-e3bfafc87744", "Cluster Input", "Input", "Params/Util", Generic;
+
+    /// Data that a cluster gives to the outside.
+    cluster_output, "a4b285fe-2e13-4204-b65c-189aa6704da5", "Cluster Output", "Output", "Params/Util", Generic;
+
+    /// Collects data over time. A single solution has only the data of the moment, which it hands on.
+    data_recorder, "401aa475-997a-4139-991d-f980ffdcf908", "Data Recorder", "Rec", "Params/Util", Generic;
+
+    /// Shows the shape of a data tree, and hands it on.
+    param_viewer, "72a29b54-2e48-474b-a400-d2124c4edf79", "Param Viewer", "Viewer", "Params/Util", Generic;
+}
+
+/// Holds data back for a while, so that a slow definition follows its sliders at rest only. A single solution
+/// waits for nothing: the data is handed on at once.
+#[component("65283518-ad00-49d3-87fb-f76823ebb162", name = "Data Dam", nick = "Dam", at = "Params/Util")]
+#[output("Data A", "A", "The data that has passed.")]
+fn data_dam(
+    /// Data to hold back.
+    #[port("Data A", "A", optional)]
+    data: ManyTrees<'_>,
+) -> Each<Tree> {
+    Each(data.iter().map(|&tree| tree.clone()).collect())
+}
+
+/// A result of the definition: geometry for whoever solves it, under the component's name.
+#[component(
+    "ae2531b4-bab2-4bb1-b5bf-f2143d10c132",
+    name = "Context Bake",
+    nick = "Context Bake",
+    at = "Params/Util"
+)]
+fn context_bake(
+    /// The geometry to give out.
+    #[port("Geometry", "Geometry")]
+    _geometry: &Tree,
+) {
+}
+
+/// A result of the definition: texts for whoever solves it, under the component's name.
+#[component(
+    "73215ec5-0eb5-4f85-9e07-b09c4590ce2b",
+    name = "Context Print",
+    nick = "Context Print",
+    at = "Params/Util"
+)]
+fn context_print(
+    /// The texts to give out.
+    #[port("Text", "Tx", kind = Text)]
+    _text: &Tree,
+) {
+}
+
+/// Starts a new solution at regular times in a program with a window. A single solution takes no notice of it.
+#[component("5a2b0735-ba98-4b7d-a7d3-c1dfc04475ad", name = "Trigger", nick = "Timer", at = "Params/Util")]
+fn trigger() {}
+
+/// Picks one item of a tree: the item at the stored index of the stored path.
+///
+/// Gives a null and a warning when the tree has no such place.
+#[component(
+    "0ab6acbf-40a6-40e1-a14e-cf0c06268e68",
+    name = "Cherry Picker",
+    nick = "Item",
+    at = "Params/Util",
+    floating
+)]
+#[output("Item", "Item", "The item.")]
+fn cherry_picker(
+    context: &Context<'_>,
+    /// The tree to pick from.
+    #[port("Item", "Item", optional)]
+    data: &Tree,
+) -> Result<Option<Value>, Message> {
+    if data.is_empty() {
+        return Ok(None);
+    }
+    let settings = context.settings();
+    let path = settings.child("TreePath").and_then(|chunk| chunk.str("path")).unwrap_or("{0}");
+    let path: Path = path.parse().map_err(|_| Message::error(format!("{path} is not a path")))?;
+    let index = settings.i32("ListIndex").unwrap_or(0);
+    let branch = data.branches().find(|branch| *branch.path() == path);
+    let item = branch.zip(usize::try_from(index).ok()).filter(|(branch, i)| *i < branch.len());
+    if item.is_none() {
+        context.warn(format!("There is no item {index} at {path}"));
+    }
+    Ok(item.and_then(|(branch, i)| branch.get(i)))
+}
+
+/// A list of numbers to be varied, each by a slider of its own or by an optimiser.
+#[component(
+    "21553c44-ea62-475e-a8bb-62b2a3ee5ca5",
+    name = "Gene Pool",
+    nick = "Genes",
+    at = "Params/Util",
+    floating
+)]
+#[output("Genes", "Genes", "The numbers.", kind = Number)]
+fn gene_pool(
+    context: &Context<'_>,
+    /// Not used: the numbers are stored in the pool.
+    #[port("Genes", "Genes", optional, kind = Number)]
+    _data: &Tree,
+) -> Result<Vec<f64>, Message> {
+    let data = context.settings().child("GeneData");
+    let data = data.ok_or_else(|| Message::error("The pool holds no numbers"))?;
+    let places = usize::try_from(data.i32("Decimals").unwrap_or(12).clamp(0, 12)).unwrap_or(12);
+    let rounded = |x: f64| format!("{x:.places$}").parse().unwrap_or(x);
+    Ok(data.list("Value").into_iter().filter_map(|(_, value)| value.as_f64()).map(rounded).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::{Trial, texts};
+    use katydid_definition::archive::Chunk;
+
+    #[test]
+    fn parameters_hand_their_data_on() {
+        let trial = Trial::of("Relay").branches([("{0;1}", [1.5, 2.0]), ("{3}", [4.0, 5.0])]);
+        assert_eq!(trial.texts(0), ["{0;1}: 1.5, 2", "{3}: 4, 5"]);
+        // Trial casts as the solver does.
+        assert_eq!(Trial::of("Integer").list([2.5, 3.5]).texts(0), ["{0}: 2, 4"]);
+        assert!(Trial::of("Number").texts(0).is_empty());
+    }
+
+    #[test]
+    fn a_dam_hands_on_each_of_its_trees() {
+        let out = Trial::of("Data Dam").item(1.0).branches([("{5;0}", ["a"])]).outputs(2).run();
+        assert_eq!(
+            (texts(&out.outputs[0]), texts(&out.outputs[1])),
+            (vec!["{0}: 1".into()], vec!["{5;0}: a".into()])
+        );
+    }
+
+    #[test]
+    fn sinks_take_their_data_and_give_none() {
+        for name in ["Context Bake", "Context Print"] {
+            let out = Trial::of(name).list(["a", "b"]).run();
+            assert!(out.outputs.is_empty() && out.messages.is_empty());
+        }
+        assert!(Trial::of("Trigger").run().outputs.is_empty());
+    }
+
+    #[test]
+    fn a_cherry_picker_finds_its_item_or_says_so() {
+        let mut path = Chunk::new("TreePath");
+        path.set("path", "{0;1}");
+        let mut settings = Chunk::default();
+        settings.set_child(path);
+        settings.set("ListIndex", 1);
+        let data = [("{0;0}", ["a", "b"]), ("{0;1}", ["c", "d"])];
+        let trial = || Trial::of("Cherry Picker").branches(data).settings(settings.clone());
+        assert_eq!(trial().texts(0), ["{0}: d"]);
+        assert_eq!(trial().setting("ListIndex", 7).message(), "There is no item 7 at {0;1}");
+        assert_eq!(trial().setting("ListIndex", -1).texts(0), ["{0}: null"]);
+    }
+
+    #[test]
+    fn a_gene_pool_gives_its_numbers() {
+        let mut data = Chunk::new("GeneData");
+        data.set("Decimals", 1);
+        data.set_at("Value", 0, 0.26);
+        data.set_at("Value", 1, 3.0);
+        let mut settings = Chunk::default();
+        settings.set_child(data);
+        assert_eq!(Trial::of("Gene Pool").settings(settings).texts(0), ["{0}: 0.3, 3"]);
+        assert_eq!(Trial::of("Gene Pool").message(), "The pool holds no numbers");
+    }
+}
