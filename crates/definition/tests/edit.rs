@@ -7,7 +7,9 @@ mod shared;
 use katydid_definition::Error;
 use katydid_definition::archive::{Chunk, Colour, Decimal, ItemValue, Limits};
 use katydid_definition::document::special::{ListMode, Rounding, Slider};
-use katydid_definition::document::{Document, Mapping, Object, Persistent, Side, Special, Stored, ids};
+use katydid_definition::document::{
+    Access, Document, Mapping, NewPort, Object, Persistent, Side, Special, Stored, ids,
+};
 use katydid_geometry::{Interval, Point3};
 use uuid::Uuid;
 
@@ -209,4 +211,42 @@ fn dials_and_lists_are_turned() {
     list.container_mut().set("ListMode", 0);
     list.select(&[0, 1]).unwrap();
     list.select(&[]).unwrap();
+}
+
+#[test]
+fn new_objects_are_wired_and_saved() {
+    let id = Uuid::from_u128;
+    let number = Uuid::from_u128(0x3e8c_a6be_fda8_4aaf_b5c0_3c54_c8bb_7312);
+    let mut a = Object::new_parameter(ids::PANEL, "Panel", "A", id(1));
+    a.set_place([0.0, 0.0, 50.0, 20.0], [25.0, 10.0]);
+    a.set_panel_text("5").unwrap();
+    let mut sum = Object::new_component(id(100), "Sum", "S", id(2));
+    let values = Some(Persistent::item(Stored::Number(3.0)));
+    let port = NewPort { id: id(3), name: "A".to_owned(), access: Access::List, ..NewPort::default() };
+    assert_eq!(sum.add_port(Side::Input, &port), 0);
+    assert_eq!(
+        sum.add_port(Side::Input, &NewPort { id: id(4), persistent: values.clone(), ..port.clone() }),
+        1
+    );
+    assert_eq!(sum.add_port(Side::Output, &NewPort { id: id(5), ..port.clone() }), 0);
+    sum.set_sources(0, &[id(1)]).unwrap();
+    let mut merge = Object::new_component(id(101), "Merge", "M", id(6));
+    for k in 0..3 {
+        let port = NewPort { id: id(10 + k), type_id: Some(number), ..port.clone() };
+        merge.add_port(Side::Input, &port);
+    }
+    merge.set_sources(1, &[id(5), id(1)]).unwrap();
+    let mut document = Document::new();
+    document.objects = vec![a, sum, merge];
+    let again = open(&document.to_gh().unwrap()).unwrap();
+    assert_eq!(again.objects.iter().map(|o| o.inputs.len()).collect::<Vec<_>>(), [1, 2, 3]);
+    assert_eq!(again.problems(), Vec::<String>::new());
+    assert_eq!(again.wires().count(), 3);
+    let sum = &again.objects[1];
+    assert!(!sum.variable && sum.inputs[0].access == Access::List && !sum.is_floating());
+    assert_eq!(sum.persistent(&sum.inputs[1]), values);
+    let merge = &again.objects[2];
+    assert!(merge.variable && merge.inputs[2].type_id == Some(number));
+    assert_eq!(merge.container().child("ParameterData").unwrap().i32("InputCount"), Some(3));
+    assert_eq!(again.objects[0].pivot, Some([25.0, 10.0]));
 }

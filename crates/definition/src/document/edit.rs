@@ -117,9 +117,8 @@ impl Object {
     pub fn set_persistent(&mut self, input: usize, values: Option<&Persistent>) -> Result<()> {
         let component = self.component;
         let (port, chunk) = self.port_mut(Side::Input, input)?;
-        let several = [ids::DATA, ids::GEOMETRY];
-        let type_names = port.type_id.is_some_and(|id| several.contains(&id))
-            || several.contains(&component)
+        let type_names = port.type_id.is_some_and(ids::takes_several)
+            || ids::takes_several(component)
             || chunk.child("PersistentData").is_some_and(has_type_names);
         // The plain list of Grasshopper 0.6 makes way for the tree.
         if chunk.remove("PersistentCount") {

@@ -89,3 +89,8 @@ pub const RHINO_8_PYTHON: Uuid = uuid!("719467e6-7cf5-4848-99b0-c5dd57e5442c");
 pub const RHINO_8_IRON_PYTHON: Uuid = uuid!("97aa26ef-88ae-4ba6-98a6-ed6ddeca11d1");
 /// Script of Rhino 8, in any language.
 pub const RHINO_8_SCRIPT: Uuid = uuid!("c9b2d725-6f87-4b07-af90-bd9aefef68eb");
+
+/// Whether parameters of this type take values of several types, so that stored values say theirs.
+pub(super) fn takes_several(type_id: Uuid) -> bool {
+    [DATA, GEOMETRY].contains(&type_id)
+}

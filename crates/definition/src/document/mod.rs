@@ -8,9 +8,8 @@
 //! use katydid_definition::document::{Document, Object, ids};
 //!
 //! let mut document = Document::new();
-//! let mut toggle = Object::new(ids::BOOLEAN_TOGGLE, "Boolean Toggle");
-//! toggle.container_mut().set("ToggleValue", false);
-//! toggle.refresh();
+//! let id = uuid::Uuid::from_u128(1);
+//! let mut toggle = Object::new_parameter(ids::BOOLEAN_TOGGLE, "Boolean Toggle", "On", id);
 //! toggle.set_toggle(true)?;
 //! document.objects.push(toggle);
 //!
@@ -19,6 +18,7 @@
 //! # Ok::<(), katydid_definition::Error>(())
 //! ```
 
+mod build;
 mod cluster;
 mod edit;
 mod header;
@@ -34,6 +34,7 @@ mod stored_write;
 mod user_object;
 mod wires;
 
+pub use build::NewPort;
 pub use cluster::{ClusterContent, Hook, MOST_NESTED};
 pub use header::{Header, Library};
 pub use object::{Annotation, Object, ObjectKind};

@@ -129,6 +129,13 @@ impl Side {
         }
     }
 
+    pub(super) fn count(self) -> &'static str {
+        match self {
+            Self::Input => "InputCount",
+            Self::Output => "OutputCount",
+        }
+    }
+
     pub(super) fn type_id(self) -> &'static str {
         match self {
             Self::Input => "InputId",

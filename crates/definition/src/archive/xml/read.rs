@@ -8,6 +8,9 @@ use crate::{Error, Place, Result};
 /// At most this many notes: a file where everything is odd need not say so a million times.
 const MOST_NOTES: usize = 50;
 
+/// An element has four attributes at most; leave room for what somebody adds.
+const MOST_ATTRIBUTES: usize = 32;
+
 pub(in crate::archive) fn read(bytes: &[u8], limits: &Limits) -> Result<Archive> {
     let text = text::decode(bytes, limits.max_inflated)?;
     let mut xml = XmlReader::from_str(&text);
@@ -102,9 +105,7 @@ impl Tree<'_> {
                 limit: self.limits.depth(),
             });
         }
-        for attribute in element.attributes() {
-            attribute.map_err(|error| self.error(error.to_string()))?;
-        }
+        self.check_attributes(element)?;
         let tag = element.name();
         let tag = tag.as_ref();
         let next = match (self.open.last(), tag) {
@@ -209,6 +210,22 @@ impl Tree<'_> {
         {
             self.note(format!("{announced} {what} were announced and {found} came"));
         }
+    }
+
+    /// No attribute twice, and few: comparing each with all others must not take long.
+    fn check_attributes(&self, element: &BytesStart<'_>) -> Result<()> {
+        let mut names = Vec::new();
+        for attribute in element.attributes().with_checks(false) {
+            let name = attribute.map_err(|error| self.error(error.to_string()))?.key;
+            if names.contains(&name) {
+                return Err(self.error(format!("the attribute {} comes twice", clip(name.as_ref()))));
+            }
+            if names.len() == MOST_ATTRIBUTES {
+                return Err(self.error(format!("an element has more than {MOST_ATTRIBUTES} attributes")));
+            }
+            names.push(name);
+        }
+        Ok(())
     }
 
     fn attribute(&self, element: &BytesStart<'_>, name: &str) -> Result<Option<String>> {
