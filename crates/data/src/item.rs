@@ -64,6 +64,11 @@ macro_rules! item {
     };
 }
 
+/// Stands in the place of a null among matrices.
+#[expect(clippy::expect_used, reason = "one row and one column are always a matrix")]
+static EMPTY_MATRIX: std::sync::LazyLock<Shared<Matrix>> =
+    std::sync::LazyLock::new(|| Shared::new(Matrix::zeros(1, 1).expect("a matrix of one entry")));
+
 item!(bool, Boolean, Booleans, false);
 item!(i32, Integer, Integers, 0);
 item!(f64, Number, Numbers, 0.0);
@@ -87,7 +92,7 @@ item!(Shared<Curve>, Curve, Curves, Shared::new(Curve::Line(LineCurve::new(Line:
 item!(Shared<Mesh>, Mesh, Meshes, Shared::new(Mesh::default()));
 item!(MeshFace, MeshFace, MeshFaces, MeshFace::Triangle([0, 0, 0]));
 item!(Xform, Transform, Transforms, Xform::IDENTITY);
-item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::identity(1)));
+item!(Shared<Matrix>, Matrix, Matrices, EMPTY_MATRIX.clone());
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));
 item!(

@@ -1,7 +1,7 @@
 //! The document: objects, ports, wires, groups and clusters, and the formats it is kept in.
 //!
 //! [`archive`] reads and writes the tree of chunks and items that .gh, .ghx and .ghuser files hold; nothing in
-//! it knows what an object is. The document is the view of that tree as objects, ports and wires. The tree
+//! it knows what an object is. [`document`] is the view of that tree as objects, ports and wires. The tree
 //! stays the truth: a chunk that nobody here understands is saved as it came. Nothing in this crate solves.
 //!
 //! ```
@@ -16,6 +16,7 @@
 //! ```
 
 pub mod archive;
+pub mod document;
 mod error;
 
 pub use error::{Error, Place, Result};

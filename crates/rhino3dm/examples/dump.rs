@@ -91,8 +91,12 @@ fn geometry(object: &Object) -> Value {
         Object::Kept(raw) if raw.class_name() == "Brep" => match BrepSummary::read(raw) {
             Ok(brep) => {
                 let curves: Vec<Value> = brep.curves.iter().map(curve).collect();
-                let edges: Vec<Value> = (brep.edges.iter())
-                    .map(|e| json!([e.curve, e.reversed, e.domain.start, e.domain.end, e.trims]))
+                let edges: Vec<Value> = (brep.edges.iter().enumerate())
+                    .map(|(i, e)| {
+                        let points: Vec<_> =
+                            [0.0, 0.3, 1.0].map(|x| brep.edge_point(i, e.domain.at(x)).map(point)).into();
+                        json!({"domain": [e.domain.start, e.domain.end], "trims": e.trims, "points": points})
+                    })
                     .collect();
                 json!({"faces": brep.faces, "vertices": points(&brep.vertices), "curves": curves,
                     "edges": edges, "closed": brep.is_closed(), "solidity": format!("{:?}", brep.solidity)})

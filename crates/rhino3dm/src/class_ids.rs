@@ -72,6 +72,14 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (uuid!("FC749C2F-4C00-41FD-9840-26D94F047AD3"), "RadialDimension", 0x200),
     (uuid!("03124828-4C9B-4D28-9A82-664DDDE7A14F"), "OrdinateDimension", 0x200),
     (uuid!("D46767BA-7E8F-4D9D-9A92-66050219A5B9"), "Centermark", 0x200),
+    (uuid!("46F75541-F46B-48BE-AA7E-B353BBE068A7"), "Text", 0x200),
+    (uuid!("14922B7A-5B65-4F11-8345-D415A9637129"), "Leader", 0x200),
+    (uuid!("BD57F33B-A1B2-46E9-9C6E-AF09D30FFDDE"), "LinearDimension", 0x200),
+    (uuid!("841BC40B-A971-4A8E-94E5-BBA26D67348E"), "AngularDimension", 0x200),
+    (uuid!("B2B683FC-7964-4E96-B1F9-9B356A76B08B"), "RadialDimension", 0x200),
+    (uuid!("C8288D69-5BD8-4F50-9BAF-525A0086B0C3"), "OrdinateDimension", 0x200),
+    (uuid!("8BD94E19-59E1-11D4-8018-0010830122F0"), "AnnotationTextDot", 0x200),
+    (uuid!("8BD94E1A-59E1-11D4-8018-0010830122F0"), "AnnotationArrow", 0x200),
     (LAYER, "Layer", 0x40),
 ];
 

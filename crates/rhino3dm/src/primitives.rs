@@ -1,5 +1,7 @@
 //! Numbers, points, planes, colours, identifiers, text and arrays (section 3). All little-endian.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use katydid_geometry::{Arc, Circle, Interval, Line, Plane, Point3, Vector3};
 use uuid::Uuid;
 
@@ -185,10 +187,10 @@ impl Writer {
     pub(crate) fn arc(&mut self, arc: &Arc) {
         self.plane(&arc.circle.plane);
         self.f64(arc.circle.radius);
-        let radius = arc.circle.radius;
-        self.point(arc.circle.plane.at(radius, 0.0, 0.0));
-        self.point(arc.circle.plane.at(0.0, radius, 0.0));
-        self.point(arc.circle.plane.at(-radius, 0.0, 0.0));
+        // At the rounded angles, as openNURBS computes them.
+        for angle in [0.0, FRAC_PI_2, PI] {
+            self.point(arc.circle.at(angle));
+        }
         self.interval(arc.angle);
     }
 

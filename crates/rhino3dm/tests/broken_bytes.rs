@@ -6,6 +6,7 @@ use katydid_3dm::{BrepSummary, Limits, Model, Object};
 use proptest::prelude::*;
 
 /// The smallest real archives, or one of our own making when there are none.
+#[allow(clippy::unwrap_used, reason = "a helper of tests only")]
 fn seeds() -> Vec<Vec<u8>> {
     let mut seeds: Vec<Vec<u8>> =
         common::archives().into_iter().map(|(_, b)| b).filter(|b| b.len() < 60_000).take(12).collect();
@@ -29,8 +30,6 @@ fn exercise(bytes: &[u8]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
-
     #[test]
     fn flipped_bytes_never_panic(
         seed in any::<prop::sample::Index>(),

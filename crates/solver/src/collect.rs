@@ -2,7 +2,7 @@
 
 use katydid_component::{Message, Port as Declared};
 use katydid_data::{Kind, Tree, cast};
-use katydid_definition::{Object, Port};
+use katydid_definition::document::{Object, Port};
 
 use crate::{modifiers, stored};
 
@@ -34,8 +34,11 @@ pub(crate) fn port(
     };
     let kind = declared.map_or(Kind::Generic, |d| d.kind);
     let tree = cast_to(tree, kind, rules, &mut messages);
-    let tree =
-        if object.is_floating() { tree } else { modifiers::apply(tree, &port.modifiers, rules, &mut messages) };
+    let tree = if object.is_floating() {
+        tree
+    } else {
+        modifiers::apply(tree, &port.modifiers, rules, &mut messages)
+    };
     // An expression may give another type than the port's.
     let tree = cast_to(tree, kind, rules, &mut messages);
     Collected { tree, messages }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use katydid_component::{Deadline, Message};
 use katydid_data::Tree;
-use katydid_definition::Document;
+use katydid_definition::document::Document;
 use uuid::Uuid;
 
 use crate::graph::Graph;
@@ -35,7 +35,7 @@ impl Engine {
     /// An engine for a document; nothing is solved yet.
     pub fn new(document: Document, options: Options) -> Self {
         let graph = Graph::new(&document);
-        let reports = vec![None; document.objects().len()];
+        let reports = vec![None; document.objects.len()];
         Self { document, options, graph, reports }
     }
 
@@ -44,7 +44,12 @@ impl Engine {
         &self.document
     }
 
-    /// What a solve may use.
+    /// What a solve may use, and how it reads the document.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// The same, to be changed; results that stand are kept.
     pub fn options_mut(&mut self) -> &mut Options {
         &mut self.options
     }
@@ -57,11 +62,11 @@ impl Engine {
     /// Changes objects without adding, removing or rewiring any. Those that `change` names are dirty then.
     pub fn edit(&mut self, change: impl FnOnce(&mut Document) -> Vec<Uuid>) {
         let changed = change(&mut self.document);
-        if self.document.objects().len() != self.reports.len() {
+        if self.document.objects.len() != self.reports.len() {
             return self.rebuild();
         }
         for id in changed {
-            if let Some(index) = self.document.objects().iter().position(|o| o.id == id) {
+            if let Some(index) = self.document.objects.iter().position(|o| o.id == id) {
                 self.touch(index);
             }
         }
@@ -75,7 +80,7 @@ impl Engine {
 
     fn rebuild(&mut self) {
         self.graph = Graph::new(&self.document);
-        self.reports = vec![None; self.document.objects().len()];
+        self.reports = vec![None; self.document.objects.len()];
     }
 
     /// Marks an object and all that hangs on it as dirty.
@@ -84,7 +89,9 @@ impl Engine {
         while let Some(object) = stack.pop() {
             // What is dirty already has dirty readers.
             if self.reports[object].take().is_some() || object == index {
-                stack.extend(self.graph.readers[object].iter().copied().filter(|&r| self.reports[r].is_some()));
+                stack.extend(
+                    self.graph.readers[object].iter().copied().filter(|&r| self.reports[r].is_some()),
+                );
             }
         }
     }
@@ -106,9 +113,13 @@ impl Engine {
 }
 
 /// Solves a whole nested document.
-pub(crate) fn solve_nested(document: &Document, outer: &Turn<'_>, given: &HashMap<usize, Tree>) -> Vec<ObjectReport> {
+pub(crate) fn solve_nested(
+    document: &Document,
+    outer: &Turn<'_>,
+    given: &HashMap<usize, Tree>,
+) -> Vec<ObjectReport> {
     let graph = Graph::new(document);
-    let mut reports = vec![None; document.objects().len()];
+    let mut reports = vec![None; document.objects.len()];
     // Progress counts the objects of the outermost document.
     let options = Options { progress: None, ..outer.options.clone() };
     let turn = Turn {
@@ -125,7 +136,7 @@ pub(crate) fn solve_nested(document: &Document, outer: &Turn<'_>, given: &HashMa
 
 /// Fills in the reports that are missing.
 fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectReport>]) -> usize {
-    let objects = turn.document.objects();
+    let objects = &turn.document.objects;
     let todo: Vec<bool> = reports.iter().map(Option::is_none).collect();
     for members in &graph.loops {
         for &member in members {
@@ -163,14 +174,14 @@ fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectRepor
 
 /// The report of an object in a loop: it names the objects on the way round.
 fn in_loop(document: &Document, members: &[usize], member: usize) -> ObjectReport {
-    let title = |&index: &usize| document.objects().get(index).map_or("?", |o| o.title());
+    let title = |&index: &usize| document.objects.get(index).map_or("?", |o| o.title());
     let names: Vec<&str> = members.iter().take(12).map(title).collect();
     let more = if members.len() > names.len() { " and others" } else { "" };
     let text = match members.len() {
         1 => format!("{} reads its own output", names.join("")),
         _ => format!("These objects read each other in a loop: {}{more}", names.join(", ")),
     };
-    let outputs = document.objects().get(member).map_or(0, |o| o.outputs.len());
+    let outputs = document.objects.get(member).map_or(0, |o| o.outputs.len());
     ObjectReport::idle(Status::Error, vec![Message::error(text)], outputs)
 }
 

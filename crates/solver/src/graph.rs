@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use katydid_definition::Document;
+use katydid_definition::document::Document;
 use uuid::Uuid;
 
 /// An output that an input reads.
@@ -31,7 +31,7 @@ pub(crate) struct Graph {
 
 impl Graph {
     pub(crate) fn new(document: &Document) -> Self {
-        let objects = document.objects();
+        let objects = &document.objects;
         let mut outputs: HashMap<Uuid, Source> = HashMap::new();
         for (object, o) in objects.iter().enumerate() {
             for (output, port) in o.outputs.iter().enumerate() {

@@ -4,10 +4,10 @@
 //! The results are the same to the last bit on any number of threads.
 //!
 //! ```
-//! use katydid_definition::Document;
+//! use katydid_definition::document::Document;
 //! use katydid_solver::{Engine, Options};
 //!
-//! let mut engine = Engine::new(Document::default(), Options::default());
+//! let mut engine = Engine::new(Document::new(), Options::default());
 //! assert_eq!(engine.solve().solved, 0);
 //! ```
 

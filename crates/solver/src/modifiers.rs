@@ -4,13 +4,18 @@ use std::sync::Arc;
 
 use katydid_component::Message;
 use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
-use katydid_definition::{Mapping, Modifiers};
+use katydid_definition::document::{Mapping, Modifiers};
 use katydid_expression::Expression;
 use katydid_geometry::{Interval, Vector3};
 
 /// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
 /// graft, reverse.
-pub(crate) fn apply(tree: Tree, modifiers: &Modifiers, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+pub(crate) fn apply(
+    tree: Tree,
+    modifiers: &Modifiers,
+    rules: &cast::Rules,
+    messages: &mut Vec<Message>,
+) -> Tree {
     let tree = items(tree, modifiers, rules, messages);
     shape(tree, modifiers)
 }

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
 use katydid_data::{Column, Path, Tree};
-use katydid_definition::{Document, Object};
+use katydid_definition::document::{Document, Object};
 
 use crate::report::{ObjectReport, Status};
 use crate::{Options, cluster, collect, modifiers};
@@ -23,7 +23,7 @@ pub(crate) struct Turn<'a> {
 
 /// Solves object `index`, whose wires bring `wired`: for each input, the trees in wire order.
 pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> ObjectReport {
-    let Some(object) = turn.document.objects().get(index) else {
+    let Some(object) = turn.document.objects.get(index) else {
         return ObjectReport::idle(Status::Ok, Vec::new(), 0);
     };
     if object.is_annotation() {
@@ -50,7 +50,7 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> Obje
 fn unsupported(document: &Document, object: &Object) -> ObjectReport {
     let plugin = object
         .lib
-        .and_then(|lib| document.libraries().iter().find(|l| l.id == lib))
+        .and_then(|lib| document.library(lib))
         .map(|library| format!(" of the plug-in {}", library.name))
         .unwrap_or_default();
     let text = format!("{}{plugin} is not supported", object.name);
@@ -59,7 +59,12 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
     report
 }
 
-fn run(turn: &Turn<'_>, object: &Object, component: &'static Component, wired: &[Vec<&Tree>]) -> ObjectReport {
+fn run(
+    turn: &Turn<'_>,
+    object: &Object,
+    component: &'static Component,
+    wired: &[Vec<&Tree>],
+) -> ObjectReport {
     let rules = turn.options.rules;
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());

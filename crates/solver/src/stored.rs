@@ -3,7 +3,7 @@
 use katydid_3dm::Object as Archived;
 use katydid_component::Message;
 use katydid_data::{Colour, Complex, DateTime, Domain2, Material, Path, Tree, TreeBuilder, Value};
-use katydid_definition::{Persistent, Stored, StoredGeometry};
+use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
 
@@ -83,11 +83,14 @@ fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
             transparency: m.transparency,
             shine: m.shine,
         }),
-        Stored::LoftOptions(_) | Stored::MeshSettings(_) => return None,
         Stored::Geometry(g) => return geometry(g, missing),
         Stored::Unknown(chunk) => {
             let names: Vec<&str> = chunk.items.iter().map(|i| i.name.as_str()).collect();
             missing.add(format!("A stored value is of an unknown form ({})", names.join(", ")));
+            return None;
+        }
+        other => {
+            missing.add(format!("Stored {} cannot be used yet", other.type_name()));
             return None;
         }
     })
@@ -109,7 +112,7 @@ fn mesh_face(indices: [i32; 4]) -> Option<MeshFace> {
 }
 
 fn geometry(stored: &StoredGeometry, missing: &mut Missing) -> Option<Value> {
-    let Some(unpacked) = stored.unpack() else {
+    let Some(unpacked) = stored.decode(&Default::default()) else {
         if !stored.ref_id.is_nil() {
             missing.referenced.push(stored.ref_id);
         }

@@ -2,7 +2,7 @@
 
 use katydid_component::Message;
 use katydid_data::{Colour, Complex, Value, cast};
-use katydid_geometry::{Interval, Point3, Vector3};
+use katydid_geometry::{Interval, Matrix, Point3, Vector3};
 
 type Result = std::result::Result<Value, Message>;
 
@@ -77,7 +77,7 @@ pub(super) fn add(a: &Value, b: &Value) -> Result {
         (Value::Plane(p), Value::Vector(v)) => {
             Value::from(katydid_geometry::Plane { origin: p.origin + *v, ..**p })
         }
-        (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.add(n)?),
+        (Value::Matrix(m), Value::Matrix(n)) => Value::from(entry_by_entry(m, n, |x, y| x + y)?),
         (Value::Text(t), other) | (other, Value::Text(t)) if matches!(a, Value::Text(_)) => {
             Value::from(format!("{t}{}", katydid_data::text::value(other, &Default::default())))
         }
@@ -116,7 +116,7 @@ pub(super) fn subtract(a: &Value, b: &Value) -> Result {
             Value::Domain(Interval::new(d.start - e.start, d.end - e.end))
         }
         (Value::Colour(c), Value::Colour(d)) => channels(*c, *d, |x, y| x - y),
-        (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.add(&n.scaled(-1.0))?),
+        (Value::Matrix(m), Value::Matrix(n)) => Value::from(entry_by_entry(m, n, |x, y| x - y)?),
         _ => match (complex(&x), complex(&y)) {
             (Some(x), Some(y)) => Value::Complex(Complex { re: x.re - y.re, im: x.im - y.im }),
             _ => return Err(unsupported("subtracted", a, b)),
@@ -150,7 +150,7 @@ pub(super) fn multiply(a: &Value, b: &Value) -> Result {
     Ok(match (&x, &y) {
         (Value::Vector(v), Value::Vector(w)) => Value::Number(v.dot(*w)),
         (Value::Colour(c), Value::Colour(d)) => channels(*c, *d, |x, y| (x * y + 127) / 255),
-        (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.multiply(n)?),
+        (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.product(n)?),
         (Value::Transform(f), Value::Transform(g)) => Value::from(**f * **g),
         _ => match (complex(&x), complex(&y)) {
             (Some(x), Some(y)) => {
@@ -161,6 +161,15 @@ pub(super) fn multiply(a: &Value, b: &Value) -> Result {
     })
 }
 
+/// Two matrices of one size, combined entry by entry.
+fn entry_by_entry(m: &Matrix, n: &Matrix, f: impl Fn(f64, f64) -> f64) -> std::result::Result<Matrix, Message> {
+    if (m.rows(), m.columns()) != (n.rows(), n.columns()) {
+        return Err(Message::error("The matrices differ in size"));
+    }
+    let values = m.values().iter().zip(n.values()).map(|(&x, &y)| f(x, y)).collect();
+    Ok(Matrix::new(m.rows(), m.columns(), values)?)
+}
+
 /// A value stretched by a number.
 fn scale(value: &Value, s: f64) -> Option<Value> {
     Some(match value {
@@ -168,7 +177,7 @@ fn scale(value: &Value, s: f64) -> Option<Value> {
         Value::Point(p) => Value::Point((p.to_vector() * s).to_point()),
         Value::Domain(d) => Value::Domain(Interval::new(d.start * s, d.end * s)),
         Value::Complex(z) => Value::Complex(Complex { re: z.re * s, im: z.im * s }),
-        Value::Matrix(m) => Value::from(m.scaled(s)),
+        Value::Matrix(m) => Value::from(entry_by_entry(m, m, |x, _| x * s).ok()?),
         Value::Colour(c) => {
             let channel = |x: u8| (f64::from(x) * s).round().clamp(0.0, 255.0) as u8;
             Value::Colour(Colour { a: c.a, r: channel(c.r), g: channel(c.g), b: channel(c.b) })
@@ -223,7 +232,7 @@ pub(super) fn negate(a: &Value) -> Result {
         Value::Domain(d) => Value::Domain(Interval::new(-d.start, -d.end)),
         Value::Complex(z) => Value::Complex(Complex { re: -z.re, im: -z.im }),
         Value::Colour(c) => Value::Colour(Colour { a: c.a, r: 255 - c.r, g: 255 - c.g, b: 255 - c.b }),
-        Value::Matrix(m) => Value::from(m.scaled(-1.0)),
+        Value::Matrix(m) => Value::from(entry_by_entry(&m, &m, |x, _| -x)?),
         other => return Err(Message::error(format!("{} has no negative", other.kind()))),
     })
 }

@@ -3,5 +3,4 @@
 mod grid;
 mod plane;
 mod point;
-mod populate;
 mod vector;

@@ -77,7 +77,7 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             _ => None,
         },
         Kind::Matrix => match value {
-            Value::Transform(x) => katydid_geometry::Matrix::from_rows(&x.rows.map(|row| row.to_vec()))
+            Value::Transform(x) => katydid_geometry::Matrix::new(4, 4, x.rows.concat())
                 .ok()
                 .map(|m| Value::Matrix(Shared::new(m))),
             _ => None,

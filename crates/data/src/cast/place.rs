@@ -8,6 +8,7 @@ use crate::Value;
 /// The place of a value: a plane's origin, a circle's centre, the middle of a line, rectangle or box.
 pub(super) fn point(value: &Value, rules: &Rules) -> Option<Point3> {
     match value {
+        Value::Point(p) => Some(*p),
         Value::Vector(v) => Some(v.to_point()),
         Value::Text(text) => parse::point(text),
         Value::Integer(i) => Some(Point3::new(f64::from(*i), 0.0, 0.0)),
@@ -83,7 +84,7 @@ fn bounds(value: &Value) -> Option<BoundingBox> {
 /// A box as a mesh of six quads.
 pub(super) fn mesh(value: &Value) -> Option<Mesh> {
     match value {
-        Value::Box(b) => Mesh::from_box(b, 1, 1, 1).ok(),
+        Value::Box(b) => Mesh::cuboid(b, 1, 1, 1).ok(),
         _ => None,
     }
 }

@@ -21,7 +21,7 @@ pub(crate) fn definitions() -> Vec<PathBuf> {
 }
 
 /// The folder of the real definitions.
-fn folder() -> PathBuf {
+pub(crate) fn folder() -> PathBuf {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data/gh")).to_owned()
 }
 

@@ -83,6 +83,17 @@ impl BrepSummary {
         }
     }
 
+    /// The point of edge `edge` at parameter `t` of the edge's own domain; nothing when there is no such edge or
+    /// it has no curve.
+    ///
+    /// The edge's domain maps linearly onto its part of the curve's, backwards when the edge runs against it.
+    pub fn edge_point(&self, edge: usize, t: f64) -> Option<Point3> {
+        let edge = self.edges.get(edge)?;
+        let x = edge.domain.normalized(t);
+        let x = if edge.reversed { 1.0 - x } else { x };
+        Some(self.curves.get(edge.curve?)?.point_at(edge.part.at(x)))
+    }
+
     fn read_body(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (major, minor) = body.packed_version(WHAT)?;

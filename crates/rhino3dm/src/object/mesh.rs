@@ -201,7 +201,9 @@ fn doubles_in(data: &UserData, vertex_count: usize) -> Option<Vec<Point3>> {
 
 /// Whether double-precision vertices are the single-precision ones, only finer.
 fn agree(doubles: &[Point3], singles: &[Point3]) -> bool {
-    let near = |d: f64, s: f64| (d - s).abs() <= AGREEMENT * d.abs().max(s.abs()).max(f64::MIN_POSITIVE);
+    // Numbers too small for single precision have lost more than that, down to nothing.
+    let floor = f64::from(f32::MIN_POSITIVE);
+    let near = |d: f64, s: f64| (d - s).abs() <= AGREEMENT * d.abs().max(s.abs()) + floor;
     doubles.iter().zip(singles).all(|(d, s)| near(d.x, s.x) && near(d.y, s.y) && near(d.z, s.z))
 }
 

@@ -23,6 +23,7 @@ use katydid_geometry::{Curve, Mesh, Point3};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
+use crate::version::Version;
 use crate::{Error, Result, class_ids};
 
 /// A geometric object of an archive.
@@ -35,7 +36,8 @@ pub enum Object {
     PointCloud(PointCloud),
     /// A curve of any kind the kernel has. Curves in a plane (dimension 2) lie at z = 0.
     Curve(Curve),
-    /// A mesh.
+    /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
+    /// coordinates, curvatures and n-gons are not read.
     Mesh(Mesh),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
@@ -47,6 +49,19 @@ impl Object {
         match self {
             Self::Kept(raw) => raw.class_name(),
             other => class_ids::name(other.class()).unwrap_or_default().to_owned(),
+        }
+    }
+
+    /// Whether an archive of the given version can carry this object.
+    ///
+    /// # Errors
+    /// The version is not written, or the object was kept from an archive whose layout it does not share; the
+    /// error says why.
+    pub fn check_writable(&self, version: i32) -> Result<()> {
+        Version::for_writing(version)?;
+        match self {
+            Self::Kept(raw) => raw.check_fits(version),
+            _ => Ok(()),
         }
     }
 

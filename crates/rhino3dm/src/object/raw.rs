@@ -69,7 +69,7 @@ impl RawObject {
     }
 
     /// Whether the bytes may stand in an archive of the given version as they are, and if not why.
-    pub(crate) fn fits(&self, archive: i32) -> std::result::Result<(), &'static str> {
+    fn fits(&self, archive: i32) -> std::result::Result<(), &'static str> {
         let (own, wide) = (self.archive_version, |version: i32| version >= 50);
         if wide(own) != wide(archive) {
             return Err("its chunk lengths are of another width");
@@ -87,14 +87,18 @@ impl RawObject {
         Ok(())
     }
 
-    /// The bytes as they are.
-    pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
-        let version = w.version().archive;
+    /// [`RawObject::fits`] as an error that names the object.
+    pub(crate) fn check_fits(&self, version: i32) -> Result<()> {
         self.fits(version).map_err(|why| Error::CannotWrite {
             what: format!("a {} kept from a version {} archive", self.class_name(), self.archive_version),
             version,
             why: why.into(),
-        })?;
+        })
+    }
+
+    /// The bytes as they are.
+    pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
+        self.check_fits(w.version().archive)?;
         w.chunks(&self.bytes);
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Where the shared data lies.
 #![allow(dead_code, reason = "each test file uses its own part")]
+#![allow(clippy::unwrap_used, reason = "a helper of tests only")]
 
 use std::path::PathBuf;
 

@@ -1,0 +1,106 @@
+//! `katydid check`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use katydid_session::{Check, check as examine};
+use serde_json::json;
+
+use crate::args::CheckArgs;
+use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, say};
+use crate::source;
+
+/// Folders deeper than this are not searched: a link may lead in circles.
+const DEEPEST: usize = 64;
+
+pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
+    let mut files = Vec::new();
+    for path in &args.paths {
+        if path.is_dir() {
+            search(path, 0, &mut files);
+        } else {
+            files.push(path.clone());
+        }
+    }
+    let results: Vec<(PathBuf, Result<Check, String>)> = files
+        .into_iter()
+        .map(|file| {
+            let result = source::document(&file).map(|document| examine(&document));
+            (file, result)
+        })
+        .collect();
+    if args.json {
+        let entries: Vec<serde_json::Value> =
+            results.iter().map(|(file, result)| entry(file, result)).collect();
+        say(&serde_json::to_string(&entries).map_err(|error| error.to_string())?);
+    } else {
+        print(&results);
+    }
+    let code = |result: &Result<Check, String>| match result {
+        Ok(check) => u8::from(!check.runnable),
+        Err(_) => 2,
+    };
+    Ok(results.iter().map(|(_, result)| code(result)).max().unwrap_or(0))
+}
+
+/// All definitions in a folder and those inside it, in order of their names.
+fn search(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() && depth < DEEPEST {
+            search(&path, depth + 1, files);
+        } else if ["gh", "ghx"].contains(&extension(&path).as_str()) {
+            files.push(path);
+        }
+    }
+}
+
+fn entry(file: &Path, result: &Result<Check, String>) -> serde_json::Value {
+    let file = file.display().to_string();
+    match result {
+        Ok(check) => json!({
+            "file": file,
+            "objects": check.objects,
+            "unsupported": check.unsupported,
+            "runnable": check.runnable,
+        }),
+        Err(error) => json!({ "file": file, "error": error, "runnable": false }),
+    }
+}
+
+fn print(results: &[(PathBuf, Result<Check, String>)]) {
+    let (mut objects, mut missing, mut runnable) = (0, 0, 0);
+    for (file, result) in results {
+        let file = file.display();
+        match result {
+            Ok(check) if check.runnable => {
+                say(&format!("{GREEN}runs{GREEN:#}     {BOLD}{file}{BOLD:#}: {} objects", check.objects));
+                runnable += 1;
+            }
+            Ok(check) => {
+                let count: usize = check.unsupported.iter().map(|u| u.count).sum();
+                say(&format!(
+                    "{YELLOW}in part{YELLOW:#}  {BOLD}{file}{BOLD:#}: {count} of {} objects are not supported",
+                    check.objects
+                ));
+                for missing in &check.unsupported {
+                    let plugin = missing.plugin.as_deref().map(|p| format!(" ({p})")).unwrap_or_default();
+                    say(&format!("         {:>4} × {}{DIM}{plugin}{DIM:#}", missing.count, missing.name));
+                }
+                missing += count;
+            }
+            Err(error) => say(&format!("{RED}fails{RED:#}    {error}")),
+        }
+        objects += result.as_ref().map_or(0, |check| check.objects);
+    }
+    if results.len() > 1 {
+        let share = if objects == 0 { 100.0 } else { 100.0 * (objects - missing) as f64 / objects as f64 };
+        say(&format!(
+            "{} files, {runnable} run whole; {} of {objects} objects are supported ({share:.1} %)",
+            results.len(),
+            objects - missing
+        ));
+    }
+}

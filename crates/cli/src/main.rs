@@ -1,0 +1,37 @@
+//! The `katydid` command: opens files, hands them to the session, and prints what comes back.
+
+mod args;
+mod check;
+mod components;
+mod convert;
+mod output;
+mod progress;
+mod run;
+mod source;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::args::{Command, Katydid};
+
+/// The call was wrong, or a file could not be opened.
+const EXIT_USAGE: u8 = 2;
+
+fn main() -> ExitCode {
+    let Katydid { command } = Katydid::parse();
+    katydid_components::link();
+    let result = match &command {
+        Command::Run(args) => run::run(args),
+        Command::Check(args) => check::check(args),
+        Command::Convert(args) => convert::convert(args),
+        Command::Components(args) => components::components(args),
+    };
+    match result {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => {
+            output::complain(&error);
+            ExitCode::from(EXIT_USAGE)
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! `katydid run`.
+
+use std::path::Path;
+use std::time::Duration;
+
+use katydid_component::{Level, Limits};
+use katydid_data::cast::Rules;
+use katydid_exchange::Format;
+use katydid_session::{Items, Session, bake};
+use katydid_solver::{Options, Status};
+
+use crate::args::{JsonForm, RunArgs};
+use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
+use crate::{progress, source};
+
+pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
+    for path in &args.output {
+        let known = extension(path) == "3dm" || Format::from_extension(&extension(path)).is_some();
+        if !known {
+            return Err(format!("{}: the geometry can be saved as .3dm, .obj or .stl", path.display()));
+        }
+    }
+    if let Some(threads) = args.threads {
+        if threads == 0 {
+            return Err("--threads must be at least 1".to_owned());
+        }
+        // Only fails when a pool stands already, and this is the first use.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    let mut session = Session::new(source::document(&args.file)?, options(args)?);
+    for (name, value) in &args.set {
+        session.set(name, value).map_err(|error| error.to_string())?;
+    }
+    session.solve();
+    progress::clear();
+
+    let failed = complain(&session);
+    for path in &args.output {
+        save(&session, path)?;
+    }
+    match args.json {
+        Some(form) => {
+            let items = if form == JsonForm::Values { Items::Values } else { Items::Texts };
+            let mut report = session.report_with(items);
+            report.file = args.file.display().to_string();
+            say(&serde_json::to_string(&report).map_err(|error| error.to_string())?);
+        }
+        None => summarise(&session, args),
+    }
+    Ok(u8::from(failed))
+}
+
+fn options(args: &RunArgs) -> Result<Options, String> {
+    let defaults = Limits::default();
+    let time = match args.limit_seconds {
+        Some(seconds) => Some(
+            Duration::try_from_secs_f64(seconds)
+                .map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
+        ),
+        None => None,
+    };
+    Ok(Options {
+        rules: Rules { units: args.units.into(), ..Rules::default() },
+        limits: Limits {
+            items: args.limit_items.unwrap_or(defaults.items),
+            bytes: args.limit_bytes.unwrap_or(defaults.bytes),
+            time,
+        },
+        progress: progress::listener(),
+        ..Options::default()
+    })
+}
+
+/// Prints the messages of all objects; tells whether any is an error.
+fn complain(session: &Session) -> bool {
+    let mut failed = false;
+    for (index, object) in session.document().objects.iter().enumerate() {
+        let Some(report) = session.engine().report(index) else { continue };
+        failed |= report.status == Status::Error;
+        for message in &report.messages {
+            let style = match message.level {
+                Level::Error => RED,
+                Level::Warning => YELLOW,
+                Level::Remark => DIM,
+            };
+            let title = object.title();
+            let id = object.id;
+            note(&format!(
+                "{style}{}{style:#}: {BOLD}{title}{BOLD:#} ({id}): {}",
+                message.level, message.text
+            ));
+        }
+    }
+    failed
+}
+
+/// One line of what happened, and the slowest objects when wanted.
+fn summarise(session: &Session, args: &RunArgs) {
+    let engine = session.engine();
+    let objects = &session.document().objects;
+    let mut counts = [0usize; 6];
+    let mut times = Vec::new();
+    for (index, object) in objects.iter().enumerate().filter(|(_, o)| !o.is_annotation()) {
+        let Some(report) = engine.report(index) else { continue };
+        counts[report.status as usize] += 1;
+        times.push((report.time, object));
+    }
+    let total: usize = counts.iter().sum();
+    let milliseconds = session.report().milliseconds;
+    let mut line = format!("{GREEN}{}{GREEN:#} of {total} objects ran", counts[0] + counts[1]);
+    let words = ["", " with warnings", " with errors", " disabled", " not supported", " without data"];
+    for (count, word) in counts.iter().zip(words).skip(1).filter(|(count, _)| **count > 0) {
+        line.push_str(&format!(", {count}{word}"));
+    }
+    note(&format!("{line} in {milliseconds:.1} ms"));
+    if args.timings {
+        times.sort_by_key(|(time, _)| std::cmp::Reverse(*time));
+        for (time, object) in times.iter().take(30) {
+            say(&format!("{:>10.3} ms  {} ({})", time.as_secs_f64() * 1e3, object.title(), object.name));
+        }
+    }
+}
+
+fn save(session: &Session, path: &Path) -> Result<(), String> {
+    let baked = bake(session.engine());
+    let mut left_out = baked.left_out;
+    let bytes = if extension(path) == "3dm" {
+        baked.model.write(70).map_err(|error| format!("{}: {error}", path.display()))?
+    } else {
+        let format = Format::from_extension(&extension(path)).unwrap_or_default();
+        let scene = katydid_exchange::Scene::from_model(&baked.model);
+        let written = katydid_exchange::write(&scene, format);
+        left_out.extend(written.left_out);
+        written.bytes
+    };
+    write_file(path, &bytes)?;
+    let n = baked.model.objects.len();
+    note(&format!("{GREEN}{n}{GREEN:#} objects written to {}", path.display()));
+    for reason in left_out {
+        note(&format!("{YELLOW}left out{YELLOW:#}: {reason}"));
+    }
+    Ok(())
+}

@@ -1,0 +1,244 @@
+//! What is written comes back, for every version that is written.
+#![allow(clippy::unwrap_used, reason = "helpers of tests only")]
+
+use katydid_3dm::{
+    Attributes, Error, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud, UnitScale,
+};
+use katydid_geometry::{
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, Plane, Point3,
+    PolyCurve, PolylineCurve, Tolerance, Units, Vector3,
+};
+use proptest::prelude::*;
+use uuid::Uuid;
+
+const VERSIONS: [i32; 5] = [4, 50, 60, 70, 80];
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![-1e6..1e6, Just(0.0), Just(-0.0), Just(1.0 / 3.0), -1e-9..1e-9, Just(1e-60)]
+}
+
+fn point() -> impl Strategy<Value = Point3> {
+    [coordinate(), coordinate(), coordinate()].prop_map(Point3::from)
+}
+
+fn domain() -> impl Strategy<Value = Interval> {
+    (-1e3..1e3, 1e-3..1e3).prop_map(|(start, length)| Interval::new(start, start + length))
+}
+
+fn simple_curve() -> impl Strategy<Value = Curve> {
+    let line = (point(), point(), domain())
+        .prop_map(|(from, to, domain)| LineCurve { line: Line::new(from, to), domain }.into());
+    let arc = (point(), -3.0..3.0, 1e-3..1e3, 0.0..6.0, 1e-3..6.25, domain()).prop_map(
+        |(origin, turn, radius, from, angle, domain): (Point3, f64, f64, f64, f64, _)| {
+            let x = Vector3::new(turn.cos(), turn.sin(), 0.25);
+            let plane = Plane::from_axes(origin, x, Vector3::new(-turn.sin(), turn.cos(), 0.5)).unwrap();
+            let circle = Circle { plane, radius };
+            ArcCurve { arc: Arc { circle, angle: Interval::new(from, from + angle) }, domain }.into()
+        },
+    );
+    let polyline = prop::collection::vec((point(), 1e-3..10.0), 2..20).prop_map(|vertices| {
+        let steps = vertices.iter().scan(0.0, |t, (_, step)| {
+            *t += step;
+            Some(*t)
+        });
+        let parameters = steps.collect();
+        let points = vertices.iter().map(|(p, _)| *p).collect();
+        PolylineCurve::with_parameters(points, parameters).unwrap().into()
+    });
+    let nurbs = (1_usize..6, prop::collection::vec((point(), 1e-3..10.0), 6..15), any::<bool>()).prop_map(
+        |(degree, controls, rational): (usize, Vec<(Point3, f64)>, bool)| {
+            let spans = controls.len() - degree;
+            let inner = (0..=spans).map(|i| i as f64 * 0.7);
+            let mut knots = vec![0.0; degree - 1];
+            knots.extend(inner);
+            knots.extend(vec![spans as f64 * 0.7; degree - 1]);
+            let (points, weights): (Vec<_>, Vec<_>) = controls.into_iter().unzip();
+            if rational {
+                NurbsCurve::with_weights(degree, &points, &weights, knots).unwrap().into()
+            } else {
+                NurbsCurve::new(degree, points, knots).unwrap().into()
+            }
+        },
+    );
+    prop_oneof![line, arc, polyline, nurbs]
+}
+
+fn curve() -> impl Strategy<Value = Curve> {
+    let joined = prop::collection::vec(simple_curve(), 1..5).prop_map(|segments| {
+        PolyCurve::new(segments).map_or(Line::new(Point3::ORIGIN, Point3::ORIGIN).into(), Curve::from)
+    });
+    prop_oneof![4 => simple_curve(), 1 => joined]
+}
+
+fn mesh() -> impl Strategy<Value = Mesh> {
+    (prop::collection::vec(point(), 4..400), any::<bool>(), prop::collection::vec(any::<[u32; 4]>(), 0..50))
+        .prop_map(|(vertices, coloured, corners)| {
+            let count = vertices.len() as u32;
+            let faces = corners.into_iter().map(|corners| match corners.map(|c| c % count) {
+                [a, b, c, d] if c == d || a % 2 == 0 => MeshFace::Triangle([a, b, c]),
+                corners => MeshFace::Quad(corners),
+            });
+            let faces = faces.collect();
+            let colours =
+                if coloured { (0..count).map(|i| [i as u8, 1, 2, 255 - i as u8]).collect() } else { vec![] };
+            Mesh::from_parts(vertices, faces, vec![], colours).unwrap()
+        })
+}
+
+fn object() -> impl Strategy<Value = Object> {
+    prop_oneof![
+        point().prop_map(Object::Point),
+        prop::collection::vec(point(), 0..30).prop_map(|points| Object::PointCloud(PointCloud::from(points))),
+        curve().prop_map(Object::Curve),
+        mesh().prop_map(Object::Mesh),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn objects_come_back_equal(object in object()) {
+        for version in VERSIONS {
+            let form = object.to_on_data(version).unwrap();
+            let back = Object::from_on_data(form.archive3dm, form.opennurbs, &form.data).unwrap();
+            prop_assert_eq!(&back, &object);
+        }
+    }
+
+    #[test]
+    fn models_come_back_equal(
+        objects in prop::collection::vec((object(), "[a-zé𝄞]{0,6}", any::<bool>()), 0..6),
+        names in prop::collection::vec("[A-Z ]{1,9}", 1..4),
+    ) {
+        let mut model = Model { units: Units::Feet, ..Model::default() };
+        model.layers.extend(names.into_iter().map(Layer::new));
+        let layers = model.layers.len();
+        for (i, (geometry, name, marked)) in objects.into_iter().enumerate() {
+            let attributes = Attributes {
+                id: Uuid::from_u128(7 + i as u128),
+                user_strings: if marked { vec![("key".into(), name.clone())] } else { vec![] },
+                name,
+                layer: i % layers,
+                colour: marked.then_some([1, 2, 3, 200]),
+                ..Attributes::default()
+            };
+            model.objects.push(ModelObject { geometry, attributes, user_data: vec![] });
+        }
+        for version in VERSIONS {
+            let back = Model::read(&model.write(version).unwrap(), &Limits::default()).unwrap();
+            prop_assert_eq!(&back.warnings, &vec![]);
+            for (ours, theirs) in back.objects.iter().zip(&model.objects) {
+                prop_assert_eq!(&ours.geometry, &theirs.geometry);
+                prop_assert_eq!(&ours.attributes, &theirs.attributes);
+            }
+            prop_assert_eq!((back.objects.len(), back.units), (model.objects.len(), Units::Feet));
+        }
+    }
+}
+
+fn read(model: &Model, version: i32) -> Model {
+    Model::read(&model.write(version).unwrap(), &Limits::default()).unwrap()
+}
+
+#[test]
+fn what_is_not_geometry_comes_back() {
+    let top = Layer { id: Uuid::from_u128(1), colour: [9, 8, 7, 255], ..Layer::new("top") };
+    let under = Layer {
+        id: Uuid::from_u128(2),
+        parent: Some(top.id),
+        visible: false,
+        locked: true,
+        ..Layer::new("ünder")
+    };
+    let mut model = Model {
+        units: Units::None,
+        unit_scale: Some(UnitScale { number: 11, name: "ell".into(), metres: 0.6858 }),
+        tolerance: Tolerance { absolute: 0.5, angle: 0.25 },
+        relative_tolerance: 0.125,
+        notes: "two\nlines".into(),
+        layers: vec![top, under],
+        ..Model::default()
+    };
+    let attributes = Attributes {
+        id: Uuid::from_u128(3),
+        url: "https://example.org".into(),
+        layer: 1,
+        visible: false,
+        mode: ObjectMode::Hidden,
+        wire_density: -1,
+        groups: vec![0, 4],
+        ..Attributes::default()
+    };
+    model.objects.push(ModelObject { attributes, ..Object::Point(Point3::ORIGIN).into() });
+    for version in VERSIONS {
+        let back = read(&model, version);
+        assert_eq!(back.layers, model.layers);
+        assert_eq!(back.layer_path(1).as_deref(), Some("top::ünder"));
+        assert_eq!(back.objects, model.objects);
+        assert_eq!(
+            (back.units, &back.unit_scale, &back.notes),
+            (model.units, &model.unit_scale, &model.notes)
+        );
+        assert_eq!((back.tolerance, back.relative_tolerance), (model.tolerance, 0.125));
+        assert_eq!((back.archive_version, back.application.as_str()), (version, "Katydid"));
+        assert_eq!(back.warnings.len(), 1, "the custom unit: {:?}", back.warnings);
+    }
+}
+
+#[test]
+fn every_object_gets_an_identifier_of_its_own_and_always_the_same() {
+    let mut model = Model::default();
+    let mut object = ModelObject::from(Object::Point(Point3::ORIGIN));
+    model.objects.push(object.clone());
+    model.objects.push(object.clone());
+    object.attributes.id = Uuid::from_u128(5);
+    model.objects.push(object.clone());
+    model.objects.push(object);
+    let ids: Vec<Uuid> = read(&model, 70).objects.iter().map(|o| o.attributes.id).collect();
+    let distinct: std::collections::HashSet<&Uuid> = ids.iter().collect();
+    assert_eq!((distinct.len(), ids[2]), (4, Uuid::from_u128(5)));
+    assert!(ids.iter().all(|id| !id.is_nil()));
+    assert_eq!(model.write(70).unwrap(), model.write(70).unwrap());
+}
+
+#[test]
+fn refusals_name_the_reason() {
+    let mut model = Model::default();
+    assert!(matches!(model.write(5), Err(Error::UnsupportedVersion(5))));
+    let mut object = ModelObject::from(Object::Point(Point3::ORIGIN));
+    object.attributes.layer = 1;
+    model.objects.push(object);
+    assert!(model.write(70).unwrap_err().to_string().contains("layer 1"));
+
+    let limits = Limits::default();
+    assert!(matches!(Model::read(b"", &limits), Err(Error::NotAnArchive)));
+    assert!(matches!(Model::read(b"PK\x03\x04 and so on", &limits), Err(Error::NotAnArchive)));
+    let first = Model::read(b"3D Geometry File Format        1", &limits).unwrap_err();
+    assert_eq!(first.to_string(), "version 1 is not supported yet");
+    let bytes = Model::default().write(70).unwrap();
+    let cut = Model::read(&bytes[..bytes.len() / 2], &limits).unwrap_err();
+    assert!(matches!(cut, Error::Truncated { .. }), "{cut}");
+}
+
+#[test]
+fn an_archive_behind_a_wrapper_is_found() {
+    let mut model = Model::default();
+    model.objects.push(Object::Point(Point3::new(1.0, 2.0, 3.0)).into());
+    let mut bytes = vec![0xD0; 700];
+    bytes.extend(model.write(50).unwrap());
+    let back = Model::read(&bytes, &Limits::default()).unwrap();
+    assert_eq!(back.objects[0].geometry, model.objects[0].geometry);
+}
+
+#[test]
+fn numbers_the_kernel_refuses_are_an_error_alone_and_kept_bytes_in_an_archive() {
+    let mut model = Model::default();
+    model.objects.push(Object::Point(Point3::new(f64::NAN, 0.0, 0.0)).into());
+    let form = model.objects[0].geometry.to_on_data(70).unwrap();
+    let alone = Object::from_on_data(form.archive3dm, form.opennurbs, &form.data).unwrap_err();
+    assert!(alone.to_string().contains("not a finite number"), "{alone}");
+    let back = read(&model, 70);
+    assert!(matches!(back.objects[0].geometry, Object::Kept(_)));
+    assert!(back.warnings[0].message.contains("kept as bytes"));
+}

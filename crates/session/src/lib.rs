@@ -1,0 +1,26 @@
+//! A document being worked on: its inputs are set, it is solved, undone, reported and baked.
+//!
+//! Nothing here knows where requests come from: no sockets, no files. The command line, the server and the
+//! studio all stand on this.
+//!
+//! ```
+//! use katydid_definition::document::Document;
+//! use katydid_session::Session;
+//!
+//! let mut session = Session::new(Document::new(), Default::default());
+//! session.solve();
+//! assert!(session.report().objects.is_empty());
+//! assert!(!session.undo());
+//! ```
+
+mod bake;
+mod check;
+mod input;
+mod report;
+mod session;
+
+pub use bake::{Baked, bake};
+pub use check::{Check, Unsupported, check};
+pub use input::{InputError, inputs};
+pub use report::{Items, Report};
+pub use session::Session;
