@@ -57,7 +57,7 @@ pub(crate) fn integrate<const N: usize>(
     let mut sum = [0.0; N];
     let mut stack = vec![(a, b, 0_u32)];
     // A cusp needs one branch of about 48 halvings; the bound stops input that is bad everywhere.
-    let mut budget = 4000;
+    let mut budget = 600;
     while let Some((a, b, depth)) = stack.pop() {
         let (value, error) = kronrod(f, a, b);
         budget -= 1;

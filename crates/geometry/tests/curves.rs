@@ -688,6 +688,60 @@ fn circles_and_arcs_from_what_is_known() {
 }
 
 #[test]
+fn offsets() {
+    let square = polyline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0)]);
+    let grown = square.offset_in_plane(&Plane::XY, 1.0).unwrap();
+    close(grown.area_and_centroid(1e-6).unwrap().0, 30.0, 1e-14, "counter-clockwise grows");
+    assert_eq!(grown.start(), p(-1.0, -1.0, 0.0));
+    assert_eq!(grown.domain(), square.domain());
+    let shrunk = square.reversed().offset_in_plane(&Plane::XY, 1.0).unwrap();
+    close(shrunk.area_and_centroid(1e-6).unwrap().0, 2.0, 1e-14, "clockwise shrinks");
+    let open = polyline(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 2.0)])
+        .offset_in_plane(&Plane::XY, -0.5)
+        .unwrap();
+    assert_eq!(
+        open.as_polyline().unwrap(),
+        [p(0.0, 0.5, 0.0), p(1.0, 0.5, 0.0), p(1.5, 0.5, 0.0), p(1.5, 2.0, 0.0)]
+    );
+    close(circle(2.0).offset_in_plane(&Plane::XY, 0.5).unwrap().length(), 5.0 * PI, 1e-14, "circle grows");
+    assert!(circle(2.0).offset_in_plane(&Plane::XY, -2.0).is_err());
+    assert!(circle(2.0).offset_in_plane(&Plane::YZ, 1.0).is_err());
+    let l = line(p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)).offset_in_plane(&Plane::XY, 2.0).unwrap();
+    assert_eq!(l.start(), p(0.0, -2.0, 0.0));
+    let smooth: Curve = PolyCurve::new(vec![
+        line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)),
+        Arc::from_start_direction_end(p(4.0, 0.0, 0.0), Vector3::X, p(6.0, 2.0, 0.0)).unwrap().into(),
+    ])
+    .unwrap()
+    .into();
+    close(smooth.offset_in_plane(&Plane::XY, 1.0).unwrap().length(), 4.0 + 1.5 * PI, 1e-14, "line and arc");
+    assert!(wave().offset_in_plane(&Plane::XY, 1.0).is_err());
+}
+
+#[test]
+fn c5_osculating_circles_and_the_curvature_graph() {
+    let c = wave();
+    let t = c.domain().at(0.37);
+    let o = c.osculating_circle_at(t).unwrap();
+    close_points(o.at(0.0), c.point_at(t), 1e-12, "through the point");
+    let touching: Curve = o.into();
+    close_vectors(touching.tangent_at(0.0).unwrap(), c.tangent_at(t).unwrap(), 1e-12, "tangent");
+    close_vectors(touching.curvature_at(0.0), c.curvature_at(t), 1e-10, "curvature");
+    assert!(line(p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)).osculating_circle_at(0.5).is_none());
+    // A line joined to an arc of radius 2 without a kink: G1 but not G2, so the hair at the joint jumps.
+    let joined: Curve = PolyCurve::new(vec![
+        line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)),
+        Arc::from_start_direction_end(p(4.0, 0.0, 0.0), Vector3::X, p(6.0, 2.0, 0.0)).unwrap().into(),
+    ])
+    .unwrap()
+    .into();
+    let hairs = joined.curvature_graph(8, 10.0);
+    assert_eq!(hairs.len(), 18);
+    assert_eq!(hairs[8].length(), 0.0);
+    close_vectors(hairs[9].direction(), Vector3::new(0.0, -5.0, 0.0), 1e-13, "away from the centre");
+}
+
+#[test]
 fn degenerate_curves_are_refused() {
     assert!(PolylineCurve::new(vec![p(0.0, 0.0, 0.0)]).is_err());
     assert!(PolylineCurve::new(vec![p(0.0, 0.0, 0.0), p(f64::NAN, 0.0, 0.0)]).is_err());

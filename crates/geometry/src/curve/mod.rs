@@ -14,6 +14,7 @@ mod frames;
 mod join;
 mod length;
 mod line_curve;
+mod offset;
 mod piece;
 mod poly_curve;
 mod polyline_curve;
