@@ -23,6 +23,6 @@ mod schedule;
 mod stored;
 
 pub use engine::{Engine, Summary};
-pub use options::{Options, Progress};
+pub use options::{Listener, Options, Progress};
 pub use report::{ObjectReport, Status};
 pub use stored::tree as stored_tree;
