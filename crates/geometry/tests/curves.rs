@@ -353,6 +353,16 @@ fn closed_curves_split_as_in_rhino() {
     assert_eq!(moved.domain(), Interval::new(1.5, 5.5));
     close(moved.length(), 4.0, 1e-15, "length");
     assert_eq!(moved.start(), p(1.0, 0.5, 0.0));
+    let blob: Curve = NurbsCurve::periodic_uniform(
+        3,
+        &[p(0.0, 0.0, 0.0), p(6.0, 0.0, 0.0), p(2.0, 2.0, 0.0), p(0.0, 6.0, 0.0)],
+    )
+    .unwrap()
+    .into();
+    let moved = blob.with_seam(1.3).unwrap();
+    assert!(matches!(moved, Curve::Nurbs(_)) && moved.is_closed());
+    assert_eq!(moved.domain(), Interval::new(1.3, 5.3));
+    close_points(moved.point_at(4.7), blob.point_at(0.7), 1e-12, "past the old seam");
     let sub = c.sub_curve(Interval::new(5.0, 1.0)).unwrap();
     close(sub.length(), TAU - 4.0, 1e-13, "through the seam");
 }
@@ -645,6 +655,28 @@ fn regions() {
     close(hexagon.length(), 12.0, 1e-14, "hexagon");
     close(hexagon.area_and_centroid(1e-6).unwrap().0, 6.0 * 3f64.sqrt(), 1e-14, "hexagon");
     assert!(regular_polygon(&Plane::XY, 2.0, 2).is_err() && regular_polygon(&Plane::XY, 0.0, 5).is_err());
+}
+
+#[test]
+fn areas_grow_with_the_determinant() {
+    let blob: Curve = NurbsCurve::periodic_uniform(
+        3,
+        &[p(0.0, 0.0, 0.0), p(6.0, 0.0, 0.0), p(2.0, 2.0, 0.0), p(0.0, 6.0, 0.0)],
+    )
+    .unwrap()
+    .into();
+    let far = Xform::translation(Vector3::new(1e5, -1e5, 0.0));
+    let shear = Xform::shear(&Plane::XY, [[0.4, 0.0], [-0.3, 0.0], [0.0, 0.0]]);
+    for c in [blob, circle(2.0), polyline(&[(0.0, 0.0), (3.0, 1.0), (1.0, 4.0), (0.0, 0.0)])] {
+        let (area, center) = c.area_and_centroid(1e-6).unwrap();
+        for xform in [far, shear, far * shear] {
+            let (image, image_center) = c.transformed(&xform).unwrap().area_and_centroid(1e-6).unwrap();
+            close(image, area * xform.determinant(), 1e-8, "area");
+            close_points(image_center, xform.point(center), 1e-9, "centroid");
+        }
+        let (signed, _) = c.signed_area_in(&Plane::XY);
+        close(c.reversed().signed_area_in(&Plane::XY).0, -signed, 1e-12, "reversal changes the sign");
+    }
 }
 
 #[test]

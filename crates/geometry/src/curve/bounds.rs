@@ -30,7 +30,10 @@ impl Curve {
             }
         }
         for piece in &pieces {
-            let Shape::Span(..) = piece.shape else { continue };
+            let Shape::Span(curve, j) = piece.shape else { continue };
+            if curve.span_hull(j).map(along).all(|x| range.start <= x && x <= range.end) {
+                continue;
+            }
             let Some(points) = piece.beziers().pop() else { continue };
             let d = direction;
             let c: Vec<[f64; 2]> =

@@ -63,7 +63,12 @@ impl Curve {
                     let u = arc.closest_angle(q);
                     best.offer((piece.point(u) - q).length_squared(), i, u);
                 }
-                Shape::Span(..) => search_span(piece, i, q, &mut best),
+                Shape::Span(curve, j) => {
+                    let reach = crate::BoundingBox::from_points(curve.span_hull(j));
+                    if reach.is_none_or(|b| b.distance_to(q).powi(2) < best.squared) {
+                        search_span(piece, i, q, &mut best);
+                    }
+                }
             }
         }
         if !best.squared.is_finite() {
