@@ -1,0 +1,45 @@
+# `make test` is all that a change must pass. It installs what it needs.
+
+SHELL := /bin/bash
+VENV := .venv
+PYTHON ?= python3
+
+.PHONY: test lint docs test-rust test-python bench fuzz clean
+
+test: test-rust test-python
+
+test-rust:
+	cargo test --workspace
+	cargo build --release -p katydid
+	cargo test --release -p katydid --test corpus -- --nocapture
+
+# What rhino3dm, the official reader, makes of the files that Katydid writes.
+test-python: $(VENV)/installed
+	cargo run --release -q -p katydid -- run examples/attractor.ghx -o target/attractor.3dm
+	$(VENV)/bin/python -m pytest -q python-tests
+
+$(VENV)/installed: python-tests/requirements.txt
+	$(PYTHON) -m venv $(VENV)
+	$(VENV)/bin/pip install -q -r python-tests/requirements.txt
+	touch $@
+
+lint:
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets -- -D warnings
+
+docs:
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
+
+# Katydid and NumPy over a million items, side by side.
+bench: $(VENV)/installed
+	$(VENV)/bin/pip install -q numpy==2.3.4
+	$(VENV)/bin/python benches/compare.py
+
+# Ten minutes for each reader: `cargo install cargo-fuzz` first.
+fuzz:
+	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression; do \
+		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
+
+clean:
+	cargo clean
+	rm -rf $(VENV)

@@ -1,0 +1,130 @@
+//! All real definitions at hand through `check`, `run` and `convert`.
+
+mod common;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use common::{katydid, said, shared, text, within};
+use serde_json::Value;
+
+/// The files under a folder, in order.
+fn files(folder: &Path, all: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files(&path, all);
+        } else if path.extension().is_some_and(|e| e == "gh" || e == "ghx") {
+            all.push(path);
+        }
+    }
+}
+
+/// The files that use stock components only.
+fn targets(root: &Path) -> Vec<PathBuf> {
+    let index = std::fs::read_to_string(root.join("index.csv")).unwrap();
+    let mut lines = index.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = header.iter().position(|c| *c == "runnable_target").unwrap();
+    // File names have no commas; a licence may, so the column is counted from the end.
+    let from_end = header.len() - column;
+    lines
+        .filter(|line| line.rsplit(',').nth(from_end - 1) == Some("yes"))
+        .map(|line| root.join(line.split(',').next().unwrap()))
+        .collect()
+}
+
+#[test]
+fn check_knows_most_objects_of_the_stock_files() {
+    let Some(root) = shared("data/gh") else { return };
+    let targets = targets(&root);
+    assert_eq!(targets.len(), 92);
+    let mut words = vec!["check", "--json"];
+    words.extend(targets.iter().map(|path| text(path)));
+    let output = katydid(&words);
+    let entries: Vec<Value> = serde_json::from_slice(&output.stdout).unwrap();
+    let (mut objects, mut missing, mut whole) = (0, 0, Vec::new());
+    let mut wanted: BTreeMap<String, u64> = BTreeMap::new();
+    for entry in &entries {
+        assert!(entry.get("error").is_none(), "{entry}");
+        objects += entry["objects"].as_u64().unwrap();
+        for unsupported in entry["unsupported"].as_array().unwrap() {
+            let count = unsupported["count"].as_u64().unwrap();
+            missing += count;
+            *wanted.entry(unsupported["name"].to_string()).or_default() += count;
+        }
+        if entry["runnable"] == true {
+            whole.push(entry["file"].as_str().unwrap().to_owned());
+        }
+    }
+    let share = 100.0 * (objects - missing) as f64 / objects as f64;
+    println!("{} of {objects} objects supported ({share:.1} %), {} files whole", objects - missing, whole.len());
+    let mut wanted: Vec<(u64, String)> = wanted.into_iter().map(|(name, n)| (n, name)).collect();
+    wanted.sort_by(|a, b| b.cmp(a));
+    wanted.iter().take(40).for_each(|(n, name)| println!("  {n:>4} × {name}"));
+    assert!(share >= 60.0, "only {share:.1} %");
+    assert!(whole.len() >= 12, "only {} files", whole.len());
+    let mut failed = Vec::new();
+    for file in whole {
+        let output = katydid(&["run", &file]);
+        if output.status.code() != Some(0) {
+            failed.push(format!("{file}: {:?} {}", output.status.code(), said(&output)));
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn every_file_runs_to_a_result_or_a_reason() {
+    let Some(root) = shared("data/gh") else { return };
+    let mut all = Vec::new();
+    files(&root, &mut all);
+    assert_eq!(all.len(), 273);
+    let mut failed = Vec::new();
+    let mut codes: BTreeMap<Option<i32>, usize> = BTreeMap::new();
+    let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
+    for file in &all {
+        let words = ["run", text(file), "--json", "--limit-seconds", "15"];
+        let Some(output) = within(Duration::from_secs(20), &words) else {
+            failed.push(format!("{}: hangs", file.display()));
+            continue;
+        };
+        *codes.entry(output.status.code()).or_default() += 1;
+        let stderr = said(&output);
+        if stderr.contains("Internal error") || stderr.contains("panicked") {
+            failed.push(format!("{}: {stderr}", file.display()));
+        }
+        let Ok(report) = serde_json::from_slice::<Value>(&output.stdout) else {
+            failed.push(format!("{}: no report: {stderr}", file.display()));
+            continue;
+        };
+        for object in report["objects"].as_array().unwrap() {
+            if object["kind"] != "annotation" {
+                *statuses.entry(object["status"].as_str().unwrap().to_owned()).or_default() += 1;
+            }
+        }
+    }
+    println!("exit codes {codes:?}, objects {statuses:?}");
+    assert!(failed.is_empty(), "{} files:\n{}", failed.len(), failed.join("\n"));
+}
+
+#[test]
+fn converting_there_and_back_changes_nothing() {
+    let Some(root) = shared("data/gh") else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let (there, back) = (folder.path().join("there.ghx"), folder.path().join("back.gh"));
+    let mut all = Vec::new();
+    files(&root, &mut all);
+    for file in all.iter().filter(|f| f.extension().is_some_and(|e| e == "gh")).step_by(9) {
+        for (from, to) in [(file, &there), (&there, &back)] {
+            let output = katydid(&["convert", text(from), text(to)]);
+            assert_eq!(output.status.code(), Some(0), "{}: {}", file.display(), said(&output));
+        }
+        let tree = |path: &Path| {
+            katydid_definition::archive::read(&std::fs::read(path).unwrap(), &Default::default()).unwrap().root
+        };
+        assert_eq!(tree(file), tree(&back), "{}", file.display());
+    }
+}

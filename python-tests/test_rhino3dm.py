@@ -1,0 +1,62 @@
+"""rhino3dm, the official reader of .3dm, opens what Katydid writes."""
+
+import math
+import subprocess
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import pytest
+import rhino3dm
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    out = tmp_path_factory.mktemp("baked") / "attractor.3dm"
+    command = ["cargo", "run", "--release", "-q", "-p", "katydid", "--", "run", "examples/attractor.ghx", "-o", out]
+    subprocess.run(command, cwd=ROOT, check=True)
+    model = rhino3dm.File3dm.Read(str(out))
+    assert model is not None
+    return model
+
+
+def slider(name):
+    for container in xml.parse(ROOT / "examples" / "attractor.ghx").getroot().iter("chunk"):
+        if container.get("name") != "Container":
+            continue
+        names = [i.text for i in container.iterfind("items/item") if i.get("name") == "NickName"]
+        if names == [name]:
+            for item in container.iterfind("chunks/chunk[@name='Slider']/items/item"):
+                if item.get("name") == "Value":
+                    return float(item.text)
+    raise AssertionError(f"no slider {name}")
+
+
+def test_the_model_is_of_version_7_in_millimetres(model):
+    assert model.ArchiveVersion == 70
+    assert model.Settings.ModelUnitSystem == rhino3dm.UnitSystem.Millimeters
+
+
+def test_the_circles_stand_on_the_grid_and_grow_towards_the_attractor(model):
+    spacing, columns, rows = slider("spacing"), int(slider("columns")), int(slider("rows"))
+    center = (slider("attractor x"), slider("attractor y"))
+    small, large = slider("smallest"), slider("largest")
+    points = [(i * spacing, j * spacing) for i in range(columns + 1) for j in range(rows + 1)]
+    distances = [math.dist(p, center) for p in points]
+    low, high = min(distances), max(distances)
+
+    assert len(model.Objects) == len(points)
+    for item, point, distance in zip(model.Objects, points, distances):
+        curve = item.Geometry
+        assert isinstance(curve, rhino3dm.ArcCurve) and curve.IsCompleteCircle
+        circle = curve.Arc
+        assert math.dist((circle.Center.X, circle.Center.Y), point) < 1e-12
+        radius = large + (distance - low) / (high - low) * (small - large)
+        assert circle.Radius == pytest.approx(radius, rel=1e-13)
+
+
+def test_each_object_has_a_layer_of_its_name(model):
+    assert [layer.Name for layer in model.Layers] == ["Circles"]
+    assert {item.Attributes.LayerIndex for item in model.Objects} == {0}
+    assert {item.Attributes.Name for item in model.Objects} == {"Circles"}
