@@ -1,6 +1,17 @@
 //! The Maths tab.
 
 mod arithmetic;
+pub(crate) mod comparison;
+mod complex;
 pub(crate) mod formula;
+mod linear;
+mod unary;
 
+mod averages;
+mod domain;
 mod operators;
+mod polynomials;
+mod script;
+mod time;
+mod trig;
+mod util;

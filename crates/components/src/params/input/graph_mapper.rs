@@ -57,7 +57,9 @@ mod tests {
         graph.set("container_name", name);
         items.iter().for_each(|(name, x)| graph.set(name, *x));
         let mut domain = Chunk::new("Domain");
-        [("x0", 0.0), ("x1", 10.0), ("y0", 100.0), ("y1", 200.0)].map(|(name, x)| domain.set(name, x));
+        for (name, x) in [("x0", 0.0), ("x1", 10.0), ("y0", 100.0), ("y1", 200.0)] {
+            domain.set(name, x);
+        }
         let mut local = Chunk::new("LocalGraph");
         local.set_child(graph);
         local.set_child(domain);

@@ -1,0 +1,7 @@
+//! Maths / Operators.
+
+mod comparisons;
+mod gates;
+mod powers;
+mod series;
+mod sums;

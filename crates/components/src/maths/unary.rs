@@ -1,0 +1,54 @@
+//! Functions of one number, real or complex, as components.
+
+use katydid_component::Message;
+use katydid_data::{Complex, Value, cast};
+
+/// The value of a function at `x`: a complex number stays complex, everything else that is a number is real.
+///
+/// # Errors
+/// When `x` is no number, and when the function has no finite value there.
+pub(super) fn apply(
+    x: &Value,
+    name: &str,
+    real: fn(f64) -> f64,
+    complex: fn(Complex) -> Complex,
+) -> Result<Value, Message> {
+    let number = match x {
+        Value::Number(x) => *x,
+        Value::Integer(i) => f64::from(*i),
+        Value::Boolean(b) => f64::from(u8::from(*b)),
+        Value::Complex(z) => {
+            let result = complex(*z);
+            return match result.re.is_finite() && result.im.is_finite() {
+                true => Ok(Value::Complex(result)),
+                false => Err(Message::error(format!("{name} has no value at {} + {}i", z.re, z.im))),
+            };
+        }
+        Value::Text(text) => cast::parse_number(text)
+            .ok_or_else(|| Message::error(format!("The text {text:.40} is not a number")))?,
+        other => return Err(Message::error(format!("{name} takes a number, not a {}", other.kind()))),
+    };
+    let result = real(number);
+    match result.is_finite() {
+        true => Ok(Value::Number(result)),
+        false => Err(Message::error(format!("{name} has no value at {number}"))),
+    }
+}
+
+/// Declares components `y = f(x)`.
+macro_rules! functions {
+    ($at:tt; $($(#[doc = $help:tt])+ $function:ident, $guid:tt, $name:tt, $nick:tt, [$($also:tt),*], $real:expr, $complex:expr;)*) => {$(
+        $(#[doc = $help])+
+        #[component($guid, name = $name, nick = $nick, at = $at, also($($also),*))]
+        #[output("Result", "y", "The value of the function.")]
+        fn $function(
+            #[doc = "A number, real or complex."]
+            #[port("Value", "x")]
+            x: Value,
+        ) -> Result<Value, Message> {
+            unary::apply(&x, $name, $real, $complex)
+        }
+    )*};
+}
+
+pub(super) use functions;
