@@ -1,7 +1,5 @@
 //! Vector / Point: points among points and other geometry.
 
-use std::sync::Arc as Shared;
-
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Path, Tree, TreeBuilder};
 use katydid_geometry::{Curve, Point3, Vector3};
@@ -22,12 +20,7 @@ fn index(i: usize) -> i32 {
 /// The point of a cloud nearest to a point; of equally near ones the first.
 ///
 /// A cloud without points is an error. Nulls in it are skipped.
-#[component(
-    "571ca323-6e55-425a-bf9e-ee103c7ba4b9",
-    name = "Closest Point",
-    nick = "CP",
-    at = "Vector/Point"
-)]
+#[component("571ca323-6e55-425a-bf9e-ee103c7ba4b9", name = "Closest Point", nick = "CP", at = "Vector/Point")]
 #[output("Closest Point", "P", "The nearest point.")]
 #[output("CP Index", "i", "Its place in the cloud.")]
 #[output("Distance", "D", "The distance to it.")]
@@ -77,11 +70,8 @@ fn closest_points(
     count: i32,
 ) -> Result<(Vec<Point3>, Vec<i32>, Vec<f64>), Message> {
     let count = usize::try_from(count).map_err(|_| Message::error("The count must not be negative"))?;
-    let mut all: Vec<(f64, usize, Point3)> = cloud
-        .iter()
-        .enumerate()
-        .filter_map(|(i, q)| q.map(|q| (q.distance_to(point), i, q)))
-        .collect();
+    let mut all: Vec<(f64, usize, Point3)> =
+        cloud.iter().enumerate().filter_map(|(i, q)| q.map(|q| (q.distance_to(point), i, q))).collect();
     context.check()?;
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.truncate(count);
@@ -95,12 +85,7 @@ fn closest_points(
 /// The nearest point on any of several pieces of geometry.
 ///
 /// Works with points, planes, curves, meshes and boxes (on their skin). Nulls are skipped.
-#[component(
-    "902289da-28dc-454b-98d4-b8f8aa234516",
-    name = "Pull Point",
-    nick = "Pull",
-    at = "Vector/Point"
-)]
+#[component("902289da-28dc-454b-98d4-b8f8aa234516", name = "Pull Point", nick = "Pull", at = "Vector/Point")]
 #[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
 #[output("Distance", "D", "The distance to it.")]
 fn pull_point(
@@ -371,7 +356,8 @@ mod tests {
         let b = Box3 { plane: Plane::XY, x: unit, y: unit, z: unit };
         let inside = Point3::new(0.5, 0.5, 0.9);
         assert_eq!(Trial::of("Pull Point").item(inside).item(b).texts(0), ["{0}: {0.5, 0.5, 1}"]);
-        let corners = row(&[0.0, 9.0]).into_iter().chain([Point3::new(9.0, 9.0, 0.0), Point3::new(0.0, 9.0, 0.0)]);
+        let corners =
+            row(&[0.0, 9.0]).into_iter().chain([Point3::new(9.0, 9.0, 0.0), Point3::new(0.0, 9.0, 0.0)]);
         let mesh = Mesh::new(corners.collect(), vec![MeshFace::Quad([0, 1, 2, 3])]).unwrap();
         assert_eq!(Trial::of("Pull Point").item(p).item(mesh.clone()).texts(0), ["{0}: {5, 1, 0}"]);
         let project = |p: Point3| Trial::of("Project Point").item(p).default().item(mesh.clone());

@@ -133,12 +133,7 @@ fn rectangular(
 }
 
 /// A grid of regular hexagons that fill the plane, a branch a column. Every other column stands half a cell higher.
-#[component(
-    "125dc122-8544-4617-945e-bb9a0c101c50",
-    name = "Hexagonal",
-    nick = "HexGrid",
-    at = "Vector/Grid"
-)]
+#[component("125dc122-8544-4617-945e-bb9a0c101c50", name = "Hexagonal", nick = "HexGrid", at = "Vector/Grid")]
 #[output("Cells", "C", "The hexagons, Ex branches of Ey.", kind = Curve)]
 #[output("Points", "P", "Their centres, Ex branches of Ey.", kind = Point)]
 fn hexagonal(
@@ -313,7 +308,10 @@ mod tests {
         let cloud = [Point3::new(10.0, 25.0, 0.0), Point3::new(74.0, 63.0, 0.0)];
         let near = Trial::of("Closest Point").tree(points).list(cloud).texts(2);
         assert!(near[0].starts_with("{0}: 26.925824, 24.690817, 22.495175, 20.351642, 18.27856"));
-        assert_eq!(texts(&Trial::of("Hexagonal").item(Plane::XY).item(1.0).item(1).item(1).run().outputs[0]).len(), 1);
+        assert_eq!(
+            texts(&Trial::of("Hexagonal").item(Plane::XY).item(1.0).item(1).item(1).run().outputs[0]).len(),
+            1
+        );
     }
 
     #[test]

@@ -29,7 +29,9 @@ pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Mes
             }
             nearest(found.into_iter(), p)
         }
-        other => return Err(Message::error(format!("Nothing can be pulled to a {} yet", other.kind().name()))),
+        other => {
+            return Err(Message::error(format!("Nothing can be pulled to a {} yet", other.kind().name())));
+        }
     })
 }
 
@@ -50,7 +52,10 @@ pub(crate) fn along(geometry: &Value, p: Point3, direction: Vector3) -> Result<V
             if speed == 0.0 { Vec::new() } else { vec![-plane.signed_distance(p) / speed] }
         }
         other => {
-            return Err(Message::error(format!("Points cannot be projected to a {} yet", other.kind().name())));
+            return Err(Message::error(format!(
+                "Points cannot be projected to a {} yet",
+                other.kind().name()
+            )));
         }
     })
 }

@@ -4,12 +4,7 @@ use katydid_component::{List, Message, component};
 use katydid_geometry::{Line, Plane, Point3, Vector3, Xform};
 
 /// The world's xy plane moved to a point.
-#[component(
-    "17b7152b-d30d-4d50-b9ef-c9fe25576fc2",
-    name = "XY Plane",
-    nick = "XY",
-    at = "Vector/Plane"
-)]
+#[component("17b7152b-d30d-4d50-b9ef-c9fe25576fc2", name = "XY Plane", nick = "XY", at = "Vector/Plane")]
 #[output("Plane", "P", "The plane: x axis along the world's x, y axis along its y.")]
 fn xy_plane(
     /// The plane's origin.
@@ -20,12 +15,7 @@ fn xy_plane(
 }
 
 /// The world's xz plane moved to a point; its normal is the world's -y.
-#[component(
-    "8cc3a196-f6a0-49ea-9ed9-0cb343a3ae64",
-    name = "XZ Plane",
-    nick = "XZ",
-    at = "Vector/Plane"
-)]
+#[component("8cc3a196-f6a0-49ea-9ed9-0cb343a3ae64", name = "XZ Plane", nick = "XZ", at = "Vector/Plane")]
 #[output("Plane", "P", "The plane: x axis along the world's x, y axis along its z.")]
 fn xz_plane(
     /// The plane's origin.
@@ -36,12 +26,7 @@ fn xz_plane(
 }
 
 /// The world's yz plane moved to a point.
-#[component(
-    "fad344bc-09b1-4855-a2e6-437ef5715fe3",
-    name = "YZ Plane",
-    nick = "YZ",
-    at = "Vector/Plane"
-)]
+#[component("fad344bc-09b1-4855-a2e6-437ef5715fe3", name = "YZ Plane", nick = "YZ", at = "Vector/Plane")]
 #[output("Plane", "P", "The plane: x axis along the world's y, y axis along its z.")]
 fn yz_plane(
     /// The plane's origin.
@@ -95,12 +80,7 @@ fn deconstruct_plane(
 }
 
 /// The plane through a point at right angles to a direction. Where its x axis points follows from the direction.
-#[component(
-    "cfb6b17f-ca82-4f5d-b604-d4f69f569de3",
-    name = "Plane Normal",
-    nick = "Pl",
-    at = "Vector/Plane"
-)]
+#[component("cfb6b17f-ca82-4f5d-b604-d4f69f569de3", name = "Plane Normal", nick = "Pl", at = "Vector/Plane")]
 #[output("Plane", "P", "The plane.")]
 fn plane_normal(
     /// The plane's origin.
@@ -154,12 +134,7 @@ fn plane_origin(
 /// The plane through three points.
 ///
 /// Points on one line are an error.
-#[component(
-    "c98a6015-7a2f-423c-bc66-bdc505249b45",
-    name = "Plane 3Pt",
-    nick = "Pl 3Pt",
-    at = "Vector/Plane"
-)]
+#[component("c98a6015-7a2f-423c-bc66-bdc505249b45", name = "Plane 3Pt", nick = "Pl 3Pt", at = "Vector/Plane")]
 #[output("Plane", "Pl", "The plane.")]
 fn plane_3pt(
     /// The origin.
@@ -178,12 +153,7 @@ fn plane_3pt(
 /// The plane of two lines: its origin at the start of the first, its x axis along it.
 ///
 /// The lines must cross or lie in one plane; parallel lines do too. Lines that are one line are an error.
-#[component(
-    "d788ad7f-6d68-4106-8b2f-9e55e6e107c0",
-    name = "Line + Line",
-    nick = "LnLn",
-    at = "Vector/Plane"
-)]
+#[component("d788ad7f-6d68-4106-8b2f-9e55e6e107c0", name = "Line + Line", nick = "LnLn", at = "Vector/Plane")]
 #[output("Plane", "Pl", "The plane.")]
 fn line_line(
     /// The first line.
@@ -202,12 +172,7 @@ fn line_line(
 /// The plane of a line and a point beside it: its origin at the line's start, its x axis along the line.
 ///
 /// A point on the line is an error.
-#[component(
-    "ccc3f2ff-c9f6-45f8-aa30-8a924a9bda36",
-    name = "Line + Pt",
-    nick = "LnPt",
-    at = "Vector/Plane"
-)]
+#[component("ccc3f2ff-c9f6-45f8-aa30-8a924a9bda36", name = "Line + Pt", nick = "LnPt", at = "Vector/Plane")]
 #[output("Plane", "Pl", "The plane.")]
 fn line_pt(
     /// The line.
@@ -223,12 +188,7 @@ fn line_pt(
 /// The plane that fits points best: the squares of their distances from it add up to the least.
 ///
 /// At least three points that are not on one line. Nulls are skipped.
-#[component(
-    "33bfc73c-19b2-480b-81e6-f3523a012ea6",
-    name = "Plane Fit",
-    nick = "PlFit",
-    at = "Vector/Plane"
-)]
+#[component("33bfc73c-19b2-480b-81e6-f3523a012ea6", name = "Plane Fit", nick = "PlFit", at = "Vector/Plane")]
 #[output("Plane", "Pl", "The plane; its origin is the mean of the points.")]
 #[output("Deviation", "dx", "The largest distance of a point from it.")]
 fn plane_fit(
@@ -285,12 +245,7 @@ fn plane_coordinates(
 }
 
 /// Reverses or swaps the axes of a plane. The normal follows by the right-hand rule.
-#[component(
-    "c73e1ed0-82a2-40b0-b4df-8f10e445d60b",
-    name = "Flip Plane",
-    nick = "PFlip",
-    at = "Vector/Plane"
-)]
+#[component("c73e1ed0-82a2-40b0-b4df-8f10e445d60b", name = "Flip Plane", nick = "PFlip", at = "Vector/Plane")]
 #[output("Plane", "P", "The changed plane.")]
 fn flip_plane(
     /// The plane.
@@ -425,7 +380,8 @@ mod tests {
 
     fn axes(trial: Trial, output: usize) -> [String; 4] {
         let tree = trial.run().outputs[output].clone();
-        [0, 1, 2, 3].map(|k| Trial::of("Deconstruct Plane").tree(tree.clone()).texts(k).join(" "))
+        let text = |k| Trial::of("Deconstruct Plane").tree(tree.clone()).texts(k).join(" ");
+        [0, 1, 2, 3].map(|k| text(k).replace("-0,", "0,").replace("-0}", "0}"))
     }
 
     #[test]
@@ -455,7 +411,7 @@ mod tests {
         assert_eq!(axes(reversed, 0)[1], "{0}: {-1, 0, 0}");
         assert_eq!(axes(Trial::of("Adjust Plane").item(Plane::XY).item(Vector3::X), 0)[3], "{0}: {1, 0, 0}");
         let aligned = || Trial::of("Align Plane").item(Plane::XY).item(Vector3::new(0.0, -2.0, 9.0));
-        assert_eq!(axes(aligned(), 0)[1].replace("-0,", "0,"), "{0}: {0, -1, 0}");
+        assert_eq!(axes(aligned(), 0)[1], "{0}: {0, -1, 0}");
         assert_eq!(aligned().texts(1), ["{0}: 4.712389"]);
         let turned = Trial::of("Rotate Plane").item(Plane::XY).item(FRAC_PI_2);
         assert_eq!(axes(turned, 0)[1], "{0}: {0, 1, 0}");

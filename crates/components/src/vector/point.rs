@@ -92,12 +92,7 @@ fn deconstruct_point(
 }
 
 /// The straight distance between two points.
-#[component(
-    "93b8e93d-f932-402c-b435-84be04d87666",
-    name = "Distance",
-    nick = "Dist",
-    at = "Vector/Point"
-)]
+#[component("93b8e93d-f932-402c-b435-84be04d87666", name = "Distance", nick = "Dist", at = "Vector/Point")]
 #[output("Distance", "D", "The distance, in the units of the points.")]
 fn distance(
     /// The first point.
@@ -193,12 +188,7 @@ fn point_cylindrical(
 }
 
 /// A point from two angles and a distance: longitude, latitude and radius.
-#[component(
-    "a435f5c8-28a2-43e8-a52a-0b6e73c2e300",
-    name = "Point Polar",
-    nick = "Pt",
-    at = "Vector/Point"
-)]
+#[component("a435f5c8-28a2-43e8-a52a-0b6e73c2e300", name = "Point Polar", nick = "Pt", at = "Vector/Point")]
 #[output("Point", "Pt", "The point.")]
 fn point_polar(
     /// The plane the angles are measured from.
@@ -219,12 +209,7 @@ fn point_polar(
 }
 
 /// The two angles and the distance of a point as seen from a plane's origin.
-#[component(
-    "61647ba2-31eb-4921-9632-df81e3286f7d",
-    name = "To Polar",
-    nick = "Polar",
-    at = "Vector/Point"
-)]
+#[component("61647ba2-31eb-4921-9632-df81e3286f7d", name = "To Polar", nick = "Polar", at = "Vector/Point")]
 #[output("Phi", "P", "The angle in the plane, counter-clockwise from its x axis, 0 to 2 pi.")]
 #[output("Theta", "T", "The angle up from the plane, -pi/2 to pi/2.")]
 #[output("Radius", "R", "The distance from the plane's origin.")]

@@ -14,60 +14,40 @@ fn unitized(context: &Context<'_>, v: Vector3) -> Vector3 {
 }
 
 /// The direction of the world's x axis, `Factor` long.
-#[component(
-    "79f9fbb3-8f1d-4d9a-88a9-f7961b1012cd",
-    name = "Unit X",
-    nick = "X",
-    at = "Vector/Vector"
-)]
+#[component("79f9fbb3-8f1d-4d9a-88a9-f7961b1012cd", name = "Unit X", nick = "X", at = "Vector/Vector")]
 #[output("Unit vector", "V", "The vector (F, 0, 0).")]
 fn unit_x(
     /// The length; a negative one reverses the vector.
     #[port("Factor", "F", default = 1.0)]
     factor: f64,
 ) -> Vector3 {
-    Vector3::X * factor
+    Vector3::new(factor, 0.0, 0.0)
 }
 
 /// The direction of the world's y axis, `Factor` long.
-#[component(
-    "d3d195ea-2d59-4ffa-90b1-8b7ff3369f69",
-    name = "Unit Y",
-    nick = "Y",
-    at = "Vector/Vector"
-)]
+#[component("d3d195ea-2d59-4ffa-90b1-8b7ff3369f69", name = "Unit Y", nick = "Y", at = "Vector/Vector")]
 #[output("Unit vector", "V", "The vector (0, F, 0).")]
 fn unit_y(
     /// The length; a negative one reverses the vector.
     #[port("Factor", "F", default = 1.0)]
     factor: f64,
 ) -> Vector3 {
-    Vector3::Y * factor
+    Vector3::new(0.0, factor, 0.0)
 }
 
 /// The direction of the world's z axis, `Factor` long.
-#[component(
-    "9103c240-a6a9-4223-9b42-dbd19bf38e2b",
-    name = "Unit Z",
-    nick = "Z",
-    at = "Vector/Vector"
-)]
+#[component("9103c240-a6a9-4223-9b42-dbd19bf38e2b", name = "Unit Z", nick = "Z", at = "Vector/Vector")]
 #[output("Unit vector", "V", "The vector (0, 0, F).")]
 fn unit_z(
     /// The length; a negative one reverses the vector.
     #[port("Factor", "F", default = 1.0)]
     factor: f64,
 ) -> Vector3 {
-    Vector3::Z * factor
+    Vector3::new(0.0, 0.0, factor)
 }
 
 /// A vector from its three components.
-#[component(
-    "56b92eab-d121-43f7-94d3-6cd8f0ddead8",
-    name = "Vector XYZ",
-    nick = "Vec",
-    at = "Vector/Vector"
-)]
+#[component("56b92eab-d121-43f7-94d3-6cd8f0ddead8", name = "Vector XYZ", nick = "Vec", at = "Vector/Vector")]
 #[output("Vector", "V", "The vector.")]
 #[output("Length", "L", "Its length.")]
 fn vector_xyz(
@@ -149,12 +129,7 @@ fn vector_2pt(
 /// A vector of the same direction with another length.
 ///
 /// The zero vector has no direction: that is an error.
-#[component(
-    "6ec39468-dae7-4ffa-a766-f2ab22a2c62e",
-    name = "Amplitude",
-    nick = "Amp",
-    at = "Vector/Vector"
-)]
+#[component("6ec39468-dae7-4ffa-a766-f2ab22a2c62e", name = "Amplitude", nick = "Amp", at = "Vector/Vector")]
 #[output("Vector", "V", "The vector with that length.")]
 fn amplitude(
     /// Gives the direction.
@@ -187,12 +162,7 @@ fn unit_vector(
 }
 
 /// The vector that points the opposite way.
-#[component(
-    "d5788074-d75d-4021-b1a3-0bf992928584",
-    name = "Reverse",
-    nick = "Rev",
-    at = "Vector/Vector"
-)]
+#[component("d5788074-d75d-4021-b1a3-0bf992928584", name = "Reverse", nick = "Rev", at = "Vector/Vector")]
 #[output("Vector", "V", "The same with all components negated.")]
 fn reverse(
     /// The vector.
@@ -205,12 +175,7 @@ fn reverse(
 /// Turns a vector about an axis through the origin, by the right-hand rule.
 ///
 /// An axis of length 0 is an error.
-#[component(
-    "b6d7ba20-cf74-4191-a756-2216a36e30a7",
-    name = "Rotate",
-    nick = "VRot",
-    at = "Vector/Vector"
-)]
+#[component("b6d7ba20-cf74-4191-a756-2216a36e30a7", name = "Rotate", nick = "VRot", at = "Vector/Vector")]
 #[output("Vector", "V", "The turned vector.")]
 fn rotate(
     /// The vector to turn.
@@ -310,12 +275,7 @@ fn angle(
 }
 
 /// The sum of two vectors.
-#[component(
-    "fb012ef9-4734-4049-84a0-b92b85bb09da",
-    name = "Addition",
-    nick = "VAdd",
-    at = "Vector/Vector"
-)]
+#[component("fb012ef9-4734-4049-84a0-b92b85bb09da", name = "Addition", nick = "VAdd", at = "Vector/Vector")]
 #[output("Vector", "V", "The vector A + B.")]
 #[output("Length", "L", "Its length.")]
 fn vector_addition(
@@ -336,12 +296,7 @@ fn vector_addition(
 }
 
 /// A vector times a number.
-#[component(
-    "63fff845-7c61-4dfb-ba12-44d481b4bf0f",
-    name = "Multiply",
-    nick = "VMul",
-    at = "Vector/Vector"
-)]
+#[component("63fff845-7c61-4dfb-ba12-44d481b4bf0f", name = "Multiply", nick = "VMul", at = "Vector/Vector")]
 #[output("Vector", "V", "The vector V F.")]
 #[output("Length", "L", "Its length.")]
 fn multiply(
@@ -357,12 +312,7 @@ fn multiply(
 }
 
 /// A vector divided by a number. Zero is an error.
-#[component(
-    "310e1065-d03a-4858-bcd1-809d39c042af",
-    name = "Divide",
-    nick = "VDiv",
-    at = "Vector/Vector"
-)]
+#[component("310e1065-d03a-4858-bcd1-809d39c042af", name = "Divide", nick = "VDiv", at = "Vector/Vector")]
 #[output("Vector", "V", "The vector V / F.")]
 #[output("Length", "L", "Its length.")]
 fn divide(
@@ -419,7 +369,10 @@ mod tests {
         assert_eq!(Trial::of("Vector XYZ").item(1.0).item(2.0).item(2.0).texts(1), ["{0}: 3"]);
         assert_eq!(Trial::of("Deconstruct Vector").item(V).texts(2), ["{0}: 2"]);
         assert_eq!(Trial::of("Vector Length").item(V).texts(0), ["{0}: 3"]);
-        assert_eq!(Trial::of_guid("d5788074-d75d-4021-b1a3-0bf992928584").item(V).texts(0), ["{0}: {-1, -2, -2}"]);
+        assert_eq!(
+            Trial::of_guid("d5788074-d75d-4021-b1a3-0bf992928584").item(V).texts(0),
+            ["{0}: {-1, -2, -2}"]
+        );
     }
 
     #[test]

@@ -1,0 +1,31 @@
+//! How far geometry reaches along the axes of a plane.
+
+use katydid_data::{Kind, Value, cast};
+use katydid_geometry::{Box3, Plane, Point3};
+
+/// Groups in groups beyond this depth are left out.
+const DEEPEST: usize = 100;
+
+/// The smallest box along a plane's axes around geometry: exact for curves too. `None` for what has no extent.
+pub(crate) fn around(value: &Value, plane: &Plane) -> Option<Box3> {
+    Box3::around(plane, corners(value, plane, 0))
+}
+
+fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
+    match value {
+        Value::Point(p) => vec![*p],
+        Value::Line(line) => vec![line.from, line.to],
+        Value::Rectangle(r) => r.corners().to_vec(),
+        Value::Box(b) => b.corners().to_vec(),
+        Value::Mesh(mesh) => mesh.vertices().to_vec(),
+        Value::Curve(curve) => curve.bounding_box_in(plane).corners().to_vec(),
+        Value::Circle(_) | Value::Arc(_) => match cast::value(value, Kind::Curve, &cast::Rules::default()) {
+            Some(Value::Curve(curve)) => curve.bounding_box_in(plane).corners().to_vec(),
+            _ => Vec::new(),
+        },
+        Value::Group(group) if depth < DEEPEST => {
+            group.members.iter().flatten().flat_map(|m| corners(m, plane, depth + 1)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
