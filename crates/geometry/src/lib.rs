@@ -48,6 +48,7 @@ mod plane;
 mod point;
 mod quadrature;
 mod rectangle;
+mod tangent;
 mod tolerance;
 mod units;
 mod vector;

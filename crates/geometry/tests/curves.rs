@@ -774,6 +774,78 @@ fn c5_osculating_circles_and_the_curvature_graph() {
 }
 
 #[test]
+fn tangents_of_circles() {
+    let a = Circle::new(Plane::XY, 1.0).unwrap();
+    let b = Circle::new(Plane::XY.with_origin(p(5.0, 1.0, 0.0)), 2.0).unwrap();
+    let touches = |l: &Line, c: &Circle, at: Point3| {
+        close(at.distance_to(c.center()), c.radius, 1e-14, "on the circle");
+        close(l.direction().dot(at - c.center()), 0.0, 1e-13, "at right angles to the radius");
+    };
+    for l in a.tangents_from(p(3.0, -2.0, 7.0)).unwrap() {
+        assert_eq!(l.from.z, 0.0);
+        touches(&l, &a, l.to);
+    }
+    let [left, right] = a.tangents_from(p(-3.0, 0.0, 0.0)).unwrap();
+    assert!(left.to.y > 0.0 && right.to.y < 0.0);
+    for pair in [a.outer_tangents(&b).unwrap(), a.inner_tangents(&b).unwrap()] {
+        for l in pair {
+            touches(&l, &a, l.from);
+            touches(&l, &b, l.to);
+        }
+        assert!(pair[0].from.y > pair[1].from.y);
+    }
+    assert!(a.tangents_from(p(0.5, 0.0, 0.0)).is_none());
+    let inside = Circle::new(Plane::XY, 0.25).unwrap();
+    assert!(a.outer_tangents(&inside).is_none() && a.inner_tangents(&inside).is_none());
+}
+
+#[test]
+fn m9_one_circle_gives_three() {
+    let c = Circle::new(Plane::XY, 2.0).unwrap();
+    let scaled = c.transformed(&Xform::scale(p(1.0, 0.0, 0.0), 1.5)).unwrap();
+    assert_eq!((scaled.radius, scaled.center()), (3.0, p(-0.5, 0.0, 0.0)));
+    let turned = c.transformed(&Xform::rotation(FRAC_PI_2, Vector3::Y, Point3::ORIGIN).unwrap()).unwrap();
+    close_vectors(turned.plane.z_axis, Vector3::X, 1e-15, "normal turned about y");
+    let moved = c.transformed(&Xform::translation(Vector3::new(1.0, 2.0, 3.0))).unwrap();
+    assert_eq!((moved.radius, moved.center()), (2.0, p(1.0, 2.0, 3.0)));
+    assert!(c.transformed(&Xform::scale_non_uniform(&Plane::XY, 1.0, 2.0, 1.0)).is_none());
+}
+
+#[test]
+fn sections_with_a_plane() {
+    let c = wave();
+    let cut = Plane::from_normal(p(3.3, 0.0, 0.0), Vector3::Y).unwrap();
+    let ts = c.intersect_plane(&cut, 1e-9).unwrap();
+    let n = 20_000;
+    let side = |i: i32| c.point_at(c.domain().at(f64::from(i) / f64::from(n))).y > 0.0;
+    // The curve starts on the plane: that end is one more.
+    let crossings = (1..n).filter(|&i| side(i) != side(i + 1)).count();
+    assert_eq!(ts.len(), crossings + 1, "{ts:?}");
+    assert!(ts.windows(2).all(|w| w[0] < w[1]));
+    for t in &ts {
+        assert!(c.point_at(*t).y.abs() < 1e-9);
+    }
+    let disc = circle(2.0);
+    assert_eq!(disc.intersect_plane(&Plane::YZ, 1e-9).unwrap().len(), 2);
+    let touching = disc.intersect_plane(&Plane::YZ.with_origin(p(0.0, 2.0, 0.0)).rotated(0.0), 1e-9).unwrap();
+    assert_eq!(touching.len(), 2);
+    let tangent = Plane::from_normal(p(0.0, 2.0, 0.0), Vector3::Y).unwrap();
+    let touch = disc.intersect_plane(&tangent, 1e-9).unwrap();
+    assert_eq!(touch.len(), 1, "{touch:?}");
+    close_points(disc.point_at(touch[0]), p(0.0, 2.0, 0.0), 1e-6, "touch");
+    assert!(
+        disc.intersect_plane(&Plane::from_normal(p(0.0, 2.1, 0.0), Vector3::Y).unwrap(), 1e-9)
+            .unwrap()
+            .is_empty()
+    );
+    let bent = polyline(&[(0.0, 1.0), (1.0, 0.0), (3.0, 0.0), (4.0, -1.0)]);
+    assert_eq!(bent.intersect_plane(&Plane::XZ, 1e-9).unwrap(), vec![1.0, 2.0]);
+    let through = polyline(&[(0.0, 1.0), (1.0, 0.0), (2.0, -1.0)]);
+    assert_eq!(through.intersect_plane(&Plane::XZ, 1e-9).unwrap(), vec![1.0]);
+    assert!(disc.intersect_plane(&Plane::XY, f64::NAN).is_err());
+}
+
+#[test]
 fn degenerate_curves_are_refused() {
     assert!(PolylineCurve::new(vec![p(0.0, 0.0, 0.0)]).is_err());
     assert!(PolylineCurve::new(vec![p(0.0, 0.0, 0.0), p(f64::NAN, 0.0, 0.0)]).is_err());

@@ -78,6 +78,7 @@ proptest! {
         }
         let _ = (c.trimmed(Interval::new(x, y)), c.sub_curve(Interval::new(x, y)), c.split_at(&[x, y, t]), c.with_seam(x));
         let _ = (c.with_domain(Interval::new(x, y)), c.extended_by_lines(x, y), c.offset_in_plane(&Plane::XY, x));
+        let _ = (c.intersect_plane(&Plane::XZ, 1e-6), c.intersect_plane(&Plane::XY.with_origin(q), 0.0));
         let _ = (c.explode(true), c.to_nurbs(), c.perpendicular_frames(&[t, x, d.end]), c.horizontal_frame_at(t));
         let _ = (c.area_and_centroid(1e-3), c.contains_in_plane(q, &Plane::XY, 1e-3), c.hull_points());
         for kind in [Continuity::C0, Continuity::C1, Continuity::C2, Continuity::G1, Continuity::G2] {

@@ -119,7 +119,8 @@ impl Curve {
         Ok(out)
     }
 
-    fn located_beziers(&self) -> Vec<LocatedBezier<'_>> {
+    /// The curve as Bézier curves that know their place on it.
+    pub(super) fn located_beziers(&self) -> Vec<LocatedBezier<'_>> {
         let mut out = Vec::new();
         for piece in self.pieces() {
             let beziers = piece.beziers();
@@ -133,8 +134,9 @@ impl Curve {
 }
 
 /// A Bézier curve and where it lies on the whole.
-struct LocatedBezier<'a> {
-    points: Vec<[f64; 4]>,
+pub(super) struct LocatedBezier<'a> {
+    /// The homogeneous control points.
+    pub(super) points: Vec<[f64; 4]>,
     piece: super::piece::Piece<'a>,
     part: usize,
     parts: usize,
@@ -142,7 +144,7 @@ struct LocatedBezier<'a> {
 
 impl LocatedBezier<'_> {
     /// The point at x in 0…1 and the curve's parameter there.
-    fn at(&self, x: f64) -> (Point3, f64) {
+    pub(super) fn at(&self, x: f64) -> (Point3, f64) {
         let point = crate::nurbs::project(value(&self.points, x));
         let own = match self.piece.shape {
             // Inside an arc the rational parameter is not the angle: read the angle off the point.

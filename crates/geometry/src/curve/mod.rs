@@ -19,6 +19,7 @@ mod piece;
 mod poly_curve;
 mod polyline_curve;
 mod region;
+mod sections;
 
 pub use arc_curve::ArcCurve;
 pub use closest::CurvePoint;
