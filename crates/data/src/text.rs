@@ -2,6 +2,7 @@
 //!
 //! Numbers have up to six decimals with trailing zeros cut; lengths carry the document's unit.
 
+use katydid_3dm::{BrepSummary, RawObject};
 use katydid_geometry::{Curve, MeshFace, Point3, Tolerance, Units};
 
 use crate::{Domain2, Path, Value};
@@ -70,7 +71,7 @@ pub fn value(value: &Value, style: &Style) -> String {
             1 => "Group with 1 object".to_owned(),
             n => format!("Group with {n} objects"),
         },
-        Value::Kept(object) => object.class_name(),
+        Value::Kept(object) => kept(object),
     }
 }
 
@@ -142,6 +143,15 @@ fn complex(re: f64, im: f64) -> String {
 
 fn two_decimals(p: Point3) -> String {
     format!("{:.2},{:.2},{:.2}", p.x, p.y, p.z)
+}
+
+/// Geometry that is kept whole goes by its class; a brep tells whether it is closed.
+fn kept(object: &RawObject) -> String {
+    match (object.class_name().as_str(), BrepSummary::read(object)) {
+        ("Brep", Ok(brep)) if brep.is_closed() => "Closed Brep".to_owned(),
+        ("Brep", Ok(_)) => "Open Brep".to_owned(),
+        (class, _) => class.to_owned(),
+    }
 }
 
 /// The shape a curve is recognised as, simplest first.

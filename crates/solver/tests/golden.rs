@@ -102,6 +102,13 @@ fn run(case: &Json) -> Result<(), Outcome> {
         let report = engine.report(index).unwrap();
         let old = case["number_format"].as_str().unwrap_or_default().starts_with("gh0.9");
         let truncated = case.get("truncated").is_some_and(|t| !t.is_null());
+        // Where the case gives only the number of items that went in, only numbers can be compared.
+        let counted = objects.iter().any(|object| object.to_string().contains("{\"count\":"));
+        let counts: serde_json::Map<String, Json> = branches.iter().map(|(path, want)| {
+            let n = want.as_array().map_or_else(|| want["count"].clone(), |texts| texts.len().into());
+            (path.clone(), serde_json::json!({ "count": n }))
+        }).collect();
+        let branches = if counted { &counts } else { branches };
         compare(&report.outputs[output], branches, old, truncated).map_err(|why| {
             Outcome::Fail(format!("{key}: {why}; messages {:?}", report.messages))
         })?;
