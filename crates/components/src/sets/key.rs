@@ -1,7 +1,10 @@
 //! When two items count as the same member of a set.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::Arc;
 
+use katydid_component::{Context, List, Message};
 use katydid_data::{Path, Value};
 use uuid::Uuid;
 
@@ -94,6 +97,56 @@ pub(super) fn same(a: Option<&Value>, b: Option<&Value>) -> bool {
 
 fn is_number(value: &Value) -> bool {
     matches!(value, Value::Integer(_) | Value::Number(_))
+}
+
+/// Where each member of a list stands.
+struct Index {
+    first: HashMap<Key, usize>,
+    /// For each place the next one with the same member; past the end when there is none.
+    next: Vec<usize>,
+}
+
+impl Index {
+    fn new(list: &List<'_, Value>) -> Self {
+        let mut first = HashMap::with_capacity(list.len());
+        let mut next = vec![usize::MAX; list.len()];
+        for (i, (item, next)) in list.iter().zip(&mut next).enumerate().rev() {
+            if let Some(later) = first.insert(Key::of(item.as_ref()), i) {
+                *next = later;
+            }
+        }
+        Self { first, next }
+    }
+
+    fn places(&self, item: &Value) -> impl Iterator<Item = usize> {
+        let first = self.first.get(&Key::of(Some(item))).copied();
+        std::iter::successors(first, |&i| self.next.get(i).copied().filter(|&next| next != usize::MAX))
+    }
+}
+
+/// The searches in one list from which on an index is worth its making.
+const FEW: usize = 8;
+
+/// The first `most` places of an item in a list, in order. The list must be that of the branch that is worked
+/// on: for many searches in it an index is kept.
+pub(super) fn places(
+    context: &Context<'_>,
+    list: &List<'_, Value>,
+    item: &Value,
+    most: usize,
+) -> Result<Vec<usize>, Message> {
+    if context.iteration() < FEW {
+        let found = list.iter().enumerate().filter(|(_, other)| same(other.as_ref(), Some(item)));
+        return Ok(found.map(|(i, _)| i).take(most).collect());
+    }
+    let kept = context.prepared(|| Ok(RefCell::new(None::<(Path, Index)>)))?;
+    let mut kept = kept.borrow_mut();
+    let path = context.path();
+    if kept.as_ref().is_none_or(|(branch, _)| *branch != path) {
+        context.check()?;
+        *kept = Some((path, Index::new(list)));
+    }
+    Ok(kept.iter().flat_map(|(_, index)| index.places(item)).take(most).collect())
 }
 
 #[cfg(test)]

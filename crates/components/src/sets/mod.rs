@@ -1,10 +1,13 @@
 //! The Sets tab: lists, sequences, sets and trees.
 
+#![allow(clippy::type_complexity, reason = "the result types of components are written out: they are ports")]
+
 pub(crate) mod dotnet_random;
 mod key;
 mod list;
 mod members;
 mod sequence;
+mod similar;
 mod tree;
 
 use katydid_component::{Context, Message};

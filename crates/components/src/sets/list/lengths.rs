@@ -205,7 +205,7 @@ fn cross_reference(
     let mut places: Vec<Vec<usize>> = vec![Vec::new(); lengths.len()];
     let mut count = 0_usize;
     combinations(context, mode, &lengths, |combination| {
-        if count % ASK_EVERY == 0 {
+        if count.is_multiple_of(ASK_EVERY) {
             context.items((count + ASK_EVERY).saturating_mul(lengths.len()))?;
         }
         count += 1;

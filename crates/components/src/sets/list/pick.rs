@@ -4,7 +4,7 @@ use katydid_component::{Context, Each, List, Message, component};
 use katydid_data::Value;
 use katydid_geometry::Interval;
 
-use crate::sets::key::same;
+use crate::sets::key::places;
 use crate::sets::{integer, place};
 
 /// Item `i`, or a warning why there is none.
@@ -99,8 +99,7 @@ fn item_index(
     #[port("Item", "i")]
     item: Value,
 ) -> Result<i32, Message> {
-    context.check()?;
-    Ok(list.iter().position(|other| same(other.as_ref(), Some(&item))).map_or(-1, integer))
+    Ok(places(context, &list, &item, 1)?.first().map_or(-1, |&i| integer(i)))
 }
 
 /// Cuts a list in two before an index.

@@ -265,7 +265,7 @@ fn path_mapper(
         return Ok(data.clone());
     }
     context.items(data.item_count())?;
-    let number = |n: usize| Variant::Number(n as f64);
+    let number = |n: usize| Variant::Integer(crate::sets::integer(n));
     let mut mapped = Mapped::default();
     for (b, branch) in data.branches().enumerate() {
         let Some(lexer) = lexers.iter().find(|lexer| lexer.fits(branch.path())) else {
