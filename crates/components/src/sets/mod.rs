@@ -1,1 +1,3 @@
 //! The tab.
+
+mod text;
