@@ -13,6 +13,7 @@ pub(crate) struct Header {
     pub(crate) tab: String,
     pub(crate) panel: String,
     pub(crate) floating: bool,
+    pub(crate) old: bool,
 }
 
 fn guid(text: &LitStr) -> Result<u128> {
@@ -32,6 +33,7 @@ impl Parse for Header {
             tab: String::new(),
             panel: String::new(),
             floating: false,
+            old: false,
         };
         while !input.is_empty() {
             input.parse::<Token![,]>()?;
@@ -41,6 +43,7 @@ impl Parse for Header {
             let key: Ident = input.parse()?;
             match key.to_string().as_str() {
                 "floating" => header.floating = true,
+                "old" => header.old = true,
                 "also" => {
                     let inner;
                     parenthesized!(inner in input);
@@ -63,7 +66,7 @@ impl Parse for Header {
                         }
                     }
                 }
-                _ => return Err(Error::new(key.span(), "expected name, nick, at, also or floating")),
+                _ => return Err(Error::new(key.span(), "expected name, nick, at, also, floating or old")),
             }
         }
         if header.name.is_empty() || header.tab.is_empty() {

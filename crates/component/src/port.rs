@@ -54,6 +54,8 @@ pub struct Component {
     pub help: &'static str,
     /// Whether it is a parameter, slider or panel: an object that is its own port.
     pub floating: bool,
+    /// Whether it is an earlier version with other ports: kept for old files, not offered by name.
+    pub old: bool,
     /// The inputs; one that stands for many comes last.
     pub inputs: &'static [Port],
     /// The outputs; one that stands for many comes last.

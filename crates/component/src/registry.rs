@@ -23,14 +23,14 @@ pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
     BY_GUID.get(&guid).copied()
 }
 
-/// The first component of that name, in order of tab, panel and name; case does not matter.
+/// The first component of that name, in order of tab, panel and name, its newest version; case does not matter.
 pub fn by_name(name: &str) -> Option<&'static Component> {
     all().into_iter().find(|c| c.name.eq_ignore_ascii_case(name))
 }
 
-/// All components, ordered by tab, panel, name and id.
+/// All components, ordered by tab, panel, name, age and id.
 pub fn all() -> Vec<&'static Component> {
     let mut all: Vec<_> = inventory::iter::<Component>.into_iter().collect();
-    all.sort_by_key(|c| (c.tab, c.panel, c.name, c.guid));
+    all.sort_by_key(|c| (c.tab, c.panel, c.name, c.old, c.guid));
     all
 }
