@@ -45,7 +45,7 @@ fn format(
 
 /// Puts values into a text: `{0}` stands for the first, `{1}` for the second, and so on. An early form of the
 /// component of the same name.
-#[component("c8203c3c-6bcd-4f8c-a906-befd92ebf0cb", name = "Format", nick = "Format", at = "Sets/Text")]
+#[component("c8203c3c-6bcd-4f8c-a906-befd92ebf0cb", name = "Format", nick = "Format", at = "Sets/Text", old)]
 #[output("Text", "T", "The text with the values in it.")]
 fn early_format(
     context: &Context<'_>,
