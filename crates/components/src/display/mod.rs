@@ -1,1 +1,9 @@
-//! The tab.
+//! The Display tab: colours, and what is drawn over the model.
+//!
+//! What only draws gives no data: such components take their inputs and leave the drawing to the viewer.
+
+mod colour;
+mod dimensions;
+mod graphs;
+mod preview;
+mod vector;

@@ -330,7 +330,8 @@ fn remap_numbers(
     "9624aeeb-f2a1-49da-b1c7-8789db217177",
     name = "Remap Numbers",
     nick = "ReMap",
-    at = "Maths/Domain"
+    at = "Maths/Domain",
+    old
 )]
 #[output("Result", "R", "The numbers in the target.")]
 fn remap_list(

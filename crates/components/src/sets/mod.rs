@@ -8,6 +8,7 @@ mod list;
 mod members;
 mod sequence;
 mod similar;
+mod text;
 mod tree;
 
 use katydid_component::{Context, Message};

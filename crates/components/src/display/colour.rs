@@ -1,0 +1,260 @@
+//! Display / Colour: colours from their parts, and back.
+
+use katydid_component::component;
+use katydid_data::Colour;
+
+/// A part of 0 to 1 as a byte; what lies outside counts as the nearer end.
+fn byte(x: f64) -> u8 {
+    (x.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+fn unit(x: u8) -> f64 {
+    f64::from(x) / 255.0
+}
+
+fn colour(alpha: f64, [r, g, b]: [f64; 3]) -> Colour {
+    Colour { a: byte(alpha), r: byte(r), g: byte(g), b: byte(b) }
+}
+
+/// The fully coloured part of a hue, 0 to 1 round the circle from red over green and blue.
+fn of_hue(hue: f64) -> [f64; 3] {
+    let sixth = 6.0 * hue.rem_euclid(1.0);
+    let rise = |from: f64| (2.0 - (sixth - from).abs()).clamp(0.0, 1.0);
+    // Red has its height at both ends of the circle.
+    [rise(0.0).max(rise(6.0)), rise(2.0), rise(4.0)]
+}
+
+/// The hue, the largest and the smallest part of a colour; the hue of a grey is 0.
+fn hue(colour: Colour) -> (f64, f64, f64) {
+    let [r, g, b] = [colour.r, colour.g, colour.b].map(unit);
+    let (max, min) = (r.max(g).max(b), r.min(g).min(b));
+    let range = max - min;
+    let sixth = if range == 0.0 {
+        0.0
+    } else if max == r {
+        (g - b) / range
+    } else if max == g {
+        2.0 + (b - r) / range
+    } else {
+        4.0 + (r - g) / range
+    };
+    ((sixth / 6.0).rem_euclid(1.0), max, min)
+}
+
+/// Makes a colour of whole numbers from 0 to 255. Numbers outside count as the nearer end.
+#[component("49d2e200-b34e-4e1c-82a3-07feb4cb9378", name = "Colour RGB", nick = "RGB", at = "Display/Colour")]
+#[output("Colour", "C", "The colour.")]
+fn colour_rgb(
+    /// Opacity: 0 is clear, 255 solid.
+    #[port("Alpha", "A", default = 255)]
+    alpha: i32,
+    /// Red.
+    #[port("Red", "R", default = 0)]
+    red: i32,
+    /// Green.
+    #[port("Green", "G", default = 0)]
+    green: i32,
+    /// Blue.
+    #[port("Blue", "B", default = 0)]
+    blue: i32,
+) -> Colour {
+    let byte = |x: i32| x.clamp(0, 255) as u8;
+    Colour { a: byte(alpha), r: byte(red), g: byte(green), b: byte(blue) }
+}
+
+/// Makes a colour of numbers from 0 to 1. Numbers outside count as the nearer end.
+#[component(
+    "f35132c0-c298-4b9c-b446-42e960f52677",
+    name = "Colour RGB (f)",
+    nick = "fRGB",
+    at = "Display/Colour"
+)]
+#[output("Colour", "C", "The colour.")]
+fn colour_rgb_of_fractions(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// Red.
+    #[port("Red", "R", default = 0.0)]
+    red: f64,
+    /// Green.
+    #[port("Green", "G", default = 0.0)]
+    green: f64,
+    /// Blue.
+    #[port("Blue", "B", default = 0.0)]
+    blue: f64,
+) -> Colour {
+    colour(alpha, [red, green, blue])
+}
+
+/// Makes a colour of hue, saturation and luminance, each from 0 to 1. The hue goes round: 1 is red as 0 is.
+#[component("a45d68b3-c299-4b17-bdae-7975f216cec6", name = "Colour HSL", nick = "HSL", at = "Display/Colour")]
+#[output("Colour", "C", "The colour.")]
+fn colour_hsl(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// Hue: 0 is red, a third green, two thirds blue.
+    #[port("Hue", "H", default = 0.0)]
+    hue: f64,
+    /// Saturation: 0 is grey, 1 a full colour.
+    #[port("Saturation", "S", default = 1.0)]
+    saturation: f64,
+    /// Luminance: 0 is black, 1 white, and between them the colour is at its fullest.
+    #[port("Luminance", "L", default = 0.5)]
+    luminance: f64,
+) -> Colour {
+    let (s, l) = (saturation.clamp(0.0, 1.0), luminance.clamp(0.0, 1.0));
+    let chroma = s * (1.0 - (2.0 * l - 1.0).abs());
+    colour(alpha, of_hue(hue).map(|x| l + chroma * (x - 0.5)))
+}
+
+/// Makes a colour of hue, saturation and value, each from 0 to 1. The hue goes round: 1 is red as 0 is.
+#[component("5958a658-20c2-4a2b-86ba-4d1b81bf5348", name = "Colour HSV", nick = "HSV", at = "Display/Colour")]
+#[output("Colour", "C", "The colour.")]
+fn colour_hsv(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// Hue: 0 is red, a third green, two thirds blue.
+    #[port("Hue", "H", default = 0.0)]
+    hue: f64,
+    /// Saturation: 0 is grey, 1 a full colour.
+    #[port("Saturation", "S", default = 1.0)]
+    saturation: f64,
+    /// Value: 0 is black, 1 the colour at its brightest.
+    #[port("Value", "V", default = 1.0)]
+    value: f64,
+) -> Colour {
+    let (s, v) = (saturation.clamp(0.0, 1.0), value.clamp(0.0, 1.0));
+    colour(alpha, of_hue(hue).map(|x| v * (1.0 - s * (1.0 - x))))
+}
+
+/// Makes a colour of printing inks, each from 0 to 1.
+#[component(
+    "17af01a5-a846-4769-9478-de1df65a0afa",
+    name = "Colour CMYK",
+    nick = "CMYK",
+    at = "Display/Colour"
+)]
+#[output("Colour", "C", "The colour.")]
+fn colour_cmyk(
+    /// Cyan, which takes red away.
+    #[port("Cyan", "C", default = 0.0)]
+    cyan: f64,
+    /// Magenta, which takes green away.
+    #[port("Magenta", "M", default = 0.0)]
+    magenta: f64,
+    /// Yellow, which takes blue away.
+    #[port("Yellow", "Y", default = 1.0)]
+    yellow: f64,
+    /// Black.
+    #[port("Key", "K", default = 0.0)]
+    key: f64,
+) -> Colour {
+    let left = |ink: f64| 1.0 - ink.clamp(0.0, 1.0);
+    colour(1.0, [cyan, magenta, yellow].map(|ink| left(ink) * left(key)))
+}
+
+/// Takes a colour apart into numbers from 0 to 1.
+#[component(
+    "350f7d03-a48f-4121-bcee-328cfe1ed9ef",
+    name = "Split ARGB",
+    nick = "ARGB",
+    at = "Display/Colour"
+)]
+#[output("Alpha", "A", "Opacity.")]
+#[output("Red", "R", "Red.")]
+#[output("Green", "G", "Green.")]
+#[output("Blue", "B", "Blue.")]
+fn split_argb(
+    /// The colour.
+    #[port("Colour", "C")]
+    colour: Colour,
+) -> (f64, f64, f64, f64) {
+    (unit(colour.a), unit(colour.r), unit(colour.g), unit(colour.b))
+}
+
+/// Takes a colour apart into hue, saturation and luminance, each from 0 to 1. A grey has hue 0.
+#[component(
+    "0a1331c8-c58d-4b3f-a886-47051532e35e",
+    name = "Split AHSL",
+    nick = "AHSL",
+    at = "Display/Colour"
+)]
+#[output("Alpha", "A", "Opacity.")]
+#[output("Hue", "H", "Hue.")]
+#[output("Saturation", "S", "Saturation.")]
+#[output("Luminance", "L", "Luminance.")]
+fn split_ahsl(
+    /// The colour.
+    #[port("Colour", "C")]
+    colour: Colour,
+) -> (f64, f64, f64, f64) {
+    let (hue, max, min) = hue(colour);
+    let luminance = 0.5 * (max + min);
+    let most = 1.0 - (2.0 * luminance - 1.0).abs();
+    let saturation = if max == min { 0.0 } else { (max - min) / most };
+    (unit(colour.a), hue, saturation, luminance)
+}
+
+/// Takes a colour apart into hue, saturation and value, each from 0 to 1. A grey has hue 0.
+#[component(
+    "d84d2c2a-2813-4667-afb4-46642581e5f9",
+    name = "Split AHSV",
+    nick = "AHSV",
+    at = "Display/Colour"
+)]
+#[output("Alpha", "A", "Opacity.")]
+#[output("Hue", "H", "Hue.")]
+#[output("Saturation", "S", "Saturation.")]
+#[output("Value", "V", "Value.")]
+fn split_ahsv(
+    /// The colour.
+    #[port("Colour", "C")]
+    colour: Colour,
+) -> (f64, f64, f64, f64) {
+    let (hue, max, min) = hue(colour);
+    let saturation = if max == 0.0 { 0.0 } else { (max - min) / max };
+    (unit(colour.a), hue, saturation, max)
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+    use katydid_data::{Colour, Value};
+
+    fn made<const N: usize>(name: &str, parts: [f64; N]) -> String {
+        parts.into_iter().fold(Trial::of(name), Trial::item).texts(0).concat().replace("{0}: ", "")
+    }
+
+    #[test]
+    fn colours_from_their_parts() {
+        assert_eq!(made("Colour RGB", [255.0, 300.0, -4.0, 7.0]), "255,0,7");
+        assert_eq!(made("Colour RGB (f)", [0.0, 1.0, 0.5, 0.0]), "255,128,0 (0)");
+        assert_eq!(made("Colour HSL", [1.0, 0.0, 1.0, 0.5]), "255,0,0");
+        assert_eq!(made("Colour HSL", [1.0, 1.0 / 3.0, 1.0, 0.25]), "0,128,0");
+        assert_eq!(made("Colour HSL", [1.0, 0.7, 0.0, 1.0]), "255,255,255");
+        assert_eq!(made("Colour HSL", [1.0, 1.0 / 12.0, 1.0, 0.5]), "255,128,0");
+        assert_eq!(made("Colour HSV", [1.0, -1.0 / 3.0, 0.5, 1.0]), "128,128,255");
+        assert_eq!(made("Colour HSV", [1.0, 11.0 / 12.0, 1.0, 1.0]), "255,0,128");
+        assert_eq!(made("Colour CMYK", [0.0, 0.0, 1.0, 0.0]), "255,255,0");
+        assert_eq!(made("Colour CMYK", [0.0, 1.0, 0.0, 0.5]), "128,0,128");
+    }
+
+    #[test]
+    fn splitting_undoes_making() {
+        for rgb in
+            [[255, 0, 0], [10, 200, 30], [0, 0, 0], [255, 255, 255], [90, 12, 240], [7, 7, 7], [250, 3, 251]]
+        {
+            let colour = Colour::argb(51, rgb[0], rgb[1], rgb[2]);
+            for (split, join) in
+                [("Split ARGB", "Colour RGB (f)"), ("Split AHSL", "Colour HSL"), ("Split AHSV", "Colour HSV")]
+            {
+                let parts = Trial::of(split).item(colour).run().outputs;
+                let joined = parts.into_iter().fold(Trial::of(join), Trial::tree).run();
+                assert_eq!(joined.outputs[0].column().get(0), Some(Value::Colour(colour)), "{split}");
+            }
+        }
+    }
+}
