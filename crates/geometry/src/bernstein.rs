@@ -1,6 +1,9 @@
 //! Polynomials by their Bernstein coefficients: their smallest and largest coefficients bound them, and halving makes
 //! the bounds close in quadratically.
 
+/// A search that halves more often than this is lost in rounding noise: ordinary ones take some hundred halvings.
+pub(crate) const BUDGET: u32 = 20_000;
+
 /// C(n, k) as a number.
 pub(crate) fn binomial(n: usize, k: usize) -> f64 {
     (0..k.min(n - k.min(n))).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
@@ -58,8 +61,16 @@ pub(crate) fn squared_distance(points: &[[f64; 4]], q: crate::Point3) -> Vec<[f6
 /// The smallest x in 0…1, beyond `after`, at which a polynomial that starts below 0 reaches it, found by halving;
 /// `None` when it stays below.
 pub(crate) fn first_rise(coefficients: &[f64], after: f64) -> Option<f64> {
+    if !coefficients.iter().all(|c| c.is_finite()) {
+        return None;
+    }
     let mut stack = vec![(coefficients.iter().map(|&c| [c]).collect::<Vec<_>>(), 0.0, 1.0)];
+    let mut budget = BUDGET;
     while let Some((c, a, b)) = stack.pop() {
+        budget -= 1;
+        if budget == 0 {
+            return None;
+        }
         if b <= after || c.iter().all(|x| x[0] < 0.0) {
             continue;
         }

@@ -10,6 +10,19 @@
 //! let tip = Point3::new(1.0, 2.0, 3.0) + Vector3::new(2.0, 2.0, 2.0);
 //! assert_eq!(tip, Point3::new(3.0, 4.0, 5.0));
 //! ```
+//!
+//! A curve is a [`Curve`] whatever it is made of:
+//!
+//! ```
+//! use katydid_geometry::{Circle, Curve, Plane};
+//! # fn main() -> katydid_geometry::Result<()> {
+//! let circle: Curve = Circle::new(Plane::XY, 2.0)?.into();
+//! let parameters = circle.divide_by_count(4)?;
+//! assert_eq!(parameters.len(), 4); // closed: the seam counts once
+//! assert!((circle.curvature_at(parameters[1]).length() - 0.5).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
 
 #![allow(
     clippy::needless_range_loop,
@@ -35,6 +48,7 @@ mod plane;
 mod point;
 mod quadrature;
 mod rectangle;
+mod tangent;
 mod tolerance;
 mod units;
 mod vector;

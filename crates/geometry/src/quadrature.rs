@@ -57,12 +57,14 @@ pub(crate) fn integrate<const N: usize>(
     let mut sum = [0.0; N];
     let mut stack = vec![(a, b, 0_u32)];
     // A cusp needs one branch of about 48 halvings; the bound stops input that is bad everywhere.
-    let mut budget = 4000;
+    let mut budget = 600;
     while let Some((a, b, depth)) = stack.pop() {
         let (value, error) = kronrod(f, a, b);
         budget -= 1;
-        // The 15-point value is far better than the difference: QUADPACK's (200 e)^1.5, here simply e/10 is asked.
-        let fine = error * 0.1 <= tolerance || !error.is_finite();
+        // The 15-point value is far better than the difference tells: QUADPACK's estimate (200 e)^1.5.
+        let scale = value.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let estimate = if scale > 0.0 { error.min(scale * (200.0 * error / scale).powf(1.5)) } else { error };
+        let fine = estimate <= tolerance || !estimate.is_finite();
         if fine || depth >= 48 || budget <= 0 {
             for c in 0..N {
                 sum[c] += value[c];

@@ -353,6 +353,16 @@ fn closed_curves_split_as_in_rhino() {
     assert_eq!(moved.domain(), Interval::new(1.5, 5.5));
     close(moved.length(), 4.0, 1e-15, "length");
     assert_eq!(moved.start(), p(1.0, 0.5, 0.0));
+    let blob: Curve = NurbsCurve::periodic_uniform(
+        3,
+        &[p(0.0, 0.0, 0.0), p(6.0, 0.0, 0.0), p(2.0, 2.0, 0.0), p(0.0, 6.0, 0.0)],
+    )
+    .unwrap()
+    .into();
+    let moved = blob.with_seam(1.3).unwrap();
+    assert!(matches!(moved, Curve::Nurbs(_)) && moved.is_closed());
+    assert_eq!(moved.domain(), Interval::new(1.3, 5.3));
+    close_points(moved.point_at(4.7), blob.point_at(0.7), 1e-12, "past the old seam");
     let sub = c.sub_curve(Interval::new(5.0, 1.0)).unwrap();
     close(sub.length(), TAU - 4.0, 1e-13, "through the seam");
 }
@@ -648,6 +658,28 @@ fn regions() {
 }
 
 #[test]
+fn areas_grow_with_the_determinant() {
+    let blob: Curve = NurbsCurve::periodic_uniform(
+        3,
+        &[p(0.0, 0.0, 0.0), p(6.0, 0.0, 0.0), p(2.0, 2.0, 0.0), p(0.0, 6.0, 0.0)],
+    )
+    .unwrap()
+    .into();
+    let far = Xform::translation(Vector3::new(1e5, -1e5, 0.0));
+    let shear = Xform::shear(&Plane::XY, [[0.4, 0.0], [-0.3, 0.0], [0.0, 0.0]]);
+    for c in [blob, circle(2.0), polyline(&[(0.0, 0.0), (3.0, 1.0), (1.0, 4.0), (0.0, 0.0)])] {
+        let (area, center) = c.area_and_centroid(1e-6).unwrap();
+        for xform in [far, shear, far * shear] {
+            let (image, image_center) = c.transformed(&xform).unwrap().area_and_centroid(1e-6).unwrap();
+            close(image, area * xform.determinant(), 1e-8, "area");
+            close_points(image_center, xform.point(center), 1e-9, "centroid");
+        }
+        let (signed, _) = c.signed_area_in(&Plane::XY);
+        close(c.reversed().signed_area_in(&Plane::XY).0, -signed, 1e-12, "reversal changes the sign");
+    }
+}
+
+#[test]
 fn circles_and_arcs_from_what_is_known() {
     let c = Circle::through(p(1.0, 0.0, 0.0), p(0.0, 1.0, 0.0), p(-1.0, 0.0, 0.0)).unwrap();
     close_points(c.center(), Point3::ORIGIN, 1e-15, "centre");
@@ -685,6 +717,132 @@ fn circles_and_arcs_from_what_is_known() {
     close(fit.radius, 2.0, 1e-12, "fitted radius");
     assert!(deviation < 1e-12);
     close_points(fit.center(), p(1.0, 2.0, 3.0), 1e-12, "fitted centre");
+}
+
+#[test]
+fn offsets() {
+    let square = polyline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0)]);
+    let grown = square.offset_in_plane(&Plane::XY, 1.0).unwrap();
+    close(grown.area_and_centroid(1e-6).unwrap().0, 30.0, 1e-14, "counter-clockwise grows");
+    assert_eq!(grown.start(), p(-1.0, -1.0, 0.0));
+    assert_eq!(grown.domain(), square.domain());
+    let shrunk = square.reversed().offset_in_plane(&Plane::XY, 1.0).unwrap();
+    close(shrunk.area_and_centroid(1e-6).unwrap().0, 2.0, 1e-14, "clockwise shrinks");
+    let open = polyline(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 2.0)])
+        .offset_in_plane(&Plane::XY, -0.5)
+        .unwrap();
+    assert_eq!(
+        open.as_polyline().unwrap(),
+        [p(0.0, 0.5, 0.0), p(1.0, 0.5, 0.0), p(1.5, 0.5, 0.0), p(1.5, 2.0, 0.0)]
+    );
+    close(circle(2.0).offset_in_plane(&Plane::XY, 0.5).unwrap().length(), 5.0 * PI, 1e-14, "circle grows");
+    assert!(circle(2.0).offset_in_plane(&Plane::XY, -2.0).is_err());
+    assert!(circle(2.0).offset_in_plane(&Plane::YZ, 1.0).is_err());
+    let l = line(p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)).offset_in_plane(&Plane::XY, 2.0).unwrap();
+    assert_eq!(l.start(), p(0.0, -2.0, 0.0));
+    let smooth: Curve = PolyCurve::new(vec![
+        line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)),
+        Arc::from_start_direction_end(p(4.0, 0.0, 0.0), Vector3::X, p(6.0, 2.0, 0.0)).unwrap().into(),
+    ])
+    .unwrap()
+    .into();
+    close(smooth.offset_in_plane(&Plane::XY, 1.0).unwrap().length(), 4.0 + 1.5 * PI, 1e-14, "line and arc");
+    assert!(wave().offset_in_plane(&Plane::XY, 1.0).is_err());
+}
+
+#[test]
+fn c5_osculating_circles_and_the_curvature_graph() {
+    let c = wave();
+    let t = c.domain().at(0.37);
+    let o = c.osculating_circle_at(t).unwrap();
+    close_points(o.at(0.0), c.point_at(t), 1e-12, "through the point");
+    let touching: Curve = o.into();
+    close_vectors(touching.tangent_at(0.0).unwrap(), c.tangent_at(t).unwrap(), 1e-12, "tangent");
+    close_vectors(touching.curvature_at(0.0), c.curvature_at(t), 1e-10, "curvature");
+    assert!(line(p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)).osculating_circle_at(0.5).is_none());
+    // A line joined to an arc of radius 2 without a kink: G1 but not G2, so the hair at the joint jumps.
+    let joined: Curve = PolyCurve::new(vec![
+        line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)),
+        Arc::from_start_direction_end(p(4.0, 0.0, 0.0), Vector3::X, p(6.0, 2.0, 0.0)).unwrap().into(),
+    ])
+    .unwrap()
+    .into();
+    let hairs = joined.curvature_graph(8, 10.0);
+    assert_eq!(hairs.len(), 18);
+    assert_eq!(hairs[8].length(), 0.0);
+    close_vectors(hairs[9].direction(), Vector3::new(0.0, -5.0, 0.0), 1e-13, "away from the centre");
+}
+
+#[test]
+fn tangents_of_circles() {
+    let a = Circle::new(Plane::XY, 1.0).unwrap();
+    let b = Circle::new(Plane::XY.with_origin(p(5.0, 1.0, 0.0)), 2.0).unwrap();
+    let touches = |l: &Line, c: &Circle, at: Point3| {
+        close(at.distance_to(c.center()), c.radius, 1e-14, "on the circle");
+        close(l.direction().dot(at - c.center()), 0.0, 1e-13, "at right angles to the radius");
+    };
+    for l in a.tangents_from(p(3.0, -2.0, 7.0)).unwrap() {
+        assert_eq!(l.from.z, 0.0);
+        touches(&l, &a, l.to);
+    }
+    let [left, right] = a.tangents_from(p(-3.0, 0.0, 0.0)).unwrap();
+    assert!(left.to.y > 0.0 && right.to.y < 0.0);
+    for pair in [a.outer_tangents(&b).unwrap(), a.inner_tangents(&b).unwrap()] {
+        for l in pair {
+            touches(&l, &a, l.from);
+            touches(&l, &b, l.to);
+        }
+        assert!(pair[0].from.y > pair[1].from.y);
+    }
+    assert!(a.tangents_from(p(0.5, 0.0, 0.0)).is_none());
+    let inside = Circle::new(Plane::XY, 0.25).unwrap();
+    assert!(a.outer_tangents(&inside).is_none() && a.inner_tangents(&inside).is_none());
+}
+
+#[test]
+fn m9_one_circle_gives_three() {
+    let c = Circle::new(Plane::XY, 2.0).unwrap();
+    let scaled = c.transformed(&Xform::scale(p(1.0, 0.0, 0.0), 1.5)).unwrap();
+    assert_eq!((scaled.radius, scaled.center()), (3.0, p(-0.5, 0.0, 0.0)));
+    let turned = c.transformed(&Xform::rotation(FRAC_PI_2, Vector3::Y, Point3::ORIGIN).unwrap()).unwrap();
+    close_vectors(turned.plane.z_axis, Vector3::X, 1e-15, "normal turned about y");
+    let moved = c.transformed(&Xform::translation(Vector3::new(1.0, 2.0, 3.0))).unwrap();
+    assert_eq!((moved.radius, moved.center()), (2.0, p(1.0, 2.0, 3.0)));
+    assert!(c.transformed(&Xform::scale_non_uniform(&Plane::XY, 1.0, 2.0, 1.0)).is_none());
+}
+
+#[test]
+fn sections_with_a_plane() {
+    let c = wave();
+    let cut = Plane::from_normal(p(3.3, 0.0, 0.0), Vector3::Y).unwrap();
+    let ts = c.intersect_plane(&cut, 1e-9).unwrap();
+    let n = 20_000;
+    let side = |i: i32| c.point_at(c.domain().at(f64::from(i) / f64::from(n))).y > 0.0;
+    // The curve starts on the plane: that end is one more.
+    let crossings = (1..n).filter(|&i| side(i) != side(i + 1)).count();
+    assert_eq!(ts.len(), crossings + 1, "{ts:?}");
+    assert!(ts.windows(2).all(|w| w[0] < w[1]));
+    for t in &ts {
+        assert!(c.point_at(*t).y.abs() < 1e-9);
+    }
+    let disc = circle(2.0);
+    assert_eq!(disc.intersect_plane(&Plane::YZ, 1e-9).unwrap().len(), 2);
+    let touching = disc.intersect_plane(&Plane::YZ.with_origin(p(0.0, 2.0, 0.0)).rotated(0.0), 1e-9).unwrap();
+    assert_eq!(touching.len(), 2);
+    let tangent = Plane::from_normal(p(0.0, 2.0, 0.0), Vector3::Y).unwrap();
+    let touch = disc.intersect_plane(&tangent, 1e-9).unwrap();
+    assert_eq!(touch.len(), 1, "{touch:?}");
+    close_points(disc.point_at(touch[0]), p(0.0, 2.0, 0.0), 1e-6, "touch");
+    assert!(
+        disc.intersect_plane(&Plane::from_normal(p(0.0, 2.1, 0.0), Vector3::Y).unwrap(), 1e-9)
+            .unwrap()
+            .is_empty()
+    );
+    let bent = polyline(&[(0.0, 1.0), (1.0, 0.0), (3.0, 0.0), (4.0, -1.0)]);
+    assert_eq!(bent.intersect_plane(&Plane::XZ, 1e-9).unwrap(), vec![1.0, 2.0]);
+    let through = polyline(&[(0.0, 1.0), (1.0, 0.0), (2.0, -1.0)]);
+    assert_eq!(through.intersect_plane(&Plane::XZ, 1e-9).unwrap(), vec![1.0]);
+    assert!(disc.intersect_plane(&Plane::XY, f64::NAN).is_err());
 }
 
 #[test]

@@ -92,6 +92,34 @@ fn oracle_curves() {
 }
 
 #[test]
+fn n1_degrees_and_n2_equal_weights() {
+    let line: katydid_geometry::Curve = katydid_geometry::Line::new(four()[0], four()[1]).into();
+    assert_eq!(line.to_nurbs().unwrap().degree(), 1);
+    let circle: katydid_geometry::Curve =
+        katydid_geometry::Circle::new(katydid_geometry::Plane::XY, 1.0).unwrap().into();
+    let circle = circle.to_nurbs().unwrap();
+    assert!(circle.degree() == 2 && circle.is_rational() && circle.point_count() == 9);
+    let c = NurbsCurve::clamped_uniform(3, &four()).unwrap();
+    let equal = NurbsCurve::with_weights(3, &four(), &[2.5; 4], c.knots().to_vec()).unwrap();
+    for t in [0.0, 0.2, 0.9] {
+        close_points(equal.point_at(t), c.point_at(t), 1e-15, "equal weights are no weights");
+    }
+    assert!(NurbsCurve::clamped_uniform(4, &four()).is_err());
+}
+
+#[test]
+fn n5_two_knot_vectors_two_curves_and_n9_walking_them() {
+    let points: Vec<_> = (0..5).map(|i| p(f64::from(i), f64::from(i * i % 4), 0.0)).collect();
+    let a = NurbsCurve::new(3, points.clone(), vec![0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0]).unwrap();
+    let b = NurbsCurve::new(3, points.clone(), vec![0.0, 0.0, 0.0, 1.8, 2.0, 2.0, 2.0]).unwrap();
+    assert!(a.point_at(1.0).distance_to(b.point_at(1.0)) > 0.1);
+    let walked: Vec<_> = (0..a.point_count()).map(|i| a.control_point(i).unwrap()).collect();
+    assert_eq!(walked, points);
+    assert_eq!((a.control_point(5), a.weight(4)), (None, Some(1.0)));
+    assert_eq!(a.knots().iter().map(|&k| a.multiplicity(k)).collect::<Vec<_>>(), [3, 3, 3, 1, 3, 3, 3]);
+}
+
+#[test]
 fn n3_knot_counts() {
     let points: Vec<_> = (0..7).map(|i| p(f64::from(i), f64::from(i % 3), 0.0)).collect();
     let c = NurbsCurve::clamped_uniform(3, &points).unwrap();

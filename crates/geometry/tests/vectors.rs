@@ -118,6 +118,18 @@ fn v1_to_v4_worked_numbers() {
 }
 
 #[test]
+fn v5_unequal_lengths_bias_the_average_and_v6_length_by_formula() {
+    let vectors = [Vector3::X * 10.0, Vector3::Y];
+    let biased = vectors.iter().copied().sum::<Vector3>().unitized().unwrap();
+    let fair = vectors.iter().filter_map(|v| v.unitized()).sum::<Vector3>().unitized().unwrap();
+    close(fair.angle_to(Vector3::X).unwrap(), PI / 4.0, 1e-15, "fair");
+    assert!(biased.angle_to(Vector3::X).unwrap() < 0.1);
+    let v = Vector3::new(2.0, -3.0, 6.0);
+    assert_eq!(v.length(), (v.x.powi(2) + v.y.powi(2) + v.z.powi(2)).sqrt());
+    assert_eq!((v.length(), Vector3::new(1e200, 0.0, 0.0).length()), (7.0, 1e200));
+}
+
+#[test]
 fn v8_projection_of_an_axis_turned_by_30_degrees() {
     let turned = Vector3::X.rotated(PI / 6.0, Vector3::Z).unwrap();
     close(turned.projected_onto(Vector3::X).unwrap().length(), 3.0_f64.sqrt() / 2.0, 1e-15, "cos 30°");

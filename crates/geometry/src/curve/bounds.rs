@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::piece::Shape;
-use crate::bernstein::halves;
+use crate::bernstein::{BUDGET, halves};
 use crate::{BoundingBox, Box3, Interval, Plane, Point3, Vector3};
 
 impl Curve {
@@ -30,7 +30,10 @@ impl Curve {
             }
         }
         for piece in &pieces {
-            let Shape::Span(..) = piece.shape else { continue };
+            let Shape::Span(curve, j) = piece.shape else { continue };
+            if curve.span_hull(j).map(along).all(|x| range.start <= x && x <= range.end) {
+                continue;
+            }
             let Some(points) = piece.beziers().pop() else { continue };
             let d = direction;
             let c: Vec<[f64; 2]> =
@@ -74,9 +77,19 @@ impl Curve {
 fn greatest(coefficients: Vec<[f64; 2]>, mut best: f64) -> f64 {
     let bound = |c: &[[f64; 2]]| c.iter().map(|c| c[0] / c[1]).fold(f64::NEG_INFINITY, f64::max);
     let slack = 4e-16 * coefficients.iter().map(|c| (c[0] / c[1]).abs()).fold(0.0, f64::max);
+    if !slack.is_finite() {
+        return best;
+    }
     let mut stack = vec![(coefficients, 0_u32)];
+    let mut budget = BUDGET;
     while let Some((c, depth)) = stack.pop() {
+        budget = budget.saturating_sub(1);
         if !(bound(&c) > best + slack) || depth > 60 {
+            continue;
+        }
+        if budget == 0 {
+            // Lost in rounding: the bound itself is safe.
+            best = best.max(bound(&c));
             continue;
         }
         let (left, right) = halves(&c);

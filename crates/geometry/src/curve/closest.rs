@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::piece::{Piece, Shape};
-use crate::bernstein::{halves, squared_distance, value};
+use crate::bernstein::{BUDGET, halves, squared_distance, value};
 use crate::{Arc, Error, Point3, Result};
 
 /// A point on a curve and how far it is from where one asked.
@@ -40,7 +40,7 @@ impl Curve {
     /// algebraic algorithm on point projection for Bézier curves*, 2007).
     ///
     /// # Errors
-    /// `q` is not finite.
+    /// `q` is not finite, or so far away that the square of the distance overflows.
     pub fn closest_point(&self, q: Point3) -> Result<CurvePoint> {
         if !q.is_finite() {
             return Err(Error::NotFinite("point to project on the curve"));
@@ -63,8 +63,16 @@ impl Curve {
                     let u = arc.closest_angle(q);
                     best.offer((piece.point(u) - q).length_squared(), i, u);
                 }
-                Shape::Span(..) => search_span(piece, i, q, &mut best),
+                Shape::Span(curve, j) => {
+                    let reach = crate::BoundingBox::from_points(curve.span_hull(j));
+                    if reach.is_none_or(|b| b.distance_to(q).powi(2) < best.squared) {
+                        search_span(piece, i, q, &mut best);
+                    }
+                }
             }
+        }
+        if !best.squared.is_finite() {
+            return Err(Error::NotFinite("square of the distance to the curve"));
         }
         let Some(piece) = pieces.get(best.piece) else {
             return Err(Error::degenerate("curve", "it has no extent"));
@@ -123,7 +131,11 @@ fn search_span(piece: &Piece<'_>, index: usize, q: Point3, best: &mut Best) {
     let coefficients = squared_distance(&points, q);
     let weight = coefficients.iter().fold(0.0_f64, |m, c| m.max(c[1]));
     let size = coefficients.iter().fold(0.0_f64, |m, c| m.max(c[0]));
+    if !size.is_finite() || !weight.is_finite() {
+        return;
+    }
     let at = |x: f64| piece.own.at(x);
+    let mut budget = BUDGET;
     let mut stack = vec![(coefficients, 0.0, 1.0, 0_u32)];
     while let Some((c, a, b, depth)) = stack.pop() {
         let excess = |best: &Best| -> Vec<f64> { c.iter().map(|c| c[0] - best.squared * c[1]).collect() };
@@ -147,7 +159,8 @@ fn search_span(piece: &Piece<'_>, index: usize, q: Point3, best: &mut Best) {
             }
             continue;
         }
-        if depth >= 52 {
+        budget = budget.saturating_sub(1);
+        if depth >= 52 || budget == 0 {
             continue;
         }
         let middle = 0.5 * (a + b);

@@ -6,20 +6,20 @@ use crate::bernstein::{first_rise, squared_distance, value};
 use crate::{Error, Point3, Result};
 
 /// More points than this are refused before memory is asked for.
-const MOST: f64 = 1e8;
+const MOST: f64 = 1e7;
 
 impl Curve {
     /// The parameters that cut the curve into `count` parts of equal length: count + 1 of them with both ends on an
     /// open curve, count on a closed one, the seam first.
     ///
     /// # Errors
-    /// A count of 0 or above 10⁸, or a curve without length.
+    /// A count of 0 or above 10⁷, or a curve without length.
     pub fn divide_by_count(&self, count: usize) -> Result<Vec<f64>> {
         if count == 0 || count as f64 > MOST {
             return Err(Error::OutOfRange {
                 what: "number of segments",
                 value: count as f64,
-                must: "from 1 to 100000000",
+                must: "from 1 to 10000000",
             });
         }
         let measure = ArcLength::new(self);
@@ -41,7 +41,7 @@ impl Curve {
     /// gets no end; a closed curve has its seam once.
     ///
     /// # Errors
-    /// The length is not finite and greater than 0, or gives more than 10⁸ points.
+    /// The length is not finite and greater than 0, or gives more than 10⁷ points.
     pub fn divide_by_length(&self, length: f64) -> Result<Vec<f64>> {
         check_step("length", length)?;
         let measure = ArcLength::new(self);
@@ -50,7 +50,7 @@ impl Curve {
             return Err(Error::OutOfRange {
                 what: "length",
                 value: length,
-                must: "long enough to give at most 100000000 points",
+                must: "long enough to give at most 10000000 points",
             });
         }
         // A step that ends within rounding of the end reaches it.
@@ -119,7 +119,8 @@ impl Curve {
         Ok(out)
     }
 
-    fn located_beziers(&self) -> Vec<LocatedBezier<'_>> {
+    /// The curve as Bézier curves that know their place on it.
+    pub(super) fn located_beziers(&self) -> Vec<LocatedBezier<'_>> {
         let mut out = Vec::new();
         for piece in self.pieces() {
             let beziers = piece.beziers();
@@ -133,8 +134,9 @@ impl Curve {
 }
 
 /// A Bézier curve and where it lies on the whole.
-struct LocatedBezier<'a> {
-    points: Vec<[f64; 4]>,
+pub(super) struct LocatedBezier<'a> {
+    /// The homogeneous control points.
+    pub(super) points: Vec<[f64; 4]>,
     piece: super::piece::Piece<'a>,
     part: usize,
     parts: usize,
@@ -142,7 +144,7 @@ struct LocatedBezier<'a> {
 
 impl LocatedBezier<'_> {
     /// The point at x in 0…1 and the curve's parameter there.
-    fn at(&self, x: f64) -> (Point3, f64) {
+    pub(super) fn at(&self, x: f64) -> (Point3, f64) {
         let point = crate::nurbs::project(value(&self.points, x));
         let own = match self.piece.shape {
             // Inside an arc the rational parameter is not the angle: read the angle off the point.

@@ -317,6 +317,7 @@ fn over_seam(first: Curve, second: Curve) -> Result<Curve> {
             Ok(PolylineCurve::with_parameters(points, ts)?.into())
         }
         _ => {
+            let was_one = matches!((&first, &second), (Curve::Nurbs(_), Curve::Nurbs(_)));
             let (mut segments, mut ts) = (Vec::new(), vec![a.start]);
             for (part, end) in [(first, a.end), (second, shifted.end)] {
                 let shift = end - part.domain().end;
@@ -331,7 +332,10 @@ fn over_seam(first: Curve, second: Curve) -> Result<Curve> {
                     }
                 }
             }
-            Ok(PolyCurve::with_parameters(segments, ts)?.into())
+            let all_nurbs = segments.iter().all(|s| matches!(s, Curve::Nurbs(_)));
+            let joined: Curve = PolyCurve::with_parameters(segments, ts)?.into();
+            // What was one NURBS curve stays one, with a full knot at the old seam.
+            if all_nurbs && was_one { Ok(joined.to_nurbs()?.into()) } else { Ok(joined) }
         }
     }
 }

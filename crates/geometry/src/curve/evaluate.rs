@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Curve;
-use crate::{Plane, Point3, Vector3};
+use crate::{Circle, Line, Plane, Point3, Vector3};
 
 impl Curve {
     /// The point at `t` and the derivatives of order 1…`count` by the parameter (64 at most). At a joint those of
@@ -104,6 +104,33 @@ impl Curve {
             Some(tangent) => k.length().copysign(tangent.cross(k).dot(normal)),
             None => 0.0,
         }
+    }
+
+    /// The circle that fits the curve best at `t`: tangent there and of the same curvature, with angle 0 at the point.
+    /// `None` where the curve is straight.
+    pub fn osculating_circle_at(&self, t: f64) -> Option<Circle> {
+        let k = self.curvature_at(t);
+        let radius = 1.0 / k.length();
+        let toward = k.unitized()?;
+        let tangent = self.tangent_at(t)?;
+        let center = self.point_at(t) + toward * radius;
+        Circle::new(Plane::from_axes(center, -toward, tangent).ok()?, radius).ok()
+    }
+
+    /// The curvature graph: hairs from points of the curve away from the centre of curvature, `scale` times the
+    /// curvature long. Every smooth piece has `samples` + 1 of them with both its ends, so that a jump of curvature
+    /// shows as two hairs in one place.
+    pub fn curvature_graph(&self, samples: usize, scale: f64) -> Vec<Line> {
+        let samples = samples.clamp(1, 10_000);
+        let mut hairs = Vec::new();
+        for piece in self.pieces() {
+            for i in 0..=samples {
+                let [p, d1, d2] = piece.jet(piece.own.at(i as f64 / samples as f64));
+                let p = p.to_point();
+                hairs.push(Line::new(p, p - curvature(d1, d2) * scale));
+            }
+        }
+        hairs
     }
 
     /// The torsion at `t`: the rate at which the osculating plane turns about the tangent, positive for a right-hand

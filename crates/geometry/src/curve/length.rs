@@ -20,7 +20,7 @@ fn piece_length(piece: &Piece<'_>, a: f64, b: f64, tolerance: f64) -> f64 {
         Shape::Segment(p, q) => p.distance_to(q) * (b - a).abs(),
         Shape::Arc(arc) => arc.circle.radius * (b - a).abs(),
         Shape::Span(curve, j) => {
-            let speed = |u: f64| [curve.jet(j, u)[1].length()];
+            let speed = |u: f64| [curve.velocity(j, u).length()];
             integrate(&speed, a, b, tolerance)[0].abs()
         }
     }
@@ -33,13 +33,11 @@ impl<'a> ArcLength<'a> {
         let mut sums = Vec::with_capacity(pieces.len() + 1);
         let mut sum = 0.0;
         sums.push(sum);
-        // The polygon through Bézier points bounds the length from above and gives the scale of the tolerance.
+        // The polygon of the control points gives the scale of the tolerance.
         for piece in &pieces {
             let polygon: f64 = match piece.shape {
-                Shape::Span(..) => {
-                    let points = piece.beziers();
-                    let points = points.iter().flatten().map(|p| crate::nurbs::project(*p));
-                    let points: Vec<_> = points.collect();
+                Shape::Span(curve, j) => {
+                    let points: Vec<_> = curve.span_hull(j).collect();
                     points.windows(2).map(|w| w[0].distance_to(w[1])).sum()
                 }
                 _ => 0.0,
@@ -92,7 +90,7 @@ impl<'a> ArcLength<'a> {
         let mut have = piece_length(piece, low, u, 1e-13 * size);
         for _ in 0..100 {
             let miss = wanted - have;
-            if miss.abs() <= 1e-14 * self.total() {
+            if miss.abs() <= 5e-14 * self.total() {
                 break;
             }
             if miss > 0.0 {
@@ -100,7 +98,7 @@ impl<'a> ArcLength<'a> {
             } else {
                 high = u;
             }
-            let speed = curve.jet(j, u)[1].length();
+            let speed = curve.velocity(j, u).length();
             let mut next = u + miss / speed;
             if !(low < next && next < high) {
                 next = 0.5 * (low + high);
@@ -108,7 +106,7 @@ impl<'a> ArcLength<'a> {
             if next == u || !(low < high) {
                 break;
             }
-            have += piece_length(piece, u, next, 1e-14 * size) * (next - u).signum();
+            have += piece_length(piece, u, next, 1e-13 * size) * (next - u).signum();
             u = next;
         }
         piece.whole_parameter(u)

@@ -14,10 +14,12 @@ mod frames;
 mod join;
 mod length;
 mod line_curve;
+mod offset;
 mod piece;
 mod poly_curve;
 mod polyline_curve;
 mod region;
+mod sections;
 
 pub use arc_curve::ArcCurve;
 pub use closest::CurvePoint;

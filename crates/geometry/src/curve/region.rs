@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::piece::Shape;
-use crate::bernstein::halves;
+use crate::bernstein::{BUDGET, halves};
 use crate::quadrature::integrate;
 use crate::{Error, Plane, Point3, Result};
 
@@ -114,9 +114,11 @@ impl Curve {
 fn subtended(points: Vec<[f64; 2]>) -> f64 {
     let mut sum = 0.0;
     let mut stack = vec![(points, 0_u32)];
+    let mut budget = BUDGET;
     while let Some((points, depth)) = stack.pop() {
+        budget = budget.saturating_sub(1);
         let one_side = (0..2).any(|c| points.iter().all(|p| p[c] > 0.0) || points.iter().all(|p| p[c] < 0.0));
-        if one_side || depth >= 60 || points.len() == 2 {
+        if one_side || depth >= 60 || points.len() == 2 || budget == 0 {
             if let (Some(a), Some(b)) = (points.first(), points.last()) {
                 sum += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
             }

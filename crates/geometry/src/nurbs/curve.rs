@@ -2,6 +2,10 @@ use super::evaluate::{de_boor, derivatives, many};
 use super::knots::{check_knots, span_index};
 use crate::{Error, Interval, Point3, Result, Vector3};
 
+/// How many parameters one task takes: some 100 µs of work.
+#[cfg(feature = "parallel")]
+const CHUNK: usize = 8192;
+
 /// The control points in the form that evaluation wants: weights only where they are needed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Controls {
@@ -229,6 +233,28 @@ impl NurbsCurve {
         }
     }
 
+    /// The first derivative in span `j`.
+    pub(crate) fn velocity(&self, j: usize, t: f64) -> Vector3 {
+        match &self.controls {
+            Controls::Plain(p) => {
+                let mut d = [[0.0; 3]; 2];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d);
+                d[1].into()
+            }
+            Controls::Rational(p) => {
+                let mut d = [[0.0; 4]; 2];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d);
+                let point = project(d[0]).to_vector();
+                (Vector3::new(d[1][0], d[1][1], d[1][2]) - point * d[1][3]) / d[0][3]
+            }
+        }
+    }
+
+    /// The control points in space that act in span `j`: their hull holds it.
+    pub(crate) fn span_hull(&self, j: usize) -> impl Iterator<Item = Point3> + '_ {
+        (j..=j + self.degree).filter_map(|i| self.control_point(i))
+    }
+
     /// The homogeneous control points of the Bézier form of span `j`.
     pub(crate) fn bezier_points(&self, j: usize) -> Vec<[f64; 4]> {
         let (a, b) = (self.knots[j + self.degree - 1], self.knots[j + self.degree]);
@@ -251,8 +277,18 @@ impl NurbsCurve {
         (0..self.knots.len() + 1 - 2 * p).filter(move |&j| self.knots[j + p - 1] < self.knots[j + p])
     }
 
-    /// The points at many parameters, fastest when they are sorted.
+    /// The points at many parameters, fastest when they are sorted. Long lists run in parallel with the `parallel`
+    /// feature; the result is the same to the last bit.
     pub fn points_at(&self, parameters: &[f64]) -> Vec<Point3> {
+        #[cfg(feature = "parallel")]
+        if parameters.len() >= 2 * CHUNK {
+            use rayon::prelude::*;
+            return parameters.par_chunks(CHUNK).flat_map_iter(|part| self.points_of(part)).collect();
+        }
+        self.points_of(parameters)
+    }
+
+    fn points_of(&self, parameters: &[f64]) -> Vec<Point3> {
         let mut out = Vec::with_capacity(parameters.len());
         match &self.controls {
             Controls::Plain(p) => many(self.degree, &self.knots, p, parameters, |p| out.push(p.into())),
