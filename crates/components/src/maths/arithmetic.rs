@@ -162,7 +162,11 @@ pub(super) fn multiply(a: &Value, b: &Value) -> Result {
 }
 
 /// Two matrices of one size, combined entry by entry.
-fn entry_by_entry(m: &Matrix, n: &Matrix, f: impl Fn(f64, f64) -> f64) -> std::result::Result<Matrix, Message> {
+fn entry_by_entry(
+    m: &Matrix,
+    n: &Matrix,
+    f: impl Fn(f64, f64) -> f64,
+) -> std::result::Result<Matrix, Message> {
     if (m.rows(), m.columns()) != (n.rows(), n.columns()) {
         return Err(Message::error("The matrices differ in size"));
     }
