@@ -1,0 +1,6 @@
+//! Sets / Sequence.
+
+mod cull;
+mod generate;
+mod random;
+mod repeat;

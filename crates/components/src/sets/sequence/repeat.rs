@@ -1,0 +1,127 @@
+//! Giving items more than once.
+
+use katydid_component::{Context, List, Message, component};
+use katydid_data::Value;
+
+use crate::sets::count;
+
+/// Gives a list several times: the whole list again and again, or each item several times in a row.
+#[component(
+    "dd8134c0-109b-4012-92be-51d843edfff7",
+    name = "Duplicate Data",
+    nick = "Dup",
+    at = "Sets/Sequence"
+)]
+#[output("Data", "D", "The longer list.")]
+fn duplicate_data(
+    context: &Context<'_>,
+    /// The list.
+    #[port("Data", "D")]
+    data: List<Value>,
+    /// How often, 0 or more.
+    #[port("Number", "N", default = 2)]
+    number: i32,
+    /// True for the whole list again and again, false for each item by itself.
+    #[port("Order", "O", default = true)]
+    order: bool,
+) -> Result<Vec<Option<Value>>, Message> {
+    let n = count(number, "Number")?;
+    context.items(data.len().saturating_mul(n))?;
+    Ok(if order {
+        (0..n).flat_map(|_| data.iter()).collect()
+    } else {
+        data.iter().flat_map(|item| std::iter::repeat_n(item, n)).collect()
+    })
+}
+
+/// Gives a list over and over until it has a given length; a longer list is cut.
+#[component(
+    "c40dc145-9e36-4a69-ac1a-6d825c654993",
+    name = "Repeat Data",
+    nick = "Repeat",
+    at = "Sets/Sequence"
+)]
+#[output("Data", "D", "The list of that length.")]
+fn repeat_data(
+    context: &Context<'_>,
+    /// The list.
+    #[port("Data", "D")]
+    data: List<Value>,
+    /// The length wanted, 0 or more.
+    #[port("Length", "L")]
+    length: i32,
+) -> Result<Vec<Option<Value>>, Message> {
+    let length = count(length, "Length")?;
+    if data.is_empty() {
+        if length > 0 {
+            context.warn("The list is empty: there is nothing to repeat");
+        }
+        return Ok(Vec::new());
+    }
+    context.items(length)?;
+    Ok((0..length).map(|i| data.get(i % data.len())).collect())
+}
+
+/// Gives each item as often as a number says; the numbers are used over and over.
+#[component(
+    "5fa4e736-0d82-4af0-97fb-30a79f4cbf41",
+    name = "Stack Data",
+    nick = "Stack",
+    at = "Sets/Sequence"
+)]
+#[output("Data", "D", "The longer list.")]
+fn stack_data(
+    context: &Context<'_>,
+    /// The list.
+    #[port("Data", "D")]
+    data: List<Value>,
+    /// How often each item comes, 0 or more.
+    #[port("Stack", "S")]
+    stack: List<i32>,
+) -> Result<Vec<Option<Value>>, Message> {
+    if stack.is_empty() {
+        return Err(Message::error("The list of numbers is empty"));
+    }
+    let mut result = Vec::new();
+    for (i, item) in data.iter().enumerate() {
+        let n = count(stack.get(i % stack.len()).unwrap_or(0), "Stack")?;
+        context.items(result.len().saturating_add(n))?;
+        result.extend(std::iter::repeat_n(item, n));
+    }
+    Ok(result)
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+
+    #[test]
+    fn duplicates_in_both_orders() {
+        let dup = |n: i32, order: bool| Trial::of("Duplicate Data").list([1, 2]).item(n).item(order);
+        assert_eq!(dup(2, true).texts(0), ["{0;0}: 1, 2, 1, 2"]);
+        assert_eq!(dup(2, false).texts(0), ["{0;0}: 1, 1, 2, 2"]);
+        assert_eq!(dup(0, true).texts(0), ["{0;0}:"]);
+        assert_eq!(dup(-2, true).message(), "Number is negative: -2");
+        assert!(dup(i32::MAX, true).message().contains("items"));
+    }
+
+    #[test]
+    fn repeats_to_a_length() {
+        let repeat = |n: i32| Trial::of("Repeat Data").list(["10", "20", "30"]).item(n);
+        assert_eq!(repeat(7).texts(0), ["{0;0}: 10, 20, 30, 10, 20, 30, 10"]);
+        assert_eq!(repeat(2).texts(0), ["{0;0}: 10, 20"]);
+        assert_eq!(repeat(0).texts(0), ["{0;0}:"]);
+        assert!(repeat(-1).message().contains("negative"));
+        let nothing = Trial::of("Repeat Data").list::<f64>([]).item(3);
+        assert_eq!(nothing.message(), "The list is empty: there is nothing to repeat");
+    }
+
+    #[test]
+    fn stacks_by_a_pattern() {
+        let stack = |n: &[i32]| Trial::of("Stack Data").list([1, 2, 3]).list(n.iter().copied());
+        assert_eq!(stack(&[2, 0]).texts(0), ["{0}: 1, 1, 3, 3"]);
+        assert!(stack(&[]).message().contains("empty"));
+        assert!(stack(&[-1]).message().contains("negative"));
+        assert!(stack(&[i32::MAX]).message().contains("items"));
+    }
+}
