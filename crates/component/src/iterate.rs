@@ -87,11 +87,11 @@ fn piece<S: Sinks>(
         }
         let ranges = matching.ranges(set);
         for i in at..iterations.end.min(range.end) {
-            if (i - range.start) % CHECK_EVERY == CHECK_EVERY - 1 {
-                if let Err(message) = call.budget.check() {
-                    stopped = Some(message);
-                    break 'sets;
-                }
+            if (i - range.start) % CHECK_EVERY == CHECK_EVERY - 1
+                && let Err(message) = call.budget.check()
+            {
+                stopped = Some(message);
+                break 'sets;
             }
             let row = Row { inputs: call.inputs, ranges, i: i - iterations.start };
             context.enter_iteration(row.i);

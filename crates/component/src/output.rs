@@ -234,8 +234,6 @@ macro_rules! sinks {
     ($($name:ident $index:tt),*; $n:expr) => {
         impl<$($name: Sink),*> Sinks for ($($name,)*) {
             type Results = ($($name::Result,)*);
-
-            #[allow(unused_variables, reason = "no outputs, nothing to make")]
             fn new(capacity: usize, ports: usize) -> Self {
                 // Only the last output stands for many: it has what the others leave.
                 let rest = (ports + 1).saturating_sub($n).max(1);
@@ -243,25 +241,18 @@ macro_rules! sinks {
             }
 
             #[inline]
-            #[allow(unused_variables, reason = "no outputs, nothing to keep")]
             fn push(&mut self, results: Option<Self::Results>) {
                 match results {
                     Some(results) => { $(self.$index.push(Some(results.$index));)* }
                     None => { $(self.$index.push(None);)* }
                 }
             }
-
-            #[allow(unused_variables, reason = "no outputs, nothing to join")]
             fn append(&mut self, other: Self) {
                 $(self.$index.append(other.$index);)*
             }
-
-            #[allow(unused_variables, reason = "no outputs, nothing to count")]
             fn count(results: &Self::Results) -> usize {
                 0 $(+ $name::count(&results.$index))*
             }
-
-            #[allow(unused_variables, reason = "no outputs, no trees")]
             fn finish(self, matching: &Matching) -> Vec<Tree> {
                 let trees: [Vec<Tree>; $n] = [$(self.$index.finish(matching)),*];
                 trees.into_iter().flatten().collect()
@@ -270,7 +261,20 @@ macro_rules! sinks {
     };
 }
 
-sinks!(; 0);
+/// A component without outputs.
+impl Sinks for () {
+    type Results = ();
+    fn new(_: usize, _: usize) -> Self {}
+    fn push(&mut self, _: Option<()>) {}
+    fn append(&mut self, (): Self) {}
+    fn count((): &()) -> usize {
+        0
+    }
+    fn finish(self, _: &Matching) -> Vec<Tree> {
+        Vec::new()
+    }
+}
+
 sinks!(A 0; 1);
 sinks!(A 0, B 1; 2);
 sinks!(A 0, B 1, C 2; 3);

@@ -6,8 +6,10 @@
 mod curve;
 mod display;
 mod maths;
+mod mesh;
 mod params;
 mod sets;
+mod surface;
 mod transform;
 mod vector;
 

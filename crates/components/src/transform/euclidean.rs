@@ -287,7 +287,10 @@ mod tests {
     fn movements() {
         assert_eq!(Trial::of("Move").item(P).texts(0), ["{0}: {1, 2, 13}"]);
         assert_eq!(Trial::of("Move").item(P).item(Vector3::X).texts(0), ["{0}: {2, 2, 3}"]);
-        assert_eq!(Trial::of("Move").tree(katydid_data::Tree::empty()).item(Vector3::X).texts(1), ["{0}: Transform"]);
+        assert_eq!(
+            Trial::of("Move").tree(katydid_data::Tree::empty()).item(Vector3::X).texts(1),
+            ["{0}: Transform"]
+        );
         let turned = |name| Trial::of(name).item(P).item(PI);
         assert_eq!(turned("Rotate").texts(0), ["{0}: {-1, -2, 3}"]);
         assert_eq!(turned("Rotate 3D").item(Point3::ORIGIN).item(Vector3::X).texts(0), ["{0}: {1, -2, -3}"]);

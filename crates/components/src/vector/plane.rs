@@ -416,7 +416,7 @@ mod tests {
         let turned = Trial::of("Rotate Plane").item(Plane::XY).item(FRAC_PI_2);
         assert_eq!(axes(turned, 0)[1], "{0}: {0, 1, 0}");
         let row = Trial::of("Align Planes").list([Plane::XY, Plane::XY.rotated(1.0)]);
-        assert_eq!(axes(row, 0)[1], "{0}: {1, 0, 0}, {1, 0, 0}");
+        assert_eq!(axes(row, 0)[1], "{0;0}: {1, 0, 0}, {1, 0, 0}");
     }
 
     #[test]

@@ -31,7 +31,8 @@ fn construct_point(
     "8a5aae11-8775-4ee5-b4fc-db3a1bd89c2f",
     name = "Construct Point",
     nick = "Pt",
-    at = "Vector/Point"
+    at = "Vector/Point",
+    old
 )]
 #[output("Point", "Pt", "The point.")]
 fn construct_point_in_system(

@@ -30,6 +30,7 @@ pub(super) fn integer(value: &Value) -> Option<i32> {
 
 pub(super) fn number(value: &Value) -> Option<f64> {
     match value {
+        Value::Number(x) => Some(*x),
         Value::Boolean(b) => Some(f64::from(u8::from(*b))),
         Value::Integer(i) => Some(f64::from(*i)),
         Value::Text(text) => parse::number(text),

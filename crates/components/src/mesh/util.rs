@@ -1,0 +1,338 @@
+//! Mesh / Util.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc as Shared;
+
+use katydid_component::{List, Message, component};
+use katydid_geometry::{Mesh, MeshFace, Point3};
+
+use super::{integer, shared};
+
+/// One mesh of several, in order. Nothing is welded.
+#[component("4bc9dbbf-fec8-4348-a3af-e33e7edc8e7b", name = "Mesh Join", nick = "MJoin", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh.")]
+fn mesh_join(
+    /// The meshes; nulls are skipped.
+    #[port("Meshes", "M")]
+    meshes: List<Shared<Mesh>>,
+) -> Result<Shared<Mesh>, Message> {
+    let meshes: Vec<Mesh> = meshes.present().map(|m| (*m).clone()).collect();
+    Ok(shared(Mesh::join(&meshes)?))
+}
+
+/// Makes vertices in the same place one where their faces meet at a flat enough angle.
+#[component("9f6d85c9-1143-4538-bca7-69dcb11a74ef", name = "Weld Mesh", nick = "Weld", at = "Mesh/Util")]
+#[output("Result", "R", "The welded mesh.")]
+fn weld_mesh(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// The largest angle between the normals of the faces, in radians.
+    #[port("Angle", "A", default = PI)]
+    angle: f64,
+) -> Shared<Mesh> {
+    shared(mesh.welded(angle))
+}
+
+/// Splits a mesh along sharp edges: each face gets vertices of its own there.
+#[component("47814a17-ca9e-4305-9400-3a9c8d71c19d", name = "Unweld Mesh", nick = "Unweld", at = "Mesh/Util")]
+#[output("Result", "R", "The unwelded mesh.")]
+fn unweld_mesh(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// The least angle between the normals of the faces at an edge to split, in radians.
+    #[port("Angle", "A", default = FRAC_PI_2)]
+    angle: f64,
+) -> Shared<Mesh> {
+    shared(mesh.unwelded(angle))
+}
+
+/// Turns a mesh inside out: any of its vertex normals, its face normals and the order of its face corners.
+#[component("47fbc929-e88a-4a13-882e-dad84763256d", name = "Flip Mesh", nick = "FlipM", at = "Mesh/Util")]
+#[output("Result", "R", "The flipped mesh.")]
+fn flip_mesh(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// Whether to reverse the normals at the vertices.
+    #[port("Vertex Normals", "Vn", default = true)]
+    vertex_normals: bool,
+    /// Whether to reverse the normals of the faces; they follow from the order of the corners.
+    #[port("Face Normals", "Fn", default = true)]
+    face_normals: bool,
+    /// Whether to reverse the order of the corners.
+    #[port("Face Orientation", "Fo", default = true)]
+    orientation: bool,
+) -> Result<Shared<Mesh>, Message> {
+    let _ = face_normals;
+    let own = if mesh.normals().is_empty() { mesh.vertex_normals() } else { mesh.normals().to_vec() };
+    let normals = if vertex_normals { own.into_iter().map(|n| -n).collect() } else { own };
+    let faces = mesh.faces().iter().map(|f| if orientation { f.flipped() } else { *f }).collect();
+    Ok(shared(Mesh::from_parts(mesh.vertices().to_vec(), faces, normals, mesh.colours().to_vec())?))
+}
+
+/// Cuts the quads of a mesh into triangles, along their shorter diagonals.
+#[component("3fba11d5-b30a-4146-8d80-d591e7a0a287", name = "Triangulate", nick = "Tri", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh of triangles.")]
+#[output("Count", "N", "How many quads were cut.")]
+fn triangulate(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+) -> Result<(Shared<Mesh>, i32), Message> {
+    let at = |i: u32| mesh.vertices().get(i as usize).copied().unwrap_or(Point3::ORIGIN);
+    let mut faces = Vec::with_capacity(2 * mesh.faces().len());
+    let mut cut = 0;
+    for face in mesh.faces() {
+        match *face {
+            MeshFace::Triangle(_) => faces.push(*face),
+            MeshFace::Quad([a, b, c, d]) => {
+                cut += 1;
+                if at(a).distance_to(at(c)) <= at(b).distance_to(at(d)) {
+                    faces.extend([MeshFace::Triangle([a, b, c]), MeshFace::Triangle([a, c, d])]);
+                } else {
+                    faces.extend([MeshFace::Triangle([a, b, d]), MeshFace::Triangle([b, c, d])]);
+                }
+            }
+        }
+    }
+    Ok((shared(with_faces(mesh, faces)?), cut))
+}
+
+/// The same vertices under other faces.
+fn with_faces(mesh: &Mesh, faces: Vec<MeshFace>) -> Result<Mesh, Message> {
+    let parts = (mesh.vertices().to_vec(), mesh.normals().to_vec(), mesh.colours().to_vec());
+    Ok(Mesh::from_parts(parts.0, faces, parts.1, parts.2)?)
+}
+
+/// Some faces of a mesh with the vertices they use, in their order.
+fn part(mesh: &Mesh, faces: &[MeshFace]) -> Result<Mesh, Message> {
+    let mut number: Vec<Option<u32>> = vec![None; mesh.vertices().len()];
+    for i in faces.iter().flat_map(|f| f.indices().iter()) {
+        if let Some(place) = number.get_mut(*i as usize) {
+            *place = Some(0);
+        }
+    }
+    let mut next = 0;
+    for place in number.iter_mut().flatten() {
+        *place = next;
+        next += 1;
+    }
+    fn pick<T: Copy>(items: &[T], number: &[Option<u32>]) -> Vec<T> {
+        items.iter().zip(number).filter(|(_, n)| n.is_some()).map(|(x, _)| *x).collect()
+    }
+    let faces =
+        faces.iter().map(|f| f.map(|i| number.get(i as usize).copied().flatten().unwrap_or(0))).collect();
+    Ok(Mesh::from_parts(
+        pick(mesh.vertices(), &number),
+        faces,
+        pick(mesh.normals(), &number),
+        pick(mesh.colours(), &number),
+    )?)
+}
+
+/// Takes faces out of a mesh by a pattern, which is repeated as needed.
+#[component("57edd208-760a-4f0f-87e6-ca1bbd74133b", name = "Cull Faces", nick = "CullF", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh of the faces that stay, without vertices that none uses.")]
+fn cull_faces(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// For each face whether it stays; nulls are skipped. An empty pattern keeps all.
+    #[port("Pattern", "P")]
+    pattern: List<bool>,
+) -> Result<Shared<Mesh>, Message> {
+    let pattern: Vec<bool> = pattern.present().collect();
+    if pattern.is_empty() {
+        return Ok(shared(mesh.clone()));
+    }
+    let stays = pattern.iter().cycle();
+    let faces: Vec<MeshFace> = mesh.faces().iter().zip(stays).filter(|(_, s)| **s).map(|(f, _)| *f).collect();
+    Ok(shared(part(mesh, &faces)?))
+}
+
+/// Takes faces out of a mesh by their numbers. Numbers that are no face's are ignored.
+#[component(
+    "d0f1311b-8287-4484-b2ea-1475c6770926",
+    name = "Delete Faces",
+    nick = "DeleteF",
+    at = "Mesh/Util"
+)]
+#[output("Mesh", "M", "The mesh of the faces that stay, without vertices that none uses.")]
+fn delete_faces(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// The numbers of the faces to take out, from 0.
+    #[port("Indices", "I")]
+    indices: List<i32>,
+) -> Result<Shared<Mesh>, Message> {
+    let gone: std::collections::HashSet<usize> =
+        indices.present().filter_map(|i| usize::try_from(i).ok()).collect();
+    let faces = mesh.faces().iter().enumerate();
+    let faces: Vec<MeshFace> = faces.filter(|(i, _)| !gone.contains(i)).map(|(_, f)| *f).collect();
+    Ok(shared(part(mesh, &faces)?))
+}
+
+/// The pieces of a mesh that hang together along edges. Vertices in the same place count as one.
+#[component(
+    "4dce5963-dc1a-4710-8991-9437ea23888d",
+    name = "Disjoint Mesh",
+    nick = "Disjoint",
+    at = "Mesh/Util"
+)]
+#[output("Meshes", "M", "The pieces, in order of their first faces.")]
+fn disjoint_mesh(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+) -> Result<Vec<Shared<Mesh>>, Message> {
+    let merged = mesh.merged_indices();
+    let (piece, count) = pieces(mesh, &merged);
+    let mut out = Vec::with_capacity(count);
+    let mut sorted: Vec<Vec<MeshFace>> = vec![Vec::new(); count];
+    for (face, k) in mesh.faces().iter().zip(&piece) {
+        if let Some(list) = sorted.get_mut(*k) {
+            list.push(*face);
+        }
+    }
+    for faces in sorted {
+        out.push(shared(part(mesh, &faces)?));
+    }
+    Ok(out)
+}
+
+/// The sides of a face, each as the places of its two ends in order of the corners.
+fn sides(face: &MeshFace, merged: &[u32]) -> Vec<(u32, u32)> {
+    let corner = |i: u32| merged.get(i as usize).copied().unwrap_or(i);
+    let indices = face.indices();
+    let next = indices.iter().cycle().skip(1);
+    indices.iter().zip(next).map(|(&a, &b)| (corner(a), corner(b))).collect()
+}
+
+/// The faces along each side, whichever way they walk it.
+fn neighbours(mesh: &Mesh, merged: &[u32]) -> std::collections::HashMap<(u32, u32), Vec<usize>> {
+    let mut along: std::collections::HashMap<(u32, u32), Vec<usize>> = std::collections::HashMap::new();
+    for (i, face) in mesh.faces().iter().enumerate() {
+        for (a, b) in sides(face, merged) {
+            along.entry((a.min(b), a.max(b))).or_default().push(i);
+        }
+    }
+    along
+}
+
+/// The number of the piece that each face belongs to, and the number of pieces.
+fn pieces(mesh: &Mesh, merged: &[u32]) -> (Vec<usize>, usize) {
+    let along = neighbours(mesh, merged);
+    let mut piece: Vec<Option<usize>> = vec![None; mesh.faces().len()];
+    let mut count = 0;
+    for first in 0..piece.len() {
+        if piece.get(first).is_none_or(Option::is_some) {
+            continue;
+        }
+        let mut todo = vec![first];
+        while let Some(i) = todo.pop() {
+            match piece.get_mut(i) {
+                Some(place @ None) => *place = Some(count),
+                _ => continue,
+            }
+            let Some(face) = mesh.faces().get(i) else { continue };
+            for (a, b) in sides(face, merged) {
+                todo.extend(along.get(&(a.min(b), a.max(b))).into_iter().flatten());
+            }
+        }
+        count += 1;
+    }
+    (piece.into_iter().map(|p| p.unwrap_or(0)).collect(), count)
+}
+
+/// Turns faces of a mesh round until neighbours look to the same side. The first face of each piece gives the side.
+#[component("ca6a48f4-b681-4989-b0c1-301a2929a84c", name = "Unify Mesh", nick = "UniM", at = "Mesh/Util")]
+#[output("Result", "R", "The mesh.")]
+#[output("Count", "N", "How many faces were turned round.")]
+fn unify_mesh(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+) -> Result<(Shared<Mesh>, i32), Message> {
+    let merged = mesh.merged_indices();
+    let along = neighbours(mesh, &merged);
+    let mut flip: Vec<Option<bool>> = vec![None; mesh.faces().len()];
+    for first in 0..flip.len() {
+        let mut todo = vec![(first, false)];
+        while let Some((i, turned)) = todo.pop() {
+            match flip.get_mut(i) {
+                Some(place @ None) => *place = Some(turned),
+                _ => continue,
+            }
+            let Some(face) = mesh.faces().get(i) else { continue };
+            for (a, b) in sides(face, &merged) {
+                for &j in along.get(&(a.min(b), a.max(b))).into_iter().flatten().filter(|&&j| j != i) {
+                    let Some(other) = mesh.faces().get(j) else { continue };
+                    // Neighbours that look to the same side walk their common side in opposite directions.
+                    let same = sides(other, &merged).contains(&(a, b));
+                    todo.push((j, turned != same));
+                }
+            }
+        }
+    }
+    let turned = |i: usize| flip.get(i).copied().flatten().unwrap_or(false);
+    let faces = mesh.faces().iter().enumerate().map(|(i, f)| if turned(i) { f.flipped() } else { *f });
+    let count = (0..flip.len()).filter(|&i| turned(i)).count();
+    if count == 0 {
+        return Ok((shared(mesh.clone()), 0));
+    }
+    let unified =
+        Mesh::from_parts(mesh.vertices().to_vec(), faces.collect(), Vec::new(), mesh.colours().to_vec())?;
+    Ok((shared(unified.with_normals()), integer(count)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use katydid_component::testing::{Trial, texts};
+    use katydid_geometry::{Mesh, MeshFace, Point3};
+
+    fn two_faces(second: MeshFace) -> Mesh {
+        let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
+        Mesh::new(points.map(Point3::from).to_vec(), vec![MeshFace::Quad([0, 1, 2, 3]), second]).unwrap()
+    }
+
+    #[test]
+    fn the_golden_box_welds_to_602_vertices() {
+        let made = Trial::of("Mesh Box").run().outputs[0].clone();
+        let welded = Trial::of("Weld Mesh").tree(made).item(91.0 * PI / 180.0).run();
+        assert_eq!(texts(&welded.outputs[0]), ["{0}: Mesh (V:602  F:600)"]);
+        let again = Trial::of("Unweld Mesh").tree(welded.outputs[0].clone()).item(1.5);
+        assert_eq!(again.texts(0), ["{0}: Mesh (V:726  F:600)"]);
+    }
+
+    #[test]
+    fn joined_and_parted() {
+        let mesh = || two_faces(MeshFace::Triangle([1, 4, 2]));
+        let joined = Trial::of("Mesh Join").list([mesh(), mesh()]).run();
+        assert_eq!(texts(&joined.outputs[0]), ["{0}: Mesh (V:10  F:4)"]);
+        let parts = Trial::of("Disjoint Mesh").item(mesh());
+        assert_eq!(parts.texts(0), ["{0;0}: Mesh (V:5  F:2)"]);
+        assert_eq!(
+            Trial::of("Cull Faces").item(mesh()).list([false, true]).texts(0),
+            ["{0;0}: Mesh (V:3  F:1)".replace("{0;0}", "{0}")]
+        );
+        assert_eq!(Trial::of("Delete Faces").item(mesh()).list([1, 7]).texts(0), ["{0}: Mesh (V:4  F:1)"]);
+    }
+
+    #[test]
+    fn faces_turned_and_cut() {
+        let wrong = || two_faces(MeshFace::Triangle([1, 2, 4]));
+        assert_eq!(Trial::of("Unify Mesh").item(wrong()).texts(1), ["{0}: 1"]);
+        let right = two_faces(MeshFace::Triangle([1, 4, 2]));
+        assert_eq!(Trial::of("Unify Mesh").item(right).texts(1), ["{0}: 0"]);
+        let cut = Trial::of("Triangulate").item(wrong()).run();
+        assert_eq!(texts(&cut.outputs[0]), ["{0}: Mesh (V:5  F:3)"]);
+        assert_eq!(texts(&cut.outputs[1]), ["{0}: 1"]);
+        let flipped = Trial::of("Flip Mesh").item(wrong()).run().outputs[0].clone();
+        assert!(Trial::of("Face Normals").tree(flipped).texts(1)[0].contains("-1}"));
+    }
+}

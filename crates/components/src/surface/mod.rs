@@ -1,0 +1,4 @@
+//! The Surface tab.
+
+mod boxes;
+mod measure;
