@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use katydid_solver::Progress;
+use katydid_solver::{Listener, Progress};
 
 /// Solves shorter than this show nothing.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -13,7 +13,7 @@ const PATIENCE: Duration = Duration::from_millis(500);
 const PAUSE: u64 = 100;
 
 /// A listener that draws the line; nothing when standard error is no terminal.
-pub(crate) fn listener() -> Option<Arc<dyn Fn(&Progress) + Send + Sync>> {
+pub(crate) fn listener() -> Option<Listener> {
     if !std::io::stderr().is_terminal() {
         return None;
     }

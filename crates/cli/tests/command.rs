@@ -1,5 +1,7 @@
 //! The command line as a user meets it: exit codes, what goes where, `--set`, `-o`, JSON.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 mod common;
 
 use common::{katydid, said, text};
@@ -25,7 +27,10 @@ fn the_example_runs_and_reports() {
     let circles = object(&report, "Circles");
     assert_eq!((&circles["status"], &circles["kind"]), (&"ok".into(), &"component".into()));
     let output = &circles["outputs"][0];
-    assert_eq!((&output["name"], &output["nickname"], &output["type"]), (&"Circle".into(), &"C".into(), &"Circle".into()));
+    assert_eq!(
+        (&output["name"], &output["nickname"], &output["type"]),
+        (&"Circle".into(), &"C".into(), &"Circle".into())
+    );
     let branch = &output["branches"][0];
     assert_eq!(branch["path"], "{0}");
     assert_eq!(branch["items"].as_array().unwrap().len(), 13 * 10);

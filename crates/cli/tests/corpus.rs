@@ -1,5 +1,7 @@
 //! All real definitions at hand through `check`, `run` and `convert`.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 mod common;
 
 use std::collections::BTreeMap;
@@ -60,7 +62,11 @@ fn check_knows_most_objects_of_the_stock_files() {
         }
     }
     let share = 100.0 * (objects - missing) as f64 / objects as f64;
-    println!("{} of {objects} objects supported ({share:.1} %), {} files whole", objects - missing, whole.len());
+    println!(
+        "{} of {objects} objects supported ({share:.1} %), {} files whole",
+        objects - missing,
+        whole.len()
+    );
     let mut wanted: Vec<(u64, String)> = wanted.into_iter().map(|(name, n)| (n, name)).collect();
     wanted.sort_by(|a, b| b.cmp(a));
     wanted.iter().take(40).for_each(|(n, name)| println!("  {n:>4} × {name}"));
@@ -123,7 +129,9 @@ fn converting_there_and_back_changes_nothing() {
             assert_eq!(output.status.code(), Some(0), "{}: {}", file.display(), said(&output));
         }
         let tree = |path: &Path| {
-            katydid_definition::archive::read(&std::fs::read(path).unwrap(), &Default::default()).unwrap().root
+            katydid_definition::archive::read(&std::fs::read(path).unwrap(), &Default::default())
+                .unwrap()
+                .root
         };
         assert_eq!(tree(file), tree(&back), "{}", file.display());
     }

@@ -1,5 +1,7 @@
 //! Bad files: a clear error with a reason, soon, and with little memory.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 mod common;
 
 use std::path::Path;

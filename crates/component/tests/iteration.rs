@@ -1,14 +1,16 @@
 //! Paths and matching: the rules R1–R7 and M1–M5 that pictures of Grasshopper prove.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 use katydid_component::{
     Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component, registry,
 };
 use katydid_data::{Path, Tree, TreeBuilder, Value};
 use katydid_definition::archive::Chunk;
 
-/// Writes what it is given.
+/// Joins two numbers into one.
 #[component("00000000-0000-0000-0000-000000000001", name = "Test Item", nick = "I", at = "Test/Test")]
-#[output("Text", "T", "Both texts.")]
+#[output("Both", "R", "A hundred times the first, and the second.")]
 fn item_to_item(
     /// First.
     #[port("A", "A")]
@@ -16,11 +18,9 @@ fn item_to_item(
     /// Second.
     #[port("B", "B")]
     b: f64,
-) -> String10 {
-    (a * 100.0 + b).into()
+) -> f64 {
+    a * 100.0 + b
 }
-
-type String10 = f64;
 
 /// Counts up.
 #[component("00000000-0000-0000-0000-000000000002", name = "Test Series", nick = "I", at = "Test/Test")]
@@ -248,7 +248,7 @@ fn m5_each_branch_is_a_list_of_its_own() {
 #[test]
 fn a_null_item_gives_a_null_at_its_place() {
     let mut builder = TreeBuilder::<f64>::new();
-    [Some(1.0), None, Some(3.0)].map(|x| builder.push(x));
+    [Some(1.0), None, Some(3.0)].into_iter().for_each(|x| builder.push(x));
     let out = run("Test Item", &[builder.finish(), tree(&[(&[0], &[0.0])])]);
     assert_eq!(out[0].item_count(), 3);
     assert!(out[0].column().is_null(1) && !out[0].column().is_null(2));

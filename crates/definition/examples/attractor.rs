@@ -2,6 +2,8 @@
 //!
 //! `cargo run -p katydid-definition --example attractor > examples/attractor.ghx`
 
+#![allow(clippy::expect_used, reason = "what is written here is known to fit")]
+
 use katydid_definition::archive::{Chunk, ItemValue};
 use katydid_definition::document::{Document, Mapping, NewPort, Object, Persistent, Side, Stored};
 use katydid_geometry::Plane;

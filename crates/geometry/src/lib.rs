@@ -78,4 +78,3 @@ pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
 pub use xform::Xform;
-

@@ -59,10 +59,10 @@ fn marked(document: &Document) -> Option<Vec<usize>> {
             let sources = object.inputs.iter().flat_map(|port| &port.sources);
             marked.extend(sources.filter_map(|id| lookup.output(*id)).map(|port| port.object));
         }
-        if let Some(Special::Group(group)) = object.special() {
-            if group.label.trim().starts_with(MARK) {
-                marked.extend(group.members.iter().filter_map(|id| lookup.object(*id)));
-            }
+        if let Some(Special::Group(group)) = object.special()
+            && group.label.trim().starts_with(MARK)
+        {
+            marked.extend(group.members.iter().filter_map(|id| lookup.object(*id)));
         }
     }
     (!marked.is_empty()).then_some(marked)

@@ -68,10 +68,10 @@ fn can_be_set(object: &Object) -> bool {
 
 /// The index of the one input of that nickname or id. Exact spelling goes before another case.
 pub(crate) fn find(document: &Document, name: &str) -> Result<usize, InputError> {
-    if let Ok(id) = Uuid::parse_str(name.trim().trim_matches(['{', '}'])) {
-        if let Some(index) = document.objects.iter().position(|o| o.id == id) {
-            return Ok(index);
-        }
+    if let Ok(id) = Uuid::parse_str(name.trim().trim_matches(['{', '}']))
+        && let Some(index) = document.objects.iter().position(|o| o.id == id)
+    {
+        return Ok(index);
     }
     let all = named(document);
     let matching = |same: &dyn Fn(&str) -> bool| {

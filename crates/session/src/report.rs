@@ -31,7 +31,6 @@ pub struct Report {
 
 /// One object of a report.
 #[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the report's format")]
 pub struct ObjectEntry {
     pub id: Uuid,
     pub component: Uuid,
@@ -46,7 +45,6 @@ pub struct ObjectEntry {
 
 /// One message of an object.
 #[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the report's format")]
 pub struct MessageEntry {
     pub level: String,
     pub text: String,
@@ -54,7 +52,6 @@ pub struct MessageEntry {
 
 /// One output of an object.
 #[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the report's format")]
 pub struct OutputEntry {
     pub name: String,
     pub nickname: String,
@@ -65,7 +62,6 @@ pub struct OutputEntry {
 
 /// One branch of an output.
 #[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the report's format")]
 pub struct BranchEntry {
     pub path: String,
     pub items: Vec<serde_json::Value>,

@@ -1,6 +1,8 @@
 //! A definition over a million items: Series → Sine → Construct Point → Move → Distance → Mass Addition.
 //! `benches/compare.py` puts it beside the same in NumPy.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use katydid_component::{Component, registry};
 use katydid_definition::document::{Document, NewPort, Object, Persistent, Side, Stored};
@@ -22,7 +24,8 @@ fn add(document: &mut Document, name: &str, inputs: Vec<Input>) -> Uuid {
     let component: &Component = registry::by_name(name).expect("the component is in");
     let mut object = Object::new_component(component.guid, name, component.nick, next(document, 0));
     for (k, (input, declared)) in inputs.into_iter().zip(component.inputs).enumerate() {
-        let mut port = NewPort { id: next(document, k + 1), name: declared.name.to_owned(), ..NewPort::default() };
+        let mut port =
+            NewPort { id: next(document, k + 1), name: declared.name.to_owned(), ..NewPort::default() };
         let mut source = None;
         match input {
             Input::Wire(id) => source = Some(id),

@@ -84,10 +84,10 @@ fn expression(column: &Column, text: &str) -> Result<Column, Message> {
     let program = Expression::parse(text)
         .and_then(|parsed| parsed.bind(&["x"]))
         .map_err(|error| in_port(error.render(text)))?;
-    if let (Items::Numbers(numbers), false) = (column.items(), column.has_nulls()) {
-        if let Some(Ok(results)) = program.evaluate_numbers(&[numbers.as_slice()], numbers.len()) {
-            return Ok(Column::new(Items::Numbers(Arc::new(results)), None));
-        }
+    if let (Items::Numbers(numbers), false) = (column.items(), column.has_nulls())
+        && let Some(Ok(results)) = program.evaluate_numbers(&[numbers.as_slice()], numbers.len())
+    {
+        return Ok(Column::new(Items::Numbers(Arc::new(results)), None));
     }
     let mut results = Gather::<Value>::with_capacity(column.len());
     for item in column.iter() {

@@ -3,6 +3,8 @@
 //! Each case is a small definition in JSON. It is built as a document, solved, and compared text by text with
 //! what the panels in the picture say. A case whose component is not in yet is listed as skipped.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -86,7 +88,8 @@ fn run(case: &Json) -> Result<(), Outcome> {
     let mut compared = 0;
     for (key, want) in expected {
         if let Some(object) = key.strip_suffix(".warning") {
-            let &(index, _) = built.outputs.get(object).ok_or_else(|| Outcome::Skip(format!("no {object}")))?;
+            let &(index, _) =
+                built.outputs.get(object).ok_or_else(|| Outcome::Skip(format!("no {object}")))?;
             let said: Vec<&str> =
                 engine.report(index).unwrap().messages.iter().map(|m| m.text.as_str()).collect();
             for text in want.as_array().unwrap() {
@@ -104,14 +107,16 @@ fn run(case: &Json) -> Result<(), Outcome> {
         let truncated = case.get("truncated").is_some_and(|t| !t.is_null());
         // Where the case gives only the number of items that went in, only numbers can be compared.
         let counted = objects.iter().any(|object| object.to_string().contains("{\"count\":"));
-        let counts: serde_json::Map<String, Json> = branches.iter().map(|(path, want)| {
-            let n = want.as_array().map_or_else(|| want["count"].clone(), |texts| texts.len().into());
-            (path.clone(), serde_json::json!({ "count": n }))
-        }).collect();
+        let counts: serde_json::Map<String, Json> = branches
+            .iter()
+            .map(|(path, want)| {
+                let n = want.as_array().map_or_else(|| want["count"].clone(), |texts| texts.len().into());
+                (path.clone(), serde_json::json!({ "count": n }))
+            })
+            .collect();
         let branches = if counted { &counts } else { branches };
-        compare(&report.outputs[output], branches, old, truncated).map_err(|why| {
-            Outcome::Fail(format!("{key}: {why}; messages {:?}", report.messages))
-        })?;
+        compare(&report.outputs[output], branches, old, truncated)
+            .map_err(|why| Outcome::Fail(format!("{key}: {why}; messages {:?}", report.messages)))?;
         compared += 1;
     }
     if compared == 0 { skip("nothing in it that a solve shows") } else { Ok(()) }
@@ -227,8 +232,12 @@ fn build(objects: &[Json]) -> Result<Built, Outcome> {
                 declared.outputs.iter().map(|p| p.nick).collect()
             };
             for nick in ports {
-                let port =
-                    NewPort { id: id(), name: nick.to_owned(), nickname: nick.to_owned(), ..NewPort::default() };
+                let port = NewPort {
+                    id: id(),
+                    name: nick.to_owned(),
+                    nickname: nick.to_owned(),
+                    ..NewPort::default()
+                };
                 let k = object.add_port(Side::Output, &port);
                 let key = format!("{name}.{nick}");
                 port_ids.insert(key.clone(), port.id);

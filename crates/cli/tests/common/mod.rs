@@ -1,11 +1,13 @@
 //! Running the command as a user does.
 
+#![allow(dead_code, reason = "each test uses a part")]
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// The shared test data, or nothing with a line that says so.
-pub fn shared(path: &str) -> Option<PathBuf> {
+pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared")).join(path);
     if path.exists() {
         return Some(path);
@@ -16,12 +18,12 @@ pub fn shared(path: &str) -> Option<PathBuf> {
 }
 
 /// The command with these words.
-pub fn katydid(words: &[&str]) -> Output {
+pub(crate) fn katydid(words: &[&str]) -> Output {
     within(Duration::from_secs(120), words).expect("the command hangs")
 }
 
 /// The command with these words; nothing when it takes longer than that, and is stopped.
-pub fn within(time: Duration, words: &[&str]) -> Option<Output> {
+pub(crate) fn within(time: Duration, words: &[&str]) -> Option<Output> {
     let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
         .args(words)
         .stdin(Stdio::null())
@@ -58,11 +60,11 @@ pub fn within(time: Duration, words: &[&str]) -> Option<Output> {
 }
 
 /// What was printed on standard error.
-pub fn said(output: &Output) -> String {
+pub(crate) fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// A path as text.
-pub fn text(path: &Path) -> &str {
+pub(crate) fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
