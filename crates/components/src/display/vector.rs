@@ -41,7 +41,7 @@ fn early_point_list(
     _lines: bool,
     /// The size of the numbers.
     #[port("Size", "Size", default = 1.5)]
-    _size: f64,
+    _size: Option<f64>,
 ) {
 }
 

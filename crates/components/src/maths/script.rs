@@ -81,7 +81,7 @@ fn evaluate(
     #[port("Expression", "F")]
     text: Arc<str>,
     /// A variable.
-    #[port("Variable x", "x", optional)]
+    #[port("Variable t", "t", optional)]
     variables: ManyItems<Value>,
 ) -> Result<Option<Value>, Message> {
     let names: Vec<&str> = (1..context.input_count()).map(|k| context.input_name(k)).collect();
@@ -112,6 +112,7 @@ macro_rules! fixed {
         #[doc = "An early form of Evaluate."]
         #[component($guid, name = $name, nick = $nick, at = "Maths/Script")]
         #[output($out, $out_nick, "The value of the formula.")]
+        #[allow(clippy::too_many_arguments, reason = "an argument is a port")]
         fn $function(
             context: &Context<'_>,
             #[doc = "The formula."]
@@ -139,6 +140,11 @@ fixed! {
         [(a, "a", "a"), (b, "b", "b"), (c, "c", "c"), (d, "d", "d"), (x, "x", "x")];
     f6, "4783b96f-6197-4058-a688-b4ba04c00962", "F6", "F(a,b,c,d,x,y)", ("Result", "r"), ("Function", "F"),
         [(a, "a", "a"), (b, "b", "b"), (c, "c", "c"), (d, "d", "d"), (x, "x", "x"), (y, "y", "y")];
+    f7, "e9628b21-49d6-4e56-900e-49f4bd4adc85", "F7", "F(a,b,c,d,x,y,z)", ("Result", "r"), ("Function", "F"),
+        [(a, "a", "a"), (b, "b", "b"), (c, "c", "c"), (d, "d", "d"), (x, "x", "x"), (y, "y", "y"), (z, "z", "z")];
+    f8, "f2a97ac6-4f11-4c81-834d-50ecd782675c", "F8", "F(a,b,c,d,w,x,y,z)", ("Result", "r"), ("Function", "F"),
+        [(a, "a", "a"), (b, "b", "b"), (c, "c", "c"), (d, "d", "d"), (w, "w", "w"), (x, "x", "x"), (y, "y", "y"),
+         (z, "z", "z")];
     old_x, "d3e721b4-f5ea-4e40-85fc-b68616939e47", "F(x) [OBSOLETE]", "F(x)", ("Result Y", "y"), ("Function", "F"),
         [(x, "Variable X", "x")];
     old_x_y, "d2b10b82-f612-4763-91ca-0cbdbe276171", "F(x,y) [OBSOLETE]", "F(x,y)", ("Result", "r"), ("Function", "F"),
@@ -190,6 +196,8 @@ mod tests {
         let trial = Trial::of("Evaluate").names(["F", "t"]).list(["t^2", "t + 1", "t^2"]).list([3, 4, 5]);
         assert_eq!(trial.texts(0), ["{0}: 9, 5, 25"]);
         assert_eq!(Trial::of("F2").item("x/y").item(1).item(4).texts(0), ["{0}: 0.25"]);
+        let eight = Trial::of("F8").item("a+b+c+d+w+x+y*z");
+        assert_eq!((1..=8).fold(eight, Trial::item).texts(0), ["{0}: 77"]);
         assert_eq!(Trial::of("Eval [OBSOLETE]").item("2^8").texts(0), ["{0}: 256"]);
     }
 }

@@ -102,7 +102,7 @@ fn gate_majority(
     #[port("C", "C")]
     c: bool,
 ) -> bool {
-    a && b || b && c || a && c
+    [a, b, c].into_iter().filter(|vote| *vote).count() >= 2
 }
 
 #[cfg(test)]

@@ -68,10 +68,10 @@ fn match_text(
 ) -> Result<bool, Message> {
     let last: &RefCell<Last> = context.prepared(|| Ok(RefCell::default()))?;
     let mut last = last.borrow_mut();
-    if let Some(pattern) = pattern {
-        if !last.pattern(&pattern, case).fits(&text, || context.check())? {
-            return Ok(false);
-        }
+    if let Some(pattern) = pattern
+        && !last.pattern(&pattern, case).fits(&text, || context.check())?
+    {
+        return Ok(false);
     }
     match expression {
         Some(expression) => Ok(last.expression(&expression, case)?.is_match(&text)),
@@ -91,6 +91,7 @@ fn match_text(
 )]
 #[output("Keys", "K", "The texts in order.")]
 #[output("Values", "V", "The values in the order of their texts.")]
+#[expect(clippy::type_complexity, reason = "the results are read off it")]
 fn sort_text(
     context: &Context<'_>,
     /// The texts.
