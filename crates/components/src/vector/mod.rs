@@ -7,4 +7,4 @@ mod near;
 mod plane;
 mod point;
 mod populate;
-mod vector;
+mod vectors;
