@@ -3,6 +3,12 @@
 //! Geometry of more than a few lines belongs in `katydid-geometry`, where a Rust user finds it too. A program
 //! that wants the components in its registry calls [`link`].
 
+#![allow(
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::type_complexity,
+    reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its outputs"
+)]
+
 mod curve;
 mod display;
 mod maths;

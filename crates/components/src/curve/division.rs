@@ -26,7 +26,7 @@ fn parts(context: &Context<'_>, curve: &Curve, count: i32) -> Result<Vec<f64>, M
     let count = usize::try_from(count).ok().filter(|&n| n > 0);
     let count = count.ok_or_else(|| Message::error("The count must be at least 1"))?;
     context.items(count)?;
-    Ok(curve.divide_by_count(count).map_err(warning)?)
+    curve.divide_by_count(count).map_err(warning)
 }
 
 /// Divides a curve into parts of equal length.

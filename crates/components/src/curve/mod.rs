@@ -4,6 +4,7 @@ mod analysis;
 mod division;
 mod evaluate;
 mod fillet;
+mod offset;
 mod polyline;
 mod primitive;
 mod region;

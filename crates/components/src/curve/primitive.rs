@@ -115,7 +115,7 @@ fn fit_line(
     points: List<Point3>,
 ) -> Result<Line, Message> {
     let points: Vec<Point3> = points.present().collect();
-    Ok(Line::fit(&points).map_err(warning)?)
+    Line::fit(&points).map_err(warning)
 }
 
 /// A circle in a plane.
@@ -129,7 +129,7 @@ fn circle(
     #[port("Radius", "R", default = 1.0)]
     radius: f64,
 ) -> Result<Circle, Message> {
-    Ok(Circle::new(plane, radius).map_err(warning)?)
+    Circle::new(plane, radius).map_err(warning)
 }
 
 /// A circle from centre, normal and radius.
@@ -151,7 +151,7 @@ fn circle_cnr(
     #[port("Radius", "R", default = 1.0)]
     radius: f64,
 ) -> Result<Circle, Message> {
-    Ok(Circle::from_normal(center, normal, radius).map_err(warning)?)
+    Circle::from_normal(center, normal, radius).map_err(warning)
 }
 
 /// The circle through three points.
@@ -348,7 +348,7 @@ fn modified_arc(
     angle: Option<Interval>,
 ) -> Result<Arc, Message> {
     let circle = Circle::new(arc.circle.plane, radius.unwrap_or(arc.circle.radius)).map_err(warning)?;
-    Ok(Arc::new(circle, angle.unwrap_or(arc.angle)).map_err(warning)?)
+    Arc::new(circle, angle.unwrap_or(arc.angle)).map_err(warning)
 }
 
 /// An ellipse in a plane.

@@ -114,10 +114,8 @@ fn part(mesh: &Mesh, faces: &[MeshFace]) -> Result<Mesh, Message> {
             *place = Some(0);
         }
     }
-    let mut next = 0;
-    for place in number.iter_mut().flatten() {
+    for (place, next) in number.iter_mut().flatten().zip(0..) {
         *place = next;
-        next += 1;
     }
     fn pick<T: Copy>(items: &[T], number: &[Option<u32>]) -> Vec<T> {
         items.iter().zip(number).filter(|(_, n)| n.is_some()).map(|(x, _)| *x).collect()

@@ -6,4 +6,5 @@ pub(crate) mod hit;
 mod near;
 mod plane;
 mod point;
-mod vector;
+mod populate;
+mod vectors;
