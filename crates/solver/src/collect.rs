@@ -34,11 +34,7 @@ pub(crate) fn port(
     };
     let kind = declared.map_or(Kind::Generic, |d| d.kind);
     let tree = cast_to(tree, kind, rules, &mut messages);
-    let tree = if object.is_floating() {
-        tree
-    } else {
-        modifiers::apply(tree, &port.modifiers, rules, &mut messages)
-    };
+    let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, &mut messages) };
     // An expression may give another type than the port's.
     let tree = cast_to(tree, kind, rules, &mut messages);
     Collected { tree, messages }

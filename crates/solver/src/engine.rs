@@ -137,12 +137,13 @@ pub(crate) fn solve_nested(
 /// Fills in the reports that are missing.
 fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectReport>]) -> usize {
     let objects = &turn.document.objects;
-    let todo: Vec<bool> = reports.iter().map(Option::is_none).collect();
     for members in &graph.loops {
         for &member in members {
             reports[member] = Some(in_loop(turn.document, members, member));
         }
     }
+    // Objects in a loop are never run: they have their report by now.
+    let todo: Vec<bool> = reports.iter().map(Option::is_none).collect();
     let results: Vec<OnceLock<ObjectReport>> = reports.iter().map(|_| OnceLock::new()).collect();
     let total = todo.iter().filter(|&&t| t).count();
     let done = AtomicUsize::new(0);

@@ -4,25 +4,21 @@ use std::sync::Arc;
 
 use katydid_component::Message;
 use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
-use katydid_definition::document::{Mapping, Modifiers};
+use katydid_definition::document::{Mapping, Modifiers, Port};
 use katydid_expression::Expression;
 use katydid_geometry::{Interval, Vector3};
 
 /// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
 /// graft, reverse.
-pub(crate) fn apply(
-    tree: Tree,
-    modifiers: &Modifiers,
-    rules: &cast::Rules,
-    messages: &mut Vec<Message>,
-) -> Tree {
-    let tree = items(tree, modifiers, rules, messages);
-    shape(tree, modifiers)
+pub(crate) fn apply(tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+    let tree = items(tree, port, rules, messages);
+    shape(tree, &port.modifiers)
 }
 
-fn items(mut tree: Tree, modifiers: &Modifiers, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+fn items(mut tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+    let modifiers = &port.modifiers;
     if let Some(text) = modifiers.expression.as_deref().filter(|text| !text.trim().is_empty()) {
-        match expression(tree.column(), text) {
+        match expression(tree.column(), text, &port.nickname) {
             Ok(column) => tree = tree.with_column(column),
             Err(message) => {
                 messages.push(message);
@@ -78,14 +74,15 @@ fn shape(mut tree: Tree, modifiers: &Modifiers) -> Tree {
     tree
 }
 
-/// Runs a formula in `x` over a column.
-fn expression(column: &Column, text: &str) -> Result<Column, Message> {
+/// Runs a formula over a column. The item is `x` in it, and also goes by the name of its port.
+fn expression(column: &Column, text: &str, name: &str) -> Result<Column, Message> {
     let in_port = |error: String| Message::error(format!("In the expression of the port: {error}"));
     let program = Expression::parse(text)
-        .and_then(|parsed| parsed.bind(&["x"]))
+        .and_then(|parsed| parsed.bind(&["x", name]))
         .map_err(|error| in_port(error.render(text)))?;
     if let (Items::Numbers(numbers), false) = (column.items(), column.has_nulls())
-        && let Some(Ok(results)) = program.evaluate_numbers(&[numbers.as_slice()], numbers.len())
+        && let Some(Ok(results)) =
+            program.evaluate_numbers(&[numbers.as_slice(), numbers.as_slice()], numbers.len())
     {
         return Ok(Column::new(Items::Numbers(Arc::new(results)), None));
     }
@@ -97,7 +94,8 @@ fn expression(column: &Column, text: &str) -> Result<Column, Message> {
         };
         let variant = formula::variant(&item)
             .ok_or_else(|| in_port(format!("a {} cannot be used in a formula", item.kind())))?;
-        let result = program.evaluate(&[variant]).map_err(|error| in_port(error.render(text)))?;
+        let result =
+            program.evaluate(&[variant.clone(), variant]).map_err(|error| in_port(error.render(text)))?;
         // A vector is a point to the formula: it comes back as what it was.
         results.push(formula::value(result).map(|value| match (&item, value) {
             (Value::Vector(_), Value::Point(p)) => Value::Vector(p.to_vector()),

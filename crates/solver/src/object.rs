@@ -132,7 +132,7 @@ pub(crate) fn output(
     messages: &mut Vec<Message>,
 ) -> Tree {
     match object.outputs.get(k) {
-        Some(port) => modifiers::apply(tree, &port.modifiers, &options.rules, messages),
+        Some(port) => modifiers::apply(tree, port, &options.rules, messages),
         None => tree,
     }
 }
