@@ -1,6 +1,6 @@
 //! Geometry in other programs' files: OBJ and STL for now.
 //!
-//! A [`Scene`] is what is to be written; [`write`] gives the bytes, and says what the format cannot hold.
+//! A [`Scene`] is what is to be written; [`write()`] gives the bytes, and says what the format cannot hold.
 //!
 //! ```
 //! use katydid_exchange::{Format, Scene, Shape, Thing, write};

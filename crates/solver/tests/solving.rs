@@ -23,10 +23,6 @@ fn solved(document: Document) -> Engine {
     engine
 }
 
-fn index(engine: &Engine, name: &str) -> usize {
-    engine.document().objects.iter().position(|o| o.name == name).unwrap()
-}
-
 fn first_text(engine: &Engine, object: usize) -> String {
     texts(&engine.report(object).unwrap().outputs[0]).join(" ")
 }

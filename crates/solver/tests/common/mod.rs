@@ -7,7 +7,7 @@ use katydid_definition::document::{Branch, Document, NewPort, Object, Persistent
 use uuid::Uuid;
 
 /// What an input has.
-pub enum Input {
+pub(crate) enum Input {
     /// Wires from outputs.
     Wires(Vec<Uuid>),
     /// Values of its own.
@@ -17,24 +17,24 @@ pub enum Input {
 }
 
 /// A wire from one output.
-pub fn wire(id: Uuid) -> Input {
+pub(crate) fn wire(id: Uuid) -> Input {
     Input::Wires(vec![id])
 }
 
 /// One number.
-pub fn number(x: f64) -> Input {
+pub(crate) fn number(x: f64) -> Input {
     Input::Values(vec![Stored::Number(x)])
 }
 
 /// One value.
-pub fn value(stored: Stored) -> Input {
+pub(crate) fn value(stored: Stored) -> Input {
     Input::Values(vec![stored])
 }
 
 /// A definition that is being written.
-pub struct Sheet {
+pub(crate) struct Sheet {
     /// What is written so far.
-    pub document: Document,
+    pub(crate) document: Document,
     next: u128,
 }
 
@@ -52,7 +52,7 @@ impl Sheet {
     }
 
     /// Adds a component with its inputs, and gives the ids of its outputs.
-    pub fn add(&mut self, name: &str, inputs: Vec<Input>) -> Vec<Uuid> {
+    pub(crate) fn add(&mut self, name: &str, inputs: Vec<Input>) -> Vec<Uuid> {
         let component: &Component = registry::by_name(name).unwrap_or_else(|| panic!("no component {name}"));
         let id = self.id();
         if component.floating {
