@@ -66,6 +66,8 @@ fn options(args: &RunArgs) -> Result<Options, String> {
             bytes: args.limit_bytes.unwrap_or(defaults.bytes),
             time,
         },
+        // A report shows every output.
+        skip_unread: args.json.is_none(),
         progress: progress::listener(),
         ..Options::default()
     })

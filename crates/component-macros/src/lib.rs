@@ -15,7 +15,7 @@ use crate::parse::{Header, help, take_attributes};
 /// Turns a function into a component: reads ports and help off its signature, writes the loop over the data,
 /// and enters it in the registry.
 ///
-/// `#[component("guid", name = "…", nick = "…", at = "Tab/Panel", also("old guid", …), floating, old)]`, then an
+/// `#[component("guid", name = "…", nick = "…", at = "Tab/Panel", also("old guid", …), columns = function, floating, columns, old)]`, then an
 /// `#[output("Name", "N", "help")]` for each result, and on each argument a doc comment and
 /// `#[port("Name", "N", default = …, optional)]`. Argument types give the access: `T` takes an item,
 /// `Option<T>` one that may be missing, `List<T>` a branch, `&Tree` everything; `ManyItems<T>`,
@@ -62,12 +62,16 @@ fn expand(header: &Header, mut function: ItemFn) -> Result<proc_macro2::TokenStr
     let output_ports = outputs.ports();
     let sinks = outputs.sinks();
     let results = outputs.results(&quote!(#name(#(#arguments),*)));
-    let Header { guid, name: title, nick, tab, panel, also, floating, old } = header;
+    let Header { guid, name: title, nick, tab, panel, also, floating, old, columns } = header;
+    let columns = columns.iter();
     Ok(quote! {
         #function
 
         const _: () = {
             fn run(call: &::katydid_component::Call<'_>) -> ::katydid_component::Outcome {
+                #(if let Some(outcome) = #columns(call) {
+                    return outcome;
+                })*
                 #parts::run::<#sinks>(call, &[#(#access),*], |row, context| {
                     #(#bindings)*
                     let _ = (&row, &context);

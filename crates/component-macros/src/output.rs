@@ -17,6 +17,8 @@ enum Shape {
     List(Type),
     /// `Vec<Option<T>>`.
     MaybeList(Type),
+    /// `Column`: a list of values of any type, where speed matters.
+    Column,
     /// `Tree`.
     Tree,
     /// `Each<Option<T>>`.
@@ -98,7 +100,7 @@ impl Outputs {
             let OutputAttribute { name, nick, help, kind } = attribute;
             let (access, many) = match shape {
                 Shape::Item(_) | Shape::Maybe(_) => (quote!(Item), false),
-                Shape::List(_) | Shape::MaybeList(_) => (quote!(List), false),
+                Shape::List(_) | Shape::MaybeList(_) | Shape::Column => (quote!(List), false),
                 Shape::Tree => (quote!(Tree), false),
                 Shape::EachItems(_) => (quote!(Item), true),
                 Shape::EachLists(_) => (quote!(List), true),
@@ -106,7 +108,7 @@ impl Outputs {
             };
             let kind = match (kind, shape) {
                 (Some(kind), _) => quote!(#parts::Kind::#kind),
-                (None, Shape::Tree | Shape::EachTrees) => quote!(#parts::Kind::Generic),
+                (None, Shape::Tree | Shape::EachTrees | Shape::Column) => quote!(#parts::Kind::Generic),
                 (
                     None,
                     Shape::Item(t)
@@ -139,6 +141,7 @@ impl Outputs {
         let sinks = self.results.iter().map(|(shape, _)| match shape {
             Shape::Item(t) | Shape::Maybe(t) => quote!(#parts::Items<#t>),
             Shape::List(t) | Shape::MaybeList(t) => quote!(#parts::Lists<#t>),
+            Shape::Column => quote!(#parts::Lists<#parts::Value>),
             Shape::Tree => quote!(#parts::Trees),
             Shape::EachItems(t) => quote!(#parts::EachItems<#t>),
             Shape::EachLists(t) => quote!(#parts::EachLists<#t>),
@@ -158,9 +161,14 @@ impl Outputs {
         };
         let results = self.results.iter().zip(&names).map(|((shape, _), name)| match shape {
             Shape::Item(_) => quote!(Some(#name)),
-            Shape::Maybe(_) | Shape::MaybeList(_) | Shape::Tree => quote!(#name),
-            Shape::List(_) => quote!(#name.into_iter().map(Some).collect()),
-            Shape::EachItems(_) | Shape::EachLists(_) | Shape::EachTrees => quote!(#name.0),
+            Shape::Maybe(_) | Shape::Tree => quote!(#name),
+            Shape::List(_) => quote!(::katydid_component::parts::ListOf::Full(#name)),
+            Shape::MaybeList(_) => quote!(::katydid_component::parts::ListOf::Gaps(#name)),
+            Shape::Column => quote!(::katydid_component::parts::ListOf::Column(#name)),
+            Shape::EachItems(_) | Shape::EachTrees => quote!(#name.0),
+            Shape::EachLists(_) => {
+                quote!(#name.0.into_iter().map(::katydid_component::parts::ListOf::Gaps).collect())
+            }
         });
         quote! {
             let #pattern = #call;
@@ -177,6 +185,7 @@ fn shape(t: &Type) -> Result<Shape> {
     };
     Ok(match last_name(path).as_str() {
         "Tree" => Shape::Tree,
+        "Column" => Shape::Column,
         "Option" => Shape::Maybe(inner(path)?),
         "Vec" => {
             let t = inner(path)?;

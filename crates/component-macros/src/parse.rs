@@ -13,6 +13,8 @@ pub(crate) struct Header {
     pub(crate) tab: String,
     pub(crate) panel: String,
     pub(crate) floating: bool,
+    /// What is asked before the loop runs.
+    pub(crate) columns: Option<syn::Path>,
     pub(crate) old: bool,
 }
 
@@ -33,6 +35,7 @@ impl Parse for Header {
             tab: String::new(),
             panel: String::new(),
             floating: false,
+            columns: None,
             old: false,
         };
         while !input.is_empty() {
@@ -43,6 +46,10 @@ impl Parse for Header {
             let key: Ident = input.parse()?;
             match key.to_string().as_str() {
                 "floating" => header.floating = true,
+                "columns" => {
+                    input.parse::<Token![=]>()?;
+                    header.columns = Some(input.parse()?);
+                }
                 "old" => header.old = true,
                 "also" => {
                     let inner;

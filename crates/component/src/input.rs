@@ -46,11 +46,16 @@ impl<'a, T: Item> List<'a, T> {
 
     /// The items as they lie, when there is no null among them.
     pub fn as_slice(&self) -> Option<&'a [T]> {
+        self.slice_of()
+    }
+
+    /// The items as they lie, when all are of type `U` and there is no null among them.
+    pub fn slice_of<U: Item>(&self) -> Option<&'a [U]> {
         let no_nulls = self
             .column
             .null_mask()
             .is_none_or(|n| n.get(self.range.clone()).is_some_and(|n| !n.contains(&true)));
-        if no_nulls { T::slice(self.column)?.get(self.range.clone()) } else { None }
+        if no_nulls { U::slice(self.column)?.get(self.range.clone()) } else { None }
     }
 
     /// All items with their gaps.

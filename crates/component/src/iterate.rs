@@ -34,15 +34,12 @@ pub fn run<S: Sinks>(
     }
 
     let piece = |range: std::ops::Range<usize>| piece::<S>(call, &matching, range, &function);
-    let mut pieces = in_pieces(total, piece).into_iter();
+    let pieces = in_pieces(total, piece);
     let mut notes = Notes::default();
-    let Some(first) = pieces.next() else {
-        let outputs = S::new(0, call.output_count).finish(&matching);
-        return Outcome { outputs, messages: Vec::new() };
-    };
-    let mut sinks = first.sinks;
-    notes.append(first.notes);
-    let mut stopped = first.stopped;
+    // One piece is taken as it is; for several there is room for all of them.
+    let room = if pieces.len() > 1 { total } else { 0 };
+    let mut sinks = S::new(room, call.output_count);
+    let mut stopped = None;
     for next in pieces {
         notes.append(next.notes);
         stopped = stopped.or(next.stopped);

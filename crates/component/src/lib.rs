@@ -35,6 +35,7 @@ mod output;
 mod port;
 pub mod registry;
 pub mod testing;
+pub mod whole;
 
 pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};
@@ -54,6 +55,6 @@ pub mod parts {
 
     pub use crate::input::Row;
     pub use crate::iterate::run;
-    pub use crate::output::{EachItems, EachLists, EachTrees, Items, Lists, Trees};
+    pub use crate::output::{EachItems, EachLists, EachTrees, Items, ListOf, Lists, Trees};
     pub use crate::port::default_tree;
 }

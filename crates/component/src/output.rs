@@ -55,39 +55,93 @@ impl<T: Item> Sink for Items<T> {
     }
 }
 
+/// The list that one iteration gives.
+#[doc(hidden)]
+#[derive(Debug, Clone)]
+pub enum ListOf<T> {
+    /// Without nulls.
+    Full(Vec<T>),
+    /// With nulls.
+    Gaps(Vec<Option<T>>),
+    /// As a column.
+    Column(Column),
+}
+
+impl<T> ListOf<T> {
+    fn len(&self) -> usize {
+        match self {
+            Self::Full(list) => list.len(),
+            Self::Gaps(list) => list.len(),
+            Self::Column(column) => column.len(),
+        }
+    }
+}
+
 /// A list an iteration: each goes to a branch of its own, one element longer when any input takes items.
 #[derive(Debug)]
 pub struct Lists<T: Item> {
+    /// A first list that is a column already; nothing is gathered while it stands alone.
+    whole: Option<Column>,
     items: Gather<T>,
     ends: Vec<usize>,
 }
 
+impl<T: Item> Lists<T> {
+    fn len(&self) -> usize {
+        self.whole.as_ref().map_or_else(|| self.items.len(), Column::len)
+    }
+
+    fn gather(&mut self) -> &mut Gather<T> {
+        if let Some(column) = self.whole.take() {
+            (0..column.len()).for_each(|i| self.items.push(T::get(&column, i)));
+        }
+        &mut self.items
+    }
+}
+
 impl<T: Item> Sink for Lists<T> {
-    type Result = Vec<Option<T>>;
+    type Result = ListOf<T>;
 
     fn new(_: usize, _: usize) -> Self {
-        Self { items: Gather::default(), ends: Vec::new() }
+        Self { whole: None, items: Gather::default(), ends: Vec::new() }
     }
 
-    fn push(&mut self, result: Option<Vec<Option<T>>>) {
-        for item in result.unwrap_or_default() {
-            self.items.push(item);
+    fn push(&mut self, result: Option<ListOf<T>>) {
+        match result {
+            Some(ListOf::Column(column)) if self.len() == 0 => self.whole = Some(column),
+            Some(ListOf::Column(column)) => {
+                let gather = self.gather();
+                (0..column.len()).for_each(|i| gather.push(T::get(&column, i)));
+            }
+            Some(ListOf::Full(list)) => self.gather().extend(list),
+            Some(ListOf::Gaps(list)) => {
+                let gather = self.gather();
+                list.into_iter().for_each(|item| gather.push(item));
+            }
+            None => {}
         }
-        self.ends.push(self.items.len());
+        self.ends.push(self.len());
     }
 
-    fn append(&mut self, other: Self) {
-        let before = self.items.len();
-        self.items.append(other.items);
+    fn append(&mut self, mut other: Self) {
+        let before = self.len();
+        if before == 0 {
+            self.whole = other.whole.take();
+            self.items = other.items;
+        } else {
+            other.gather();
+            self.gather().append(other.items);
+        }
         self.ends.extend(other.ends.into_iter().map(|end| end + before));
     }
 
-    fn count(result: &Vec<Option<T>>) -> usize {
+    fn count(result: &ListOf<T>) -> usize {
         result.len()
     }
 
     fn finish(self, matching: &Matching) -> Vec<Tree> {
-        vec![list_tree(self.items.finish(), self.ends, matching)]
+        let column = self.whole.unwrap_or_else(|| self.items.finish());
+        vec![list_tree(column, self.ends, matching)]
     }
 }
 
@@ -177,7 +231,7 @@ each!(
 );
 each!(
     /// One list an iteration on each of several ports.
-    EachLists, Lists<T>, Vec<Option<T>>
+    EachLists, Lists<T>, ListOf<T>
 );
 
 /// One tree an iteration on each of several ports.

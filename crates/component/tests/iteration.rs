@@ -4,6 +4,7 @@
 
 use katydid_component::{
     Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component, registry,
+    whole,
 };
 use katydid_data::{Path, Tree, TreeBuilder, Value};
 use katydid_definition::archive::Chunk;
@@ -107,6 +108,40 @@ fn lists_to_each(
     lists: ManyLists<'_, f64>,
 ) -> Each<Vec<Option<f64>>> {
     Each(lists.iter().map(List::to_vec).collect())
+}
+
+/// Half a number, by the loop or by whole columns.
+#[component("00000000-0000-0000-0000-000000000009", name = "Test Half", nick = "I", at = "Test/Test", columns = halves)]
+#[output("Half", "H", "The half.")]
+fn half(
+    /// The number.
+    #[port("Number", "x")]
+    x: f64,
+) -> Result<f64, Message> {
+    if x < 0.0 { Err(Message::error("It is negative")) } else { Ok(x / 2.0) }
+}
+
+fn halves(call: &Call<'_>) -> Option<Outcome> {
+    whole::map(call, |&x: &f64| (x >= 0.0).then_some(x / 2.0))
+}
+
+#[test]
+fn whole_columns_give_what_the_loop_gives() {
+    let items: Vec<f64> = (0..100_000).map(f64::from).collect();
+    let plain = Tree::list(items.clone()).graft();
+    let outcome = run_limited("Test Half", &[plain], 1, Limits::default());
+    assert_eq!(outcome.outputs[0].branch_count(), 100_000);
+    assert_eq!(numbers(&outcome.outputs[0]), items.iter().map(|x| x / 2.0).collect::<Vec<_>>());
+    // One item that the short way does not take: the loop says why, and the others have their results.
+    let mut mixed = items;
+    mixed[50_000] = -1.0;
+    let outcome = run_limited("Test Half", &[Tree::list(mixed)], 1, Limits::default());
+    assert_eq!(outcome.messages.len(), 1);
+    assert!(outcome.outputs[0].column().is_null(50_000));
+    assert_eq!(numbers(&outcome.outputs[0])[99_999], 49_999.5);
+    let small = Limits { items: 10, ..Limits::default() };
+    let outcome = run_limited("Test Half", &[Tree::list(vec![1.0; 50_000])], 1, small);
+    assert!(outcome.messages[0].text.contains("10 items"));
 }
 
 fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> Outcome {

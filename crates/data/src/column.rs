@@ -7,7 +7,7 @@ use katydid_geometry::{
 };
 use uuid::Uuid;
 
-use crate::{Colour, Complex, DateTime, Domain2, Group, Item, Kind, Material, Path, Value};
+use crate::{Colour, Complex, DateTime, Domain2, Gather, Group, Item, Kind, Material, Path, Value};
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
 #[derive(Debug, Clone)]
@@ -246,75 +246,6 @@ impl Column {
             Some(items) => Self::new(items, nulls),
             None => Self::of_options(parts.iter().flat_map(|p| p.iter()).collect()),
         }
-    }
-}
-
-/// Collects items one by one into a column.
-#[derive(Debug, Clone)]
-pub struct Gather<T: Item> {
-    items: Vec<T>,
-    nulls: Option<Vec<bool>>,
-}
-
-impl<T: Item> Default for Gather<T> {
-    fn default() -> Self {
-        Self::with_capacity(0)
-    }
-}
-
-impl<T: Item> Gather<T> {
-    /// Nothing yet, with room for `n`.
-    pub fn with_capacity(n: usize) -> Self {
-        Self { items: Vec::with_capacity(n), nulls: None }
-    }
-
-    /// Adds an item, or a null.
-    #[inline]
-    pub fn push(&mut self, item: Option<T>) {
-        match item {
-            Some(item) => {
-                self.items.push(item);
-                if let Some(nulls) = &mut self.nulls {
-                    nulls.push(false);
-                }
-            }
-            None => {
-                let before = self.items.len();
-                self.items.push(T::placeholder());
-                self.nulls.get_or_insert_with(|| vec![false; before]).push(true);
-            }
-        }
-    }
-
-    /// Adds all items of another run behind these.
-    pub fn append(&mut self, mut other: Self) {
-        if self.nulls.is_some() || other.nulls.is_some() {
-            let mine = self.items.len();
-            let theirs = other.items.len();
-            self.nulls
-                .get_or_insert_with(|| vec![false; mine])
-                .extend(other.nulls.unwrap_or_else(|| vec![false; theirs]));
-        }
-        if self.items.is_empty() {
-            self.items = other.items;
-        } else {
-            self.items.append(&mut other.items);
-        }
-    }
-
-    /// The number of places so far.
-    pub fn len(&self) -> usize {
-        self.items.len()
-    }
-
-    /// Whether nothing was added.
-    pub fn is_empty(&self) -> bool {
-        self.items.is_empty()
-    }
-
-    /// The column.
-    pub fn finish(self) -> Column {
-        T::column(self.items, self.nulls)
     }
 }
 

@@ -7,14 +7,18 @@ use katydid_geometry::{
 };
 use uuid::Uuid;
 
+use crate::run::{Run, ValueRun};
 use crate::{Colour, Column, Complex, DateTime, Domain2, Group, Items, Kind, Material, Path, Value};
 
 /// A type that an item of data can have, and how it lies in a [`Column`].
 ///
 /// Implemented for every type of [`Value`], for [`Value`] itself (any type), and for [`Geometry`].
-pub trait Item: Clone + Send + Sync + Sized + 'static {
+pub trait Item: Clone + std::fmt::Debug + Send + Sync + Sized + 'static {
     /// The type of a port that takes these items.
     const KIND: Kind;
+
+    /// What these items are collected in.
+    type Run: Run<Self>;
 
     /// Item `i` of a column that has been cast to [`Self::KIND`]; `None` where it is null, where `i` is outside,
     /// and where the column holds another type.
@@ -34,6 +38,7 @@ macro_rules! item {
     ($type:ty, $variant:ident, $items:ident, $placeholder:expr) => {
         impl Item for $type {
             const KIND: Kind = Kind::$variant;
+            type Run = Vec<Self>;
 
             #[inline]
             fn get(column: &Column, i: usize) -> Option<Self> {
@@ -105,6 +110,7 @@ item!(
 
 impl Item for Value {
     const KIND: Kind = Kind::Generic;
+    type Run = ValueRun;
 
     #[inline]
     fn get(column: &Column, i: usize) -> Option<Self> {
@@ -133,6 +139,7 @@ pub struct Geometry(pub Value);
 
 impl Item for Geometry {
     const KIND: Kind = Kind::Geometry;
+    type Run = ValueRun;
 
     #[inline]
     fn get(column: &Column, i: usize) -> Option<Self> {

@@ -34,9 +34,14 @@ fn bench(c: &mut Criterion) {
         let document = pipeline();
         group.bench_function(format!("threads {threads}"), |b| {
             b.iter_batched(
-                || Engine::new(document.clone(), Options::default()),
+                || Engine::new(document.clone(), Options { skip_unread: true, ..Options::default() }),
                 |mut engine| {
                     pool.install(|| engine.solve());
+                    if std::env::var_os("PIPELINE_TIMES").is_some() {
+                        let times =
+                            (0..6).filter_map(|i| engine.report(i)).map(|r| r.time.as_secs_f64() * 1e3);
+                        eprintln!("{:.1?}", times.collect::<Vec<_>>());
+                    }
                     assert!((0..6).all(|i| engine.report(i).is_some_and(|r| r.status == Status::Ok)));
                     engine
                 },

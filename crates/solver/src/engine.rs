@@ -156,7 +156,8 @@ fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectRepor
         };
         let wired: Vec<Vec<&Tree>> =
             graph.sources[object].iter().map(|sources| sources.iter().filter_map(tree).collect()).collect();
-        let turn = Turn { wanted: &graph.wanted[object], ..*turn };
+        let wanted = if turn.options.skip_unread { &graph.wanted[object][..] } else { &[] };
+        let turn = Turn { wanted, ..*turn };
         let mut report = solve(&turn, object, &wired);
         report.time = watch.elapsed();
         if let Some(progress) = &turn.options.progress {

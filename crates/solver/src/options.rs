@@ -28,6 +28,8 @@ pub struct Options {
     pub limits: Limits,
     /// Stops the solve from outside.
     pub cancel: Cancel,
+    /// Leaves out what no wire reads where a component says that it is costly: the transforms of Move, say.
+    pub skip_unread: bool,
     /// Told after each object.
     pub progress: Option<Listener>,
 }

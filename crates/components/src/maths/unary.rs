@@ -1,6 +1,6 @@
 //! Functions of one number, real or complex, as components.
 
-use katydid_component::Message;
+use katydid_component::{Call, Message, Outcome, whole};
 use katydid_data::{Complex, Value, cast};
 
 /// The value of a function at `x`: a complex number stays complex, everything else that is a number is real.
@@ -35,11 +35,16 @@ pub(super) fn apply(
     }
 }
 
+/// The values of a function at all numbers of a plain column; `None` when one is not finite.
+pub(super) fn numbers(call: &Call<'_>, real: fn(f64) -> f64) -> Option<Outcome> {
+    whole::map(call, |&x: &f64| Some(real(x)).filter(|y| y.is_finite()))
+}
+
 /// Declares components `y = f(x)`.
 macro_rules! functions {
     ($at:tt; $($(#[doc = $help:tt])+ $function:ident, $guid:tt, $name:tt, $nick:tt, [$($also:tt),*], $real:expr, $complex:expr;)*) => {$(
         $(#[doc = $help])+
-        #[component($guid, name = $name, nick = $nick, at = $at, also($($also),*))]
+        #[component($guid, name = $name, nick = $nick, at = $at, also($($also),*), columns = columns::$function)]
         #[output("Result", "y", "The value of the function.")]
         fn $function(
             #[doc = "A number, real or complex."]
@@ -48,7 +53,15 @@ macro_rules! functions {
         ) -> Result<Value, Message> {
             unary::apply(&x, $name, $real, $complex)
         }
-    )*};
+    )*
+        /// The functions over whole columns of numbers.
+        mod columns {
+            use super::*;
+            $(pub(super) fn $function(call: &katydid_component::Call<'_>) -> Option<katydid_component::Outcome> {
+                unary::numbers(call, $real)
+            })*
+        }
+    };
 }
 
 pub(super) use functions;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use katydid_component::{Context, Message, component};
+use katydid_component::{Call, Context, Message, Outcome, component, whole};
 use katydid_data::{Geometry, Value};
 use katydid_geometry::{Line, Plane, Point3, Vector3, Xform};
 
@@ -15,7 +15,8 @@ use crate::vector::hit;
     name = "Move",
     nick = "Move",
     at = "Transform/Euclidean",
-    also("b40f28a2-ba30-4ac2-afe5-a6ece7f985fc")
+    also("b40f28a2-ba30-4ac2-afe5-a6ece7f985fc"),
+    columns = move_points
 )]
 #[output("Geometry", "G", "The moved geometry.")]
 #[output("Transform", "X", "The movement as a transform.", kind = Transform)]
@@ -29,6 +30,15 @@ fn move_geometry(
     motion: Vector3,
 ) -> Result<(Option<Geometry>, Option<Value>), Message> {
     transformed(context, geometry, Xform::translation(motion))
+}
+
+/// Points by one motion, when nobody reads the transforms.
+fn move_points(call: &Call<'_>) -> Option<Outcome> {
+    let motion = whole::constant::<Vector3>(call, 1).filter(|v| v.is_finite())?;
+    if call.wanted.get(1).copied().unwrap_or(true) {
+        return None;
+    }
+    whole::map(call, |&point: &Point3| Some(point + motion))
 }
 
 /// Turns geometry in a plane, counter-clockwise about its origin.

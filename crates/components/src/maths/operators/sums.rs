@@ -1,7 +1,7 @@
 //! Sums, differences, products, quotients.
 
 use katydid_component::{Context, List, ManyItems, Message, component};
-use katydid_data::Value;
+use katydid_data::{Column, Item, Value};
 
 use super::super::arithmetic;
 
@@ -138,8 +138,8 @@ fn mass_addition(
     /// The terms.
     #[port("Input", "I")]
     input: List<Value>,
-) -> Result<(Option<Value>, Vec<Value>), Message> {
-    running(context, input, arithmetic::add)
+) -> Result<(Option<Value>, Column), Message> {
+    running(context, input, arithmetic::add, |sum, x| sum + x)
 }
 
 /// Multiplies a list together, and shows the product after each item. Nulls are skipped.
@@ -157,8 +157,8 @@ fn mass_multiplication(
     /// The factors.
     #[port("Input", "I")]
     input: List<Value>,
-) -> Result<(Option<Value>, Vec<Value>), Message> {
-    running(context, input, arithmetic::multiply)
+) -> Result<(Option<Value>, Column), Message> {
+    running(context, input, arithmetic::multiply, |product, x| product * x)
 }
 
 /// The differences between neighbours in a list: each item less the one before it, one fewer than there are
@@ -212,8 +212,12 @@ fn running(
     context: &Context<'_>,
     input: List<'_, Value>,
     operator: Binary,
-) -> Result<(Option<Value>, Vec<Value>), Message> {
+    real: fn(f64, f64) -> f64,
+) -> Result<(Option<Value>, Column), Message> {
     context.items(input.len())?;
+    if let Some(numbers) = input.slice_of::<f64>() {
+        return Ok(running_numbers(numbers, real));
+    }
     let mut partial: Vec<Value> = Vec::with_capacity(input.len());
     for term in input.present() {
         let next = match partial.last() {
@@ -225,7 +229,21 @@ fn running(
         }
         partial.push(next);
     }
-    Ok((partial.last().cloned(), partial))
+    Ok((partial.last().cloned(), Column::of_values(partial, None)))
+}
+
+/// The same for numbers as they lie.
+fn running_numbers(numbers: &[f64], real: fn(f64, f64) -> f64) -> (Option<Value>, Column) {
+    let mut total = None;
+    let partial: Vec<f64> = numbers
+        .iter()
+        .map(|&x| {
+            let next = total.map_or(x, |sum| real(sum, x));
+            total = Some(next);
+            next
+        })
+        .collect();
+    (total.map(Value::Number), f64::column(partial, None))
 }
 
 #[cfg(test)]
