@@ -2,6 +2,9 @@
 //! in parallel. The results are the same to the last bit on any number of threads: a run of iterations is cut
 //! into pieces, and the pieces are joined in order.
 
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
 use katydid_data::Tree;
 
 use crate::input::Row;
@@ -33,13 +36,20 @@ pub fn run<S: Sinks>(
         return failed(call, message);
     }
 
-    let piece = |range: std::ops::Range<usize>| piece::<S>(call, &matching, range, &function);
-    let pieces = in_pieces(total, piece);
+    let cuts = cut(total);
+    let pieces: Vec<Mutex<Option<Piece<S>>>> = cuts.iter().map(|_| Mutex::new(None)).collect();
+    for_each_piece(cuts.len(), &|k| {
+        if let (Some(range), Some(slot)) = (cuts.get(k), pieces.get(k)) {
+            let piece = piece::<S>(call, &matching, range.clone(), &function);
+            *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(piece);
+        }
+    });
     let mut notes = Notes::default();
     // One piece is taken as it is; for several there is room for all of them.
-    let room = if pieces.len() > 1 { total } else { 0 };
+    let room = if cuts.len() > 1 { total } else { 0 };
     let mut sinks = S::new(room, call.output_count);
     let mut stopped = None;
+    let pieces = pieces.into_iter().filter_map(|p| p.into_inner().unwrap_or_else(PoisonError::into_inner));
     for next in pieces {
         notes.append(next.notes);
         stopped = stopped.or(next.stopped);
@@ -67,7 +77,7 @@ struct Piece<S> {
 fn piece<S: Sinks>(
     call: &Call<'_>,
     matching: &Matching,
-    range: std::ops::Range<usize>,
+    range: Range<usize>,
     function: &(impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync),
 ) -> Piece<S> {
     let context = Context::new(call);
@@ -118,18 +128,24 @@ fn piece<S: Sinks>(
     Piece { sinks, notes: context.into_notes(), stopped }
 }
 
-#[cfg(feature = "parallel")]
-fn in_pieces<T: Send>(total: usize, piece: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
-    use rayon::prelude::*;
-    if total < 2 * SMALLEST_PIECE || rayon::current_num_threads() == 1 {
-        return vec![piece(0..total)];
+/// Where a run of iterations is cut.
+fn cut(total: usize) -> Vec<Range<usize>> {
+    #[cfg(feature = "parallel")]
+    if total >= 2 * SMALLEST_PIECE && rayon::current_num_threads() > 1 {
+        let size = total.div_ceil(rayon::current_num_threads() * 8).max(SMALLEST_PIECE);
+        return (0..total).step_by(size).map(|start| start..(start + size).min(total)).collect();
     }
-    let size = total.div_ceil(rayon::current_num_threads() * 8).max(SMALLEST_PIECE);
-    let starts: Vec<usize> = (0..total).step_by(size).collect();
-    starts.into_par_iter().map(|start| piece(start..(start + size).min(total))).collect()
+    std::iter::once(0..total).collect()
 }
 
-#[cfg(not(feature = "parallel"))]
-fn in_pieces<T: Send>(total: usize, piece: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
-    vec![piece(0..total)]
+/// Calls `task` for 0 to `count`, on any thread. Not generic, so that the pool's code is compiled once and not for
+/// each component.
+fn for_each_piece(count: usize, task: &(dyn Fn(usize) + Sync)) {
+    #[cfg(feature = "parallel")]
+    if count > 1 {
+        use rayon::prelude::*;
+        (0..count).into_par_iter().for_each(task);
+        return;
+    }
+    (0..count).for_each(task);
 }

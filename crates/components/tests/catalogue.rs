@@ -1,0 +1,93 @@
+//! The components against the facts read from real files: names, nicknames, order and access of ports.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+use std::collections::HashSet;
+use std::path::PathBuf;
+
+use katydid_component::{Access, Component, registry};
+use serde_json::Value;
+use uuid::Uuid;
+
+/// Whether the ports of a component are any number: the catalogue holds the first few of one file.
+fn is_open(component: &Component) -> bool {
+    component.inputs.iter().chain(component.outputs).any(|p| p.many)
+}
+
+fn access(word: Option<&str>) -> Access {
+    match word {
+        Some("list") => Access::List,
+        Some("tree") => Access::Tree,
+        _ => Access::Item,
+    }
+}
+
+#[test]
+fn components_are_what_files_say() {
+    assert!(katydid_components::link() > 100);
+    let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data/components.json"));
+    if !path.exists() {
+        assert!(std::env::var_os("KATYDID_REQUIRE_SHARED").is_none(), "{} is absent", path.display());
+        println!("skipped: {} is absent", path.display());
+        return;
+    }
+    let catalogue: Vec<Value> = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let (mut known, mut differing) = (0, Vec::new());
+    for row in &catalogue {
+        let guid = Uuid::parse_str(row["guid"].as_str().unwrap()).unwrap();
+        let Some(component) = registry::by_guid(guid) else { continue };
+        known += 1;
+        // Earlier versions answer with the newest one's ports.
+        if component.guid != guid || is_open(component) || component.floating {
+            continue;
+        }
+        let name = row["name"].as_str().unwrap();
+        if component.name != name {
+            differing.push(format!("{guid}: {} instead of {name}", component.name));
+        }
+        for (side, ports) in [("inputs", component.inputs), ("outputs", component.outputs)] {
+            let facts = row[side].as_array().unwrap();
+            // A component may have more ports than the files at hand know.
+            for (fact, port) in facts.iter().zip(ports) {
+                if fact["nickname"].as_str() != Some(port.nick) {
+                    differing.push(format!("{name} {side}: {} instead of {}", port.nick, fact["nickname"]));
+                }
+                if access(fact["access"].as_str()) != port.access {
+                    differing.push(format!("{name} {side} {}: {:?} access", port.nick, port.access));
+                }
+            }
+            if facts.len() > ports.len() {
+                differing.push(format!("{name}: {} {side} instead of {}", ports.len(), facts.len()));
+            }
+        }
+    }
+    println!("{known} of {} rows of the catalogue are in; {} differ:", catalogue.len(), differing.len());
+    differing.iter().for_each(|line| println!("  {line}"));
+    assert!(differing.len() <= MOST, "{} differences", differing.len());
+}
+
+/// How many facts differ on purpose: the cells of Square and Rectangular grids are a branch a column, as pictures show,
+/// and an old Null Check takes and gives whole trees.
+const MOST: usize = 3;
+
+#[test]
+fn no_two_components_have_one_id() {
+    katydid_components::link();
+    let mut seen = HashSet::new();
+    for component in registry::all() {
+        for guid in std::iter::once(component.guid).chain(component.also.iter().copied()) {
+            assert!(seen.insert(guid), "{} shares {guid}", component.name);
+        }
+    }
+}
+
+#[test]
+fn every_component_has_help() {
+    katydid_components::link();
+    for component in registry::all() {
+        assert!(!component.help.is_empty(), "{}", component.name);
+        for port in component.inputs.iter().chain(component.outputs) {
+            assert!(!port.help.is_empty(), "{}.{}", component.name, port.nick);
+        }
+    }
+}
