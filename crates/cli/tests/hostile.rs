@@ -65,14 +65,14 @@ fn bad_archives_are_refused_with_a_reason() {
     long.extend_from_slice(b"\x04Name\xff\xff\xff\xff");
     long.extend_from_slice(&10i32.to_le_bytes());
     long.extend_from_slice(&[0xff, 0xff, 0xff, 0x7f]);
-    refused(at, "long.gh", &deflated(&long), "string");
+    refused(at, "long.gh", &deflated(&long), "a text needs");
     let mut deep = Vec::new();
     for _ in 0..100_000 {
         deep.extend_from_slice(&chunk("a", 0, 1));
     }
-    refused(at, "deep.gh", &deflated(&deep), "deep");
+    refused(at, "deep.gh", &deflated(&deep), "depth");
     let nested = "<chunk name=\"a\"><chunks>".repeat(100_000);
-    refused(at, "deep.ghx", format!("<Archive name=\"Root\"><chunks>{nested}").as_bytes(), "deep");
+    refused(at, "deep.ghx", format!("<Archive name=\"Root\"><chunks>{nested}").as_bytes(), "depth");
     let entity = "<!DOCTYPE a [<!ENTITY x \"y\"><!ENTITY z \"&x;&x;&x;\">]><Archive name=\"Root\"></Archive>";
     refused(at, "entity.ghx", entity.as_bytes(), "DOCTYPE");
 }

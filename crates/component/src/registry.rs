@@ -23,9 +23,12 @@ pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
     BY_GUID.get(&guid).copied()
 }
 
-/// The first component of that name, in order of tab, panel and name, its newest version; case does not matter.
+/// The first component of that name, in order of tab, panel and name, its newest version; a parameter only where no
+/// component has the name. Case does not matter.
 pub fn by_name(name: &str) -> Option<&'static Component> {
-    all().into_iter().find(|c| c.name.eq_ignore_ascii_case(name))
+    let all = all().into_iter().filter(|c| c.name.eq_ignore_ascii_case(name));
+    // The first of equals is the least.
+    all.min_by_key(|c| c.floating)
 }
 
 /// All components, ordered by tab, panel, name, age and id.

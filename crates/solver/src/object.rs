@@ -115,11 +115,12 @@ fn run(
     let outputs: Vec<Tree> = (0..object.outputs.len())
         .map(|k| output(object, k, trees.next().unwrap_or_default(), turn.options, &mut messages))
         .collect();
-    let nothing = object.is_floating() && outputs.iter().all(Tree::is_empty);
-    let status = match ObjectReport::status_of(&messages) {
-        Status::Ok if nothing => Status::NoData,
-        status => status,
-    };
+    let mut status = ObjectReport::status_of(&messages);
+    if status == Status::Ok && object.is_floating() && outputs.iter().all(Tree::is_empty) {
+        let text = format!("Floating parameter {} failed to collect data", object.title());
+        messages.push(Message::warning(text));
+        status = Status::NoData;
+    }
     ObjectReport { status, messages, outputs, time: std::time::Duration::ZERO }
 }
 

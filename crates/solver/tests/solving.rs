@@ -162,6 +162,15 @@ fn a_disabled_object_acts_as_if_it_had_no_output() {
 }
 
 #[test]
+fn a_parameter_without_data_says_so() {
+    let mut sheet = Sheet::default();
+    sheet.add("Point", vec![Input::Nothing]);
+    let engine = solved(sheet.document);
+    assert_eq!(engine.report(0).unwrap().status, Status::NoData);
+    assert_eq!(message(&engine, 0), "Floating parameter Pt failed to collect data");
+}
+
+#[test]
 fn an_unknown_object_gives_a_null_and_is_named() {
     let mut sheet = Sheet::default();
     let a = sheet.add("Pi", vec![number(1.0)]);
