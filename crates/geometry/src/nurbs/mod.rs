@@ -1,4 +1,4 @@
-//! NURBS curves: storage, evaluation and the algorithms on control points and knots.
+//! NURBS curves and surfaces: storage, evaluation and the algorithms on control points and knots.
 
 mod bezier;
 mod blossom;
@@ -11,6 +11,8 @@ mod knots;
 mod pieces;
 mod properties;
 mod refine;
+mod surface;
+mod surface_evaluate;
 mod uniform;
 
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
@@ -18,4 +20,6 @@ pub use curve::NurbsCurve;
 pub(crate) use curve::project;
 pub use interpolate::KnotSpacing;
 pub use knots::{MAX_DEGREE, check_knots, span_index};
+pub use surface::{Direction, NurbsSurface, Quadrant};
+pub use surface_evaluate::SurfaceDerivatives;
 pub use uniform::{clamped_uniform_knots, periodic_uniform_knots};
