@@ -234,6 +234,7 @@ impl NurbsCurve {
     }
 
     /// The first derivative in span `j`.
+    #[cfg(test)]
     pub(crate) fn velocity(&self, j: usize, t: f64) -> Vector3 {
         match &self.controls {
             Controls::Plain(p) => {

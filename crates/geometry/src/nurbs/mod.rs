@@ -1,5 +1,6 @@
 //! NURBS curves and surfaces: storage, evaluation and the algorithms on control points and knots.
 
+mod bezier;
 mod blossom;
 mod conic;
 mod construction;
