@@ -7,9 +7,11 @@ mod curve;
 mod evaluate;
 mod interpolate;
 mod knots;
+mod moebius;
 mod pieces;
 mod properties;
 mod refine;
+mod spans;
 mod uniform;
 
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
