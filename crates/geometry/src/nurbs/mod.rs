@@ -8,11 +8,13 @@ mod curve;
 mod evaluate;
 mod interpolate;
 mod knots;
+mod moebius;
 mod pieces;
 mod properties;
 mod refine;
 mod surface;
 mod surface_evaluate;
+mod spans;
 mod uniform;
 
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
