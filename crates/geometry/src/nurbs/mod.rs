@@ -1,5 +1,6 @@
 //! NURBS curves: storage, evaluation and the algorithms on control points and knots.
 
+mod batch;
 mod blossom;
 mod conic;
 mod construction;
