@@ -1,5 +1,6 @@
 //! NURBS curves and surfaces: storage, evaluation and the algorithms on control points and knots.
 
+mod batch;
 mod bezier;
 mod blossom;
 mod conic;
@@ -12,9 +13,9 @@ mod moebius;
 mod pieces;
 mod properties;
 mod refine;
+mod spans;
 mod surface;
 mod surface_evaluate;
-mod spans;
 mod uniform;
 
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
