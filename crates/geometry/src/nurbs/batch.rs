@@ -50,7 +50,8 @@ impl<const N: usize> Span<N> {
         for i in 0..degree {
             // C(p, i) bᵢ is what is stored: p Δbᵢ C(p − 1, i) = (i + 1) C(p, i + 1) bᵢ₊₁ − (p − i) C(p, i) bᵢ.
             out.points[i] = std::array::from_fn(|c| {
-                ((i + 1) as f64 * self.points[i + 1][c] - (degree - i) as f64 * self.points[i][c]) / self.width
+                ((i + 1) as f64 * self.points[i + 1][c] - (degree - i) as f64 * self.points[i][c])
+                    / self.width
             });
         }
         out

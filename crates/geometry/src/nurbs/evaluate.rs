@@ -76,7 +76,10 @@ pub(crate) fn basis_sized<const P: usize, const Q: usize, const R: usize, const 
 
 /// The sum of control points by weights.
 #[inline(always)]
-pub(crate) fn weighted<const N: usize, const Q: usize>(weights: &[f64; Q], points: &[[f64; N]; Q]) -> [f64; N] {
+pub(crate) fn weighted<const N: usize, const Q: usize>(
+    weights: &[f64; Q],
+    points: &[[f64; N]; Q],
+) -> [f64; N] {
     std::array::from_fn(|c| {
         let mut sum = weights[0] * points[0][c];
         for i in 1..Q {
