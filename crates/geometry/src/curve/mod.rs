@@ -1,6 +1,7 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod batch;
 mod bounds;
 mod classify;
 mod closest;
