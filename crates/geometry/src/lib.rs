@@ -71,7 +71,7 @@ pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
 };
-pub use nurbs::{Direction, NurbsSurface, Quadrant, SurfaceDerivatives};
+pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};

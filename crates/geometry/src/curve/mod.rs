@@ -22,6 +22,7 @@ mod region;
 mod sections;
 
 pub use arc_curve::ArcCurve;
+pub(crate) use classify::coincident;
 pub use closest::CurvePoint;
 pub use discontinuity::Continuity;
 pub use join::join_curves;

@@ -1,6 +1,7 @@
 //! NURBS curves and surfaces: storage, evaluation and the algorithms on control points and knots.
 
 mod blossom;
+mod compatible;
 mod conic;
 mod construction;
 mod curve;
@@ -11,9 +12,16 @@ mod pieces;
 mod properties;
 mod refine;
 mod surface;
+mod surface_bounds;
+mod surface_construct;
+mod surface_edit;
 mod surface_evaluate;
+mod surface_interpolate;
+mod surface_properties;
+mod surface_refine;
 mod uniform;
 
+pub use compatible::compatible_curves;
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
 pub use curve::NurbsCurve;
 pub(crate) use curve::project;
@@ -21,4 +29,5 @@ pub use interpolate::KnotSpacing;
 pub use knots::{MAX_DEGREE, check_knots, span_index};
 pub use surface::{Direction, NurbsSurface, Quadrant};
 pub use surface_evaluate::SurfaceDerivatives;
+pub use surface_properties::Side;
 pub use uniform::{clamped_uniform_knots, periodic_uniform_knots};
