@@ -48,6 +48,7 @@ mod plane;
 mod point;
 mod quadrature;
 mod rectangle;
+mod surface;
 mod tangent;
 mod tolerance;
 mod units;
@@ -75,6 +76,10 @@ pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, com
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};
+pub use surface::{
+    Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
+    SurfaceCurvature, Torus,
+};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
