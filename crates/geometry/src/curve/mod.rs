@@ -24,6 +24,7 @@ mod sections;
 mod speed;
 
 pub use arc_curve::ArcCurve;
+pub(crate) use classify::coincident;
 pub use closest::CurvePoint;
 pub use discontinuity::Continuity;
 pub use join::join_curves;
