@@ -173,7 +173,7 @@ fn bezier_spans_natural_ends_and_textbook_knots() {
 #[test]
 fn periodic_curves_turn_and_move() {
     let points: Vec<Point3> =
-        (0..7).map(|i| f64::from(i)).map(|a| p(a.cos() * (2.0 + 0.3 * a), a.sin() * 3.0, 0.0)).collect();
+        (0..7).map(f64::from).map(|a: f64| p(a.cos() * (2.0 + 0.3 * a), a.sin() * 3.0, 0.0)).collect();
     for degree in 2..=5 {
         let c = NurbsCurve::periodic_uniform(degree, &points).unwrap();
         for t in [0.0, 0.3, 2.0, 6.9] {
