@@ -21,8 +21,10 @@ mod poly_curve;
 mod polyline_curve;
 mod region;
 mod sections;
+mod speed;
 
 pub use arc_curve::ArcCurve;
+pub(crate) use classify::coincident;
 pub use closest::CurvePoint;
 pub use discontinuity::Continuity;
 pub use join::join_curves;

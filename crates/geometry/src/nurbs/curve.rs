@@ -266,6 +266,7 @@ impl NurbsCurve {
     }
 
     /// The first derivative in span `j`.
+    #[cfg(test)]
     #[inline]
     pub(crate) fn velocity(&self, j: usize, t: f64) -> Vector3 {
         let [_, velocity] = self.jet(j, t);
