@@ -219,8 +219,65 @@ fn on_points_2([a, b]: [f64; 2]) -> [f64; 3] {
     [-a, a - b, b]
 }
 
+/// How far `t` has come along a distance between knots, all of which is exactly 1.
+#[inline(always)]
+fn part(from: f64, width: f64, over: f64) -> f64 {
+    if from == width { 1.0 } else { from * over }
+}
+
+/// The basis functions of fixed degree P up to 3 and, as weights on the P differences of its control points, what
+/// gives its derivatives of order 1 and 2.
+#[inline(always)]
+pub(crate) fn jet_weights<const P: usize, const Q: usize, const U: usize>(
+    u: &[f64; U],
+    t: f64,
+) -> ([f64; Q], [[f64; P]; 2]) {
+    let (mut n, mut d) = ([0.0; Q], [[0.0; P]; 2]);
+    let width = |a: usize, b: usize| u[b] - u[a];
+    match P {
+        1 => {
+            let w = width(0, 1);
+            let x = part(t - u[0], w, 1.0 / w);
+            n.copy_from_slice(&[1.0 - x, x]);
+            d[0].copy_from_slice(&[1.0 / w]);
+        }
+        2 => {
+            let (w1, w2) = (width(1, 2), [width(0, 2), width(1, 3)]);
+            let (o1, o2) = (1.0 / w1, w2.map(|w| 1.0 / w));
+            let x = part(t - u[1], w1, o1);
+            let n1 = [1.0 - x, x];
+            let x2 = [part(t - u[0], w2[0], o2[0]), part(t - u[1], w2[1], o2[1])];
+            n.copy_from_slice(&quadratic(n1, x2));
+            let s = o2.map(|w| 2.0 * w);
+            d[0].copy_from_slice(&[n1[0] * s[0], n1[1] * s[1]]);
+            d[1].copy_from_slice(&[-o1 * s[0], o1 * s[1]]);
+        }
+        3 => {
+            let w1 = width(2, 3);
+            let (w2, w3) = ([width(1, 3), width(2, 4)], [width(0, 3), width(1, 4), width(2, 5)]);
+            let (o1, o2, o3) = (1.0 / w1, w2.map(|w| 1.0 / w), w3.map(|w| 1.0 / w));
+            let from = [t - u[0], t - u[1], t - u[2]];
+            let x = part(from[2], w1, o1);
+            let n1 = [1.0 - x, x];
+            let n2 = quadratic(n1, [part(from[1], w2[0], o2[0]), part(from[2], w2[1], o2[1])]);
+            let x3 = [part(from[0], w3[0], o3[0]), part(from[1], w3[1], o3[1]), part(from[2], w3[2], o3[2])];
+            n.copy_from_slice(&cubic(n2, x3));
+            let s = o3.map(|w| 3.0 * w);
+            d[0].copy_from_slice(&[n2[0] * s[0], n2[1] * s[1], n2[2] * s[2]]);
+            let second = on_points_2([2.0 * n1[0] * o2[0], 2.0 * n1[1] * o2[1]]);
+            d[1].copy_from_slice(&[second[0] * s[0], second[1] * s[1], second[2] * s[2]]);
+        }
+        _ => {
+            n = [f64::NAN; Q];
+            d = [[f64::NAN; P]; 2];
+        }
+    }
+    (n, d)
+}
+
 /// The basis functions of a cubic and, as weights on the three differences of its four control points, what gives
-/// its derivatives of order 1, 2 and 3. With one division for each of the six knot distances.
+/// its derivatives of order 1, 2 and 3, for `t` before the end of the span. One division for each of the six knot
+/// distances.
 #[inline(always)]
 fn cubic_weights(u: &[f64; 6], t: f64) -> ([f64; 4], [[f64; 3]; 3]) {
     let over = |a: usize, b: usize| 1.0 / (u[b] - u[a]);
@@ -346,4 +403,14 @@ pub(crate) fn divided<const K: usize>(d: &[[f64; 4]; K]) -> [[f64; 3]; K] {
         out[k] = v.map(|x| x * over);
     }
     out
+}
+
+/// The quotient rule for a point and its two first partial derivatives.
+#[inline(always)]
+pub(crate) fn divided_partials(d: &[[f64; 4]; 3]) -> [[f64; 3]; 3] {
+    let [point, u, v] = d;
+    let w = point[3];
+    let (over, at) = (1.0 / w, [point[0] / w, point[1] / w, point[2] / w]);
+    let part = |d: &[f64; 4]| std::array::from_fn(|c| (d[c] - at[c] * d[3]) * over);
+    [at, part(u), part(v)]
 }
