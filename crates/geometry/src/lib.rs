@@ -33,6 +33,7 @@
 mod bernstein;
 mod bounding_box;
 mod box3;
+mod box_tree;
 mod circle;
 mod curve;
 mod ellipse;
@@ -58,8 +59,8 @@ pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
-    join_curves,
+    ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve,
+    PolylineCurve, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};

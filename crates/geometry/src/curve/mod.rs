@@ -4,6 +4,8 @@ mod arc_curve;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_local;
+mod closest_part;
 mod convert;
 mod discontinuity;
 mod divide;
@@ -23,7 +25,7 @@ mod sections;
 mod speed;
 
 pub use arc_curve::ArcCurve;
-pub use closest::CurvePoint;
+pub use closest::{ClosestOnCurve, CurvePoint};
 pub use discontinuity::Continuity;
 pub use join::join_curves;
 pub use length::ArcLength;
