@@ -5,6 +5,8 @@ mod batch;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_local;
+mod closest_part;
 mod continuity;
 mod convert;
 mod discontinuity;
@@ -27,7 +29,7 @@ mod speed;
 
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;
-pub use closest::CurvePoint;
+pub use closest::{ClosestOnCurve, CurvePoint};
 pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
 pub use extrema::CurvatureExtremum;
