@@ -34,19 +34,25 @@ impl Surface {
     }
 
     /// The unit normal at (u, v): the direction of ∂S/∂u × ∂S/∂v. Where that vanishes, as at a pole or an apex, it is
-    /// the limit along the diagonal into the domain, by higher derivatives; `None` when there is none either, as on
-    /// a surface that is a curve.
+    /// the limit along the diagonal towards the middle of the domain, by higher derivatives; `None` when there is
+    /// none either, as on a surface that is a curve.
     pub fn normal_at(&self, u: f64, v: f64) -> Option<Vector3> {
-        self.normal_on_side(u, v, self.inner_quadrant(u, v))
+        let inwards =
+            Quadrant::new(u > self.domain(Direction::U).middle(), v > self.domain(Direction::V).middle());
+        self.normal(u, v, self.inner_quadrant(u, v), inwards)
     }
 
     /// The unit normal at (u, v) of the piece on a side, at a singular point the limit from it.
     pub fn normal_on_side(&self, u: f64, v: f64, side: Quadrant) -> Option<Vector3> {
+        self.normal(u, v, side, side)
+    }
+
+    fn normal(&self, u: f64, v: f64, side: Quadrant, inwards: Quadrant) -> Option<Vector3> {
         let d = self.derivatives(u, v, 1, side);
         if let Some(normal) = self.regular_normal(&d) {
             return Some(normal);
         }
-        limit_normal(&self.derivatives(u, v, LIMIT_ORDER, side), side, self.lengths())
+        limit_normal(&self.derivatives(u, v, LIMIT_ORDER, side), inwards, self.lengths())
     }
 
     /// The lengths of both domains: what makes derivatives by u and v comparable.
@@ -73,7 +79,7 @@ impl Surface {
     /// ∂S/∂v. `None` where there is no normal.
     pub fn frame_at(&self, u: f64, v: f64) -> Option<Plane> {
         let side = self.inner_quadrant(u, v);
-        let z_axis = self.normal_on_side(u, v, side)?;
+        let z_axis = self.normal_at(u, v)?;
         let d = self.derivatives(u, v, 1, side);
         let [lu, lv] = self.lengths();
         let (du, dv) = (d.get(1, 0) * lu, d.get(0, 1) * lv);
