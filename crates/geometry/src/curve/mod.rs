@@ -1,6 +1,7 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod batch;
 mod bounds;
 mod classify;
 mod closest;
@@ -20,6 +21,7 @@ mod poly_curve;
 mod polyline_curve;
 mod region;
 mod sections;
+mod speed;
 
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;

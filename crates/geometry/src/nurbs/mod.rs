@@ -1,5 +1,7 @@
 //! NURBS curves and surfaces: storage, evaluation and the algorithms on control points and knots.
 
+mod batch;
+mod bezier;
 mod blossom;
 mod compatible;
 mod conic;
@@ -8,9 +10,11 @@ mod curve;
 mod evaluate;
 mod interpolate;
 mod knots;
+mod moebius;
 mod pieces;
 mod properties;
 mod refine;
+mod spans;
 mod surface;
 mod surface_bounds;
 mod surface_construct;
