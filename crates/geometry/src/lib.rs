@@ -46,12 +46,15 @@ mod mesh;
 mod nurbs;
 mod plane;
 mod point;
+mod point2;
 mod quadrature;
+mod quaternion;
 mod rectangle;
 mod tangent;
 mod tolerance;
 mod units;
 mod vector;
+mod vector2;
 mod xform;
 
 pub use bounding_box::BoundingBox;
@@ -65,16 +68,19 @@ pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
 pub use line::Line;
-pub use matrix::Matrix;
+pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
 };
-pub use plane::Plane;
+pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
+pub use point2::Point2;
+pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
-pub use xform::Xform;
+pub use vector2::Vector2;
+pub use xform::{AffineParts, Frustum, Xform};

@@ -37,9 +37,9 @@ pub(crate) fn numbers(v: &Value) -> Read<Vec<f64>> {
 
 /// A point of two or three coordinates.
 pub(crate) fn point(v: &Value) -> Read<Point3> {
-    match numbers(v)?.as_slice() {
-        &[x, y] => Ok(Point3::new(x, y, 0.0)),
-        &[x, y, z] => Ok(Point3::new(x, y, z)),
+    match *numbers(v)?.as_slice() {
+        [x, y] => Ok(Point3::new(x, y, 0.0)),
+        [x, y, z] => Ok(Point3::new(x, y, z)),
         _ => wrong("a point", v),
     }
 }
@@ -53,8 +53,8 @@ pub(crate) fn vectors(v: &Value) -> Read<Vec<Vector3>> {
 }
 
 pub(crate) fn interval(v: &Value) -> Read<Interval> {
-    match numbers(v)?.as_slice() {
-        &[a, b] => Ok(Interval::new(a, b)),
+    match *numbers(v)?.as_slice() {
+        [a, b] => Ok(Interval::new(a, b)),
         _ => wrong("an interval", v),
     }
 }
@@ -74,8 +74,8 @@ pub(crate) fn plane(v: &Value) -> Read<Plane> {
 
 /// Six numbers: the smallest corner, then the largest.
 pub(crate) fn bounding_box(v: &Value) -> Read<BoundingBox> {
-    match numbers(v)?.as_slice() {
-        &[a, b, c, d, e, f] => Ok(BoundingBox { min: Point3::new(a, b, c), max: Point3::new(d, e, f) }),
+    match *numbers(v)?.as_slice() {
+        [a, b, c, d, e, f] => Ok(BoundingBox { min: Point3::new(a, b, c), max: Point3::new(d, e, f) }),
         _ => wrong("a box", v),
     }
 }

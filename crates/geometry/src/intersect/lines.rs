@@ -1,13 +1,5 @@
 //! Lines and planes, without ends.
 
-mod analytic;
-
-pub use analytic::{
-    ArcArc, CircleCircle, LineCircleHit, LineCylinder, PlaneCircle, SphereSection, UpToTwo, arc_arc,
-    circle_circle, line_arc, line_bounding_box, line_box, line_circle, line_cylinder, line_sphere, plane_arc,
-    plane_circle, plane_sphere, sphere_sphere,
-};
-
 use crate::{Line, Plane, Point3};
 
 /// The parameters on both infinite lines where they come nearest to each other; `None` when they are parallel or one

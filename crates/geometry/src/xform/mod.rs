@@ -1,6 +1,12 @@
+mod angles;
 mod classify;
 mod construct;
+mod decompose;
 mod inverse;
+mod view;
+
+pub use decompose::AffineParts;
+pub use view::Frustum;
 
 use std::ops::Mul;
 
