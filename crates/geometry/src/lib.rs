@@ -38,6 +38,8 @@ mod curve;
 mod ellipse;
 mod error;
 pub mod intersect;
+#[cfg(any(feature = "glam", feature = "nalgebra"))]
+mod foreign;
 mod interval;
 mod line;
 mod linear;
@@ -50,6 +52,8 @@ mod point2;
 mod quadrature;
 mod quaternion;
 mod rectangle;
+#[cfg(feature = "serde")]
+mod serde_forms;
 mod tangent;
 mod tolerance;
 mod units;

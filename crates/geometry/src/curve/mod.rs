@@ -27,6 +27,8 @@ pub use discontinuity::Continuity;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
+#[cfg(feature = "serde")]
+pub(crate) use poly_curve::MAX_NESTING;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;

@@ -15,6 +15,8 @@ mod spans;
 mod uniform;
 
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
+#[cfg(feature = "serde")]
+pub(crate) use curve::Controls;
 pub use curve::NurbsCurve;
 pub(crate) use curve::project;
 pub use interpolate::KnotSpacing;

@@ -40,6 +40,16 @@ impl PlaneEquation {
         Self::from_point_and_normal(a, plane.z_axis)
     }
 
+    /// The plane of four numbers that are to the last bit what they shall be; those not unit are made so.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_unit([a, b, c, d]: [f64; 4]) -> Result<Self> {
+        let normal = Vector3::new(a, b, c);
+        if (normal.length() - 1.0).abs() <= 1e-14 && d.is_finite() {
+            return Ok(Self { normal, d });
+        }
+        Self::new(a, b, c, d)
+    }
+
     /// The unit normal (a, b, c).
     pub const fn normal(&self) -> Vector3 {
         self.normal
