@@ -37,9 +37,9 @@ mod circle;
 mod curve;
 mod ellipse;
 mod error;
-pub mod intersect;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;
+pub mod intersect;
 mod interval;
 mod line;
 mod linear;
@@ -54,6 +54,7 @@ mod quaternion;
 mod rectangle;
 #[cfg(feature = "serde")]
 mod serde_forms;
+mod surface;
 mod tangent;
 mod tolerance;
 mod units;
@@ -78,11 +79,16 @@ pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
 };
+pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
 pub use point2::Point2;
 pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
+pub use surface::{
+    Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
+    SurfaceCurvature, Torus,
+};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

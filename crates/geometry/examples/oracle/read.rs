@@ -1,6 +1,8 @@
 //! Kernel values out of the files.
 
-use katydid_geometry::{BoundingBox, Interval, Line, NurbsCurve, Plane, Point3, Vector3, Xform};
+use katydid_geometry::{
+    BoundingBox, Interval, Line, NurbsCurve, NurbsSurface, Plane, Point3, Vector3, Xform,
+};
 use serde_json::Value;
 
 /// What was read, or what is wrong with it.
@@ -112,6 +114,21 @@ pub(crate) fn curve(v: &Value) -> Read<NurbsCurve> {
     } else {
         let points = points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
         NurbsCurve::new(degree, points, knots)
+    };
+    made.map_err(|e| e.to_string())
+}
+
+/// Orders, knots and counts in pairs, for u and for v; control points with v running fastest.
+pub(crate) fn surface(v: &Value) -> Read<NurbsSurface> {
+    let pair = |v: &Value| Ok::<_, String>([integer(&v[0])?, integer(&v[1])?]);
+    let degrees = pair(&v["order"])?.map(|o| o.saturating_sub(1));
+    let knots = [numbers(&v["knots"][0])?, numbers(&v["knots"][1])?];
+    let points = controls(v)?;
+    let made = if integer(&v["rat"])? == 1 {
+        NurbsSurface::rational(degrees, pair(&v["n"])?, points, knots)
+    } else {
+        let points = points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
+        NurbsSurface::new(degrees, pair(&v["n"])?, points, knots)
     };
     made.map_err(|e| e.to_string())
 }

@@ -1,6 +1,7 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod batch;
 mod bounds;
 mod classify;
 mod closest;
@@ -20,8 +21,10 @@ mod poly_curve;
 mod polyline_curve;
 mod region;
 mod sections;
+mod speed;
 
 pub use arc_curve::ArcCurve;
+pub(crate) use classify::coincident;
 pub use closest::CurvePoint;
 pub use discontinuity::Continuity;
 pub use join::join_curves;

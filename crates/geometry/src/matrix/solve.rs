@@ -5,6 +5,7 @@ use crate::{Error, Result};
 
 /// A matrix in row echelon form and what elimination found on the way.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RowReduction {
     /// The reduced matrix: each row starts with a 1 right of the row above's, with zeros below it.
     pub reduced: Matrix,

@@ -9,10 +9,12 @@ use super::plain::increasing;
 use super::{Form, structure, through_forms};
 use crate::curve::MAX_NESTING;
 use crate::nurbs::Controls;
-use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, PolyCurve, PolylineCurve, Result};
+use crate::{
+    Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, PolyCurve, PolylineCurve, Result,
+};
 
-structure!(LineCurve { line: Line, domain: Interval } |c| increasing("domain of a line", c.domain));
-structure!(ArcCurve { arc: Arc, domain: Interval } |c| increasing("domain of an arc", c.domain));
+structure!(LineCurve { line: Line, domain: Interval } | c | increasing("domain of a line", c.domain));
+structure!(ArcCurve { arc: Arc, domain: Interval } | c | increasing("domain of an arc", c.domain));
 
 /// A polyline by its vertices and their parameters.
 #[derive(Serialize, Deserialize)]
@@ -65,7 +67,9 @@ impl Form for NurbsCurve {
     }
     fn read(w: WrittenNurbs) -> Result<Self> {
         match w.controls {
-            WrittenControls::Plain(p) => Self::new(w.degree, p.into_iter().map(Point3::from).collect(), w.knots),
+            WrittenControls::Plain(p) => {
+                Self::new(w.degree, p.into_iter().map(Point3::from).collect(), w.knots)
+            }
             WrittenControls::Rational(p) => Self::rational(w.degree, p, w.knots),
         }
     }

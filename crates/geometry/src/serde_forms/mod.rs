@@ -8,6 +8,7 @@ mod conics;
 mod curves;
 mod meshes;
 mod plain;
+mod surfaces;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 

@@ -114,27 +114,35 @@ pub(super) fn increasing(what: &'static str, range: Interval) -> Result<()> {
     Err(Error::Invalid { what, why: format!("{} to {} does not increase", range.start, range.end) })
 }
 
-structure!(Line { from: Point3, to: Point3 } |_| Ok(()));
+structure!(Line { from: Point3, to: Point3 } | _ | Ok(()));
 structure!(Plane { origin: Point3, x_axis: Vector3, y_axis: Vector3, z_axis: Vector3 } frame);
-structure!(Rectangle { plane: Plane, x: Interval, y: Interval } |_| Ok(()));
-structure!(Box3 { plane: Plane, x: Interval, y: Interval, z: Interval } |_| Ok(()));
-structure!(Frustum { x: Interval, y: Interval, depth: Interval } |f| Xform::camera_to_clip(f, false).map(drop));
-structure!(AffineParts { translation: Vector3, rotation: Xform, axes: Xform, scale: Vector3 } |a| {
-    if a.rotation.is_rotation(1e-9) && a.axes.is_rotation(1e-9) {
-        return Ok(());
+structure!(Rectangle { plane: Plane, x: Interval, y: Interval } | _ | Ok(()));
+structure!(Box3 { plane: Plane, x: Interval, y: Interval, z: Interval } | _ | Ok(()));
+structure!(
+    Frustum { x: Interval, y: Interval, depth: Interval } | f | Xform::camera_to_clip(f, false).map(drop)
+);
+structure!(
+    AffineParts { translation: Vector3, rotation: Xform, axes: Xform, scale: Vector3 } | a | {
+        if a.rotation.is_rotation(1e-9) && a.axes.is_rotation(1e-9) {
+            return Ok(());
+        }
+        Err(Error::Invalid { what: "affine parts", why: "rotation or axes are no rotation".into() })
     }
-    Err(Error::Invalid { what: "affine parts", why: "rotation or axes are no rotation".into() })
-});
-structure!(BoundingBox { min: Point3, max: Point3 } |b| {
-    if b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z {
-        return Ok(());
+);
+structure!(
+    BoundingBox { min: Point3, max: Point3 } | b | {
+        if b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z {
+            return Ok(());
+        }
+        Err(Error::Invalid { what: "box", why: "its smallest corner is larger than its largest".into() })
     }
-    Err(Error::Invalid { what: "box", why: "its smallest corner is larger than its largest".into() })
-});
-structure!(Tolerance { absolute: f64, angle: f64 } |t| {
-    finite("tolerance", &[t.absolute, t.angle])?;
-    if t.absolute >= 0.0 && t.angle >= 0.0 {
-        return Ok(());
+);
+structure!(
+    Tolerance { absolute: f64, angle: f64 } | t | {
+        finite("tolerance", &[t.absolute, t.angle])?;
+        if t.absolute >= 0.0 && t.angle >= 0.0 {
+            return Ok(());
+        }
+        Err(Error::OutOfRange { what: "tolerance", value: t.absolute.min(t.angle), must: "at least 0" })
     }
-    Err(Error::OutOfRange { what: "tolerance", value: t.absolute.min(t.angle), must: "at least 0" })
-});
+);

@@ -3,6 +3,7 @@ mod classify;
 mod construct;
 mod decompose;
 mod inverse;
+mod points;
 mod view;
 
 pub use decompose::AffineParts;
