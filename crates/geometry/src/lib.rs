@@ -49,6 +49,7 @@ mod nurbs;
 mod plane;
 mod point;
 mod point2;
+mod polynomial;
 mod quadrature;
 mod quaternion;
 mod rectangle;
@@ -66,8 +67,8 @@ pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
-    join_curves,
+    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CurvatureExtremum, Curve, CurvePoint,
+    JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
@@ -76,8 +77,9 @@ pub use line::Line;
 pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
-    DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
-    clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
+    Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
+    bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
+    periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
 pub use plane::{Plane, PlaneEquation};

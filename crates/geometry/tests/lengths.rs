@@ -119,7 +119,7 @@ fn mixed_periodic_high_and_flat() {
     let periodic: Curve = NurbsCurve::interpolate_periodic(3, &ring, KnotSpacing::Chord).unwrap().into();
     there_and_back(&periodic, "periodic");
     let high: Vec<Point3> =
-        (0..32).map(|i| f64::from(i)).map(|a| Point3::new(a.sin() * 5.0, (1.7 * a).cos() * 5.0, a)).collect();
+        (0..32).map(f64::from).map(|a| Point3::new(a.sin() * 5.0, (1.7 * a).cos() * 5.0, a)).collect();
     let mut knots = vec![0.0; 31];
     knots.extend([1.0; 31]);
     there_and_back(&NurbsCurve::new(31, high, knots).unwrap().into(), "degree 31");
