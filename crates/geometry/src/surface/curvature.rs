@@ -6,6 +6,7 @@ use crate::{Circle, Error, NurbsSurface, Plane, Point3, Quadrant, Result, Surfac
 
 /// How a surface bends at a regular point. Curvatures are positive where the surface bends towards its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SurfaceCurvature {
     /// The point.
     pub point: Point3,
@@ -28,6 +29,7 @@ pub struct SurfaceCurvature {
 
 /// The curve in which a surface is cut by the plane through its normal and a tangent direction, close to the point.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalSection {
     /// The plane of the cut: x along the tangent direction, y along the surface normal.
     pub plane: Plane,

@@ -1,4 +1,5 @@
 mod angle;
+mod decompose;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
