@@ -73,6 +73,7 @@ pub use nurbs::{
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
     periodic_uniform_knots, placed_knots, span_index,
 };
+pub use nurbs::{Direction, NurbsSurface, Quadrant, SurfaceDerivatives};
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};

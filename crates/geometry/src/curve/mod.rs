@@ -22,6 +22,7 @@ mod poly_curve;
 mod polyline_curve;
 mod region;
 mod sections;
+mod speed;
 
 pub use arc_curve::ArcCurve;
 pub use closest::CurvePoint;

@@ -117,67 +117,6 @@ impl NurbsCurve {
         )
     }
 
-    /// The same points over the same domain at other parameters: the normalised parameter x becomes
-    /// c·x / ((c − 1)·x + 1). The first half is walked faster when c is above 1. Control points stay, weights change.
-    ///
-    /// E. Lee and M. Lucian, *Möbius reparametrizations of rational B-splines*, CAGD 8 (1991); derived here from the
-    /// homogeneous blossom.
-    ///
-    /// # Errors
-    /// `c` is not a finite number greater than 0, or so far from 1 that knots fall together.
-    pub fn reparametrized(&self, c: f64) -> Result<Self> {
-        if !(c > 0.0 && c.is_finite()) {
-            return Err(Error::OutOfRange { what: "c", value: c, must: "finite and greater than 0" });
-        }
-        let domain = self.domain();
-        let curve = self.clamped()?;
-        let factors: Vec<(f64, f64)> = curve
-            .knots
-            .iter()
-            .map(|&k| {
-                let x = domain.normalized(k);
-                let below = (c - 1.0) * x + 1.0;
-                let t = if x <= 0.0 || x >= 1.0 { k } else { domain.at(c * x / below) };
-                (t, c / below)
-            })
-            .collect();
-        let points = curve
-            .homogeneous_points()
-            .iter()
-            .zip(factors.windows(self.degree))
-            .map(|(p, w)| {
-                let factor: f64 = w.iter().map(|f| f.1).product();
-                p.map(|x| x * factor)
-            })
-            .collect();
-        Self::rational(self.degree, points, factors.iter().map(|f| f.0).collect())
-    }
-
-    /// The same curve, clamped, with given weights at its first and last control point: all weights are scaled and
-    /// the parameter is mapped linear-fractionally, so shape and domain stay.
-    ///
-    /// # Errors
-    /// A weight is not finite and greater than 0, or the two are so unequal that knots fall together.
-    pub fn with_end_weights(&self, first: f64, last: f64) -> Result<Self> {
-        for value in [first, last] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::OutOfRange { what: "weight", value, must: "finite and greater than 0" });
-            }
-        }
-        let curve = self.clamped()?;
-        let weights = curve.weights();
-        let (Some(&w0), Some(&w1)) = (weights.first(), weights.last()) else {
-            return Err(Error::degenerate("NURBS curve", "it has no control points"));
-        };
-        let scale = last / w1;
-        let c = (first / (scale * w0)).powf(1.0 / self.degree as f64);
-        let curve = if c == 1.0 { curve.to_rational() } else { curve.reparametrized(c)? };
-        let points = curve.homogeneous_points();
-        let now = points.last().map_or(1.0, |p| p[3]);
-        let points = points.iter().map(|p| p.map(|x| x * (last / now))).collect();
-        Self::rational(self.degree, points, curve.knots)
-    }
-
     /// The same periodic curve starting at `t`, still periodic: a simple knot is inserted at `t`, and knots and
     /// control points are turned round. The domain starts at `t` and keeps its length.
     ///

@@ -7,7 +7,7 @@
     reason = "each test file uses a part of this"
 )]
 
-use katydid_geometry::{Interval, NurbsCurve, Plane, Point3, Vector3};
+use katydid_geometry::{Interval, NurbsCurve, NurbsSurface, Plane, Point3, Vector3};
 use serde_json::Value;
 
 /// The answers of another kernel, or `None` with a printed line when the shared data is absent.
@@ -93,5 +93,19 @@ pub fn close_curves(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64, what: &str) 
         for (x, y) in x.iter().zip(y) {
             close(*x, y, tolerance, what);
         }
+    }
+}
+
+pub fn surface(v: &Value) -> NurbsSurface {
+    let pair = |name: &str| [0, 1].map(|i| v[name][i].as_u64().unwrap() as usize);
+    let degrees = pair("order").map(|o| o - 1);
+    let knots = [numbers(&v["knots"][0]), numbers(&v["knots"][1])];
+    let rows: Vec<Vec<f64>> = v["cv"].as_array().unwrap().iter().map(numbers).collect();
+    if v["rat"].as_u64().unwrap() == 1 {
+        let rows = rows.iter().map(|r| [r[0], r[1], r[2], r[3]]).collect();
+        NurbsSurface::rational(degrees, pair("n"), rows, knots).unwrap()
+    } else {
+        let rows = rows.iter().map(|r| Point3::new(r[0], r[1], r[2])).collect();
+        NurbsSurface::new(degrees, pair("n"), rows, knots).unwrap()
     }
 }
