@@ -37,6 +37,7 @@ mod circle;
 mod curve;
 mod ellipse;
 mod error;
+pub mod field;
 pub mod intersect;
 mod interval;
 mod line;
@@ -63,6 +64,7 @@ pub use curve::{
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
+pub use field::Field;
 pub use interval::Interval;
 pub use line::Line;
 pub use matrix::Matrix;

@@ -17,18 +17,17 @@ fn colour(alpha: f64, [r, g, b]: [f64; 3]) -> Colour {
 }
 
 /// The fully coloured part of a hue, 0 to 1 round the circle from red over green and blue.
-fn of_hue(hue: f64) -> [f64; 3] {
+pub(crate) fn of_hue(hue: f64) -> [f64; 3] {
     let sixth = 6.0 * hue.rem_euclid(1.0);
     let rise = |from: f64| (2.0 - (sixth - from).abs()).clamp(0.0, 1.0);
     // Red has its height at both ends of the circle.
     [rise(0.0).max(rise(6.0)), rise(2.0), rise(4.0)]
 }
 
-/// The hue, the largest and the smallest part of a colour; the hue of a grey is 0.
-fn hue(colour: Colour) -> (f64, f64, f64) {
-    let [r, g, b] = [colour.r, colour.g, colour.b].map(unit);
-    let (max, min) = (r.max(g).max(b), r.min(g).min(b));
-    let range = max - min;
+/// The hue of red, green and blue, 0 to 1 round the circle; that of a grey is 0.
+pub(crate) fn hue_of([r, g, b]: [f64; 3]) -> f64 {
+    let max = r.max(g).max(b);
+    let range = max - r.min(g).min(b);
     let sixth = if range == 0.0 {
         0.0
     } else if max == r {
@@ -38,7 +37,13 @@ fn hue(colour: Colour) -> (f64, f64, f64) {
     } else {
         4.0 + (r - g) / range
     };
-    ((sixth / 6.0).rem_euclid(1.0), max, min)
+    (sixth / 6.0).rem_euclid(1.0)
+}
+
+/// The hue, the largest and the smallest part of a colour.
+fn hue(colour: Colour) -> (f64, f64, f64) {
+    let [r, g, b] = [colour.r, colour.g, colour.b].map(unit);
+    (hue_of([r, g, b]), r.max(g).max(b), r.min(g).min(b))
 }
 
 /// Makes a colour of whole numbers from 0 to 255. Numbers outside count as the nearer end.

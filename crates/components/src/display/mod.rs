@@ -6,4 +6,7 @@ mod colour;
 mod dimensions;
 mod graphs;
 mod preview;
+mod symbol;
 mod vector;
+
+pub(crate) use colour::{hue_of, of_hue};

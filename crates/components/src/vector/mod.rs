@@ -1,6 +1,8 @@
 //! The Vector tab.
 
 mod cloud;
+mod field;
+mod field_display;
 mod grid;
 pub(crate) mod hit;
 mod near;
