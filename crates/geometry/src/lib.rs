@@ -31,8 +31,10 @@
 )]
 
 mod bernstein;
+pub mod biarc;
 mod bounding_box;
 mod box3;
+mod catenary;
 mod circle;
 mod curve;
 mod ellipse;
@@ -50,6 +52,7 @@ mod point;
 mod quadrature;
 mod rectangle;
 mod tangent;
+mod tangent_circle;
 mod tolerance;
 mod units;
 mod vector;
@@ -57,6 +60,7 @@ mod xform;
 
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
+pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
@@ -76,6 +80,7 @@ pub use nurbs::{
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};
+pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

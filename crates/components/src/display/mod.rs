@@ -2,6 +2,7 @@
 //!
 //! What only draws gives no data: such components take their inputs and leave the drawing to the viewer.
 
+mod annotation;
 mod colour;
 mod dimensions;
 mod graphs;

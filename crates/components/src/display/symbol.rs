@@ -41,6 +41,7 @@ fn symbol_simple(
     at = "Display/Preview"
 )]
 #[output("Symbol Display", "D", "The symbol.")]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn symbol_advanced(
     /// The shape: 0 square, 1 control point, 2 active point, 3 cross, 4 circle, 7 triangle, 8 heart and so on.
     #[port("Style", "X", default = 3)]

@@ -1,6 +1,7 @@
 //! The Vector tab.
 
 mod cloud;
+mod early;
 mod field;
 mod field_display;
 mod grid;
@@ -9,4 +10,5 @@ mod near;
 mod plane;
 mod point;
 mod populate;
+mod solar;
 mod vectors;

@@ -122,7 +122,8 @@ fn image_sampler(
     Ok(points.with_column(values.finish()))
 }
 
-#[cfg(all(test, feature = "pictures"))]
+#[cfg(test)]
+#[cfg(feature = "pictures")]
 mod tests {
     use katydid_component::testing::Trial;
     use katydid_definition::archive::ItemValue;

@@ -8,6 +8,7 @@ mod files;
 mod graph_mapper;
 mod graphs;
 mod image_sampler;
+mod model;
 mod moments;
 mod panel;
 mod picture;

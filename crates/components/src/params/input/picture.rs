@@ -1,17 +1,22 @@
 //! Pictures as grids of colours, and where a place falls in one.
 
 use katydid_component::Message;
-use katydid_data::Colour;
 
-/// More pixels than this are refused: 16 384 squared.
-const MOST: u32 = 1 << 14;
+/// The longest side a picture may have.
+#[cfg(feature = "pictures")]
+const LONGEST: u32 = 1 << 15;
 
-/// A picture: colours row by row from the top.
+/// The most bytes a picture may take: 64 million pixels of four channels.
+#[cfg(feature = "pictures")]
+const MOST: u64 = 1 << 28;
+
+/// A picture: pixels row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Picture {
     width: usize,
     height: usize,
-    pixels: Vec<Colour>,
+    /// Four bytes a pixel: red, green, blue and alpha.
+    pixels: Vec<u8>,
 }
 
 /// Where a place outside a picture is looked for.
@@ -49,14 +54,14 @@ impl Picture {
         let reader = image::ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format();
         let mut reader = reader.map_err(|error| problem(error.to_string()))?;
         let mut limits = image::Limits::default();
-        limits.max_image_width = Some(MOST);
-        limits.max_image_height = Some(MOST);
-        limits.max_alloc = Some(1 << 30);
+        limits.max_image_width = Some(LONGEST);
+        limits.max_image_height = Some(LONGEST);
+        limits.max_alloc = Some(MOST);
         reader.limits(limits);
         let picture = reader.decode().map_err(|error| problem(error.to_string()))?.into_rgba8();
         let size = |n: u32| usize::try_from(n).unwrap_or(0);
-        let pixels = picture.pixels().map(|p| p.0).map(|[r, g, b, a]| Colour { a, r, g, b }).collect();
-        Self::new(size(picture.width()), size(picture.height()), pixels)
+        let (width, height) = (size(picture.width()), size(picture.height()));
+        Self::new(width, height, picture.into_raw())
     }
 
     /// Pictures are not read without the feature `pictures`.
@@ -65,9 +70,10 @@ impl Picture {
         Err(Message::error("This program reads no pictures"))
     }
 
-    /// A picture of these pixels, row by row from the top.
-    pub(super) fn new(width: usize, height: usize, pixels: Vec<Colour>) -> Result<Self, Message> {
-        if pixels.is_empty() || width.checked_mul(height) != Some(pixels.len()) || width > MOST as usize {
+    /// A picture of these pixels, four bytes each.
+    fn new(width: usize, height: usize, pixels: Vec<u8>) -> Result<Self, Message> {
+        let size = width.checked_mul(height).and_then(|n| n.checked_mul(4));
+        if pixels.is_empty() || size != Some(pixels.len()) {
             return Err(Message::error("The picture is empty"));
         }
         Ok(Self { width, height, pixels })
@@ -76,9 +82,11 @@ impl Picture {
     /// The channels a, r, g, b of the pixel in a column and row; the nearest one for those outside.
     fn pixel(&self, column: f64, row: f64) -> [f64; 4] {
         let index = |x: f64, n: usize| (x.max(0.0) as usize).min(n - 1);
-        let at = index(row, self.height) * self.width + index(column, self.width);
-        let c = self.pixels.get(at).copied().unwrap_or_default();
-        [c.a, c.r, c.g, c.b].map(f64::from)
+        let at = 4 * (index(row, self.height) * self.width + index(column, self.width));
+        match self.pixels.get(at..).and_then(<[u8]>::first_chunk) {
+            Some(&[r, g, b, a]) => [a, r, g, b].map(f64::from),
+            None => [0.0; 4],
+        }
     }
 
     /// The channels a, r, g, b, each 0 to 1, at a place: x from 0 on the left to 1 on the right, y from 0 at the bottom to
@@ -113,8 +121,8 @@ mod tests {
     use super::*;
 
     fn two_by_two() -> Picture {
-        let grey = |x| Colour::rgb(x, x, x);
-        Picture::new(2, 2, vec![grey(0), grey(51), grey(102), grey(255)]).unwrap()
+        let grey = |x: u8| [x, x, x, 255];
+        Picture::new(2, 2, [0, 51, 102, 255].map(grey).concat()).unwrap()
     }
 
     #[test]
@@ -142,6 +150,6 @@ mod tests {
         assert!(Picture::read(b"not a picture").is_err());
         assert!(Picture::read(&[]).is_err());
         assert!(Picture::new(0, 0, Vec::new()).is_err());
-        assert!(Picture::new(2, 2, vec![Colour::default()]).is_err());
+        assert!(Picture::new(2, 2, vec![0; 15]).is_err());
     }
 }
