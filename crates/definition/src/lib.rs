@@ -17,6 +17,7 @@
 //! ```
 
 pub mod archive;
+pub mod diff;
 pub mod document;
 mod error;
 pub mod kd;

@@ -26,6 +26,7 @@
 //! # Ok::<(), katydid_definition::kd::Problems>(())
 //! ```
 
+mod arrange;
 mod ast;
 mod build;
 mod catalogue;
@@ -48,14 +49,15 @@ mod write;
 
 use katydid_geometry::Units;
 
+pub use arrange::arrange;
 pub use catalogue::{Catalogue, Expect, Facts, NoCatalogue, PortFacts};
 pub use problem::{Problem, Problems};
 pub use write::{Written, write};
 
 use self::catalogue::Known;
 use self::problem::Fault;
-use crate::archive::{Archive, Encoding};
-use crate::document::Document;
+use crate::archive::{Archive, Encoding, ItemValue};
+use crate::document::{Document, Object, Persistent};
 
 /// A text, read.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,6 +103,11 @@ pub fn format(text: &str) -> Result<String, Problems> {
     Ok(layout::tidy(text))
 }
 
+/// Whether there are comments in a text; documents do not keep them.
+pub fn has_comments(text: &str) -> bool {
+    lexer::lex(text).0.iter().any(|token| token.kind == lexer::Kind::Comment)
+}
+
 /// A length unit by its name, in either spelling.
 fn units(name: &str) -> Option<Units> {
     Some(match name.to_lowercase().replace("metre", "meter").as_str() {
@@ -116,4 +123,28 @@ fn units(name: &str) -> Option<Units> {
         "miles" => Units::Miles,
         _ => return None,
     })
+}
+
+/// The bytes of a value by a number that follows from them, so that equal ones read alike.
+fn number(bytes: &[u8]) -> u32 {
+    let id = derive::id(derive::ROOT, &format!("{bytes:?}"));
+    u32::try_from(id.as_u128() >> 96).unwrap_or(0)
+}
+
+/// The values of a port, as the text form has them.
+pub(crate) fn values_form(values: &Persistent) -> String {
+    value::print(values, Expect::Number, &mut number)
+}
+
+/// A value of the archive, as the text form has it.
+pub(crate) fn value_form(value: &ItemValue) -> String {
+    match value {
+        ItemValue::String(string) => text::quote(string, '"'),
+        other => raw_value::print(other, "", 0, &mut number),
+    }
+}
+
+/// The settings that an object's statement has among its inputs.
+pub(crate) fn own_settings(object: &Object) -> Vec<String> {
+    own::print(object)
 }
