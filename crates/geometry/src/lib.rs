@@ -38,6 +38,8 @@ mod circle;
 mod curve;
 mod ellipse;
 mod error;
+#[cfg(any(feature = "glam", feature = "nalgebra"))]
+mod foreign;
 pub mod intersect;
 mod interval;
 mod line;
@@ -47,14 +49,19 @@ mod mesh;
 mod nurbs;
 mod plane;
 mod point;
+mod point2;
 mod polynomial;
 mod quadrature;
+mod quaternion;
 mod rectangle;
+#[cfg(feature = "serde")]
+mod serde_forms;
 mod surface;
 mod tangent;
 mod tolerance;
 mod units;
 mod vector;
+mod vector2;
 mod xform;
 
 pub use bounding_box::BoundingBox;
@@ -68,7 +75,7 @@ pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use interval::Interval;
 pub use line::Line;
-pub use matrix::Matrix;
+pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
@@ -76,8 +83,10 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
-pub use plane::Plane;
+pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
+pub use point2::Point2;
+pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
     Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
@@ -86,4 +95,5 @@ pub use surface::{
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
-pub use xform::Xform;
+pub use vector2::Vector2;
+pub use xform::{AffineParts, Frustum, Xform};

@@ -15,8 +15,11 @@
 mod conics;
 mod curves;
 mod intersections;
+mod measures;
+mod primitives;
 mod read;
 mod report;
+mod surfaces;
 mod xforms;
 
 use std::process::ExitCode;
@@ -33,6 +36,11 @@ const KINDS: &[(&str, Compare)] = &[
     ("conics", conics::compare),
     ("xforms", xforms::compare),
     ("intersections", intersections::compare),
+    ("surfaces", surfaces::compare),
+    ("primitives", primitives::compare),
+    ("length", measures::length),
+    ("closest_curve", measures::closest_curve),
+    ("curvature", measures::curvature),
 ];
 
 /// Kinds of the same files that belong to solids.

@@ -28,11 +28,11 @@ impl Case {
         self.compared += 1;
         let scale = scale.max(f64::MIN_POSITIVE);
         let error = if got == want { 0.0 } else { (got - want).abs() / scale };
-        if !(error <= self.largest) {
+        if error > self.largest || error.is_nan() {
             self.largest = error;
             self.largest_field = field.to_owned();
         }
-        if !(error <= tolerance) {
+        if error > tolerance || error.is_nan() {
             self.misses.push(format!("{field}: {got} instead of {want} (error {error:.1e} of {scale:.3})"));
         }
     }
@@ -106,7 +106,7 @@ impl Kind {
         self.cases += 1;
         self.compared += case.compared;
         self.by_source += case.by_source;
-        if !(case.largest <= self.largest) {
+        if case.largest > self.largest || case.largest.is_nan() {
             self.largest = case.largest;
             self.where_largest = format!("{id} {}", case.largest_field);
         }

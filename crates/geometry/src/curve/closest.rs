@@ -9,6 +9,7 @@ use crate::{Arc, Error, Point3, Result};
 
 /// A point on a curve and how far it is from where one asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurvePoint {
     /// The parameter on the curve.
     pub parameter: f64,

@@ -38,6 +38,8 @@ pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
 pub(crate) use piece::{Piece, Shape};
+#[cfg(feature = "serde")]
+pub(crate) use poly_curve::MAX_NESTING;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;
