@@ -49,6 +49,7 @@ mod plane;
 mod point;
 mod quadrature;
 mod rectangle;
+mod surface;
 mod tangent;
 mod tolerance;
 mod units;
@@ -72,10 +73,14 @@ pub use nurbs::{
     DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
     clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
 };
-pub use nurbs::{Direction, NurbsSurface, Quadrant, SurfaceDerivatives};
+pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};
+pub use surface::{
+    ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
+    Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
+};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

@@ -1,6 +1,7 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod batch;
 mod bounds;
 mod classify;
 mod closest;
@@ -25,6 +26,7 @@ mod sections;
 mod speed;
 
 pub use arc_curve::ArcCurve;
+pub(crate) use classify::coincident;
 pub use closest::{ClosestOnCurve, CurvePoint};
 pub use discontinuity::Continuity;
 pub use join::join_curves;

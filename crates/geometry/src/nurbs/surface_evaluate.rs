@@ -9,7 +9,7 @@ use crate::bernstein::binomial;
 use crate::{Point3, Vector3};
 
 /// The highest total order of derivatives that is computed.
-const MAX_ORDER: usize = 32;
+pub(crate) const MAX_ORDER: usize = 32;
 
 /// A point of a surface and its partial derivatives up to a total order, ∂^(i+j)S/∂uⁱ∂vʲ.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +29,15 @@ pub(crate) fn place(i: usize, j: usize) -> usize {
 impl SurfaceDerivatives {
     /// From all partial derivatives up to `order` in the order S, Su, Sv, Suu, Suv, Svv, …
     pub(crate) fn from_values(order: usize, values: Vec<Vector3>) -> Self {
+        Self { order, values }
+    }
+
+    /// From a function of the two indices.
+    pub(crate) fn from_fn(order: usize, mut f: impl FnMut(usize, usize) -> Vector3) -> Self {
+        let mut values = Vec::with_capacity((order + 1) * (order + 2) / 2);
+        for n in 0..=order {
+            values.extend((0..=n).map(|j| f(n - j, j)));
+        }
         Self { order, values }
     }
 

@@ -109,3 +109,21 @@ pub fn surface(v: &Value) -> NurbsSurface {
         NurbsSurface::new(degrees, pair("n"), rows, knots).unwrap()
     }
 }
+
+#[track_caller]
+pub fn close_surfaces(a: &NurbsSurface, b: &NurbsSurface, tolerance: f64, what: &str) {
+    use katydid_geometry::Direction;
+    assert_eq!(a.degrees(), b.degrees(), "{what}: degrees");
+    assert_eq!(a.counts(), b.counts(), "{what}: counts");
+    assert_eq!(a.is_rational(), b.is_rational(), "{what}: rational");
+    for d in Direction::BOTH {
+        for (x, y) in a.knots(d).iter().zip(b.knots(d)) {
+            close(*x, *y, tolerance, what);
+        }
+    }
+    for (x, y) in a.homogeneous_points().iter().zip(b.homogeneous_points()) {
+        for (x, y) in x.iter().zip(y) {
+            close(*x, y, tolerance, what);
+        }
+    }
+}

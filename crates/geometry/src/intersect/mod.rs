@@ -1,0 +1,11 @@
+//! Where things meet: lines and planes in closed form, curves and surfaces by subdivision with bounds.
+
+mod analytic;
+mod lines;
+
+pub use analytic::{
+    ArcArc, CircleCircle, LineCircleHit, LineCylinder, PlaneCircle, SphereSection, UpToTwo, arc_arc,
+    circle_circle, line_arc, line_bounding_box, line_box, line_circle, line_cylinder, line_sphere, plane_arc,
+    plane_circle, plane_sphere, sphere_sphere,
+};
+pub use lines::{line_line, line_plane, plane_plane, three_planes};
