@@ -21,8 +21,12 @@ pub enum Error {
         reason: String,
     },
     /// The file asks for more than the caller's [`Limits`](crate::archive::Limits) allow.
-    #[error("{what} exceeds the limit of {limit}")]
+    #[error("at byte {offset} of {place} {what} exceeds the limit of {limit}")]
     Limit {
+        /// What the offset counts in.
+        place: Place,
+        /// Where the limit was reached.
+        offset: usize,
         /// What there is too much of.
         what: &'static str,
         /// The most that is allowed.

@@ -46,8 +46,10 @@ mod mesh;
 mod nurbs;
 mod plane;
 mod point;
+mod polynomial;
 mod quadrature;
 mod rectangle;
+mod surface;
 mod tangent;
 mod tolerance;
 mod units;
@@ -58,8 +60,8 @@ pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, Curve, CurvePoint, LineCurve, PolyCurve, PolylineCurve,
-    join_curves,
+    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CurvatureExtremum, Curve, CurvePoint,
+    JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
@@ -68,12 +70,18 @@ pub use line::Line;
 pub use matrix::Matrix;
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
-    DeBoor, DeBoorStep, KnotSpacing, MAX_DEGREE, NurbsCurve, bezier_to_hermite, check_knots,
-    clamped_uniform_knots, de_casteljau, hermite_to_bezier, periodic_uniform_knots, span_index,
+    Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
+    bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
+    periodic_uniform_knots, placed_knots, span_index,
 };
+pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
 pub use plane::Plane;
 pub use point::Point3;
 pub use rectangle::{Rectangle, regular_polygon};
+pub use surface::{
+    Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
+    SurfaceCurvature, Torus,
+};
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

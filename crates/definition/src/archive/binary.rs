@@ -45,7 +45,13 @@ impl Reader<'_> {
                 *left -= 1;
                 if depth >= self.limits.depth() {
                     let limit = self.limits.depth();
-                    return Err(Error::Limit { what: "the depth of chunks inside chunks", limit });
+                    let (place, offset) = (Place::Inflated, self.at.offset());
+                    return Err(Error::Limit {
+                        place,
+                        offset,
+                        what: "the depth of chunks inside chunks",
+                        limit,
+                    });
                 }
                 let next = self.chunk()?;
                 open.push(next);
@@ -60,7 +66,7 @@ impl Reader<'_> {
 
     /// A chunk's name, index and items, and how many chunks follow inside it.
     fn chunk(&mut self) -> Result<(Chunk, usize)> {
-        self.limits.count(&mut self.nodes)?;
+        self.limits.count(&mut self.nodes, Place::Inflated, self.at.offset())?;
         let name = self.text("a chunk's name")?;
         let index = self.index()?;
         let items = self.count("an item count", SMALLEST_ITEM)?;
@@ -92,7 +98,7 @@ impl Reader<'_> {
     }
 
     fn item(&mut self) -> Result<Item> {
-        self.limits.count(&mut self.nodes)?;
+        self.limits.count(&mut self.nodes, Place::Inflated, self.at.offset())?;
         let name = self.text("an item's name")?;
         let index = self.index()?;
         let at = self.at.offset();

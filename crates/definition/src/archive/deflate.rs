@@ -28,7 +28,12 @@ pub(crate) fn inflate(bytes: &[u8], limit: usize) -> Result<Inflated> {
             Error::at(Place::File, consumed, "the compressed stream is damaged, or this is another format")
         })?;
         if data.len() > limit {
-            return Err(Error::Limit { what: "the inflated size in bytes", limit });
+            return Err(Error::Limit {
+                place: Place::File,
+                offset: consumed,
+                what: "the inflated size in bytes",
+                limit,
+            });
         }
         let now = usize::try_from(stream.total_in()).unwrap_or(usize::MAX);
         if status == Status::StreamEnd {

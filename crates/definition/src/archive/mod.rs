@@ -54,10 +54,11 @@ impl Limits {
     }
 
     /// Counts one more node.
-    pub(crate) fn count(&self, nodes: &mut usize) -> Result<()> {
+    pub(crate) fn count(&self, nodes: &mut usize, place: Place, offset: usize) -> Result<()> {
         *nodes += 1;
         if *nodes > self.max_nodes {
-            return Err(Error::Limit { what: "the number of chunks and items", limit: self.max_nodes });
+            let (what, limit) = ("the number of chunks and items", self.max_nodes);
+            return Err(Error::Limit { place, offset, what, limit });
         }
         Ok(())
     }

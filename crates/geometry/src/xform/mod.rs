@@ -1,6 +1,7 @@
 mod classify;
 mod construct;
 mod inverse;
+mod points;
 
 use std::ops::Mul;
 

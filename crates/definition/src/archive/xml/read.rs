@@ -101,6 +101,8 @@ impl Tree<'_> {
         // A chunk takes two elements, <chunks> and <chunk>; an item three.
         if self.open.len() > 2 * self.limits.depth() + 3 {
             return Err(Error::Limit {
+                place: Place::Text,
+                offset: self.offset,
                 what: "the depth of elements inside elements",
                 limit: self.limits.depth(),
             });
@@ -110,7 +112,7 @@ impl Tree<'_> {
         let tag = tag.as_ref();
         let next = match (self.open.last(), tag) {
             (None, "Archive") if self.root.is_none() => {
-                self.limits.count(&mut self.nodes)?;
+                self.limits.count(&mut self.nodes, Place::Text, self.offset)?;
                 let (name, index) = self.names(element)?;
                 Open::Chunk(Chunk {
                     name: name.unwrap_or_else(|| "Root".to_owned()),
@@ -127,21 +129,27 @@ impl Tree<'_> {
                 Open::Chunks { announced: self.announced(element)?, found: 0 }
             }
             (Some(Open::Items { .. }), "item") => {
-                self.limits.count(&mut self.nodes)?;
+                self.limits.count(&mut self.nodes, Place::Text, self.offset)?;
                 self.item(element)?
             }
             (Some(Open::Chunks { .. }), "chunk") => {
-                self.limits.count(&mut self.nodes)?;
+                self.limits.count(&mut self.nodes, Place::Text, self.offset)?;
                 if self.open.len() / 2 >= self.limits.depth() {
                     let limit = self.limits.depth();
-                    return Err(Error::Limit { what: "the depth of chunks inside chunks", limit });
+                    let (place, offset) = (Place::Text, self.offset);
+                    return Err(Error::Limit {
+                        place,
+                        offset,
+                        what: "the depth of chunks inside chunks",
+                        limit,
+                    });
                 }
                 let (name, index) = self.names(element)?;
                 let name = name.ok_or_else(|| self.error("a chunk has no name"))?;
                 Open::Chunk(Chunk { name, index, ..Chunk::default() })
             }
             (Some(Open::Item(_)), _) => {
-                self.limits.count(&mut self.nodes)?;
+                self.limits.count(&mut self.nodes, Place::Text, self.offset)?;
                 Open::Field { name: tag.to_owned(), text: String::new() }
             }
             (Some(Open::Field { name, .. }), _) => {

@@ -32,7 +32,12 @@ fn utf16(bytes: &[u8]) -> Option<(&[u8], Unit)> {
 /// The text, without its byte order mark.
 pub(super) fn decode(bytes: &[u8], limit: usize) -> Result<Cow<'_, str>> {
     if bytes.len() > limit {
-        return Err(Error::Limit { what: "the length of the XML text", limit });
+        return Err(Error::Limit {
+            place: Place::File,
+            offset: limit,
+            what: "the length of the XML text",
+            limit,
+        });
     }
     let Some((units, unit)) = utf16(bytes) else {
         let rest = bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes);
