@@ -314,8 +314,9 @@ fn bad_tolerances_and_poly_curves() {
     assert_eq!(sound(&poly, &joint, 1e-9).crossings.len(), 1);
 }
 
-/// All crossings of two plane curves by another way: dense polylines whose segments cross.
-fn sampled(a: &Curve, b: &Curve, n: usize) -> Vec<(f64, f64)> {
+/// All crossings of two plane curves by another way: dense polylines whose segments cross. With each the length of
+/// its segments, which tells how far from the curves it may be.
+fn sampled(a: &Curve, b: &Curve, n: usize) -> Vec<(f64, f64, f64)> {
     let points = |c: &Curve| -> Vec<(f64, Point3)> {
         (0..=n).map(|i| c.domain().at(i as f64 / n as f64)).map(|t| (t, c.point_at(t))).collect()
     };
@@ -330,7 +331,8 @@ fn sampled(a: &Curve, b: &Curve, n: usize) -> Vec<(f64, f64)> {
             }
             let (s, t) = ((w.x * e.y - w.y * e.x) / n, (w.x * d.y - w.y * d.x) / n);
             if (0.0..1.0).contains(&s) && (0.0..1.0).contains(&t) {
-                out.push((u[0].0 + s * (u[1].0 - u[0].0), v[0].0 + t * (v[1].0 - v[0].0)));
+                let size = d.length() + e.length();
+                out.push((u[0].0 + s * (u[1].0 - u[0].0), v[0].0 + t * (v[1].0 - v[0].0), size));
             }
         }
     }
@@ -361,9 +363,9 @@ proptest! {
     fn nothing_that_sampling_sees_is_missed(a in any_curve(), b in any_curve()) {
         let found = sound(&a, &b, 1e-9);
         prop_assert!(found.complete);
-        for (s, t) in sampled(&a, &b, 400) {
+        for (s, t, size) in sampled(&a, &b, 400) {
             let q = a.point_at(s).lerp(b.point_at(t), 0.5);
-            let near = found.crossings.iter().any(|c| c.point.distance_to(q) < 0.05);
+            let near = found.crossings.iter().any(|c| c.point.distance_to(q) < 2.0 * size);
             prop_assert!(near, "missed {s} {t}");
         }
     }
@@ -388,10 +390,10 @@ proptest! {
             prop_assert!(a.point_at(c.a).distance_to(a.point_at(c.b)) < 2e-9);
         }
         let n = 400;
-        for (s, t) in sampled(&a, &a, n) {
+        for (s, t, size) in sampled(&a, &a, n) {
             if t > s + 2.5 / n as f64 {
                 let q = a.point_at(s);
-                prop_assert!(found.crossings.iter().any(|c| c.point.distance_to(q) < 0.05), "missed {s} {t}");
+                prop_assert!(found.crossings.iter().any(|c| c.point.distance_to(q) < 2.0 * size), "missed {s} {t}");
             }
         }
     }

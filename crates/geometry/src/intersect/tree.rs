@@ -72,6 +72,7 @@ impl<'a> Tree<'a> {
             scale: 0.0,
         };
         let mut level = Vec::with_capacity(tree.pieces.len());
+        let mut points = Vec::new();
         for i in 0..tree.pieces.len() {
             let piece = tree.pieces[i];
             match piece.shape {
@@ -89,7 +90,8 @@ impl<'a> Tree<'a> {
                     }
                 }
                 Shape::Span(curve, j) => {
-                    let points = curve.bezier_points(j);
+                    points.clear();
+                    curve.push_bezier(j, &mut points);
                     let weighted = if curve.is_rational() {
                         tree.weighted.extend_from_slice(&points);
                         (tree.weighted.len() - points.len()) as u32
