@@ -33,6 +33,7 @@
 mod bernstein;
 mod bounding_box;
 mod box3;
+mod box_tree;
 mod circle;
 mod curve;
 mod ellipse;
@@ -67,8 +68,8 @@ pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CurvatureExtremum, Curve, CurvePoint,
-    JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
+    ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CurvatureExtremum,
+    Curve, CurvePoint, JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};

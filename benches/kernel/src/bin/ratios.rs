@@ -5,7 +5,9 @@ use std::error::Error;
 use std::hint::black_box;
 use std::time::Duration;
 
-use katydid_geometry::{Curve, KnotSpacing, NurbsCurve, Point3, Vector3, Xform};
+use katydid_geometry::{
+    ClosestOnCurve, Curve, KnotSpacing, NurbsCurve, Point3, Quadrant, Vector3, Xform, intersect,
+};
 use katydid_kernel_bench::Inputs;
 use katydid_kernel_bench::timing::{Contender, compete};
 
@@ -72,7 +74,9 @@ fn number(x: f64) -> String {
 
 fn rows(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
     let mut out = curves(inputs)?;
+    out.extend(surfaces(inputs)?);
     out.extend(measures(inputs)?);
+    out.extend(crossings(inputs)?);
     out.extend(constructions(inputs)?);
     Ok(out)
 }
@@ -148,6 +152,63 @@ fn curves(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
     Ok(out)
 }
 
+/// Points and derivatives of surfaces.
+fn surfaces(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
+    let mut out = Vec::new();
+    let uv = inputs.uv()?;
+    let steps: Vec<f64> = (0..128).map(|i| f64::from(i) / 127.0).collect();
+    for (name, kind) in [("s_nr", "plain"), ("s_r", "rational")] {
+        let record = inputs.surface(name)?;
+        let (ours, curvo) = (record.katydid()?, record.curvo());
+        let n = uv.len();
+        let (a, b, c) = (ours.clone(), curvo.clone(), record.truck());
+        let (s, t, r) = (uv.clone(), uv.clone(), uv.clone());
+        out.push(row(
+            format!("surface point, {kind}"),
+            0.35,
+            "curvo",
+            vec![
+                Contender::new("katydid", n, move || s.iter().for_each(|&[u, v]| keep(a.point_at(u, v)))),
+                Contender::new("curvo", n, move || t.iter().for_each(|&[u, v]| keep(b.point_at(u, v)))),
+                Contender::new("truck", n, move || r.iter().for_each(|&[u, v]| keep(c.point(u, v)))),
+            ],
+        ));
+        let (a, b, c) = (ours.clone(), curvo.clone(), record.truck());
+        let (s, t, r) = (uv.clone(), uv.clone(), uv.clone());
+        let (a2, s2) = (ours.clone(), uv.clone());
+        out.push(row(
+            format!("surface point + first partials, {kind}"),
+            0.15,
+            "curvo",
+            vec![
+                Contender::new("katydid", n, move || {
+                    s.iter().for_each(|&[u, v]| keep(a.partials_at(u, v, Quadrant::NorthEast)));
+                }),
+                Contender::new("curvo", n, move || {
+                    t.iter().for_each(|&[u, v]| keep(b.rational_derivatives(u, v, 1)));
+                }),
+                Contender::new("truck", n, move || r.iter().for_each(|&[u, v]| keep(c.partials(u, v)))),
+                Contender::new("katydid, second partials too", n, move || {
+                    s2.iter().for_each(|&[u, v]| keep(a2.second_partials_at(u, v, Quadrant::NorthEast)));
+                }),
+            ],
+        ));
+        let (a, b, s, t) = (ours.clone(), curvo.clone(), steps.clone(), uv.clone());
+        let (a2, s2) = (ours.clone(), steps.clone());
+        out.push(row(
+            format!("surface, grid of 128×128, {kind}"),
+            0.04,
+            "curvo",
+            vec![
+                Contender::new("katydid", 128 * 128, move || keep(a.points_grid(&s, &s))),
+                Contender::new("curvo", n, move || t.iter().for_each(|&[u, v]| keep(b.point_at(u, v)))),
+                Contender::new("katydid with partials", 128 * 128, move || keep(a2.partials_grid(&s2, &s2))),
+            ],
+        ));
+    }
+    Ok(out)
+}
+
 /// Closest points, lengths.
 fn measures(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
     let mut out = Vec::new();
@@ -158,17 +219,22 @@ fn measures(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
         let queries = inputs.points("q_curve")?.to_vec();
         let theirs: Vec<_> = queries.iter().map(|p| nalgebra::Point3::new(p.x, p.y, p.z)).collect();
         let n = queries.len();
-        let (a, b) = (ours.clone(), curvo.clone());
+        let (a, b, c, once) = (ours.clone(), curvo.clone(), ours.clone(), queries.clone());
         out.push(row(
             format!("closest point on a curve, {kind}"),
             1.0,
             "curvo",
             vec![
+                // Made anew for each batch, so that its share of the time counts.
                 Contender::new("katydid", n, move || {
-                    queries.iter().for_each(|&q| keep(a.closest_point(q)));
+                    let ready = ClosestOnCurve::new(&a);
+                    queries.iter().for_each(|&q| keep(ready.nearest(q)));
                 }),
                 Contender::new("curvo", n, move || {
                     theirs.iter().for_each(|q| keep(b.find_closest_parameter(q)));
+                }),
+                Contender::new("katydid, one question a curve", once.len(), move || {
+                    once.iter().for_each(|&q| keep(c.closest_point(q)));
                 }),
             ],
         ));
@@ -203,6 +269,40 @@ fn measures(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
                             );
                         }
                     }
+                }),
+            ],
+        ));
+    }
+    Ok(out)
+}
+
+/// Curves that cross.
+fn crossings(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
+    use curvo::prelude::{CurveIntersectionSolverOptions, Intersects};
+    let mut out = Vec::new();
+    for (a, b, operation, wanted) in [
+        ("cc_a", "cc_b", "curve with curve, 7 crossings", 1.0),
+        ("wv_a", "wv_b", "curve with curve, two weaving cubics with 67 crossings", 0.6),
+    ] {
+        let (a, b) = (inputs.curve(a)?, inputs.curve(b)?);
+        let ours: [Curve; 2] = [a.katydid()?.into(), b.katydid()?.into()];
+        let theirs = [a.curvo_flat()?, b.curvo_flat()?];
+        let tight = theirs.clone();
+        let options = CurveIntersectionSolverOptions::default()
+            .with_minimum_distance(1e-9)
+            .with_step_size_tolerance(1e-14)
+            .with_cost_tolerance(1e-20);
+        out.push(row(
+            operation,
+            wanted,
+            "curvo",
+            vec![
+                Contender::new("katydid", 1, move || keep(intersect::curve_curve(&ours[0], &ours[1], 1e-9))),
+                Contender::new("curvo", 1, move || {
+                    keep(theirs[0].find_intersection(&theirs[1], None).ok());
+                }),
+                Contender::new("curvo to 1e-13", 1, move || {
+                    keep(tight[0].find_intersection(&tight[1], Some(options.clone())).ok());
                 }),
             ],
         ));

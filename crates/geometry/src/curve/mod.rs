@@ -5,6 +5,8 @@ mod batch;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_local;
+mod closest_part;
 mod continuity;
 mod convert;
 mod discontinuity;
@@ -27,13 +29,15 @@ mod speed;
 
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;
-pub use closest::CurvePoint;
+pub use closest::{ClosestOnCurve, CurvePoint};
 pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
+pub(crate) use evaluate::curvature;
 pub use extrema::CurvatureExtremum;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
+pub(crate) use piece::{Piece, Shape};
 #[cfg(feature = "serde")]
 pub(crate) use poly_curve::MAX_NESTING;
 pub use poly_curve::PolyCurve;

@@ -9,6 +9,7 @@ mod cylinder;
 mod edit;
 mod evaluate;
 mod isocurve;
+mod normal;
 mod plane_surface;
 mod recognise;
 mod revolution;

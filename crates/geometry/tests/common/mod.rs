@@ -127,3 +127,46 @@ pub fn close_surfaces(a: &NurbsSurface, b: &NurbsSurface, tolerance: f64, what: 
         }
     }
 }
+
+/// The inputs on which the peers were measured, with reference answers.
+pub struct Bench {
+    inputs: String,
+    pub reference: Value,
+}
+
+/// The bench inputs, or `None` with a printed line when the shared data is absent.
+pub fn bench() -> Option<Bench> {
+    let read = |file: &str| {
+        let path = format!("{}/../../../shared/data/kernel-bench/{file}", env!("CARGO_MANIFEST_DIR"));
+        match std::fs::read_to_string(&path) {
+            Ok(text) => Some(text),
+            Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
+            Err(_) => {
+                println!("skipped: {path} is absent");
+                None
+            }
+        }
+    };
+    let reference = serde_json::from_str(&read("reference.json")?).unwrap();
+    Some(Bench { inputs: read("inputs.txt")?, reference })
+}
+
+impl Bench {
+    /// The curve of a name.
+    pub fn curve(&self, name: &str) -> katydid_geometry::Curve {
+        let mut words = self.inputs.split_whitespace();
+        while let Some(word) = words.next() {
+            if word != "curve" || words.next() != Some(name) {
+                continue;
+            }
+            let header: Vec<usize> = words.by_ref().take(3).map(|w| w.parse().unwrap()).collect();
+            let mut rest = words.map(|w| w.parse::<f64>().unwrap());
+            let knots: Vec<f64> = rest.by_ref().take(header[1] + header[0] + 1).collect();
+            let cvs: Vec<f64> = rest.take(4 * header[1]).collect();
+            let points: Vec<_> = cvs.chunks_exact(4).map(|c| Point3::new(c[0], c[1], c[2])).collect();
+            let knots = knots[1..knots.len() - 1].to_vec();
+            return NurbsCurve::new(header[0], points, knots).unwrap().into();
+        }
+        panic!("no curve {name}")
+    }
+}
