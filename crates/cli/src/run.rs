@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use katydid_component::{Level, Limits};
+use katydid_component::{Files, Level, Limits};
 use katydid_data::cast::Rules;
 use katydid_exchange::Format;
 use katydid_session::{Items, Session, bake};
@@ -66,6 +66,8 @@ fn options(args: &RunArgs) -> Result<Options, String> {
             bytes: args.limit_bytes.unwrap_or(defaults.bytes),
             time,
         },
+        // Who runs a definition here may read their own files; the paths start where the definition lies.
+        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
         // A report shows every output.
         skip_unread: args.json.is_none(),
         progress: progress::listener(),

@@ -31,13 +31,16 @@
 )]
 
 mod bernstein;
+pub mod biarc;
 mod bounding_box;
 mod box3;
 mod box_tree;
+mod catenary;
 mod circle;
 mod curve;
 mod ellipse;
 mod error;
+pub mod field;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;
 pub mod intersect;
@@ -58,6 +61,7 @@ mod rectangle;
 mod serde_forms;
 mod surface;
 mod tangent;
+mod tangent_circle;
 mod tolerance;
 mod units;
 mod vector;
@@ -66,6 +70,7 @@ mod xform;
 
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
+pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CurvatureExtremum,
@@ -73,6 +78,7 @@ pub use curve::{
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
+pub use field::Field;
 pub use interval::Interval;
 pub use line::Line;
 pub use matrix::{Matrix, RowReduction};
@@ -92,6 +98,7 @@ pub use surface::{
     Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
     SurfaceCurvature, Torus,
 };
+pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;

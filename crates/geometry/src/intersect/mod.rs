@@ -1,4 +1,4 @@
-//! Where things meet: lines and planes in closed form, curves by subdivision with bounds.
+//! Where things meet: lines and planes in closed form, curves and surfaces by subdivision with bounds.
 
 mod analytic;
 mod clusters;
