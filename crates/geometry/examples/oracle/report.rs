@@ -1,11 +1,16 @@
 //! Counting agreements and errors.
 
+use std::io::Write;
+
 use katydid_geometry::{Point3, Vector3};
 
 /// Evaluation: the part of the magnitude that may differ.
 pub(crate) const EVALUATION: f64 = 1e-13;
 /// Constructions: knots and control points.
 pub(crate) const CONSTRUCTION: f64 = 1e-14;
+
+/// So many disagreements of a case are shown.
+const SHOWN: usize = 6;
 
 /// The comparisons of one case.
 #[derive(Default)]
@@ -117,20 +122,31 @@ impl Kind {
         }
     }
 
-    /// Prints the line of this kind and its disagreements; whether there are none.
-    pub(crate) fn print(&self, name: &str) -> bool {
-        println!(
+    /// Writes the line of this kind and its disagreements; whether there are none.
+    ///
+    /// # Errors
+    /// Nobody reads the output any more.
+    pub(crate) fn write(&self, name: &str, out: &mut impl Write) -> std::io::Result<bool> {
+        writeln!(
+            out,
             "{name:>16}: {:4} cases, {:4} agreed, {:6} comparisons, largest error {:.1e} {}",
             self.cases, self.agreed, self.compared, self.largest, self.where_largest
-        );
+        )?;
         if self.by_source > 0 {
-            println!("{:>18}in {} constructions the reference is less exact than ours", "", self.by_source);
+            writeln!(
+                out,
+                "{:>18}in {} constructions the reference is less exact than ours",
+                "", self.by_source
+            )?;
         }
         for (id, misses) in &self.disagreements {
-            for miss in misses {
-                println!("{:>18}{id}: {miss}", "");
+            for miss in misses.iter().take(SHOWN) {
+                writeln!(out, "{:>18}{id}: {miss}", "")?;
+            }
+            if let Some(more) = misses.len().checked_sub(SHOWN).filter(|&more| more > 0) {
+                writeln!(out, "{:>18}{id}: {more} more", "")?;
             }
         }
-        self.disagreements.is_empty()
+        Ok(self.disagreements.is_empty())
     }
 }

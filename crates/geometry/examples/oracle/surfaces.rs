@@ -162,7 +162,7 @@ pub(crate) fn same_surface(
     if let (Some(source), Ok(reference)) = (source, read::surface(want))
         && ours.len() == theirs.len()
         && apart > CONSTRUCTION * size
-        && apart <= 1e-10 * size
+        && apart <= 1e-4 * size
     {
         let (mine, its) = (defect(got, source), defect(&reference, source));
         if mine <= its {
