@@ -59,8 +59,9 @@ pub use bounding_box::BoundingBox;
 pub use box3::Box3;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CurvatureExtremum, Curve, CurvePoint,
-    JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
+    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CornerPiece, CurvatureExtremum, Curve,
+    CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve, PolylineCurve,
+    PolylineLimits, TweenMatch, compatible_curves, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};

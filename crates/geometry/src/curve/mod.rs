@@ -1,6 +1,8 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod biarc;
+pub(crate) mod blend;
 mod bounds;
 mod classify;
 mod closest;
@@ -9,9 +11,12 @@ mod convert;
 mod discontinuity;
 mod divide;
 mod edit;
+mod elliptic;
 mod evaluate;
 mod explode;
+mod extend;
 mod extrema;
+mod fillet;
 mod frames;
 mod join;
 mod length;
@@ -20,23 +25,32 @@ mod offset;
 mod piece;
 mod poly_curve;
 mod polyline_curve;
+mod rebuild;
 mod region;
 mod sections;
+mod simplify;
 mod speed;
+mod tessellate;
+mod tween;
 
 pub use arc_curve::ArcCurve;
 pub use closest::CurvePoint;
 pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
-pub use extrema::CurvatureExtremum;
 pub(crate) use evaluate::curvature;
+pub use extend::ExtensionStyle;
+pub use extrema::CurvatureExtremum;
+pub use fillet::CornerPiece;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
+pub use offset::OffsetCorner;
 pub(crate) use piece::{Piece, Shape};
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;
+pub use tessellate::PolylineLimits;
+pub use tween::{TweenMatch, compatible_curves};
 
 use crate::{Arc, Circle, Interval, Line, NurbsCurve, Point3};
 

@@ -71,22 +71,6 @@ impl NurbsCurve {
         self.over_knots(knots)
     }
 
-    /// The same curve with full multiplicity at every knot: its control points are those of its Bézier pieces, each
-    /// piece sharing its ends with its neighbours.
-    ///
-    /// # Errors
-    /// A number overflows.
-    pub fn with_bezier_spans(&self) -> Result<Self> {
-        let p = self.degree;
-        let knots = self.span_parameters().iter().flat_map(|&t| std::iter::repeat_n(t, p)).collect();
-        self.over_knots(knots)
-    }
-
-    /// Whether every knot has full multiplicity.
-    pub fn has_bezier_spans(&self) -> bool {
-        self.knots.chunks(self.degree).all(|c| c.len() == self.degree && c.first() == c.last())
-    }
-
     /// The curve with control point `i` in another place and its weight kept; on a periodic curve its repetition
     /// moves as well.
     ///
