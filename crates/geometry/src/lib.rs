@@ -73,8 +73,9 @@ pub use box3::Box3;
 pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CurvatureExtremum,
-    Curve, CurvePoint, JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
+    ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
+    CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
+    PolylineCurve, PolylineLimits, TweenMatch, compatible_curves, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
