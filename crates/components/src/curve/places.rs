@@ -59,7 +59,7 @@ fn curvature_graph(
 
 /// The point of a curve that reaches `height` along a direction, where that is the farthest it reaches.
 fn touch(curve: &Curve, direction: Vector3, height: f64, tolerance: f64) -> Result<Point3, Message> {
-    let plane = Plane::from_normal(direction.to_point() - direction + direction * height, direction)?;
+    let plane = Plane::from_normal((direction * height).to_point(), direction)?;
     let t = curve.intersect_plane(&plane, tolerance)?.first().copied();
     Ok(curve.point_at(t.unwrap_or(curve.domain().start)))
 }

@@ -87,7 +87,8 @@ fn display_matrix(
 
 /// The inverse of a square matrix: their product is the identity.
 ///
-/// There is none, and the result is null, when the matrix is not square or its rows depend on one another.
+/// There is none, and the result is null, when the matrix is not square or its rows depend on one another. Matrices of
+/// more than 2000 rows are refused.
 #[component(
     "f986e79a-1215-4822-a1e7-3311dbdeb851",
     name = "Invert Matrix",
@@ -104,8 +105,12 @@ fn invert_matrix(
     /// The smallest pivot that is not taken for zero, beside entries of 1.
     #[port("Tolerance", "t", default = 1e-12)]
     tolerance: f64,
-) -> (Option<Arc<Matrix>>, bool) {
-    match matrix.inverse(tolerance) {
+) -> Result<(Option<Arc<Matrix>>, bool), Message> {
+    // The work grows with the third power of the size.
+    if matrix.rows() > 2000 {
+        return Err(Message::error("A matrix of more than 2000 rows is too large to be inverted"));
+    }
+    Ok(match matrix.inverse(tolerance) {
         Ok(inverse) => {
             let success = inverse.is_some();
             (inverse.map(Arc::new), success)
@@ -114,7 +119,7 @@ fn invert_matrix(
             context.warn(error.to_string());
             (None, false)
         }
-    }
+    })
 }
 
 /// Rows and columns exchanged.
