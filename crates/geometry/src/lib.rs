@@ -75,7 +75,7 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
-    PolylineCurve, PolylineLimits, TweenMatch, compatible_curves, join_curves,
+    PolylineCurve, PolylineLimits, TweenMatch, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};

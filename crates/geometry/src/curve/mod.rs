@@ -56,7 +56,7 @@ pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;
 pub use tessellate::PolylineLimits;
-pub use tween::{TweenMatch, compatible_curves};
+pub use tween::TweenMatch;
 
 use crate::{Arc, Circle, Interval, Line, NurbsCurve, Point3};
 

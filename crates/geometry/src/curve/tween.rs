@@ -1,7 +1,7 @@
 //! Curves between two curves.
 
 use super::{ArcLength, Curve};
-use crate::{Error, Interval, KnotSpacing, NurbsCurve, Point3, Result};
+use crate::{Error, Interval, KnotSpacing, NurbsCurve, Point3, Result, compatible_curves};
 
 /// Which points of two curves belong together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -13,56 +13,6 @@ pub enum TweenMatch {
     Parameters(usize),
     /// Points of equal shares of the lengths, likewise.
     Lengths(usize),
-}
-
-/// The same curves with one degree, one knot vector over 0…1 and all rational if one is: control point i of one
-/// belongs to control point i of the other. Shapes stay; ends are clamped.
-///
-/// # Errors
-/// No curve, or knots that cannot be told apart over 0…1.
-pub fn compatible_curves(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>> {
-    let degree = curves
-        .iter()
-        .map(NurbsCurve::degree)
-        .max()
-        .ok_or(Error::Invalid { what: "curves", why: "there are none".into() })?;
-    let rational = curves.iter().any(NurbsCurve::is_rational);
-    let mut out = curves
-        .iter()
-        .map(|c| c.with_domain(Interval::UNIT)?.clamped()?.raised_to(degree))
-        .collect::<Result<Vec<_>>>()?;
-    // Knots nearer than rounding can tell are one.
-    let mut all: Vec<f64> = out.iter().flat_map(NurbsCurve::span_parameters).collect();
-    all.sort_by(f64::total_cmp);
-    let mut merged: Vec<f64> = Vec::new();
-    for t in all {
-        if merged.last().is_none_or(|&m| t - m > 1e-12) {
-            merged.push(t);
-        }
-    }
-    if let Some(last) = merged.last_mut() {
-        *last = 1.0;
-    }
-    let snap =
-        |t: f64| merged.iter().copied().min_by(|a, b| (a - t).abs().total_cmp(&(b - t).abs())).unwrap_or(t);
-    for c in &mut out {
-        let knots: Vec<f64> = c.knots().iter().map(|&t| snap(t)).collect();
-        *c = NurbsCurve::rational(degree, c.homogeneous_points(), knots)?;
-    }
-    let mut missing: Vec<Vec<f64>> = vec![Vec::new(); out.len()];
-    for &t in merged.iter().filter(|&&t| 0.0 < t && t < 1.0) {
-        let most = out.iter().map(|c| c.multiplicity(t)).max().unwrap_or(0);
-        for (list, c) in missing.iter_mut().zip(&out) {
-            list.extend(std::iter::repeat_n(t, most - c.multiplicity(t)));
-        }
-    }
-    out.iter()
-        .zip(&missing)
-        .map(|(c, new)| {
-            let c = c.refined(new)?;
-            if rational { Ok(c) } else { Ok(c.to_non_rational().unwrap_or(c)) }
-        })
-        .collect()
 }
 
 impl Curve {
@@ -77,7 +27,8 @@ impl Curve {
         }
         let count = match matching {
             TweenMatch::ControlPoints => {
-                let pair = compatible_curves(&[self.to_nurbs()?, other.to_nurbs()?])?;
+                let unit = |curve: &Self| curve.to_nurbs()?.with_domain(Interval::UNIT);
+                let pair = compatible_curves(&[unit(self)?, unit(other)?])?;
                 let [a, b] = pair.as_slice() else {
                     return Err(Error::degenerate("curves", "they cannot be made compatible"));
                 };
