@@ -35,7 +35,7 @@ bench: $(VENV)/installed
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression; do \
+	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression geometry; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

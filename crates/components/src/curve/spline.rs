@@ -163,8 +163,10 @@ fn knot_vector(
     /// Whether the curve closes smoothly; else it ends in its end points.
     #[port("Periodic", "P", default = false)]
     periodic: bool,
+    context: &Context<'_>,
 ) -> Result<Vec<f64>, Message> {
     let (n, p) = (usize::try_from(count).unwrap_or(0), degree(degree_)?);
+    context.items(n.saturating_add(p))?;
     Ok(if periodic { periodic_uniform_knots(p, n)? } else { clamped_uniform_knots(p, n)? })
 }
 

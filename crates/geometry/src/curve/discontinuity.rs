@@ -6,6 +6,7 @@ use crate::{Tolerance, Vector3};
 
 /// A kind of smoothness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Continuity {
     /// Position.
     C0,
@@ -17,6 +18,14 @@ pub enum Continuity {
     G1,
     /// Position, tangent direction and curvature.
     G2,
+    /// Position, and all derivatives up to this order.
+    Cn(u8),
+    /// Position and all derivatives: every knot at which the polynomial changes lacks it.
+    CInfinity,
+    /// Position, on the geometric scale.
+    G0,
+    /// Position, tangent direction, curvature and its rate of change.
+    G3,
 }
 
 impl Curve {
@@ -43,6 +52,9 @@ impl Curve {
 
     /// Whether the curve that arrives at `below` and leaves at `above` lacks continuity there.
     fn breaks(&self, below: f64, above: f64, kind: Continuity, tolerance: &Tolerance) -> bool {
+        if let Continuity::Cn(_) | Continuity::CInfinity | Continuity::G0 | Continuity::G3 = kind {
+            return !self.is_continuous_at(above, kind, &tolerance.into());
+        }
         let (a, da) = self.derivatives(below, 2, true);
         let (b, db) = self.derivatives(above, 2, false);
         let differ = |x: Vector3, y: Vector3| (x - y).length() > 1e-8 * x.length().max(y.length());
@@ -56,7 +68,9 @@ impl Curve {
         // Second derivatives are differences of first ones: noise of 1e-8 of those is no step.
         let size = da[0].length().max(db[0].length()) / self.domain().length();
         match kind {
-            Continuity::C0 => false,
+            Continuity::C0 | Continuity::G0 | Continuity::G3 | Continuity::Cn(_) | Continuity::CInfinity => {
+                false
+            }
             Continuity::C1 => differ(da[0], db[0]),
             Continuity::C2 => {
                 differ(da[0], db[0]) || (differ(da[1], db[1]) && (da[1] - db[1]).length() > 1e-8 * size)

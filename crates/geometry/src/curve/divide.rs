@@ -143,6 +143,11 @@ pub(super) struct LocatedBezier<'a> {
 }
 
 impl LocatedBezier<'_> {
+    /// Whether it is part of an arc.
+    pub(super) fn is_circular(&self) -> bool {
+        matches!(self.piece.shape, Shape::Arc(_))
+    }
+
     /// The point at x in 0…1 and the curve's parameter there.
     pub(super) fn at(&self, x: f64) -> (Point3, f64) {
         let point = crate::nurbs::project(value(&self.points, x));

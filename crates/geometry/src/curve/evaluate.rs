@@ -9,52 +9,66 @@ impl Curve {
     /// The point at `t` and the derivatives of order 1…`count` by the parameter (64 at most). At a joint those of
     /// the piece that begins there, with `from_below` of the piece that ends there.
     pub fn derivatives(&self, t: f64, count: usize, from_below: bool) -> (Point3, Vec<Vector3>) {
-        let count = count.min(64);
-        let straight = |point: Point3, d: Vector3| {
-            let mut out = vec![Vector3::ZERO; count];
-            if let Some(first) = out.first_mut() {
-                *first = d;
+        let mut out = vec![Vector3::ZERO; count.min(64) + 1];
+        self.derivatives_into(t, from_below, &mut out);
+        let point = out.remove(0).to_point();
+        (point, out)
+    }
+
+    /// The position at `t`, as a vector from the origin, and then the derivatives of order 1, 2, … as far as there
+    /// are places (65 at most; the rest stay as they are), without allocation. Sides as in [`Curve::derivatives`].
+    pub fn derivatives_into(&self, t: f64, from_below: bool, out: &mut [Vector3]) {
+        let out = match out.len() {
+            0..=65 => out,
+            _ => &mut out[..65],
+        };
+        let straight = |out: &mut [Vector3], point: Point3, d: Vector3| {
+            for (k, slot) in out.iter_mut().enumerate() {
+                *slot = match k {
+                    0 => point.to_vector(),
+                    1 => d,
+                    _ => Vector3::ZERO,
+                };
             }
-            (point, out)
         };
         match self {
-            Self::Line(c) => straight(c.point_at(t), c.line.direction() / c.domain.length()),
+            Self::Line(c) => straight(out, c.point_at(t), c.line.direction() / c.domain.length()),
             Self::Polyline(c) => {
                 let i = match c.parameters().partition_point(|&p| p < t) {
                     below if from_below => below.saturating_sub(1).min(c.segment_count() - 1),
                     _ => c.segment_at(t),
                 };
                 let (p, u) = (c.points(), c.parameters());
-                straight(c.point_at(t), (p[i + 1] - p[i]) / (u[i + 1] - u[i]))
+                straight(out, c.point_at(t), (p[i + 1] - p[i]) / (u[i + 1] - u[i]));
             }
             Self::Arc(c) => {
                 let (angle, plane) = (c.angle_at(t), &c.arc.circle.plane);
                 let speed = c.arc.angle.length() / c.domain.length();
                 let mut size = c.arc.circle.radius;
-                let derivatives = (1..=count)
-                    .map(|k| {
+                for (k, slot) in out.iter_mut().enumerate() {
+                    *slot = if k == 0 {
+                        c.point_at(t).to_vector()
+                    } else {
                         size *= speed;
                         let (sin, cos) = (angle + FRAC_PI_2 * (k % 4) as f64).sin_cos();
                         plane.x_axis * (size * cos) + plane.y_axis * (size * sin)
-                    })
-                    .collect();
-                (c.point_at(t), derivatives)
+                    };
+                }
             }
-            Self::Nurbs(c) => c.derivatives(t, count, from_below),
+            Self::Nurbs(c) => c.derivatives_into(t, from_below, out),
             Self::Poly(c) => {
                 let i = match c.parameters().partition_point(|&p| p < t) {
                     below if from_below => below.saturating_sub(1).min(c.segments().len() - 1),
                     _ => c.segment_at(t),
                 };
                 let segment = &c.segments()[i];
-                let (point, mut d) = segment.derivatives(c.to_segment_parameter(i, t), count, from_below);
+                segment.derivatives_into(c.to_segment_parameter(i, t), from_below, out);
                 let speed = segment.domain().length() / c.segment_domain(i).length();
                 let mut factor = 1.0;
-                for v in &mut d {
+                for v in out.iter_mut().skip(1) {
                     factor *= speed;
                     *v = *v * factor;
                 }
-                (point, d)
             }
         }
     }
@@ -93,8 +107,8 @@ impl Curve {
     /// The curvature vector at `t`: it points to the centre of the osculating circle and is 1/radius long. Zero
     /// where the curve is straight or stands still.
     pub fn curvature_at(&self, t: f64) -> Vector3 {
-        let (_, d) = self.derivatives(t, 2, t >= self.domain().end);
-        curvature(d[0], d[1])
+        let [_, d1, d2] = self.jet_at(t, t >= self.domain().end);
+        curvature(d1, d2)
     }
 
     /// The curvature with a sign, for a curve seen in a plane: positive where it turns left about the normal.

@@ -1,15 +1,20 @@
 //! Curves of every kind behind one type.
 
 mod arc_curve;
+mod batch;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_local;
+mod closest_part;
+mod continuity;
 mod convert;
 mod discontinuity;
 mod divide;
 mod edit;
 mod evaluate;
 mod explode;
+mod extrema;
 mod frames;
 mod join;
 mod length;
@@ -20,13 +25,21 @@ mod poly_curve;
 mod polyline_curve;
 mod region;
 mod sections;
+mod speed;
 
 pub use arc_curve::ArcCurve;
-pub use closest::CurvePoint;
+pub(crate) use classify::coincident;
+pub use closest::{ClosestOnCurve, CurvePoint};
+pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
+pub(crate) use evaluate::curvature;
+pub use extrema::CurvatureExtremum;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
+pub(crate) use piece::{Piece, Shape};
+#[cfg(feature = "serde")]
+pub(crate) use poly_curve::MAX_NESTING;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;

@@ -45,7 +45,7 @@ impl Piece<'_> {
             Shape::Segment(_, b) if u == 1.0 => b,
             Shape::Segment(a, b) => a.lerp(b, u),
             Shape::Arc(arc) => arc.circle.at(u),
-            Shape::Span(curve, j) => curve.jet(j, u)[0].to_point(),
+            Shape::Span(curve, j) => curve.point_in(j, u),
         }
     }
 

@@ -1,10 +1,6 @@
-use super::evaluate::{de_boor, derivatives, many};
+use super::evaluate::{de_boor, derivatives, divided, find_span, jet};
 use super::knots::{check_knots, span_index};
 use crate::{Error, Interval, Point3, Result, Vector3};
-
-/// How many parameters one task takes: some 100 µs of work.
-#[cfg(feature = "parallel")]
-const CHUNK: usize = 8192;
 
 /// The control points in the form that evaluation wants: weights only where they are needed.
 #[derive(Debug, Clone, PartialEq)]
@@ -173,10 +169,70 @@ impl NurbsCurve {
     /// The point at `t`. Outside the domain the polynomial of the first or last span goes on.
     #[inline]
     pub fn point_at(&self, t: f64) -> Point3 {
-        let j = span_index(&self.knots, self.degree, t, false);
+        self.point_in(find_span(&self.knots, self.degree, t), t)
+    }
+
+    /// The position at `t`, as a vector from the origin, and the derivatives of order 1…K − 1, without allocation; at
+    /// a knot those of the span that begins there, with `from_below` of the span that ends there.
+    ///
+    /// ```
+    /// use katydid_geometry::{NurbsCurve, Point3, Vector3};
+    /// # fn main() -> katydid_geometry::Result<()> {
+    /// let parabola = NurbsCurve::bezier(&[[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from))?;
+    /// let [position, velocity, acceleration] = parabola.jet_at(0.5, false);
+    /// assert_eq!(position, Vector3::new(1.0, 1.0, 0.0));
+    /// assert_eq!(velocity, Vector3::new(2.0, 0.0, 0.0));
+    /// assert_eq!(acceleration, Vector3::new(0.0, -8.0, 0.0));
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[inline]
+    pub fn jet_at<const K: usize>(&self, t: f64, from_below: bool) -> [Vector3; K] {
+        let j = match from_below {
+            true => span_index(&self.knots, self.degree, t, true),
+            false => find_span(&self.knots, self.degree, t),
+        };
+        self.jet(j, t)
+    }
+
+    /// The position at `t`, as a vector from the origin, and then the derivatives of order 1, 2, … as far as there
+    /// are places (65 at most; the rest stay as they are), without allocation. Sides as in [`NurbsCurve::jet_at`].
+    ///
+    /// Rational curves by the quotient rule (P&T, algorithm A4.2).
+    pub fn derivatives_into(&self, t: f64, from_below: bool, out: &mut [Vector3]) {
+        let out = match out.len() {
+            0..=65 => out,
+            _ => &mut out[..65],
+        };
+        match out {
+            [a, b] => return [*a, *b] = self.jet_at(t, from_below),
+            [a, b, c] => return [*a, *b, *c] = self.jet_at(t, from_below),
+            [a, b, c, d] => return [*a, *b, *c, *d] = self.jet_at(t, from_below),
+            _ => {}
+        }
+        let j = span_index(&self.knots, self.degree, t, from_below);
         match &self.controls {
-            Controls::Plain(p) => de_boor(self.degree, &self.knots, p, j, t).into(),
-            Controls::Rational(p) => project(de_boor(self.degree, &self.knots, p, j, t)),
+            Controls::Plain(p) => {
+                let mut d = [[0.0; 3]; 65];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d[..out.len()]);
+                for (slot, d) in out.iter_mut().zip(d) {
+                    *slot = d.into();
+                }
+            }
+            Controls::Rational(p) => {
+                let mut d = [[0.0; 4]; 65];
+                derivatives(self.degree, &self.knots, p, j, t, &mut d[..out.len()]);
+                let w = d[0][3];
+                for k in 0..out.len() {
+                    let mut v = Vector3::new(d[k][0], d[k][1], d[k][2]);
+                    let mut choose = 1.0;
+                    for i in 1..=k {
+                        choose = choose * (k - i + 1) as f64 / i as f64;
+                        v -= out[k - i] * (choose * d[i][3]);
+                    }
+                    out[k] = v / w;
+                }
+            }
         }
     }
 
@@ -185,69 +241,36 @@ impl NurbsCurve {
     ///
     /// Rational curves by the quotient rule (P&T, algorithm A4.2).
     pub fn derivatives(&self, t: f64, count: usize, from_below: bool) -> (Point3, Vec<Vector3>) {
-        let count = count.min(64);
-        let j = span_index(&self.knots, self.degree, t, from_below);
+        let mut out = vec![Vector3::ZERO; count.min(64) + 1];
+        self.derivatives_into(t, from_below, &mut out);
+        let point = out.remove(0).to_point();
+        (point, out)
+    }
+
+    /// The position and K − 1 derivatives in span `j`, without allocation.
+    #[inline]
+    pub(crate) fn jet<const K: usize>(&self, j: usize, t: f64) -> [Vector3; K] {
         match &self.controls {
-            Controls::Plain(p) => {
-                let mut d = vec![[0.0; 3]; count + 1];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                (d[0].into(), d[1..].iter().map(|&v| v.into()).collect())
-            }
-            Controls::Rational(p) => {
-                let mut d = vec![[0.0; 4]; count + 1];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                let point = project(d[0]);
-                let mut out: Vec<Vector3> = Vec::with_capacity(count);
-                for k in 1..=count {
-                    let mut v = Vector3::new(d[k][0], d[k][1], d[k][2]) - point.to_vector() * d[k][3];
-                    let mut choose = 1.0;
-                    for i in 1..k {
-                        choose = choose * (k - i + 1) as f64 / i as f64;
-                        v -= out[k - i - 1] * (choose * d[i][3]);
-                    }
-                    out.push(v / d[0][3]);
-                }
-                (point, out)
-            }
+            Controls::Plain(p) => jet(self.degree, &self.knots, p, j, t).map(Vector3::from),
+            Controls::Rational(p) => divided(&jet(self.degree, &self.knots, p, j, t)).map(Vector3::from),
         }
     }
 
-    /// The point and the first two derivatives in span `j`, without allocation.
-    pub(crate) fn jet(&self, j: usize, t: f64) -> [Vector3; 3] {
+    /// The point in span `j`.
+    #[inline]
+    pub(crate) fn point_in(&self, j: usize, t: f64) -> Point3 {
         match &self.controls {
-            Controls::Plain(p) => {
-                let mut d = [[0.0; 3]; 3];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                d.map(Vector3::from)
-            }
-            Controls::Rational(p) => {
-                let mut d = [[0.0; 4]; 3];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                let v = d.map(|[x, y, z, _]| Vector3::new(x, y, z));
-                let [w0, w1, w2] = d.map(|d| d[3]);
-                let c0 = v[0] / w0;
-                let c1 = (v[1] - c0 * w1) / w0;
-                let c2 = (v[2] - c1 * (2.0 * w1) - c0 * w2) / w0;
-                [c0, c1, c2]
-            }
+            Controls::Plain(p) => de_boor(self.degree, &self.knots, p, j, t).into(),
+            Controls::Rational(p) => project(de_boor(self.degree, &self.knots, p, j, t)),
         }
     }
 
     /// The first derivative in span `j`.
+    #[cfg(test)]
+    #[inline]
     pub(crate) fn velocity(&self, j: usize, t: f64) -> Vector3 {
-        match &self.controls {
-            Controls::Plain(p) => {
-                let mut d = [[0.0; 3]; 2];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                d[1].into()
-            }
-            Controls::Rational(p) => {
-                let mut d = [[0.0; 4]; 2];
-                derivatives(self.degree, &self.knots, p, j, t, &mut d);
-                let point = project(d[0]).to_vector();
-                (Vector3::new(d[1][0], d[1][1], d[1][2]) - point * d[1][3]) / d[0][3]
-            }
-        }
+        let [_, velocity] = self.jet(j, t);
+        velocity
     }
 
     /// The control points in space that act in span `j`: their hull holds it.
@@ -275,26 +298,6 @@ impl NurbsCurve {
     pub(crate) fn spans(&self) -> impl Iterator<Item = usize> + '_ {
         let p = self.degree;
         (0..self.knots.len() + 1 - 2 * p).filter(move |&j| self.knots[j + p - 1] < self.knots[j + p])
-    }
-
-    /// The points at many parameters, fastest when they are sorted. Long lists run in parallel with the `parallel`
-    /// feature; the result is the same to the last bit.
-    pub fn points_at(&self, parameters: &[f64]) -> Vec<Point3> {
-        #[cfg(feature = "parallel")]
-        if parameters.len() >= 2 * CHUNK {
-            use rayon::prelude::*;
-            return parameters.par_chunks(CHUNK).flat_map_iter(|part| self.points_of(part)).collect();
-        }
-        self.points_of(parameters)
-    }
-
-    fn points_of(&self, parameters: &[f64]) -> Vec<Point3> {
-        let mut out = Vec::with_capacity(parameters.len());
-        match &self.controls {
-            Controls::Plain(p) => many(self.degree, &self.knots, p, parameters, |p| out.push(p.into())),
-            Controls::Rational(p) => many(self.degree, &self.knots, p, parameters, |p| out.push(project(p))),
-        }
-        out
     }
 }
 

@@ -37,11 +37,12 @@ impl NurbsCurve {
             let step = |k: usize| self.knots[k + 1] - self.knots[k];
             (step(i) - step(i + shift)).abs() <= tolerance
         });
+        if !knots_repeat {
+            return false;
+        }
         let points = self.homogeneous_points();
         let size = points.iter().flatten().fold(1.0_f64, |m, x| m.max(x.abs()));
-        knots_repeat
-            && (0..p)
-                .all(|i| points[i].iter().zip(&points[i + shift]).all(|(a, b)| (a - b).abs() <= 1e-12 * size))
+        (0..p).all(|i| points[i].iter().zip(&points[i + shift]).all(|(a, b)| (a - b).abs() <= 1e-12 * size))
     }
 
     /// The length of the polygon through the control points.

@@ -98,7 +98,11 @@ impl NurbsCurve {
         if degree <= self.degree {
             return Ok(self.clone());
         }
-        let mut curve = self.clamped()?;
+        let mut curve = if self.is_clamped() {
+            std::borrow::Cow::Borrowed(self)
+        } else {
+            std::borrow::Cow::Owned(self.clamped()?)
+        };
         while curve.degree < degree {
             let mut knots = Vec::with_capacity(2 * curve.knots.len());
             for (i, &k) in curve.knots.iter().enumerate() {
@@ -113,9 +117,9 @@ impl NurbsCurve {
                 |p| raised(curve.degree, &curve.knots, p, &knots),
             )
             .ok_or(Error::degenerate("knot vector", "a control point acts on no span"))?;
-            curve = Self::from_controls(curve.degree + 1, controls, knots)?;
+            curve = std::borrow::Cow::Owned(Self::from_controls(curve.degree + 1, controls, knots)?);
         }
-        Ok(curve)
+        Ok(curve.into_owned())
     }
 }
 

@@ -50,6 +50,46 @@ impl Xform {
         self.similarity_factor(tolerance).is_some_and(|f| (f - 1.0).abs() <= tolerance)
     }
 
+    /// 1 for a map that keeps sizes, −1 for one that keeps sizes and mirrors, else 0.
+    pub fn rigid_type(&self, tolerance: f64) -> i8 {
+        match self.similarity_factor(tolerance) {
+            Some(f) if (f - 1.0).abs() <= tolerance => 1,
+            Some(f) if (f + 1.0).abs() <= tolerance => -1,
+            _ => 0,
+        }
+    }
+
+    /// 1 for a map that keeps angles, −1 for one that keeps angles and mirrors, else 0.
+    pub fn similarity_type(&self, tolerance: f64) -> i8 {
+        match self.similarity_factor(tolerance) {
+            Some(f) if f > 0.0 => 1,
+            Some(_) => -1,
+            None => 0,
+        }
+    }
+
+    /// Whether the map is affine and leaves the origin where it is.
+    pub fn is_linear(&self) -> bool {
+        self.is_affine() && (0..3).all(|i| self.rows[i][3] == 0.0)
+    }
+
+    /// Whether the map is a rotation about an axis through the origin, the identity among them.
+    pub fn is_rotation(&self, tolerance: f64) -> bool {
+        self.is_linear() && self.is_rigid(tolerance)
+    }
+
+    /// Whether the map is affine and moves without turning or scaling; the identity is one.
+    pub fn is_translation(&self, tolerance: f64) -> bool {
+        let linear =
+            (0..3).all(|i| (0..3).all(|j| (self.rows[i][j] - Self::IDENTITY.rows[i][j]).abs() <= tolerance));
+        self.is_affine() && linear
+    }
+
+    /// Whether all entries are 0.
+    pub fn is_zero(&self) -> bool {
+        self.rows.iter().flatten().all(|&x| x == 0.0)
+    }
+
     /// Whether all entries are finite.
     pub fn is_finite(&self) -> bool {
         self.rows.iter().flatten().all(|x| x.is_finite())

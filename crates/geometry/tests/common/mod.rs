@@ -7,7 +7,7 @@
     reason = "each test file uses a part of this"
 )]
 
-use katydid_geometry::{Interval, NurbsCurve, Plane, Point3, Vector3};
+use katydid_geometry::{Interval, NurbsCurve, NurbsSurface, Plane, Point3, Vector3};
 use serde_json::Value;
 
 /// The answers of another kernel, or `None` with a printed line when the shared data is absent.
@@ -93,5 +93,80 @@ pub fn close_curves(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64, what: &str) 
         for (x, y) in x.iter().zip(y) {
             close(*x, y, tolerance, what);
         }
+    }
+}
+
+pub fn surface(v: &Value) -> NurbsSurface {
+    let pair = |name: &str| [0, 1].map(|i| v[name][i].as_u64().unwrap() as usize);
+    let degrees = pair("order").map(|o| o - 1);
+    let knots = [numbers(&v["knots"][0]), numbers(&v["knots"][1])];
+    let rows: Vec<Vec<f64>> = v["cv"].as_array().unwrap().iter().map(numbers).collect();
+    if v["rat"].as_u64().unwrap() == 1 {
+        let rows = rows.iter().map(|r| [r[0], r[1], r[2], r[3]]).collect();
+        NurbsSurface::rational(degrees, pair("n"), rows, knots).unwrap()
+    } else {
+        let rows = rows.iter().map(|r| Point3::new(r[0], r[1], r[2])).collect();
+        NurbsSurface::new(degrees, pair("n"), rows, knots).unwrap()
+    }
+}
+
+#[track_caller]
+pub fn close_surfaces(a: &NurbsSurface, b: &NurbsSurface, tolerance: f64, what: &str) {
+    use katydid_geometry::Direction;
+    assert_eq!(a.degrees(), b.degrees(), "{what}: degrees");
+    assert_eq!(a.counts(), b.counts(), "{what}: counts");
+    assert_eq!(a.is_rational(), b.is_rational(), "{what}: rational");
+    for d in Direction::BOTH {
+        for (x, y) in a.knots(d).iter().zip(b.knots(d)) {
+            close(*x, *y, tolerance, what);
+        }
+    }
+    for (x, y) in a.homogeneous_points().iter().zip(b.homogeneous_points()) {
+        for (x, y) in x.iter().zip(y) {
+            close(*x, y, tolerance, what);
+        }
+    }
+}
+
+/// The inputs on which the peers were measured, with reference answers.
+pub struct Bench {
+    inputs: String,
+    pub reference: Value,
+}
+
+/// The bench inputs, or `None` with a printed line when the shared data is absent.
+pub fn bench() -> Option<Bench> {
+    let read = |file: &str| {
+        let path = format!("{}/../../../shared/data/kernel-bench/{file}", env!("CARGO_MANIFEST_DIR"));
+        match std::fs::read_to_string(&path) {
+            Ok(text) => Some(text),
+            Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
+            Err(_) => {
+                println!("skipped: {path} is absent");
+                None
+            }
+        }
+    };
+    let reference = serde_json::from_str(&read("reference.json")?).unwrap();
+    Some(Bench { inputs: read("inputs.txt")?, reference })
+}
+
+impl Bench {
+    /// The curve of a name.
+    pub fn curve(&self, name: &str) -> katydid_geometry::Curve {
+        let mut words = self.inputs.split_whitespace();
+        while let Some(word) = words.next() {
+            if word != "curve" || words.next() != Some(name) {
+                continue;
+            }
+            let header: Vec<usize> = words.by_ref().take(3).map(|w| w.parse().unwrap()).collect();
+            let mut rest = words.map(|w| w.parse::<f64>().unwrap());
+            let knots: Vec<f64> = rest.by_ref().take(header[1] + header[0] + 1).collect();
+            let cvs: Vec<f64> = rest.take(4 * header[1]).collect();
+            let points: Vec<_> = cvs.chunks_exact(4).map(|c| Point3::new(c[0], c[1], c[2])).collect();
+            let knots = knots[1..knots.len() - 1].to_vec();
+            return NurbsCurve::new(header[0], points, knots).unwrap().into();
+        }
+        panic!("no curve {name}")
     }
 }

@@ -1,4 +1,4 @@
-//! Intersections of lines and planes.
+//! Lines and planes, without ends.
 
 use crate::{Line, Plane, Point3};
 

@@ -1,0 +1,56 @@
+//! Boxes around surfaces.
+
+use super::Surface;
+use crate::{BoundingBox, Box3, Direction, Interval, Plane, Point3, Result, Vector3};
+
+impl Surface {
+    /// The range that the surface reaches along `direction`, measured from the origin in lengths of it; exact to
+    /// 1e-12 of its size, see [`crate::NurbsSurface::extent_along`].
+    ///
+    /// # Errors
+    /// A surface of revolution has a degenerate profile.
+    pub fn extent_along(&self, direction: Vector3) -> Result<Interval> {
+        match self {
+            Self::Sum(s) => {
+                let [a, b] = s.curves();
+                let (x, y) = (a.extent_along(direction), b.extent_along(direction));
+                let shift = s.shift().dot(direction);
+                Ok(Interval::new(x.start + y.start + shift, x.end + y.end + shift))
+            }
+            Self::Nurbs(s) => Ok(s.extent_along(direction)),
+            Self::Plane(s) => {
+                let [u, v] = Direction::BOTH.map(|d| s.domain(d));
+                let corners = [(u.start, v.start), (u.start, v.end), (u.end, v.start), (u.end, v.end)];
+                let reach = corners.map(|(u, v)| s.point_at(u, v).to_vector().dot(direction));
+                Ok(Interval::new(
+                    reach.iter().copied().fold(f64::INFINITY, f64::min),
+                    reach.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                ))
+            }
+            Self::Revolution(s) => Ok(s.to_nurbs()?.extent_along(direction)),
+        }
+    }
+
+    /// The smallest box along the world axes that holds the surface.
+    ///
+    /// # Errors
+    /// As [`Surface::extent_along`].
+    pub fn bounding_box(&self) -> Result<BoundingBox> {
+        let (x, y, z) =
+            (self.extent_along(Vector3::X)?, self.extent_along(Vector3::Y)?, self.extent_along(Vector3::Z)?);
+        Ok(BoundingBox { min: Point3::new(x.start, y.start, z.start), max: Point3::new(x.end, y.end, z.end) })
+    }
+
+    /// The smallest box along a plane's axes that holds the surface.
+    ///
+    /// # Errors
+    /// As [`Surface::extent_along`].
+    pub fn bounding_box_in(&self, plane: &Plane) -> Result<Box3> {
+        let along = |axis: Vector3| {
+            let range = self.extent_along(axis)?;
+            let origin = plane.origin.to_vector().dot(axis);
+            Ok(Interval::new(range.start - origin, range.end - origin))
+        };
+        Ok(Box3 { plane: *plane, x: along(plane.x_axis)?, y: along(plane.y_axis)?, z: along(plane.z_axis)? })
+    }
+}
