@@ -14,6 +14,7 @@ pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Mes
         Value::Plane(plane) => Some(plane.closest_point(p)),
         Value::Line(line) => Some(line.closest_point(p)),
         Value::Curve(curve) => Some(curve.closest_point(p)?.point),
+        Value::Surface(surface) => Some(surface.closest_point(p)?.point),
         Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) => {
             match cast::value(geometry, Kind::Curve, &cast::Rules::default()) {
                 Some(Value::Curve(curve)) => Some(curve.closest_point(p)?.point),
