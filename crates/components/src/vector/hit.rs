@@ -112,7 +112,7 @@ fn on_triangle([a, b, c]: Triangle, p: Point3) -> Point3 {
 
 /// Where a line passes through a triangle, edges included (T. Möller, B. Trumbore, *Fast, minimum storage ray/triangle
 /// intersection*, 1997).
-fn through_triangle([a, b, c]: Triangle, p: Point3, direction: Vector3) -> Option<f64> {
+pub(crate) fn through_triangle([a, b, c]: Triangle, p: Point3, direction: Vector3) -> Option<f64> {
     let (ab, ac) = (b - a, c - a);
     let h = direction.cross(ac);
     let det = ab.dot(h);
