@@ -162,6 +162,25 @@ fn a_disabled_object_acts_as_if_it_had_no_output() {
 }
 
 #[test]
+fn a_surface_flows_through_brep_and_geometry_ports() {
+    let mut sheet = Sheet::default();
+    let ball = sheet.add("Sphere", vec![Input::Nothing, number(2.0)]);
+    let brep = sheet.add("Brep", vec![wire(ball[0])]);
+    let moved = sheet.add("Move", vec![wire(brep[0]), value(Stored::Vector([1.0, 2.0, 3.0].into()))]);
+    sheet.add("Area", vec![wire(moved[0])]);
+    let divided = sheet.add("Divide Surface", vec![wire(moved[0]), number(1.0), number(1.0)]);
+    let mut document = sheet.document;
+    document.objects[4].inputs[0].modifiers.reparameterize = true;
+    let engine = solved(document);
+    assert_eq!(first_text(&engine, 1), "{0}: Untrimmed Surface");
+    assert_eq!(first_text(&engine, 2), "{0}: Untrimmed Surface");
+    assert_eq!(first_text(&engine, 3), "{0}: 50.265482");
+    let report = engine.report(4).unwrap();
+    let last = report.outputs[2].column().iter().last().flatten();
+    assert_eq!(last, Some(Value::Point(katydid_geometry::Point3::new(1.0, 1.0, 0.0))), "{divided:?}");
+}
+
+#[test]
 fn a_parameter_without_data_says_so() {
     let mut sheet = Sheet::default();
     sheet.add("Point", vec![Input::Nothing]);

@@ -193,7 +193,7 @@ mod tests {
     }
 
     fn rings(n: usize) -> Vec<Circle> {
-        let radius = |i: usize| if i % 2 == 0 { 1.0 } else { 2.0 };
+        let radius = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 2.0 };
         (0..n).map(|i| Circle { plane: Plane::XY.offset(i as f64), radius: radius(i) }).collect()
     }
 
