@@ -87,11 +87,15 @@ impl Cluster {
         near(self.a, c.a, self.reach[0].max(c.reach[0])) && near(self.b, c.b, self.reach[1].max(c.reach[1]))
     }
 
-    fn take(&mut self, other: Self) {
+    fn take(&mut self, mut other: Self) {
         self.a = [self.a[0].min(other.a[0]), self.a[1].max(other.a[1])];
         self.b = [self.b[0].min(other.b[0]), self.b[1].max(other.b[1])];
         self.reach = [self.reach[0].max(other.reach[0]), self.reach[1].max(other.reach[1])];
-        self.members.extend(other.members);
+        // The few go to the many: a long contact grows by one part at a time.
+        if other.members.len() > self.members.len() {
+            std::mem::swap(&mut self.members, &mut other.members);
+        }
+        self.members.append(&mut other.members);
     }
 }
 
