@@ -52,7 +52,6 @@ impl BoxTree {
         tree
     }
 
-    #[cfg(test)]
     /// The tree over things that lie anywhere: halved by their middles along the longest side.
     pub(crate) fn by_place(boxes: &[Bounds]) -> Self {
         let mut tree = Self { nodes: Vec::with_capacity(2 * boxes.len()) };

@@ -95,8 +95,8 @@ pub use point2::Point2;
 pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
-    Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
-    SurfaceCurvature, Torus,
+    ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
+    Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
 };
 pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;

@@ -33,6 +33,7 @@ mod surface_refine;
 mod uniform;
 mod weights;
 
+pub(crate) use bezier::span_to_bezier;
 pub use compatible::compatible_curves;
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
 pub use curve::NurbsCurve;
