@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::path::PathBuf;
 
-use katydid_geometry::{NurbsCurve, Point3};
+use katydid_geometry::{NurbsCurve, NurbsSurface, Point3};
 
 /// A curve as it stands in the file: textbook knots, points in space with weights.
 #[derive(Debug, Clone)]
@@ -157,6 +157,22 @@ impl CurveRecord {
         }
         let weights: Vec<_> = self.points.iter().map(|p| p[3]).collect();
         NurbsCurve::with_weights(self.degree, &points, &weights, knots)
+    }
+}
+
+impl SurfaceRecord {
+    /// The surface in this kernel.
+    ///
+    /// # Errors
+    /// The record is no valid surface.
+    pub fn katydid(&self) -> katydid_geometry::Result<NurbsSurface> {
+        let knots = [inner(&self.knots[0]), inner(&self.knots[1])];
+        let points: Vec<_> = self.points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
+        if !self.rational {
+            return NurbsSurface::new(self.degrees, self.counts, points, knots);
+        }
+        let weights: Vec<_> = self.points.iter().map(|p| p[3]).collect();
+        NurbsSurface::with_weights(self.degrees, self.counts, &points, &weights, knots)
     }
 }
 

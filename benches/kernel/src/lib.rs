@@ -2,6 +2,7 @@
 //! kernel's own types.
 
 pub mod inputs;
+pub mod operations;
 pub mod peers;
 pub mod timing;
 

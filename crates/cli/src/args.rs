@@ -12,7 +12,8 @@ Examples:
   katydid run facade.gh -o facade.3dm           run it, and save the geometry for Rhino
   katydid run facade.gh --set height=3.2 --json the results with another slider value
   katydid check projects/                       what is missing to run each file
-  katydid convert facade.gh facade.ghx          the readable form of the same file
+  katydid convert facade.gh facade.kd           the same as text, to be read, written and compared
+  katydid diff old.gh new.gh                    what changed, in words
   katydid components 'Divide Curve'             help for a component")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
@@ -25,8 +26,12 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Tell which objects a file needs, and whether each is supported
     Check(CheckArgs),
-    /// Convert a definition between .gh and .ghx
+    /// Convert a definition between .gh, .ghx and .kd
     Convert(ConvertArgs),
+    /// Tell what changed between two definitions, in words
+    Diff(DiffArgs),
+    /// Set .kd files the usual way
+    Fmt(FmtArgs),
     /// List the components, or show the help of one
     Components(ComponentsArgs),
 }
@@ -36,7 +41,7 @@ pub(crate) enum Command {
 The exit code is 0 when every object that could run did so without an error, 1 when a component reported an
 error, 2 when the file could not be opened or the call was wrong. Messages go to standard error.")]
 pub(crate) struct RunArgs {
-    /// The definition: .gh or .ghx
+    /// The definition: .gh, .ghx or .kd
     pub(crate) file: PathBuf,
 
     /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
@@ -71,9 +76,9 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "SECONDS")]
     pub(crate) limit_seconds: Option<f64>,
 
-    /// The length unit of the document
-    #[arg(long, value_name = "UNIT", default_value = "millimeters")]
-    pub(crate) units: UnitName,
+    /// The length unit of the document; when not given, that of a .kd file, else millimeters
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<UnitName>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -116,7 +121,7 @@ impl From<UnitName> for katydid_geometry::Units {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 The exit code is 0 when all files can run whole, 1 when some object is not supported, 2 when a file cannot be
-opened. Folders are searched for .gh and .ghx files.")]
+opened. Folders are searched for .gh, .ghx and .kd files.")]
 pub(crate) struct CheckArgs {
     /// Files and folders
     #[arg(required = true, value_name = "PATH")]
@@ -129,10 +134,43 @@ pub(crate) struct CheckArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArgs {
-    /// The definition to read: .gh, .ghx or .ghuser
+    /// The definition to read: .gh, .ghx, .kd or .ghuser
     pub(crate) from: PathBuf,
-    /// The file to write: .gh or .ghx
+    /// The file to write: .gh, .ghx or .kd
     pub(crate) to: PathBuf,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The exit code is 0 when nothing differs, 1 when something does, 2 when a file cannot be opened. The files may be of
+different formats. Where things stand on the canvas does not count, unless --layout is given.")]
+pub(crate) struct DiffArgs {
+    /// The definition as it was
+    pub(crate) old: PathBuf,
+    /// The definition as it is
+    pub(crate) new: PathBuf,
+
+    /// Tell also what moved on the canvas
+    #[arg(long)]
+    pub(crate) layout: bool,
+
+    /// Print an array with one object a change
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The exit code is 0 when all is well, 1 when --check finds a file that is not set the usual way, 2 when a file cannot
+be opened or is no text of the form.")]
+pub(crate) struct FmtArgs {
+    /// .kd files; - reads standard input and writes standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// Change nothing; name the files that would change
+    #[arg(long)]
+    pub(crate) check: bool,
 }
 
 #[derive(Debug, Args)]

@@ -51,7 +51,7 @@ fn search(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) {
     for path in paths {
         if path.is_dir() && depth < DEEPEST {
             search(&path, depth + 1, files);
-        } else if ["gh", "ghx"].contains(&extension(&path).as_str()) {
+        } else if ["gh", "ghx", "kd"].contains(&extension(&path).as_str()) {
             files.push(path);
         }
     }

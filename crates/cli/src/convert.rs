@@ -1,25 +1,89 @@
 //! `katydid convert`.
 
+use std::path::Path;
+
 use katydid_definition::archive::{self, Limits};
+use katydid_definition::document::Document;
+use katydid_definition::kd;
 
 use crate::args::ConvertArgs;
+use crate::catalogue::Registry;
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::source;
 
 pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
-    let failed =
-        |path: &std::path::Path, error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let (from, to) = (extension(&args.from), extension(&args.to));
+    if !["gh", "ghx", "ghuser", "kd"].contains(&to.as_str()) {
+        return Err(format!(".{to} is not a form of a definition: use .gh, .ghx or .kd"));
+    }
+    let bytes = match (from.as_str(), to.as_str()) {
+        ("kd", "kd") => {
+            let text = source::text(&args.from, source::bytes(&args.from)?)?;
+            kd::format(&text).map_err(|problems| source::pointed(&args.from, &problems))?.into_bytes()
+        }
+        ("kd", _) => from_text(args, &to)?,
+        (_, "kd") => to_text(args)?,
+        _ => between_archives(args, &to)?,
+    };
+    write_file(&args.to, &bytes)?;
+    Ok(0)
+}
+
+fn failed(path: &Path, error: &dyn std::fmt::Display) -> String {
+    format!("{}: {error}", path.display())
+}
+
+fn remark(path: &Path, what: &str) {
+    note(&format!("{YELLOW}note{YELLOW:#}: {}: {what}", path.display()));
+}
+
+/// The tree of an archive in the other encoding.
+fn between_archives(args: &ConvertArgs, to: &str) -> Result<Vec<u8>, String> {
     let archive = archive::read(&source::bytes(&args.from)?, &Limits::default())
         .map_err(|error| failed(&args.from, &error))?;
     for text in &archive.notes {
-        note(&format!("{YELLOW}note{YELLOW:#}: {}: {text}", args.from.display()));
+        remark(&args.from, text);
     }
-    let bytes = match extension(&args.to).as_str() {
-        "gh" | "ghuser" => archive::write_gh(&archive.root),
-        "ghx" => archive::write_ghx(&archive.root).map(String::into_bytes),
-        "kd" => return Err("the .kd form is not supported yet".to_owned()),
-        other => return Err(format!(".{other} is not a form of a definition: use .gh or .ghx")),
-    };
-    write_file(&args.to, &bytes.map_err(|error| failed(&args.to, &error))?)?;
-    Ok(0)
+    encode(args, &archive.root, to)
+}
+
+fn encode(args: &ConvertArgs, root: &archive::Chunk, to: &str) -> Result<Vec<u8>, String> {
+    let bytes =
+        if to == "ghx" { archive::write_ghx(root).map(String::into_bytes) } else { archive::write_gh(root) };
+    bytes.map_err(|error| failed(&args.to, &error))
+}
+
+fn to_text(args: &ConvertArgs) -> Result<Vec<u8>, String> {
+    let document = Document::read(&source::bytes(&args.from)?, &Limits::default())
+        .map_err(|error| failed(&args.from, &error))?;
+    for text in &document.notes {
+        remark(&args.from, text);
+    }
+    let written = kd::write(&document, &Registry).map_err(|error| failed(&args.from, &error))?;
+    for what in &written.left_out {
+        remark(&args.to, &format!("left out: {what}"));
+    }
+    Ok(written.text.into_bytes())
+}
+
+fn from_text(args: &ConvertArgs, to: &str) -> Result<Vec<u8>, String> {
+    if to == "ghuser" {
+        return Err("a .ghuser file holds one object, not a definition: use .gh or .ghx".to_owned());
+    }
+    let mut definition = source::definition(&args.from)?;
+    if let Some(units) = definition.units {
+        remark(
+            &args.to,
+            &format!("left out: the unit, {}, which only a .kd file keeps", units.name().to_lowercase()),
+        );
+    }
+    let text = source::text(&args.from, source::bytes(&args.from)?)?;
+    if kd::has_comments(&text) {
+        remark(&args.to, "left out: the comments");
+    }
+    let placed = kd::arrange(&mut definition.document);
+    if placed > 0 {
+        remark(&args.to, &format!("{placed} objects that had no place on the canvas were given one"));
+    }
+    encode(args, &definition.document.to_archive().root, to)
 }

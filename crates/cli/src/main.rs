@@ -1,9 +1,12 @@
 //! The `katydid` command: opens files, hands them to the session, and prints what comes back.
 
 mod args;
+mod catalogue;
 mod check;
 mod components;
 mod convert;
+mod diff;
+mod fmt;
 mod output;
 mod progress;
 mod run;
@@ -25,6 +28,8 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::check(args),
         Command::Convert(args) => convert::convert(args),
+        Command::Diff(args) => diff::diff(args),
+        Command::Fmt(args) => fmt::fmt(args),
         Command::Components(args) => components::components(args),
     };
     match result {

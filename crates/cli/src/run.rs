@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::time::Duration;
 
-use katydid_component::{Level, Limits};
+use katydid_component::{Files, Level, Limits};
 use katydid_data::cast::Rules;
 use katydid_exchange::Format;
+use katydid_geometry::Units;
 use katydid_session::{Items, Session, bake};
 use katydid_solver::{Options, Status};
 
@@ -27,7 +28,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         // Only fails when a pool stands already, and this is the first use.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
-    let mut session = Session::new(source::document(&args.file)?, options(args)?);
+    let source = source::definition(&args.file)?;
+    let units = args.units.map(Units::from).or(source.units).unwrap_or_default();
+    let mut session = Session::new(source.document, options(args, units)?);
     for (name, value) in &args.set {
         session.set(name, value).map_err(|error| error.to_string())?;
     }
@@ -50,7 +53,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     Ok(u8::from(failed))
 }
 
-fn options(args: &RunArgs) -> Result<Options, String> {
+fn options(args: &RunArgs, units: Units) -> Result<Options, String> {
     let defaults = Limits::default();
     let time = match args.limit_seconds {
         Some(seconds) => Some(
@@ -60,12 +63,14 @@ fn options(args: &RunArgs) -> Result<Options, String> {
         None => None,
     };
     Ok(Options {
-        rules: Rules { units: args.units.into(), ..Rules::default() },
+        rules: Rules { units, ..Rules::default() },
         limits: Limits {
             items: args.limit_items.unwrap_or(defaults.items),
             bytes: args.limit_bytes.unwrap_or(defaults.bytes),
             time,
         },
+        // Who runs a definition here may read their own files; the paths start where the definition lies.
+        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
         // A report shows every output.
         skip_unread: args.json.is_none(),
         progress: progress::listener(),

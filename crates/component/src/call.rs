@@ -1,7 +1,7 @@
 use katydid_data::{Tree, cast::Rules};
 use katydid_definition::archive::Chunk;
 
-use crate::{Budget, Message};
+use crate::{Budget, Files, Message};
 
 /// Everything one run of a component gets.
 #[derive(Debug)]
@@ -20,6 +20,8 @@ pub struct Call<'a> {
     pub rules: Rules,
     /// What may be used.
     pub budget: &'a Budget,
+    /// The files that may be read.
+    pub files: &'a Files,
 }
 
 /// What one run of a component gives.

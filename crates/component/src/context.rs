@@ -102,6 +102,18 @@ impl<'a> Context<'a> {
         self.call.wanted.get(i).copied().unwrap_or(true)
     }
 
+    /// The contents of a file that the user named.
+    ///
+    /// # Errors
+    /// The message to give back when it may not or cannot be read, or is too large.
+    pub fn read_file(&self, path: &str) -> Result<Vec<u8>, Message> {
+        /// Larger files are hardly what a definition means to read.
+        const MOST: u64 = 1 << 28;
+        let bytes = self.call.files.read(path, MOST)?;
+        self.bytes(bytes.len())?;
+        Ok(bytes)
+    }
+
     /// How near is near enough in this document.
     pub fn tolerance(&self) -> Tolerance {
         self.call.rules.tolerance

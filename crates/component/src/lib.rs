@@ -27,6 +27,7 @@
 mod budget;
 mod call;
 mod context;
+mod files;
 mod input;
 mod iterate;
 mod matching;
@@ -40,6 +41,7 @@ pub mod whole;
 pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};
 pub use context::Context;
+pub use files::Files;
 pub use input::{List, ManyItems, ManyLists, ManyTrees};
 pub use katydid_component_macros::component;
 pub use message::{Level, Message, Notes};

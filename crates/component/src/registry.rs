@@ -28,7 +28,7 @@ pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
 pub fn by_name(name: &str) -> Option<&'static Component> {
     let all = all().into_iter().filter(|c| c.name.eq_ignore_ascii_case(name));
     // The first of equals is the least.
-    all.min_by_key(|c| c.floating)
+    all.min_by_key(|c| (c.floating, c.old))
 }
 
 /// All components, ordered by tab, panel, name, age and id.

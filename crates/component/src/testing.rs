@@ -3,7 +3,7 @@
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, text};
 use katydid_definition::archive::{Chunk, ItemValue};
 
-use crate::{Budget, Call, Component, Limits, Outcome, registry};
+use crate::{Budget, Call, Component, Files, Limits, Outcome, registry};
 
 /// A component with its inputs.
 ///
@@ -31,6 +31,7 @@ pub struct Trial {
     settings: Chunk,
     outputs: usize,
     limits: Limits,
+    files: Files,
 }
 
 impl Trial {
@@ -63,6 +64,7 @@ impl Trial {
             settings: Chunk::default(),
             outputs: component.outputs.len(),
             limits: Limits::default(),
+            files: Files::default(),
         }
     }
 
@@ -153,6 +155,13 @@ impl Trial {
         self
     }
 
+    /// The files that it may read.
+    #[must_use]
+    pub fn files(mut self, files: Files) -> Self {
+        self.files = files;
+        self
+    }
+
     /// Runs it; inputs not given have their defaults.
     pub fn run(mut self) -> Outcome {
         while self.component.inputs.get(self.inputs.len()).is_some_and(|p| !p.many) {
@@ -167,6 +176,7 @@ impl Trial {
             settings: &self.settings,
             rules: Default::default(),
             budget: &budget,
+            files: &self.files,
         })
     }
 

@@ -155,6 +155,7 @@ fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> O
         settings: &Chunk::default(),
         rules: Default::default(),
         budget: &budget,
+        files: &Default::default(),
     };
     (component.run)(&call)
 }

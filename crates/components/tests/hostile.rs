@@ -12,7 +12,8 @@ use katydid_component::{Budget, Call, Component, Limits, Port, registry};
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, cast};
 use katydid_definition::archive::Chunk;
 use katydid_geometry::{
-    Box3, Circle, Curve, Interval, Line, Mesh, NurbsCurve, Plane, Point3, Rectangle, Vector3, Xform,
+    Box3, Circle, Curve, Interval, Line, Matrix, Mesh, NurbsCurve, Plane, Point3, Rectangle, Vector3, Xform,
+    field::{Field, Force, Source},
 };
 
 /// No component may take this long over a handful of items: it hangs.
@@ -95,6 +96,14 @@ fn sensible() -> Vec<Value> {
         Value::from(Line { from: Point3::ORIGIN, to: Point3::new(1.0, 1.0, 0.0) }),
         Value::from(Xform::translation(Vector3::new(1.0, 0.0, 0.0))),
         Value::Mesh(Arc::new(Mesh::plane(&square, 2, 2).unwrap())),
+        Value::from(Matrix::new(2, 2, vec![1.0, 2.0, 3.0, 4.0]).unwrap()),
+        Value::from(
+            Field::new(vec![Force {
+                source: Source::Point { location: Point3::ORIGIN, charge: 1.0, decay: 2.0 },
+                bounds: None,
+            }])
+            .unwrap(),
+        ),
     ]
 }
 
@@ -189,6 +198,7 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         settings: &settings,
         rules: Default::default(),
         budget: &budget,
+        files: &Default::default(),
     };
     let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| (component.run)(&call))) else {
         return Some("panics".into());

@@ -2,12 +2,15 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3,
-    Xform,
+    Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
+    Vector3, Xform,
 };
 use uuid::Uuid;
 
-use crate::{Colour, Complex, DateTime, Domain2, Gather, Group, Item, Kind, Material, Path, Value};
+use crate::{
+    Colour, Complex, Compound, DateTime, Domain2, Gather, Group, Item, Kind, Location, Material, Path,
+    Symbol, Value,
+};
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
 #[derive(Debug, Clone)]
@@ -127,6 +130,10 @@ items! {
     MeshFaces, MeshFace, MeshFace, |x| Value::MeshFace(*x), Value::MeshFace(x) => x;
     Transforms, Transform, Xform, |x| Value::Transform(Shared::new(*x)), Value::Transform(x) => *x;
     Matrices, Matrix, Shared<Matrix>, |x| Value::Matrix(x.clone()), Value::Matrix(x) => x;
+    Compounds, Compound, Shared<Compound>, |x| Value::Compound(x.clone()), Value::Compound(x) => x;
+    Fields, Field, Shared<Field>, |x| Value::Field(x.clone()), Value::Field(x) => x;
+    Locations, Location, Location, |x| Value::Location(*x), Value::Location(x) => x;
+    Symbols, Symbol, Shared<Symbol>, |x| Value::Symbol(x.clone()), Value::Symbol(x) => x;
     Materials, Material, Material, |x| Value::Material(Shared::new(*x)), Value::Material(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;
     Kept, Kept, Shared<RawObject>, |x| Value::Kept(x.clone()), Value::Kept(x) => x;

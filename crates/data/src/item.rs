@@ -2,13 +2,16 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Interval, Line, LineCurve, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
-    Vector3, Xform,
+    Arc, Box3, Circle, Curve, Field, Interval, Line, LineCurve, Matrix, Mesh, MeshFace, Plane, Point3,
+    Rectangle, Vector3, Xform,
 };
 use uuid::Uuid;
 
 use crate::run::{Run, ValueRun};
-use crate::{Colour, Column, Complex, DateTime, Domain2, Group, Items, Kind, Material, Path, Value};
+use crate::{
+    Colour, Column, Complex, Compound, DateTime, Domain2, Group, Items, Kind, Location, Material, Path,
+    Symbol, Value,
+};
 
 /// A type that an item of data can have, and how it lies in a [`Column`].
 ///
@@ -91,8 +94,11 @@ item!(Box3, Box, Boxes, Box3 { plane: Plane::XY, x: Interval::UNIT, y: Interval:
 item!(Shared<Curve>, Curve, Curves, Shared::new(Curve::Line(LineCurve::new(Line::placeholder()))));
 item!(Shared<Mesh>, Mesh, Meshes, Shared::new(Mesh::default()));
 item!(MeshFace, MeshFace, MeshFaces, MeshFace::Triangle([0, 0, 0]));
-item!(Xform, Transform, Transforms, Xform::IDENTITY);
+item!(Shared<Compound>, Compound, Compounds, Shared::new(Compound::default()));
 item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::default()));
+item!(Shared<Field>, Field, Fields, Shared::new(Field::default()));
+item!(Location, Location, Locations, Location::default());
+item!(Shared<Symbol>, Symbol, Symbols, Shared::new(Symbol::default()));
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));
 item!(
@@ -107,6 +113,39 @@ item!(
         user_data: Vec::new(),
     })
 );
+
+impl Item for Xform {
+    const KIND: Kind = Kind::Transform;
+    type Run = Vec<Self>;
+
+    /// A compound counts as the one transform that it comes to.
+    fn get(column: &Column, i: usize) -> Option<Self> {
+        if column.is_null(i) {
+            return None;
+        }
+        match column.items() {
+            Items::Transforms(items) => items.get(i).copied(),
+            Items::Compounds(items) => items.get(i).map(|c| c.whole()),
+            Items::Values(items) => items.get(i)?.as_transform(),
+            _ => None,
+        }
+    }
+
+    fn slice(column: &Column) -> Option<&[Self]> {
+        match column.items() {
+            Items::Transforms(items) => Some(items),
+            _ => None,
+        }
+    }
+
+    fn column(items: Vec<Self>, nulls: Option<Vec<bool>>) -> Column {
+        Column::new(Items::Transforms(Shared::new(items)), nulls)
+    }
+
+    fn placeholder() -> Self {
+        Self::IDENTITY
+    }
+}
 
 impl Item for Value {
     const KIND: Kind = Kind::Generic;

@@ -5,7 +5,7 @@
 use katydid_3dm::{BrepSummary, RawObject};
 use katydid_geometry::{Curve, MeshFace, Point3, Tolerance, Units};
 
-use crate::{Domain2, Path, Value};
+use crate::{Domain2, Location, Path, Value};
 
 /// What the text of some values depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -63,6 +63,16 @@ pub fn value(value: &Value, style: &Style) -> String {
         Value::MeshFace(MeshFace::Triangle([a, b, c])) => format!("T{{{a};{b};{c}}}"),
         Value::MeshFace(MeshFace::Quad([a, b, c, d])) => format!("Q{{{a};{b};{c};{d}}}"),
         Value::Transform(_) => "Transform".to_owned(),
+        Value::Compound(c) => match c.parts.len() {
+            1 => "Compound transform of 1 part".to_owned(),
+            n => format!("Compound transform of {n} parts"),
+        },
+        Value::Field(field) => match field.forces().len() {
+            1 => "Field of 1 force".to_owned(),
+            n => format!("Field of {n} forces"),
+        },
+        Value::Location(place) => location(place),
+        Value::Symbol(symbol) => format!("Symbol ({})", symbol.style),
         Value::Matrix(m) => format!("Matrix ({} rows, {} columns)", m.rows(), m.columns()),
         Value::Material(m) => {
             format!("Material ({},{},{})", m.diffuse.r, m.diffuse.g, m.diffuse.b)
@@ -139,6 +149,15 @@ fn domain2(d: &Domain2) -> String {
 fn complex(re: f64, im: f64) -> String {
     let sign = if im < 0.0 { '-' } else { '+' };
     format!("{} {sign} {}i", number(re), number(im.abs()))
+}
+
+/// `52.52° N, 13.41° E`.
+fn location(place: &Location) -> String {
+    let part = |degrees: f64, [positive, negative]: [char; 2]| {
+        let side = if degrees < 0.0 { negative } else { positive };
+        format!("{}\u{b0} {side}", plain_number(degrees.abs()))
+    };
+    format!("{}, {}", part(place.latitude, ['N', 'S']), part(place.longitude, ['E', 'W']))
 }
 
 fn two_decimals(p: Point3) -> String {

@@ -2,12 +2,12 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle, Vector3,
-    Xform,
+    Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
+    Vector3, Xform,
 };
 use uuid::Uuid;
 
-use crate::{Colour, Complex, DateTime, Domain2, Group, Kind, Material, Path};
+use crate::{Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, Material, Path, Symbol};
 
 /// One item of data of any type. Large contents are shared: a clone costs a counter.
 ///
@@ -38,7 +38,11 @@ pub enum Value {
     Mesh(Shared<Mesh>),
     MeshFace(MeshFace),
     Transform(Shared<Xform>),
+    Compound(Shared<Compound>),
     Matrix(Shared<Matrix>),
+    Field(Shared<Field>),
+    Location(Location),
+    Symbol(Shared<Symbol>),
     Material(Shared<Material>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
@@ -71,10 +75,23 @@ impl Value {
             Self::Mesh(_) => Kind::Mesh,
             Self::MeshFace(_) => Kind::MeshFace,
             Self::Transform(_) => Kind::Transform,
+            Self::Compound(_) => Kind::Compound,
             Self::Matrix(_) => Kind::Matrix,
+            Self::Field(_) => Kind::Field,
+            Self::Location(_) => Kind::Location,
+            Self::Symbol(_) => Kind::Symbol,
             Self::Material(_) => Kind::Material,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
+        }
+    }
+
+    /// The transform, single or compound; `None` for a value of another type.
+    pub fn as_transform(&self) -> Option<Xform> {
+        match self {
+            Self::Transform(x) => Some(**x),
+            Self::Compound(c) => Some(c.whole()),
+            _ => None,
         }
     }
 
@@ -122,8 +139,15 @@ from! {
     Shared<Mesh>, Mesh;
     MeshFace, MeshFace;
     Xform, Transform;
+    Compound, Compound;
+    Shared<Compound>, Compound;
     Matrix, Matrix;
     Shared<Matrix>, Matrix;
+    Field, Field;
+    Shared<Field>, Field;
+    Location, Location;
+    Symbol, Symbol;
+    Shared<Symbol>, Symbol;
     Material, Material;
     Group, Group;
     Shared<Group>, Group;

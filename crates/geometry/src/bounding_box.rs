@@ -1,3 +1,5 @@
+mod measure;
+
 use crate::{Point3, Vector3, Xform};
 
 /// A box along the world axes that holds something. It is never empty.

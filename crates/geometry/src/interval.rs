@@ -104,3 +104,70 @@ impl Interval {
         (both.start <= both.end).then_some(both)
     }
 }
+
+impl Interval {
+    /// Whether the start is larger than the end.
+    #[inline]
+    pub fn is_decreasing(self) -> bool {
+        self.start > self.end
+    }
+
+    /// Whether start and end are the same number.
+    #[inline]
+    pub fn is_singleton(self) -> bool {
+        self.start == self.end
+    }
+
+    /// Whether both ends are finite.
+    #[inline]
+    pub fn is_finite(self) -> bool {
+        self.start.is_finite() && self.end.is_finite()
+    }
+
+    /// Whether `other` lies between the ends; with `proper` it must also leave something over.
+    pub fn includes(self, other: Self, proper: bool) -> bool {
+        let inside = self.min() <= other.min() && other.max() <= self.max();
+        inside && !(proper && self.min() == other.min() && self.max() == other.max())
+    }
+
+    /// The normalised parameters of another range's ends.
+    #[must_use]
+    pub fn normalized_interval(self, other: Self) -> Self {
+        Self::new(self.normalized(other.start), self.normalized(other.end))
+    }
+
+    /// The range between two normalised parameters.
+    #[must_use]
+    pub fn sub_interval(self, normalized: Self) -> Self {
+        Self::new(self.at(normalized.start), self.at(normalized.end))
+    }
+
+    /// The smallest increasing range that holds this one and `t`.
+    #[must_use]
+    pub fn including(self, t: f64) -> Self {
+        Self::new(self.min().min(t), self.max().max(t))
+    }
+
+    /// The increasing range longer by `distance` at both ends; `None` when a negative distance leaves nothing.
+    pub fn expanded(self, distance: f64) -> Option<Self> {
+        let wider = Self::new(self.min() - distance, self.max() + distance);
+        (wider.start <= wider.end).then_some(wider)
+    }
+
+    /// The range moved along the axis.
+    #[must_use]
+    pub fn shifted(self, distance: f64) -> Self {
+        Self::new(self.start + distance, self.end + distance)
+    }
+
+    /// `t` moved by whole lengths of the range into it, the start included and the end not; `t` itself in a range
+    /// without length.
+    pub fn wrapped(self, t: f64) -> f64 {
+        let (low, period) = (self.min(), self.length().abs());
+        if !(period > 0.0 && period.is_finite()) {
+            return t;
+        }
+        let inside = low + (t - low).rem_euclid(period);
+        if inside >= self.max() { low } else { inside }
+    }
+}

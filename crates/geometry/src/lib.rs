@@ -31,12 +31,18 @@
 )]
 
 mod bernstein;
+pub mod biarc;
 mod bounding_box;
 mod box3;
+mod box_tree;
+mod catenary;
 mod circle;
 mod curve;
 mod ellipse;
 mod error;
+pub mod field;
+#[cfg(any(feature = "glam", feature = "nalgebra"))]
+mod foreign;
 pub mod intersect;
 mod interval;
 mod line;
@@ -46,28 +52,37 @@ mod mesh;
 mod nurbs;
 mod plane;
 mod point;
+mod point2;
 mod polynomial;
 mod quadrature;
+mod quaternion;
 mod rectangle;
+#[cfg(feature = "serde")]
+mod serde_forms;
 mod surface;
 mod tangent;
+mod tangent_circle;
 mod tolerance;
 mod units;
 mod vector;
+mod vector2;
 mod xform;
 
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
+pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
-    ArcCurve, ArcLength, Containment, Continuity, ContinuityTolerance, CurvatureExtremum, Curve, CurvePoint,
-    JoinContinuity, LineCurve, PolyCurve, PolylineCurve, join_curves,
+    ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
+    CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
+    PolylineCurve, PolylineLimits, TweenMatch, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
+pub use field::Field;
 pub use interval::Interval;
 pub use line::Line;
-pub use matrix::Matrix;
+pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
@@ -75,14 +90,18 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
-pub use plane::Plane;
+pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
+pub use point2::Point2;
+pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
-    Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface, Surface,
-    SurfaceCurvature, Torus,
+    ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
+    Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
 };
+pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;
 pub use units::Units;
 pub use vector::Vector3;
-pub use xform::Xform;
+pub use vector2::Vector2;
+pub use xform::{AffineParts, Frustum, Xform};

@@ -1,3 +1,7 @@
+mod solve;
+
+pub use solve::RowReduction;
+
 use crate::{Error, Result};
 
 /// More entries than this are refused.

@@ -174,7 +174,6 @@ impl Polynomial {
     }
 
     /// Whether the polynomial is at most `limit` all over 0…1, decided by halving `depth` times at most.
-    #[allow(dead_code, reason = "for the certificate of offsets")]
     pub(crate) fn stays_below(&self, limit: f64, depth: u32) -> bool {
         let mut stack = vec![(self.0.iter().map(|&c| [c]).collect::<Vec<_>>(), 0)];
         while let Some((c, level)) = stack.pop() {
@@ -207,11 +206,9 @@ pub(crate) fn cross(a: &VectorPolynomial, b: &VectorPolynomial) -> VectorPolynom
     [part(1, 2), part(2, 0), part(0, 1)]
 }
 
-/// The polynomials of a Bézier curve with homogeneous control points: numerator (x, y, z), weight, and w² times the
-/// derivative by x: N′w − Nw′. Without weights these are the plain ones.
+/// The polynomials of a Bézier curve with homogeneous control points: weight, and w² times the derivative by x,
+/// N′w − Nw′. Without weights these are the plain ones.
 pub(crate) struct Hodograph {
-    #[allow(dead_code, reason = "for the certificate of offsets")]
-    pub(crate) numerator: VectorPolynomial,
     pub(crate) weight: Polynomial,
     pub(crate) tangent: VectorPolynomial,
 }
@@ -223,13 +220,13 @@ impl Hodograph {
         let first = points.first().map_or(1.0, |p| p[3]);
         if points.iter().all(|p| p[3] == first) {
             let tangent = [0, 1, 2].map(|i| numerator[i].derivative().scaled(first));
-            return Self { numerator, weight: Polynomial::constant(first), tangent };
+            return Self { weight: Polynomial::constant(first), tangent };
         }
         let weight = row(3);
         let dw = weight.derivative();
         let tangent =
             [0, 1, 2].map(|i| numerator[i].derivative().times(&weight).minus(&numerator[i].times(&dw)));
-        Self { numerator, weight, tangent }
+        Self { weight, tangent }
     }
 }
 

@@ -1,5 +1,6 @@
 /// The length unit of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Units {
     /// No unit.
     None,

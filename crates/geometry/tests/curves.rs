@@ -747,7 +747,7 @@ fn offsets() {
     .unwrap()
     .into();
     close(smooth.offset_in_plane(&Plane::XY, 1.0).unwrap().length(), 4.0 + 1.5 * PI, 1e-14, "line and arc");
-    assert!(wave().offset_in_plane(&Plane::XY, 1.0).is_err());
+    assert!(wave().offset_in_plane(&Plane::XY, 1.0).is_err(), "not planar");
 }
 
 #[test]

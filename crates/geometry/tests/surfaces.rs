@@ -4,10 +4,10 @@
 mod common;
 
 use common::{
-    close_curves, close_points, close_surfaces, close_vectors, curve, number, numbers, oracle, point,
+    close_curves, close_points, close_surfaces, close_vectors, curve, number, numbers, oracle, plane, point,
     surface, vector,
 };
-use katydid_geometry::{Direction, NurbsSurface, Point3, Quadrant, Xform};
+use katydid_geometry::{Direction, NurbsSurface, Point3, Quadrant, Surface, Xform};
 
 #[test]
 fn evaluation_agrees() {
@@ -25,8 +25,13 @@ fn evaluation_agrees() {
             close_points(s.point_at(u, v), point(&e["PointAt"]), 1e-13, id);
             let d = s.derivatives(u, v, 1, Quadrant::NorthEast);
             close_points(d.point(), point(&e["PointAt"]), 1e-13, id);
-            let n = d.get(1, 0).cross(d.get(0, 1)).unitized().unwrap();
-            close_vectors(n, vector(&e["NormalAt"]), 1e-12, id);
+            let whole = Surface::from(s.clone());
+            close_vectors(whole.normal_at(u, v).unwrap(), vector(&e["NormalAt"]), 1e-13, id);
+            let (frame, wanted) = (whole.frame_at(u, v).unwrap(), plane(&e["FrameAt"]));
+            close_points(frame.origin, wanted.origin, 1e-13, id);
+            close_vectors(frame.x_axis, wanted.x_axis, 1e-13, id);
+            close_vectors(frame.y_axis, wanted.y_axis, 1e-13, id);
+            close_vectors(frame.z_axis, wanted.z_axis, 1e-13, id);
         }
     }
 }

@@ -160,6 +160,8 @@ fn structured(value: &Value, style: &text::Style) -> serde_json::Value {
         Value::Complex(z) => json!([z.re, z.im]),
         Value::Colour(c) => json!([c.a, c.r, c.g, c.b]),
         Value::Transform(x) => json!(x.rows),
+        Value::Compound(c) => json!(c.whole().rows),
+        Value::Matrix(m) => m.values().chunks(m.columns().max(1)).map(|row| json!(row)).collect(),
         Value::MeshFace(face) => json!(face.indices()),
         Value::Mesh(mesh) => json!({
             "vertices": mesh.vertices().iter().map(|p| point(*p)).collect::<Vec<_>>(),

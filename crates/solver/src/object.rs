@@ -104,6 +104,7 @@ fn run(
         settings: object.container(),
         rules,
         budget: &budget,
+        files: &turn.options.files,
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| (component.run)(&call)));
     let Ok(outcome) = outcome else {

@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::{Cancel, Limits};
+use katydid_component::{Cancel, Files, Limits};
 use katydid_data::cast::Rules;
 
 /// How far a solve has come.
@@ -28,6 +28,8 @@ pub struct Options {
     pub limits: Limits,
     /// Stops the solve from outside.
     pub cancel: Cancel,
+    /// Which files the definition may read; none unless said so.
+    pub files: Files,
     /// Leaves out what no wire reads where a component says that it is costly: the transforms of Move, say.
     pub skip_unread: bool,
     /// Told after each object.
@@ -49,6 +51,7 @@ impl fmt::Debug for Options {
             .field("rules", &self.rules)
             .field("limits", &self.limits)
             .field("cancel", &self.cancel)
+            .field("files", &self.files)
             .finish_non_exhaustive()
     }
 }

@@ -2,39 +2,19 @@
 //! ratios [WORD…]`. With words only the operations whose names hold one of them.
 
 use std::error::Error;
-use std::hint::black_box;
 use std::time::Duration;
 
-use katydid_geometry::{Curve, KnotSpacing, NurbsCurve, Point3, Vector3, Xform};
 use katydid_kernel_bench::Inputs;
+use katydid_kernel_bench::operations::{self, Operation};
 use katydid_kernel_bench::timing::{Contender, compete};
-
-/// Lets no result be optimised away.
-fn keep<T>(result: T) {
-    black_box(result);
-}
-
-/// One line of the table.
-struct Row<'a> {
-    operation: String,
-    /// The most that Katydid may take, as a part of the peer's time.
-    wanted: f64,
-    contenders: Vec<Contender<'a>>,
-    /// By name: other contenders that are printed but not compared.
-    peer: &'static str,
-}
-
-fn row<'a>(operation: impl Into<String>, wanted: f64, peer: &'static str, c: Vec<Contender<'a>>) -> Row<'a> {
-    Row { operation: operation.into(), wanted, contenders: c, peer }
-}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let inputs = Inputs::read()?;
     println!("| operation | Katydid ns | peer ns | ratio | wanted | met | others ns |");
     println!("| --- | --- | --- | --- | --- | --- | --- |");
-    let chosen = |r: &Row<'_>| words.is_empty() || words.iter().any(|w| r.operation.contains(w.as_str()));
-    for mut row in rows(&inputs)?.into_iter().filter(chosen) {
+    let chosen = |o: &Operation| words.is_empty() || words.iter().any(|w| o.name.contains(w.as_str()));
+    for mut row in operations::all(&inputs)?.into_iter().filter(chosen) {
         let slow = row.contenders.iter().map(|c| c.items).max() == Some(1);
         let (rounds, turn) =
             if slow { (9, Duration::from_millis(3)) } else { (61, Duration::from_micros(700)) };
@@ -44,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn print(row: &Row<'_>) {
+fn print(row: &Operation) {
     let of = |name: &str| row.contenders.iter().find(|c| c.name == name).map(Contender::typical);
     let (ours, peer) = (of("katydid").unwrap_or(f64::NAN), of(row.peer).unwrap_or(f64::NAN));
     let others: Vec<String> = row
@@ -57,7 +37,7 @@ fn print(row: &Row<'_>) {
     let met = if ratio <= row.wanted { "yes" } else { "**no**" };
     println!(
         "| {} | {} | {} {} | {ratio:.4} | {} | {met} | {} |",
-        row.operation,
+        row.name,
         number(ours),
         row.peer,
         number(peer),
@@ -68,203 +48,4 @@ fn print(row: &Row<'_>) {
 
 fn number(x: f64) -> String {
     if x < 100.0 { format!("{x:.1}") } else { format!("{x:.0}") }
-}
-
-fn rows(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
-    let mut out = curves(inputs)?;
-    out.extend(measures(inputs)?);
-    out.extend(constructions(inputs)?);
-    Ok(out)
-}
-
-/// Points and derivatives of curves.
-fn curves(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
-    let mut out = Vec::new();
-    let t = inputs.t()?;
-    let sorted: Vec<f64> = (0..10_000).map(|i| f64::from(i) / 10_000.0).collect();
-    for (name, kind, point, batch) in [("c_nr", "plain", 0.35, 0.15), ("c_r", "rational", 0.45, 0.2)] {
-        let record = inputs.curve(name)?;
-        let (ours, curvo) = (record.katydid()?, record.curvo()?);
-        let n = t.len();
-        let (a, b, c) = (ours.clone(), curvo.clone(), record.truck());
-        let (s, u, v) = (t.clone(), t.clone(), t.clone());
-        out.push(row(
-            format!("curve point, {kind}"),
-            point,
-            "curvo",
-            vec![
-                Contender::new("katydid", n, move || s.iter().for_each(|&t| keep(a.point_at(t)))),
-                Contender::new("curvo", n, move || u.iter().for_each(|&t| keep(b.point_at(t)))),
-                Contender::new("truck", n, move || v.iter().for_each(|&t| keep(c.point(t)))),
-            ],
-        ));
-        let (a, b, s, u) = (ours.clone(), curvo.clone(), sorted.clone(), t.clone());
-        let mut places = vec![Point3::ORIGIN; s.len()];
-        let (a2, s2) = (ours.clone(), sorted.clone());
-        out.push(row(
-            format!("curve points, 10,000 sorted, {kind}"),
-            batch,
-            "curvo",
-            vec![
-                Contender::new("katydid", s.len(), move || keep(a.points_at(&s))),
-                Contender::new("curvo", n, move || u.iter().for_each(|&t| keep(b.point_at(t)))),
-                Contender::new("katydid in place", s2.len(), move || {
-                    a2.points_into(&s2, &mut places);
-                    black_box(&places);
-                }),
-            ],
-        ));
-        let (a, b, c) = (ours.clone(), curvo.clone(), record.truck());
-        let (s, u, v) = (t.clone(), t.clone(), t.clone());
-        let (a2, s2) = (ours.clone(), sorted.clone());
-        let (a3, s3) = (ours.clone(), t.clone());
-        let mut places = vec![[Vector3::ZERO; 3]; s2.len()];
-        out.push(row(
-            format!("curve point + 2 derivatives, {kind}"),
-            0.2,
-            "curvo",
-            vec![
-                Contender::new("katydid", n, move || {
-                    s.iter().for_each(|&t| keep(a.jet_at::<3>(t, false)));
-                }),
-                Contender::new("curvo", n, move || {
-                    u.iter().for_each(|&t| keep(b.rational_derivatives(t, 2)));
-                }),
-                Contender::new("truck", n, move || v.iter().for_each(|&t| keep(c.jet(t)))),
-                Contender::new("katydid, 10,000 sorted", s2.len(), move || {
-                    a2.jets_into(&s2, &mut places);
-                    black_box(&places);
-                }),
-                Contender::new("katydid derivatives_into", n, move || {
-                    let mut d = [Vector3::ZERO; 3];
-                    for &t in &s3 {
-                        a3.derivatives_into(t, false, &mut d);
-                        black_box(&d);
-                    }
-                }),
-            ],
-        ));
-    }
-    Ok(out)
-}
-
-/// Closest points, lengths.
-fn measures(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
-    let mut out = Vec::new();
-    for (name, kind) in [("c_nr", "plain"), ("c_r", "rational")] {
-        let record = inputs.curve(name)?;
-        let ours: Curve = record.katydid()?.into();
-        let curvo = record.curvo()?;
-        let queries = inputs.points("q_curve")?.to_vec();
-        let theirs: Vec<_> = queries.iter().map(|p| nalgebra::Point3::new(p.x, p.y, p.z)).collect();
-        let n = queries.len();
-        let (a, b) = (ours.clone(), curvo.clone());
-        out.push(row(
-            format!("closest point on a curve, {kind}"),
-            1.0,
-            "curvo",
-            vec![
-                Contender::new("katydid", n, move || {
-                    queries.iter().for_each(|&q| keep(a.closest_point(q)));
-                }),
-                Contender::new("curvo", n, move || {
-                    theirs.iter().for_each(|q| keep(b.find_closest_parameter(q)));
-                }),
-            ],
-        ));
-        let (a, b) = (ours.clone(), curvo.clone());
-        out.push(row(
-            format!("length, {kind}"),
-            0.3,
-            "curvo",
-            vec![
-                Contender::new("katydid", 1, move || keep(a.length())),
-                Contender::new("curvo", 1, move || keep(b.try_length())),
-            ],
-        ));
-        let (a, b) = (ours.clone(), curvo.clone());
-        out.push(row(
-            format!("parameter at length, 1,000 on one curve, {kind}"),
-            0.03,
-            "curvo",
-            vec![
-                Contender::new("katydid", 1000, move || {
-                    let table = katydid_geometry::ArcLength::new(&a);
-                    for i in 0..1000 {
-                        black_box(table.parameter_at(table.total() * f64::from(i) / 1000.0));
-                    }
-                }),
-                Contender::new("curvo", 50, {
-                    let total = b.try_length()?;
-                    move || {
-                        for i in 0..50 {
-                            black_box(
-                                b.try_parameter_at_length(total * f64::from(i) / 50.0, Some(1e-9)).ok(),
-                            );
-                        }
-                    }
-                }),
-            ],
-        ));
-    }
-    Ok(out)
-}
-
-/// Interpolation, higher degrees, transforms.
-fn constructions(inputs: &Inputs) -> Result<Vec<Row<'static>>, Box<dyn Error>> {
-    use curvo::prelude::Interpolation;
-    let mut out = Vec::new();
-    let points = inputs.points("interp1000")?.to_vec();
-    let theirs: Vec<_> = points.iter().map(|p| nalgebra::Point3::new(p.x, p.y, p.z)).collect();
-    out.push(row(
-        "interpolate 1,000 points",
-        0.003,
-        "curvo",
-        vec![
-            Contender::new("katydid", 1, move || {
-                black_box(NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, None, None).ok());
-            }),
-            Contender::new("curvo", 1, move || {
-                black_box(curvo::prelude::NurbsCurve3D::interpolate(&theirs, 3).ok());
-            }),
-        ],
-    ));
-    // openNURBS raises the degree in 6.5 µs where curvo's point takes 32 ns: 1 µs on that scale is 31 of curvo's
-    // points.
-    let record = inputs.curve("c_nr")?;
-    let (ours, curvo) = (record.katydid()?, record.curvo()?);
-    let (t, u) = (inputs.t()?, ours.clone());
-    out.push(row(
-        "raise degree 3→4, against 1,000 ns where curvo's point takes 32",
-        1000.0 / 32.0,
-        "curvo point",
-        vec![
-            Contender::new("katydid", 100, move || (0..100).for_each(|_| keep(ours.raised_to(4)))),
-            Contender::new("curvo point", t.len(), move || {
-                t.iter().for_each(|&t| keep(curvo.point_at(t)));
-            }),
-            Contender::new("katydid insert knot", 100, move || {
-                (0..100).for_each(|_| keep(u.insert_knot(0.4321, 1)));
-            }),
-        ],
-    ));
-    let many: Vec<Point3> = (0..1_000_000).map(|i| Point3::new(f64::from(i), 1.0, -2.0)).collect();
-    let turn = Xform::rotation(0.7, Vector3::new(0.3, 0.4, 0.5), Point3::new(1.0, 2.0, 3.0))?;
-    let (mut a, b, mut to) = (many.clone(), many.clone(), many.clone());
-    out.push(row(
-        "transform 1,000,000 points in place",
-        1.3,
-        "copy",
-        vec![
-            Contender::new("katydid", many.len(), move || {
-                turn.transform_points(&mut a);
-                black_box(&a);
-            }),
-            Contender::new("copy", many.len(), move || {
-                to.copy_from_slice(&b);
-                black_box(&to);
-            }),
-        ],
-    ));
-    Ok(out)
 }

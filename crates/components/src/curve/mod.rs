@@ -1,10 +1,12 @@
 //! The Curve tab.
 
 mod analysis;
+mod arcs;
 mod division;
 mod evaluate;
 mod fillet;
 mod offset;
+mod places;
 mod polyline;
 mod primitive;
 mod region;

@@ -17,18 +17,17 @@ fn colour(alpha: f64, [r, g, b]: [f64; 3]) -> Colour {
 }
 
 /// The fully coloured part of a hue, 0 to 1 round the circle from red over green and blue.
-fn of_hue(hue: f64) -> [f64; 3] {
+pub(crate) fn of_hue(hue: f64) -> [f64; 3] {
     let sixth = 6.0 * hue.rem_euclid(1.0);
     let rise = |from: f64| (2.0 - (sixth - from).abs()).clamp(0.0, 1.0);
     // Red has its height at both ends of the circle.
     [rise(0.0).max(rise(6.0)), rise(2.0), rise(4.0)]
 }
 
-/// The hue, the largest and the smallest part of a colour; the hue of a grey is 0.
-fn hue(colour: Colour) -> (f64, f64, f64) {
-    let [r, g, b] = [colour.r, colour.g, colour.b].map(unit);
-    let (max, min) = (r.max(g).max(b), r.min(g).min(b));
-    let range = max - min;
+/// The hue of red, green and blue, 0 to 1 round the circle; that of a grey is 0.
+pub(crate) fn hue_of([r, g, b]: [f64; 3]) -> f64 {
+    let max = r.max(g).max(b);
+    let range = max - r.min(g).min(b);
     let sixth = if range == 0.0 {
         0.0
     } else if max == r {
@@ -38,7 +37,146 @@ fn hue(colour: Colour) -> (f64, f64, f64) {
     } else {
         4.0 + (r - g) / range
     };
-    ((sixth / 6.0).rem_euclid(1.0), max, min)
+    (sixth / 6.0).rem_euclid(1.0)
+}
+
+/// The hue, the largest and the smallest part of a colour.
+fn hue(colour: Colour) -> (f64, f64, f64) {
+    let [r, g, b] = [colour.r, colour.g, colour.b].map(unit);
+    (hue_of([r, g, b]), r.max(g).max(b), r.min(g).min(b))
+}
+
+/// The byte of a part of linear light, by the transfer curve of sRGB (IEC 61966-2-1).
+fn encoded(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The colour of CIE stimuli, white being that of daylight (D65) with Y = 1.
+fn of_xyz(alpha: f64, [x, y, z]: [f64; 3]) -> Colour {
+    let r = 3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z;
+    let g = -0.969_266 * x + 1.876_010_8 * y + 0.041_556 * z;
+    let b = 0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z;
+    colour(alpha, [r, g, b].map(encoded))
+}
+
+/// The colour of CIE L*a*b* values in their usual units, L* being 0 to 100.
+fn of_lab(alpha: f64, [l, a, b]: [f64; 3]) -> Colour {
+    // The inverse of the cube root with its straight start (CIE 15:2004).
+    let stimulus =
+        |f: f64| if f > 6.0 / 29.0 { f.powi(3) } else { 3.0 * (6.0f64 / 29.0).powi(2) * (f - 4.0 / 29.0) };
+    let y = (l + 16.0) / 116.0;
+    let [fx, fz] = [y + a / 500.0, y - b / 200.0];
+    of_xyz(alpha, [0.950_47 * stimulus(fx), stimulus(y), 1.088_83 * stimulus(fz)])
+}
+
+/// Makes a colour of the CIE values L*, a* and b*, each divided by 100. What screens cannot show is the nearest they can.
+#[component(
+    "f922ed44-6e4a-44a0-8b4b-4b4a46bdfe29",
+    name = "Colour L*ab",
+    nick = "L*AB",
+    at = "Display/Colour"
+)]
+#[output("Colour", "C", "The colour.")]
+fn colour_lab(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// Lightness, 0 to 1.
+    #[port("Luminance", "L", default = 0.5)]
+    luminance: f64,
+    /// From green, -1, to red, 1.
+    #[port("A", "A", default = 0.0)]
+    a: f64,
+    /// From blue, -1, to yellow, 1.
+    #[port("B", "B", default = 0.0)]
+    b: f64,
+) -> Colour {
+    of_lab(alpha, [luminance, a, b].map(|x| 100.0 * x))
+}
+
+/// Makes a colour of the CIE values lightness, chroma and hue. What screens cannot show is the nearest they can.
+#[component("75a07554-8a2c-4d87-81b9-d854f498509d", name = "Colour LCH", nick = "LCH", at = "Display/Colour")]
+#[output("Colour", "C", "The colour.")]
+fn colour_lch(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// Lightness, 0 to 1.
+    #[port("Luminance", "L", default = 0.5)]
+    luminance: f64,
+    /// Strength of the colour, 0 to 1.
+    #[port("Chroma", "C", default = 0.5)]
+    chroma: f64,
+    /// Hue, 0 to 1 round the circle.
+    #[port("Hue", "H", default = 0.0)]
+    hue: f64,
+) -> Colour {
+    let (sin, cos) = (std::f64::consts::TAU * hue).sin_cos();
+    of_lab(alpha, [luminance, chroma * cos, chroma * sin].map(|x| 100.0 * x))
+}
+
+/// Makes a colour of CIE 1931 stimuli. What screens cannot show is the nearest they can.
+#[component("77185dc2-2f18-469d-9686-00f5b6049195", name = "Colour XYZ", nick = "XYZ", at = "Display/Colour")]
+#[output("Colour", "C", "The colour.")]
+fn colour_xyz(
+    /// Opacity: 0 is clear, 1 solid.
+    #[port("Alpha", "A", default = 1.0)]
+    alpha: f64,
+    /// The stimulus X, 0 to 1.
+    #[port("X", "X", default = 0.5)]
+    x: f64,
+    /// The stimulus Y, which is the brightness, 0 to 1.
+    #[port("Y", "Y", default = 0.5)]
+    y: f64,
+    /// The stimulus Z, 0 to 1.
+    #[port("Z", "Z", default = 0.5)]
+    z: f64,
+) -> Colour {
+    of_xyz(alpha, [x, y, z])
+}
+
+/// Adds two colours channel by channel; what is too bright is white.
+#[component(
+    "60327ca4-c548-40e6-a11f-3c6759582f13",
+    name = "Addition",
+    nick = "Add",
+    at = "Display/Colour",
+    old
+)]
+#[output("Colour", "C", "The sum.")]
+fn addition_of_colours(
+    /// One colour.
+    #[port("Colour A", "A")]
+    a: Colour,
+    /// The other.
+    #[port("Colour B", "B")]
+    b: Colour,
+) -> Colour {
+    let sum = |a: u8, b: u8| a.saturating_add(b);
+    Colour { a: sum(a.a, b.a), r: sum(a.r, b.r), g: sum(a.g, b.g), b: sum(a.b, b.b) }
+}
+
+/// A colour between two, or beyond them, channel by channel.
+#[component(
+    "8b4da37d-1124-436a-9de2-952e4224a220",
+    name = "Blend Colours",
+    nick = "BlendCol",
+    at = "Vector/Colour"
+)]
+#[output("Colour", "C", "The colour.")]
+fn blend_colours(
+    /// The colour at 0.
+    #[port("Colour A", "A")]
+    a: Colour,
+    /// The colour at 1.
+    #[port("Colour B", "B")]
+    b: Colour,
+    /// Where between them.
+    #[port("Factor", "F", default = 0.5)]
+    factor: f64,
+) -> Colour {
+    let mix = |a: u8, b: u8| unit(a) + (unit(b) - unit(a)) * factor;
+    colour(mix(a.a, b.a), [mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)])
 }
 
 /// Makes a colour of whole numbers from 0 to 255. Numbers outside count as the nearer end.
@@ -240,6 +378,30 @@ mod tests {
         assert_eq!(made("Colour HSV", [1.0, 11.0 / 12.0, 1.0, 1.0]), "255,0,128");
         assert_eq!(made("Colour CMYK", [0.0, 0.0, 1.0, 0.0]), "255,255,0");
         assert_eq!(made("Colour CMYK", [0.0, 1.0, 0.0, 0.5]), "128,0,128");
+    }
+
+    #[test]
+    fn colours_from_what_eyes_see() {
+        // The CIE values of sRGB's white, red and blue for daylight (D65).
+        assert_eq!(made("Colour XYZ", [1.0, 0.950_47, 1.0, 1.088_83]), "255,255,255");
+        assert_eq!(made("Colour XYZ", [1.0, 0.412_456_4, 0.212_672_9, 0.019_333_9]), "255,0,0");
+        assert_eq!(made("Colour L*ab", [1.0, 1.0, 0.0, 0.0]), "255,255,255");
+        assert_eq!(made("Colour L*ab", [1.0, 0.532_408, 0.800_925, 0.672_032]), "255,0,0");
+        assert_eq!(made("Colour L*ab", [0.0, 0.0, 0.0, 0.0]), "0,0,0 (0)");
+        // Blue: L* 32.297, chroma 133.81, hue 306.285 degrees.
+        assert_eq!(made("Colour LCH", [1.0, 0.322_97, 1.338_08, 306.285 / 360.0]), "0,0,255");
+    }
+
+    #[test]
+    fn sums_and_blends() {
+        let (a, b) = (Colour::rgb(200, 10, 0), Colour::rgb(100, 20, 0));
+        let sum = Trial::of_guid("60327ca4-c548-40e6-a11f-3c6759582f13").item(a).item(b);
+        assert_eq!(sum.texts(0), ["{0}: 255,30,0"]);
+        let blend = |t: f64| Trial::of("Blend Colours").item(a).item(b).item(t).texts(0).concat();
+        assert_eq!(
+            [blend(0.0), blend(0.5), blend(-1.0)].join(" "),
+            "{0}: 200,10,0 {0}: 150,15,0 {0}: 255,0,0"
+        );
     }
 
     #[test]

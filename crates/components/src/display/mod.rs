@@ -2,8 +2,12 @@
 //!
 //! What only draws gives no data: such components take their inputs and leave the drawing to the viewer.
 
+mod annotation;
 mod colour;
 mod dimensions;
 mod graphs;
 mod preview;
+mod symbol;
 mod vector;
+
+pub(crate) use colour::{hue_of, of_hue};

@@ -166,7 +166,10 @@ pub(super) fn multiply(a: &Value, b: &Value) -> Result {
         (Value::Vector(v), Value::Vector(w)) => Value::Number(v.dot(*w)),
         (Value::Colour(c), Value::Colour(d)) => channels(*c, *d, |x, y| (x * y + 127) / 255),
         (Value::Matrix(m), Value::Matrix(n)) => Value::from(m.product(n)?),
-        (Value::Transform(f), Value::Transform(g)) => Value::from(**f * **g),
+        _ if x.as_transform().is_some() => match (x.as_transform(), y.as_transform()) {
+            (Some(f), Some(g)) => Value::from(f * g),
+            _ => return Err(unsupported("multiplied", a, b)),
+        },
         _ => match (complex(&x), complex(&y)) {
             (Some(x), Some(y)) => {
                 Value::Complex(Complex { re: x.re * y.re - x.im * y.im, im: x.re * y.im + x.im * y.re })

@@ -9,6 +9,7 @@ mod unary;
 
 mod averages;
 mod domain;
+mod matrix;
 mod operators;
 mod polynomials;
 mod script;

@@ -26,7 +26,7 @@ functions! {
     one_over_x, "797d922f-3a1d-46fe-9155-358b009b5997", "One Over X", "1/x", [], f64::recip, |z| complex::divide(complex::real(1.0), z);
 
     /// The number e to the power x.
-    power_of_e, "c717f26f-e4a0-475c-8e1c-b8f77af1bc99", "Power of E", "Eº", ["5f212b16-82a0-4699-be4c-11529a9810ae"], f64::exp, complex::exp;
+    power_of_e, "c717f26f-e4a0-475c-8e1c-b8f77af1bc99", "Power of E", "Eº", ["5f212b16-82a0-4699-be4c-11529a9810ae", "582f96c6-ed0c-4710-9b5e-a05addba9f42"], f64::exp, complex::exp;
 
     /// 10 to the power x.
     power_of_10, "2ebb82ef-1f90-4ac9-9a71-1fe0f4ef7044", "Power of 10", "10º", ["ed766861-662d-4462-90f6-29f87f8529cf"], |x| 10f64.powf(x),

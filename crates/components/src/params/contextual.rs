@@ -77,6 +77,9 @@ contextual! {
     /// Points that the definition asks for.
     get_point, "997704ba-c1d3-4262-9090-927c81347ce6", "Get Point", Point, same;
 
+    /// Lines that the definition asks for.
+    get_line, "af519c71-7dc1-4524-b8cc-add5544e2ef6", "Get Line", Line, same;
+
     /// Texts that the definition asks for.
     get_string, "fed87bdd-8327-49cd-949c-09d70f3c345c", "Get String", Text, same;
 
@@ -101,6 +104,11 @@ mod tests {
         }
         assert_eq!(Trial::of("Get Boolean").item("yes").texts(0), ["{0}: True"]);
         assert_eq!(Trial::of("Get Point").item("1,2,3").texts(0), ["{0}: {1, 2, 3}"]);
+        let line = katydid_geometry::Line::new(
+            katydid_geometry::Point3::ORIGIN,
+            katydid_geometry::Point3::new(2.0, 0.0, 0.0),
+        );
+        assert_eq!(Trial::of("Get Line").item(line).texts(0), ["{0}: Line(L:2.00 mm)"]);
         assert_eq!(Trial::of("Get Geometry").item("1,2,3").texts(0), ["{0}: {1, 2, 3}"]);
     }
 

@@ -49,11 +49,27 @@ parameters! {
     /// Point clouds.
     point_cloud, "850b6368-ff26-48ce-9773-ac554ffbaeef", "Point Cloud", "Point Cloud", "Params/Geometry", PointCloud;
 
+    /// Geometry that was put into a model and is kept here, unchanged.
+    geometry_cache, "f91778ca-2700-42fc-8ee6-74049a2292b5", "Geometry Cache", "", "Params/Geometry", Geometry;
+
+    /// Places on meshes, unchanged.
+    mesh_point, "fa20fe95-5775-417b-92ff-b77c13cbf40c", "Mesh Point", "MPoint", "Params/Geometry", Generic;
+
+    /// Settings of a mesher, unchanged.
+    mesher_settings, "c3407fda-b505-4686-9165-38fe7a9274cf", "Mesher Settings", "Mesh", "Params/Geometry", Generic;
+
     /// Geometry of any kind, unchanged.
     geometry, "ac2bc2cb-70fb-4dd5-9c78-7e1ea97fe278", "Geometry", "Geo", "Params/Geometry", Geometry;
 
     /// Groups of geometry.
     group, "b0851fc0-ab55-47d8-bdda-cc6306a40176", "Group", "Grp", "Params/Geometry", Group;
+
+    /// Fields of force.
+    field, "3175e3eb-1ae0-4d0b-9395-53fd3e8f8a28", "Field", "Field", "Params/Geometry", Field;
+
+    /// Places on the globe. A point or a text such as `13.4, 52.5` becomes the place of that longitude and latitude
+    /// in degrees.
+    location, "87391af3-35fe-4a40-b001-2bd4547ccd45", "Location", "Loc", "Params/Geometry", Location;
 
     /// Transformations. A vector becomes the move along it.
     transform, "28f40e48-e739-4211-91bd-f4aefa5965f8", "Transform", "Transform", "Params/Geometry", Transform;

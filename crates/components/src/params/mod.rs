@@ -19,5 +19,7 @@ macro_rules! parameters {
 mod contextual;
 mod geometry;
 mod input;
+mod landscape;
+mod passive;
 mod primitive;
 mod util;

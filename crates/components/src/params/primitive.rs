@@ -49,6 +49,12 @@ parameters! {
     /// Data of any type, unchanged.
     data, "8ec86459-bf01-4409-baee-174d0d2b13d0", "Data", "Data", "Params/Primitive", Generic;
 
+    /// Ways to draw points.
+    symbol_display, "2bcd153c-c964-4199-b8e4-4a19dfd34967", "Symbol Display", "SymDis", "Params/Primitive", Symbol;
+
+    /// Numbers that do not change. An early form of the number parameter.
+    constant, "4ad6703b-84cd-4957-a1b3-f1c6ec270d9c", "Constant", "constant", "Params/Primitive", Generic;
+
     /// Languages for texts and numbers, by their Windows code; 127 stands for none.
     culture, "7fa15783-70da-485c-98c0-a099e6988c3e", "Culture", "Culture", "Params/Primitive", Integer;
 

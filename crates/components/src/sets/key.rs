@@ -77,6 +77,10 @@ impl Key {
             | Value::Box(_)
             | Value::MeshFace(_)
             | Value::Transform(_)
+            | Value::Compound(_)
+            | Value::Field(_)
+            | Value::Location(_)
+            | Value::Symbol(_)
             | Value::Matrix(_) => Self::Shape(format!("{value:?}")),
         }
     }

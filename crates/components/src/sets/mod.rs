@@ -18,12 +18,12 @@ use katydid_data::Value;
 ///
 /// # Errors
 /// When it is negative, with the port's name.
-fn count(n: i32, port: &str) -> Result<usize, Message> {
+pub(crate) fn count(n: i32, port: &str) -> Result<usize, Message> {
     usize::try_from(n).map_err(|_| Message::error(format!("{port} is negative: {n}")))
 }
 
 /// The number of something as an integer item.
-fn integer(n: usize) -> i32 {
+pub(crate) fn integer(n: usize) -> i32 {
     i32::try_from(n).unwrap_or(i32::MAX)
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::{Geometry, Group};
+use katydid_data::{Compound, Geometry, Group, Tree};
 use katydid_geometry::Xform;
 
 use super::apply;
@@ -119,8 +119,36 @@ fn compound(
     /// The transforms in order.
     #[port("Transforms", "T")]
     transforms: List<Xform>,
-) -> Xform {
-    transforms.present().fold(Xform::IDENTITY, |all, next| next * all)
+) -> Shared<Compound> {
+    Shared::new(Compound { parts: transforms.present().collect() })
+}
+
+/// The transforms that a compound was made of, in order. A single transform gives itself.
+#[component("915f8f93-f5d1-4a7b-aecb-c327bab88ffb", name = "Split", nick = "Split", at = "Transform/Util")]
+#[output("Fragments", "F", "The parts, the one that is done first in front.")]
+fn split(
+    /// The transform to take apart.
+    #[port("Transform", "T", kind = Compound)]
+    transform: &Compound,
+) -> Vec<Xform> {
+    transform.parts.clone()
+}
+
+/// Shows a transform as a matrix of four rows and four columns, and hands it on.
+#[component(
+    "93c24899-f456-4785-84f2-314958b9347b",
+    name = "Transform Matrix",
+    nick = "Matrix",
+    at = "Transform/Util",
+    floating
+)]
+#[output("Transform", "T", "The transform.", kind = Transform)]
+fn transform_matrix(
+    /// The transform to show.
+    #[port("Transform", "T", optional, kind = Transform)]
+    transform: &Tree,
+) -> Tree {
+    transform.clone()
 }
 
 /// The transform that undoes another.
@@ -169,7 +197,15 @@ mod tests {
     fn transforms() {
         let (scale, step) = (Xform::scale(Point3::ORIGIN, 2.0), Xform::translation(Vector3::X));
         let both = Trial::of("Compound").list([scale, step]).run().outputs[0].clone();
-        assert_eq!(Trial::of("Transform").item(P).tree(both).texts(0), ["{0}: {3, 4, 6}"]);
+        assert_eq!(Trial::of("Transform").item(P).tree(both.clone()).texts(0), ["{0}: {3, 4, 6}"]);
+        assert_eq!(texts(&both), ["{0}: Compound transform of 2 parts"]);
+        let parts = Trial::of_guid("915f8f93-f5d1-4a7b-aecb-c327bab88ffb").tree(both.clone()).run();
+        let part = |i: usize| parts.outputs[0].column().get(i).unwrap().as_transform().unwrap();
+        assert_eq!((part(0), part(1)), (scale, step));
+        let shown = Trial::of("Transform Matrix").tree(both.clone()).run();
+        assert_eq!(shown.outputs[0].column().get(0), both.column().get(0));
+        let squared = Trial::of("Multiplication").tree(both.clone()).item(step).run().outputs[0].clone();
+        assert_eq!(squared.column().get(0).unwrap().as_transform(), Some(step * scale * step));
         let back = Trial::of("Inverse Transform").item(step).run().outputs[0].clone();
         assert_eq!(Trial::of("Transform").item(P).tree(back).texts(0), ["{0}: {0, 2, 3}"]);
         let flat = Trial::of("Inverse Transform").item(Xform::planar_projection(&Plane::XY));

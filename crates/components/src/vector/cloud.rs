@@ -100,6 +100,11 @@ fn pull_point(
     if context.settings().bool("ClosestOnly") == Some(false) {
         return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
     }
+    nearest(point, &geometry)
+}
+
+/// The nearest point of several pieces of geometry and its distance.
+fn nearest(point: Point3, geometry: &List<'_, Geometry>) -> Result<(Option<Point3>, Option<f64>), Message> {
     let mut best: Option<(f64, Point3)> = None;
     for piece in geometry.present() {
         if let Some(q) = hit::closest(&piece.0, point)? {
@@ -110,6 +115,33 @@ fn pull_point(
         }
     }
     Ok((best.map(|b| b.1), best.map(|b| b.0)))
+}
+
+/// The nearest point on any of several pieces of geometry. An early form of the component of the same name.
+#[component(
+    "cf3a0865-4882-46bd-91a1-d512acf95be4",
+    name = "Pull Point",
+    nick = "Pull",
+    at = "Vector/Point",
+    old
+)]
+#[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
+#[output("Distance", "D", "The distance to it.")]
+fn early_pull_point(
+    /// The point to pull.
+    #[port("Point", "P")]
+    point: Point3,
+    /// What to pull it to.
+    #[port("Geometry", "G")]
+    geometry: List<Geometry>,
+    /// Whether only the nearest piece of geometry counts; the only way there is here.
+    #[port("Closest", "C", default = true)]
+    closest: bool,
+) -> Result<(Option<Point3>, Option<f64>), Message> {
+    if !closest {
+        return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
+    }
+    nearest(point, &geometry)
 }
 
 /// Follows a direction from a point to the first geometry that it meets.
@@ -356,6 +388,8 @@ mod tests {
         let b = Box3 { plane: Plane::XY, x: unit, y: unit, z: unit };
         let inside = Point3::new(0.5, 0.5, 0.9);
         assert_eq!(Trial::of("Pull Point").item(inside).item(b).texts(0), ["{0}: {0.5, 0.5, 1}"]);
+        let early = Trial::of_guid("cf3a0865-4882-46bd-91a1-d512acf95be4").item(p).item(line);
+        assert_eq!(early.texts(0), ["{0}: {3, 0, 0}"]);
         let corners =
             row(&[0.0, 9.0]).into_iter().chain([Point3::new(9.0, 9.0, 0.0), Point3::new(0.0, 9.0, 0.0)]);
         let mesh = Mesh::new(corners.collect(), vec![MeshFace::Quad([0, 1, 2, 3])]).unwrap();

@@ -12,7 +12,7 @@ use std::sync::Arc as Shared;
 
 use katydid_geometry::{Tolerance, Units};
 
-use crate::{Column, Gather, Geometry, Items, Kind, Material, Path, Value, text};
+use crate::{Column, Compound, Gather, Geometry, Items, Kind, Material, Path, Value, text};
 
 pub use parse::{
     colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point,
@@ -72,18 +72,26 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             _ => None,
         },
         Kind::Surface | Kind::Brep | Kind::SubD | Kind::PointCloud => kept(value, kind),
+        // A compound is a transform: it stays whole, so that it can be taken apart later.
         Kind::Transform => match value {
+            Value::Compound(_) => Some(value.clone()),
             Value::Vector(v) => Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v)))),
             _ => None,
         },
         Kind::Matrix => match value {
-            Value::Transform(x) => katydid_geometry::Matrix::new(4, 4, x.rows.concat())
-                .ok()
-                .map(|m| Value::Matrix(Shared::new(m))),
+            Value::Transform(_) | Value::Compound(_) => {
+                let matrix = katydid_geometry::Matrix::new(4, 4, value.as_transform()?.rows.concat());
+                matrix.ok().map(|m| Value::Matrix(Shared::new(m)))
+            }
             _ => None,
         },
         Kind::Material => number::colour(value).map(|c| Value::Material(Shared::new(Material::from(c)))),
-        Kind::Group | Kind::Kept => None,
+        Kind::Compound => match value {
+            Value::Transform(x) => Some(Value::from(Compound { parts: vec![**x] })),
+            _ => None,
+        },
+        Kind::Location => parse::location(value).map(Value::Location),
+        Kind::Field | Kind::Symbol | Kind::Group | Kind::Kept => None,
     }
 }
 
@@ -122,7 +130,12 @@ pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
     if kind == Kind::Generic || column.kind() == kind {
         return Cast { column: column.clone(), failed: None };
     }
-    if kind == Kind::Geometry && column.kind().is_geometry() {
+    let whole_already = match kind {
+        Kind::Geometry => column.kind().is_geometry(),
+        Kind::Transform => column.kind() == Kind::Compound,
+        _ => false,
+    };
+    if whole_already {
         return Cast { column: column.clone(), failed: None };
     }
     if let Some(items) = whole(column.items(), kind) {

@@ -4,7 +4,7 @@ use katydid_expression::Expression;
 use katydid_expression::Variant;
 use katydid_geometry::{Interval, MeshFace, Point3};
 
-use crate::{Colour, Domain2};
+use crate::{Colour, Domain2, Location, Value};
 
 /// Longer texts are not numbers, points or colours; reading stops before any work is done.
 const LONGEST: usize = 4096;
@@ -67,6 +67,17 @@ pub fn domain(text: &str) -> Option<Interval> {
         return Some(Interval::new(number(lower.get(..at)?)?, number(lower.get(at + 2..)?)?));
     }
     number(text).map(|n| Interval::new(0.0, n))
+}
+
+/// Degrees of longitude and latitude as x and y of a point; a text of them too.
+pub(super) fn location(value: &Value) -> Option<Location> {
+    let p = match value {
+        Value::Point(p) => *p,
+        Value::Text(text) => point(text)?,
+        _ => return None,
+    };
+    let known = (-180.0..=360.0).contains(&p.x) && (-90.0..=90.0).contains(&p.y);
+    known.then_some(Location { longitude: p.x, latitude: p.y })
 }
 
 /// `u:{a To b} v:{c To d}`.

@@ -98,3 +98,36 @@ fn a_column_of_the_right_type_is_shared() {
     let (Items::Numbers(a), Items::Numbers(b)) = (column.items(), cast.items()) else { panic!() };
     assert!(Shared::ptr_eq(a, b));
 }
+
+#[test]
+fn a_compound_is_a_transform_that_stays_whole() {
+    use crate::{Compound, Item};
+    use katydid_geometry::Xform;
+    let (step, scale) = (Xform::translation(Vector3::X), Xform::scale(Point3::ORIGIN, 2.0));
+    let compound = Value::from(Compound { parts: vec![step, scale] });
+    assert_eq!(to(compound.clone(), Kind::Transform), Some(compound.clone()));
+    // Mixed with plain ones too.
+    for column in [
+        Column::of_values(vec![compound.clone()], None),
+        Column::of_values(vec![Value::from(step), compound.clone()], None),
+    ] {
+        let cast = super::column(&column, Kind::Transform, &Rules::default()).column;
+        let last = cast.len() - 1;
+        assert_eq!(cast.get(last), Some(compound.clone()));
+        assert_eq!(Xform::get(&cast, last), Some(scale * step));
+    }
+    assert_eq!(to(Value::from(step), Kind::Compound), Some(Value::from(Compound { parts: vec![step] })));
+    let Some(Value::Matrix(matrix)) = to(compound, Kind::Matrix) else { panic!() };
+    assert_eq!((matrix.get(0, 0), matrix.get(0, 3)), (Some(2.0), Some(2.0)));
+}
+
+#[test]
+fn places_on_the_globe() {
+    let place = |v: Value| match to(v, Kind::Location) {
+        Some(Value::Location(place)) => Some((place.longitude, place.latitude)),
+        _ => None,
+    };
+    assert_eq!(place(Value::Point(Point3::new(13.4, 52.5, 0.0))), Some((13.4, 52.5)));
+    assert_eq!(place(Value::text("-74, 40.7")), Some((-74.0, 40.7)));
+    assert_eq!(place(Value::Point(Point3::new(0.0, 91.0, 0.0))), None);
+}

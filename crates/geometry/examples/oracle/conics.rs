@@ -12,7 +12,7 @@ use crate::report::{Case, EVALUATION};
 pub(crate) fn compare(v: &Value, case: &mut Case) -> Read<()> {
     let input = &v["in"];
     let made = match read::text(&input["kind"])? {
-        "Circle" => circle(input).and_then(|c| Ok(c.and_then(|c| Arc::new(c, Interval::new(0.0, TAU)))))?,
+        "Circle" => circle(input)?.and_then(|c| Arc::new(c, Interval::new(0.0, TAU))),
         "Arc" => {
             let angle = read::interval(&input["angle"])?;
             circle(input)?.and_then(|c| Arc::new(c, angle))

@@ -39,7 +39,8 @@ pub(crate) fn compare(v: &Value, case: &mut Case) -> Read<()> {
             if let Some(p) = got {
                 let volume = a.z_axis.dot(b.z_axis.cross(c.z_axis)).abs();
                 let size = planes.iter().map(|p| p.origin.to_vector().length()).fold(0.0, f64::max);
-                case.point("point", p, read::point(&out[1])?, size / volume, EVALUATION);
+                // The error of a normal moves the point by its distance over the volume.
+                case.point("point", p, read::point(&out[1])?, size / (volume * volume), EVALUATION);
             }
             Ok(())
         }

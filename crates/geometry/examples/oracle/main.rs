@@ -15,10 +15,15 @@
 mod conics;
 mod curves;
 mod intersections;
+mod measures;
+mod meets;
+mod primitives;
 mod read;
 mod report;
+mod surfaces;
 mod xforms;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use report::Kind;
@@ -33,6 +38,12 @@ const KINDS: &[(&str, Compare)] = &[
     ("conics", conics::compare),
     ("xforms", xforms::compare),
     ("intersections", intersections::compare),
+    ("surfaces", surfaces::compare),
+    ("primitives", primitives::compare),
+    ("length", measures::length),
+    ("closest_curve", measures::closest_curve),
+    ("curvature", measures::curvature),
+    ("curve_curve_2d", meets::curve_curve),
 ];
 
 /// Kinds of the same files that belong to solids.
@@ -44,40 +55,43 @@ fn main() -> ExitCode {
         eprintln!("usage: oracle FILE.json…");
         return ExitCode::from(2);
     }
-    let mut agreed = true;
-    for file in &files {
-        let read = std::fs::read_to_string(file).map_err(|e| e.to_string());
-        let data: Value = match read.and_then(|text| serde_json::from_str(&text).map_err(|e| e.to_string())) {
-            Ok(data) => data,
-            Err(error) => {
-                eprintln!("{file}: {error}");
-                return ExitCode::from(2);
-            }
-        };
-        println!("{file}");
-        agreed &= compare_file(&data);
+    match compare_files(&files, &mut std::io::stdout().lock()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::from(2)
+        }
     }
-    ExitCode::from(u8::from(!agreed))
+}
+
+/// Whether all cases of all files agree.
+fn compare_files(files: &[String], out: &mut impl Write) -> Result<bool, String> {
+    let mut agreed = true;
+    for file in files {
+        let text = std::fs::read_to_string(file).map_err(|e| format!("{file}: {e}"))?;
+        let data: Value = serde_json::from_str(&text).map_err(|e| format!("{file}: {e}"))?;
+        writeln!(out, "{file}").map_err(|e| e.to_string())?;
+        agreed &= compare_file(&data, out).map_err(|e| e.to_string())?;
+    }
+    Ok(agreed)
 }
 
 /// Whether all cases of a file agree.
-fn compare_file(data: &Value) -> bool {
+fn compare_file(data: &Value, out: &mut impl Write) -> std::io::Result<bool> {
     let Some(kinds) = data.as_object() else {
-        println!("  no object of lists of cases");
-        return false;
+        writeln!(out, "  no object of lists of cases")?;
+        return Ok(false);
     };
     let mut agreed = true;
     for (name, cases) in kinds {
         if name == "meta" {
             continue;
         }
-        let Some(list) = cases.as_array() else {
-            println!("{name:>16}: not part");
-            continue;
-        };
+        let list = cases.as_array().map_or(&[][..], Vec::as_slice);
         let Some((_, compare)) = KINDS.iter().find(|k| k.0 == name) else {
             let why = if NOT_PART.contains(&name.as_str()) { "not part" } else { "not part: unknown kind" };
-            println!("{name:>16}: {:4} cases, {why}", list.len());
+            writeln!(out, "{name:>16}: {:4} cases, {why}", list.len())?;
             continue;
         };
         let mut kind = Kind::default();
@@ -85,7 +99,7 @@ fn compare_file(data: &Value) -> bool {
             let id = value["id"].as_str().map_or_else(|| format!("{name}[{i}]"), str::to_owned);
             kind.run(id, |case| compare(value, case));
         }
-        agreed &= kind.print(name);
+        agreed &= kind.write(name, out)?;
     }
-    agreed
+    Ok(agreed)
 }

@@ -1,6 +1,8 @@
 //! Kernel values out of the files.
 
-use katydid_geometry::{BoundingBox, Interval, Line, NurbsCurve, Plane, Point3, Vector3, Xform};
+use katydid_geometry::{
+    BoundingBox, Interval, Line, NurbsCurve, NurbsSurface, Plane, Point3, Vector3, Xform,
+};
 use serde_json::Value;
 
 /// What was read, or what is wrong with it.
@@ -37,9 +39,9 @@ pub(crate) fn numbers(v: &Value) -> Read<Vec<f64>> {
 
 /// A point of two or three coordinates.
 pub(crate) fn point(v: &Value) -> Read<Point3> {
-    match numbers(v)?.as_slice() {
-        &[x, y] => Ok(Point3::new(x, y, 0.0)),
-        &[x, y, z] => Ok(Point3::new(x, y, z)),
+    match *numbers(v)?.as_slice() {
+        [x, y] => Ok(Point3::new(x, y, 0.0)),
+        [x, y, z] => Ok(Point3::new(x, y, z)),
         _ => wrong("a point", v),
     }
 }
@@ -53,8 +55,8 @@ pub(crate) fn vectors(v: &Value) -> Read<Vec<Vector3>> {
 }
 
 pub(crate) fn interval(v: &Value) -> Read<Interval> {
-    match numbers(v)?.as_slice() {
-        &[a, b] => Ok(Interval::new(a, b)),
+    match *numbers(v)?.as_slice() {
+        [a, b] => Ok(Interval::new(a, b)),
         _ => wrong("an interval", v),
     }
 }
@@ -74,8 +76,8 @@ pub(crate) fn plane(v: &Value) -> Read<Plane> {
 
 /// Six numbers: the smallest corner, then the largest.
 pub(crate) fn bounding_box(v: &Value) -> Read<BoundingBox> {
-    match numbers(v)?.as_slice() {
-        &[a, b, c, d, e, f] => Ok(BoundingBox { min: Point3::new(a, b, c), max: Point3::new(d, e, f) }),
+    match *numbers(v)?.as_slice() {
+        [a, b, c, d, e, f] => Ok(BoundingBox { min: Point3::new(a, b, c), max: Point3::new(d, e, f) }),
         _ => wrong("a box", v),
     }
 }
@@ -112,6 +114,21 @@ pub(crate) fn curve(v: &Value) -> Read<NurbsCurve> {
     } else {
         let points = points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
         NurbsCurve::new(degree, points, knots)
+    };
+    made.map_err(|e| e.to_string())
+}
+
+/// Orders, knots and counts in pairs, for u and for v; control points with v running fastest.
+pub(crate) fn surface(v: &Value) -> Read<NurbsSurface> {
+    let pair = |v: &Value| Ok::<_, String>([integer(&v[0])?, integer(&v[1])?]);
+    let degrees = pair(&v["order"])?.map(|o| o.saturating_sub(1));
+    let knots = [numbers(&v["knots"][0])?, numbers(&v["knots"][1])?];
+    let points = controls(v)?;
+    let made = if integer(&v["rat"])? == 1 {
+        NurbsSurface::rational(degrees, pair(&v["n"])?, points, knots)
+    } else {
+        let points = points.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
+        NurbsSurface::new(degrees, pair(&v["n"])?, points, knots)
     };
     made.map_err(|e| e.to_string())
 }

@@ -1,11 +1,16 @@
 //! Counting agreements and errors.
 
+use std::io::Write;
+
 use katydid_geometry::{Point3, Vector3};
 
 /// Evaluation: the part of the magnitude that may differ.
 pub(crate) const EVALUATION: f64 = 1e-13;
 /// Constructions: knots and control points.
 pub(crate) const CONSTRUCTION: f64 = 1e-14;
+
+/// So many disagreements of a case are shown.
+const SHOWN: usize = 6;
 
 /// The comparisons of one case.
 #[derive(Default)]
@@ -28,11 +33,11 @@ impl Case {
         self.compared += 1;
         let scale = scale.max(f64::MIN_POSITIVE);
         let error = if got == want { 0.0 } else { (got - want).abs() / scale };
-        if !(error <= self.largest) {
+        if error > self.largest || error.is_nan() {
             self.largest = error;
             self.largest_field = field.to_owned();
         }
-        if !(error <= tolerance) {
+        if error > tolerance || error.is_nan() {
             self.misses.push(format!("{field}: {got} instead of {want} (error {error:.1e} of {scale:.3})"));
         }
     }
@@ -106,7 +111,7 @@ impl Kind {
         self.cases += 1;
         self.compared += case.compared;
         self.by_source += case.by_source;
-        if !(case.largest <= self.largest) {
+        if case.largest > self.largest || case.largest.is_nan() {
             self.largest = case.largest;
             self.where_largest = format!("{id} {}", case.largest_field);
         }
@@ -117,20 +122,31 @@ impl Kind {
         }
     }
 
-    /// Prints the line of this kind and its disagreements; whether there are none.
-    pub(crate) fn print(&self, name: &str) -> bool {
-        println!(
+    /// Writes the line of this kind and its disagreements; whether there are none.
+    ///
+    /// # Errors
+    /// Nobody reads the output any more.
+    pub(crate) fn write(&self, name: &str, out: &mut impl Write) -> std::io::Result<bool> {
+        writeln!(
+            out,
             "{name:>16}: {:4} cases, {:4} agreed, {:6} comparisons, largest error {:.1e} {}",
             self.cases, self.agreed, self.compared, self.largest, self.where_largest
-        );
+        )?;
         if self.by_source > 0 {
-            println!("{:>18}in {} constructions the reference is less exact than ours", "", self.by_source);
+            writeln!(
+                out,
+                "{:>18}in {} constructions the reference is less exact than ours",
+                "", self.by_source
+            )?;
         }
         for (id, misses) in &self.disagreements {
-            for miss in misses {
-                println!("{:>18}{id}: {miss}", "");
+            for miss in misses.iter().take(SHOWN) {
+                writeln!(out, "{:>18}{id}: {miss}", "")?;
+            }
+            if let Some(more) = misses.len().checked_sub(SHOWN).filter(|&more| more > 0) {
+                writeln!(out, "{:>18}{id}: {more} more", "")?;
             }
         }
-        self.disagreements.is_empty()
+        Ok(self.disagreements.is_empty())
     }
 }

@@ -10,10 +10,10 @@ use crate::report::{CONSTRUCTION, Case, EVALUATION};
 pub(crate) fn compare(v: &Value, case: &mut Case) -> Read<()> {
     let (input, out) = (&v["in"], &v["out"]);
     let m = read::xform(&out["m"])?;
-    if let Some(made) = constructed(input)? {
-        if let Some(made) = case.made("m", made) {
-            matrices("m", &made, &m, CONSTRUCTION, case);
-        }
+    if let Some(made) = constructed(input)?
+        && let Some(made) = case.made("m", made)
+    {
+        matrices("m", &made, &m, CONSTRUCTION, case);
     }
     for (field, want) in out.as_object().ok_or("no answers in the case")? {
         one(&m, out, field, want, case)?;

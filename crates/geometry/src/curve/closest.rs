@@ -1,12 +1,15 @@
 //! The point of a curve nearest to a given one.
 
 use super::Curve;
+use super::closest_part::{Best, Parts};
 use super::piece::{Piece, Shape};
-use crate::bernstein::{BUDGET, halves, squared_distance, value};
+use crate::bernstein::BUDGET;
+use crate::box_tree::{Bounds, BoxTree, bounds_of, squared_distance_to};
 use crate::{Arc, Error, Point3, Result};
 
 /// A point on a curve and how far it is from where one asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurvePoint {
     /// The parameter on the curve.
     pub parameter: f64,
@@ -16,70 +19,200 @@ pub struct CurvePoint {
     pub distance: f64,
 }
 
-/// The best candidate so far.
-struct Best {
-    squared: f64,
-    piece: usize,
-    own: f64,
+/// A curve prepared for many questions about its nearest point: its Bézier parts in a tree of boxes.
+///
+/// An answer is the global minimum, proven by bounds: no point of the curve is nearer by more than 2·10⁻¹³ of the
+/// distance (or, next to the curve, some 10⁻⁸ of the size of a span where two branches cross just there). A question
+/// takes no memory. Of equally near points it gives one; [`Curve::local_closest_points`] has them all.
+#[derive(Debug, Clone)]
+pub struct ClosestOnCurve<'a> {
+    pieces: Vec<Piece<'a>>,
+    tree: BoxTree,
+    /// For each box of the tree: a part of a NURBS span, or a whole segment or arc.
+    items: Vec<Item>,
+    parts: Parts,
 }
 
-impl Best {
-    fn offer(&mut self, squared: f64, piece: usize, own: f64) {
-        if squared < self.squared {
-            *self = Self { squared, piece, own };
+#[derive(Debug, Clone, Copy)]
+enum Item {
+    Part(u32),
+    Simple(u32),
+}
+
+fn xyz(p: Point3) -> [f64; 3] {
+    p.into()
+}
+
+impl<'a> ClosestOnCurve<'a> {
+    /// Prepares a curve: about 10 µs for a NURBS curve of 20 control points.
+    pub fn new(curve: &'a Curve) -> Self {
+        Self::build(curve.pieces(), true, |_, _| true)
+    }
+
+    /// Over those pieces that are wanted, by index and bounds.
+    fn build(pieces: Vec<Piece<'a>>, halve: bool, wanted: impl Fn(usize, &Bounds) -> bool) -> Self {
+        let mut parts = Parts::default();
+        let (mut items, mut boxes) = (Vec::new(), Vec::new());
+        let mut bezier = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            if !wanted(i, &hull_of(piece)) {
+                continue;
+            }
+            if let Shape::Span(curve, j) = piece.shape {
+                bezier.clear();
+                curve.push_bezier(j, &mut bezier);
+                let first = parts.list.len() as u32;
+                parts.push(i as u32, &bezier, [0.0, 1.0], halve, &mut boxes);
+                items.extend((first..parts.list.len() as u32).map(Item::Part));
+            } else {
+                boxes.push(hull_of(piece));
+                items.push(Item::Simple(i as u32));
+            }
         }
+        Self { tree: BoxTree::in_order(&boxes), pieces, items, parts }
+    }
+
+    /// The point of the curve nearest to `q`.
+    ///
+    /// # Errors
+    /// `q` is not finite, or so far away that the square of the distance overflows.
+    pub fn nearest(&self, q: Point3) -> Result<CurvePoint> {
+        check(q)?;
+        let found = self.search(xyz(q), f64::INFINITY, BUDGET);
+        found.map(|best| self.finish(&best, q)).ok_or(Error::NotFinite("square of the distance to the curve"))
+    }
+
+    /// The point of the curve nearest to `q` if it is nearer than `limit`, or `None`. The smaller the limit, the
+    /// faster the answer.
+    ///
+    /// # Errors
+    /// `q` is not finite.
+    pub fn nearest_within(&self, q: Point3, limit: f64) -> Result<Option<CurvePoint>> {
+        check(q)?;
+        if !(limit > 0.0) {
+            return Ok(None);
+        }
+        let found = self.search(xyz(q), limit * limit, BUDGET);
+        Ok(found.map(|best| self.finish(&best, q)).filter(|p| p.distance < limit))
+    }
+
+    /// The nearest points for many places, in their order. Long lists run in parallel with the `parallel` feature.
+    ///
+    /// # Errors
+    /// As [`ClosestOnCurve::nearest`], for any of them.
+    pub fn nearest_all(&self, points: &[Point3]) -> Result<Vec<CurvePoint>> {
+        #[cfg(feature = "parallel")]
+        if points.len() >= 512 {
+            use rayon::prelude::*;
+            return points.par_iter().with_min_len(64).map(|&q| self.nearest(q)).collect();
+        }
+        points.iter().map(|&q| self.nearest(q)).collect()
+    }
+
+    fn search(&self, q: [f64; 3], limit: f64, budget: u32) -> Option<Best> {
+        let mut best = Best { squared: limit, piece: u32::MAX, place: 0.0 };
+        let mut budget = budget;
+        self.tree.visit_near(&q, limit, |i| {
+            match self.items.get(i) {
+                Some(&Item::Part(part)) => self.parts.search(part as usize, q, &mut best, &mut budget),
+                Some(&Item::Simple(index)) => self.offer_simple(index, q, &mut best),
+                None => (),
+            }
+            best.squared
+        });
+        (best.piece != u32::MAX).then_some(best)
+    }
+
+    /// Segments and arcs by formula.
+    fn offer_simple(&self, index: u32, q: [f64; 3], best: &mut Best) {
+        let Some(piece) = self.pieces.get(index as usize) else { return };
+        let q = Point3::from(q);
+        let own = match piece.shape {
+            Shape::Segment(a, b) => {
+                let along = b - a;
+                // Halved lengths do not overflow before the squares of distances do.
+                let x = (q - a).dot(along) / along.length_squared();
+                if x.is_finite() { x.clamp(0.0, 1.0) } else { 0.0 }
+            }
+            Shape::Arc(arc) => arc.closest_angle(q),
+            Shape::Span(..) => return,
+        };
+        best.offer((piece.point(own) - q).length_squared(), index, piece.own.normalized(own));
+    }
+
+    fn finish(&self, best: &Best, q: Point3) -> CurvePoint {
+        let Some(piece) = self.pieces.get(best.piece as usize) else {
+            return CurvePoint { parameter: 0.0, point: q, distance: f64::INFINITY };
+        };
+        let own = piece.own.at(best.place);
+        let point = piece.point(own);
+        CurvePoint { parameter: piece.whole_parameter(own), point, distance: point.distance_to(q) }
+    }
+}
+
+fn check(q: Point3) -> Result<()> {
+    if q.is_finite() { Ok(()) } else { Err(Error::NotFinite("point to project on the curve")) }
+}
+
+/// A box that holds a piece: around control points, or around the circle of an arc.
+fn hull_of(piece: &Piece<'_>) -> Bounds {
+    match piece.shape {
+        Shape::Segment(a, b) => bounds_of([xyz(a), xyz(b)]),
+        Shape::Arc(arc) => {
+            let (r, plane) = (arc.circle.radius, &arc.circle.plane);
+            let centre = xyz(plane.origin);
+            let (x, y): ([f64; 3], [f64; 3]) = (plane.x_axis.into(), plane.y_axis.into());
+            let reach = |c: usize| r * x[c].hypot(y[c]) * (1.0 + 1e-15);
+            [std::array::from_fn(|c| centre[c] - reach(c)), std::array::from_fn(|c| centre[c] + reach(c))]
+        }
+        Shape::Span(curve, j) => bounds_of(curve.span_hull(j).map(xyz)),
     }
 }
 
 impl Curve {
-    /// The point of the curve nearest to `q`: always the global one, and of equally near ones one of them.
+    /// The point of the curve nearest to `q`: always the global one, and of equally near ones one of them. For many
+    /// questions about one curve use [`ClosestOnCurve`].
     ///
-    /// Segments and arcs by formula. A NURBS span by branch and bound on the Bernstein coefficients of the squared
-    /// distance: a part is discarded when the coefficients prove it farther than the best found, or solved by
-    /// Newton's method when they prove the distance function convex there (compare X.-D. Chen et al., *Improved
-    /// algebraic algorithm on point projection for Bézier curves*, 2007).
+    /// Segments and arcs by formula. NURBS spans by branch and bound on the Bernstein coefficients of the squared
+    /// distance: a range is discarded when the coefficients prove it no nearer than the best found, or solved by
+    /// Newton's method when they prove that there is one minimum (compare X.-D. Chen et al., *Improved algebraic
+    /// algorithm on point projection for Bézier curves*, 2007).
     ///
     /// # Errors
     /// `q` is not finite, or so far away that the square of the distance overflows.
     pub fn closest_point(&self, q: Point3) -> Result<CurvePoint> {
-        if !q.is_finite() {
-            return Err(Error::NotFinite("point to project on the curve"));
-        }
+        check(q)?;
         let pieces = self.pieces();
-        let mut best =
-            Best { squared: f64::INFINITY, piece: 0, own: pieces.first().map_or(0.0, |p| p.own.start) };
-        // Ends first: they cost little and cut most of what follows.
-        for (i, piece) in pieces.iter().enumerate() {
-            best.offer((piece.start() - q).length_squared(), i, piece.own.start);
-            best.offer((piece.end() - q).length_squared(), i, piece.own.end);
+        // Ends first: they cost little, and only pieces that may come nearer need tables.
+        let mut limit = f64::INFINITY;
+        for piece in &pieces {
+            limit = limit.min((piece.start() - q).length_squared()).min((piece.end() - q).length_squared());
         }
-        for (i, piece) in pieces.iter().enumerate() {
-            match piece.shape {
-                Shape::Segment(a, b) => {
-                    let u = crate::Line::new(a, b).closest_parameter(q).clamp(0.0, 1.0);
-                    best.offer((piece.point(u) - q).length_squared(), i, u);
-                }
-                Shape::Arc(arc) => {
-                    let u = arc.closest_angle(q);
-                    best.offer((piece.point(u) - q).length_squared(), i, u);
-                }
-                Shape::Span(curve, j) => {
-                    let reach = crate::BoundingBox::from_points(curve.span_hull(j));
-                    if reach.is_none_or(|b| b.distance_to(q).powi(2) < best.squared) {
-                        search_span(piece, i, q, &mut best);
-                    }
-                }
-            }
-        }
-        if !best.squared.is_finite() {
-            return Err(Error::NotFinite("square of the distance to the curve"));
-        }
-        let Some(piece) = pieces.get(best.piece) else {
-            return Err(Error::degenerate("curve", "it has no extent"));
-        };
-        let own = if let Shape::Span(..) = piece.shape { polish(piece, best.own, q) } else { best.own };
-        let point = piece.point(own);
-        Ok(CurvePoint { parameter: piece.whole_parameter(own), point, distance: point.distance_to(q) })
+        let limit = limit * (1.0 + 1e-12);
+        let index =
+            ClosestOnCurve::build(pieces, false, |_, hull| !(squared_distance_to(hull, &xyz(q)) > limit));
+        index.nearest(q)
+    }
+
+    /// The nearest points for many places, in their order. Long lists run in parallel with the `parallel` feature.
+    ///
+    /// # Errors
+    /// As [`Curve::closest_point`], for any of them.
+    pub fn closest_points(&self, points: &[Point3]) -> Result<Vec<CurvePoint>> {
+        ClosestOnCurve::new(self).nearest_all(points)
+    }
+
+    /// The point of the curve nearest to `q` if it is nearer than `limit`, or `None`.
+    ///
+    /// # Errors
+    /// `q` is not finite.
+    pub fn closest_point_within(&self, q: Point3, limit: f64) -> Result<Option<CurvePoint>> {
+        check(q)?;
+        let squared = limit * limit;
+        let index = ClosestOnCurve::build(self.pieces(), false, |_, hull| {
+            !(squared_distance_to(hull, &xyz(q)) > squared)
+        });
+        index.nearest_within(q, limit)
     }
 }
 
@@ -102,110 +235,4 @@ impl Arc {
         // Outside: the nearer end. Going back from `angle − 2π` the lower end is nearer when that is the smaller gap.
         if angle - high <= low - (angle - turn) { high } else { low }
     }
-}
-
-/// Newton's method on (C − q)·C′ from a good start; a step is taken only while the distance does not grow.
-fn polish(piece: &Piece<'_>, start: f64, q: Point3) -> f64 {
-    let mut u = start;
-    let mut squared = (piece.point(u) - q).length_squared();
-    for _ in 0..8 {
-        let [c, d1, d2] = piece.jet(u);
-        let r = c - q.to_vector();
-        let slope = d1.length_squared() + r.dot(d2);
-        if !(slope > 0.0) {
-            break;
-        }
-        let next = piece.own.clamp(u - r.dot(d1) / slope);
-        let found = (piece.point(next) - q).length_squared();
-        if next == u || found > squared {
-            break;
-        }
-        (u, squared) = (next, found);
-    }
-    u
-}
-
-fn search_span(piece: &Piece<'_>, index: usize, q: Point3, best: &mut Best) {
-    let Some(points) = piece.beziers().pop() else { return };
-    let rational = points.iter().any(|p| p[3] != 1.0);
-    let coefficients = squared_distance(&points, q);
-    let weight = coefficients.iter().fold(0.0_f64, |m, c| m.max(c[1]));
-    let size = coefficients.iter().fold(0.0_f64, |m, c| m.max(c[0]));
-    if !size.is_finite() || !weight.is_finite() {
-        return;
-    }
-    let at = |x: f64| piece.own.at(x);
-    let mut budget = BUDGET;
-    let mut stack = vec![(coefficients, 0.0, 1.0, 0_u32)];
-    while let Some((c, a, b, depth)) = stack.pop() {
-        let excess = |best: &Best| -> Vec<f64> { c.iter().map(|c| c[0] - best.squared * c[1]).collect() };
-        // What rounding could hide: 2e-13 of the distance found, or 1e-13 of the size of the problem.
-        let slack = |best: &Best| 4e-13 * best.squared * weight + 1e-26 * size;
-        let mut h = excess(best);
-        if h.iter().all(|&x| x >= -slack(best)) {
-            continue;
-        }
-        if h.windows(3).all(|w| w[0] - 2.0 * w[1] + w[2] >= 0.0) {
-            // Convex: one minimum. With weights the quotient's is approached by raising the bar each time
-            // (Dinkelbach's method).
-            for _ in 0..if rational { 8 } else { 1 } {
-                let own = at(a + (b - a) * convex_minimum(&h));
-                let before = best.squared;
-                best.offer((piece.point(own) - q).length_squared(), index, own);
-                if before - best.squared <= 1e-15 * before {
-                    break;
-                }
-                h = excess(best);
-            }
-            continue;
-        }
-        budget = budget.saturating_sub(1);
-        if depth >= 52 || budget == 0 {
-            continue;
-        }
-        let middle = 0.5 * (a + b);
-        best.offer((piece.point(at(middle)) - q).length_squared(), index, at(middle));
-        let (left, right) = halves(&c);
-        let least = |c: &[[f64; 2]]| c.iter().fold(f64::INFINITY, |m, c| m.min(c[0]));
-        if least(&left) < least(&right) {
-            stack.push((right, middle, b, depth + 1));
-            stack.push((left, a, middle, depth + 1));
-        } else {
-            stack.push((left, a, middle, depth + 1));
-            stack.push((right, middle, b, depth + 1));
-        }
-    }
-}
-
-/// Where in 0…1 a convex polynomial is least: Newton's method on its derivative, kept in a bracket.
-fn convex_minimum(h: &[f64]) -> f64 {
-    let n = (h.len() - 1) as f64;
-    let first: Vec<[f64; 1]> = h.windows(2).map(|w| [n * (w[1] - w[0])]).collect();
-    let (Some(start), Some(end)) = (first.first(), first.last()) else { return 0.0 };
-    if start[0] >= 0.0 {
-        return 0.0;
-    }
-    if end[0] <= 0.0 {
-        return 1.0;
-    }
-    let second: Vec<[f64; 1]> = first.windows(2).map(|w| [(n - 1.0) * (w[1][0] - w[0][0])]).collect();
-    let (mut low, mut high) = (0.0, 1.0);
-    let mut x = start[0] / (start[0] - end[0]);
-    for _ in 0..60 {
-        let slope = value(&first, x)[0];
-        if slope < 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let mut next = x - slope / value(&second, x)[0];
-        if !(low < next && next < high) {
-            next = 0.5 * (low + high);
-        }
-        if (next - x).abs() <= 1e-16 {
-            break;
-        }
-        x = next;
-    }
-    x
 }

@@ -6,6 +6,7 @@ use crate::{Tolerance, Vector3};
 
 /// A kind of smoothness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Continuity {
     /// Position.
     C0,

@@ -2,17 +2,24 @@
 
 mod arc_curve;
 mod batch;
+mod biarc;
+pub(crate) mod blend;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_local;
+mod closest_part;
 mod continuity;
 mod convert;
 mod discontinuity;
 mod divide;
 mod edit;
+mod elliptic;
 mod evaluate;
 mod explode;
+mod extend;
 mod extrema;
+mod fillet;
 mod frames;
 mod join;
 mod length;
@@ -21,24 +28,35 @@ mod offset;
 mod piece;
 mod poly_curve;
 mod polyline_curve;
+mod rebuild;
 mod region;
 mod sections;
+mod simplify;
 mod speed;
+mod tessellate;
+mod tween;
 
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;
-pub use closest::CurvePoint;
+pub use closest::{ClosestOnCurve, CurvePoint};
 pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
 pub(crate) use evaluate::curvature;
+pub use extend::ExtensionStyle;
 pub use extrema::CurvatureExtremum;
+pub use fillet::CornerPiece;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
+pub use offset::OffsetCorner;
 pub(crate) use piece::{Piece, Shape};
+#[cfg(feature = "serde")]
+pub(crate) use poly_curve::MAX_NESTING;
 pub use poly_curve::PolyCurve;
 pub use polyline_curve::PolylineCurve;
 pub use region::Containment;
+pub use tessellate::PolylineLimits;
+pub use tween::TweenMatch;
 
 use crate::{Arc, Circle, Interval, Line, NurbsCurve, Point3};
 

@@ -8,6 +8,7 @@ use crate::{Error, Plane, Point3, Result};
 
 /// Where a point lies relative to a closed curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Containment {
     /// Outside.
     Outside,

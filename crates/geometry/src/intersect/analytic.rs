@@ -7,6 +7,7 @@ use crate::{Arc, BoundingBox, Box3, Circle, Interval, Line, Plane, Point3, Vecto
 
 /// At most two solutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum UpToTwo<T> {
     /// They do not meet.
     None,
@@ -45,6 +46,7 @@ impl<T: Copy> UpToTwo<T> {
 
 /// Where a line meets a circle or an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LineCircleHit {
     /// The parameter on the line.
     pub on_line: f64,
@@ -54,6 +56,7 @@ pub struct LineCircleHit {
 
 /// How a plane meets a circle or an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum PlaneCircle {
     /// At these angles in radians, ascending.
     At(UpToTwo<f64>),
@@ -63,6 +66,7 @@ pub enum PlaneCircle {
 
 /// How a plane meets a sphere, or a sphere another.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SphereSection {
     /// They are apart, or one sphere lies inside the other.
     None,
@@ -76,6 +80,7 @@ pub enum SphereSection {
 
 /// How a line meets a cylinder without ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LineCylinder {
     /// At these parameters of the line.
     At(UpToTwo<f64>),
@@ -85,6 +90,7 @@ pub enum LineCylinder {
 
 /// How two circles meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CircleCircle {
     /// At these angles in radians, one on each circle a solution, 0…2π.
     At(UpToTwo<[f64; 2]>),
@@ -94,6 +100,7 @@ pub enum CircleCircle {
 
 /// How two arcs meet.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ArcArc {
     /// The angles in radians on both arcs where they cross or touch, in the order of the first.
     pub points: Vec<[f64; 2]>,

@@ -5,6 +5,7 @@ use crate::{Error, Point3, Result};
 
 /// A point on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshPoint {
     /// The index of the face.
     pub face: usize,

@@ -7,6 +7,7 @@ use crate::{Error, Line, Result};
 
 /// An edge between two places of a mesh, whichever of the vertices there its faces use.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshEdge {
     /// The vertices at its ends, each the first of those in its place.
     pub vertices: [u32; 2],

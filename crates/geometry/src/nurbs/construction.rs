@@ -7,6 +7,7 @@ use crate::Point3;
 
 /// One point of de Boor's triangle: where two points of the level before are mixed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DeBoorStep {
     /// The share of the second of the two points, a: the result is (1 − a)·first + a·second.
     pub ratio: f64,
@@ -20,6 +21,7 @@ pub struct DeBoorStep {
 
 /// De Boor's algorithm on one parameter, with every value on the way.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DeBoor {
     /// The index of the first control point that acts at the parameter; degree + 1 of them do.
     pub first_control_point: usize,

@@ -204,6 +204,12 @@ impl NurbsCurve {
             0..=65 => out,
             _ => &mut out[..65],
         };
+        match out {
+            [a, b] => return [*a, *b] = self.jet_at(t, from_below),
+            [a, b, c] => return [*a, *b, *c] = self.jet_at(t, from_below),
+            [a, b, c, d] => return [*a, *b, *c, *d] = self.jet_at(t, from_below),
+            _ => {}
+        }
         let j = span_index(&self.knots, self.degree, t, from_below);
         match &self.controls {
             Controls::Plain(p) => {

@@ -1,8 +1,8 @@
 //! Evaluation in the local span, without allocation.
 //!
-//! Common degrees have their own code with arrays of fixed size: the ratios of the triangle come first, all
-//! independent of each other so that their divisions overlap, then the basis functions as products of them. Only the
-//! ratios 0 and 1 occur at a knot of full multiplicity, so a result equal to a control point there is exact.
+//! Common degrees have their own code with arrays of fixed size: the basis functions as products of the ratios of de
+//! Boor's triangle, all independent of each other so that their divisions overlap. Only the ratios 0 and 1 occur at a
+//! knot of full multiplicity, so a result equal to a control point there is exact.
 
 use super::knots::{MAX_DEGREE, span_index};
 
@@ -29,47 +29,56 @@ pub(crate) fn find_span(knots: &[f64], degree: usize, t: f64) -> usize {
     span_index(knots, degree, t, false)
 }
 
-/// Of fixed degree P, the numerators and denominators of the R = P(P + 1)/2 ratios of de Boor's triangle at `t`, level
-/// by level, divided. `u` are the 2P knots around the span.
+/// How far `t` has come from a to b.
 #[inline(always)]
-fn ratios<const P: usize, const R: usize, const U: usize>(u: &[f64; U], t: f64) -> [f64; R] {
-    let (mut over, mut width) = ([0.0; R], [1.0; R]);
-    let mut r = 0;
-    for level in 1..=P {
-        for i in 0..level {
-            over[r] = t - u[P - level + i];
-            width[r] = u[P + i] - u[P - level + i];
-            r += 1;
-        }
-    }
-    std::array::from_fn(|r| over[r] / width[r])
+fn ratio(t: f64, a: f64, b: f64) -> f64 {
+    (t - a) / (b - a)
 }
 
-/// From the basis functions of degree `level` − 1 those of degree `level` (P&T, *The NURBS Book*, eq. 2.5).
+/// The three basis functions of degree 2 from the two of degree 1 and two ratios; in the same way each higher degree.
 #[inline(always)]
-fn raise_basis<const Q: usize>(n: &mut [f64; Q], level: usize, x: &[f64]) {
-    let mut saved = 0.0;
-    for i in 0..level {
-        let term = n[i];
-        n[i] = if i == 0 { (1.0 - x[i]) * term } else { saved + (1.0 - x[i]) * term };
-        saved = x[i] * term;
-    }
-    n[level] = saved;
+fn quadratic([a, b]: [f64; 2], [x0, x1]: [f64; 2]) -> [f64; 3] {
+    [(1.0 - x0) * a, x0 * a + (1.0 - x1) * b, x1 * b]
 }
 
-/// The Q = P + 1 basis functions of fixed degree P that act in a span.
 #[inline(always)]
-pub(crate) fn basis_sized<const P: usize, const Q: usize, const R: usize, const U: usize>(
-    u: &[f64; U],
-    t: f64,
-) -> [f64; Q] {
-    let x: [f64; R] = ratios::<P, R, U>(u, t);
+fn cubic([a, b, c]: [f64; 3], [x0, x1, x2]: [f64; 3]) -> [f64; 4] {
+    [(1.0 - x0) * a, x0 * a + (1.0 - x1) * b, x1 * b + (1.0 - x2) * c, x2 * c]
+}
+
+/// The Q = P + 1 basis functions of degree P that act in the span amid the U = 2P knots `u` (P&T, *The NURBS Book*,
+/// eq. 2.5).
+#[inline(always)]
+pub(crate) fn basis_sized<const P: usize, const Q: usize, const U: usize>(u: &[f64; U], t: f64) -> [f64; Q] {
     let mut n = [0.0; Q];
-    n[0] = 1.0;
-    let mut r = 0;
-    for level in 1..=P {
-        raise_basis(&mut n, level, &x[r..r + level]);
-        r += level;
+    // Written out for the degrees that matter most: loops, even unrolled ones, cost half as much again.
+    match P {
+        1 => {
+            let x = ratio(t, u[0], u[1]);
+            n.copy_from_slice(&[1.0 - x, x]);
+        }
+        2 => {
+            let x = ratio(t, u[1], u[2]);
+            n.copy_from_slice(&quadratic([1.0 - x, x], [ratio(t, u[0], u[2]), ratio(t, u[1], u[3])]));
+        }
+        3 => {
+            let x = ratio(t, u[2], u[3]);
+            let q = quadratic([1.0 - x, x], [ratio(t, u[1], u[3]), ratio(t, u[2], u[4])]);
+            let x = [ratio(t, u[0], u[3]), ratio(t, u[1], u[4]), ratio(t, u[2], u[5])];
+            n.copy_from_slice(&cubic(q, x));
+        }
+        _ => {
+            n[0] = 1.0;
+            for level in 1..=P {
+                let mut saved = 0.0;
+                for i in 0..level {
+                    let (x, term) = (ratio(t, u[P - level + i], u[P + i]), n[i]);
+                    n[i] = saved + (1.0 - x) * term;
+                    saved = x * term;
+                }
+                n[level] = saved;
+            }
+        }
     }
     n
 }
@@ -90,14 +99,14 @@ pub(crate) fn weighted<const N: usize, const Q: usize>(
 }
 
 #[inline(always)]
-fn point_sized<const N: usize, const P: usize, const Q: usize, const R: usize, const U: usize>(
+fn point_sized<const N: usize, const P: usize, const Q: usize, const U: usize>(
     knots: &[f64],
     points: &[[f64; N]],
     j: usize,
     t: f64,
 ) -> [f64; N] {
     match (local::<_, Q>(points, j), local::<_, U>(knots, j)) {
-        (Some(points), Some(u)) => weighted(&basis_sized::<P, Q, R, U>(u, t), points),
+        (Some(points), Some(u)) => weighted(&basis_sized::<P, Q, U>(u, t), points),
         _ => [f64::NAN; N],
     }
 }
@@ -122,11 +131,11 @@ pub(crate) fn de_boor<const N: usize>(
     t: f64,
 ) -> [f64; N] {
     match degree {
-        3 => point_sized::<N, 3, 4, 6, 6>(knots, points, j, t),
-        2 => point_sized::<N, 2, 3, 3, 4>(knots, points, j, t),
-        1 => point_sized::<N, 1, 2, 1, 2>(knots, points, j, t),
-        5 => point_sized::<N, 5, 6, 15, 10>(knots, points, j, t),
-        4 => point_sized::<N, 4, 5, 10, 8>(knots, points, j, t),
+        3 => point_sized::<N, 3, 4, 6>(knots, points, j, t),
+        2 => point_sized::<N, 2, 3, 4>(knots, points, j, t),
+        1 => point_sized::<N, 1, 2, 2>(knots, points, j, t),
+        5 => point_sized::<N, 5, 6, 10>(knots, points, j, t),
+        4 => point_sized::<N, 4, 5, 8>(knots, points, j, t),
         0..=7 => de_boor_long::<N, 8>(degree, knots, points, j, t),
         _ => de_boor_long::<N, { MAX_DEGREE + 1 }>(degree, knots, points, j, t),
     }
@@ -164,31 +173,16 @@ pub(crate) fn derivatives<const N: usize>(
     t: f64,
     out: &mut [[f64; N]],
 ) {
-    match degree {
-        1..=3 => {
-            let n = out.len().min(4);
-            let d: [[f64; N]; 4] = match (degree, n) {
-                (3, 0..=3) => cut(jet_sized::<N, 3, 4, 6, 6, 3>(knots, points, j, t)),
-                (3, _) => jet_sized::<N, 3, 4, 6, 6, 4>(knots, points, j, t),
-                (2, _) => cut(jet_sized::<N, 2, 3, 3, 4, 3>(knots, points, j, t)),
-                _ => cut(jet_sized::<N, 1, 2, 1, 2, 2>(knots, points, j, t)),
-            };
-            for (k, slot) in out.iter_mut().enumerate() {
-                *slot = d.get(k).copied().unwrap_or([0.0; N]);
-            }
-        }
-        0..=7 => derivatives_long::<N, 8>(degree, knots, points, j, t, out),
-        _ => derivatives_long::<N, { MAX_DEGREE + 1 }>(degree, knots, points, j, t, out),
+    match (degree, out) {
+        (3, [a, b]) => [*a, *b] = jet(degree, knots, points, j, t),
+        (3, [a, b, c]) => [*a, *b, *c] = jet(degree, knots, points, j, t),
+        (3, [a, b, c, d]) => [*a, *b, *c, *d] = jet(degree, knots, points, j, t),
+        (0..=7, out) => derivatives_long::<N, 8>(degree, knots, points, j, t, out),
+        (_, out) => derivatives_long::<N, { MAX_DEGREE + 1 }>(degree, knots, points, j, t, out),
     }
 }
 
-/// As many as there are of other values; the rest are zero.
-#[inline(always)]
-fn cut<const N: usize, const K: usize, const L: usize>(d: [[f64; N]; K]) -> [[f64; N]; L] {
-    std::array::from_fn(|k| if k < K { d[k] } else { [0.0; N] })
-}
-
-/// The value and K − 1 derivatives at `t` in span `j`, for K known at compile time: fast for degrees 1 to 5.
+/// The value and K − 1 derivatives at `t` in span `j`, for K known at compile time; fastest for degrees 2 and 3.
 #[inline]
 pub(crate) fn jet<const N: usize, const K: usize>(
     degree: usize,
@@ -197,66 +191,142 @@ pub(crate) fn jet<const N: usize, const K: usize>(
     j: usize,
     t: f64,
 ) -> [[f64; N]; K] {
+    if degree == 3
+        && K <= 4
+        && let (Some(points), Some(u)) = (local(points, j), local(knots, j))
+        && t < u[3]
+    {
+        return jet_cubic(u, points, t);
+    }
+    if degree == 2
+        && K <= 3
+        && let (Some(points), Some(u)) = (local(points, j), local(knots, j))
+        && t < u[2]
+    {
+        return jet_quadratic(u, points, t);
+    }
+    let mut out = [[0.0; N]; K];
     match degree {
-        3 => jet_sized::<N, 3, 4, 6, 6, K>(knots, points, j, t),
-        2 => jet_sized::<N, 2, 3, 3, 4, K>(knots, points, j, t),
-        1 => jet_sized::<N, 1, 2, 1, 2, K>(knots, points, j, t),
-        5 => jet_sized::<N, 5, 6, 15, 10, K>(knots, points, j, t),
-        4 => jet_sized::<N, 4, 5, 10, 8, K>(knots, points, j, t),
+        0..=7 => derivatives_long::<N, 8>(degree, knots, points, j, t, &mut out),
+        _ => derivatives_long::<N, { MAX_DEGREE + 1 }>(degree, knots, points, j, t, &mut out),
+    }
+    out
+}
+
+/// The weights on points from the weights on their differences.
+#[inline(always)]
+fn on_points_2([a, b]: [f64; 2]) -> [f64; 3] {
+    [-a, a - b, b]
+}
+
+/// How far `t` has come along a distance between knots, all of which is exactly 1.
+#[inline(always)]
+fn part(from: f64, width: f64, over: f64) -> f64 {
+    if from == width { 1.0 } else { from * over }
+}
+
+/// The basis functions of fixed degree P up to 3 and, as weights on the P differences of its control points, what
+/// gives its derivatives of order 1 and 2.
+#[inline(always)]
+pub(crate) fn jet_weights<const P: usize, const Q: usize, const U: usize>(
+    u: &[f64; U],
+    t: f64,
+) -> ([f64; Q], [[f64; P]; 2]) {
+    let (mut n, mut d) = ([0.0; Q], [[0.0; P]; 2]);
+    let width = |a: usize, b: usize| u[b] - u[a];
+    match P {
+        1 => {
+            let w = width(0, 1);
+            let x = part(t - u[0], w, 1.0 / w);
+            n.copy_from_slice(&[1.0 - x, x]);
+            d[0].copy_from_slice(&[1.0 / w]);
+        }
+        2 => {
+            let (w1, w2) = (width(1, 2), [width(0, 2), width(1, 3)]);
+            let (o1, o2) = (1.0 / w1, w2.map(|w| 1.0 / w));
+            let x = part(t - u[1], w1, o1);
+            let n1 = [1.0 - x, x];
+            let x2 = [part(t - u[0], w2[0], o2[0]), part(t - u[1], w2[1], o2[1])];
+            n.copy_from_slice(&quadratic(n1, x2));
+            let s = o2.map(|w| 2.0 * w);
+            d[0].copy_from_slice(&[n1[0] * s[0], n1[1] * s[1]]);
+            d[1].copy_from_slice(&[-o1 * s[0], o1 * s[1]]);
+        }
+        3 => {
+            let w1 = width(2, 3);
+            let (w2, w3) = ([width(1, 3), width(2, 4)], [width(0, 3), width(1, 4), width(2, 5)]);
+            let (o1, o2, o3) = (1.0 / w1, w2.map(|w| 1.0 / w), w3.map(|w| 1.0 / w));
+            let from = [t - u[0], t - u[1], t - u[2]];
+            let x = part(from[2], w1, o1);
+            let n1 = [1.0 - x, x];
+            let n2 = quadratic(n1, [part(from[1], w2[0], o2[0]), part(from[2], w2[1], o2[1])]);
+            let x3 = [part(from[0], w3[0], o3[0]), part(from[1], w3[1], o3[1]), part(from[2], w3[2], o3[2])];
+            n.copy_from_slice(&cubic(n2, x3));
+            let s = o3.map(|w| 3.0 * w);
+            d[0].copy_from_slice(&[n2[0] * s[0], n2[1] * s[1], n2[2] * s[2]]);
+            let second = on_points_2([2.0 * n1[0] * o2[0], 2.0 * n1[1] * o2[1]]);
+            d[1].copy_from_slice(&[second[0] * s[0], second[1] * s[1], second[2] * s[2]]);
+        }
         _ => {
-            let mut out = [[0.0; N]; K];
-            derivatives(degree, knots, points, j, t, &mut out);
-            out
+            n = [f64::NAN; Q];
+            d = [[f64::NAN; P]; 2];
         }
     }
+    (n, d)
+}
+
+/// The basis functions of a cubic and, as weights on the three differences of its four control points, what gives
+/// its derivatives of order 1, 2 and 3, for `t` before the end of the span. One division for each of the six knot
+/// distances.
+#[inline(always)]
+fn cubic_weights(u: &[f64; 6], t: f64) -> ([f64; 4], [[f64; 3]; 3]) {
+    let over = |a: usize, b: usize| 1.0 / (u[b] - u[a]);
+    let (w1, w2, w3) = (over(2, 3), [over(1, 3), over(2, 4)], [over(0, 3), over(1, 4), over(2, 5)]);
+    let from = [t - u[0], t - u[1], t - u[2]];
+    let x = from[2] * w1;
+    let n1 = [1.0 - x, x];
+    let n2 = quadratic(n1, [from[1] * w2[0], from[2] * w2[1]]);
+    let n3 = cubic(n2, [from[0] * w3[0], from[1] * w3[1], from[2] * w3[2]]);
+    let s = w3.map(|w| 3.0 * w);
+    let r = w2.map(|w| 2.0 * w);
+    let first = [n2[0] * s[0], n2[1] * s[1], n2[2] * s[2]];
+    let second = on_points_2([n1[0] * r[0], n1[1] * r[1]]);
+    let third = on_points_2([-w1 * r[0], w1 * r[1]]);
+    let scaled = |c: [f64; 3]| [c[0] * s[0], c[1] * s[1], c[2] * s[2]];
+    (n3, [first, scaled(second), scaled(third)])
 }
 
 #[inline(always)]
-fn jet_sized<
-    const N: usize,
-    const P: usize,
-    const Q: usize,
-    const R: usize,
-    const U: usize,
-    const K: usize,
->(
-    knots: &[f64],
-    points: &[[f64; N]],
-    j: usize,
+fn jet_cubic<const N: usize, const K: usize>(u: &[f64; 6], points: &[[f64; N]; 4], t: f64) -> [[f64; N]; K] {
+    let (n, d) = cubic_weights(u, t);
+    let difference = |i: usize| -> [f64; N] { std::array::from_fn(|c| points[i + 1][c] - points[i][c]) };
+    let differences = [difference(0), difference(1), difference(2)];
+    std::array::from_fn(|k| match k {
+        0 => weighted(&n, points),
+        1..=3 => weighted(&d[k - 1], &differences),
+        _ => [0.0; N],
+    })
+}
+
+#[inline(always)]
+fn jet_quadratic<const N: usize, const K: usize>(
+    u: &[f64; 4],
+    points: &[[f64; N]; 3],
     t: f64,
 ) -> [[f64; N]; K] {
-    let (Some(points), Some(u)) = (local::<_, Q>(points, j), local::<_, U>(knots, j)) else {
-        return [[f64::NAN; N]; K];
-    };
-    let x: [f64; R] = ratios::<P, R, U>(u, t);
-    // The basis functions of all degrees from P − K + 1 on.
-    let mut rows = [[0.0; Q]; Q];
-    rows[0][0] = 1.0;
-    let mut r = 0;
-    for level in 1..=P {
-        rows[level] = rows[level - 1];
-        raise_basis(&mut rows[level], level, &x[r..r + level]);
-        r += level;
-    }
-    let mut out = [[0.0; N]; K];
-    let mut d = *points;
-    for k in 0..K.min(Q) {
-        if k > 0 {
-            let p = (P - k + 1) as f64;
-            for i in 0..=P - k {
-                let scale = p / (u[i + P] - u[i + k - 1]);
-                d[i] = std::array::from_fn(|c| (d[i + 1][c] - d[i][c]) * scale);
-            }
-        }
-        out[k] = std::array::from_fn(|c| {
-            let mut sum = rows[P - k][0] * d[0][c];
-            for i in 1..=P - k {
-                sum += rows[P - k][i] * d[i][c];
-            }
-            sum
-        });
-    }
-    out
+    let (w1, w2) = (1.0 / (u[2] - u[1]), [1.0 / (u[2] - u[0]), 1.0 / (u[3] - u[1])]);
+    let x = (t - u[1]) * w1;
+    let n1 = [1.0 - x, x];
+    let n2 = quadratic(n1, [(t - u[0]) * w2[0], (t - u[1]) * w2[1]]);
+    let s = w2.map(|w| 2.0 * w);
+    let difference = |i: usize| -> [f64; N] { std::array::from_fn(|c| points[i + 1][c] - points[i][c]) };
+    let differences = [difference(0), difference(1)];
+    std::array::from_fn(|k| match k {
+        0 => weighted(&n2, points),
+        1 => weighted(&[n1[0] * s[0], n1[1] * s[1]], &differences),
+        2 => weighted(&[-w1 * s[0], w1 * s[1]], &differences),
+        _ => [0.0; N],
+    })
 }
 
 fn derivatives_long<const N: usize, const M: usize>(
@@ -315,19 +385,32 @@ pub(crate) fn basis(degree: usize, knots: &[f64], j: usize, t: f64, out: &mut [f
 }
 
 /// The quotient rule for K − 1 derivatives of homogeneous ones (P&T, *The NURBS Book*, algorithm A4.2).
-#[inline]
+#[inline(always)]
 pub(crate) fn divided<const K: usize>(d: &[[f64; 4]; K]) -> [[f64; 3]; K] {
     let mut out = [[0.0; 3]; K];
-    let w = d.first().map_or(1.0, |d| d[3]);
-    for k in 0..K {
+    let (Some(first), Some(d0)) = (out.first_mut(), d.first()) else { return out };
+    let w = d0[3];
+    *first = [d0[0] / w, d0[1] / w, d0[2] / w];
+    let over = 1.0 / w;
+    for k in 1..K {
         let mut v = [d[k][0], d[k][1], d[k][2]];
         let mut choose = 1.0;
         for i in 1..=k {
-            choose = choose * (k - i + 1) as f64 / i as f64;
+            choose = if i == k { 1.0 } else { choose * (k - i + 1) as f64 / i as f64 };
             let factor = choose * d[i][3];
             v = std::array::from_fn(|c| v[c] - out[k - i][c] * factor);
         }
-        out[k] = v.map(|x| x / w);
+        out[k] = v.map(|x| x * over);
     }
     out
+}
+
+/// The quotient rule for a point and its two first partial derivatives.
+#[inline(always)]
+pub(crate) fn divided_partials(d: &[[f64; 4]; 3]) -> [[f64; 3]; 3] {
+    let [point, u, v] = d;
+    let w = point[3];
+    let (over, at) = (1.0 / w, [point[0] / w, point[1] / w, point[2] / w]);
+    let part = |d: &[f64; 4]| std::array::from_fn(|c| (d[c] - at[c] * d[3]) * over);
+    [at, part(u), part(v)]
 }

@@ -9,6 +9,7 @@ use crate::{Error, Point3, Result, Vector3};
 
 /// How far apart the parameters of neighbouring points are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum KnotSpacing {
     /// 1 each.
     Uniform,

@@ -26,11 +26,14 @@ mod surface_bounds;
 mod surface_construct;
 mod surface_edit;
 mod surface_evaluate;
+mod surface_grid;
 mod surface_interpolate;
 mod surface_properties;
 mod surface_refine;
 mod uniform;
+mod weights;
 
+pub(crate) use bezier::span_to_bezier;
 pub use compatible::compatible_curves;
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
 pub use curve::NurbsCurve;

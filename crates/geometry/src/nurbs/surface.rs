@@ -4,6 +4,7 @@ use crate::{Error, Interval, Point3, Result};
 
 /// One of the two directions of a surface's parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// The first parameter.
     U,
@@ -35,6 +36,7 @@ impl Direction {
 /// Which of the up to four pieces that meet at a pair of knots gives a derivative: the one that goes on from there
 /// or the one that comes up to there, in each direction. East is towards larger u and north towards larger v.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Quadrant {
     /// Larger u, larger v.
     #[default]

@@ -1,8 +1,37 @@
 //! Boxes around surfaces.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use super::NurbsSurface;
 use crate::bernstein::BUDGET;
 use crate::{BoundingBox, Box3, Interval, Plane, Point3, Vector3};
+
+/// A patch that is looked at before those with a lower bound.
+struct Candidate {
+    bound: f64,
+    patch: Patch,
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Candidate {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.bound.total_cmp(&other.bound)
+    }
+}
 
 /// A rational function's Bernstein coefficients on a patch: numerators and weights, v running fastest.
 struct Patch {
@@ -81,12 +110,13 @@ impl NurbsSurface {
 
     /// The range that the surface reaches along `direction`, measured from the origin in lengths of it.
     ///
-    /// By halving Bézier patches until their control points bound the surface to 1e-12 of its size; when that takes
-    /// more than some 20,000 halvings the range of the control points that are left is given, which is larger.
+    /// By halving Bézier patches, the most promising first, until their control points bound the surface to 1e-12 of
+    /// its size. When that takes more than some 20,000 halvings (a curved ridge of equal height), the bound reached
+    /// is given, which holds the surface and is larger than it by some 1e-8 of its size.
     pub fn extent_along(&self, direction: Vector3) -> Interval {
         let patches = self.bezier_patches().unwrap_or_default();
         let extreme = |sign: f64| {
-            let mut stack: Vec<Patch> = patches
+            let start: Vec<Patch> = patches
                 .iter()
                 .map(|patch| {
                     let values = patch.homogeneous_points();
@@ -96,23 +126,24 @@ impl NurbsSurface {
                     Patch { counts: patch.counts(), values: values.collect() }
                 })
                 .collect();
-            let size = stack.iter().flat_map(|p| &p.values).fold(0.0_f64, |m, [n, w]| m.max((n / w).abs()));
-            let mut best = stack.iter().map(Patch::reached).fold(f64::NEG_INFINITY, f64::max);
-            let mut budget = BUDGET;
-            while let Some(patch) = stack.pop() {
-                let bound = patch.bound();
+            let size = start.iter().flat_map(|p| &p.values).fold(0.0_f64, |m, [n, w]| m.max((n / w).abs()));
+            let mut best = start.iter().map(Patch::reached).fold(f64::NEG_INFINITY, f64::max);
+            // Large patches are halved fewer times: all of them together stay within some 60 MB.
+            let length = start.first().map_or(1, |p| p.values.len());
+            let mut budget = (BUDGET as usize).min(4_000_000 / length.max(1));
+            let candidate = |patch: Patch| Candidate { bound: patch.bound(), patch };
+            let mut queue: BinaryHeap<Candidate> = start.into_iter().map(candidate).collect();
+            while let Some(Candidate { bound, patch }) = queue.pop() {
                 if !(bound > best + 1e-12 * size) {
-                    continue;
+                    break;
                 }
-                budget = budget.saturating_sub(1);
                 if budget == 0 {
-                    return stack.iter().map(Patch::bound).fold(bound.max(best), f64::max);
+                    return bound;
                 }
+                budget -= 1;
                 let halves = patch.halves();
                 best = halves.iter().map(Patch::reached).fold(best, f64::max);
-                let [a, b] = halves;
-                // The more promising half is looked at first.
-                stack.extend(if a.bound() < b.bound() { [a, b] } else { [b, a] });
+                queue.extend(halves.map(candidate));
             }
             best
         };

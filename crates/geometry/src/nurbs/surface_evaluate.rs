@@ -2,9 +2,12 @@
 
 use super::NurbsSurface;
 use super::curve::{Controls, project};
-use super::evaluate::{de_boor, derivatives};
+use super::evaluate::{
+    basis_sized, de_boor, derivatives, divided_partials, find_span, jet_weights, local, weighted,
+};
 use super::knots::{MAX_DEGREE, span_index};
 use super::surface::Quadrant;
+use super::weights::Weights;
 use crate::bernstein::binomial;
 use crate::{Point3, Vector3};
 
@@ -101,11 +104,12 @@ fn tensor<const N: usize>(
 impl NurbsSurface {
     /// The first control points that act at a pair of parameters.
     pub(crate) fn spans_at(&self, u: f64, v: f64, side: Quadrant) -> [usize; 2] {
+        let at = |knots: &[f64], degree: usize, t: f64, below: bool| match below {
+            true => span_index(knots, degree, t, true),
+            false => find_span(knots, degree, t),
+        };
         let below = side.from_below();
-        [
-            span_index(&self.knots[0], self.degrees[0], u, below[0]),
-            span_index(&self.knots[1], self.degrees[1], v, below[1]),
-        ]
+        [at(&self.knots[0], self.degrees[0], u, below[0]), at(&self.knots[1], self.degrees[1], v, below[1])]
     }
 
     /// The point at (u, v). Outside the domain the polynomial of the nearest span goes on.
@@ -117,7 +121,58 @@ impl NurbsSurface {
         }
     }
 
-    fn value<const N: usize>(&self, points: &[[f64; N]], [ju, jv]: [usize; 2], u: f64, v: f64) -> [f64; N] {
+    #[inline]
+    fn value<const N: usize>(&self, points: &[[f64; N]], spans: [usize; 2], u: f64, v: f64) -> [f64; N] {
+        match self.degrees {
+            [3, 3] => self.value_sized::<N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
+            [2, 2] => self.value_sized::<N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
+            [1, 1] => self.value_sized::<N, 1, 2, 2, 1, 2, 2>(points, spans, u, v),
+            [2, 1] => self.value_sized::<N, 2, 3, 4, 1, 2, 2>(points, spans, u, v),
+            [1, 2] => self.value_sized::<N, 1, 2, 2, 2, 3, 4>(points, spans, u, v),
+            [3, 1] => self.value_sized::<N, 3, 4, 6, 1, 2, 2>(points, spans, u, v),
+            [1, 3] => self.value_sized::<N, 1, 2, 2, 3, 4, 6>(points, spans, u, v),
+            [2, 3] => self.value_sized::<N, 2, 3, 4, 3, 4, 6>(points, spans, u, v),
+            [3, 2] => self.value_sized::<N, 3, 4, 6, 2, 3, 4>(points, spans, u, v),
+            _ => self.value_long(points, spans, u, v),
+        }
+    }
+
+    /// For fixed degrees: one set of basis functions for each direction.
+    #[inline(always)]
+    fn value_sized<
+        const N: usize,
+        const P: usize,
+        const PO: usize,
+        const PU: usize,
+        const Q: usize,
+        const QO: usize,
+        const QU: usize,
+    >(
+        &self,
+        points: &[[f64; N]],
+        [ju, jv]: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [f64; N] {
+        let (Some(ku), Some(kv)) = (local(&self.knots[0], ju), local(&self.knots[1], jv)) else {
+            return [f64::NAN; N];
+        };
+        let (nu, nv) = (basis_sized::<P, PO, PU>(ku, u), basis_sized::<Q, QO, QU>(kv, v));
+        let mut column = [[0.0; N]; PO];
+        for i in 0..PO {
+            let Some(row) = local(points, (ju + i) * self.counts[1] + jv) else { return [f64::NAN; N] };
+            column[i] = weighted(&nv, row);
+        }
+        weighted(&nu, &column)
+    }
+
+    fn value_long<const N: usize>(
+        &self,
+        points: &[[f64; N]],
+        [ju, jv]: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [f64; N] {
         let mut column = [[0.0; N]; MAX_DEGREE + 1];
         let [p, q] = self.degrees;
         for (i, slot) in column.iter_mut().enumerate().take(p + 1) {
@@ -129,12 +184,172 @@ impl NurbsSurface {
         de_boor(p, local, &column[..=p], 0, u)
     }
 
+    /// The position at (u, v), as a vector from the origin, and the first partial derivatives by u and by v, without
+    /// allocation; at a knot those of the piece on the given side.
+    #[inline]
+    pub fn partials_at(&self, u: f64, v: f64, side: Quadrant) -> [Vector3; 3] {
+        let spans = self.spans_at(u, v, side);
+        match &self.controls {
+            Controls::Plain(points) => self.first_partials(points, spans, u, v).map(Vector3::from),
+            Controls::Rational(points) => {
+                divided_partials(&self.first_partials(points, spans, u, v)).map(Vector3::from)
+            }
+        }
+    }
+
+    #[inline]
+    fn first_partials<const N: usize>(
+        &self,
+        points: &[[f64; N]],
+        spans: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [[f64; N]; 3] {
+        match self.degrees {
+            [3, 3] => self.partials_sized::<N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
+            [2, 2] => self.partials_sized::<N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
+            [1, 1] => self.partials_sized::<N, 1, 2, 2, 1, 2, 2>(points, spans, u, v),
+            [2, 1] => self.partials_sized::<N, 2, 3, 4, 1, 2, 2>(points, spans, u, v),
+            [1, 2] => self.partials_sized::<N, 1, 2, 2, 2, 3, 4>(points, spans, u, v),
+            [3, 1] => self.partials_sized::<N, 3, 4, 6, 1, 2, 2>(points, spans, u, v),
+            [1, 3] => self.partials_sized::<N, 1, 2, 2, 3, 4, 6>(points, spans, u, v),
+            [2, 3] => self.partials_sized::<N, 2, 3, 4, 3, 4, 6>(points, spans, u, v),
+            [3, 2] => self.partials_sized::<N, 3, 4, 6, 2, 3, 4>(points, spans, u, v),
+            _ => {
+                let mut out = [[0.0; N]; 6];
+                self.partials_long(points, spans, [u, v], &mut out[..3]);
+                [out[0], out[1], out[2]]
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn partials_sized<
+        const N: usize,
+        const P: usize,
+        const PO: usize,
+        const PU: usize,
+        const Q: usize,
+        const QO: usize,
+        const QU: usize,
+    >(
+        &self,
+        points: &[[f64; N]],
+        [ju, jv]: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [[f64; N]; 3] {
+        let (Some(ku), Some(kv)) = (local(&self.knots[0], ju), local(&self.knots[1], jv)) else {
+            return [[f64::NAN; N]; 3];
+        };
+        let (nu, [du, _]) = jet_weights::<P, PO, PU>(ku, u);
+        let (nv, [dv, _]) = jet_weights::<Q, QO, QU>(kv, v);
+        let (mut column, mut by_v) = ([[0.0; N]; PO], [[0.0; N]; PO]);
+        for i in 0..PO {
+            let Some(row) = local::<_, QO>(points, (ju + i) * self.counts[1] + jv) else {
+                return [[f64::NAN; N]; 3];
+            };
+            column[i] = weighted(&nv, row);
+            by_v[i] = std::array::from_fn(|c| {
+                let mut sum = dv[0] * (row[1][c] - row[0][c]);
+                for j in 1..Q {
+                    sum += dv[j] * (row[j + 1][c] - row[j][c]);
+                }
+                sum
+            });
+        }
+        let by_u = std::array::from_fn(|c| {
+            let mut sum = du[0] * (column[1][c] - column[0][c]);
+            for i in 1..P {
+                sum += du[i] * (column[i + 1][c] - column[i][c]);
+            }
+            sum
+        });
+        [weighted(&nu, &column), by_u, weighted(&nu, &by_v)]
+    }
+
+    /// The position at (u, v), as a vector from the origin, and the partial derivatives of order 1 and 2 in the order
+    /// S, Su, Sv, Suu, Suv, Svv, without allocation; at a knot those of the piece on the given side.
+    pub fn second_partials_at(&self, u: f64, v: f64, side: Quadrant) -> [Vector3; 6] {
+        let spans = self.spans_at(u, v, side);
+        match &self.controls {
+            Controls::Plain(points) => {
+                let mut d = [[0.0; 3]; 6];
+                self.partials_long(points, spans, [u, v], &mut d);
+                d.map(Vector3::from)
+            }
+            Controls::Rational(points) => {
+                let mut d = [[0.0; 4]; 6];
+                self.partials_long(points, spans, [u, v], &mut d);
+                divided_second_partials(&d)
+            }
+        }
+    }
+
+    /// Three or six partial derivatives for any degrees.
+    fn partials_long<const N: usize>(
+        &self,
+        points: &[[f64; N]],
+        [ju, jv]: [usize; 2],
+        [u, v]: [f64; 2],
+        out: &mut [[f64; N]],
+    ) {
+        let [p, q] = self.degrees;
+        let wu = Weights::new(p, &self.knots[0], ju, u);
+        let wv = Weights::new(q, &self.knots[1], jv, v);
+        let second = out.len() > 3;
+        let add = |sum: &mut [f64; N], w: f64, p: &[f64; N]| {
+            *sum = std::array::from_fn(|c| sum[c] + w * p[c]);
+        };
+        let mut all = [[0.0; N]; 6];
+        let mut before = [[0.0; N]; 2];
+        for i in 0..=p {
+            let start = (ju + i) * self.counts[1] + jv;
+            let row = points.get(start..=start + q).unwrap_or(&[]);
+            // The row's point and its derivatives along v.
+            let mut d = [[0.0; N]; 3];
+            for (p, &w) in row.iter().zip(&wv.points) {
+                add(&mut d[0], w, p);
+            }
+            for (j, pair) in row.windows(2).enumerate() {
+                let step: [f64; N] = std::array::from_fn(|c| pair[1][c] - pair[0][c]);
+                add(&mut d[1], wv.differences[0][j], &step);
+                if second {
+                    add(&mut d[2], wv.differences[1][j], &step);
+                }
+            }
+            add(&mut all[0], wu.points[i], &d[0]);
+            add(&mut all[2], wu.points[i], &d[1]);
+            add(&mut all[5], wu.points[i], &d[2]);
+            if i > 0 {
+                let step: [f64; N] = std::array::from_fn(|c| d[0][c] - before[0][c]);
+                add(&mut all[1], wu.differences[0][i - 1], &step);
+                add(&mut all[3], wu.differences[1][i - 1], &step);
+                let step: [f64; N] = std::array::from_fn(|c| d[1][c] - before[1][c]);
+                add(&mut all[4], wu.differences[0][i - 1], &step);
+            }
+            before = [d[0], d[1]];
+        }
+        for (slot, d) in out.iter_mut().zip(all) {
+            *slot = d;
+        }
+    }
+
     /// The point and all partial derivatives up to a total order, at a knot those of the piece on the given side.
     /// Orders above 32 are not given.
     ///
     /// Rational surfaces by the quotient rule (P&T, *The NURBS Book*, algorithm A4.4).
     pub fn derivatives(&self, u: f64, v: f64, order: usize, side: Quadrant) -> SurfaceDerivatives {
         let order = order.min(MAX_ORDER);
+        match order {
+            0 | 1 => {
+                let mut values = self.partials_at(u, v, side).to_vec();
+                values.truncate(if order == 0 { 1 } else { 3 });
+                return SurfaceDerivatives::from_values(order, values);
+            }
+            2 => return SurfaceDerivatives::from_values(2, self.second_partials_at(u, v, side).to_vec()),
+            _ => {}
+        }
         let spans = self.spans_at(u, v, side);
         match &self.controls {
             Controls::Plain(points) => {
@@ -147,6 +362,15 @@ impl NurbsSurface {
             }
         }
     }
+}
+
+/// The quotient rule for S, Su, Sv, Suu, Suv, Svv.
+fn divided_second_partials(d: &[[f64; 4]; 6]) -> [Vector3; 6] {
+    let [s, su, sv] = divided_partials(&[d[0], d[1], d[2]]).map(Vector3::from);
+    let over = 1.0 / d[0][3];
+    let (wu, wv) = (d[1][3], d[2][3]);
+    let part = |d: &[f64; 4], cross: Vector3| (Vector3::new(d[0], d[1], d[2]) - s * d[3] - cross) * over;
+    [s, su, sv, part(&d[3], su * (2.0 * wu)), part(&d[4], su * wv + sv * wu), part(&d[5], sv * (2.0 * wv))]
 }
 
 /// The derivatives of (x, y, z)/w from those of (x, y, z, w).

@@ -150,22 +150,7 @@ impl NurbsSurface {
         spacing: KnotSpacing,
         periodic: [bool; 2],
     ) -> Result<Self> {
-        check_grid(counts, points.len())?;
-        if !points.iter().all(|p| p.is_finite()) {
-            return Err(Error::NotFinite("point to interpolate"));
-        }
-        if counts[0] < 2 || counts[1] < 2 {
-            return Err(Error::Invalid {
-                what: "points to interpolate",
-                why: format!("a grid must be at least 2 by 2, not {} by {}", counts[0], counts[1]),
-            });
-        }
-        let along_u = transposed(points, counts[1]);
-        let ts = [
-            parameters(&along_u, counts[0], periodic[0], spacing)?,
-            parameters(points, counts[1], periodic[1], spacing)?,
-        ];
-        let [tu, tv] = ts;
+        let [tu, tv] = Self::interpolation_parameters(counts, points, spacing, periodic)?;
         let u = Lines::new(degrees[0], periodic[0], counts[0], tu)?;
         let v = Lines::new(degrees[1], periodic[1], counts[1], tv)?;
         let all = [u.control_count(counts[0]), v.control_count(counts[1])];
@@ -180,5 +165,33 @@ impl NurbsSurface {
         }
         let net = transposed(&columns, all[0]).into_iter().map(Point3::from).collect();
         Self::new(degrees, all, net, [u.knots, v.knots])
+    }
+
+    /// The parameters at which [`NurbsSurface::interpolate`] takes on its points, in u and in v: point (i, j) at the
+    /// i-th and the j-th. In a periodic direction there is one more, where the surface closes.
+    ///
+    /// # Errors
+    /// The points are no such grid or not finite, or two neighbouring lines of them coincide.
+    pub fn interpolation_parameters(
+        counts: [usize; 2],
+        points: &[Point3],
+        spacing: KnotSpacing,
+        periodic: [bool; 2],
+    ) -> Result<[Vec<f64>; 2]> {
+        check_grid(counts, points.len())?;
+        if !points.iter().all(|p| p.is_finite()) {
+            return Err(Error::NotFinite("point to interpolate"));
+        }
+        if counts[0] < 2 || counts[1] < 2 {
+            return Err(Error::Invalid {
+                what: "points to interpolate",
+                why: format!("a grid must be at least 2 by 2, not {} by {}", counts[0], counts[1]),
+            });
+        }
+        let along_u = transposed(points, counts[1]);
+        Ok([
+            parameters(&along_u, counts[0], periodic[0], spacing)?,
+            parameters(points, counts[1], periodic[1], spacing)?,
+        ])
     }
 }

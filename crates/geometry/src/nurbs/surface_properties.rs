@@ -9,6 +9,7 @@ use crate::{Plane, Point3};
 
 /// One of the four sides of a surface's domain, in the order of openNURBS.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// v at its smallest.
     South,

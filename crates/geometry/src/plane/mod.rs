@@ -1,4 +1,7 @@
 mod construct;
+mod equation;
+
+pub use equation::PlaneEquation;
 
 use crate::{Error, Point3, Result, Vector3, Xform};
 

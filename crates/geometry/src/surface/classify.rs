@@ -2,9 +2,25 @@
 
 use super::Surface;
 use crate::curve::coincident;
-use crate::{Direction, Plane, Side};
+use crate::{Curve, Direction, Plane, Side};
 
 impl Surface {
+    /// The parameters of one direction at which smooth pieces meet, both ends of the domain among them.
+    pub fn span_parameters(&self, direction: Direction) -> Vec<f64> {
+        let domain = self.domain(direction);
+        let joints = |curve: &Curve| {
+            let mut out: Vec<f64> = curve.pieces().iter().map(|p| p.whole.start).collect();
+            out.push(domain.end);
+            out
+        };
+        match self {
+            Self::Sum(s) => joints(&s.curves()[direction.index()]),
+            Self::Revolution(s) if direction != s.angle_direction() => joints(s.profile()),
+            Self::Nurbs(s) => s.span_parameters(direction),
+            Self::Plane(_) | Self::Revolution(_) => vec![domain.start, domain.end],
+        }
+    }
+
     /// Whether the surface meets itself where a direction ends.
     pub fn is_closed(&self, direction: Direction) -> bool {
         match self {

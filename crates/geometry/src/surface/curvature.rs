@@ -1,10 +1,12 @@
 //! How surfaces bend: fundamental forms, principal, Gaussian and mean curvature, and normal sections.
 
 use super::Surface;
-use crate::{Circle, Error, Plane, Point3, Quadrant, Result, SurfaceDerivatives, Vector3};
+use super::normal::{Evaluate, regular_normal};
+use crate::{Circle, Error, NurbsSurface, Plane, Point3, Quadrant, Result, SurfaceDerivatives, Vector3};
 
 /// How a surface bends at a regular point. Curvatures are positive where the surface bends towards its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SurfaceCurvature {
     /// The point.
     pub point: Point3,
@@ -27,6 +29,7 @@ pub struct SurfaceCurvature {
 
 /// The curve in which a surface is cut by the plane through its normal and a tangent direction, close to the point.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalSection {
     /// The plane of the cut: x along the tangent direction, y along the surface normal.
     pub plane: Plane,
@@ -102,13 +105,32 @@ impl SurfaceCurvature {
     }
 }
 
+fn curvature(s: &impl Evaluate, u: f64, v: f64, side: Quadrant) -> Result<SurfaceCurvature> {
+    let d = s.jet(u, v, 2, side);
+    regular_normal(&d, s.lengths())
+        .and_then(|_| SurfaceCurvature::from_derivatives(&d))
+        .ok_or(Error::degenerate("surface curvature", "the surface is singular at this point"))
+}
+
+fn section(s: &impl Evaluate, u: f64, v: f64, direction: Vector3) -> Result<NormalSection> {
+    let side = s.inner(u, v);
+    let c = curvature(s, u, v, side)?;
+    let no_direction = Error::degenerate("section direction", "it has no part in the tangent plane");
+    let by_euler = c.normal_curvature(direction).ok_or(no_direction.clone())?;
+    let x_axis = direction.rejected_from(c.normal).and_then(Vector3::unitized).ok_or(no_direction)?;
+    let plane = Plane { origin: c.point, x_axis, y_axis: c.normal, z_axis: x_axis.cross(c.normal) };
+    let by_cutting = cut_curvature(&s.jet(u, v, 2, side), &plane)
+        .ok_or(Error::degenerate("surface curvature", "the surface is singular at this point"))?;
+    Ok(NormalSection { plane, by_euler, by_cutting })
+}
+
 impl Surface {
     /// How the surface bends at (u, v), on exact derivatives; at a knot those of the piece that goes on.
     ///
     /// # Errors
     /// The point is singular (a pole, an apex, a degenerate side): Su and Sv are parallel or one of them vanishes.
     pub fn curvature_at(&self, u: f64, v: f64) -> Result<SurfaceCurvature> {
-        self.curvature_on_side(u, v, self.inner_quadrant(u, v))
+        curvature(self, u, v, self.inner(u, v))
     }
 
     /// How the surface bends at (u, v) in the piece on one side.
@@ -116,10 +138,7 @@ impl Surface {
     /// # Errors
     /// As [`Surface::curvature_at`].
     pub fn curvature_on_side(&self, u: f64, v: f64, side: Quadrant) -> Result<SurfaceCurvature> {
-        let d = self.derivatives(u, v, 2, side);
-        self.regular_normal(&d)
-            .and_then(|_| SurfaceCurvature::from_derivatives(&d))
-            .ok_or(Error::degenerate("surface curvature", "the surface is singular at this point"))
+        curvature(self, u, v, side)
     }
 
     /// The section of the surface at (u, v) by the plane of its normal and a tangent direction, with its curvature
@@ -128,16 +147,33 @@ impl Surface {
     /// # Errors
     /// The point is singular, or the direction has no part in the tangent plane.
     pub fn normal_section(&self, u: f64, v: f64, direction: Vector3) -> Result<NormalSection> {
-        let side = self.inner_quadrant(u, v);
-        let c = self.curvature_on_side(u, v, side)?;
-        let no_direction = Error::degenerate("section direction", "it has no part in the tangent plane");
-        let by_euler = c.normal_curvature(direction).ok_or(no_direction.clone())?;
-        let x_axis = direction.rejected_from(c.normal).and_then(Vector3::unitized).ok_or(no_direction)?;
-        let plane = Plane { origin: c.point, x_axis, y_axis: c.normal, z_axis: x_axis.cross(c.normal) };
-        let d = self.derivatives(u, v, 2, side);
-        let by_cutting = cut_curvature(&d, &plane)
-            .ok_or(Error::degenerate("surface curvature", "the surface is singular at this point"))?;
-        Ok(NormalSection { plane, by_euler, by_cutting })
+        section(self, u, v, direction)
+    }
+}
+
+impl NurbsSurface {
+    /// How the surface bends at (u, v), as [`Surface::curvature_at`].
+    ///
+    /// # Errors
+    /// The point is singular.
+    pub fn curvature_at(&self, u: f64, v: f64) -> Result<SurfaceCurvature> {
+        curvature(self, u, v, self.inner(u, v))
+    }
+
+    /// How the surface bends at (u, v) in the piece on one side.
+    ///
+    /// # Errors
+    /// The point is singular.
+    pub fn curvature_on_side(&self, u: f64, v: f64, side: Quadrant) -> Result<SurfaceCurvature> {
+        curvature(self, u, v, side)
+    }
+
+    /// A normal section at (u, v), as [`Surface::normal_section`].
+    ///
+    /// # Errors
+    /// The point is singular, or the direction has no part in the tangent plane.
+    pub fn normal_section(&self, u: f64, v: f64, direction: Vector3) -> Result<NormalSection> {
+        section(self, u, v, direction)
     }
 }
 

@@ -59,6 +59,41 @@ impl Surface {
         })
     }
 
+    /// The part over two ranges of parameters.
+    ///
+    /// # Errors
+    /// As [`Surface::trimmed`].
+    pub fn sub_surface(&self, u: Interval, v: Interval) -> Result<Self> {
+        self.trimmed(Direction::U, u)?.trimmed(Direction::V, v)
+    }
+
+    /// The same closed surface with its seam in one direction at parameter `t`; the domain becomes t…t + period.
+    ///
+    /// # Errors
+    /// The surface is not closed in the direction, or `t` is outside its domain.
+    pub fn with_seam(&self, direction: Direction, t: f64) -> Result<Self> {
+        let domain = self.domain(direction);
+        if !domain.contains(t) {
+            return Err(Error::OutOfRange { what: "seam", value: t, must: "inside the surface's domain" });
+        }
+        if !self.is_closed(direction) {
+            return Err(Error::degenerate("surface", "it is not closed in the direction of the new seam"));
+        }
+        if t == domain.start || t == domain.end {
+            return Ok(self.clone());
+        }
+        match self {
+            Self::Plane(_) => Ok(self.clone()),
+            Self::Sum(s) => {
+                let curve = s.curves()[direction.index()].with_seam(t)?;
+                Ok(s.with_curve(direction, curve).into())
+            }
+            Self::Revolution(s) if direction == s.angle_direction() => Ok(s.started_at(t)?.into()),
+            Self::Revolution(s) => Ok(s.with_profile(s.profile().with_seam(t)?).into()),
+            Self::Nurbs(s) => Ok(s.with_seam(direction, t)?.into()),
+        }
+    }
+
     /// The parts before and after a parameter of one direction.
     ///
     /// # Errors

@@ -1,11 +1,8 @@
-//! Partial derivatives, normals and frames.
+//! Partial derivatives of surfaces of every kind.
 
 use super::Surface;
 use crate::nurbs::MAX_ORDER;
-use crate::{Direction, Plane, Quadrant, SurfaceDerivatives, Vector3};
-
-/// The highest order of derivatives that the search for a limit normal looks at.
-const LIMIT_ORDER: usize = 6;
+use crate::{Quadrant, SurfaceDerivatives, Vector3};
 
 impl Surface {
     /// The point and all partial derivatives up to a total order (32 at most), at a knot or joint those of the piece
@@ -27,98 +24,4 @@ impl Surface {
             Self::Nurbs(s) => s.derivatives(u, v, order, side),
         }
     }
-
-    /// The quadrant from which (u, v) is approached inside the domain: from below at the largest parameters.
-    pub fn inner_quadrant(&self, u: f64, v: f64) -> Quadrant {
-        Quadrant::new(u >= self.domain(Direction::U).end, v >= self.domain(Direction::V).end)
-    }
-
-    /// The unit normal at (u, v): the direction of ∂S/∂u × ∂S/∂v. Where that vanishes, as at a pole or an apex, it is
-    /// the limit along the diagonal into the domain, by higher derivatives; `None` when there is none either, as on
-    /// a surface that is a curve.
-    pub fn normal_at(&self, u: f64, v: f64) -> Option<Vector3> {
-        self.normal_on_side(u, v, self.inner_quadrant(u, v))
-    }
-
-    /// The unit normal at (u, v) of the piece on a side, at a singular point the limit from it.
-    pub fn normal_on_side(&self, u: f64, v: f64, side: Quadrant) -> Option<Vector3> {
-        let d = self.derivatives(u, v, 1, side);
-        if let Some(normal) = self.regular_normal(&d) {
-            return Some(normal);
-        }
-        limit_normal(&self.derivatives(u, v, LIMIT_ORDER, side), side, self.lengths())
-    }
-
-    /// The lengths of both domains: what makes derivatives by u and v comparable.
-    fn lengths(&self) -> [f64; 2] {
-        Direction::BOTH.map(|d| self.domain(d).length())
-    }
-
-    /// The normal from the first derivatives alone, unless one of them, or the angle between them, is lost in
-    /// rounding.
-    pub(super) fn regular_normal(&self, d: &SurfaceDerivatives) -> Option<Vector3> {
-        let [lu, lv] = self.lengths();
-        let (du, dv) = (d.get(1, 0) * lu, d.get(0, 1) * lv);
-        let (a, b) = (du.length(), dv.length());
-        // A derivative this much smaller than the other is noise of the sum that made it; openNURBS draws the same
-        // line at the square root of the machine epsilon.
-        if !(a > 1.5e-8 * b && b > 1.5e-8 * a) {
-            return None;
-        }
-        let normal = du.unitized()?.cross(dv.unitized()?);
-        if normal.length() <= 1e-9 { None } else { normal.unitized() }
-    }
-
-    /// The plane that touches the surface at (u, v): x along ∂S/∂u, z the normal. Where ∂S/∂u vanishes, y is along
-    /// ∂S/∂v. `None` where there is no normal.
-    pub fn frame_at(&self, u: f64, v: f64) -> Option<Plane> {
-        let side = self.inner_quadrant(u, v);
-        let z_axis = self.normal_on_side(u, v, side)?;
-        let d = self.derivatives(u, v, 1, side);
-        let [lu, lv] = self.lengths();
-        let (du, dv) = (d.get(1, 0) * lu, d.get(0, 1) * lv);
-        let x_axis = if du.length() > 1.5e-8 * dv.length() {
-            du.rejected_from(z_axis).and_then(Vector3::unitized)?
-        } else {
-            dv.cross(z_axis).unitized()?
-        };
-        Some(Plane { origin: d.point(), x_axis, y_axis: z_axis.cross(x_axis), z_axis })
-    }
-}
-
-/// The direction of Su × Sv close to a point where it vanishes: on the diagonal (±t, ±t) into the quadrant both
-/// derivatives are power series in t, and the first coefficient of their product's that does not vanish gives the
-/// limit (openNURBS goes to the first order; this goes on).
-fn limit_normal(d: &SurfaceDerivatives, side: Quadrant, [lu, lv]: [f64; 2]) -> Option<Vector3> {
-    let sign = side.from_below().map(|below| if below { -1.0 } else { 1.0 });
-    // Term k of the series of the derivative that is (i, j) at t = 0, scaled to the unit square.
-    let term = |i: usize, j: usize, k: usize| {
-        let (mut sum, mut choose, mut factorial) = (Vector3::ZERO, 1.0, 1.0);
-        for n in 1..=k {
-            factorial *= n as f64;
-        }
-        for b in 0..=k {
-            let a = k - b;
-            let scale = (lu * sign[0]).powi(a as i32) * (lv * sign[1]).powi(b as i32);
-            sum += d.get(i + a, j + b) * (choose * scale);
-            choose = choose * a as f64 / (b + 1) as f64;
-        }
-        sum * (lu.powi(i as i32) * lv.powi(j as i32) / factorial)
-    };
-    let us: Vec<Vector3> = (0..LIMIT_ORDER).map(|k| term(1, 0, k)).collect();
-    let vs: Vec<Vector3> = (0..LIMIT_ORDER).map(|k| term(0, 1, k)).collect();
-    let size = |list: &[Vector3]| list.iter().map(|v| v.length()).fold(0.0, f64::max);
-    let scale = size(&us) * size(&vs);
-    if !(scale > 0.0 && scale.is_finite()) {
-        return None;
-    }
-    (1..LIMIT_ORDER)
-        .map(|n| {
-            us.iter()
-                .zip(vs.iter().take(n + 1).rev().collect::<Vec<_>>())
-                .take(n + 1)
-                .fold(Vector3::ZERO, |sum, (a, b)| sum + a.cross(*b))
-        })
-        .find(|c| c.length() > 1e-10 * scale)
-        .and_then(Vector3::unitized)
 }

@@ -1,7 +1,10 @@
 //! Surfaces of every kind behind one type.
 
+mod area;
 mod bounds;
 mod classify;
+mod closest;
+mod closest_patch;
 mod cone;
 mod convert;
 mod curvature;
@@ -9,6 +12,7 @@ mod cylinder;
 mod edit;
 mod evaluate;
 mod isocurve;
+mod normal;
 mod plane_surface;
 mod recognise;
 mod revolution;
@@ -16,6 +20,8 @@ mod sphere;
 mod sum;
 mod torus;
 
+pub use area::SurfaceArea;
+pub use closest::{ClosestOnSurface, SurfacePoint};
 pub use cone::Cone;
 pub use curvature::{NormalSection, SurfaceCurvature};
 pub use cylinder::Cylinder;

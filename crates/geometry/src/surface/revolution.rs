@@ -1,5 +1,6 @@
 use std::f64::consts::TAU;
 
+use super::sum::check_curve;
 use crate::nurbs::Controls;
 use crate::{
     Arc, Circle, Curve, Direction, Error, Interval, Line, NurbsSurface, Plane, Point3, Result,
@@ -53,6 +54,7 @@ impl RevolutionSurface {
     /// # Errors
     /// As [`RevolutionSurface::new`]; also a domain that does not increase.
     pub fn with_domain(profile: Curve, axis: Line, angle: Interval, domain: Interval) -> Result<Self> {
+        check_curve("profile", &profile)?;
         if !axis.is_finite() {
             return Err(Error::NotFinite("axis of revolution"));
         }
@@ -230,6 +232,15 @@ impl RevolutionSurface {
         let angle = Interval::new(self.angle_at(range.start), self.angle_at(range.end));
         let part = Self::with_domain(self.profile.clone(), self.axis, angle, range)?;
         Ok(Self { transposed: self.transposed, ..part })
+    }
+
+    /// The whole turn that starts at the angle of parameter `t`.
+    pub(super) fn started_at(&self, t: f64) -> Result<Self> {
+        let start = self.angle_at(t);
+        let angle = Interval::new(start, start + self.angle.length());
+        let domain = Interval::new(t, t + self.angle_domain.length());
+        let turned = Self::with_domain(self.profile.clone(), self.axis, angle, domain)?;
+        Ok(Self { transposed: self.transposed, ..turned })
     }
 
     /// The same angles over another domain.

@@ -1,4 +1,5 @@
 mod angle;
+mod decompose;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -59,12 +60,16 @@ impl Vector3 {
         self.dot(self)
     }
 
-    /// The length. Scaled by the largest component where squaring would overflow or underflow.
+    /// The length; NaN when a component is. Scaled by the largest component where squaring would overflow or underflow.
     #[inline]
     pub fn length(self) -> f64 {
         let squared = self.length_squared();
         if squared > 1e-290 && squared < 1e290 {
             return squared.sqrt();
+        }
+        if squared.is_nan() {
+            // `max` would pass over the component that is not a number.
+            return squared;
         }
         let largest = self.x.abs().max(self.y.abs()).max(self.z.abs());
         if largest == 0.0 || !largest.is_finite() {

@@ -1,7 +1,13 @@
+mod angles;
 mod classify;
 mod construct;
+mod decompose;
 mod inverse;
 mod points;
+mod view;
+
+pub use decompose::AffineParts;
+pub use view::Frustum;
 
 use std::ops::Mul;
 

@@ -96,6 +96,38 @@ pub fn close_curves(a: &NurbsCurve, b: &NurbsCurve, tolerance: f64, what: &str) 
     }
 }
 
+pub fn surface(v: &Value) -> NurbsSurface {
+    let pair = |name: &str| [0, 1].map(|i| v[name][i].as_u64().unwrap() as usize);
+    let degrees = pair("order").map(|o| o - 1);
+    let knots = [numbers(&v["knots"][0]), numbers(&v["knots"][1])];
+    let rows: Vec<Vec<f64>> = v["cv"].as_array().unwrap().iter().map(numbers).collect();
+    if v["rat"].as_u64().unwrap() == 1 {
+        let rows = rows.iter().map(|r| [r[0], r[1], r[2], r[3]]).collect();
+        NurbsSurface::rational(degrees, pair("n"), rows, knots).unwrap()
+    } else {
+        let rows = rows.iter().map(|r| Point3::new(r[0], r[1], r[2])).collect();
+        NurbsSurface::new(degrees, pair("n"), rows, knots).unwrap()
+    }
+}
+
+#[track_caller]
+pub fn close_surfaces(a: &NurbsSurface, b: &NurbsSurface, tolerance: f64, what: &str) {
+    use katydid_geometry::Direction;
+    assert_eq!(a.degrees(), b.degrees(), "{what}: degrees");
+    assert_eq!(a.counts(), b.counts(), "{what}: counts");
+    assert_eq!(a.is_rational(), b.is_rational(), "{what}: rational");
+    for d in Direction::BOTH {
+        for (x, y) in a.knots(d).iter().zip(b.knots(d)) {
+            close(*x, *y, tolerance, what);
+        }
+    }
+    for (x, y) in a.homogeneous_points().iter().zip(b.homogeneous_points()) {
+        for (x, y) in x.iter().zip(y) {
+            close(*x, y, tolerance, what);
+        }
+    }
+}
+
 /// The inputs on which the peers were measured, with reference answers.
 pub struct Bench {
     inputs: String,
@@ -136,37 +168,5 @@ impl Bench {
             return NurbsCurve::new(header[0], points, knots).unwrap().into();
         }
         panic!("no curve {name}")
-    }
-}
-
-pub fn surface(v: &Value) -> NurbsSurface {
-    let pair = |name: &str| [0, 1].map(|i| v[name][i].as_u64().unwrap() as usize);
-    let degrees = pair("order").map(|o| o - 1);
-    let knots = [numbers(&v["knots"][0]), numbers(&v["knots"][1])];
-    let rows: Vec<Vec<f64>> = v["cv"].as_array().unwrap().iter().map(numbers).collect();
-    if v["rat"].as_u64().unwrap() == 1 {
-        let rows = rows.iter().map(|r| [r[0], r[1], r[2], r[3]]).collect();
-        NurbsSurface::rational(degrees, pair("n"), rows, knots).unwrap()
-    } else {
-        let rows = rows.iter().map(|r| Point3::new(r[0], r[1], r[2])).collect();
-        NurbsSurface::new(degrees, pair("n"), rows, knots).unwrap()
-    }
-}
-
-#[track_caller]
-pub fn close_surfaces(a: &NurbsSurface, b: &NurbsSurface, tolerance: f64, what: &str) {
-    use katydid_geometry::Direction;
-    assert_eq!(a.degrees(), b.degrees(), "{what}: degrees");
-    assert_eq!(a.counts(), b.counts(), "{what}: counts");
-    assert_eq!(a.is_rational(), b.is_rational(), "{what}: rational");
-    for d in Direction::BOTH {
-        for (x, y) in a.knots(d).iter().zip(b.knots(d)) {
-            close(*x, *y, tolerance, what);
-        }
-    }
-    for (x, y) in a.homogeneous_points().iter().zip(b.homogeneous_points()) {
-        for (x, y) in x.iter().zip(y) {
-            close(*x, y, tolerance, what);
-        }
     }
 }

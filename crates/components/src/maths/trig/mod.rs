@@ -29,7 +29,7 @@ functions! {
     secant, "60103def-1bb7-4700-b294-3a89100525c4", "Secant", "Sec", ["d879e74c-6fe3-4cbf-b3fa-60a7c48b73e7"], |x| x.cos().recip(), |z| one_over(complex::cos, z);
 
     /// One over the sine of an angle in radians, which must not be 0.
-    cosecant, "d222500b-dfd5-45e0-933e-eabefd07cbfa", "CoSecant", "Csc", [], |x| x.sin().recip(), |z| one_over(complex::sin, z);
+    cosecant, "d222500b-dfd5-45e0-933e-eabefd07cbfa", "CoSecant", "Csc", ["99197a17-d5c7-419b-acde-eca2737f3c58"], |x| x.sin().recip(), |z| one_over(complex::sin, z);
 
     /// One over the tangent of an angle in radians, which must not be 0.
     cotangent, "1f602c33-f38e-4f47-898b-359f0a4de3c2", "CoTangent", "Cot", ["39461433-ac44-4298-94a9-988f983e347c"], |x| x.cos() / x.sin(),

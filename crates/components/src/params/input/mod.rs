@@ -2,7 +2,13 @@
 
 mod choice;
 mod colours;
+mod details;
 mod dials;
+mod files;
 mod graph_mapper;
 mod graphs;
+mod image_sampler;
+mod model;
+mod moments;
 mod panel;
+mod picture;

@@ -3,4 +3,5 @@
 mod cull;
 mod generate;
 mod random;
+mod recurrence;
 mod repeat;

@@ -34,6 +34,50 @@ fn duplicate_data(
     })
 }
 
+/// Gives a list several times, each item several times in a row. An early form of Duplicate Data.
+#[component(
+    "e6e344aa-f45b-43d5-a2d9-9cf8e8e608dc",
+    name = "Duplicate data [OBSOLETE]",
+    nick = "Dup",
+    at = "Sets/Sequence",
+    old
+)]
+#[output("Data", "D", "The longer list.")]
+fn early_duplicate_data(
+    context: &Context<'_>,
+    /// The list.
+    #[port("Data", "D")]
+    data: List<Value>,
+    /// How often, 0 or more.
+    #[port("Number", "N", default = 2)]
+    number: i32,
+) -> Result<Vec<Option<Value>>, Message> {
+    let n = count(number, "Number")?;
+    context.items(data.len().saturating_mul(n))?;
+    Ok(data.iter().flat_map(|item| std::iter::repeat_n(item, n)).collect())
+}
+
+/// Sends a list one way or the other. An early form of Stream Gate.
+#[component(
+    "fbcf0d42-c9a5-4ca5-8d5b-567fb54abc43",
+    name = "Split [OBSOLETE]",
+    nick = "Split",
+    at = "Sets/Sequence",
+    old
+)]
+#[output("False", "F", "The items where the pattern is false.")]
+#[output("True", "T", "The items where the pattern is true.")]
+fn early_split(
+    /// The list.
+    #[port("Data", "D")]
+    data: List<Value>,
+    /// Where the items go: one value for all.
+    #[port("Boolean", "B")]
+    to_true: bool,
+) -> (Vec<Option<Value>>, Vec<Option<Value>>) {
+    if to_true { (Vec::new(), data.to_vec()) } else { (data.to_vec(), Vec::new()) }
+}
+
 /// Gives a list over and over until it has a given length; a longer list is cut.
 #[component(
     "c40dc145-9e36-4a69-ac1a-6d825c654993",
@@ -97,6 +141,15 @@ mod tests {
 
     #[test]
     fn duplicates_in_both_orders() {
+        let early = Trial::of("Duplicate data [OBSOLETE]").list([1, 2]).item(3);
+        assert_eq!(early.texts(0), ["{0;0}: 1, 1, 1, 2, 2, 2"]);
+        let split = |to: bool| Trial::of("Split [OBSOLETE]").list([1, 2]).item(to).run().outputs;
+        let texts = katydid_component::testing::texts;
+        assert_eq!(
+            (texts(&split(true)[0]), texts(&split(true)[1])),
+            (vec!["{0;0}:".into()], vec!["{0;0}: 1, 2".into()])
+        );
+        assert_eq!(texts(&split(false)[0]), ["{0;0}: 1, 2"]);
         let dup = |n: i32, order: bool| Trial::of("Duplicate Data").list([1, 2]).item(n).item(order);
         assert_eq!(dup(2, true).texts(0), ["{0;0}: 1, 2, 1, 2"]);
         assert_eq!(dup(2, false).texts(0), ["{0;0}: 1, 1, 2, 2"]);

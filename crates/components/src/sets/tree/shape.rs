@@ -27,6 +27,32 @@ fn graft_tree(
     }))
 }
 
+/// Gives each item of a tree a branch of its own. An early form of the component of the same name.
+#[component(
+    "10a8674b-f4bb-4fdf-a56e-94dc606ecf33",
+    name = "Graft Tree",
+    nick = "Graft",
+    at = "Sets/Tree",
+    old
+)]
+#[output("Tree", "T", "The tree with a branch for each item.")]
+fn early_graft_tree(
+    context: &Context<'_>,
+    /// The tree.
+    #[port("Data", "D")]
+    tree: &Tree,
+    /// Whether nulls are left out.
+    #[port("Strip", "S", default = false)]
+    strip: bool,
+) -> Result<Tree, Message> {
+    whole(context, tree)?;
+    let grafted = tree.graft();
+    Ok(grafted.filter_branches(|b| {
+        let range = grafted.range(b);
+        !(strip && !range.is_empty() && grafted.column().is_null(range.start))
+    }))
+}
+
 /// Puts all items of a tree into one list, in order.
 #[component(
     "f80cfe18-9510-4b89-8301-8e58faf423bb",
@@ -239,6 +265,9 @@ mod tests {
         let gaps = || Trial::of("Graft Tree").gaps([Some(1), None]);
         assert_eq!(gaps().texts(0), ["{0;0}: 1", "{0;1}: null"]);
         assert_eq!(gaps().setting("IncludeNullItems", false).texts(0), ["{0;0}: 1"]);
+        let early = || Trial::of_guid("10a8674b-f4bb-4fdf-a56e-94dc606ecf33").gaps([Some(1), None]);
+        assert_eq!(early().texts(0), ["{0;0}: 1", "{0;1}: null"]);
+        assert_eq!(early().item(true).texts(0), ["{0;0}: 1"]);
         let empty = || Trial::of("Graft Tree").list::<f64>([]);
         assert_eq!(empty().texts(0), ["{0}:"]);
         assert!(empty().setting("IncludeEmptyLists", false).texts(0).is_empty());

@@ -1,17 +1,18 @@
-//! Offsets in a plane.
+//! Offsets of lines, arcs and polylines one to one, without cleaning.
 
-use super::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
+use crate::curve::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
 use crate::{Arc, Circle, Error, Line, Plane, Point3, Result, Vector3};
 
 impl Curve {
     /// The curve at a distance to its right, seen along its direction with the plane's normal up; a negative distance
     /// goes to the left. So a counter-clockwise closed curve grows. Corners of polylines stay sharp.
     ///
-    /// Lines, arcs, polylines, and poly-curves of lines and arcs that join smoothly or at corners of two lines. The
-    /// result is not cleaned of loops where the distance is larger than the shape allows.
+    /// Lines, arcs, polylines, and poly-curves of lines and arcs that join smoothly or at corners of two lines, keep
+    /// their structure; the result is not cleaned of loops where the distance is larger than the shape allows. Other
+    /// curves go through [`Curve::offset`] with the default tolerance.
     ///
     /// # Errors
-    /// The curve is not parallel to the plane, an arc would vanish, or it is of a kind not handled (NURBS curves).
+    /// The curve is not parallel to the plane, an arc would vanish, or another curve's offset is empty or falls apart.
     pub fn offset_in_plane(&self, plane: &Plane, distance: f64) -> Result<Self> {
         if !distance.is_finite() {
             return Err(Error::NotFinite("offset distance"));
@@ -41,18 +42,35 @@ impl Curve {
                     return Ok(PolylineCurve::new(points)?.into());
                 }
                 offset_segments(c, self.is_closed(), plane, distance)
+                    .or_else(|refused| self.only_offset(plane, distance).map_err(|_| refused))
             }
             Self::Nurbs(c) if c.degree() == 1 => {
                 let points = offset_vertices(&c.control_points(), self.is_closed(), plane, distance)?;
                 Ok(PolylineCurve::new(points)?.into())
             }
-            Self::Nurbs(_) => Err(Error::Unsupported("offset of a NURBS curve of degree 2 or more")),
+            Self::Nurbs(_) => self.only_offset(plane, distance),
+        }
+    }
+}
+
+impl Curve {
+    /// The cleaned offset, when it is one curve.
+    fn only_offset(&self, plane: &Plane, distance: f64) -> Result<Self> {
+        let mut all =
+            self.offset(plane, distance, super::OffsetCorner::Sharp, &crate::Tolerance::default())?;
+        match (all.pop(), all.len()) {
+            (Some(only), 0) => Ok(only),
+            (None, _) => Err(Error::degenerate("curve to offset", "nothing is left at this distance")),
+            (Some(_), others) => Err(Error::Invalid {
+                what: "curve to offset",
+                why: format!("its offset falls apart into {} curves", others + 1),
+            }),
         }
     }
 }
 
 /// The unit vector to the right of a direction in a plane.
-fn right_of(direction: Vector3, plane: &Plane) -> Result<Vector3> {
+pub(crate) fn right_of(direction: Vector3, plane: &Plane) -> Result<Vector3> {
     direction
         .unitized()
         .and_then(|d| d.cross(plane.z_axis).unitized())

@@ -1,0 +1,10 @@
+//! Arc length, beside other kernels.
+
+use criterion::Criterion;
+use katydid_kernel_bench::operations;
+
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    operations::measure(&mut criterion, "length", operations::length);
+    criterion.final_summary();
+}

@@ -1,0 +1,87 @@
+//! What fills the outside of a corner.
+
+use super::{OffsetCorner, RawPart, right_of};
+use crate::{Arc, Curve, Error, Line, LineCurve, Plane, Result};
+
+/// The parts between the offsets of two smooth parts that follow each other: none where they meet smoothly or
+/// overlap.
+pub(super) fn bridge(
+    before: &Curve,
+    after: &Curve,
+    plane: &Plane,
+    distance: f64,
+    corner: OffsetCorner,
+) -> Result<Vec<RawPart>> {
+    let none = || Error::degenerate("curve to offset", "a part has no direction at its end");
+    let arriving = before.tangent_on_side(before.domain().end, true).ok_or_else(none)?;
+    let leaving = after.tangent_on_side(after.domain().start, false).ok_or_else(none)?;
+    let (vertex, other) = (before.end(), after.start());
+    let (n0, n1) = (right_of(arriving, plane)?, right_of(leaving, plane)?);
+    let (a, b) = (vertex + n0 * distance, other + n1 * distance);
+    // A reversal counts as a turn to the side where the gap is.
+    let turn = arriving.cross(leaving).dot(plane.z_axis);
+    let reversal = arriving.dot(leaving) < 0.0 && turn.abs() < 1e-9;
+    if a.distance_to(b) <= 1e-9 * distance.abs() || (turn * distance <= 0.0 && !reversal) {
+        return Ok(Vec::new());
+    }
+    let part = |curve: Curve| -> Result<RawPart> {
+        let reach = curve.closest_point(vertex)?.distance.min(distance.abs());
+        Ok(RawPart { curve, exact: true, reach })
+    };
+    let line = |from, to| part(Line::new(from, to).into());
+    Ok(match corner {
+        OffsetCorner::None => Vec::new(),
+        OffsetCorner::Chamfer => vec![line(a, b)?],
+        OffsetCorner::Round => vec![part(round(vertex, a, b, distance, plane)?)?],
+        OffsetCorner::Sharp => {
+            let opening = 1.0 + n0.dot(n1);
+            if opening > 1e-3 {
+                let tip = vertex + (n0 + n1) * (distance / opening);
+                vec![line(a, tip)?, line(tip, b)?]
+            } else {
+                // Too sharp for a tip: cut square.
+                let (x, y) = (a + arriving * distance.abs(), b - leaving * distance.abs());
+                vec![line(a, x)?, line(x, y)?, line(y, b)?]
+            }
+        }
+        OffsetCorner::Smooth => {
+            let reach = a.distance_to(b);
+            let ends: [Curve; 2] =
+                [Line::new(a - arriving * reach, a).into(), Line::new(b, b + leaving * reach).into()];
+            let blend = crate::curve::blend::blend_between(&ends[0], &ends[1], [2, 2], [1.0, 1.0])?;
+            vec![part(blend.into())?]
+        }
+    })
+}
+
+fn round(
+    vertex: crate::Point3,
+    a: crate::Point3,
+    b: crate::Point3,
+    distance: f64,
+    plane: &Plane,
+) -> Result<Curve> {
+    let from = a - vertex;
+    let z = if distance > 0.0 { plane.z_axis } else { -plane.z_axis };
+    let frame = Plane::from_axes(vertex, from, z.cross(from))?;
+    let circle = crate::Circle::new(frame, distance.abs())?;
+    let [x, y, _] = frame.coordinates(b);
+    let angle = y.atan2(x);
+    // A reversal is half a turn, on whichever side rounding puts it.
+    let angle = if angle <= 0.0 { angle + std::f64::consts::TAU } else { angle };
+    Ok(Arc::new(circle, crate::Interval::new(0.0, angle))?.into())
+}
+
+/// Where both neighbours of a sharp corner are lines, they grow to the tip themselves.
+pub(super) fn merge_lines(before: &mut [RawPart], bridge: &mut Vec<RawPart>, after: &mut [RawPart]) {
+    let [first, second] = bridge.as_slice() else { return };
+    let (Curve::Line(_), Curve::Line(tip)) = (&first.curve, &second.curve) else { return };
+    let tip = tip.line.from;
+    if let (Some(RawPart { curve: Curve::Line(a), .. }), Some(RawPart { curve: Curve::Line(b), .. })) =
+        (before.last_mut(), after.first_mut())
+    {
+        *a = LineCurve::new(Line::new(a.line.from, tip));
+        *b = LineCurve::new(Line::new(tip, b.line.to));
+        bridge.clear();
+    }
+}
