@@ -46,6 +46,7 @@ const KINDS: &[(&str, Compare)] = &[
     ("curvature", measures::curvature),
     ("area", measures::area),
     ("curve_curve_2d", meets::curve_curve),
+    ("curve_surface", meets::curve_surface),
 ];
 
 /// Kinds of the same files that belong to solids.
