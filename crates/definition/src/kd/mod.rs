@@ -57,7 +57,7 @@ pub use write::{Written, write};
 use self::catalogue::Known;
 use self::problem::Fault;
 use crate::archive::{Archive, Encoding, ItemValue};
-use crate::document::{Document, Object, Persistent};
+use crate::document::{Document, Object, Persistent, Stored};
 
 /// A text, read.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,6 +134,17 @@ fn number(bytes: &[u8]) -> u32 {
 /// The values of a port, as the text form has them.
 pub(crate) fn values_form(values: &Persistent) -> String {
     value::print(values, Expect::Number, &mut number)
+}
+
+/// The values of a port for a reader: `3` whether it is whole by its type or not.
+pub(crate) fn values_words(values: &Persistent) -> String {
+    let mut values = values.clone();
+    for item in values.branches.iter_mut().flat_map(|branch| &mut branch.items) {
+        if let Stored::Integer(n) = item {
+            *item = Stored::Number(f64::from(*n));
+        }
+    }
+    values_form(&values)
 }
 
 /// A value of the archive, as the text form has it.
