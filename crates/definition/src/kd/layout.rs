@@ -231,6 +231,10 @@ impl<'a> Printer<'a> {
             groups.into_iter().partition(|(a, b)| tokens.get(*a..*b).is_some_and(needs_lines));
         // An index, or brackets around one thing, are not worth lines of their own.
         rest.retain(|(a, b)| b - a > 2);
+        // The members of a group are what makes its line long.
+        if tokens.first().is_some_and(|first| first.is_word("group")) {
+            rest.clear();
+        }
         rest.sort_by_key(length);
         let mut left = self.column + width(tokens);
         left = left.saturating_sub(chosen.iter().map(length).sum());

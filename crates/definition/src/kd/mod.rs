@@ -10,9 +10,9 @@
 //! group the grid: r, grid
 //! ```
 //!
-//! The grammar, with examples, is in `docs/kd.md`. [`read`] makes a document of a text, [`write`] a text of a document,
+//! The grammar, with examples, is in `docs/kd.md`. [`read`] makes a document of a text, [`write()`] a text of a document,
 //! and [`format`](fn@format) sets a text the usual way. What an object's statement does not say is kept as changes to
-//! the tree of the archive in blocks at the end, so that nothing is lost: [`write`] builds its own text again, and
+//! the tree of the archive in blocks at the end, so that nothing is lost: [`write()`] builds its own text again, and
 //! writes down what differs.
 //!
 //! ```
