@@ -70,15 +70,22 @@ pub(super) fn follows(object: &Object, facts: Option<&Facts>) -> bool {
     if facts.floating || object.is_floating() {
         return facts.floating == object.is_floating();
     }
-    let fits = |ports: &[PortFacts], n: usize| {
-        let (fixed, many) = slot::split(ports);
-        n == fixed.len() || many.is_some() && n > fixed.len()
+    let fits = |facts: &[PortFacts], ports: &[Port]| {
+        let (fixed, many) = slot::split(facts);
+        let names = || fixed.iter().map(|port| (port.name.as_str(), port.nickname.as_str()));
+        // One of many that is called as a fixed one is would be taken for it.
+        let clear = |port: &Port| {
+            let label = Name { text: port.nickname.clone(), quoted: true, ..Name::default() };
+            slot::find(&label, names()).is_none()
+        };
+        let added = ports.get(fixed.len()..).unwrap_or_default();
+        ports.len() == fixed.len() || many.is_some() && !added.is_empty() && added.iter().all(clear)
     };
     let variable = facts.is_variable() || facts.guid == ids::CLUSTER;
     let annotation = object.is_annotation();
     (variable == object.variable || annotation)
-        && fits(&facts.inputs, object.inputs.len())
-        && fits(&facts.outputs, object.outputs.len())
+        && fits(&facts.inputs, &object.inputs)
+        && fits(&facts.outputs, &object.outputs)
 }
 
 /// The ports of a cluster after its inside, when the objects inside are called as the ports are.
