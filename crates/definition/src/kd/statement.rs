@@ -380,12 +380,9 @@ fn outputs(sheet: &Sheet<'_, '_>, at: usize, all_written: bool) -> String {
     let usual = many.map(|many| slot::one_of_many(many, 0, None).nickname);
     let numbers = object.outputs.iter().map(|port| Some(port.nickname.as_str())).skip(fixed.len());
     let as_usual = many.is_none() || numbers.eq([usual.as_deref()]);
+    // Where one output is written, those of many are no longer taken for granted.
     let list_many = !as_usual
-        || object
-            .outputs
-            .iter()
-            .skip(fixed.len())
-            .any(|p| !modifiers(p.chunk(object.container()), false).is_empty());
+        || object.outputs.iter().any(|port| !modifiers(port.chunk(object.container()), false).is_empty());
     let mut list = Vec::new();
     for (k, port) in object.outputs.iter().enumerate() {
         let modifiers = modifiers(port.chunk(object.container()), false);
