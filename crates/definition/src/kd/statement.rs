@@ -326,8 +326,10 @@ fn wire(sheet: &Sheet<'_, '_>, id: uuid::Uuid) -> String {
     if entry.object.is_floating() || entry.outputs.len() == 1 {
         return label.to_string();
     }
-    let name = port_name(&entry.outputs, port.port).unwrap_or_else(|| port.port.to_string());
-    format!("{label}.{name}")
+    match port_name(&entry.outputs, port.port) {
+        Some(name) => format!("{label}.{name}"),
+        None => format!("{}.{}", label.before_number(), port.port),
+    }
 }
 
 fn modifiers(chunk: Option<&Chunk>, floating: bool) -> String {
