@@ -288,14 +288,16 @@ impl Search<'_> {
         let weight = |c: &[f64; C]| if C == 1 { 1.0 } else { c[C - 1] };
         let coefficients = &work.arena[at..at + count];
         let tie = best.squared * (1.0 - 4e-13);
-        let (mut least, mut lowest) = (f64::INFINITY, 0);
+        let (mut least, mut lowest, mut margin) = (f64::INFINITY, 0, f64::INFINITY);
         for (k, c) in coefficients.iter().enumerate() {
             let x = c[0] - tie * weight(c);
             if x < least {
                 (least, lowest) = (x, k);
             }
+            // What rounding may have done to a coefficient is a part of the weight that stands with it.
+            margin = margin.min(x - self.noise * weight(c));
         }
-        if !(least < self.noise) {
+        if !(margin < 0.0) {
             return;
         }
         // Where the lowest coefficient acts most the function is low; a good value there is worth Newton's method.
@@ -311,7 +313,12 @@ impl Search<'_> {
                 return;
             }
         }
-        if depth >= 80 || work.budget == 0 {
+        // Where coefficients differ by no more than rounding may, halving tells nothing new.
+        let (low, high) = coefficients.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
+            let value = c[0] / weight(c);
+            (low.min(value), high.max(value))
+        });
+        if depth >= 80 || work.budget == 0 || high - low <= 4.0 * self.noise {
             return;
         }
         // Across the direction in which the coefficients change more.
