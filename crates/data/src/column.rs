@@ -8,8 +8,8 @@ use katydid_geometry::{
 use uuid::Uuid;
 
 use crate::{
-    Colour, Complex, Compound, DateTime, Domain2, Gather, Group, Item, Kind, Location, Material, Path,
-    Symbol, Value,
+    Colour, Complex, Compound, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions, Material,
+    Path, Symbol, Value,
 };
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
@@ -136,6 +136,7 @@ items! {
     Locations, Location, Location, |x| Value::Location(*x), Value::Location(x) => x;
     Symbols, Symbol, Shared<Symbol>, |x| Value::Symbol(x.clone()), Value::Symbol(x) => x;
     Materials, Material, Material, |x| Value::Material(Shared::new(*x)), Value::Material(x) => *x;
+    LoftOptions, LoftOptions, LoftOptions, |x| Value::LoftOptions(Shared::new(*x)), Value::LoftOptions(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;
     Kept, Kept, Shared<RawObject>, |x| Value::Kept(x.clone()), Value::Kept(x) => x;
 }

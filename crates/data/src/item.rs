@@ -9,8 +9,8 @@ use uuid::Uuid;
 
 use crate::run::{Run, ValueRun};
 use crate::{
-    Colour, Column, Complex, Compound, DateTime, Domain2, Group, Items, Kind, Location, Material, Path,
-    Symbol, Value,
+    Colour, Column, Complex, Compound, DateTime, Domain2, Group, Items, Kind, Location, LoftOptions,
+    Material, Path, Symbol, Value,
 };
 
 /// A type that an item of data can have, and how it lies in a [`Column`].
@@ -100,6 +100,7 @@ item!(Shared<Matrix>, Matrix, Matrices, Shared::new(Matrix::default()));
 item!(Shared<Field>, Field, Fields, Shared::new(Field::default()));
 item!(Location, Location, Locations, Location::default());
 item!(Shared<Symbol>, Symbol, Symbols, Shared::new(Symbol::default()));
+item!(LoftOptions, LoftOptions, LoftOptions, LoftOptions::default());
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));
 item!(

@@ -43,6 +43,7 @@ pub enum Kind {
     Location,
     Symbol,
     Material,
+    LoftOptions,
     Group,
     /// Geometry of a class that Katydid keeps whole but does not compute with.
     Kept,
@@ -87,6 +88,7 @@ impl Kind {
             Self::Location => "Location",
             Self::Symbol => "Symbol Display",
             Self::Material => "Shader",
+            Self::LoftOptions => "Loft Options",
             Self::Group => "Group",
             Self::Kept => "Geometry",
         }

@@ -7,7 +7,9 @@ use katydid_geometry::{
 };
 use uuid::Uuid;
 
-use crate::{Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, Material, Path, Symbol};
+use crate::{
+    Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material, Path, Symbol,
+};
 
 /// One item of data of any type. Large contents are shared: a clone costs a counter.
 ///
@@ -45,6 +47,7 @@ pub enum Value {
     Location(Location),
     Symbol(Shared<Symbol>),
     Material(Shared<Material>),
+    LoftOptions(Shared<LoftOptions>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
 }
@@ -83,6 +86,7 @@ impl Value {
             Self::Location(_) => Kind::Location,
             Self::Symbol(_) => Kind::Symbol,
             Self::Material(_) => Kind::Material,
+            Self::LoftOptions(_) => Kind::LoftOptions,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
         }
@@ -170,6 +174,7 @@ from! {
     Symbol, Symbol;
     Shared<Symbol>, Symbol;
     Material, Material;
+    LoftOptions, LoftOptions;
     Group, Group;
     Shared<Group>, Group;
     RawObject, Kept;

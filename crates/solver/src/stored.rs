@@ -2,7 +2,9 @@
 
 use katydid_3dm::Object as Archived;
 use katydid_component::Message;
-use katydid_data::{Colour, Complex, DateTime, Domain2, Material, Path, Tree, TreeBuilder, Value};
+use katydid_data::{
+    Colour, Complex, DateTime, Domain2, LoftOptions, Material, Path, Tree, TreeBuilder, Value,
+};
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
@@ -82,6 +84,14 @@ fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
             emission: colour(m.emission),
             transparency: m.transparency,
             shine: m.shine,
+        }),
+        Stored::LoftOptions(o) => Value::from(LoftOptions {
+            closed: o.closed,
+            adjust: o.adjust,
+            kind: o.kind,
+            // The numbers are kept even where sections are not simplified by them.
+            rebuild: if o.simplify == 1 { o.rebuild } else { 0 },
+            refit: if o.simplify == 2 { o.refit } else { 0.0 },
         }),
         Stored::Geometry(g) => return geometry(g, missing),
         Stored::Unknown(chunk) => {

@@ -82,6 +82,7 @@ impl Key {
             | Value::Field(_)
             | Value::Location(_)
             | Value::Symbol(_)
+            | Value::LoftOptions(_)
             | Value::Matrix(_) => Self::Shape(format!("{value:?}")),
         }
     }

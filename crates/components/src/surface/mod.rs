@@ -5,6 +5,7 @@ mod boxes;
 mod curvature;
 mod extrude;
 mod freeform;
+mod loft;
 mod measure;
 mod primitive;
 mod sphere;
