@@ -127,7 +127,10 @@ pub(super) fn output_names(object: &Object, facts: Option<&Facts>, all_written: 
 fn slots<'a>(object: &Object, facts: Option<&Facts>, all_written: bool, side: Side) -> Vec<Slot<'a>> {
     let ports = object.ports(side);
     let Some(facts) = facts.filter(|_| !all_written) else {
-        return ports.iter().map(|port| slot::exact(facts, side, port_label(port))).collect();
+        return ports
+            .iter()
+            .map(|port| slot::exact(facts, side, object.variable, port_label(port)))
+            .collect();
     };
     let list = if side == Side::Input { &facts.inputs } else { &facts.outputs };
     let (fixed, many) = slot::split(list);
@@ -156,7 +159,10 @@ pub(super) fn print(sheet: &mut Sheet<'_, '_>, at: usize) -> String {
         entry.all_written && !(object.is_floating() && facts.as_ref().is_some_and(|f| f.floating));
     let mut parameter = false;
     match (&facts, named) {
-        (Some(facts), Some(as_parameter)) => {
+        (Some(facts), Some((with_panel, as_parameter))) => {
+            if with_panel {
+                line.push_str(&format!("{}/", labels::name(&facts.panel)));
+            }
             line.push_str(&labels::name(&facts.name));
             parameter = as_parameter;
         }
