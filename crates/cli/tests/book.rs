@@ -116,6 +116,15 @@ fn the_index_names_every_row() {
     assert_eq!(named, rows().into_iter().map(|(row, _)| row).collect::<BTreeSet<_>>());
 }
 
+#[test]
+fn matrices_that_do_not_fit_are_refused() {
+    let file = Path::new(BOOK).join("M1/mismatch.kd");
+    let output = katydid(&["run", text(&file)]);
+    assert_eq!(output.status.code(), Some(1));
+    let told = said(&output);
+    assert!(told.contains("[2×4] · [3×4]: the columns of the first must match the rows"), "{told}");
+}
+
 /// Every object has a place, and no two that work stand on one another.
 #[test]
 fn every_row_opens_readable() {
