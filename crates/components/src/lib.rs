@@ -11,6 +11,7 @@
 
 mod curve;
 mod display;
+mod intersect;
 mod maths;
 mod mesh;
 mod params;

@@ -12,7 +12,8 @@ use katydid_component::{Budget, Call, Component, Limits, Port, registry};
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, cast};
 use katydid_definition::archive::Chunk;
 use katydid_geometry::{
-    Box3, Circle, Curve, Interval, Line, Matrix, Mesh, NurbsCurve, Plane, Point3, Rectangle, Vector3, Xform,
+    Box3, Circle, Curve, Interval, Line, Matrix, Mesh, NurbsCurve, NurbsSurface, Plane, PlaneSurface, Point3,
+    Rectangle, RevolutionSurface, Sphere, Surface, Vector3, Xform,
     field::{Field, Force, Source},
 };
 
@@ -68,6 +69,7 @@ fn oddities() -> Vec<Value> {
     all.push(Value::Curve(Arc::new(nurbs())));
     all.push(Value::Curve(Arc::new(nowhere.into())));
     all.push(Value::Mesh(Arc::new(Mesh::default())));
+    all.extend(surfaces().map(Value::from));
     all.push(Value::from(Box3 {
         plane: Plane::XY,
         x: Interval::new(0.0, 1.0),
@@ -77,6 +79,21 @@ fn oddities() -> Vec<Value> {
     all.push(Value::from(Xform::scale(Point3::ORIGIN, 0.0)));
     all.push(Value::from(Xform::IDENTITY));
     all
+}
+
+/// A whole, a pointed, a vanishing, a huge and a turned-in surface.
+fn surfaces() -> [Surface; 5] {
+    let (o, x, y) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 1.0, 0.0));
+    let huge = Interval::new(-1e150, 1e150);
+    let profile = Line { from: Point3::new(-1.0, 0.0, 0.0), to: Point3::new(1.0, 0.0, 1.0) };
+    let axis = Line { from: o, to: Point3::new(0.0, 0.0, 1.0) };
+    [
+        Sphere::around(o, 1.0).unwrap().into(),
+        NurbsSurface::from_triangle(o, x, y).unwrap().into(),
+        NurbsSurface::bezier([2, 2], &[x; 4]).unwrap().into(),
+        PlaneSurface::new(Plane::XY, huge, huge).unwrap().into(),
+        RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, 6.0)).unwrap().into(),
+    ]
 }
 
 /// Items that most ports of a kind can do something with.
@@ -96,6 +113,7 @@ fn sensible() -> Vec<Value> {
         Value::from(Line { from: Point3::ORIGIN, to: Point3::new(1.0, 1.0, 0.0) }),
         Value::from(Xform::translation(Vector3::new(1.0, 0.0, 0.0))),
         Value::Mesh(Arc::new(Mesh::plane(&square, 2, 2).unwrap())),
+        Value::from(surfaces()[0].clone()),
         Value::from(Matrix::new(2, 2, vec![1.0, 2.0, 3.0, 4.0]).unwrap()),
         Value::from(
             Field::new(vec![Force {

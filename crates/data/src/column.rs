@@ -3,7 +3,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::RawObject;
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
-    Vector3, Xform,
+    Surface, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -126,6 +126,7 @@ items! {
     Rectangles, Rectangle, Rectangle, |x| Value::Rectangle(Shared::new(*x)), Value::Rectangle(x) => *x;
     Boxes, Box, Box3, |x| Value::Box(Shared::new(*x)), Value::Box(x) => *x;
     Curves, Curve, Shared<Curve>, |x| Value::Curve(x.clone()), Value::Curve(x) => x;
+    Surfaces, Surface, Shared<Surface>, |x| Value::Surface(x.clone()), Value::Surface(x) => x;
     Meshes, Mesh, Shared<Mesh>, |x| Value::Mesh(x.clone()), Value::Mesh(x) => x;
     MeshFaces, MeshFace, MeshFace, |x| Value::MeshFace(*x), Value::MeshFace(x) => x;
     Transforms, Transform, Xform, |x| Value::Transform(Shared::new(*x)), Value::Transform(x) => *x;

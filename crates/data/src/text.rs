@@ -59,6 +59,7 @@ pub fn value(value: &Value, style: &Style) -> String {
             number(b.z.length().abs())
         ),
         Value::Curve(c) => curve(c, style).to_owned(),
+        Value::Surface(_) => "Untrimmed Surface".to_owned(),
         Value::Mesh(mesh) => format!("Mesh (V:{}  F:{})", mesh.vertices().len(), mesh.faces().len()),
         Value::MeshFace(MeshFace::Triangle([a, b, c])) => format!("T{{{a};{b};{c}}}"),
         Value::MeshFace(MeshFace::Quad([a, b, c, d])) => format!("Q{{{a};{b};{c};{d}}}"),

@@ -1,9 +1,9 @@
 use std::sync::Arc as Shared;
 
-use katydid_3dm::RawObject;
+use katydid_3dm::{Object, RawObject};
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
-    Vector3, Xform,
+    Surface, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -35,6 +35,7 @@ pub enum Value {
     Rectangle(Shared<Rectangle>),
     Box(Shared<Box3>),
     Curve(Shared<Curve>),
+    Surface(Shared<Surface>),
     Mesh(Shared<Mesh>),
     MeshFace(MeshFace),
     Transform(Shared<Xform>),
@@ -72,6 +73,7 @@ impl Value {
             Self::Rectangle(_) => Kind::Rectangle,
             Self::Box(_) => Kind::Box,
             Self::Curve(_) => Kind::Curve,
+            Self::Surface(_) => Kind::Surface,
             Self::Mesh(_) => Kind::Mesh,
             Self::MeshFace(_) => Kind::MeshFace,
             Self::Transform(_) => Kind::Transform,
@@ -93,6 +95,23 @@ impl Value {
             Self::Compound(c) => Some(c.whole()),
             _ => None,
         }
+    }
+
+    /// An object of a Rhino model; `None` for a class that no value holds.
+    ///
+    /// A brep of one face that has no trims is a surface; other classes that are not computed with are kept whole.
+    pub fn from_object(object: Object) -> Option<Self> {
+        Some(match object {
+            Object::Point(p) => Self::Point(p),
+            Object::Curve(curve) => Self::from(curve),
+            Object::Surface(surface) => Self::from(surface),
+            Object::Mesh(mesh) => Self::from(mesh),
+            Object::Kept(raw) => match raw.untrimmed_surface() {
+                Ok(Some(surface)) => Self::from(surface),
+                _ => Self::from(raw),
+            },
+            _ => return None,
+        })
     }
 
     /// A text value.
@@ -135,6 +154,8 @@ from! {
     Box3, Box;
     Curve, Curve;
     Shared<Curve>, Curve;
+    Surface, Surface;
+    Shared<Surface>, Surface;
     Mesh, Mesh;
     Shared<Mesh>, Mesh;
     MeshFace, MeshFace;

@@ -5,7 +5,7 @@
 
 use base64::Engine;
 use katydid_3dm::{BrepSummary, Limits, Model, Object};
-use katydid_geometry::{Curve, Plane, Point3, Vector3};
+use katydid_geometry::{Curve, Direction, Plane, Point3, Surface, Vector3};
 use serde_json::{Value, json};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -83,6 +83,7 @@ fn geometry(object: &Object) -> Value {
                 "colours": cloud.colours})
         }
         Object::Curve(c) => curve(c),
+        Object::Surface(s) => surface(s),
         Object::Mesh(mesh) => {
             let faces: Vec<&[u32]> = mesh.faces().iter().map(|face| face.indices()).collect();
             json!({"vertices": points(mesh.vertices()), "faces": faces, "normals": vectors(mesh.normals()),
@@ -99,6 +100,7 @@ fn geometry(object: &Object) -> Value {
                     })
                     .collect();
                 json!({"faces": brep.faces, "vertices": points(&brep.vertices), "curves": curves,
+                    "bare": raw.untrimmed_surface().ok().flatten().as_ref().map(surface),
                     "edges": edges, "closed": brep.is_closed(), "solidity": format!("{:?}", brep.solidity)})
             }
             Err(error) => json!({"brep_error": error.to_string()}),
@@ -106,6 +108,28 @@ fn geometry(object: &Object) -> Value {
         _ => json!({}),
     };
     json!({"class": object.class_name(), "kept": matches!(object, Object::Kept(_)), "detail": detail})
+}
+
+fn surface(surface: &Surface) -> Value {
+    let domains = Direction::BOTH.map(|d| surface.domain(d));
+    let at = [0.0, 0.3, 0.5, 1.0];
+    let samples: Vec<[f64; 3]> = at
+        .iter()
+        .flat_map(|x| at.map(|y| point(surface.point_at(domains[0].at(*x), domains[1].at(y)))))
+        .collect();
+    let kind = match surface {
+        Surface::Plane(_) => "plane",
+        Surface::Sum(_) => "sum",
+        Surface::Revolution(_) => "revolution",
+        Surface::Nurbs(_) => "nurbs",
+    };
+    let mut detail = json!({"kind": kind, "domains": domains.map(|d| [d.start, d.end]), "samples": samples});
+    if let Surface::Nurbs(s) = surface {
+        detail["degrees"] = json!(s.degrees());
+        detail["knots"] = json!(Direction::BOTH.map(|d| s.knots(d)));
+        detail["points"] = json!(s.homogeneous_points());
+    }
+    detail
 }
 
 fn curve(curve: &Curve) -> Value {

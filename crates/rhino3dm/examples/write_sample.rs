@@ -6,8 +6,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 use katydid_3dm::{Attributes, Layer, Model, ModelObject, Object, PointCloud};
 use katydid_geometry::{
-    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, Plane, Point3,
-    PolyCurve, PolylineCurve, Tolerance, Units, Vector3,
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, NurbsSurface, Plane,
+    PlaneSurface, Point3, PolyCurve, PolylineCurve, RevolutionSurface, Sphere, SumSurface, Surface,
+    Tolerance, Units, Vector3,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -49,6 +50,9 @@ fn sample() -> Result<Model, katydid_geometry::Error> {
     add("cloud", 2, Object::PointCloud(cloud()));
     for (name, layer, curve) in sample_curves()? {
         add(name, layer, Object::Curve(curve));
+    }
+    for (name, surface) in sample_surfaces()? {
+        add(name, 2, Object::Surface(surface));
     }
     add("mesh", 2, Object::Mesh(mesh()?));
     add("plain mesh", 2, Object::Mesh(plain_mesh()?));
@@ -122,6 +126,43 @@ fn sample_curves() -> Result<Vec<(&'static str, usize, Curve)>, katydid_geometry
         ("nurbs", 0, nurbs.into()),
         ("rational", 1, rational.into()),
         ("polycurve", 0, joined.into()),
+    ])
+}
+
+/// One surface of every kind.
+fn sample_surfaces() -> Result<Vec<(&'static str, Surface)>, katydid_geometry::Error> {
+    let range = Interval::new;
+    let plane = Plane::from_axes(
+        Point3::new(1.0, 2.0, 3.0),
+        Vector3::new(1.0, 1.0, 0.0),
+        Vector3::new(-1.0, 1.0, 0.5),
+    )?;
+    let flat = PlaneSurface::with_domains(
+        plane,
+        [range(-1.0, 4.0), range(0.0, 2.0)],
+        [range(0.0, 1.0), range(2.0, 8.0)],
+    )?;
+    let rail = Line::new(Point3::ORIGIN, Point3::new(0.0, 3.0, 4.0));
+    let arc = Arc { circle: Circle { plane, radius: 2.0 }, angle: range(0.25, 2.0) };
+    let sum = SumSurface::new(ArcCurve::new(arc).into(), rail.into(), Vector3::new(0.5, 0.0, -1.0))?;
+    let profile = Line::new(Point3::new(3.0, 0.0, 0.0), Point3::new(1.0, 0.0, 4.0));
+    let axis = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 2.0));
+    let turned = RevolutionSurface::with_domain(profile.into(), axis, range(0.5, 4.5), range(0.0, 10.0))?;
+    let bumps = (0..20).map(|i| {
+        let (u, v) = (f64::from(i / 5), f64::from(i % 5));
+        Point3::new(u, v, (u * v).sin())
+    });
+    let knots = [vec![0.0, 0.0, 1.0, 2.0, 2.0], vec![0.0, 0.0, 0.0, 1.5, 4.0, 4.0, 4.0]];
+    let nurbs = NurbsSurface::new([2, 3], [4, 5], bumps.collect(), knots)?;
+    let ball = Sphere::new(plane, 2.75)?.to_nurbs()?;
+    Ok(vec![
+        ("plane surface", flat.into()),
+        ("sum surface", sum.into()),
+        ("revolution", turned.clone().into()),
+        ("transposed revolution", turned.transposed().into()),
+        ("sphere", Sphere::new(plane, 2.75)?.into()),
+        ("nurbs surface", nurbs.into()),
+        ("rational surface", ball.into()),
     ])
 }
 

@@ -10,9 +10,10 @@ pub(crate) const POLYLINE_CURVE: Uuid = uuid!("4ED7D4E6-E947-11D3-BFE5-001083012
 pub(crate) const POLY_CURVE: Uuid = uuid!("4ED7D4E0-E947-11D3-BFE5-0010830122F0");
 const POLY_EDGE_CURVE: Uuid = uuid!("39FF3DD3-FE0F-4807-9D59-185F0D73C0E4");
 pub(crate) const NURBS_CURVE: Uuid = uuid!("4ED7D4DD-E947-11D3-BFE5-0010830122F0");
-const NURBS_SURFACE: Uuid = uuid!("4ED7D4DE-E947-11D3-BFE5-0010830122F0");
-const REVOLUTION_SURFACE: Uuid = uuid!("A16220D3-163B-11D4-8000-0010830122F0");
-const SUM_SURFACE: Uuid = uuid!("C4CD5359-446D-4690-9FF5-29059732472B");
+pub(crate) const PLANE_SURFACE: Uuid = uuid!("4ED7D4DF-E947-11D3-BFE5-0010830122F0");
+pub(crate) const NURBS_SURFACE: Uuid = uuid!("4ED7D4DE-E947-11D3-BFE5-0010830122F0");
+pub(crate) const REVOLUTION_SURFACE: Uuid = uuid!("A16220D3-163B-11D4-8000-0010830122F0");
+pub(crate) const SUM_SURFACE: Uuid = uuid!("C4CD5359-446D-4690-9FF5-29059732472B");
 pub(crate) const BREP: Uuid = uuid!("60B5DBC5-E660-11D3-BFE4-0010830122F0");
 pub(crate) const MESH: Uuid = uuid!("4ED7D4E4-E947-11D3-BFE5-0010830122F0");
 pub(crate) const SUBD: Uuid = uuid!("F09BA4D9-455B-42C3-BA3B-E6CCACEF853B");
@@ -50,7 +51,7 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (POLY_CURVE, "PolyCurve", 4),
     (NURBS_CURVE, "NurbsCurve", 4),
     (NURBS_SURFACE, "NurbsSurface", 8),
-    (uuid!("4ED7D4DF-E947-11D3-BFE5-0010830122F0"), "PlaneSurface", 8),
+    (PLANE_SURFACE, "PlaneSurface", 8),
     (REVOLUTION_SURFACE, "RevSurface", 8),
     (SUM_SURFACE, "SumSurface", 8),
     (uuid!("DBC5A584-CE3F-4170-98A8-497069CA5C36"), "ClippingPlaneSurface", 0x2000_0000),

@@ -88,6 +88,22 @@ def vertices(mesh):
     return [xyz(mesh.Vertices.Point3dAt(i)) for i in range(len(mesh.Vertices))]
 
 
+def check_surface(ours, theirs, what):
+    domains = [ends(theirs.Domain(0)), ends(theirs.Domain(1))]
+    close(ours["domains"], domains, f"{what} domains")
+    wanted = {"plane": "PlaneSurface", "sum": "Surface", "revolution": "RevSurface", "nurbs": "NurbsSurface"}
+    # rhino3dm has no class of its own for sum surfaces.
+    assert type(theirs).__name__ in (wanted[ours["kind"]], "Surface", "BrepFace"), f"{what}: {type(theirs).__name__}"
+    (a, b), (c, d) = domains
+    at = (0, 0.3, 0.5, 1)
+    samples = [xyz(theirs.PointAt((1 - x) * a + x * b, (1 - y) * c + y * d)) for x in at for y in at]
+    close(ours["samples"], samples, f"{what} samples", 1e-9)
+    if ours["kind"] == "nurbs" and isinstance(theirs, rhino3dm.NurbsSurface):
+        assert ours["degrees"] == [theirs.Degree(0), theirs.Degree(1)], what
+        for mine, knots in zip(ours["knots"], (theirs.KnotsU, theirs.KnotsV)):
+            close(mine, [knots[i] for i in range(len(knots))], f"{what} knots")
+
+
 def check_mesh(ours, theirs, what):
     close(ours["vertices"], vertices(theirs), f"{what} vertices")
     faces = [theirs.Faces[i] for i in range(len(theirs.Faces))]
@@ -110,6 +126,11 @@ def check_brep(ours, theirs, what):
             a, b = ends(other.Domain)
             points = [xyz(other.PointAt((1 - x) * a + x * b)) for x in (0, 0.3, 1)]
             close(edge["points"], points, f"{what} edge {i}", 1e-9)
+    if ours["bare"]:
+        assert len(theirs.Faces) == 1 and theirs.IsSurface, f"{what}: a bare surface here"
+        check_surface(ours["bare"], theirs.Faces[0].UnderlyingSurface(), f"{what} surface")
+    else:
+        assert not theirs.IsSurface or theirs.Faces[0].OrientationIsReversed, f"{what}: a bare surface there"
     if ours["solidity"] != "Unknown" or ours["closed"]:
         assert ours["closed"] == theirs.IsSolid, f"{what}: closed {ours['closed']} here, {theirs.IsSolid} there"
 
@@ -130,6 +151,9 @@ def check_geometry(ours, theirs, what):
     elif ours["class"] == "AnnotationArrow":
         # rhino3dm turns the arrows of version 2 into lines.
         pass
+    elif isinstance(theirs, rhino3dm.Surface) and not isinstance(theirs, rhino3dm.Extrusion):
+        if not ours["kept"]:
+            check_surface(detail, theirs, what)
     elif isinstance(theirs, rhino3dm.Curve):
         assert not ours["kept"], f"{what}: a curve is kept as bytes"
         check_curve(detail, theirs, what)
@@ -168,6 +192,24 @@ def sample_curves():
     }
 
 
+def sample_plane():
+    plane = sample_curves()["arc"]["plane"]
+    return lambda x, y: [o + x * a + y * b for o, a, b in zip(*plane[:3])]
+
+
+def sample_plane_surface():
+    at, steps = sample_plane(), (0, 0.3, 0.5, 1)
+    return {"kind": "plane", "domains": [[0, 1], [2, 8]],
+            "samples": [at(-1 + 5 * x, 2 * y) for x in steps for y in steps]}
+
+
+def check_sphere(sphere):
+    centre = sample_plane()(0, 0)
+    for u in (0, 1, 2.5, 6):
+        for v in (-1.5, -0.2, 0, 1):
+            close(math.dist(xyz(sphere.PointAt(u, v)), centre), 2.75, "sphere", 1e-12)
+
+
 def sample_mesh():
     columns, rows = 20, 15
     faces = []
@@ -202,13 +244,14 @@ def check_sample(version):
     layers = [(layer.Name, layer.FullPath, layer.Color[:3]) for layer in file.Layers]
     assert layers == [("curves", "curves", (200, 30, 10)), ("conics ⌀", "curves::conics ⌀", (0, 128, 255)), ("rest", "rest", (0, 0, 0))], layers
     objects = {o.Attributes.Name: o for o in file.Objects}
-    assert len(objects) == len(file.Objects) == 11
+    assert len(objects) == len(file.Objects) == 18
     for i, o in enumerate(file.Objects):
         assert o.Attributes.Id.int == 0xABCD_0000 + i + 1
         valid, log = o.Geometry.IsValidWithLog
         assert valid, f"{o.Attributes.Name}: {log}"
     where = {"point": 2, "cloud": 2, "line": 0, "arc": 1, "circle": 1, "polyline": 0, "nurbs": 0, "rational": 1,
-             "polycurve": 0, "mesh": 2, "plain mesh": 2}
+             "polycurve": 0, "plane surface": 2, "sum surface": 2, "revolution": 2, "transposed revolution": 2,
+             "sphere": 2, "nurbs surface": 2, "rational surface": 2, "mesh": 2, "plain mesh": 2}
     assert {name: o.Attributes.LayerIndex for name, o in objects.items()} == where
     line = objects["line"].Attributes
     assert line.ObjectColor[:3] == (12, 34, 56) and line.ColorSource == rhino3dm.ObjectColorSource.ColorFromObject
@@ -222,6 +265,8 @@ def check_sample(version):
     check_geometry({"detail": cloud, "kept": False, "class": "PointCloud"}, objects["cloud"].Geometry, "cloud")
     for name, curve in sample_curves().items():
         check_curve(curve, objects[name].Geometry, name)
+    check_surface(sample_plane_surface(), objects["plane surface"].Geometry, "plane surface")
+    check_sphere(objects["sphere"].Geometry)
     check_mesh(sample_mesh(), objects["mesh"].Geometry, "mesh")
     plain = {"vertices": [[x, y, 0.25] for x, y in ((0, 0), (2, 0), (2, 1), (0, 1), (3, 0.5))],
              "faces": [[0, 1, 2, 3], [1, 4, 2]], "normals": [], "colours": []}
@@ -232,7 +277,7 @@ def check_sample(version):
 def test_what_we_write_is_read_by_rhino3dm():
     for version in VERSIONS:
         check_sample(version)
-        print(f"version {version}: 11 objects, layers, units, colours, names and user strings equal")
+        print(f"version {version}: 18 objects, layers, units, colours, names and user strings equal")
 
 
 def check_encoded(path, strict):

@@ -5,8 +5,9 @@ use katydid_3dm::{
     Attributes, Error, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud, UnitScale,
 };
 use katydid_geometry::{
-    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, Plane, Point3,
-    PolyCurve, PolylineCurve, Tolerance, Units, Vector3,
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, NurbsSurface, Plane,
+    PlaneSurface, Point3, PolyCurve, PolylineCurve, RevolutionSurface, SumSurface, Surface, Tolerance, Units,
+    Vector3,
 };
 use proptest::prelude::*;
 use uuid::Uuid;
@@ -67,7 +68,7 @@ fn curve() -> impl Strategy<Value = Curve> {
     let joined = prop::collection::vec(simple_curve(), 1..5).prop_map(|segments| {
         PolyCurve::new(segments).map_or(Line::new(Point3::ORIGIN, Point3::ORIGIN).into(), Curve::from)
     });
-    prop_oneof![4 => simple_curve(), 1 => joined]
+    prop_oneof![4 => simple_curve(), 1 => joined].boxed()
 }
 
 fn mesh() -> impl Strategy<Value = Mesh> {
@@ -85,11 +86,47 @@ fn mesh() -> impl Strategy<Value = Mesh> {
         })
 }
 
+fn surface() -> impl Strategy<Value = Surface> {
+    let plane =
+        (point(), [domain(), domain()], [domain(), domain()]).prop_map(|(origin, extents, domains)| {
+            let plane = Plane::from_normal(origin, Vector3::new(0.3, -0.2, 0.9)).unwrap();
+            PlaneSurface::with_domains(plane, extents, domains).unwrap().into()
+        });
+    let sum = (curve(), curve(), point())
+        .prop_map(|(a, b, shift)| SumSurface::new(a, b, shift.to_vector()).unwrap().into());
+    let revolution = (curve(), point(), -6.0..6.0, 1e-3..6.25, domain(), any::<bool>()).prop_map(
+        |(profile, from, start, angle, domain, transposed): (_, Point3, f64, f64, _, _)| {
+            let axis = Line::new(from, from + Vector3::new(1e6, 2e6, 3e6));
+            let angle = Interval::new(start, start + angle);
+            let made = RevolutionSurface::with_domain(profile, axis, angle, domain).unwrap();
+            if transposed { made.transposed().into() } else { made.into() }
+        },
+    );
+    let nurbs = ([2_usize..5, 2_usize..5], prop::collection::vec((point(), 1e-3..10.0), 36), any::<bool>())
+        .prop_map(|(orders, controls, rational)| {
+            let knots = orders.map(|order: usize| {
+                let inner = (0..=7 - order).map(|i| i as f64 * 0.7);
+                let end = (7 - order) as f64 * 0.7;
+                let ends = order - 2;
+                std::iter::repeat_n(0.0, ends).chain(inner).chain(std::iter::repeat_n(end, ends)).collect()
+            });
+            let degrees = orders.map(|order| order - 1);
+            let (points, weights): (Vec<_>, Vec<_>) = controls.into_iter().unzip();
+            if rational {
+                NurbsSurface::with_weights(degrees, [6, 6], &points, &weights, knots).unwrap().into()
+            } else {
+                NurbsSurface::new(degrees, [6, 6], points, knots).unwrap().into()
+            }
+        });
+    prop_oneof![plane, sum, revolution, nurbs].boxed()
+}
+
 fn object() -> impl Strategy<Value = Object> {
     prop_oneof![
         point().prop_map(Object::Point),
         prop::collection::vec(point(), 0..30).prop_map(|points| Object::PointCloud(PointCloud::from(points))),
         curve().prop_map(Object::Curve),
+        surface().prop_map(Object::Surface),
         mesh().prop_map(Object::Mesh),
     ]
 }

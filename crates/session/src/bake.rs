@@ -109,6 +109,7 @@ fn archived(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Archived>) -> R
                 pieces.push(Archived::Curve((*curve).clone()));
             }
         }
+        Value::Surface(surface) => pieces.push(Archived::Surface((**surface).clone())),
         Value::Mesh(mesh) => pieces.push(Archived::Mesh((**mesh).clone())),
         Value::Box(_) => match cast::value(value, Kind::Mesh, rules) {
             Some(Value::Mesh(mesh)) => pieces.push(Archived::Mesh((*mesh).clone())),

@@ -1,7 +1,7 @@
 //! The data of an input: what its wires bring, or what it keeps itself, cast to its type.
 
 use katydid_component::{Message, Port as Declared};
-use katydid_data::{Kind, Tree, cast};
+use katydid_data::{Column, Kind, Tree, Value, cast};
 use katydid_definition::document::{Object, Port};
 
 use crate::{modifiers, stored};
@@ -37,7 +37,23 @@ pub(crate) fn port(
     let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, &mut messages) };
     // An expression may give another type than the port's.
     let tree = cast_to(tree, kind, rules, &mut messages);
+    let tree =
+        if kind == Kind::Surface && !object.is_floating() { computable(tree, &mut messages) } else { tree };
     Collected { tree, messages }
+}
+
+/// Surfaces that are only kept pass through parameters, but components have nothing to compute with.
+fn computable(tree: Tree, messages: &mut Vec<Message>) -> Tree {
+    let column = tree.column();
+    let kept = |item: &Option<Value>| matches!(item, Some(Value::Kept(_)));
+    let Some(Some(Value::Kept(first))) = column.iter().find(kept) else { return tree };
+    messages.push(Message::warning(format!(
+        "A {} that is trimmed or of several faces cannot be computed with yet",
+        first.class_name()
+    )));
+    let usable = column.iter().map(|item| item.filter(|value| !matches!(value, Value::Kept(_))));
+    let usable = Column::of_options(usable.collect());
+    tree.with_column(usable)
 }
 
 fn cast_to(tree: Tree, kind: Kind, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {

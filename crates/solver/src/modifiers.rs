@@ -6,7 +6,7 @@ use katydid_component::Message;
 use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
 use katydid_definition::document::{Mapping, Modifiers, Port};
 use katydid_expression::Expression;
-use katydid_geometry::{Interval, Vector3};
+use katydid_geometry::{Direction, Interval, Vector3};
 
 /// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
 /// graft, reverse.
@@ -41,6 +41,13 @@ fn items(mut tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Me
                 Ok(curve) => Value::from(curve),
                 Err(_) => Value::Curve(curve),
             },
+            Value::Surface(surface) => {
+                let unit = surface.with_domain(Direction::U, Interval::UNIT);
+                match unit.and_then(|s| s.with_domain(Direction::V, Interval::UNIT)) {
+                    Ok(unit) => Value::from(unit),
+                    Err(_) => Value::Surface(surface),
+                }
+            }
             other => other,
         };
         tree = map::<Value>(&tree, rules, unit);

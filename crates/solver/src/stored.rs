@@ -122,13 +122,13 @@ fn geometry(stored: &StoredGeometry, missing: &mut Missing) -> Option<Value> {
         Archived::from_on_data(data.archive3dm, data.opennurbs, &data.data).map_err(|error| error.to_string())
     });
     match read {
-        Ok(Archived::Point(p)) => Some(Value::Point(p)),
-        Ok(Archived::Curve(curve)) => Some(Value::from(curve)),
-        Ok(Archived::Mesh(mesh)) => Some(Value::from(mesh)),
-        Ok(Archived::Kept(raw)) => Some(Value::from(raw)),
-        Ok(other) => {
-            missing.add(format!("{} is kept, but cannot be used yet", other.class_name()));
-            None
+        Ok(object) => {
+            let class = object.class_name();
+            let value = Value::from_object(object);
+            if value.is_none() {
+                missing.add(format!("{class} is kept, but cannot be used yet"));
+            }
+            value
         }
         Err(error) => {
             missing.add(format!("Stored geometry cannot be read: {error}"));

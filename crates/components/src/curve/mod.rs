@@ -6,6 +6,7 @@ mod division;
 mod evaluate;
 mod fillet;
 mod offset;
+mod on_surface;
 mod places;
 mod polyline;
 mod primitive;

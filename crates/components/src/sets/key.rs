@@ -63,6 +63,7 @@ impl Key {
             Value::Point(p) => Self::Numbers("point", [bits(p.x), bits(p.y), bits(p.z)]),
             Value::Vector(v) => Self::Numbers("vector", [bits(v.x), bits(v.y), bits(v.z)]),
             Value::Curve(shared) => object(shared),
+            Value::Surface(shared) => object(shared),
             Value::Mesh(shared) => object(shared),
             Value::Material(shared) => object(shared),
             Value::Group(shared) => object(shared),

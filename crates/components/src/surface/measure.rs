@@ -4,7 +4,7 @@ use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
 use katydid_geometry::Point3;
 
-/// The area of a mesh, a box, or the region inside a closed flat curve.
+/// The area of a surface, a mesh, a box, or the region inside a closed flat curve.
 ///
 /// A curve that is open or not flat has none: a warning.
 #[component(
@@ -27,6 +27,10 @@ fn area(
             let (area, center) = mesh.area_and_centroid();
             Ok((Some(area), center))
         }
+        Value::Surface(surface) => {
+            let found = surface.area().map_err(|e| Message::warning(e.to_string()))?;
+            Ok((Some(found.area), Some(found.centroid)))
+        }
         Value::Box(b) => Ok((Some(b.area().abs()), Some(b.center()))),
         Value::Rectangle(r) => Ok((Some(r.area().abs()), Some(r.center()))),
         Value::Circle(c) => Ok((Some(std::f64::consts::PI * c.radius * c.radius), Some(c.center()))),
@@ -44,9 +48,9 @@ fn area(
     }
 }
 
-/// The volume inside a closed mesh or a box.
+/// The volume inside a closed mesh, a box, a sphere or a torus.
 ///
-/// The volume of an open mesh means nothing: a warning.
+/// The volume of an open mesh means nothing: a warning. That of other closed surfaces cannot be measured yet.
 #[component(
     "224f7648-5956-4b26-80d9-8d771f3dfd5d",
     name = "Volume",
@@ -70,6 +74,17 @@ fn volume(
             let (volume, center) = mesh.volume_and_centroid();
             Ok((Some(volume.abs()), center))
         }
+        Value::Surface(surface) if surface.is_solid() => {
+            let tolerance = context.tolerance().absolute;
+            if let Some(sphere) = surface.as_sphere(tolerance) {
+                Ok((Some(sphere.volume()), Some(sphere.center())))
+            } else if let Some(torus) = surface.as_torus(tolerance) {
+                Ok((Some(torus.volume()), Some(torus.plane.origin)))
+            } else {
+                Err(Message::error("The volume of this surface cannot be measured yet"))
+            }
+        }
+        Value::Surface(_) => Err(Message::warning("An open surface has no volume")),
         Value::Box(b) => Ok((Some(b.volume().abs()), Some(b.center()))),
         Value::Kept(object) => {
             Err(Message::error(format!("The volume of a {} cannot be measured yet", object.class_name())))

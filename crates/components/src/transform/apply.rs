@@ -41,6 +41,7 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
             )
         })?),
         Value::Curve(curve) => Value::from(curve.transformed(xform)?),
+        Value::Surface(surface) => Value::from(surface.transformed(xform)?),
         Value::Mesh(mesh) => Value::from(mesh.transformed(xform)?),
         Value::Group(group) => {
             if depth > DEEPEST {

@@ -6,7 +6,7 @@ use katydid_geometry::{Box3, Plane, Point3};
 /// Groups in groups beyond this depth are left out.
 const DEEPEST: usize = 100;
 
-/// The smallest box along a plane's axes around geometry: exact for curves too. `None` for what has no extent.
+/// The smallest box along a plane's axes around geometry: exact for curves and surfaces too. `None` for what has no extent.
 pub(crate) fn around(value: &Value, plane: &Plane) -> Option<Box3> {
     Box3::around(plane, corners(value, plane, 0))
 }
@@ -19,6 +19,9 @@ fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
         Value::Box(b) => b.corners().to_vec(),
         Value::Mesh(mesh) => mesh.vertices().to_vec(),
         Value::Curve(curve) => curve.bounding_box_in(plane).corners().to_vec(),
+        Value::Surface(surface) => {
+            surface.bounding_box_in(plane).map_or_else(|_| Vec::new(), |b| b.corners().to_vec())
+        }
         Value::Circle(_) | Value::Arc(_) => match cast::value(value, Kind::Curve, &cast::Rules::default()) {
             Some(Value::Curve(curve)) => curve.bounding_box_in(plane).corners().to_vec(),
             _ => Vec::new(),

@@ -14,6 +14,7 @@ pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Mes
         Value::Plane(plane) => Some(plane.closest_point(p)),
         Value::Line(line) => Some(line.closest_point(p)),
         Value::Curve(curve) => Some(curve.closest_point(p)?.point),
+        Value::Surface(surface) => Some(surface.closest_point(p)?.point),
         Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) => {
             match cast::value(geometry, Kind::Curve, &cast::Rules::default()) {
                 Some(Value::Curve(curve)) => Some(curve.closest_point(p)?.point),
@@ -111,7 +112,7 @@ fn on_triangle([a, b, c]: Triangle, p: Point3) -> Point3 {
 
 /// Where a line passes through a triangle, edges included (T. Möller, B. Trumbore, *Fast, minimum storage ray/triangle
 /// intersection*, 1997).
-fn through_triangle([a, b, c]: Triangle, p: Point3, direction: Vector3) -> Option<f64> {
+pub(crate) fn through_triangle([a, b, c]: Triangle, p: Point3, direction: Vector3) -> Option<f64> {
     let (ab, ac) = (b - a, c - a);
     let h = direction.cross(ac);
     let det = ab.dot(h);

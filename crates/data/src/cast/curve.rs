@@ -1,7 +1,8 @@
 //! Between lines, circles, arcs, rectangles and curves.
 
 use katydid_geometry::{
-    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Plane, Point3, PolylineCurve, Rectangle,
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, PolylineCurve,
+    Rectangle, Surface,
 };
 
 use super::Rules;
@@ -66,6 +67,16 @@ pub(super) fn rectangle(value: &Value, rules: &Rules) -> Option<Rectangle> {
         Value::Domain2(d) => Some(Rectangle { plane: Plane::XY, x: d.u, y: d.v }),
         _ => None,
     }
+}
+
+/// The flat surface inside a rectangle or a rectangular curve. Other outlines need a trimmed surface.
+pub(super) fn surface(value: &Value, rules: &Rules) -> Option<Surface> {
+    let r = match value {
+        Value::Rectangle(r) => **r,
+        Value::Curve(_) => rectangle(value, rules)?,
+        _ => return None,
+    };
+    PlaneSurface::new(r.plane, r.x.ordered(), r.y.ordered()).ok().map(Surface::from)
 }
 
 fn from_polyline(points: &[Point3], tolerance: f64) -> Option<Rectangle> {

@@ -71,7 +71,13 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             Value::Text(text) => parse::mesh_face(text).map(Value::MeshFace),
             _ => None,
         },
-        Kind::Surface | Kind::Brep | Kind::SubD | Kind::PointCloud => kept(value, kind),
+        Kind::Surface | Kind::Brep => match value {
+            // A surface without trims is a brep of one face.
+            Value::Surface(_) => Some(value.clone()),
+            Value::Kept(_) => kept(value, kind),
+            _ => curve::surface(value, rules).map(Value::from),
+        },
+        Kind::SubD | Kind::PointCloud => kept(value, kind),
         // A compound is a transform: it stays whole, so that it can be taken apart later.
         Kind::Transform => match value {
             Value::Compound(_) => Some(value.clone()),
@@ -132,6 +138,7 @@ pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
     }
     let whole_already = match kind {
         Kind::Geometry => column.kind().is_geometry(),
+        Kind::Brep => column.kind() == Kind::Surface,
         Kind::Transform => column.kind() == Kind::Compound,
         _ => false,
     };

@@ -1,6 +1,6 @@
 //! To booleans, numbers, domains and colours.
 
-use katydid_geometry::{Curve, Interval};
+use katydid_geometry::{Curve, Direction, Interval};
 
 use super::parse;
 use crate::{Colour, Complex, Domain2, Value};
@@ -55,13 +55,14 @@ pub(super) fn domain(value: &Value) -> Option<Interval> {
     }
 }
 
-/// A rectangle's sizes, a text `u:{a To b} v:{c To d}`, or one domain in both directions.
+/// A surface's domains, a rectangle's sizes, a text `u:{a To b} v:{c To d}`, or one domain in both directions.
 pub(super) fn domain2(value: &Value) -> Option<Domain2> {
     match value {
         Value::Text(text) => parse::domain2(text).or_else(|| {
             let d = parse::domain(text)?;
             Some(Domain2 { u: d, v: d })
         }),
+        Value::Surface(s) => Some(Domain2 { u: s.domain(Direction::U), v: s.domain(Direction::V) }),
         Value::Rectangle(r) => Some(Domain2 { u: r.x, v: r.y }),
         Value::Domain(d) => Some(Domain2 { u: *d, v: *d }),
         _ => None,

@@ -47,6 +47,7 @@ pub(super) fn plane(value: &Value, rules: &Rules) -> Option<Plane> {
         Value::Box(b) => Some(b.plane),
         Value::Line(line) => Plane::from_normal(line.from, line.direction()).ok(),
         Value::Curve(curve) => curve.plane(rules.tolerance.absolute),
+        Value::Surface(surface) => surface.plane(rules.tolerance.absolute),
         Value::Transform(_) | Value::Mesh(_) | Value::Kept(_) => None,
         _ => point(value, rules).map(|origin| Plane { origin, ..Plane::XY }),
     }
@@ -73,6 +74,7 @@ fn bounds(value: &Value) -> Option<BoundingBox> {
         Value::Point(p) => BoundingBox::from_points([*p]),
         Value::Mesh(mesh) => BoundingBox::from_points(mesh.vertices().iter().copied()),
         Value::Box(b) => BoundingBox::from_points(b.corners()),
+        Value::Surface(surface) => surface.bounding_box().ok(),
         Value::Group(group) => {
             let boxes = group.members.iter().flatten().filter_map(bounds);
             boxes.reduce(|a, b| a.union(&b))

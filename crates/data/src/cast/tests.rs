@@ -1,4 +1,4 @@
-use katydid_geometry::{Interval, MeshFace, Plane, Point3, Vector3};
+use katydid_geometry::{Curve, Interval, MeshFace, Plane, Point3, Vector3};
 
 use super::*;
 use crate::{Colour, Domain2};
@@ -130,4 +130,47 @@ fn places_on_the_globe() {
     assert_eq!(place(Value::Point(Point3::new(13.4, 52.5, 0.0))), Some((13.4, 52.5)));
     assert_eq!(place(Value::text("-74, 40.7")), Some((-74.0, 40.7)));
     assert_eq!(place(Value::Point(Point3::new(0.0, 91.0, 0.0))), None);
+}
+
+#[test]
+fn surfaces_and_what_becomes_one() {
+    use katydid_geometry::{Circle, Direction, PlaneSurface, PolylineCurve, Rectangle, Sphere, Surface};
+
+    let r = Rectangle { plane: Plane::XY, x: Interval::new(0.0, 3.0), y: Interval::new(2.0, -1.0) };
+    let Some(Value::Surface(flat)) = to(r.into(), Kind::Surface) else { panic!("a surface") };
+    assert_eq!(*flat, PlaneSurface::new(Plane::XY, r.x, r.y.ordered()).unwrap().into());
+    let outline: Vec<Point3> = r.corners().into_iter().chain([r.corners()[0]]).collect();
+    let outline = Value::from(Curve::from(PolylineCurve::new(outline).unwrap()));
+    assert!(matches!(to(outline, Kind::Brep), Some(Value::Surface(_))));
+    // Round outlines need trimmed surfaces.
+    let circle = Circle { plane: Plane::XY, radius: 1.0 };
+    assert_eq!(to(circle.into(), Kind::Surface), None);
+
+    let surface = Value::Surface(flat.clone());
+    for kind in [Kind::Brep, Kind::Surface, Kind::Geometry, Kind::Generic] {
+        assert_eq!(to(surface.clone(), kind), Some(surface.clone()), "{kind}");
+    }
+    let domains = Domain2 { u: flat.domain(Direction::U), v: flat.domain(Direction::V) };
+    assert_eq!(to(surface.clone(), Kind::Domain2), Some(domains.into()));
+    assert_eq!(to(surface.clone(), Kind::Plane), Some(Plane::XY.into()));
+    assert_eq!(to(surface.clone(), Kind::Text), Some(Value::text("Untrimmed Surface")));
+    let Some(Value::Box(b)) = to(surface, Kind::Box) else { panic!("a box") };
+    assert_eq!((b.x, b.y), (Interval::new(0.0, 3.0), Interval::new(-1.0, 2.0)));
+    let ball = Value::from(Surface::from(Sphere::around(Point3::ORIGIN, 1.0).unwrap()));
+    assert_eq!(to(ball.clone(), Kind::Plane), None);
+    assert_eq!(to(ball, Kind::Mesh), None);
+}
+
+#[test]
+fn columns_of_surfaces_keep_their_type() {
+    let ball = Value::from(katydid_geometry::Surface::from(
+        katydid_geometry::Sphere::around(Point3::ORIGIN, 1.0).unwrap(),
+    ));
+    let balls = Column::of_options(vec![None, Some(ball.clone())]);
+    assert_eq!(balls.kind(), Kind::Surface);
+    for kind in [Kind::Brep, Kind::Geometry] {
+        let cast = column(&balls, kind, &Rules::default());
+        assert_eq!((cast.column.kind(), cast.failed), (Kind::Surface, None));
+        assert_eq!(cast.column.get(1), Some(ball.clone()));
+    }
 }

@@ -126,7 +126,7 @@ impl BrepSummary {
 }
 
 /// The body and count of one of the brep's lists.
-fn read_list<'a>(body: &mut Reader<'a>, what: &'static str) -> Result<(Reader<'a>, usize)> {
+pub(super) fn read_list<'a>(body: &mut Reader<'a>, what: &'static str) -> Result<(Reader<'a>, usize)> {
     let mut list = body.expect(typecode::ANONYMOUS, what)?;
     list.packed_version(what)?;
     let count = list.count(4, what)?;

@@ -1,6 +1,7 @@
 //! One openNURBS class object (sections 6 and 8): read into geometry where this crate knows the class, else kept
 //! byte for byte.
 
+mod bare_brep;
 mod brep;
 mod class_object;
 mod curve;
@@ -9,6 +10,7 @@ mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod surface;
 mod user_data;
 
 pub use brep::{BrepEdge, BrepSummary, Solidity};
@@ -19,7 +21,7 @@ pub use user_data::UserData;
 
 pub(crate) use class_object::{ClassObject, write_class};
 
-use katydid_geometry::{Curve, Mesh, Point3};
+use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
@@ -36,6 +38,8 @@ pub enum Object {
     PointCloud(PointCloud),
     /// A curve of any kind the kernel has. Curves in a plane (dimension 2) lie at z = 0.
     Curve(Curve),
+    /// A surface without trims: of a plane, of revolution, a sum of two curves, or NURBS.
+    Surface(Surface),
     /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
     /// coordinates, curvatures and n-gons are not read.
     Mesh(Mesh),
@@ -71,6 +75,7 @@ impl Object {
             Self::Point(_) => class_ids::POINT,
             Self::PointCloud(_) => class_ids::POINT_CLOUD,
             Self::Curve(c) => curve::class_of(c),
+            Self::Surface(s) => surface::class_of(s),
             Self::Mesh(_) => class_ids::MESH,
             Self::Kept(raw) => raw.class,
         }
@@ -87,6 +92,7 @@ impl Object {
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
             class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
+            class if surface::is_surface(class) => Self::Surface(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -101,6 +107,7 @@ impl Object {
             Self::Point(p) => write_class(w, self.class(), user_data, |w| point::write(*p, w)),
             Self::PointCloud(c) => write_class(w, self.class(), user_data, |w| point_cloud::write(c, w)),
             Self::Curve(c) => write_class(w, self.class(), user_data, |w| curve::write(c, w)),
+            Self::Surface(s) => write_class(w, self.class(), user_data, |w| surface::write(s, w)),
             Self::Mesh(m) => {
                 let own = mesh::double_vertices(m, w.version())?;
                 let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
@@ -118,4 +125,16 @@ fn major_1(body: &mut Reader<'_>, what: &'static str) -> Result<u8> {
         return Err(Error::malformed(offset, what, format!("major version {major} is not known")));
     }
     Ok(minor)
+}
+
+/// How far axes may be from unit length and right angles before a plane is refused.
+const SQUARENESS: f64 = 1e-6;
+
+/// Whether a plane has finite, right-handed axes of length 1 at right angles.
+fn is_frame(plane: &Plane) -> bool {
+    let (x, y, z) = (plane.x_axis, plane.y_axis, plane.z_axis);
+    plane.origin.is_finite()
+        && [x.length() - 1.0, y.length() - 1.0, (x.cross(y) - z).length(), x.dot(y)]
+            .iter()
+            .all(|error| error.abs() <= SQUARENESS)
 }

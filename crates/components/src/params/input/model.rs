@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use katydid_3dm::{Limits, Model, Object};
+use katydid_3dm::{Limits, Model};
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Value};
 use regex::{Regex, RegexBuilder};
@@ -12,16 +12,6 @@ fn filter(pattern: &str) -> Result<Regex, Message> {
     let pattern = regex::escape(pattern.trim()).replace(r"\*", ".*").replace(r"\?", ".");
     let regex = RegexBuilder::new(&format!("^(?s:{pattern})$")).case_insensitive(true).build();
     regex.map_err(|error| Message::error(format!("The filter cannot be used: {error}")))
-}
-
-fn value(object: Object) -> Option<Value> {
-    Some(match object {
-        Object::Point(p) => Value::Point(p),
-        Object::Curve(curve) => Value::from(curve),
-        Object::Mesh(mesh) => Value::from(mesh),
-        Object::Kept(raw) => Value::from(raw),
-        _ => return None,
-    })
 }
 
 fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<Vec<Geometry>, Message> {
@@ -44,7 +34,7 @@ fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<
         if !on_layer || !names.is_match(&object.attributes.name) {
             continue;
         }
-        match value(object.geometry) {
+        match Value::from_object(object.geometry) {
             Some(value) => geometry.push(Geometry(value)),
             None => unknown += 1,
         }

@@ -2,15 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use katydid_geometry::{ArcCurve, Plane};
+use katydid_geometry::ArcCurve;
 
 use super::{check_domain, major_1};
 use crate::chunk::{Reader, Writer};
+use crate::object::is_frame;
 use crate::{Error, Result};
 
 const WHAT: &str = "arc curve";
-/// How far axes may be from unit length and right angles before a plane is refused.
-const SQUARENESS: f64 = 1e-6;
 
 pub(super) fn read(body: &mut Reader<'_>) -> Result<ArcCurve> {
     let offset = body.offset();
@@ -31,15 +30,6 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<ArcCurve> {
     }
     check_domain(domain, offset, WHAT)?;
     Ok(ArcCurve { arc, domain })
-}
-
-/// Whether a plane has finite, right-handed axes of length 1 at right angles.
-fn is_frame(plane: &Plane) -> bool {
-    let (x, y, z) = (plane.x_axis, plane.y_axis, plane.z_axis);
-    plane.origin.is_finite()
-        && [x.length() - 1.0, y.length() - 1.0, (x.cross(y) - z).length(), x.dot(y)]
-            .iter()
-            .all(|error| error.abs() <= SQUARENESS)
 }
 
 pub(super) fn write(curve: &ArcCurve, w: &mut Writer) -> Result<()> {

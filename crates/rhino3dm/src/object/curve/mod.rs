@@ -76,6 +76,11 @@ pub(super) fn write(curve: &Curve, w: &mut Writer) -> Result<()> {
     }
 }
 
+/// Writes a whole class object.
+pub(super) fn write_object(curve: &Curve, w: &mut Writer) -> Result<()> {
+    super::write_class(w, class_of(curve), &[], |w| write(curve, w))
+}
+
 /// A domain must be finite and increase.
 fn check_domain(domain: Interval, offset: usize, what: &'static str) -> Result<()> {
     if !(domain.start.is_finite() && domain.end.is_finite()) {

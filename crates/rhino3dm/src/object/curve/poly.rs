@@ -2,9 +2,8 @@
 
 use katydid_geometry::{Curve, PolyCurve};
 
-use super::{class_of, major_1, read_object};
+use super::{major_1, read_object};
 use crate::chunk::{Reader, Writer};
-use crate::object::write_class;
 use crate::{Error, Result};
 
 const WHAT: &str = "polycurve";
@@ -57,7 +56,7 @@ pub(super) fn write(curve: &PolyCurve, w: &mut Writer) -> Result<()> {
     w.empty_box();
     w.doubles(curve.parameters())?;
     for segment in curve.segments() {
-        write_class(w, class_of(segment), &[], |w| super::write(segment, w))?;
+        super::write_object(segment, w)?;
     }
     Ok(())
 }

@@ -1,0 +1,4 @@
+//! The Intersect tab.
+
+mod mathematical;
+mod physical;
