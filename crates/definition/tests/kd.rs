@@ -86,6 +86,7 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
         "a = Construct Point(-1.5e20)\nb = Move(a else (1, 2, 3), (0, 0, 1) |faint) hidden -> Geometry |graft\n",
         "a = Construct Point(Z coordinate = 9)\nb = Construct Point(none)\n",
         "m = Merge(a, _, tail = b)\na = Construct Point()\nb = Construct Point()\n",
+        "l = Sort List(3.5, _) -> Keys |graft, A\nm = Sort List(1.5, _, _) -> A, B\n",
         "f = Expression(\"x^2 + y\", 1.0, n)\nn = Number(3)\n",
         "v = Vector XYZ(1, 2, 3) -> Length |flatten\nn = Number(v.Length)\n",
         "x = Mystery @01234567-89ab-cdef-0123-456789abcdef(A = n, B = 3) hidden -> R |graft, S\nn = Number(3)\n",

@@ -100,6 +100,13 @@ fn all() -> Vec<Facts> {
             vec![PortFacts { access: Access::Tree, ..port("Result", "R") }],
         ),
         of(
+            uuid!("6f93d366-919f-4dda-a35e-ba03dd62799b"),
+            "Sort List",
+            "Sort",
+            vec![port("Keys", "K"), many("Values A", "A")],
+            vec![port("Keys", "K"), many("Values A", "A")],
+        ),
+        of(
             uuid!("a0d62394-a118-422d-abb3-6af115c75b25"),
             "Addition",
             "A+B",
