@@ -3,13 +3,15 @@
 SHELL := /bin/bash
 VENV := .venv
 PYTHON ?= python3
+# Off by default, tested all the same.
+KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 
-.PHONY: test lint docs test-rust test-python bench fuzz clean
+.PHONY: test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
 
 test: test-rust test-python
 
 test-rust:
-	cargo test --workspace
+	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed
@@ -33,9 +35,17 @@ bench: $(VENV)/installed
 	$(VENV)/bin/pip install -q numpy==2.3.4
 	$(VENV)/bin/python benches/compare.py
 
+# The kernel beside curvo and truck, on the inputs in ../shared: a table of ratios.
+bench-kernel:
+	cargo run --release -p katydid-kernel-bench --bin ratios
+
+# The kernel beside the answers of other kernels.
+oracle:
+	cargo run --release -p katydid-geometry --example oracle -- ../shared/data/oracle/on_dev.json ../shared/data/oracle/occ_dev.json
+
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression geometry; do \
+	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression geometry kd; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

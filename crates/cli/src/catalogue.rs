@@ -22,17 +22,19 @@ static FACTS: LazyLock<HashMap<Uuid, Arc<Facts>>> = LazyLock::new(|| {
         .collect()
 });
 
-/// By name in lower case: what the name finds, and the parameter of that name.
+/// By name in lower case, with and without the panel before it: what the name finds, and the parameter of that name.
 static NAMES: LazyLock<HashMap<String, (Uuid, Option<Uuid>)>> = LazyLock::new(|| {
     let mut names: HashMap<String, (&Component, Option<Uuid>)> = HashMap::new();
     // The first of a name is the one meant; a parameter gives way to a component.
     for component in registry::all() {
         let parameter = component.floating.then_some(component.guid);
-        let (found, floating) = names.entry(component.name.to_lowercase()).or_insert((component, parameter));
-        if found.floating && !component.floating {
-            *found = component;
+        for name in [component.name.to_owned(), format!("{}/{}", component.panel, component.name)] {
+            let (found, floating) = names.entry(name.to_lowercase()).or_insert((component, parameter));
+            if found.floating && !component.floating {
+                *found = component;
+            }
+            *floating = floating.or(parameter);
         }
-        *floating = floating.or(parameter);
     }
     names.into_iter().map(|(name, (component, floating))| (name, (component.guid, floating))).collect()
 });
@@ -55,6 +57,7 @@ fn facts(component: &Component, types: &HashMap<Kind, Uuid>) -> Facts {
         guid: component.guid,
         name: component.name.to_owned(),
         nickname: component.nick.to_owned(),
+        panel: component.panel.to_owned(),
         description: component.help.to_owned(),
         floating: component.floating,
         inputs: ports(component.inputs),

@@ -81,12 +81,13 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
         "size = Value List(\"small\": 1, * \"large\": \"\\\"L\\\"\", mode = cycle)\n",
         "c = Colour Swatch(rgb(10, 20, 30, 40))\n",
         "p = Point([(0, 0, 0), (1, 0.5, -2)])\nq = Point(p |{x+1} |graft |reverse) hidden\n",
-        "d = Data([{0;0}: 1, 2.5, \"t\"; {0;1}: null, true, 0..1; {3}: ])\n",
-        "a = Construct Point(1)\nb = Move([a, a], else_vector |unitize)\nelse_vector = Vector XYZ()\n",
+        "d = Data([{0;0}: 1, 2.5, \"t\"; {0;1}: null, true, 0..1; {3}:])\n",
+        "a = Construct Point(1)\nb = Move([a, a], else_vector.Vector |unitize)\nelse_vector = Vector XYZ()\n",
         "a = Construct Point(-1.5e20)\nb = Move(a else (1, 2, 3), (0, 0, 1) |faint) hidden -> Geometry |graft\n",
         "a = Construct Point(Z coordinate = 9)\nb = Construct Point(none)\n",
         "m = Merge(a, _, tail = b)\na = Construct Point()\nb = Construct Point()\n",
-        "f = Expression(\"x^2 + y\", x = 1.0, y = n)\nn = Number(3)\n",
+        "l = Sort List(3.5, _) -> Keys |graft, A\nm = Sort List(1.5, _, _) -> A, B\n",
+        "f = Expression(\"x^2 + y\", 1.0, n)\nn = Number(3)\n",
         "v = Vector XYZ(1, 2, 3) -> Length |flatten\nn = Number(v.Length)\n",
         "x = Mystery @01234567-89ab-cdef-0123-456789abcdef(A = n, B = 3) hidden -> R |graft, S\nn = Number(3)\n",
         "x = Mystery @01234567-89ab-cdef-0123-456789abcdef(4) parameter\n",
@@ -111,6 +112,14 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
         let kept = written.split("\nlayout {").next().unwrap();
         assert_eq!(sorted(kept), sorted(&text), "{written}");
     }
+}
+
+#[test]
+fn a_panel_tells_components_of_the_same_name_apart() {
+    let document = read("a = Grid/Square(Size = 3)\nb = Move(grid/square().Points)\n");
+    assert_eq!(document.objects[0].name, "Square");
+    assert_eq!(document.objects[2].inputs[0].sources, [document.objects[1].outputs[1].id]);
+    assert!(wrong("a = Maths/Square(3)").to_string().contains("there is no component called Maths/Square"));
 }
 
 #[test]
@@ -320,7 +329,7 @@ fn faults_point_to_their_place() {
         ("A = Number(rgb(300, 0, 0))", 1, 12, "a colour of numbers from 0 to 255", ""),
         ("A = Number(geometry($4))", 1, 21, "there is no $4 in the data block", ""),
         ("layout {\n    A: 1\n}", 2, 9, "the line ends where a number of pixels should be", ""),
-        ("A = Cluster() inside {\n B = Number(", 2, 12, "this bracket is never closed", ""),
+        ("A = Cluster() inside {\n B = Number(", 1, 22, "this cluster is never closed", ""),
         ("A = Number(1) hiden", 1, 15, "stands where disabled, hidden", ""),
         (
             "x = Number Slider(1, rounding = up)",

@@ -38,22 +38,25 @@ pub(crate) fn symmetric_eigen(mut a: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3])
 /// A banded system of linear equations for points in space.
 pub(crate) struct Banded {
     half: usize,
-    /// Row i holds columns i − half … i + 2·half: the right third fills when rows are exchanged.
-    rows: Vec<Vec<f64>>,
+    /// Row i holds columns i − half … i + 2·half: the right third fills when rows are exchanged. The rows stand one
+    /// after another.
+    entries: Vec<f64>,
     right: Vec<[f64; 3]>,
 }
 
 impl Banded {
     /// The system with as many rows as right-hand sides (`n` of them) and `half` entries beside the diagonal.
     pub(crate) fn new(n: usize, half: usize, right: Vec<[f64; 3]>) -> Self {
-        Self { half, rows: vec![vec![0.0; 3 * half + 1]; n], right }
+        Self { half, entries: vec![0.0; n * (3 * half + 1)], right }
     }
 
     /// Adds to the entry at a row and column; outside the band nothing happens.
+    #[inline]
     pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
-        let place = (column + self.half).checked_sub(row);
-        if let (Some(place), Some(entries)) = (place, self.rows.get_mut(row))
-            && let Some(entry) = entries.get_mut(place)
+        let width = 3 * self.half + 1;
+        if let Some(place) = (column + self.half).checked_sub(row)
+            && place < width
+            && let Some(entry) = self.entries.get_mut(row * width + place)
         {
             *entry += value;
         }
@@ -67,60 +70,95 @@ impl Banded {
     }
 
     /// Gaussian elimination with partial pivoting inside the band; `None` when a pivot vanishes.
-    pub(crate) fn solve(mut self) -> Option<Vec<[f64; 3]>> {
-        let (n, half) = (self.rows.len(), self.half);
-        if self.right.len() != n {
-            return None;
-        }
+    pub(crate) fn solve(self) -> Option<Vec<[f64; 3]>> {
+        self.eliminate(true)
+    }
+
+    /// Gaussian elimination without exchanges, which is stable for the totally positive matrices of interpolation by
+    /// B-splines (C. de Boor & A. Pinkus, *Backward error analysis for totally positive linear systems*, Numer. Math.
+    /// 27, 1977); `None` when a pivot vanishes.
+    pub(crate) fn solve_totally_positive(self) -> Option<Vec<[f64; 3]>> {
+        self.eliminate(false)
+    }
+
+    fn eliminate(mut self, exchange: bool) -> Option<Vec<[f64; 3]>> {
+        let (n, half, width) = (self.right.len(), self.half, 3 * self.half + 1);
+        let reach = if exchange { 2 * half } else { half };
         // After step k, the entry of row i in column c stands at c + half − i.
         for k in 0..n {
             let last = n.min(k + half + 1);
-            let pivot = (k..last).max_by(|&a, &b| {
-                self.rows[a][half + k - a].abs().total_cmp(&self.rows[b][half + k - b].abs())
-            })?;
-            if pivot != k {
-                // Column k + c of the pivot row stands c + half − (pivot − k) places in; move both rows.
-                let shift = pivot - k;
-                for c in 0..=2 * half {
-                    let (high, low) = (half + c, half + c - shift);
-                    let swapped = self.rows[pivot][low];
-                    self.rows[pivot][low] = self.rows[k][high];
-                    self.rows[k][high] = swapped;
+            if exchange {
+                let size = |i: usize| self.entries[i * width + half + k - i].abs();
+                let pivot = (k..last).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+                if pivot != k {
+                    // Column k + c of the pivot row stands c + half − (pivot − k) places in; move both rows.
+                    let shift = pivot - k;
+                    for c in 0..=reach {
+                        self.entries.swap(pivot * width + half + c - shift, k * width + half + c);
+                    }
+                    self.right.swap(k, pivot);
                 }
-                self.right.swap(k, pivot);
             }
-            let diagonal = self.rows[k][half];
+            let (above, below) = self.entries.split_at_mut((k + 1) * width);
+            let row = &above[k * width + half..];
+            let diagonal = row[0];
             if !(diagonal.abs() > f64::MIN_POSITIVE && diagonal.is_finite()) {
                 return None;
             }
-            for i in k + 1..last {
-                let factor = self.rows[i][half + k - i] / diagonal;
+            let right = self.right[k];
+            for (i, other) in below.chunks_exact_mut(width).enumerate().take(last - k - 1) {
+                let from = half - i - 1;
+                let factor = other[from] / diagonal;
                 if factor == 0.0 {
                     continue;
                 }
-                for c in 0..=2 * half {
-                    let above = self.rows[k][half + c];
-                    if above != 0.0 {
-                        self.rows[i][half + c + k - i] -= factor * above;
-                    }
+                for (entry, above) in other[from..].iter_mut().zip(&row[..=reach]) {
+                    *entry -= factor * above;
                 }
-                for d in 0..3 {
-                    self.right[i][d] -= factor * self.right[k][d];
-                }
+                let slot = &mut self.right[k + 1 + i];
+                *slot = std::array::from_fn(|d| slot[d] - factor * right[d]);
             }
         }
         for k in (0..n).rev() {
-            for c in 1..=2 * half {
-                let Some(&next) = self.right.get(k + c) else { break };
-                let entry = self.rows[k][half + c];
-                for d in 0..3 {
-                    self.right[k][d] -= entry * next[d];
-                }
+            let row = &self.entries[k * width + half..];
+            let mut sum = self.right[k];
+            for (entry, next) in row[1..].iter().zip(&self.right[k + 1..]).take(reach) {
+                sum = std::array::from_fn(|d| sum[d] - entry * next[d]);
             }
-            for d in 0..3 {
-                self.right[k][d] /= self.rows[k][half];
-            }
+            self.right[k] = sum.map(|x| x / row[0]);
         }
         Some(self.right)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Banded;
+
+    #[test]
+    fn solves_with_and_without_exchanges() {
+        let n = 12;
+        for (half, exchange) in [(1, false), (2, false), (3, true), (2, true)] {
+            let entry = |i: usize, j: usize| {
+                let near = 1.0 / (1.0 + (i as f64 - j as f64).abs());
+                // Where rows are exchanged, some diagonals vanish.
+                if exchange && i == j && i % 3 == 1 { 0.0 } else { near + 0.1 * ((i * 7 + j) as f64).sin() }
+            };
+            let want: Vec<[f64; 3]> = (0..n).map(|i| [i as f64, (i as f64).cos(), 1.0]).collect();
+            let mut system = Banded::new(n, half, vec![[0.0; 3]; n]);
+            for i in 0..n {
+                let mut sum = [0.0; 3];
+                for j in i.saturating_sub(half)..(i + half + 1).min(n) {
+                    system.add(i, j, entry(i, j));
+                    sum = std::array::from_fn(|d| sum[d] + entry(i, j) * want[j][d]);
+                }
+                system.set_right(i, sum);
+            }
+            let have = if exchange { system.solve() } else { system.solve_totally_positive() };
+            for (a, b) in have.unwrap().iter().flatten().zip(want.iter().flatten()) {
+                assert!((a - b).abs() < 1e-10, "{a} {b}");
+            }
+        }
+        assert!(Banded::new(2, 1, vec![[1.0; 3]; 2]).solve().is_none());
     }
 }

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
 
-use katydid_geometry::{Curve, Line, NurbsCurve, Plane, PlaneEquation, Point2, Point3, Vector2, Vector3};
+use katydid_geometry::{
+    Line, NurbsSurface, Plane, PlaneEquation, Point2, Point3, Sphere, Surface, Vector2, Vector3,
+};
 use proptest::prelude::*;
 
 fn v(x: f64, y: f64, z: f64) -> Vector3 {
@@ -180,18 +182,29 @@ fn v10_right_hand_rule() {
 
 #[test]
 fn v12_in_front_of_or_behind() {
-    // A curve in place of the surface: the side of a plane, and of a closed outline by the normal of its plane.
     let plane = Plane::from_normal(p(0.0, 0.0, 1.0), v(0.0, 1.0, 1.0)).unwrap();
     for (q, front) in [(p(0.0, 0.0, 3.0), true), (p(5.0, 0.0, 0.0), false)] {
         let to_point = q - plane.closest_point(q);
         assert_eq!(to_point.dot(plane.z_axis) > 0.0, front);
         assert_eq!(plane.signed_distance(q) > 0.0, front);
     }
-    let points = vec![p(0.0, 0.0, 0.0), p(1.0, 2.0, 0.0), p(3.0, 2.0, 0.0), p(4.0, 0.0, 0.0)];
-    let curve: Curve = NurbsCurve::new(3, points, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap().into();
-    let found = curve.closest_point(p(2.0, 5.0, 0.0)).unwrap();
-    let left = Vector3::Z.cross(curve.tangent_at(found.parameter).unwrap());
-    assert!((p(2.0, 5.0, 0.0) - found.point).dot(left) > 0.0);
+    // A surface by a grid of points, and a sphere, whose normals look outwards.
+    let points: Vec<Point3> =
+        (0..16).map(|i| p(f64::from(i / 4), f64::from(i % 4), f64::from(i * i % 7) / 7.0)).collect();
+    let waves: Surface = NurbsSurface::clamped_uniform([3, 3], [4, 4], &points).unwrap().into();
+    let ball: Surface = Sphere::around(p(0.0, 0.0, 0.0), 2.0).unwrap().into();
+    for (surface, q, front) in [
+        (&waves, p(1.5, 1.5, 4.0), true),
+        (&waves, p(1.4, 1.6, -4.0), false),
+        (&ball, p(3.0, 1.0, 1.0), true),
+        (&ball, p(0.5, -1.0, 0.3), false),
+    ] {
+        let found = surface.closest_point(q).unwrap();
+        let normal = surface.normal_at(found.u, found.v).unwrap();
+        assert_eq!((q - found.point).dot(normal) > 0.0, front);
+        // Nothing of the vector to the point lies in the surface.
+        assert!((q - found.point).cross(normal).length() < 1e-6);
+    }
 }
 
 #[test]

@@ -214,3 +214,56 @@ fn bad_places() {
     assert!((point.closest_point(p(1.0, 3.0)).unwrap().distance - 2.0).abs() < 1e-14);
     assert_eq!(point.local_closest_points(p(1.0, 3.0)).unwrap().len(), 1);
 }
+
+/// Points of a curve, and points beside it, are found again: with weights from 1e-3 to 1e3, double control points where
+/// the curve stands still, and branches that pass each other closely.
+#[test]
+fn points_of_wild_rational_curves_are_found_again() {
+    let mut numbers = Numbers(0x1234_5678_9abc_def1);
+    for case in 0..600 {
+        let degree = 1 + case % 5;
+        let count = degree + 2 + case % 6;
+        let mut points: Vec<[f64; 4]> = (0..count)
+            .map(|_| {
+                let w = 10_f64.powf(3.0 * numbers.next());
+                let q = numbers.point(5.0);
+                [q.x * w, q.y * w, if case % 2 == 0 { 0.0 } else { q.z * w }, w]
+            })
+            .collect();
+        if case % 3 == 0 {
+            points[1 + case % (count - 1)] = points[case % (count - 1)];
+        }
+        let knots = katydid_geometry::clamped_uniform_knots(degree, count).unwrap();
+        let c: Curve = NurbsCurve::rational(degree, points, knots).unwrap().into();
+        let ready = ClosestOnCurve::new(&c);
+        for k in 0..24 {
+            let on = c.point_at(c.domain().at(0.5 + 0.5 * numbers.next()));
+            let q = on + numbers.point([0.0, 1e-9, 1e-4, 0.5][k % 4]).to_vector();
+            for found in [c.closest_point(q).unwrap(), ready.nearest(q).unwrap()] {
+                let excess = found.distance - q.distance_to(on);
+                assert!(excess < 1e-7, "case {case}: {excess:e} too far from {q:?}");
+            }
+        }
+    }
+}
+
+/// A search beside a nearly tangent branch once spent its whole budget there.
+#[test]
+fn rounding_around_one_minimum_does_not_hide_another() {
+    let points = vec![
+        [0.0, 0.0, 0.0, 0.3],
+        [-9.169148056589966, 0.9195904949156215, 0.0, 2.949062540680234],
+        [6.733352730091489, -2.798482790214165, 0.0, 1.7267051215679472],
+        [-4.642803746957714, 10.559728577009887, 0.0, 2.7727421050770173],
+        [0.4487256186527543, 5.385290024703999, 0.0, 2.542758947360471],
+        [0.5106639945273126, -1.5918657182885574, 0.0, 0.4387074261440936],
+        [0.0, 0.0, 0.0, 0.3],
+        [0.0, 0.0, 0.0, 0.3],
+    ];
+    let knots = vec![0.0, 0.0, 0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.0, 1.0];
+    let c: Curve = NurbsCurve::rational(3, points, knots).unwrap().into();
+    for i in 0..=4000 {
+        let t = f64::from(i) / 4000.0;
+        assert!(c.closest_point(c.point_at(t)).unwrap().distance < 1e-7, "at {t}");
+    }
+}

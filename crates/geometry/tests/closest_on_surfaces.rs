@@ -214,3 +214,37 @@ fn bad_places_and_flat_surfaces() {
         assert!((area / size / size - 1.0).abs() < 1e-12);
     }
 }
+
+/// Points of a surface, and points beside it, are found again: with weights from 1e-2 to 1e2 and rows of control points
+/// that fall together.
+#[test]
+fn points_of_wild_rational_surfaces_are_found_again() {
+    let mut numbers = Numbers(0x0fed_cba9_8765_4321);
+    for case in 0..60 {
+        let degrees = [1 + case % 3, 1 + case / 3 % 3];
+        let counts = degrees.map(|d| d + 2);
+        let mut points: Vec<[f64; 4]> = (0..counts[0] * counts[1])
+            .map(|k| {
+                let w = 10_f64.powf(2.0 * numbers.next());
+                let place = numbers.point(1.0);
+                let x =
+                    [(k / counts[1]) as f64 * 3.0 + place.x, (k % counts[1]) as f64 * 3.0 + place.y, place.z];
+                [x[0] * w, x[1] * w, x[2] * w, w]
+            })
+            .collect();
+        if case % 4 == 0 {
+            let first = points[0];
+            points[..counts[1]].fill(first);
+        }
+        let knots = [0, 1].map(|d| katydid_geometry::clamped_uniform_knots(degrees[d], counts[d]).unwrap());
+        let s = NurbsSurface::rational(degrees, counts, points, knots).unwrap();
+        let (du, dv) = (s.domain(Direction::U), s.domain(Direction::V));
+        let ready = ClosestOnSurface::of_nurbs(&s);
+        for k in 0..12 {
+            let on = s.point_at(du.at(0.5 + 0.5 * numbers.next()), dv.at(0.5 + 0.5 * numbers.next()));
+            let q = on + numbers.point([0.0, 1e-9, 1e-4, 0.5][k % 4]).to_vector();
+            let excess = ready.nearest(q).unwrap().distance - q.distance_to(on);
+            assert!(excess < 1e-6, "case {case}: {excess:e} too far from {q:?}");
+        }
+    }
+}

@@ -499,6 +499,29 @@ proptest! {
     }
 
     #[test]
+    fn offsets_miss_nothing(xs in proptest::collection::vec((-5.0..5.0_f64, -5.0..5.0_f64), 4..9), d in -1.5..1.5_f64, closed in any::<bool>(), degree in 2_usize..4) {
+        let points: Vec<Point3> = xs.iter().map(|x| p(x.0, x.1, 0.0)).collect();
+        let c = if closed { NurbsCurve::periodic_uniform(degree, &points) } else { NurbsCurve::clamped_uniform(degree, &points) };
+        let c: Curve = c.unwrap().into();
+        let t = Tolerance { absolute: 1e-3, angle: 0.01 };
+        let out = c.offset(&Plane::XY, d, OffsetCorner::Round, &t).unwrap();
+        for i in 0..=300 {
+            let exact = |x: f64| {
+                let u = c.domain().at(x.clamp(0.0, 1.0));
+                c.point_at(u) + c.tangent_at(u).unwrap().cross(Vector3::Z) * d
+            };
+            let u = f64::from(i) / 300.0;
+            let q = exact(u);
+            // A stretch of the exact offset that is clear of everything else belongs to the result.
+            let clear = |x: f64| c.closest_point(exact(x)).unwrap().distance >= d.abs() - 1e-9;
+            if clear(u) && clear(u - 3e-3) && clear(u + 3e-3) {
+                let near = out.iter().map(|o| o.closest_point(q).unwrap().distance).fold(f64::INFINITY, f64::min);
+                prop_assert!(near <= 5e-3, "{near} at {u}, {} parts, distance {d}", out.len());
+            }
+        }
+    }
+
+    #[test]
     fn made_curves_answer_or_refuse(xs in proptest::collection::vec((-5.0..5.0_f64, -5.0..5.0_f64, -5.0..5.0_f64, -3.0..3.0_f64), 2..8), degree in 1_usize..6, size in -1.0..20.0_f64, planar in any::<bool>()) {
         let points: Vec<Point3> = xs.iter().map(|x| p(x.0.round(), x.1.round(), if planar { 0.0 } else { x.2 })).collect();
         let weights: Vec<f64> = xs.iter().map(|x| 10_f64.powf(x.3)).collect();

@@ -324,7 +324,7 @@ fn invalid_curves_are_refused_with_a_reason() {
     assert!(NurbsCurve::interpolate(3, &[], KnotSpacing::Chord, None, None).is_err());
     assert!(NurbsCurve::interpolate(3, &[four()[0]; 9], KnotSpacing::Chord, None, None).is_err());
     assert!(NurbsCurve::interpolate(5, &four(), KnotSpacing::Chord, None, None).is_err());
-    assert!(NurbsCurve::interpolate_periodic(4, &four(), KnotSpacing::Chord).is_err());
+    assert!(NurbsCurve::interpolate_periodic(5, &four(), KnotSpacing::Chord).is_err());
     assert!(NurbsCurve::clamped_uniform(3, &four()).unwrap().trimmed(Interval::new(0.5, 2.0)).is_err());
     assert!(NurbsCurve::clamped_uniform(3, &four()).unwrap().insert_knot(7.0, 1).is_err());
 }

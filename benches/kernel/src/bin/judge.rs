@@ -5,7 +5,7 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use katydid_geometry::{ClosestOnCurve, Curve, Quadrant, Vector3, intersect};
+use katydid_geometry::{ClosestOnCurve, ClosestOnSurface, Curve, Quadrant, Vector3, intersect};
 use katydid_kernel_bench::Inputs;
 
 /// How many parameters the judge looks at.
@@ -39,6 +39,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let uv: Vec<[f64; 2]> = inputs.uv()?.into_iter().take(EVALUATIONS).collect();
         let rows = uv.iter().map(|&[u, v]| surface.partials_at(u, v, Quadrant::NorthEast));
         write(format!("eval_katydid_{name}.txt"), vectors(rows))?;
+        let ready = ClosestOnSurface::of_nurbs(&surface);
+        let mut text = String::new();
+        for &q in inputs.points("q_surf")? {
+            writeln!(text, "{:?}", ready.nearest(q)?.distance)?;
+        }
+        write(format!("cp_katydid_{name}.txt"), text)?;
     }
     for (case, a, b) in [("cc", "cc_a", "cc_b"), ("weave", "wv_a", "wv_b")] {
         let curve = |name| -> Result<Curve, Box<dyn Error>> { Ok(inputs.curve(name)?.katydid()?.into()) };

@@ -3,8 +3,8 @@
 use super::pairs::{Pairs, port_name, ports};
 use super::{ChangeKind, List, quoted, tree};
 use crate::archive::Chunk;
-use crate::document::{Mapping, Modifiers, Object, Port, Side, WireDisplay, ids};
-use crate::kd::{own_settings, values_form};
+use crate::document::{Mapping, Modifiers, Object, Persistent, Port, Side, WireDisplay, ids};
+use crate::kd::{own_settings, values_form, values_words};
 
 impl List {
     pub(super) fn objects(&mut self, pairs: &Pairs<'_>, old: &Object, new: &Object, title: &str) {
@@ -103,11 +103,11 @@ impl List {
         }
         if side == Side::Input {
             let (a, b) = (old.persistent(before), new.persistent(after));
-            let form = |values: &Option<crate::document::Persistent>| values.as_ref().map(values_form);
-            let (a, b) = (form(&a), form(&b));
-            if a != b {
-                let none = "none".to_owned();
-                let (a, b) = (a.unwrap_or_else(|| none.clone()), b.unwrap_or(none));
+            if a.as_ref().map(values_form) != b.as_ref().map(values_form) {
+                let form = |values: Option<Persistent>| {
+                    values.map_or_else(|| "none".to_owned(), |v| values_words(&v))
+                };
+                let (a, b) = (form(a), form(b));
                 let behind = if after.sources.is_empty() { "" } else { " behind the wire" };
                 add(ChangeKind::Value, format!("{of}value{behind} {} → {}", short(&a), short(&b)));
             }

@@ -234,9 +234,9 @@ impl<'a> Builder<'a, '_> {
         let facts = node.facts.clone();
         let mut faults = Vec::new();
         let title = node.name.clone();
-        node.inputs = slot::inputs(facts.as_deref(), all_written, &title, arguments, &mut faults);
-        node.outputs =
-            slot::outputs(facts.as_deref(), all_written, &title, node.written_outputs, &mut faults);
+        let style = (all_written, node.variable);
+        node.inputs = slot::inputs(facts.as_deref(), style, &title, arguments, &mut faults);
+        node.outputs = slot::outputs(facts.as_deref(), style, &title, node.written_outputs, &mut faults);
         for (k, slot) in node.inputs.iter_mut().enumerate() {
             slot.id = derive::id(node.id, &format!("in {k}"));
         }

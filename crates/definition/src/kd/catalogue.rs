@@ -10,7 +10,8 @@ pub trait Catalogue {
     /// The component of this type id, old ids included.
     fn by_guid(&self, guid: Uuid) -> Option<Arc<Facts>>;
 
-    /// The component of this name; with `parameter` the floating parameter of this name, else a parameter only where
+    /// The component of this name, which may have its panel and a slash before it where several have the name:
+    /// `Grid/Square`. With `parameter` the floating parameter of this name, else a parameter only where
     /// no component has the name.
     fn by_name(&self, name: &str, parameter: bool) -> Option<Arc<Facts>>;
 
@@ -45,6 +46,8 @@ pub struct Facts {
     pub name: String,
     /// The short name.
     pub nickname: String,
+    /// The panel of the ribbon, which tells components of the same name apart.
+    pub panel: String,
     /// What it does.
     pub description: String,
     /// Whether it is a floating parameter: an object that is its own port.
@@ -133,6 +136,7 @@ fn own(found: impl Fn(&(Uuid, &str, bool, &str)) -> bool) -> Option<Arc<Facts>> 
         guid: *guid,
         name: (*name).to_owned(),
         nickname: (*nickname).to_owned(),
+        panel: String::new(),
         description: String::new(),
         floating: *floating,
         inputs,
@@ -156,11 +160,16 @@ impl Known<'_> {
         names
     }
 
-    /// How to call a component so that its name finds this id: the name, and whether it is to be a parameter.
-    pub(super) fn name_of(&self, facts: &Facts, guid: Uuid) -> Option<bool> {
-        [false, true].into_iter().find(|parameter| {
-            self.by_name(&facts.name, *parameter)
-                .is_some_and(|found| found.guid == guid && facts.guid == guid)
+    /// How to call a component so that its name finds this id: whether its panel stands before the name, and whether
+    /// it is to be a parameter.
+    pub(super) fn name_of(&self, facts: &Facts, guid: Uuid) -> Option<(bool, bool)> {
+        let finds = |name: &str, parameter: bool| {
+            facts.guid == guid && self.by_name(name, parameter).is_some_and(|found| found.guid == guid)
+        };
+        let qualified = format!("{}/{}", facts.panel, facts.name);
+        [(false, false), (false, true), (true, false)].into_iter().find(|(panel, parameter)| {
+            finds(if *panel { &qualified } else { &facts.name }, *parameter)
+                && !(*panel && facts.panel.is_empty())
         })
     }
 }

@@ -27,6 +27,14 @@ impl Label {
     }
 }
 
+impl Label {
+    /// The label before a point and a number: `a 0` and `.1` would read as 0.1 without quotes.
+    pub(super) fn before_number(&self) -> Self {
+        let ends_in_digit = self.suffix.is_none() && self.text.ends_with(|c: char| c.is_ascii_digit());
+        Self { quoted: self.quoted || ends_in_digit && self.text.contains(' '), ..self.clone() }
+    }
+}
+
 impl fmt::Display for Label {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.quoted {

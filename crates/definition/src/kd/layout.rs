@@ -51,6 +51,9 @@ fn spaced(a: &Token<'_>, b: &Token<'_>) -> bool {
     if sign(b, &["/"]) {
         return false;
     }
+    if a.is_word("else") {
+        return true;
+    }
     if sign(b, &["("]) {
         return !(matches!(
             a.kind,
@@ -212,7 +215,13 @@ impl<'a> Printer<'a> {
         while let Some(token) = tokens.get(k) {
             if token.is("(") || token.is("[") {
                 let end = closing(tokens, k);
-                groups.push((k, end));
+                // One list, or one text, between round brackets keeps them close.
+                let inner = tokens.get(k + 1);
+                if inner.is_some_and(|t| t.is("[")) && closing(tokens, k + 1) + 1 == end {
+                    groups.push((k + 1, end - 1));
+                } else if !(inner.is_some_and(|t| t.kind == Kind::Raw) && end == k + 2) {
+                    groups.push((k, end));
+                }
                 k = end;
             }
             k += 1;
@@ -222,6 +231,10 @@ impl<'a> Printer<'a> {
             groups.into_iter().partition(|(a, b)| tokens.get(*a..*b).is_some_and(needs_lines));
         // An index, or brackets around one thing, are not worth lines of their own.
         rest.retain(|(a, b)| b - a > 2);
+        // The members of a group are what makes its line long.
+        if tokens.first().is_some_and(|first| first.is_word("group")) {
+            rest.clear();
+        }
         rest.sort_by_key(length);
         let mut left = self.column + width(tokens);
         left = left.saturating_sub(chosen.iter().map(length).sum());

@@ -10,9 +10,9 @@
 //! group the grid: r, grid
 //! ```
 //!
-//! The grammar, with examples, is in `docs/kd.md`. [`read`] makes a document of a text, [`write`] a text of a document,
+//! The grammar, with examples, is in `docs/kd.md`. [`read`] makes a document of a text, [`write()`] a text of a document,
 //! and [`format`](fn@format) sets a text the usual way. What an object's statement does not say is kept as changes to
-//! the tree of the archive in blocks at the end, so that nothing is lost: [`write`] builds its own text again, and
+//! the tree of the archive in blocks at the end, so that nothing is lost: [`write()`] builds its own text again, and
 //! writes down what differs.
 //!
 //! ```
@@ -57,7 +57,7 @@ pub use write::{Written, write};
 use self::catalogue::Known;
 use self::problem::Fault;
 use crate::archive::{Archive, Encoding, ItemValue};
-use crate::document::{Document, Object, Persistent};
+use crate::document::{Document, Object, Persistent, Stored};
 
 /// A text, read.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,6 +134,17 @@ fn number(bytes: &[u8]) -> u32 {
 /// The values of a port, as the text form has them.
 pub(crate) fn values_form(values: &Persistent) -> String {
     value::print(values, Expect::Number, &mut number)
+}
+
+/// The values of a port for a reader: `3` whether it is whole by its type or not.
+pub(crate) fn values_words(values: &Persistent) -> String {
+    let mut values = values.clone();
+    for item in values.branches.iter_mut().flat_map(|branch| &mut branch.items) {
+        if let Stored::Integer(n) = item {
+            *item = Stored::Number(f64::from(*n));
+        }
+    }
+    values_form(&values)
 }
 
 /// A value of the archive, as the text form has it.

@@ -216,7 +216,7 @@ impl<'a> Parser<'a> {
             } else {
                 given.wires.push(self.wire()?);
             }
-            if !self.eat(",") && !self.peek().is("]") {
+            if self.peek().kind != Kind::End && !self.eat(",") && !self.peek().is("]") {
                 return self.expected(", or ]");
             }
         }

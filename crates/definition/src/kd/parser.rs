@@ -32,11 +32,20 @@ pub(super) fn parse(text: &str) -> Result<Module, Vec<Fault>> {
     if text.len() > LARGEST {
         return Err(vec![Fault::new(0, 1, format!("a text of {} bytes is more than is read", text.len()))]);
     }
-    let (mut tokens, faults) = lex(text);
+    let (mut tokens, mut faults) = lex(text);
     tokens.retain(|token| token.kind != Kind::Comment);
-    let mut parser = Parser { tokens, at: 0, faults, depth: 0 };
+    let mut parser = Parser { tokens, at: 0, faults: Vec::new(), depth: 0 };
     let module = parser.module(false);
-    if parser.faults.is_empty() { Ok(module) } else { Err(parser.faults) }
+    if faults.is_empty() && parser.faults.is_empty() {
+        return Ok(module);
+    }
+    // What goes wrong on a line behind a broken token goes wrong because of it.
+    let line = |at: usize| text.get(..at).and_then(|before| before.rfind('\n')).unwrap_or(0);
+    let broken: std::collections::HashSet<usize> = faults.iter().take(100).map(|f| line(f.at)).collect();
+    parser.faults.truncate(1000);
+    parser.faults.retain(|fault| !broken.contains(&line(fault.at)));
+    faults.append(&mut parser.faults);
+    Err(faults)
 }
 
 impl<'a> Parser<'a> {
@@ -320,10 +329,12 @@ impl<'a> Parser<'a> {
             statement.label = Some(Name { suffix, ..name });
             let start = self.peek();
             let name = self.name("a component")?;
+            let name = self.behind_panel(name)?;
             statement.call = self.call(name, start)?;
         } else if suffix.is_some() {
             return self.expected("= and a component");
         } else {
+            let name = self.behind_panel(name)?;
             statement.call = self.call(name, start)?;
         }
         statement.flags = self.flags()?;
@@ -352,6 +363,17 @@ impl<'a> Parser<'a> {
             statement.inside = Some(Box::new(module));
         }
         Ok(statement)
+    }
+
+    /// `Grid/Square`: what stood before the slash was the component's panel.
+    fn behind_panel(&mut self, panel: Name) -> Parsed<Name> {
+        if !self.eat("/") {
+            return Ok(panel);
+        }
+        let name = self.name("a component of this panel")?;
+        let len = (name.span.at + name.span.len).saturating_sub(panel.span.at);
+        let text = format!("{}/{}", panel.text, name.text);
+        Ok(Name { text, span: Span { at: panel.span.at, len }, ..name })
     }
 
     fn flags(&mut self) -> Parsed<Flags> {
@@ -411,7 +433,7 @@ impl<'a> Parser<'a> {
                 return self.fail(Fault::new(open.at, 1, "this bracket is never closed: ) is missing"));
             }
             arguments.push(self.argument()?);
-            if !self.eat(",") && !self.peek().is(")") {
+            if self.peek().kind != Kind::End && !self.eat(",") && !self.peek().is(")") {
                 return self.expected(", or )");
             }
         }
@@ -487,6 +509,7 @@ impl<'a> Parser<'a> {
             Target::Guid(self.guid()?)
         } else {
             let name = self.name("an object, a component or a value")?;
+            let name = self.behind_panel(name)?;
             let suffix = self.suffix()?;
             let next = self.peek();
             if suffix.is_none() && (next.is("(") || next.is("!") || next.kind == Kind::Guid) {

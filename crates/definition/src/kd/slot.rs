@@ -54,27 +54,63 @@ pub(super) fn split(ports: &[PortFacts]) -> (&[PortFacts], Option<&PortFacts>) {
 /// The `k`-th of the ports that one stands for.
 pub(super) fn one_of_many<'a>(many: &PortFacts, k: usize, label: Option<&str>) -> Slot<'a> {
     let mut slot = Slot::of(many);
-    let usual = format!("{}{}", many.nickname, k + 1);
+    let usual = counted(&many.nickname, k);
     match label {
         Some(label) if label != usual => {
-            slot.name = label.to_owned();
+            // `Variable x` is followed by `Variable y`.
+            let stem = many.name.strip_suffix(&many.nickname).filter(|_| !many.nickname.is_empty());
+            slot.name = format!("{}{label}", stem.unwrap_or_default());
             slot.nickname = label.to_owned();
         }
         _ => {
-            slot.name = format!("{} {}", many.name, k + 1);
+            slot.name = counted(&many.name, k);
             slot.nickname = usual;
         }
     }
     slot
 }
 
+/// The name of the `k`-th port, counted from the first one's: its last number goes up, or else its last letter where
+/// that stands alone.
+fn counted(first: &str, k: usize) -> String {
+    let digits = |c: char| c.is_ascii_digit();
+    if let Some(end) = first.rfind(digits) {
+        let head = first.get(..=end).unwrap_or_default();
+        let start = head.rfind(|c| !digits(c)).map_or(0, |at| at + head.get(at..).map_or(1, first_len));
+        let number = head.get(start..).and_then(|text| text.parse::<usize>().ok());
+        if let Some(number) = number.and_then(|n| n.checked_add(k)) {
+            let (before, after) = (first.get(..start), first.get(end + 1..));
+            return format!("{}{number}{}", before.unwrap_or_default(), after.unwrap_or_default());
+        }
+    }
+    let letters: Vec<char> = first.chars().collect();
+    if let Some(at) = letters.iter().rposition(char::is_ascii_alphabetic) {
+        let alone = at.checked_sub(1).and_then(|k| letters.get(k)).is_none_or(|c| !c.is_alphanumeric());
+        let next = letters.get(at).and_then(|c| char::from_u32(u32::from(*c) + u32::try_from(k).ok()?));
+        if let Some(next) = next.filter(|next| alone && next.is_ascii_alphabetic()) {
+            let mut letters = letters;
+            if let Some(letter) = letters.get_mut(at) {
+                *letter = next;
+            }
+            return letters.into_iter().collect();
+        }
+    }
+    if k == 0 { first.to_owned() } else { format!("{first}{}", k + 1) }
+}
+
+/// How many bytes the first character takes.
+fn first_len(text: &str) -> usize {
+    text.chars().next().map_or(1, char::len_utf8)
+}
+
 /// A port of an object whose ports are all written: what the catalogue says of a port of this name, where it does.
-pub(super) fn exact<'a>(facts: Option<&Facts>, side: Side, label: &str) -> Slot<'a> {
+pub(super) fn exact<'a>(facts: Option<&Facts>, side: Side, variable: bool, label: &str) -> Slot<'a> {
     let ports =
         facts.map_or(&[][..], |facts| if side == Side::Input { &facts.inputs } else { &facts.outputs });
     match ports.iter().find(|port| !port.many && (port.nickname == label || port.name == label)) {
         Some(port) => Slot::of(port),
-        None => Slot::named(label),
+        // Ports that somebody added are optional as a rule.
+        None => Slot { optional: side == Side::Input && variable, ..Slot::named(label) },
     }
 }
 
@@ -130,7 +166,7 @@ pub(super) fn unknown<'a>(
 /// The inputs of an object.
 pub(super) fn inputs<'a>(
     facts: Option<&Facts>,
-    all_written: bool,
+    (all_written, variable): (bool, bool),
     title: &str,
     arguments: &[&'a Argument],
     faults: &mut Vec<Fault>,
@@ -138,7 +174,7 @@ pub(super) fn inputs<'a>(
     let Some(facts) = facts.filter(|_| !all_written) else {
         let slot = |argument: &&'a Argument| {
             let label = argument.name.as_ref().map_or("", |name| name.text.as_str());
-            Slot { given: Some(&argument.given), ..exact(facts, Side::Input, label) }
+            Slot { given: Some(&argument.given), ..exact(facts, Side::Input, variable, label) }
         };
         return arguments.iter().map(slot).collect();
     };
@@ -183,7 +219,7 @@ pub(super) fn inputs<'a>(
 /// The outputs of an object.
 pub(super) fn outputs<'a>(
     facts: Option<&Facts>,
-    all_written: bool,
+    (all_written, variable): (bool, bool),
     title: &str,
     written: Option<&'a [Output]>,
     faults: &mut Vec<Fault>,
@@ -192,7 +228,7 @@ pub(super) fn outputs<'a>(
     let Some(facts) = facts.filter(|_| !all_written) else {
         let slot = |output: &'a Output| Slot {
             modifiers: &output.modifiers,
-            ..exact(facts, Side::Output, &output.name.text)
+            ..exact(facts, Side::Output, variable, &output.name.text)
         };
         return list.iter().map(slot).collect();
     };
@@ -219,4 +255,27 @@ pub(super) fn outputs<'a>(
         }
     }
     slots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::counted;
+
+    #[test]
+    fn ports_of_a_kind_are_counted_on() {
+        for (first, k, name) in [
+            ("Data 1", 0, "Data 1"),
+            ("D1", 9, "D10"),
+            ("{0;0}", 2, "{0;2}"),
+            ("0", 3, "3"),
+            ("A", 2, "C"),
+            ("List (A)", 1, "List (B)"),
+            ("Item", 0, "Item"),
+            ("Item", 1, "Item2"),
+            ("é9", 1, "é10"),
+            ("z", 1, "z2"),
+        ] {
+            assert_eq!(counted(first, k), name);
+        }
+    }
 }

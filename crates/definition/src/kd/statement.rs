@@ -70,15 +70,22 @@ pub(super) fn follows(object: &Object, facts: Option<&Facts>) -> bool {
     if facts.floating || object.is_floating() {
         return facts.floating == object.is_floating();
     }
-    let fits = |ports: &[PortFacts], n: usize| {
-        let (fixed, many) = slot::split(ports);
-        n == fixed.len() || many.is_some() && n > fixed.len()
+    let fits = |facts: &[PortFacts], ports: &[Port]| {
+        let (fixed, many) = slot::split(facts);
+        let names = || fixed.iter().map(|port| (port.name.as_str(), port.nickname.as_str()));
+        // One of many that is called as a fixed one is would be taken for it.
+        let clear = |port: &Port| {
+            let label = Name { text: port.nickname.clone(), quoted: true, ..Name::default() };
+            slot::find(&label, names()).is_none()
+        };
+        let added = ports.get(fixed.len()..).unwrap_or_default();
+        ports.len() == fixed.len() || many.is_some() && !added.is_empty() && added.iter().all(clear)
     };
     let variable = facts.is_variable() || facts.guid == ids::CLUSTER;
     let annotation = object.is_annotation();
     (variable == object.variable || annotation)
-        && fits(&facts.inputs, object.inputs.len())
-        && fits(&facts.outputs, object.outputs.len())
+        && fits(&facts.inputs, &object.inputs)
+        && fits(&facts.outputs, &object.outputs)
 }
 
 /// The ports of a cluster after its inside, when the objects inside are called as the ports are.
@@ -127,7 +134,10 @@ pub(super) fn output_names(object: &Object, facts: Option<&Facts>, all_written: 
 fn slots<'a>(object: &Object, facts: Option<&Facts>, all_written: bool, side: Side) -> Vec<Slot<'a>> {
     let ports = object.ports(side);
     let Some(facts) = facts.filter(|_| !all_written) else {
-        return ports.iter().map(|port| slot::exact(facts, side, port_label(port))).collect();
+        return ports
+            .iter()
+            .map(|port| slot::exact(facts, side, object.variable, port_label(port)))
+            .collect();
     };
     let list = if side == Side::Input { &facts.inputs } else { &facts.outputs };
     let (fixed, many) = slot::split(list);
@@ -156,7 +166,10 @@ pub(super) fn print(sheet: &mut Sheet<'_, '_>, at: usize) -> String {
         entry.all_written && !(object.is_floating() && facts.as_ref().is_some_and(|f| f.floating));
     let mut parameter = false;
     match (&facts, named) {
-        (Some(facts), Some(as_parameter)) => {
+        (Some(facts), Some((with_panel, as_parameter))) => {
+            if with_panel {
+                line.push_str(&format!("{}/", labels::name(&facts.panel)));
+            }
             line.push_str(&labels::name(&facts.name));
             parameter = as_parameter;
         }
@@ -313,8 +326,10 @@ fn wire(sheet: &Sheet<'_, '_>, id: uuid::Uuid) -> String {
     if entry.object.is_floating() || entry.outputs.len() == 1 {
         return label.to_string();
     }
-    let name = port_name(&entry.outputs, port.port).unwrap_or_else(|| port.port.to_string());
-    format!("{label}.{name}")
+    match port_name(&entry.outputs, port.port) {
+        Some(name) => format!("{label}.{name}"),
+        None => format!("{}.{}", label.before_number(), port.port),
+    }
 }
 
 fn modifiers(chunk: Option<&Chunk>, floating: bool) -> String {
@@ -367,12 +382,9 @@ fn outputs(sheet: &Sheet<'_, '_>, at: usize, all_written: bool) -> String {
     let usual = many.map(|many| slot::one_of_many(many, 0, None).nickname);
     let numbers = object.outputs.iter().map(|port| Some(port.nickname.as_str())).skip(fixed.len());
     let as_usual = many.is_none() || numbers.eq([usual.as_deref()]);
+    // Where one output is written, those of many are no longer taken for granted.
     let list_many = !as_usual
-        || object
-            .outputs
-            .iter()
-            .skip(fixed.len())
-            .any(|p| !modifiers(p.chunk(object.container()), false).is_empty());
+        || object.outputs.iter().any(|port| !modifiers(port.chunk(object.container()), false).is_empty());
     let mut list = Vec::new();
     for (k, port) in object.outputs.iter().enumerate() {
         let modifiers = modifiers(port.chunk(object.container()), false);

@@ -235,7 +235,8 @@ impl<'a, 'k> Sheet<'a, 'k> {
                         if derived { "_".to_owned() } else { format!("@{}", port.id) }
                     })
                     .collect();
-                if ids.iter().all(|id| id == "_") { None } else { Some(format!("[{}]", ids.join(", "))) }
+                let last = ids.iter().rposition(|id| id != "_")?;
+                Some(format!("[{}]", ids.get(..=last).unwrap_or_default().join(", ")))
             };
             let (inputs, outputs) = if object.is_floating() {
                 (None, None)
@@ -262,7 +263,7 @@ impl<'a, 'k> Sheet<'a, 'k> {
         details: &[Vec<Edit>],
         file: &[Edit],
     ) -> String {
-        let mut text = format!("{head}\n");
+        let mut text = if self.parent.is_some() { head.to_owned() } else { format!("{head}\n") };
         for at in order {
             text.push_str(statements.get(*at).map_or("", |(text, _)| text.as_str()));
             text.push('\n');

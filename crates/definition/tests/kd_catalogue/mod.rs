@@ -21,7 +21,8 @@ fn number(name: &str, nickname: &str, default: Option<f64>) -> PortFacts {
 
 fn of(guid: Uuid, name: &str, nickname: &str, inputs: Vec<PortFacts>, outputs: Vec<PortFacts>) -> Facts {
     let (name, nickname) = (name.to_owned(), nickname.to_owned());
-    Facts { guid, name, nickname, inputs, outputs, ..Facts::default() }
+    let panel = if name == "Square" { "Grid" } else { "" }.to_owned();
+    Facts { guid, name, nickname, panel, inputs, outputs, ..Facts::default() }
 }
 
 fn parameter(guid: Uuid, name: &str, expect: Expect) -> Facts {
@@ -95,8 +96,15 @@ fn all() -> Vec<Facts> {
             uuid!("3cadddef-1e2b-4c09-9390-0e8f78f7609f"),
             "Merge",
             "Merge",
-            vec![many("Data", "D")],
+            vec![many("Data 1", "D1")],
             vec![PortFacts { access: Access::Tree, ..port("Result", "R") }],
+        ),
+        of(
+            uuid!("6f93d366-919f-4dda-a35e-ba03dd62799b"),
+            "Sort List",
+            "Sort",
+            vec![port("Keys", "K"), many("Values A", "A")],
+            vec![port("Keys", "K"), many("Values A", "A")],
         ),
         of(
             uuid!("a0d62394-a118-422d-abb3-6af115c75b25"),
@@ -109,7 +117,7 @@ fn all() -> Vec<Facts> {
             ids::EXPRESSION,
             "Expression",
             "Expression",
-            vec![many("Variable", "x")],
+            vec![many("Variable x", "x")],
             vec![port("Result", "R")],
         ),
         parameter(uuid!("3e8ca6be-fda8-4aaf-b5c0-3c54c8bb7312"), "Number", Expect::Number),
@@ -123,7 +131,11 @@ impl Catalogue for Few {
     }
 
     fn by_name(&self, name: &str, parameter: bool) -> Option<Arc<Facts>> {
-        let fits = |facts: &Facts| facts.name.eq_ignore_ascii_case(name) && (facts.floating || !parameter);
+        let called = |facts: &Facts| {
+            let qualified = format!("{}/{}", facts.panel, facts.name);
+            facts.name.eq_ignore_ascii_case(name) || qualified.eq_ignore_ascii_case(name)
+        };
+        let fits = |facts: &Facts| called(facts) && (facts.floating || !parameter);
         all().into_iter().find(fits).map(Arc::new)
     }
 

@@ -42,8 +42,11 @@ const KINDS: &[(&str, Compare)] = &[
     ("primitives", primitives::compare),
     ("length", measures::length),
     ("closest_curve", measures::closest_curve),
+    ("closest_surface", measures::closest_surface),
     ("curvature", measures::curvature),
+    ("area", measures::area),
     ("curve_curve_2d", meets::curve_curve),
+    ("curve_surface", meets::curve_surface),
 ];
 
 /// Kinds of the same files that belong to solids.

@@ -1,6 +1,6 @@
 //! Lengths, closest points and curvatures.
 
-use katydid_geometry::{Curve, Interval, Quadrant, Surface};
+use katydid_geometry::{Curve, Direction, Interval, Quadrant, Surface};
 use serde_json::Value;
 
 use crate::read::{self, Read};
@@ -61,6 +61,33 @@ pub(crate) fn curvature(v: &Value, case: &mut Case) -> Read<()> {
         case.numbers("principal curvatures", &got, &want, bend, EVALUATION);
         case.number("K", c.gaussian, read::number(&e["K"])?, bend * bend, EVALUATION);
         case.number("H", c.mean, read::number(&e["H"])?, bend, EVALUATION);
+    }
+    Ok(())
+}
+
+pub(crate) fn closest_surface(v: &Value, case: &mut Case) -> Read<()> {
+    let surface = Surface::from(read::surface(&v["in"])?);
+    let (q, want) = (read::point(&v["q"])?, read::number(&v["dist"])?);
+    if let Some(got) = case.made("closest point", surface.closest_point(q)) {
+        case.number("farther than the reference", (got.distance - want).max(0.0), 0.0, 1.0, FARTHER);
+        let here = surface.point_at(got.u, got.v).distance_to(q);
+        case.number("distance at the parameters", here, got.distance, 1.0 + want, EVALUATION);
+        let inside =
+            surface.domain(Direction::U).contains(got.u) && surface.domain(Direction::V).contains(got.v);
+        case.equal("inside the domain", inside, true);
+    }
+    Ok(())
+}
+
+pub(crate) fn area(v: &Value, case: &mut Case) -> Read<()> {
+    let surface = Surface::from(read::surface(&v["in"])?);
+    if let Some(got) = case.made("area", surface.area()) {
+        let want = read::number(&v["area"])?;
+        // The reference says by how much its own quadrature may be wrong.
+        let doubt = v.get("quad_err").map_or(Ok(0.0), read::number)? / want;
+        case.number("area", got.area, want, want, 1e-10 + doubt);
+        let centroid = read::point(&v["centroid"])?;
+        case.point("centroid", got.centroid, centroid, 1.0, 1e-8 + 10.0 * doubt);
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Intersections of curves by subdivision.
 
-use katydid_geometry::{Curve, Point3, intersect};
+use katydid_geometry::{Curve, Direction, Point3, intersect};
 use serde_json::Value;
 
 use crate::read::{self, Read};
@@ -29,6 +29,25 @@ pub(crate) fn curve_curve(v: &Value, case: &mut Case) -> Read<()> {
     }
     let domains = [a.domain().length(), b.domain().length()];
     matched(ours.collect(), v, "t", &domains, case)
+}
+
+/// Crossings of a curve and a surface: all of them and no more.
+pub(crate) fn curve_surface(v: &Value, case: &mut Case) -> Read<()> {
+    let (curve, surface) = (Curve::from(read::curve(&v["curve"])?), read::surface(&v["srf"])?);
+    let Some(got) = case.made("curve and surface", intersect::curve_surface(&curve, &surface, TOLERANCE))
+    else {
+        return Ok(());
+    };
+    case.equal("the search came to its end", got.complete, true);
+    case.equal("overlaps", got.overlaps.len(), 0);
+    for c in &got.crossings {
+        let gap = curve.point_at(c.t).distance_to(surface.point_at(c.u, c.v));
+        case.number("gap between curve and surface", gap, 0.0, 1.0, 1e-12);
+    }
+    let ours = got.crossings.iter().map(|c| Found { point: c.point, parameters: vec![c.t, c.u, c.v] });
+    let domains =
+        [curve.domain(), surface.domain(Direction::U), surface.domain(Direction::V)].map(|d| d.length());
+    matched(ours.collect(), v, "tuv", &domains, case)
 }
 
 /// Every point of the reference must be among ours, and ours no more.

@@ -178,7 +178,7 @@ impl Parts {
             let n = m[0] - 2.0 * cross + rr * m[4];
             *slot = std::array::from_fn(|k| if k == 0 { n } else { m[4] });
         }
-        // What rounding may have done to a coefficient.
+        // What rounding may have done to a coefficient, as a part of the weight that stands with it.
         let noise = 2e-15 * (part.radius + rr.sqrt()).powi(2);
         let search = Search { points, r, part, noise };
         if !best.squared.is_finite() {
@@ -228,7 +228,10 @@ impl Search<'_> {
         }
         if let Some(start) = shape {
             let x = a + (b - a) * start;
-            let found = self.minimum([a, b], x, best);
+            let Some(found) = self.minimum([a, b], x, best) else {
+                // The curve stands still there, which says nothing about the range.
+                return self.halves(c, [a, b], depth, best, budget);
+            };
             if C == 1 {
                 return;
             }
@@ -241,11 +244,27 @@ impl Search<'_> {
                 return;
             }
         }
+        self.halves(c, [a, b], depth, best, budget);
+    }
+
+    /// Looks at both halves of a range, unless it is so small that they tell nothing new.
+    fn halves<const M: usize, const C: usize>(
+        &self,
+        c: &[[f64; C]; M],
+        [a, b]: [f64; 2],
+        depth: u32,
+        best: &mut Best,
+        budget: &mut u32,
+    ) {
+        let last = 2 * self.part.degree as usize;
         if depth >= 50 || *budget == 0 {
             return;
         }
         let middle = 0.5 * (a + b);
         best.offer(self.squared(middle), self.part.piece, self.place(middle));
+        if self.is_level(c, last) {
+            return;
+        }
         let (mut left, mut right) = ([[0.0; C]; M], *c);
         for level in 0..=last {
             left[level] = right[0];
@@ -277,6 +296,7 @@ impl Search<'_> {
         let tie = bar * (1.0 - 4e-13);
         let mut before = c[0][0] - tie * weight(0);
         let (mut least, mut lowest) = (before, 0);
+        let mut margin = before - self.noise * weight(0);
         let (mut rising, mut one) = (false, true);
         for k in 1..=last {
             let here = c[k][0] - tie * weight(k);
@@ -288,10 +308,11 @@ impl Search<'_> {
             if here < least {
                 (least, lowest) = (here, k);
             }
+            margin = margin.min(here - self.noise * weight(k));
             before = here;
         }
         if !one {
-            return (least - self.noise, None);
+            return (margin, None);
         }
         // The zero of the polygon of differences.
         let value = |k: usize| c[k][0] - tie * weight(k);
@@ -303,7 +324,19 @@ impl Search<'_> {
             let (down, up) = (value(lowest) - value(lowest - 1), value(lowest + 1) - value(lowest));
             (lowest as f64 - 1.0 + down / (down - up)) / (last as f64 - 1.0)
         };
-        (least - self.noise, Some(if start.is_finite() { start.clamp(0.0, 1.0) } else { 0.5 }))
+        (margin, Some(if start.is_finite() { start.clamp(0.0, 1.0) } else { 0.5 }))
+    }
+
+    /// Whether the coefficients differ by no more than rounding may: halving tells nothing new then, and around a
+    /// minimum that was found it would go on for as long as the budget lasts.
+    fn is_level<const M: usize, const C: usize>(&self, c: &[[f64; C]; M], last: usize) -> bool {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for c in c.iter().take(last + 1) {
+            let value = if C == 1 { c[0] } else { c[0] / c[C - 1] };
+            low = low.min(value);
+            high = high.max(value);
+        }
+        high - low <= 4.0 * self.noise
     }
 
     fn place(&self, x: f64) -> f64 {
@@ -358,7 +391,8 @@ impl Search<'_> {
     }
 
     /// Offers a minimum of the distance in a…b, and gives its square: Newton's method from x, kept in a bracket.
-    fn minimum(&self, [a, b]: [f64; 2], mut x: f64, best: &mut Best) -> f64 {
+    /// `None` when what it ends at may be no minimum, because the curve stands still there.
+    fn minimum(&self, [a, b]: [f64; 2], mut x: f64, best: &mut Best) -> Option<f64> {
         let dot = |u: &[f64; 3], v: &[f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
         let (mut low, mut high, mut before) = (a, b, 2.0 * (b - a));
         for _ in 0..100 {
@@ -368,8 +402,10 @@ impl Search<'_> {
             let rate = dot(&d1, &d1) + dot(&v, &d2);
             if slope < 0.0 {
                 low = x;
-            } else {
+            } else if slope > 0.0 || rate > 0.0 {
                 high = x;
+            } else {
+                return None;
             }
             let mut next = (x - slope / rate).clamp(a, b);
             // Steps that do not shrink by halves may go to and fro for ever.
@@ -384,8 +420,12 @@ impl Search<'_> {
                 break;
             }
         }
-        let found = self.squared(x);
+        let [v, d1, d2] = self.jet(x);
+        let found = dot(&v, &v);
         best.offer(found, self.part.piece, self.place(x));
-        found
+        let (slope, rate) = (dot(&v, &d1), dot(&d1, &d1) + dot(&v, &d2));
+        let at_end = (x <= a && slope > 0.0) || (x >= b && slope < 0.0);
+        // On the curve the distance is 0, and no point is nearer.
+        (rate > 0.0 || at_end || found == 0.0).then_some(found)
     }
 }

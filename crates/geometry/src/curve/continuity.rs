@@ -6,6 +6,7 @@ use crate::{Tolerance, Vector3};
 
 /// What counts as equal when continuity is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContinuityTolerance {
     /// Distance of points, in model units.
     pub distance: f64,
@@ -32,6 +33,7 @@ impl From<&Tolerance> for ContinuityTolerance {
 
 /// The join of two curves: what differs there, and the orders of continuity that follow on both scales.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JoinContinuity {
     /// The distance between the end and the start.
     pub distance: f64,

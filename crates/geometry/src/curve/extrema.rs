@@ -6,6 +6,7 @@ use crate::{Circle, Error, Plane, Result, Vector3};
 
 /// A place where the curvature is largest or smallest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurvatureExtremum {
     /// Where.
     pub parameter: f64,

@@ -87,11 +87,15 @@ impl Cluster {
         near(self.a, c.a, self.reach[0].max(c.reach[0])) && near(self.b, c.b, self.reach[1].max(c.reach[1]))
     }
 
-    fn take(&mut self, other: Self) {
+    fn take(&mut self, mut other: Self) {
         self.a = [self.a[0].min(other.a[0]), self.a[1].max(other.a[1])];
         self.b = [self.b[0].min(other.b[0]), self.b[1].max(other.b[1])];
         self.reach = [self.reach[0].max(other.reach[0]), self.reach[1].max(other.reach[1])];
-        self.members.extend(other.members);
+        // The few go to the many: a long contact grows by one part at a time.
+        if other.members.len() > self.members.len() {
+            std::mem::swap(&mut self.members, &mut other.members);
+        }
+        self.members.append(&mut other.members);
     }
 }
 
@@ -293,11 +297,17 @@ impl Reader<'_> {
         };
         for w in stops.windows(2) {
             let (from, to) = (w[0], w[1]);
+            let range = Interval::new(from.1, to.1);
+            let mut before = from.1;
             let together = (0..=8).all(|k| {
                 let x = f64::from(k) / 8.0;
                 let s = Interval::new(from.0, to.0).at(x);
-                let t = Interval::new(from.1, to.1);
-                self.gap(s, self.b.near(self.a.point(s), [t.min(), t.max()], t.at(x))) <= limit
+                // From where it should be and from the place before: in a part that stands still no search moves.
+                let places = [range.at(x), before];
+                let feet = places.map(|t| self.b.near(self.a.point(s), [range.min(), range.max()], t));
+                let gaps = feet.map(|t| self.gap(s, t));
+                before = if gaps[0] <= gaps[1] { feet[0] } else { feet[1] };
+                gaps[0].min(gaps[1]) <= limit
             });
             if !together {
                 close(run.take());

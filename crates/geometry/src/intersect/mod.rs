@@ -3,8 +3,10 @@
 mod analytic;
 mod clusters;
 mod curve_curve;
+mod curve_surface;
 mod judge;
 mod lines;
+mod patch_tree;
 mod result;
 mod search;
 mod tree;
@@ -15,5 +17,6 @@ pub use analytic::{
     plane_circle, plane_sphere, sphere_sphere,
 };
 pub use curve_curve::{curve_curve, curve_self};
+pub use curve_surface::{SurfaceCrossing, SurfaceIntersections, SurfaceOverlap, curve_surface};
 pub use lines::{line_line, line_plane, plane_plane, three_planes};
 pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};

@@ -4,6 +4,7 @@ use crate::{Interval, Point3};
 
 /// How two curves stand to each other where they meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ContactKind {
     /// Their directions differ: they cross, or one ends on the other.
     Transversal,
@@ -14,6 +15,7 @@ pub enum ContactKind {
 
 /// A point that two curves have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing {
     /// The parameter on the first curve.
     pub a: f64,
@@ -29,6 +31,7 @@ pub struct Crossing {
 
 /// A stretch along which two curves lie within the tolerance of each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Overlap {
     /// The parameters on the first curve, increasing.
     pub a: Interval,
@@ -41,6 +44,7 @@ pub struct Overlap {
 
 /// All that two curves, or a curve and itself, have in common.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurveIntersections {
     /// The points, sorted by the parameter on the first curve, then on the second.
     pub crossings: Vec<Crossing>,

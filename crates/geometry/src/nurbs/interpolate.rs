@@ -25,8 +25,9 @@ impl NurbsCurve {
     ///
     /// Degree 3 is the cubic that Rhino makes: knots at the points, n + 2 control points, and at each end, unless a
     /// tangent is given, the direction of the parabola through the first three points; the second control point
-    /// lies a third of the first chord away. Other degrees have n control points and averaged knots (P&T, *The
-    /// NURBS Book*, §9.2.1); there the tangents are not used. Points that repeat the one before are left out.
+    /// lies a third of the first chord away. Other degrees have as many control points as points and tangents,
+    /// and averaged knots (P&T, *The NURBS Book*, §9.2.1 and 9.2.2); the speed along a given tangent is that of the
+    /// chord beside it. Degree 1 has no use for tangents. Points that repeat the one before are left out.
     ///
     /// # Errors
     /// Fewer than two different points, a degree outside 1…31, a point that is not finite, or, beside degree 3, no
@@ -43,15 +44,16 @@ impl NurbsCurve {
         match degree {
             1 => Self::new(1, points, parameters),
             3 => cubic(&points, &parameters, start_tangent, end_tangent),
-            _ => averaged(degree, &points, &parameters),
+            _ => averaged(degree, &points, &parameters, start_tangent, end_tangent),
         }
     }
 
-    /// The periodic curve of an odd degree through points: smooth where it closes. A last point that repeats the
-    /// first is left out.
+    /// The periodic curve through points: smooth where it closes. A last point that repeats the first is left out.
+    /// With an odd degree the knots lie at the points and the curve starts at the first; with an even degree they lie
+    /// halfway between them, and it starts between the last and the first.
     ///
     /// # Errors
-    /// As [`NurbsCurve::interpolate`]; fewer than three points; an even degree.
+    /// As [`NurbsCurve::interpolate`]; fewer points than three or than the degree.
     pub fn interpolate_periodic(degree: usize, points: &[Point3], spacing: KnotSpacing) -> Result<Self> {
         let mut points = distinct(degree, points)?;
         if points.len() > 1 && points.first() == points.last() {
@@ -72,27 +74,34 @@ impl NurbsCurve {
             let parameters = parameters(&points, spacing);
             return Self::new(1, points, parameters);
         }
-        if degree.is_multiple_of(2) {
-            return Err(Error::Unsupported("periodic interpolation of even degree"));
-        }
         let mut closed = points.clone();
         closed.extend(points.first().copied());
-        let inner = parameters(&closed, spacing);
+        let places = parameters(&closed, spacing);
+        // Odd degrees have their knots at the points, even ones halfway between them: otherwise the system of evenly
+        // spaced points would have no solution.
+        let even = degree.is_multiple_of(2);
+        let mut inner = places.clone();
+        if even {
+            let before = 0.5 * (places[n] - places[n - 1]);
+            inner[0] = places[0] - before;
+            (1..n).for_each(|i| inner[i] = 0.5 * (places[i - 1] + places[i]));
+            inner[n] = places[n] - before;
+        }
         let outer = degree - 1;
         let mut knots = vec![0.0; inner.len() + 2 * outer];
         knots[outer..outer + inner.len()].copy_from_slice(&inner);
         make_knots_periodic(degree, &mut knots);
-        // Unknown i is control point i + (degree − 1)/2, the one that acts most at point i, so that the matrix is
-        // strong on its diagonal; folding 0, n−1, 1, n−2, … makes the cyclic band an ordinary one.
-        let shift = outer / 2;
+        // Unknown i is the control point that acts most at point i, so that the matrix is strong on its diagonal;
+        // folding 0, n−1, 1, n−2, … makes the cyclic band an ordinary one.
+        let shift = degree / 2;
         let fold = |i: usize| if 2 * i < n { 2 * i } else { 2 * (n - 1 - i) + 1 };
         let mut system = Banded::new(n, (2 * shift + 3).min(n), points.iter().map(|_| [0.0; 3]).collect());
         let mut values = [0.0; MAX_DEGREE + 1];
         for (i, p) in points.iter().enumerate() {
-            let t = inner[i];
+            let t = places[i];
             let j = span_index(&knots, degree, t, false);
             basis(degree, &knots, j, t, &mut values);
-            for (k, &value) in values.iter().enumerate().take(degree) {
+            for (k, &value) in values.iter().enumerate().take(if even { degree + 1 } else { degree }) {
                 system.add(fold(i), fold((j + k + n - shift) % n), value);
             }
             system.set_right(fold(i), (*p).into());
@@ -179,38 +188,80 @@ fn cubic(points: &[Point3], t: &[f64], start: Option<Vector3>, end: Option<Vecto
     }
     let mut values = [0.0; MAX_DEGREE + 1];
     for (i, &u) in t.iter().enumerate().take(n - 1).skip(1) {
-        let j = span_index(&knots, 3, u, false);
-        basis(3, &knots, j, u, &mut values);
+        // Point i is the knot at which span i begins.
+        basis(3, &knots, i, u, &mut values);
         for (k, &value) in values.iter().enumerate().take(3) {
-            system.add(i + 1, j + k, value);
+            system.add(i + 1, i + k, value);
         }
     }
-    let solved = system.solve().ok_or(Error::degenerate("points", "the interpolation has no solution"))?;
+    let solved = system
+        .solve_totally_positive()
+        .ok_or(Error::degenerate("points", "the interpolation has no solution"))?;
     NurbsCurve::new(3, solved.into_iter().map(Point3::from).collect(), knots)
 }
 
-fn averaged(degree: usize, points: &[Point3], t: &[f64]) -> Result<NurbsCurve> {
+fn averaged(
+    degree: usize,
+    points: &[Point3],
+    t: &[f64],
+    start: Option<Vector3>,
+    end: Option<Vector3>,
+) -> Result<NurbsCurve> {
+    let (start, end) = (start.and_then(Vector3::unitized), end.and_then(Vector3::unitized));
     let n = points.len();
-    if n <= degree {
+    let count = n + usize::from(start.is_some()) + usize::from(end.is_some());
+    if count <= degree {
         return Err(Error::Invalid {
             what: "points to interpolate",
-            why: format!("degree {degree} needs at least {} different ones, got {n}", degree + 1),
+            why: format!(
+                "degree {degree} needs at least {} different ones with the tangents, got {count}",
+                degree + 1
+            ),
         });
     }
+    // A tangent counts as a second condition at its end (P&T, eq. 9.9).
+    let mut places = Vec::with_capacity(count);
+    places.extend(start.map(|_| t[0]));
+    places.extend_from_slice(t);
+    places.extend(end.map(|_| t[n - 1]));
     let mut knots = vec![t[0]; degree];
-    knots.extend((1..n - degree).map(|i| t[i..i + degree].iter().sum::<f64>() / degree as f64));
+    knots.extend((1..count - degree).map(|i| places[i..i + degree].iter().sum::<f64>() / degree as f64));
     knots.extend(std::iter::repeat_n(t[n - 1], degree));
-    let mut system = Banded::new(n, degree, points.iter().map(|&p| p.into()).collect());
+    let mut system = Banded::new(count, degree, vec![[0.0; 3]; count]);
     let mut values = [0.0; MAX_DEGREE + 1];
-    for (i, &u) in t.iter().enumerate() {
+    let first = usize::from(start.is_some());
+    for (i, (&u, &p)) in t.iter().zip(points).enumerate() {
+        let row = match i {
+            0 => 0,
+            _ if i == n - 1 => count - 1,
+            _ => i + first,
+        };
         let j = span_index(&knots, degree, u, i == n - 1);
         basis(degree, &knots, j, u, &mut values);
         for (k, &value) in values.iter().enumerate().take(degree + 1) {
             if value != 0.0 {
-                system.add(i, j + k, value);
+                system.add(row, j + k, value);
             }
         }
+        system.set_right(row, p.into());
     }
-    let solved = system.solve().ok_or(Error::degenerate("points", "the interpolation has no solution"))?;
+    // The control point beside an end is the end's neighbour along the tangent.
+    let reach = |width: f64, i: usize, k: usize| {
+        points[i].distance_to(points[k]) / (t[i] - t[k]).abs() * width / degree as f64
+    };
+    if let Some(unit) = start {
+        let second = points[0] + unit * reach(knots[degree] - knots[0], 0, 1);
+        system.add(1, 1, 1.0);
+        system.set_right(1, second.into());
+    }
+    if let Some(unit) = end {
+        let m = knots.len();
+        let before = points[n - 1] - unit * reach(knots[m - 1] - knots[m - 1 - degree], n - 1, n - 2);
+        system.add(count - 2, count - 2, 1.0);
+        system.set_right(count - 2, before.into());
+    }
+    let solved = system
+        .solve_totally_positive()
+        .ok_or(Error::degenerate("points", "the interpolation has no solution"))?;
     NurbsCurve::new(degree, solved.into_iter().map(Point3::from).collect(), knots)
 }

@@ -250,21 +250,9 @@ impl NurbsSurface {
                 return [[f64::NAN; N]; 3];
             };
             column[i] = weighted(&nv, row);
-            by_v[i] = std::array::from_fn(|c| {
-                let mut sum = dv[0] * (row[1][c] - row[0][c]);
-                for j in 1..Q {
-                    sum += dv[j] * (row[j + 1][c] - row[j][c]);
-                }
-                sum
-            });
+            by_v[i] = weighted(&dv, &steps::<N, Q, QO>(row));
         }
-        let by_u = std::array::from_fn(|c| {
-            let mut sum = du[0] * (column[1][c] - column[0][c]);
-            for i in 1..P {
-                sum += du[i] * (column[i + 1][c] - column[i][c]);
-            }
-            sum
-        });
+        let by_u = weighted(&du, &steps::<N, P, PO>(&column));
         [weighted(&nu, &column), by_u, weighted(&nu, &by_v)]
     }
 
@@ -273,17 +261,71 @@ impl NurbsSurface {
     pub fn second_partials_at(&self, u: f64, v: f64, side: Quadrant) -> [Vector3; 6] {
         let spans = self.spans_at(u, v, side);
         match &self.controls {
-            Controls::Plain(points) => {
-                let mut d = [[0.0; 3]; 6];
-                self.partials_long(points, spans, [u, v], &mut d);
-                d.map(Vector3::from)
-            }
-            Controls::Rational(points) => {
-                let mut d = [[0.0; 4]; 6];
-                self.partials_long(points, spans, [u, v], &mut d);
-                divided_second_partials(&d)
+            Controls::Plain(points) => self.second_partials(points, spans, u, v).map(Vector3::from),
+            Controls::Rational(points) => divided_second_partials(&self.second_partials(points, spans, u, v)),
+        }
+    }
+
+    #[inline]
+    fn second_partials<const N: usize>(
+        &self,
+        points: &[[f64; N]],
+        spans: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [[f64; N]; 6] {
+        match self.degrees {
+            [3, 3] => self.second_sized::<N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
+            [2, 2] => self.second_sized::<N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
+            _ => {
+                let mut out = [[0.0; N]; 6];
+                self.partials_long(points, spans, [u, v], &mut out);
+                out
             }
         }
+    }
+
+    #[inline(always)]
+    fn second_sized<
+        const N: usize,
+        const P: usize,
+        const PO: usize,
+        const PU: usize,
+        const Q: usize,
+        const QO: usize,
+        const QU: usize,
+    >(
+        &self,
+        points: &[[f64; N]],
+        [ju, jv]: [usize; 2],
+        u: f64,
+        v: f64,
+    ) -> [[f64; N]; 6] {
+        let (Some(ku), Some(kv)) = (local(&self.knots[0], ju), local(&self.knots[1], jv)) else {
+            return [[f64::NAN; N]; 6];
+        };
+        let (nu, [du, duu]) = jet_weights::<P, PO, PU>(ku, u);
+        let (nv, [dv, dvv]) = jet_weights::<Q, QO, QU>(kv, v);
+        // By row: the point and its first and second derivative along v.
+        let mut columns = [[[0.0; N]; PO]; 3];
+        for i in 0..PO {
+            let Some(row) = local::<_, QO>(points, (ju + i) * self.counts[1] + jv) else {
+                return [[f64::NAN; N]; 6];
+            };
+            let steps = steps::<N, Q, QO>(row);
+            columns[0][i] = weighted(&nv, row);
+            columns[1][i] = weighted(&dv, &steps);
+            columns[2][i] = weighted(&dvv, &steps);
+        }
+        let along_u = steps::<N, P, PO>(&columns[0]);
+        [
+            weighted(&nu, &columns[0]),
+            weighted(&du, &along_u),
+            weighted(&nu, &columns[1]),
+            weighted(&duu, &along_u),
+            weighted(&du, &steps::<N, P, PO>(&columns[1])),
+            weighted(&nu, &columns[2]),
+        ]
     }
 
     /// Three or six partial derivatives for any degrees.
@@ -362,6 +404,12 @@ impl NurbsSurface {
             }
         }
     }
+}
+
+/// The P differences of PO = P + 1 neighbouring points.
+#[inline(always)]
+fn steps<const N: usize, const P: usize, const PO: usize>(points: &[[f64; N]; PO]) -> [[f64; N]; P] {
+    std::array::from_fn(|i| std::array::from_fn(|c| points[i + 1][c] - points[i][c]))
 }
 
 /// The quotient rule for S, Su, Sv, Suu, Suv, Svv.

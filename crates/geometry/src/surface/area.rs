@@ -5,6 +5,7 @@ use crate::{Direction, Error, NurbsSurface, Point3, Quadrant, Result, Vector3};
 
 /// The area of an untrimmed surface and the moments of it, as of a thin sheet of density 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SurfaceArea {
     /// In square units.
     pub area: f64,

@@ -8,6 +8,7 @@ use crate::{Direction, Error, NurbsSurface, Point3, Quadrant, Result};
 
 /// A point on a surface and how far it is from where one asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SurfacePoint {
     /// The first parameter.
     pub u: f64,

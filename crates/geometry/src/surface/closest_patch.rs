@@ -4,8 +4,8 @@
 //! polynomial whose Bernstein coefficients are linear in 1, r and r·r, where r is the point asked about from the
 //! centre. Coefficients bound it; second differences of them bound its second derivatives.
 
+use super::closest_grid::{convex, halve, line_jet, multiply};
 use crate::MAX_DEGREE;
-use crate::bernstein::binomial;
 use crate::box_tree::{Bounds, bounds_of};
 use crate::nurbs::span_to_bezier;
 use crate::{Direction, NurbsSurface};
@@ -50,16 +50,6 @@ pub(super) struct Best {
 pub(super) struct Work<const C: usize> {
     arena: Vec<[f64; C]>,
     pub(super) budget: u32,
-}
-
-fn halve(points: &mut [[f64; 4]], stride: usize, count: usize, start: usize, other: &mut [[f64; 4]]) {
-    for level in 0..count {
-        other[start + level * stride] = points[start];
-        for i in 0..count - 1 - level {
-            let (a, b) = (points[start + i * stride], points[start + (i + 1) * stride]);
-            points[start + i * stride] = std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
-        }
-    }
 }
 
 fn space(p: &[f64; 4]) -> [f64; 3] {
@@ -221,30 +211,6 @@ impl Patches {
     }
 }
 
-/// The Bernstein coefficients, of twice the degrees, of a bilinear product of two points of the grid.
-fn multiply<const K: usize>(
-    [p, q]: [usize; 2],
-    points: &[[f64; 4]],
-    product: impl Fn(&[f64; 4], &[f64; 4]) -> [f64; K],
-    out: &mut Vec<[f64; K]>,
-) {
-    let row = |n: usize| -> Vec<f64> { (0..=n).map(|i| binomial(n, i)).collect() };
-    let (bp, bq, ap, aq) = (row(p), row(q), row(2 * p), row(2 * q));
-    for k in 0..=2 * p {
-        for l in 0..=2 * q {
-            let mut sum = [0.0; K];
-            for i in k.saturating_sub(p)..=k.min(p) {
-                for j in l.saturating_sub(q)..=l.min(q) {
-                    let s = bp[i] * bp[k - i] * bq[j] * bq[l - j];
-                    let v = product(&points[i * (q + 1) + j], &points[(k - i) * (q + 1) + l - j]);
-                    sum = std::array::from_fn(|c| sum[c] + s * v[c]);
-                }
-            }
-            out.push(sum.map(|x| x / (ap[k] * aq[l])));
-        }
-    }
-}
-
 /// The search in one patch. Its own parameters x run over 0…1.
 struct Search<'s> {
     patch: &'s Patch,
@@ -322,14 +288,16 @@ impl Search<'_> {
         let weight = |c: &[f64; C]| if C == 1 { 1.0 } else { c[C - 1] };
         let coefficients = &work.arena[at..at + count];
         let tie = best.squared * (1.0 - 4e-13);
-        let (mut least, mut lowest) = (f64::INFINITY, 0);
+        let (mut least, mut lowest, mut margin) = (f64::INFINITY, 0, f64::INFINITY);
         for (k, c) in coefficients.iter().enumerate() {
             let x = c[0] - tie * weight(c);
             if x < least {
                 (least, lowest) = (x, k);
             }
+            // What rounding may have done to a coefficient is a part of the weight that stands with it.
+            margin = margin.min(x - self.noise * weight(c));
         }
-        if !(least < self.noise) {
+        if !(margin < 0.0) {
             return;
         }
         // Where the lowest coefficient acts most the function is low; a good value there is worth Newton's method.
@@ -338,14 +306,19 @@ impl Search<'_> {
             inside(0, (lowest / n) as f64 / (m - 1) as f64),
             inside(1, (lowest % n) as f64 / (n - 1) as f64),
         ];
-        let convex = convex(coefficients, [m, n], best.squared);
-        if convex || depth == 0 || self.squared(x) < best.squared {
+        let is_convex = convex(coefficients, [m, n], best.squared);
+        if is_convex || depth == 0 || self.squared(x) < best.squared {
             let (found, settled) = self.minimum(range, x, best);
-            if settled && convex && (C == 1 || self::convex(coefficients, [m, n], found)) {
+            if settled && is_convex && (C == 1 || convex(coefficients, [m, n], found)) {
                 return;
             }
         }
-        if depth >= 80 || work.budget == 0 {
+        // Where coefficients differ by no more than rounding may, halving tells nothing new.
+        let (low, high) = coefficients.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
+            let value = c[0] / weight(c);
+            (low.min(value), high.max(value))
+        });
+        if depth >= 80 || work.budget == 0 || high - low <= 4.0 * self.noise {
             return;
         }
         // Across the direction in which the coefficients change more.
@@ -508,60 +481,4 @@ impl Search<'_> {
         self.offer(squared, x, best);
         (squared, settled)
     }
-}
-
-/// A point and two derivatives of a Bézier curve by de Casteljau's algorithm.
-#[inline]
-fn line_jet<const M: usize>(points: &[[f64; 4]], x: f64) -> [[f64; 4]; 3] {
-    let n = points.len().min(M);
-    let p = n as f64 - 1.0;
-    let mut d = [[0.0; 4]; M];
-    d[..n].copy_from_slice(&points[..n]);
-    let mut out = [[0.0; 4]; 3];
-    let y = 1.0 - x;
-    for level in 1..n {
-        if level + 2 == n {
-            out[2] = std::array::from_fn(|c| p * (p - 1.0) * (d[2][c] - 2.0 * d[1][c] + d[0][c]));
-        } else if level + 1 == n {
-            out[1] = std::array::from_fn(|c| p * (d[1][c] - d[0][c]));
-        }
-        for i in 0..n - level {
-            d[i] = std::array::from_fn(|c| y * d[i][c] + x * d[i + 1][c]);
-        }
-    }
-    out[0] = d[0];
-    out
-}
-
-/// Whether coefficients less `bar` times those of the weight prove a convex function: both second derivatives are
-/// positive and their least product is above the greatest square of the mixed one.
-fn convex<const C: usize>(c: &[[f64; C]], [m, n]: [usize; 2], bar: f64) -> bool {
-    let h = |k: usize, l: usize| {
-        let c = &c[k * n + l];
-        if C == 1 { c[0] } else { c[0] - bar * c[C - 1] }
-    };
-    let (mut uu, mut vv, mut uv) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
-    let (p, q) = ((m - 1) as f64, (n - 1) as f64);
-    for k in 1..m - 1 {
-        for l in 0..n {
-            uu = uu.min(h(k - 1, l) - 2.0 * h(k, l) + h(k + 1, l));
-        }
-    }
-    if !(uu > 0.0) {
-        return false;
-    }
-    for k in 0..m {
-        for l in 1..n - 1 {
-            vv = vv.min(h(k, l - 1) - 2.0 * h(k, l) + h(k, l + 1));
-        }
-    }
-    if !(vv > 0.0) {
-        return false;
-    }
-    for k in 1..m {
-        for l in 1..n {
-            uv = uv.max((h(k, l) - h(k - 1, l) - h(k, l - 1) + h(k - 1, l - 1)).abs());
-        }
-    }
-    uu * vv * (p * (p - 1.0)) * (q * (q - 1.0)) > (uv * p * q).powi(2)
 }

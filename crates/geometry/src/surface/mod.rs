@@ -4,6 +4,7 @@ mod area;
 mod bounds;
 mod classify;
 mod closest;
+mod closest_grid;
 mod closest_patch;
 mod cone;
 mod convert;

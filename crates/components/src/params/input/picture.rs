@@ -71,6 +71,7 @@ impl Picture {
     }
 
     /// A picture of these pixels, four bytes each.
+    #[cfg(any(test, feature = "pictures"))]
     fn new(width: usize, height: usize, pixels: Vec<u8>) -> Result<Self, Message> {
         let size = width.checked_mul(height).and_then(|n| n.checked_mul(4));
         if pixels.is_empty() || size != Some(pixels.len()) {

@@ -80,7 +80,7 @@ impl Curve {
             return Ok(vec![self.clone()]);
         }
         let raw = self.raw_offset(plane, distance, corner, tolerance)?;
-        trim::cleaned(self, raw, plane, distance, corner, tolerance)
+        trim::cleaned(self, raw, plane, distance, tolerance)
     }
 
     /// The offsets of all smooth parts in order, with the gaps at outer corners filled, inverted parts left out.

@@ -8,13 +8,15 @@ use crate::{BoundingBox, Circle, Curve, Interval, Plane, Result, Tolerance};
 /// Offsets of more parts than this are not cut at all crossings: the pairs would be too many.
 const MOST_PARTS: usize = 20_000;
 
+/// Places on a part, but one, at which its distance is asked for.
+const SAMPLES: u32 = 8;
+
 /// The parts that keep their distance from the curve, joined.
 pub(super) fn cleaned(
     curve: &Curve,
     raw: Vec<RawPart>,
     plane: &Plane,
     distance: f64,
-    corner: OffsetCorner,
     tolerance: &Tolerance,
 ) -> Result<Vec<Curve>> {
     let exact = raw.iter().all(|p| p.exact);
@@ -100,20 +102,35 @@ pub(super) fn cleaned(
         if let Some(last) = ends.last_mut() {
             *last = domain.end;
         }
+        let far = |t: f64| -> Result<bool> { Ok(curve.closest_point(part.point_at(t))?.distance >= least) };
         for w in ends.windows(2) {
             let range = Interval::new(w[0], w[1]);
-            let middle = range.middle();
-            if void[i].iter().any(|v| v.contains(middle)) {
+            if void[i].iter().any(|v| v.contains(range.middle())) {
                 continue;
             }
-            let mut far = 0;
-            for x in [0.5, 0.23, 0.77] {
-                if curve.closest_point(part.point_at(range.at(x)))?.distance >= least {
-                    far += 1;
+            // Between cuts all is far enough or nothing; where samples differ all the same, the change is found.
+            let mut from = range.start;
+            let mut before: Option<(f64, bool)> = None;
+            for k in 0..=SAMPLES {
+                let t = range.at((f64::from(k) + 0.5) / f64::from(SAMPLES + 1));
+                let now = far(t)?;
+                if let Some((last, state)) = before
+                    && state != now
+                {
+                    let (mut low, mut high) = (last, t);
+                    for _ in 0..40 {
+                        let middle = 0.5 * (low + high);
+                        if far(middle)? == state { low = middle } else { high = middle }
+                    }
+                    if state && from < low {
+                        kept.push(part.trimmed(Interval::new(from, low))?);
+                    }
+                    from = high;
                 }
+                before = Some((t, now));
             }
-            if far >= 2 {
-                kept.push(part.trimmed(range)?);
+            if before.is_some_and(|b| b.1) && from < range.end {
+                kept.push(part.trimmed(Interval::new(from, range.end))?);
             }
         }
     }
@@ -121,10 +138,5 @@ pub(super) fn cleaned(
     // What is no longer than the gap would close on itself.
     kept.retain(|c| c.start().distance_to(c.end()) > gap || c.length() > 3.0 * gap);
     let joined = join_curves(&kept, gap, true);
-    // A closed curve's offset is closed; what is left open and short is the dust of tangencies.
-    let dust = if closed && corner != OffsetCorner::None { 100.0 * gap } else { gap };
-    Ok(joined
-        .into_iter()
-        .filter(|c| c.is_closed() || c.start().distance_to(c.end()) <= gap || c.length() > dust)
-        .collect())
+    Ok(joined.into_iter().filter(|c| c.is_closed() || c.length() > gap).collect())
 }

@@ -1,0 +1,151 @@
+//! The definitions of the book: each runs without a warning and gives the numbers that stand beside it.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+mod common;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use common::{katydid, said, text};
+use serde_json::Value;
+
+const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book");
+
+/// The rows that have a folder, by their ids.
+fn rows() -> Vec<(String, PathBuf)> {
+    let mut rows: Vec<_> = std::fs::read_dir(BOOK)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_dir())
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), path.join("definition.kd")))
+        .collect();
+    rows.sort();
+    rows
+}
+
+/// What every output gives, all branches in a row: by `object` for its first, by `object.port` for each.
+fn outputs(file: &Path, form: &str) -> BTreeMap<String, Vec<Value>> {
+    let output = katydid(&["run", text(file), form]);
+    let told = said(&output);
+    assert_eq!((output.status.code(), told.as_str()), (Some(0), ""), "{}", file.display());
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let mut found = BTreeMap::new();
+    for object in report["objects"].as_array().unwrap() {
+        let name = object["nickname"].as_str().unwrap();
+        let messages = object["messages"].as_array().unwrap();
+        assert!(messages.is_empty(), "{}: {name}: {messages:?}", file.display());
+        for (place, port) in object["outputs"].as_array().unwrap().iter().enumerate() {
+            let branches = port["branches"].as_array().unwrap().iter();
+            let items: Vec<Value> =
+                branches.flat_map(|branch| branch["items"].as_array().unwrap().clone()).collect();
+            found.insert(format!("{name}.{}", port["nickname"].as_str().unwrap()), items.clone());
+            if place == 0 {
+                found.insert(name.to_owned(), items);
+            }
+        }
+    }
+    found
+}
+
+/// Numbers agree to a billionth of their size, and to as much where they are smaller than 1.
+fn agrees(found: &Value, expected: &Value) -> bool {
+    match (found, expected) {
+        (Value::Number(a), Value::Number(b)) => {
+            let (a, b) = (a.as_f64().unwrap(), b.as_f64().unwrap());
+            (a - b).abs() <= 1e-9 * b.abs().max(1.0)
+        }
+        (Value::Array(a), Value::Array(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| agrees(a, b))
+        }
+        _ => found == expected,
+    }
+}
+
+#[test]
+fn every_row_gives_its_numbers() {
+    let rows = rows();
+    assert!(!rows.is_empty());
+    for (row, file) in rows {
+        let expected = std::fs::read_to_string(file.with_file_name("expected.json")).unwrap();
+        let expected: Value = serde_json::from_str(&expected).unwrap();
+        assert!(expected["from"].is_string(), "{row}: where the numbers come from");
+        let (texts, values) = (outputs(&file, "--json"), outputs(&file, "--json=values"));
+        let expected = expected["expect"].as_object().unwrap();
+        assert!(!expected.is_empty(), "{row}");
+        for (name, items) in expected {
+            let place = format!("{row}: {name}");
+            let shown = texts.get(name).unwrap_or_else(|| panic!("{place}: there is no such output"));
+            let items = items.as_array().unwrap();
+            assert_eq!(shown.len(), items.len(), "{place}: {shown:?}");
+            for (index, item) in items.iter().enumerate() {
+                // A text is what a panel shows; anything else is compared as the value it is.
+                let found = if item.is_string() { &shown[index] } else { &values[name][index] };
+                assert!(agrees(found, item), "{place}, item {index}: {found}, not {item}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_row_is_set_the_usual_way() {
+    for (row, file) in rows() {
+        let output = katydid(&["fmt", "--check", text(&file)]);
+        assert_eq!(output.status.code(), Some(0), "{row}: {}", said(&output));
+    }
+}
+
+#[test]
+fn every_row_comes_back_from_an_archive() {
+    let folder = tempfile::tempdir().unwrap();
+    for (row, file) in rows() {
+        let archive = folder.path().join(format!("{row}.ghx"));
+        let output = katydid(&["convert", text(&file), text(&archive)]);
+        assert_eq!(output.status.code(), Some(0), "{row}: {}", said(&output));
+        assert_eq!(outputs(&archive, "--json"), outputs(&file, "--json"), "{row}");
+    }
+}
+
+#[test]
+fn the_index_names_every_row() {
+    let index = std::fs::read_to_string(Path::new(BOOK).join("README.md")).unwrap();
+    let named: BTreeSet<String> = index
+        .lines()
+        .filter_map(|line| line.strip_prefix("| [")?.split_once(']').map(|(row, _)| row.to_owned()))
+        .collect();
+    assert_eq!(named, rows().into_iter().map(|(row, _)| row).collect::<BTreeSet<_>>());
+}
+
+#[test]
+fn matrices_that_do_not_fit_are_refused() {
+    let file = Path::new(BOOK).join("M1/mismatch.kd");
+    let output = katydid(&["run", text(&file)]);
+    assert_eq!(output.status.code(), Some(1));
+    let told = said(&output);
+    assert!(told.contains("[2×4] · [3×4]: the columns of the first must match the rows"), "{told}");
+}
+
+/// Every object has a place, and no two that work stand on one another.
+#[test]
+fn every_row_opens_readable() {
+    for (row, file) in rows() {
+        let source = std::fs::read_to_string(&file).unwrap();
+        let layout = source.split("\nlayout {\n").nth(1).unwrap_or_else(|| panic!("{row}: no layout"));
+        let places: Vec<(&str, [f64; 4])> = layout
+            .lines()
+            .filter_map(|line| {
+                let (name, rest) = line.split_once(": ")?;
+                let numbers = rest.split_once('[')?.1.trim_end_matches(']');
+                let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
+                Some((name.trim(), numbers.try_into().unwrap()))
+            })
+            .collect();
+        assert!(places.len() > 3, "{row}");
+        for (index, (name, [x, y, w, h])) in places.iter().enumerate() {
+            for (other, [x2, y2, w2, h2]) in &places[index + 1..] {
+                let apart = x + w <= *x2 || x2 + w2 <= *x || y + h <= *y2 || y2 + h2 <= *y;
+                assert!(apart, "{row}: {name} and {other} overlap");
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Grids of Bernstein coefficients: products, halves, values, convexity.
+
+use crate::bernstein::binomial;
+
+/// Halves a line of control points, with `stride` between them, at its middle: what is left is the second half, the
+/// first goes to `other`.
+pub(super) fn halve(
+    points: &mut [[f64; 4]],
+    stride: usize,
+    count: usize,
+    start: usize,
+    other: &mut [[f64; 4]],
+) {
+    for level in 0..count {
+        other[start + level * stride] = points[start];
+        for i in 0..count - 1 - level {
+            let (a, b) = (points[start + i * stride], points[start + (i + 1) * stride]);
+            points[start + i * stride] = std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
+        }
+    }
+}
+
+/// The Bernstein coefficients, of twice the degrees, of a bilinear product of two points of the grid.
+pub(super) fn multiply<const K: usize>(
+    [p, q]: [usize; 2],
+    points: &[[f64; 4]],
+    product: impl Fn(&[f64; 4], &[f64; 4]) -> [f64; K],
+    out: &mut Vec<[f64; K]>,
+) {
+    let row = |n: usize| -> Vec<f64> { (0..=n).map(|i| binomial(n, i)).collect() };
+    let (bp, bq, ap, aq) = (row(p), row(q), row(2 * p), row(2 * q));
+    for k in 0..=2 * p {
+        for l in 0..=2 * q {
+            let mut sum = [0.0; K];
+            for i in k.saturating_sub(p)..=k.min(p) {
+                for j in l.saturating_sub(q)..=l.min(q) {
+                    let s = bp[i] * bp[k - i] * bq[j] * bq[l - j];
+                    let v = product(&points[i * (q + 1) + j], &points[(k - i) * (q + 1) + l - j]);
+                    sum = std::array::from_fn(|c| sum[c] + s * v[c]);
+                }
+            }
+            out.push(sum.map(|x| x / (ap[k] * aq[l])));
+        }
+    }
+}
+
+/// A point and two derivatives of a Bézier curve by de Casteljau's algorithm.
+#[inline]
+pub(super) fn line_jet<const M: usize>(points: &[[f64; 4]], x: f64) -> [[f64; 4]; 3] {
+    let n = points.len().min(M);
+    let p = n as f64 - 1.0;
+    let mut d = [[0.0; 4]; M];
+    d[..n].copy_from_slice(&points[..n]);
+    let mut out = [[0.0; 4]; 3];
+    let y = 1.0 - x;
+    for level in 1..n {
+        if level + 2 == n {
+            out[2] = std::array::from_fn(|c| p * (p - 1.0) * (d[2][c] - 2.0 * d[1][c] + d[0][c]));
+        } else if level + 1 == n {
+            out[1] = std::array::from_fn(|c| p * (d[1][c] - d[0][c]));
+        }
+        for i in 0..n - level {
+            d[i] = std::array::from_fn(|c| y * d[i][c] + x * d[i + 1][c]);
+        }
+    }
+    out[0] = d[0];
+    out
+}
+
+/// Whether coefficients less `bar` times those of the weight prove a convex function: both second derivatives are
+/// positive and their least product is above the greatest square of the mixed one.
+pub(super) fn convex<const C: usize>(c: &[[f64; C]], [m, n]: [usize; 2], bar: f64) -> bool {
+    let h = |k: usize, l: usize| {
+        let c = &c[k * n + l];
+        if C == 1 { c[0] } else { c[0] - bar * c[C - 1] }
+    };
+    let (mut uu, mut vv, mut uv) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
+    let (p, q) = ((m - 1) as f64, (n - 1) as f64);
+    for k in 1..m - 1 {
+        for l in 0..n {
+            uu = uu.min(h(k - 1, l) - 2.0 * h(k, l) + h(k + 1, l));
+        }
+    }
+    if !(uu > 0.0) {
+        return false;
+    }
+    for k in 0..m {
+        for l in 1..n - 1 {
+            vv = vv.min(h(k, l - 1) - 2.0 * h(k, l) + h(k, l + 1));
+        }
+    }
+    if !(vv > 0.0) {
+        return false;
+    }
+    for k in 1..m {
+        for l in 1..n {
+            uv = uv.max((h(k, l) - h(k - 1, l) - h(k, l - 1) + h(k - 1, l - 1)).abs());
+        }
+    }
+    uu * vv * (p * (p - 1.0)) * (q * (q - 1.0)) > (uv * p * q).powi(2)
+}
