@@ -33,9 +33,9 @@ impl NurbsSurface {
         let centre = middle.iter().fold(Vector3::ZERO, |s, p| s + p.to_vector()) / middle.len() as f64;
         let size = middle.iter().map(|p| p.distance_to(centre.to_point())).fold(f64::MIN_POSITIVE, f64::max);
         let density = |u: f64, v: f64| {
-            let jet = self.derivatives(u, v, 1, Quadrant::NorthEast);
-            let patch = jet.get(1, 0).cross(jet.get(0, 1)).length();
-            let p = (jet.get(0, 0) - centre) / size;
+            let [p, by_u, by_v] = self.partials_at(u, v, Quadrant::NorthEast);
+            let patch = by_u.cross(by_v).length();
+            let p = (p - centre) / size;
             [1.0, p.x, p.y, p.z, p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x]
                 .map(|x| x * patch)
         };

@@ -1,13 +1,16 @@
 //! The offset of a smooth NURBS curve by certified cubics.
 
 use crate::polynomial::Polynomial;
-use crate::{NurbsCurve, Plane, Point3, Result};
+use crate::{Error, NurbsCurve, Plane, Point3, Result};
 
 /// A control point in the plane, homogeneous: (wx, wy, w).
 type Flat = [f64; 3];
 
 /// Halvings of one span at most; beyond it the piece is shorter than rounding allows to improve.
 const DEPTH: u32 = 26;
+
+/// Cubics of one offset at most, besides some for every span: a curve so wild at a tolerance so small is refused.
+const MOST_CUBICS: usize = 3000;
 
 /// One cubic piece of the offset over a part of the curve's domain.
 struct Cubic {
@@ -26,6 +29,7 @@ pub(super) fn offset_nurbs(
     let breaks = curve.span_parameters();
     let mut runs: Vec<Vec<Cubic>> = vec![Vec::new()];
     let mut height = 0.0;
+    let mut budget = MOST_CUBICS + 16 * breaks.len();
     for (points, w) in curve.beziers_between(&breaks)?.iter().zip(breaks.windows(2)) {
         let flat: Vec<Flat> = points
             .iter()
@@ -48,7 +52,7 @@ pub(super) fn offset_nurbs(
                     let at = |x: f64| whole[0] + (whole[1] - whole[0]) * x;
                     let out = runs.last_mut();
                     if let Some(out) = out {
-                        approximate(part, [at(before), at(end)], distance, tolerance, out);
+                        approximate(part, [at(before), at(end)], distance, tolerance, (out, &mut budget))?;
                     }
                 } else if runs.last().is_some_and(|r| !r.is_empty()) {
                     runs.push(Vec::new());
@@ -176,22 +180,33 @@ fn cut(points: &[Flat], from: f64, to: f64) -> Vec<Flat> {
 }
 
 /// Halves until every cubic is certified.
-fn approximate(points: Vec<Flat>, range: [f64; 2], distance: f64, tolerance: f64, out: &mut Vec<Cubic>) {
+fn approximate(
+    points: Vec<Flat>,
+    range: [f64; 2],
+    distance: f64,
+    tolerance: f64,
+    (out, budget): (&mut Vec<Cubic>, &mut usize),
+) -> Result<()> {
     let mut stack = vec![(points, range, 0)];
     while let Some((points, range, depth)) = stack.pop() {
         let cubic = hermite(&points, distance);
         let fine = cubic.is_some_and(|c| certified(&points, &c, distance, 0.35 * tolerance));
         let middle = 0.5 * (range[0] + range[1]);
-        let last = depth >= DEPTH || out.len() > 20_000 || !(range[0] < middle && middle < range[1]);
+        let last = depth >= DEPTH || !(range[0] < middle && middle < range[1]);
         match cubic {
             Some(points) if fine || last => out.push(Cubic { range, points }),
             None if last => {}
             _ => {
+                *budget = budget.checked_sub(1).ok_or_else(|| Error::Invalid {
+                    what: "curve to offset",
+                    why: format!("the tolerance {tolerance} needs more than {MOST_CUBICS} cubics"),
+                })?;
                 stack.push((cut(&points, 0.5, 1.0), [middle, range[1]], depth + 1));
                 stack.push((cut(&points, 0.0, 0.5), [range[0], middle], depth + 1));
             }
         }
     }
+    Ok(())
 }
 
 /// The cubic with the exact ends and end derivatives of the offset; `None` where the curve has no direction.

@@ -1,17 +1,25 @@
 //! What fills the outside of a corner.
 
+use super::validity::{Cap, Outer};
 use super::{OffsetCorner, RawPart, right_of};
 use crate::{Arc, Curve, Error, Line, LineCurve, Plane, Result};
 
-/// The parts between the offsets of two smooth parts that follow each other: none where they meet smoothly or
-/// overlap.
+/// What lies between the offsets of two smooth parts that follow each other.
+#[derive(Default)]
+pub(super) struct Bridge {
+    pub(super) parts: Vec<RawPart>,
+    pub(super) cap: Option<Cap>,
+}
+
+/// The parts between the offsets of two smooth parts that follow each other, and what they enclose: nothing where
+/// the sides meet smoothly or overlap.
 pub(super) fn bridge(
     before: &Curve,
     after: &Curve,
     plane: &Plane,
     distance: f64,
     corner: OffsetCorner,
-) -> Result<Vec<RawPart>> {
+) -> Result<Bridge> {
     let none = || Error::degenerate("curve to offset", "a part has no direction at its end");
     let arriving = before.tangent_on_side(before.domain().end, true).ok_or_else(none)?;
     let leaving = after.tangent_on_side(after.domain().start, false).ok_or_else(none)?;
@@ -22,34 +30,43 @@ pub(super) fn bridge(
     let turn = arriving.cross(leaving).dot(plane.z_axis);
     let reversal = arriving.dot(leaving) < 0.0 && turn.abs() < 1e-9;
     if a.distance_to(b) <= 1e-9 * distance.abs() || (turn * distance <= 0.0 && !reversal) {
-        return Ok(Vec::new());
+        return Ok(Bridge::default());
     }
-    let part = |curve: Curve| -> Result<RawPart> {
-        let reach = curve.closest_point(vertex)?.distance.min(distance.abs());
-        Ok(RawPart { curve, exact: true, reach })
+    let arc = round(vertex, a, b, distance, plane)?;
+    let (frame, angle) = (arc.circle.plane, arc.angle.end);
+    let (reach, side) = (distance.abs(), distance.signum());
+    let path = |points: &[crate::Point3], outer: Vec<(crate::Vector3, f64)>| Bridge {
+        parts: points.windows(2).map(|w| RawPart::exact(Line::new(w[0], w[1]).into())).collect(),
+        cap: Some(Cap { frame, turn: angle, outer: Outer::Lines(outer), outline: points.to_vec() }),
     };
-    let line = |from, to| part(Line::new(from, to).into());
     Ok(match corner {
-        OffsetCorner::None => Vec::new(),
-        OffsetCorner::Chamfer => vec![line(a, b)?],
-        OffsetCorner::Round => vec![part(round(vertex, a, b, distance, plane)?)?],
+        OffsetCorner::None => Bridge::default(),
+        OffsetCorner::Round => Bridge { parts: vec![RawPart::exact(arc.into())], cap: None },
+        OffsetCorner::Chamfer => {
+            let outward = (b - a).cross(frame.z_axis).unitized().ok_or_else(none)?;
+            path(&[a, b], vec![(outward, outward.dot(a - vertex))])
+        }
         OffsetCorner::Sharp => {
+            let sides = vec![(n0 * side, reach), (n1 * side, reach)];
             let opening = 1.0 + n0.dot(n1);
             if opening > 1e-3 {
-                let tip = vertex + (n0 + n1) * (distance / opening);
-                vec![line(a, tip)?, line(tip, b)?]
+                path(&[a, vertex + (n0 + n1) * (distance / opening), b], sides)
             } else {
                 // Too sharp for a tip: cut square.
-                let (x, y) = (a + arriving * distance.abs(), b - leaving * distance.abs());
-                vec![line(a, x)?, line(x, y)?, line(y, b)?]
+                let (x, y) = (a + arriving * reach, b - leaving * reach);
+                let outward = (y - x).cross(frame.z_axis).unitized().ok_or_else(none)?;
+                path(&[a, x, y, b], [sides, vec![(outward, outward.dot(x - vertex))]].concat())
             }
         }
         OffsetCorner::Smooth => {
-            let reach = a.distance_to(b);
+            let size = a.distance_to(b);
             let ends: [Curve; 2] =
-                [Line::new(a - arriving * reach, a).into(), Line::new(b, b + leaving * reach).into()];
-            let blend = crate::curve::blend::blend_between(&ends[0], &ends[1], [2, 2], [1.0, 1.0])?;
-            vec![part(blend.into())?]
+                [Line::new(a - arriving * size, a).into(), Line::new(b, b + leaving * size).into()];
+            let blend: Curve =
+                crate::curve::blend::blend_between(&ends[0], &ends[1], [2, 2], [1.0, 1.0])?.into();
+            let outline = blend.hull_points();
+            let cap = Cap { frame, turn: angle, outer: Outer::Blend(blend.clone()), outline };
+            Bridge { parts: vec![RawPart::exact(blend)], cap: Some(cap) }
         }
     })
 }
@@ -60,7 +77,7 @@ fn round(
     b: crate::Point3,
     distance: f64,
     plane: &Plane,
-) -> Result<Curve> {
+) -> Result<Arc> {
     let from = a - vertex;
     let z = if distance > 0.0 { plane.z_axis } else { -plane.z_axis };
     let frame = Plane::from_axes(vertex, from, z.cross(from))?;
@@ -69,7 +86,7 @@ fn round(
     let angle = y.atan2(x);
     // A reversal is half a turn, on whichever side rounding puts it.
     let angle = if angle <= 0.0 { angle + std::f64::consts::TAU } else { angle };
-    Ok(Arc::new(circle, crate::Interval::new(0.0, angle))?.into())
+    Arc::new(circle, crate::Interval::new(0.0, angle))
 }
 
 /// Where both neighbours of a sharp corner are lines, they grow to the tip themselves.

@@ -1,14 +1,17 @@
 //! Offsets in a plane.
 
 mod approximate;
+mod chain;
 mod corner;
 mod simple;
 mod trim;
+mod validity;
 
 use super::{ArcCurve, Continuity, Curve};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
-use corner::bridge;
+use corner::{Bridge, bridge};
 pub(crate) use simple::right_of;
+use validity::Cap;
 
 /// What fills the gap that an offset leaves on the outside of a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -30,31 +33,54 @@ pub enum OffsetCorner {
 #[derive(Debug, Clone)]
 struct RawPart {
     curve: Curve,
-    /// Whether it is exact but for rounding.
-    exact: bool,
-    /// The distance from the curve that it keeps where it counts: less than that of the offset on a cut corner.
-    reach: f64,
+    /// For one that is not exact, what it approximates the offset of, by the same parameter.
+    source: Option<Curve>,
+}
+
+impl RawPart {
+    fn exact(curve: Curve) -> Self {
+        Self { curve, source: None }
+    }
+}
+
+/// An offset before its loops are cut away.
+struct Raw {
+    parts: Vec<RawPart>,
+    /// The smooth parts of the source.
+    smooth: Vec<Curve>,
+    /// Filled corners with another border than an arc.
+    caps: Vec<Cap>,
 }
 
 impl Curve {
     /// The curves at a distance to the right of this one, seen along its direction with the plane's normal up; a
     /// negative distance goes to the left. So a counter-clockwise closed curve grows. Loops are removed: every point
-    /// of the result is at least the distance away from the curve, and what has no such point is empty.
+    /// of the result is at least the distance away from the curve (a chamfer or a blend at a corner may come nearer
+    /// to that corner, and to nothing else), and what has no such point is empty.
     ///
     /// Lines and arcs give exact lines and arcs. Other curves give cubics with the certified property that the point
     /// at each parameter is within `tolerance.absolute` of the exact offset of one point of the curve: Hermite pieces
     /// halved until Bernstein coefficients bound both parts of the error (derived), then thinned by
     /// [`NurbsCurve::remove_knots`](crate::NurbsCurve::remove_knots). Parts where the radius of curvature is below
-    /// the distance on the inner side are cut out at their cusps; the rest is cut where parts cross, and kept where
-    /// the distance from the curve is large enough. Open curves are also cut where they come as near to their ends
-    /// or pass over the offset on the other side.
+    /// the distance on the inner side are cut out at their cusps. The rest is cut at all crossings of parts, at the
+    /// ends of their overlaps, and for open curves and curves that cross themselves also where they meet the offset
+    /// on the other side and the circles about the ends. A stretch is kept where the exact offset at its parameters
+    /// is far enough from the curve; stretches are put together at the cuts.
+    ///
+    /// What comes back: of a closed curve that does not cross or touch itself, closed curves that touch neither
+    /// themselves nor each other but at single points (with [`OffsetCorner::None`], the open stretches of them). Of
+    /// an open curve, open curves, which end where the curve's ends come too near, and closed ones around holes. A
+    /// curve that crosses itself gives that part of the border of all points near to it which lies to the asked
+    /// side: mostly open curves that end where this side goes over into the other. Features of the border smaller
+    /// than three tolerances may be missing. A chamfer between curved sides that bend more tightly than the distance
+    /// may leave a closed curve's offset open next to it.
     ///
     /// Sources: W. Tiller and E. Hanson, *Offsets of two-dimensional profiles*, IEEE CG&A 4 (1984); G. Elber, I. Lee,
     /// M. Kim, *Comparing offset curve approximation methods*, IEEE CG&A 17 (1997), for the alternatives.
     ///
     /// # Errors
-    /// The distance is not finite, the tolerance not above 0, the curve not parallel to the plane within it, or a
-    /// part without direction.
+    /// The distance is not finite, the tolerance not above 0, the curve not parallel to the plane within it, a
+    /// part without direction, or parts that meet so often (hundreds of thousands of pairs) that the work is refused.
     pub fn offset(
         &self,
         plane: &Plane,
@@ -80,7 +106,7 @@ impl Curve {
             return Ok(vec![self.clone()]);
         }
         let raw = self.raw_offset(plane, distance, corner, tolerance)?;
-        trim::cleaned(self, raw, plane, distance, tolerance)
+        trim::cleaned(self, &raw, plane, distance, corner, tolerance)
     }
 
     /// The offsets of all smooth parts in order, with the gaps at outer corners filled, inverted parts left out.
@@ -90,29 +116,32 @@ impl Curve {
         distance: f64,
         corner: OffsetCorner,
         tolerance: &Tolerance,
-    ) -> Result<Vec<RawPart>> {
-        let parts = self.smooth_parts()?;
-        let mut groups: Vec<Vec<RawPart>> = Vec::with_capacity(parts.len());
-        for part in &parts {
+    ) -> Result<Raw> {
+        let smooth = self.smooth_parts()?;
+        let mut groups: Vec<Vec<RawPart>> = Vec::with_capacity(smooth.len());
+        for part in &smooth {
             groups.push(offset_part(part, plane, distance, tolerance.absolute)?);
         }
-        let n = parts.len();
+        let n = smooth.len();
         let mut bridges: Vec<Vec<RawPart>> = vec![Vec::new(); n];
+        let mut caps = Vec::new();
         let closed = self.is_closed();
         for i in 0..if closed { n } else { n.saturating_sub(1) } {
             let j = (i + 1) % n;
-            bridges[i] = bridge(&parts[i], &parts[j], plane, distance, corner)?;
+            let Bridge { parts, cap } = bridge(&smooth[i], &smooth[j], plane, distance, corner)?;
+            bridges[i] = parts;
+            caps.extend(cap);
             if corner == OffsetCorner::Sharp && i != j {
                 let (first, second) = two(&mut groups, i, j);
                 corner::merge_lines(first, &mut bridges[i], second);
             }
         }
-        let mut out = Vec::new();
+        let mut parts = Vec::new();
         for (group, bridge) in groups.into_iter().zip(bridges) {
-            out.extend(group);
-            out.extend(bridge);
+            parts.extend(group);
+            parts.extend(bridge);
         }
-        Ok(out)
+        Ok(Raw { parts, smooth, caps })
     }
 
     /// The curve as parts without kinks, lines and arcs recognised.
@@ -170,7 +199,7 @@ fn offset_part(part: &Curve, plane: &Plane, distance: f64, tolerance: f64) -> Re
         Curve::Line(c) => {
             let v = right_of(c.line.direction(), plane)? * distance;
             let line = Line::new(c.line.from + v, c.line.to + v);
-            Ok(vec![RawPart { curve: line.into(), exact: true, reach: distance.abs() }])
+            Ok(vec![RawPart::exact(line.into())])
         }
         Curve::Arc(c) => {
             let own = c.arc.circle.plane;
@@ -181,14 +210,13 @@ fn offset_part(part: &Curve, plane: &Plane, distance: f64, tolerance: f64) -> Re
             }
             let circle = Circle::new(own, radius)?;
             let arc: ArcCurve = Arc { circle, ..c.arc }.into();
-            Ok(vec![RawPart { curve: arc.into(), exact: true, reach: distance.abs() }])
+            Ok(vec![RawPart::exact(arc.into())])
         }
         other => {
-            let parts = approximate::offset_nurbs(&other.to_nurbs()?, plane, distance, tolerance)?;
-            Ok(parts
-                .into_iter()
-                .map(|c| RawPart { curve: c.into(), exact: false, reach: distance.abs() })
-                .collect())
+            let source = other.to_nurbs()?;
+            let parts = approximate::offset_nurbs(&source, plane, distance, tolerance)?;
+            let source: Curve = source.into();
+            Ok(parts.into_iter().map(|c| RawPart { curve: c.into(), source: Some(source.clone()) }).collect())
         }
     }
 }

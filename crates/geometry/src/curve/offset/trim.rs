@@ -1,142 +1,254 @@
 //! Loops cut away.
 
-use super::{OffsetCorner, RawPart};
-use crate::curve::join_curves;
+use super::chain::{Border, Edge, Sets, gather};
+use super::validity::Validity;
+use super::{OffsetCorner, Raw, RawPart};
 use crate::intersect::{curve_curve, curve_self};
-use crate::{BoundingBox, Circle, Curve, Interval, Plane, Result, Tolerance};
+use crate::{BoundingBox, Circle, Curve, Error, Interval, Plane, Point3, Result, Tolerance};
 
-/// Offsets of more parts than this are not cut at all crossings: the pairs would be too many.
-const MOST_PARTS: usize = 20_000;
+/// The most pairs of parts, and of parts of them, that are looked at.
+const MOST_PAIRS: u64 = 400_000;
+const MOST_VISITS: u64 = 6_000_000;
 
-/// Places on a part, but one, at which its distance is asked for.
+/// Places on a stretch, but one, at which its distance is asked for.
 const SAMPLES: u32 = 8;
+
+/// What has been done, so that it ends.
+#[derive(Default)]
+struct Work {
+    pairs: u64,
+    visits: u64,
+}
+
+impl Work {
+    fn more(&mut self, visits: u64) -> Result<()> {
+        self.pairs += 1;
+        self.visits += visits;
+        if self.pairs > MOST_PAIRS || self.visits > MOST_VISITS {
+            let why = "the parts of its offset meet too often to be told apart".into();
+            return Err(Error::Invalid { what: "curve to offset", why });
+        }
+        Ok(())
+    }
+}
 
 /// The parts that keep their distance from the curve, joined.
 pub(super) fn cleaned(
     curve: &Curve,
-    raw: Vec<RawPart>,
+    raw: &Raw,
     plane: &Plane,
     distance: f64,
+    corner: OffsetCorner,
     tolerance: &Tolerance,
 ) -> Result<Vec<Curve>> {
-    let exact = raw.iter().all(|p| p.exact);
-    let reaches: Vec<f64> = raw.iter().map(|p| p.reach).collect();
-    let parts: Vec<Curve> = raw.into_iter().map(|p| p.curve).collect();
+    let parts: Vec<&Curve> = raw.parts.iter().map(|p| &p.curve).collect();
+    let exact = raw.parts.iter().all(|p| p.source.is_none());
     let size = curve.bounding_box().diagonal().length() + distance.abs();
     let fine = (1e-10 * size).min(0.01 * tolerance.absolute);
+    let hair = (2e-9 * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
+    let mut work = Work::default();
+
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); parts.len()];
     // Stretches on which two parts run over each other: in opposite directions they enclose nothing.
     let mut void: Vec<Vec<Interval>> = vec![Vec::new(); parts.len()];
-    let boxes: Vec<BoundingBox> = parts.iter().map(Curve::bounding_box).collect();
-    let meet = |a: &BoundingBox, b: &BoundingBox| {
-        let (p, q) = ([a.min, a.max], [b.min, b.max]);
-        let axis = |f: fn(&crate::Point3) -> f64| f(&p[0]) <= f(&q[1]) + fine && f(&q[0]) <= f(&p[1]) + fine;
-        axis(|p| p.x) && axis(|p| p.y) && axis(|p| p.z)
-    };
-    if parts.len() <= MOST_PARTS {
-        for i in 0..parts.len() {
-            if !matches!(parts[i], Curve::Line(_) | Curve::Arc(_)) {
-                for c in curve_self(&parts[i], fine)?.crossings {
-                    cuts[i].extend([c.a, c.b]);
-                }
-            }
-            for j in i + 1..parts.len() {
-                if !meet(&boxes[i], &boxes[j]) {
-                    continue;
-                }
-                let found = curve_curve(&parts[i], &parts[j], fine)?;
-                for c in &found.crossings {
-                    cuts[i].push(c.a);
-                    cuts[j].push(c.b);
-                }
-                for o in &found.overlaps {
-                    cuts[i].extend([o.a.start, o.a.end]);
-                    cuts[j].extend([o.b.start, o.b.end]);
-                    // In one direction, one of them is enough.
-                    void[j].push(o.b.ordered());
-                    if !o.same_direction {
-                        void[i].push(o.a.ordered());
-                    }
-                }
-            }
-        }
-    }
-    let closed = curve.is_closed();
-    if !closed || !curve_self(curve, fine)?.is_empty() {
-        let mut others: Vec<Curve> = curve
-            .raw_offset(plane, -distance, OffsetCorner::Round, tolerance)?
-            .into_iter()
-            .map(|p| p.curve)
-            .collect();
-        if !closed {
-            for end in [curve.start(), curve.end()] {
-                others.push(Circle::new(plane.with_origin(end), distance.abs())?.into());
-            }
-        }
-        let other_boxes: Vec<BoundingBox> = others.iter().map(Curve::bounding_box).collect();
-        for (i, part) in parts.iter().enumerate() {
-            for (other, bounds) in others.iter().zip(&other_boxes) {
-                if meet(&boxes[i], bounds) {
-                    let found = curve_curve(part, other, fine)?;
-                    cuts[i].extend(found.crossings.iter().map(|c| c.a));
-                    cuts[i].extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
-                }
-            }
-        }
-    }
-    let slack = if exact {
-        (1e-6 * distance.abs()).min(tolerance.absolute).max(1e-9 * size)
-    } else {
-        1.5 * tolerance.absolute
-    };
-    let mut kept: Vec<Curve> = Vec::new();
     for (i, part) in parts.iter().enumerate() {
-        let domain = part.domain();
-        let mut ends = std::mem::take(&mut cuts[i]);
-        ends.extend([domain.start, domain.end]);
-        ends.retain(|&t| domain.contains(t));
-        ends.sort_by(f64::total_cmp);
-        let near = 1e-9 * domain.length();
-        let least = reaches[i] - slack;
-        ends.dedup_by(|a, b| (*a - *b).abs() <= near);
-        if let Some(last) = ends.last_mut() {
-            *last = domain.end;
+        if !matches!(part, Curve::Line(_) | Curve::Arc(_)) {
+            let found = curve_self(part, fine)?;
+            work.more(found.visits)?;
+            cuts[i].extend(found.crossings.iter().flat_map(|c| [c.a, c.b]));
         }
-        let far = |t: f64| -> Result<bool> { Ok(curve.closest_point(part.point_at(t))?.distance >= least) };
-        for w in ends.windows(2) {
-            let range = Interval::new(w[0], w[1]);
-            if void[i].iter().any(|v| v.contains(range.middle())) {
+    }
+    let boxes: Vec<BoundingBox> = parts.iter().map(|p| p.bounding_box()).collect();
+    for (i, j) in near_pairs(&boxes, None, fine, &mut work)? {
+        let found = curve_curve(parts[i], parts[j], fine)?;
+        work.more(found.visits)?;
+        for c in &found.crossings {
+            cuts[i].push(c.a);
+            cuts[j].push(c.b);
+        }
+        for o in &found.overlaps {
+            cuts[i].extend([o.a.start, o.a.end]);
+            cuts[j].extend([o.b.start, o.b.end]);
+            // In one direction, one of them is enough.
+            void[j].push(o.b.ordered());
+            if !o.same_direction {
+                void[i].push(o.a.ordered());
+            }
+        }
+    }
+
+    // What else bounds the valid stretches.
+    let closed = curve.is_closed();
+    let mut others: Vec<Curve> = Vec::new();
+    let mut round = |distance: f64| -> Result<()> {
+        let other = curve.raw_offset(plane, distance, OffsetCorner::Round, tolerance)?;
+        others.extend(other.parts.into_iter().map(|p| p.curve));
+        Ok(())
+    };
+    if corner == OffsetCorner::None {
+        round(distance)?;
+    }
+    let simple = closed && curve_self(curve, fine)?.is_empty();
+    // Tips and blends may reach over the curve.
+    let far_corners = matches!(corner, OffsetCorner::Sharp | OffsetCorner::Smooth) && !raw.caps.is_empty();
+    if !simple || far_corners {
+        round(-distance)?;
+    }
+    if !closed {
+        for end in [curve.start(), curve.end()] {
+            others.push(Circle::new(plane.with_origin(end), distance.abs())?.into());
+        }
+    }
+    let other_boxes: Vec<BoundingBox> = others.iter().map(Curve::bounding_box).collect();
+    for (i, j) in near_pairs(&boxes, Some(&other_boxes), fine, &mut work)? {
+        let found = curve_curve(parts[i], &others[j], fine)?;
+        work.more(found.visits)?;
+        cuts[i].extend(found.crossings.iter().map(|c| c.a));
+        cuts[i].extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
+    }
+
+    // Cuts and ends by place.
+    let mut stops: Vec<Vec<(f64, usize)>> = Vec::with_capacity(parts.len());
+    let mut places: Vec<Point3> = Vec::new();
+    for (part, cuts) in parts.iter().zip(cuts) {
+        let domain = part.domain();
+        let mut stop: Vec<(f64, usize)> = cuts
+            .into_iter()
+            .filter(|&t| domain.start < t && t < domain.end)
+            .chain([domain.start, domain.end])
+            .map(|t| (t, 0))
+            .collect();
+        stop.sort_by(|x, y| x.0.total_cmp(&y.0));
+        for (t, place) in &mut stop {
+            *place = places.len();
+            places.push(part.point_at(*t));
+        }
+        stops.push(stop);
+    }
+    let mut sets = Sets::new(places.len());
+    gather(&mut sets, &places, hair);
+
+    let validity = Validity::new(curve, &raw.smooth, &raw.caps, plane, distance, (simple, hair));
+    let blur = if exact { hair } else { 2.0 * tolerance.absolute };
+    let mut edges = Vec::new();
+    for (i, part) in raw.parts.iter().enumerate() {
+        let near = 1e-10 * part.curve.domain().length();
+        for w in stops[i].windows(2) {
+            let range = Interval::new(w[0].0, w[1].0);
+            if range.length() <= near {
+                sets.join(w[0].1, w[1].1);
+            } else if !void[i].iter().any(|v| v.contains(range.middle())) {
+                let ends = [w[0].1, w[1].1];
+                valid_stretches(&validity, part, i, (range, ends), (hair, blur), &mut sets, &mut edges)?;
+            }
+        }
+    }
+    if simple && far_corners {
+        let mut own = Vec::with_capacity(edges.len());
+        for e in edges {
+            if validity.on_own_side(curve, parts[e.part].point_at(e.range.middle()))? {
+                own.push(e);
+            }
+        }
+        edges = own;
+    }
+    let (gap, least) = if exact {
+        (2.0 * hair, 8.0 * hair)
+    } else {
+        ((2.0 * tolerance.absolute).max(2.0 * hair), 3.0 * tolerance.absolute)
+    };
+    // So far two stretches may run on beyond their crossing before rounding sees it.
+    let stub = 4.0 * (0.01 * hair * size).sqrt();
+    Border { parts: &parts, edges, sets, plane, side: distance.signum(), gap, stub }.curves(least)
+}
+
+/// Pairs of boxes that come within reach of each other, by a sweep along x: within one list, or of one and another.
+fn near_pairs(
+    first: &[BoundingBox],
+    second: Option<&[BoundingBox]>,
+    reach: f64,
+    work: &mut Work,
+) -> Result<Vec<(usize, usize)>> {
+    let all: Vec<&BoundingBox> = first.iter().chain(second.unwrap_or(&[])).collect();
+    let own = first.len();
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    order.sort_by(|&i, &j| all[i].min.x.total_cmp(&all[j].min.x));
+    let mut out = Vec::new();
+    for (k, &i) in order.iter().enumerate() {
+        for &j in order.get(k + 1..).unwrap_or(&[]) {
+            let (p, q) = (all[i], all[j]);
+            if q.min.x > p.max.x + reach {
+                break;
+            }
+            let apart = |a: f64, b: f64, c: f64, d: f64| a > d + reach || c > b + reach;
+            if (second.is_some() && (i < own) == (j < own))
+                || apart(p.min.y, p.max.y, q.min.y, q.max.y)
+                || apart(p.min.z, p.max.z, q.min.z, q.max.z)
+            {
                 continue;
             }
-            // Between cuts all is far enough or nothing; where samples differ all the same, the change is found.
-            let mut from = range.start;
-            let mut before: Option<(f64, bool)> = None;
-            for k in 0..=SAMPLES {
-                let t = range.at((f64::from(k) + 0.5) / f64::from(SAMPLES + 1));
-                let now = far(t)?;
-                if let Some((last, state)) = before
-                    && state != now
-                {
-                    let (mut low, mut high) = (last, t);
-                    for _ in 0..40 {
-                        let middle = 0.5 * (low + high);
-                        if far(middle)? == state { low = middle } else { high = middle }
-                    }
-                    if state && from < low {
-                        kept.push(part.trimmed(Interval::new(from, low))?);
-                    }
-                    from = high;
-                }
-                before = Some((t, now));
+            if out.len() as u64 > MOST_PAIRS {
+                work.more(MOST_VISITS)?;
+                work.more(1)?;
             }
-            if before.is_some_and(|b| b.1) && from < range.end {
-                kept.push(part.trimmed(Interval::new(from, range.end))?);
-            }
+            let (low, high) = (i.min(j), i.max(j));
+            out.push((low, if second.is_some() { high - own } else { high }));
         }
     }
-    let gap = if exact { (10.0 * fine).max(1e-9 * size) } else { 2.0 * tolerance.absolute };
-    // What is no longer than the gap would close on itself.
-    kept.retain(|c| c.start().distance_to(c.end()) > gap || c.length() > 3.0 * gap);
-    let joined = join_curves(&kept, gap, true);
-    Ok(joined.into_iter().filter(|c| c.is_closed() || c.length() > gap).collect())
+    out.sort_unstable();
+    Ok(out)
+}
+
+/// A stretch between cuts is valid or not as a whole. Cuts through approximated parts are off by the tolerance, so
+/// that samples next to them may say otherwise: then most samples decide, or where the stretch is out of place by
+/// more than the blur, the change is found by halving.
+fn valid_stretches(
+    validity: &Validity<'_>,
+    part: &RawPart,
+    index: usize,
+    (range, ends): (Interval, [usize; 2]),
+    (hair, blur): (f64, f64),
+    sets: &mut Sets,
+    edges: &mut Vec<Edge>,
+) -> Result<()> {
+    let mut samples = [(0.0, 0.0); SAMPLES as usize + 1];
+    for (k, sample) in samples.iter_mut().enumerate() {
+        let t = range.at((k as f64 + 0.5) / f64::from(SAMPLES + 1));
+        *sample = (t, validity.margin(part, t)?);
+    }
+    let good = |margin: f64| margin >= -0.01 * hair;
+    let count = samples.iter().filter(|s| good(s.1)).count();
+    let worst = samples.iter().map(|s| s.1).fold(0.0, f64::min);
+    let mut keep =
+        |range: Interval, from: usize, to: usize| edges.push(Edge { part: index, range, from, to });
+    if count == 0 {
+        return Ok(());
+    }
+    if worst >= -blur {
+        if 2 * count > samples.len() {
+            keep(range, ends[0], ends[1]);
+        }
+        return Ok(());
+    }
+    let (mut from, mut place) = (range.start, ends[0]);
+    for w in samples.windows(2) {
+        let (state, next) = (good(w[0].1), good(w[1].1));
+        if state == next {
+            continue;
+        }
+        let (mut low, mut high) = (w[0].0, w[1].0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if good(validity.margin(part, middle)?) == state { low = middle } else { high = middle }
+        }
+        let cut = sets.add();
+        if state && from < low {
+            keep(Interval::new(from, low), place, cut);
+        }
+        (from, place) = (high, cut);
+    }
+    if samples.last().is_some_and(|s| good(s.1)) && from < range.end {
+        keep(Interval::new(from, range.end), place, ends[1]);
+    }
+    Ok(())
 }
