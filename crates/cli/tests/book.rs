@@ -125,6 +125,24 @@ fn matrices_that_do_not_fit_are_refused() {
     assert!(told.contains("[2×4] · [3×4]: the columns of the first must match the rows"), "{told}");
 }
 
+/// A reader drags the sliders: to both ends of each, nothing fails.
+#[test]
+fn every_slider_goes_to_its_ends() {
+    for (row, file) in rows() {
+        for line in std::fs::read_to_string(&file).unwrap().lines() {
+            let Some((name, rest)) = line.split_once(" = Number Slider(") else { continue };
+            let range = rest.split(", ").nth(1).unwrap().trim_end_matches(')');
+            let (from, to) = range.split_once("..").unwrap();
+            for end in [from, to] {
+                let set = format!("{name}={end}");
+                let output = katydid(&["run", text(&file), "--set", &set, "--json"]);
+                let told = said(&output);
+                assert_eq!((output.status.code(), told.as_str()), (Some(0), ""), "{row}: {set}");
+            }
+        }
+    }
+}
+
 /// Every object has a place, and no two that work stand on one another.
 #[test]
 fn every_row_opens_readable() {
