@@ -1,6 +1,7 @@
 //! Parts put together to whole curves along the places where they were cut.
 
 use crate::curve::join::chained;
+use crate::intersect::curve_curve;
 use crate::{Curve, Interval, Line, LineCurve, Plane, Point3, Result, Vector3};
 
 /// A stretch of a part, from place to place.
@@ -246,12 +247,13 @@ impl Border<'_> {
         for (part, range) in runs {
             let whole = self.parts[part];
             let piece = if range == whole.domain() { whole.clone() } else { whole.trimmed(range)? };
-            if let Some(before) = pieces.last() {
-                let (from, to) = (before.end(), piece.start());
-                // A gap within the tolerance is bridged, not hidden.
-                if from.distance_to(to) > 1e-2 * self.gap {
-                    pieces.push(Line::new(from, to).into());
-                }
+            // A gap within the tolerance is bridged, not hidden.
+            let mut piece = piece;
+            if let Some(before) = pieces.last_mut()
+                && before.end().distance_to(piece.start()) > 1e-2 * self.gap
+            {
+                let link = linked(before, &mut piece)?;
+                pieces.push(link);
             }
             pieces.push(piece);
         }
@@ -275,4 +277,27 @@ impl Border<'_> {
         }
         Ok(Some(chained(pieces, 1e-2 * self.gap)))
     }
+}
+
+/// The segment from the end of one curve to the start of another; where it turns back over one of them, that is cut
+/// off at the crossing.
+fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
+    let link = |before: &Curve, after: &Curve| Curve::from(Line::new(before.end(), after.start()));
+    let crossings = |curve: &Curve, line: &Curve| -> Result<Vec<f64>> {
+        let found = curve_curve(curve, line, 1e-9 * line.length())?.crossings;
+        Ok(found.into_iter().map(|c| c.a).collect())
+    };
+    let own = before.domain();
+    let hair = 1e-6 * own.length();
+    let first = crossings(before, &link(before, after))?.into_iter().fold(own.end, f64::min);
+    if own.start + hair < first && first < own.end - hair {
+        *before = before.trimmed(Interval::new(own.start, first))?;
+    }
+    let own = after.domain();
+    let hair = 1e-6 * own.length();
+    let last = crossings(after, &link(before, after))?.into_iter().fold(own.start, f64::max);
+    if own.start + hair < last && last < own.end - hair {
+        *after = after.trimmed(Interval::new(last, own.end))?;
+    }
+    Ok(link(before, after))
 }
