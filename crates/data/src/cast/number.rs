@@ -73,6 +73,7 @@ pub(super) fn domain2(value: &Value) -> Option<Domain2> {
 pub(super) fn colour(value: &Value) -> Option<Colour> {
     let byte = |x: f64| x.round_ties_even().clamp(0.0, 255.0) as u8;
     match value {
+        Value::Colour(colour) => Some(*colour),
         Value::Text(text) => parse::colour(text),
         Value::Integer(i) => u8::try_from(*i).ok().map(|g| Colour::rgb(g, g, g)),
         Value::Number(x) if x.is_finite() => Some(Colour::rgb(byte(*x), byte(*x), byte(*x))),

@@ -174,3 +174,12 @@ fn columns_of_surfaces_keep_their_type() {
         assert_eq!(cast.column.get(1), Some(ball.clone()));
     }
 }
+
+#[test]
+fn a_colour_is_a_plain_material() {
+    let half = Colour::argb(127, 10, 20, 30);
+    let Some(Value::Material(made)) = to(Value::Colour(half), Kind::Material) else { panic!("no material") };
+    assert_eq!(made.diffuse, Colour::rgb(10, 20, 30));
+    assert!((made.transparency - 128.0 / 255.0).abs() < 1e-15);
+    assert_eq!(to(Value::Material(made), Kind::Colour), Some(Value::Colour(Colour::rgb(10, 20, 30))));
+}
