@@ -4,7 +4,9 @@
 
 mod common;
 
-use katydid_geometry::intersect::{ContactKind, SurfaceIntersections, curve_surface};
+use katydid_geometry::intersect::{
+    ContactKind, SurfaceIntersections, curve_plane, curve_surface, curve_with_surface,
+};
 use katydid_geometry::{
     Circle, Curve, Interval, Line, NurbsCurve, NurbsSurface, Plane, Point3, Vector3, clamped_uniform_knots,
 };
@@ -177,4 +179,34 @@ proptest! {
         let far: Curve = Line::new(Point3::new(0.0, 0.0, 0.0) + away, Point3::new(5.0, 5.0, 0.0) + away).into();
         prop_assert!(sound(&far, &surface, 1e-9).crossings.is_empty());
     }
+}
+
+#[test]
+fn a_line_through_a_sphere_has_the_sphere_s_own_parameters() {
+    use katydid_geometry::{Sphere, Surface};
+    let sphere = Sphere::new(Plane::XY, 2.0).unwrap();
+    let line: Curve = Line::new(Point3::new(-3.0, -3.0, 0.7), Point3::new(3.0, 3.0, 0.7)).into();
+    let surface = Surface::from(sphere);
+    let found = curve_with_surface(&line, &surface, 1e-9).unwrap();
+    assert_eq!((found.crossings.len(), found.overlaps.len()), (2, 0));
+    for c in &found.crossings {
+        assert!(surface.point_at(c.u, c.v).distance_to(c.point) < 1e-12);
+        assert!((c.v - (0.35_f64).asin()).abs() < 1e-12, "latitude {}", c.v);
+    }
+    let past: Curve = Line::new(Point3::new(-3.0, 0.0, 2.1), Point3::new(3.0, 0.0, 2.1)).into();
+    assert!(curve_with_surface(&past, &surface, 1e-9).unwrap().crossings.is_empty());
+}
+
+#[test]
+fn stretches_in_a_plane_are_told_from_crossings() {
+    use katydid_geometry::PolylineCurve;
+    let corners = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 2.0], [6.0, 0.0, -2.0]];
+    let points = corners.map(Point3::from).to_vec();
+    let curve: Curve = PolylineCurve::with_parameters(points, vec![0.0, 1.0, 2.0, 3.0, 4.0]).unwrap().into();
+    let found = curve_plane(&curve, &Plane::XY, 1e-9).unwrap();
+    assert_eq!(found.overlaps.len(), 1);
+    let Interval { start, end } = found.overlaps[0];
+    assert!((start - 1.0).abs() < 1e-8 && (end - 2.0).abs() < 1e-8, "{start} to {end}");
+    assert_eq!(found.crossings.len(), 1);
+    assert!((found.crossings[0] - 3.5).abs() < 1e-12);
 }

@@ -2,18 +2,28 @@
 
 use super::Curve;
 use crate::bernstein::{BUDGET, halves};
-use crate::{Error, Plane, Result};
+use crate::{Error, Interval, Plane, Result};
 
 impl Curve {
     /// The parameters at which the curve meets a plane, in order: all crossings and touches within `tolerance` of it.
-    /// A stretch that lies in the plane gives its two ends.
+    /// A stretch that lies in the plane gives its two ends; [`crate::intersect::curve_plane`] tells them apart.
+    ///
+    /// # Errors
+    /// The plane or the tolerance is not finite.
+    pub fn intersect_plane(&self, plane: &Plane, tolerance: f64) -> Result<Vec<f64>> {
+        let contacts = self.plane_contacts(plane, tolerance)?;
+        let ends = |c: Interval| std::iter::once(c.start).chain((c.end > c.start).then_some(c.end));
+        Ok(contacts.into_iter().flat_map(ends).collect())
+    }
+
+    /// Where the curve is within `tolerance` of a plane: a range of length 0 for a point, else a stretch.
     ///
     /// Each piece is halved until the Bernstein coefficients of its distance have one sign (nothing to find) or vary
     /// in one direction only (one crossing, found by bisection).
     ///
     /// # Errors
     /// The plane or the tolerance is not finite.
-    pub fn intersect_plane(&self, plane: &Plane, tolerance: f64) -> Result<Vec<f64>> {
+    pub(crate) fn plane_contacts(&self, plane: &Plane, tolerance: f64) -> Result<Vec<Interval>> {
         if !(plane.is_finite() && tolerance.is_finite()) {
             return Err(Error::NotFinite("plane or tolerance"));
         }
@@ -29,7 +39,7 @@ impl Curve {
             }
         }
         // Neighbouring ranges are one contact: a crossing at a joint, or a stretch in the plane.
-        let mut out: Vec<f64> = Vec::new();
+        let mut out: Vec<Interval> = Vec::new();
         let mut open: Option<(f64, f64, Vec<f64>)> = None;
         let join = 1e-9 * self.domain().length();
         let mut close = |contact: Option<(f64, f64, Vec<f64>)>| {
@@ -38,9 +48,9 @@ impl Curve {
             let long = self.point_at(low).distance_to(self.point_at(high)) > 1e3 * tolerance.max(1e-12);
             let stays = (0..=16).all(|k| flat(low + (high - low) * f64::from(k) / 16.0) <= tolerance);
             if long && stays {
-                out.extend([low, high]);
+                out.push(Interval::new(low, high));
             } else if let Some(t) = best.into_iter().min_by(|&x, &y| flat(x).total_cmp(&flat(y))) {
-                out.push(t);
+                out.push(Interval::new(t, t));
             }
         };
         for (low, high, best) in hits {

@@ -3,12 +3,14 @@
 mod analytic;
 mod clusters;
 mod curve_curve;
+mod curve_plane;
 mod curve_surface;
 mod judge;
 mod lines;
 mod patch_tree;
 mod result;
 mod search;
+mod surface_kinds;
 mod tree;
 
 pub use analytic::{
@@ -17,6 +19,8 @@ pub use analytic::{
     plane_circle, plane_sphere, sphere_sphere,
 };
 pub use curve_curve::{curve_curve, curve_self};
+pub use curve_plane::{PlaneIntersections, curve_plane};
 pub use curve_surface::{SurfaceCrossing, SurfaceIntersections, SurfaceOverlap, curve_surface};
 pub use lines::{line_line, line_plane, plane_plane, three_planes};
 pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
+pub use surface_kinds::curve_with_surface;
