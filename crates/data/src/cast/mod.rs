@@ -87,6 +87,10 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         Kind::Transform => match value {
             Value::Compound(_) => Some(value.clone()),
             Value::Vector(v) => Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v)))),
+            Value::Matrix(m) if (m.rows(), m.columns()) == (4, 4) => {
+                let rows = std::array::from_fn(|i| std::array::from_fn(|j| m.get(i, j).unwrap_or_default()));
+                Some(Value::Transform(Shared::new(katydid_geometry::Xform { rows })))
+            }
             _ => None,
         },
         Kind::Matrix => match value {

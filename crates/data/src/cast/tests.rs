@@ -117,7 +117,9 @@ fn a_compound_is_a_transform_that_stays_whole() {
         assert_eq!(Xform::get(&cast, last), Some(scale * step));
     }
     assert_eq!(to(Value::from(step), Kind::Compound), Some(Value::from(Compound { parts: vec![step] })));
-    let Some(Value::Matrix(matrix)) = to(compound, Kind::Matrix) else { panic!() };
+    let Some(Value::Matrix(matrix)) = to(compound.clone(), Kind::Matrix) else { panic!() };
+    let back = to(Value::Matrix(matrix.clone()), Kind::Transform).and_then(|t| t.as_transform());
+    assert_eq!(back, compound.as_transform());
     assert_eq!((matrix.get(0, 0), matrix.get(0, 3)), (Some(2.0), Some(2.0)));
 }
 
