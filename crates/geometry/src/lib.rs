@@ -97,7 +97,7 @@ pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
     ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
-    Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
+    Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
 };
 pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;

@@ -1,5 +1,5 @@
 //! Planes, sums, revolutions and primitives: other kernels' answers, closed forms and laws.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
 mod common;
 

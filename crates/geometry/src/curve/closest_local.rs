@@ -7,13 +7,13 @@ use crate::bernstein::{BUDGET, binomial, halves, squared_distance};
 use crate::{Error, Point3, Result};
 
 /// What happens to the distance along a piece: minima strictly inside, and which way it goes at the ends.
-struct Course {
+pub(crate) struct Course {
     /// In the piece's own parameter.
-    inside: Vec<f64>,
+    pub(crate) inside: Vec<f64>,
     /// −1 when the distance falls from the start on, 1 when it rises, 0 when it stays the same.
-    start: f64,
+    pub(crate) start: f64,
     /// −1 when the distance falls towards the end, 1 when it rises, 0 when it stays the same.
-    end: f64,
+    pub(crate) end: f64,
 }
 
 fn sign(x: f64, noise: f64) -> f64 {
@@ -51,7 +51,7 @@ fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
 
 /// Spans: the zeros of the derivative from negative to positive, isolated by sign changes of its Bernstein
 /// coefficients (J. Lane & R. Riesenfeld, *Bounds on a polynomial*, BIT 21, 1981).
-fn along_span(points: &[[f64; 4]], q: Point3, budget: &mut u32) -> Course {
+pub(crate) fn along_span(points: &[[f64; 4]], q: Point3, budget: &mut u32) -> Course {
     let f = squared_distance(points, q);
     let n = f.len().saturating_sub(1);
     let rational = f.iter().any(|c| c[1] != f[0][1]);
@@ -108,6 +108,13 @@ fn along_span(points: &[[f64; 4]], q: Point3, budget: &mut u32) -> Course {
             continue;
         }
         let (left, right) = halves(&c);
+        // A zero where the range is halved shows in neither half.
+        if left.last().is_some_and(|x| sign(x[0], noise) == 0.0)
+            && signs(&left).2 < 0.0
+            && signs(&right).1 > 0.0
+        {
+            inside.push(middle);
+        }
         stack.push((right, middle, b, depth + 1));
         stack.push((left, a, middle, depth + 1));
     }

@@ -39,6 +39,7 @@ mod tween;
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;
 pub use closest::{ClosestOnCurve, CurvePoint};
+pub(crate) use closest_local::along_span;
 pub use continuity::{ContinuityTolerance, JoinContinuity};
 pub use discontinuity::Continuity;
 pub(crate) use evaluate::curvature;

@@ -205,55 +205,23 @@ impl NurbsSurface {
         u: f64,
         v: f64,
     ) -> [[f64; N]; 3] {
-        match self.degrees {
-            [3, 3] => self.partials_sized::<N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
-            [2, 2] => self.partials_sized::<N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
-            [1, 1] => self.partials_sized::<N, 1, 2, 2, 1, 2, 2>(points, spans, u, v),
-            [2, 1] => self.partials_sized::<N, 2, 3, 4, 1, 2, 2>(points, spans, u, v),
-            [1, 2] => self.partials_sized::<N, 1, 2, 2, 2, 3, 4>(points, spans, u, v),
-            [3, 1] => self.partials_sized::<N, 3, 4, 6, 1, 2, 2>(points, spans, u, v),
-            [1, 3] => self.partials_sized::<N, 1, 2, 2, 3, 4, 6>(points, spans, u, v),
-            [2, 3] => self.partials_sized::<N, 2, 3, 4, 3, 4, 6>(points, spans, u, v),
-            [3, 2] => self.partials_sized::<N, 3, 4, 6, 2, 3, 4>(points, spans, u, v),
+        let [s, su, sv, ..] = match self.degrees {
+            [3, 3] => self.sized::<false, N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
+            [2, 2] => self.sized::<false, N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
+            [1, 1] => self.sized::<false, N, 1, 2, 2, 1, 2, 2>(points, spans, u, v),
+            [2, 1] => self.sized::<false, N, 2, 3, 4, 1, 2, 2>(points, spans, u, v),
+            [1, 2] => self.sized::<false, N, 1, 2, 2, 2, 3, 4>(points, spans, u, v),
+            [3, 1] => self.sized::<false, N, 3, 4, 6, 1, 2, 2>(points, spans, u, v),
+            [1, 3] => self.sized::<false, N, 1, 2, 2, 3, 4, 6>(points, spans, u, v),
+            [2, 3] => self.sized::<false, N, 2, 3, 4, 3, 4, 6>(points, spans, u, v),
+            [3, 2] => self.sized::<false, N, 3, 4, 6, 2, 3, 4>(points, spans, u, v),
             _ => {
                 let mut out = [[0.0; N]; 6];
                 self.partials_long(points, spans, [u, v], &mut out[..3]);
-                [out[0], out[1], out[2]]
+                out
             }
-        }
-    }
-
-    #[inline(always)]
-    fn partials_sized<
-        const N: usize,
-        const P: usize,
-        const PO: usize,
-        const PU: usize,
-        const Q: usize,
-        const QO: usize,
-        const QU: usize,
-    >(
-        &self,
-        points: &[[f64; N]],
-        [ju, jv]: [usize; 2],
-        u: f64,
-        v: f64,
-    ) -> [[f64; N]; 3] {
-        let (Some(ku), Some(kv)) = (local(&self.knots[0], ju), local(&self.knots[1], jv)) else {
-            return [[f64::NAN; N]; 3];
         };
-        let (nu, [du, _]) = jet_weights::<P, PO, PU>(ku, u);
-        let (nv, [dv, _]) = jet_weights::<Q, QO, QU>(kv, v);
-        let (mut column, mut by_v) = ([[0.0; N]; PO], [[0.0; N]; PO]);
-        for i in 0..PO {
-            let Some(row) = local::<_, QO>(points, (ju + i) * self.counts[1] + jv) else {
-                return [[f64::NAN; N]; 3];
-            };
-            column[i] = weighted(&nv, row);
-            by_v[i] = weighted(&dv, &steps::<N, Q, QO>(row));
-        }
-        let by_u = weighted(&du, &steps::<N, P, PO>(&column));
-        [weighted(&nu, &column), by_u, weighted(&nu, &by_v)]
+        [s, su, sv]
     }
 
     /// The position at (u, v), as a vector from the origin, and the partial derivatives of order 1 and 2 in the order
@@ -275,8 +243,8 @@ impl NurbsSurface {
         v: f64,
     ) -> [[f64; N]; 6] {
         match self.degrees {
-            [3, 3] => self.second_sized::<N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
-            [2, 2] => self.second_sized::<N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
+            [3, 3] => self.sized::<true, N, 3, 4, 6, 3, 4, 6>(points, spans, u, v),
+            [2, 2] => self.sized::<true, N, 2, 3, 4, 2, 3, 4>(points, spans, u, v),
             _ => {
                 let mut out = [[0.0; N]; 6];
                 self.partials_long(points, spans, [u, v], &mut out);
@@ -285,8 +253,10 @@ impl NurbsSurface {
         }
     }
 
+    /// S, Su, Sv and, if wanted, Suu, Suv, Svv (else 0) for degrees that the compiler knows.
     #[inline(always)]
-    fn second_sized<
+    fn sized<
+        const SECOND: bool,
         const N: usize,
         const P: usize,
         const PO: usize,
@@ -315,17 +285,21 @@ impl NurbsSurface {
             let steps = steps::<N, Q, QO>(row);
             columns[0][i] = weighted(&nv, row);
             columns[1][i] = weighted(&dv, &steps);
-            columns[2][i] = weighted(&dvv, &steps);
+            if SECOND {
+                columns[2][i] = weighted(&dvv, &steps);
+            }
         }
         let along_u = steps::<N, P, PO>(&columns[0]);
-        [
-            weighted(&nu, &columns[0]),
-            weighted(&du, &along_u),
-            weighted(&nu, &columns[1]),
-            weighted(&duu, &along_u),
-            weighted(&du, &steps::<N, P, PO>(&columns[1])),
-            weighted(&nu, &columns[2]),
-        ]
+        let mut out = [[0.0; N]; 6];
+        out[0] = weighted(&nu, &columns[0]);
+        out[1] = weighted(&du, &along_u);
+        out[2] = weighted(&nu, &columns[1]);
+        if SECOND {
+            out[3] = weighted(&duu, &along_u);
+            out[4] = weighted(&du, &steps::<N, P, PO>(&columns[1]));
+            out[5] = weighted(&nu, &columns[2]);
+        }
+        out
     }
 
     /// Three or six partial derivatives for any degrees.

@@ -107,12 +107,22 @@ impl ClosestOnSurface {
             best.squared
         });
         let Some([u, v]) = best.uv else { return Ok(None) };
+        Ok(Some(self.place(u, v, q)))
+    }
+
+    /// The place at two parameters of the NURBS form, by those of the surface itself.
+    pub(super) fn place(&self, u: f64, v: f64, q: Point3) -> SurfacePoint {
         let point = self.nurbs.point_at(u, v);
         let [u, v] = match &self.exact {
             Some(surface) => parameters_of(surface, point, [u, v]),
             None => [u, v],
         };
-        Ok(Some(SurfacePoint { u, v, point, distance: point.distance_to(q) }))
+        SurfacePoint { u, v, point, distance: point.distance_to(q) }
+    }
+
+    /// The form that is searched.
+    pub(super) fn nurbs(&self) -> &NurbsSurface {
+        &self.nurbs
     }
 }
 

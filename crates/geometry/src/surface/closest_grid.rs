@@ -44,6 +44,67 @@ pub(super) fn multiply<const K: usize>(
     }
 }
 
+/// The Bernstein coefficients of the derivative in one direction, for a grid of the given degrees.
+pub(super) fn derivative(grid: &[f64], [p, q]: [usize; 2], d: usize) -> Vec<f64> {
+    let width = q + 1;
+    if d == 0 {
+        grid.iter().zip(grid.iter().skip(width)).map(|(a, b)| p as f64 * (b - a)).collect()
+    } else {
+        grid.chunks(width).flat_map(|row| row.windows(2).map(|w| q as f64 * (w[1] - w[0]))).collect()
+    }
+}
+
+/// The Bernstein coefficients of the product of two grids, whose degrees add up.
+pub(super) fn product(a: &[f64], da: [usize; 2], b: &[f64], db: [usize; 2]) -> Vec<f64> {
+    let row = |n: usize| -> Vec<f64> { (0..=n).map(|i| binomial(n, i)).collect() };
+    // Times its binomials a grid multiplies like power coefficients.
+    let scaled = |g: &[f64], [p, q]: [usize; 2]| -> Vec<f64> {
+        let (bp, bq) = (row(p), row(q));
+        let rows = g.chunks(q + 1).zip(&bp);
+        rows.flat_map(|(line, s)| line.iter().zip(&bq).map(move |(x, t)| x * s * t)).collect()
+    };
+    let (a, b) = (scaled(a, da), scaled(b, db));
+    let degrees = [da[0] + db[0], da[1] + db[1]];
+    let width = degrees[1] + 1;
+    let mut out = vec![0.0; (degrees[0] + 1) * width];
+    for (i, line) in a.chunks(da[1] + 1).enumerate() {
+        for (k, other) in b.chunks(db[1] + 1).enumerate() {
+            for (j, x) in line.iter().enumerate() {
+                let start = (i + k) * width + j;
+                for (slot, y) in out.iter_mut().skip(start).zip(other) {
+                    *slot += x * y;
+                }
+            }
+        }
+    }
+    let (bp, bq) = (row(degrees[0]), row(degrees[1]));
+    for (line, s) in out.chunks_mut(width).zip(&bp) {
+        for (x, t) in line.iter_mut().zip(&bq) {
+            *x /= s * t;
+        }
+    }
+    out
+}
+
+/// Halves a grid of coefficients in one direction by de Casteljau's algorithm: what is left is the second half, the
+/// first is returned.
+pub(super) fn halve_grid(grid: &mut [f64], [p, q]: [usize; 2], d: usize) -> Vec<f64> {
+    let mut other = grid.to_vec();
+    let (lines, jump, stride, count) =
+        if d == 0 { (q + 1, 1, q + 1, p + 1) } else { (p + 1, q + 1, 1, q + 1) };
+    for line in 0..lines {
+        let start = line * jump;
+        for level in 0..count {
+            other[start + level * stride] = grid[start];
+            for i in 0..count - 1 - level {
+                let k = start + i * stride;
+                grid[k] = 0.5 * (grid[k] + grid[k + stride]);
+            }
+        }
+    }
+    other
+}
+
 /// A point and two derivatives of a Bézier curve by de Casteljau's algorithm.
 #[inline]
 pub(super) fn line_jet<const M: usize>(points: &[[f64; 4]], x: f64) -> [[f64; 4]; 3] {

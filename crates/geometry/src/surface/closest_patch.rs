@@ -25,7 +25,7 @@ pub(super) struct Patch {
     points: u32,
     /// Where its products start, if it has some.
     products: Option<u32>,
-    rational: bool,
+    pub(super) rational: bool,
 }
 
 /// All patches of a surface.
@@ -36,6 +36,8 @@ pub(super) struct Patches {
     points: Vec<[f64; 4]>,
     /// The coefficients of |A|², A·w (three) and w².
     products: Vec<[f64; 5]>,
+    /// Whether products are kept.
+    tables: bool,
 }
 
 /// The best point found so far.
@@ -63,7 +65,18 @@ fn gap(a: [f64; 3], b: [f64; 3]) -> f64 {
 impl Patches {
     /// The patches of a surface, halved where they bend much, and their bounds.
     pub(super) fn of(surface: &NurbsSurface) -> (Self, Vec<Bounds>) {
-        let (mut patches, mut bounds) = (Self::default(), Vec::new());
+        let (patches, bounds, _) = Self::cut(surface, true);
+        (patches, bounds)
+    }
+
+    /// One patch for each pair of spans, those of v running fastest, without tables; and how many spans there are.
+    pub(super) fn spans_of(surface: &NurbsSurface) -> (Self, [usize; 2]) {
+        let (patches, _, counts) = Self::cut(surface, false);
+        (patches, counts)
+    }
+
+    fn cut(surface: &NurbsSurface, finely: bool) -> (Self, Vec<Bounds>, [usize; 2]) {
+        let (mut patches, mut bounds) = (Self { tables: finely, ..Self::default() }, Vec::new());
         let [p, q] = surface.degrees();
         let (ku, kv) = (surface.knots(Direction::U), surface.knots(Direction::V));
         let [nu, nv] = surface.counts();
@@ -74,6 +87,7 @@ impl Patches {
         let (us, vs) = (spans(ku, p, nu), spans(kv, q, nv));
         // Few spans may be cut finer.
         let depth = match us.len() * vs.len() {
+            _ if !finely => 0,
             0..=16 => 6,
             17..=64 => 4,
             65..=1024 => 2,
@@ -102,7 +116,7 @@ impl Patches {
                 patches.push([p, q], points.clone(), range, depth, &mut bounds);
             }
         }
-        (patches, bounds)
+        (patches, bounds, [us.len(), vs.len()])
     }
 
     fn push(
@@ -152,7 +166,8 @@ impl Patches {
             let (s, w) = (space(point), point[3] / heaviest);
             *point = [(s[0] - centre[0]) * w, (s[1] - centre[1]) * w, (s[2] - centre[2]) * w, w];
         }
-        let products = ((2 * p + 1) * (2 * q + 1) <= MOST_PRODUCTS).then_some(self.products.len() as u32);
+        let few = self.tables && (2 * p + 1) * (2 * q + 1) <= MOST_PRODUCTS;
+        let products = few.then_some(self.products.len() as u32);
         if products.is_some() {
             multiply(
                 [p, q],
@@ -191,48 +206,80 @@ impl Patches {
         plain: &mut Work<1>,
         rational: &mut Work<2>,
     ) {
-        let Some(patch) = self.list.get(i) else { return };
-        let n = patch.degrees.map(usize::from);
-        let (from, count) = (patch.points as usize, (n[0] + 1) * (n[1] + 1));
-        let Some(points) = self.points.get(from..from + count) else { return };
-        let r: [f64; 3] = std::array::from_fn(|c| q[c] - patch.centre[c]);
-        let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
-        let noise = 4e-15 * (patch.radius + distance).powi(2);
-        let search = Search { patch, points, n, r, noise };
+        let Some(search) = self.question(i, q) else { return };
         if !best.squared.is_finite() {
             let squared = search.squared([0.5, 0.5]);
             search.offer(squared, [0.5, 0.5], best);
         }
-        if patch.rational {
+        if search.patch.rational {
             search.start(self, rational, best);
         } else {
             search.start(self, plain, best);
         }
     }
+
+    /// What patch `i` has to do with `q`.
+    pub(super) fn question(&self, i: usize, q: [f64; 3]) -> Option<Search<'_>> {
+        let patch = self.list.get(i)?;
+        let n = patch.degrees.map(usize::from);
+        let from = patch.points as usize;
+        let points = self.points.get(from..from + (n[0] + 1) * (n[1] + 1))?;
+        let r: [f64; 3] = std::array::from_fn(|c| q[c] - patch.centre[c]);
+        let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
+        let noise = 4e-15 * (patch.radius + distance).powi(2);
+        Some(Search { patch, points, n, r, noise })
+    }
+}
+
+/// Where a descent ended.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Descent {
+    /// In the patch's own parameters.
+    pub(super) x: [f64; 2],
+    /// The squared distance there.
+    pub(super) squared: f64,
+    /// Whether it is a minimum of the range, to all digits.
+    pub(super) settled: bool,
 }
 
 /// The search in one patch. Its own parameters x run over 0…1.
-struct Search<'s> {
-    patch: &'s Patch,
-    points: &'s [[f64; 4]],
+pub(super) struct Search<'s> {
+    pub(super) patch: &'s Patch,
+    /// Homogeneous control points relative to the patch's centre.
+    pub(super) points: &'s [[f64; 4]],
     /// The degrees.
-    n: [usize; 2],
-    r: [f64; 3],
-    noise: f64,
+    pub(super) n: [usize; 2],
+    /// The point asked about, from the patch's centre.
+    pub(super) r: [f64; 3],
+    /// What rounding may do to a squared distance.
+    pub(super) noise: f64,
 }
 
 /// A range of a patch's own parameters: low and high ends.
-type Range = [[f64; 2]; 2];
+pub(super) type Range = [[f64; 2]; 2];
 
 impl Search<'_> {
     fn offer(&self, squared: f64, x: [f64; 2], best: &mut Best) {
         if squared < best.squared {
-            let uv = |d: usize| {
-                let [a, b] = self.patch.range[d];
-                (1.0 - x[d]) * a + x[d] * b
-            };
-            *best = Best { squared, uv: Some([uv(0), uv(1)]) };
+            *best = Best { squared, uv: Some(self.parameters(x)) };
         }
+    }
+
+    /// The surface's parameters for the patch's own.
+    pub(super) fn parameters(&self, x: [f64; 2]) -> [f64; 2] {
+        std::array::from_fn(|d| {
+            let [a, b] = self.patch.range[d];
+            (1.0 - x[d]) * a + x[d] * b
+        })
+    }
+
+    /// The control points relative to the point asked about.
+    pub(super) fn shifted(&self) -> Vec<[f64; 4]> {
+        let r = self.r;
+        self.points
+            .iter()
+            .map(|a| [a[0] - r[0] * a[3], a[1] - r[1] * a[3], a[2] - r[2] * a[3], a[3]])
+            .collect()
     }
 
     fn start<const C: usize>(&self, patches: &Patches, work: &mut Work<C>, best: &mut Best) {
@@ -248,14 +295,9 @@ impl Search<'_> {
                 std::array::from_fn(|k| if k == 0 { value } else { m[4] })
             }));
         } else {
-            let shifted: Vec<[f64; 4]> = self
-                .points
-                .iter()
-                .map(|a| [a[0] - r[0] * a[3], a[1] - r[1] * a[3], a[2] - r[2] * a[3], a[3]])
-                .collect();
             multiply(
                 self.n,
-                &shifted,
+                &self.shifted(),
                 |a, b| {
                     let value = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
                     std::array::from_fn(|k| if k == 0 { value } else { a[3] * b[3] })
@@ -308,8 +350,9 @@ impl Search<'_> {
         ];
         let is_convex = convex(coefficients, [m, n], best.squared);
         if is_convex || depth == 0 || self.squared(x) < best.squared {
-            let (found, settled) = self.minimum(range, x, best);
-            if settled && is_convex && (C == 1 || convex(coefficients, [m, n], found)) {
+            let found = self.minimum(range, x);
+            self.offer(found.squared, found.x, best);
+            if found.settled && is_convex && (C == 1 || convex(coefficients, [m, n], found.squared)) {
                 return;
             }
         }
@@ -366,13 +409,13 @@ impl Search<'_> {
         work.arena.truncate(left);
     }
 
-    fn squared(&self, x: [f64; 2]) -> f64 {
+    pub(super) fn squared(&self, x: [f64; 2]) -> f64 {
         let [v, ..] = self.jet(x);
         v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
     }
 
     /// The vector from the point asked about and the derivatives Su, Sv, Suu, Suv, Svv by the patch's own parameters.
-    fn jet(&self, x: [f64; 2]) -> [[f64; 3]; 6] {
+    pub(super) fn jet(&self, x: [f64; 2]) -> [[f64; 3]; 6] {
         if self.n[0] <= 3 && self.n[1] <= 3 {
             self.jet_sized::<4>(x)
         } else {
@@ -414,10 +457,9 @@ impl Search<'_> {
         out
     }
 
-    /// Offers a minimum of the squared distance in a range, and gives its value and whether the method settled there:
-    /// Newton's method from x, along the sides of the range where it is held by them. Steps that make it worse are
-    /// shortened.
-    fn minimum(&self, range: Range, mut x: [f64; 2], best: &mut Best) -> (f64, bool) {
+    /// A minimum of the squared distance in a range: Newton's method from x, along the sides of the range where it is
+    /// held by them. Steps that make it worse are shortened.
+    pub(super) fn minimum(&self, range: Range, mut x: [f64; 2]) -> Descent {
         let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let mut jet = self.jet(x);
         let mut value = dot(&jet[0], &jet[0]);
@@ -477,8 +519,6 @@ impl Search<'_> {
                 break;
             }
         }
-        let squared = dot(&jet[0], &jet[0]);
-        self.offer(squared, x, best);
-        (squared, settled)
+        Descent { x, squared: dot(&jet[0], &jet[0]), settled }
     }
 }
