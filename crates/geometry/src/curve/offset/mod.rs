@@ -3,13 +3,15 @@
 mod approximate;
 mod chain;
 mod corner;
+mod restyle;
 mod simple;
 mod trim;
 mod validity;
 
+use super::piece::Shape;
 use super::{ArcCurve, Continuity, Curve};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
-use corner::{Bridge, bridge};
+use corner::{Bridge, Corner, bridge};
 pub(crate) use simple::right_of;
 use validity::Cap;
 
@@ -35,11 +37,13 @@ struct RawPart {
     curve: Curve,
     /// For one that is not exact, what it approximates the offset of, by the same parameter.
     source: Option<Curve>,
+    /// The corner that it goes round.
+    corner: Option<Corner>,
 }
 
 impl RawPart {
     fn exact(curve: Curve) -> Self {
-        Self { curve, source: None }
+        Self { curve, source: None, corner: None }
     }
 }
 
@@ -105,7 +109,12 @@ impl Curve {
         if distance == 0.0 {
             return Ok(vec![self.clone()]);
         }
-        let raw = self.raw_offset(plane, distance, corner, tolerance)?;
+        // Chamfers and blends take the place of arcs in what is left.
+        let drawn = match corner {
+            OffsetCorner::Chamfer | OffsetCorner::Smooth => OffsetCorner::Round,
+            other => other,
+        };
+        let raw = self.raw_offset(plane, distance, drawn, tolerance)?;
         trim::cleaned(self, &raw, plane, distance, corner, tolerance)
     }
 
@@ -154,6 +163,7 @@ impl Curve {
                 }
                 Ok(out)
             }
+            Self::Line(c) if c.line.from == c.line.to => Ok(Vec::new()),
             Self::Line(_) | Self::Arc(_) => Ok(vec![self.clone()]),
             _ => {
                 if let Some(points) = self.as_polyline() {
@@ -163,12 +173,25 @@ impl Curve {
                 let tight = Tolerance { absolute: 1e-9, angle: 1e-7 };
                 let domain = self.domain();
                 let mut cuts = self.discontinuities(Continuity::G1, &tight);
+                // Spans in one place are no part.
+                let mut still: Vec<f64> = Vec::new();
+                for piece in self.pieces() {
+                    if let Shape::Span(c, j) = piece.shape
+                        && c.span_hull(j).zip(c.span_hull(j).skip(1)).all(|(p, q)| p == q)
+                    {
+                        still.push(piece.whole.start);
+                        cuts.extend([piece.whole.start, piece.whole.end]);
+                    }
+                }
+                cuts.sort_by(f64::total_cmp);
+                cuts.dedup();
                 cuts.retain(|&t| domain.start < t && t < domain.end);
                 cuts.insert(0, domain.start);
                 cuts.push(domain.end);
                 let size = self.hull_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
                 let exact = 1e-12 * size;
                 cuts.windows(2)
+                    .filter(|w| !still.contains(&w[0]))
                     .map(|w| {
                         let part = self.trimmed(Interval::new(w[0], w[1]))?;
                         if let Some(line) = part.as_line(exact) {
@@ -216,7 +239,10 @@ fn offset_part(part: &Curve, plane: &Plane, distance: f64, tolerance: f64) -> Re
             let source = other.to_nurbs()?;
             let parts = approximate::offset_nurbs(&source, plane, distance, tolerance)?;
             let source: Curve = source.into();
-            Ok(parts.into_iter().map(|c| RawPart { curve: c.into(), source: Some(source.clone()) }).collect())
+            Ok(parts
+                .into_iter()
+                .map(|c| RawPart { curve: c.into(), source: Some(source.clone()), corner: None })
+                .collect())
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Loops cut away.
 
 use super::chain::{Border, Edge, Sets, gather};
+use super::restyle::Restyle;
 use super::validity::Validity;
 use super::{OffsetCorner, Raw, RawPart};
 use crate::intersect::{curve_curve, curve_self};
@@ -15,13 +16,13 @@ const SAMPLES: u32 = 8;
 
 /// What has been done, so that it ends.
 #[derive(Default)]
-struct Work {
+pub(super) struct Work {
     pairs: u64,
     visits: u64,
 }
 
 impl Work {
-    fn more(&mut self, visits: u64) -> Result<()> {
+    pub(super) fn more(&mut self, visits: u64) -> Result<()> {
         self.pairs += 1;
         self.visits += visits;
         if self.pairs > MOST_PAIRS || self.visits > MOST_VISITS {
@@ -89,8 +90,8 @@ pub(super) fn cleaned(
         round(distance)?;
     }
     let simple = closed && curve_self(curve, fine)?.is_empty();
-    // Tips and blends may reach over the curve.
-    let far_corners = matches!(corner, OffsetCorner::Sharp | OffsetCorner::Smooth) && !raw.caps.is_empty();
+    // Tips may reach over the curve.
+    let far_corners = !raw.caps.is_empty();
     if !simple || far_corners {
         round(-distance)?;
     }
@@ -128,7 +129,7 @@ pub(super) fn cleaned(
     let mut sets = Sets::new(places.len());
     gather(&mut sets, &places, hair);
 
-    let validity = Validity::new(curve, &raw.smooth, &raw.caps, plane, distance, (simple, hair));
+    let validity = Validity::new(curve, &raw.caps, plane, distance, hair);
     let blur = if exact { hair } else { 2.0 * tolerance.absolute };
     let mut edges = Vec::new();
     for (i, part) in raw.parts.iter().enumerate() {
@@ -159,11 +160,17 @@ pub(super) fn cleaned(
     };
     // So far two stretches may run on beyond their crossing before rounding sees it.
     let stub = 4.0 * (0.01 * hair * size).sqrt();
-    Border { parts: &parts, edges, sets, plane, side: distance.signum(), gap, stub }.curves(least)
+    let border = Border { parts: &raw.parts, edges, sets, plane, side: distance.signum(), gap, stub };
+    let mut chains = border.chains(least)?;
+    if matches!(corner, OffsetCorner::Chamfer | OffsetCorner::Smooth) {
+        Restyle { source: curve, raw, distance, tolerance: tolerance.absolute, hair, corner }
+            .apply(&mut chains)?;
+    }
+    Ok(chains.into_iter().map(|c| c.into_curve(1e-2 * gap)).collect())
 }
 
 /// Pairs of boxes that come within reach of each other, by a sweep along x: within one list, or of one and another.
-fn near_pairs(
+pub(super) fn near_pairs(
     first: &[BoundingBox],
     second: Option<&[BoundingBox]>,
     reach: f64,
