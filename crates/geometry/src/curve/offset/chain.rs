@@ -3,7 +3,7 @@
 use super::RawPart;
 use super::restyle::{Chain, Link};
 use crate::intersect::curve_curve;
-use crate::{Curve, Interval, Line, LineCurve, Plane, Point3, Result, Vector3};
+use crate::{Curve, Interval, Line, NurbsCurve, Plane, Point3, Result, Vector3};
 
 /// A stretch of a part, from place to place.
 #[derive(Debug, Clone, Copy)]
@@ -260,6 +260,12 @@ impl Border<'_> {
         if !(length > least) {
             return Ok(None);
         }
+        for k in 1..links.len() {
+            let (before, after) = links.split_at_mut(k);
+            if let (Some(before), Some(after)) = (before.last_mut(), after.first_mut()) {
+                meet(&mut before.curve, &mut after.curve)?;
+            }
+        }
         if closed {
             self.close(&mut links)?;
         }
@@ -278,18 +284,19 @@ impl Border<'_> {
             *links = halves.into_iter().map(Link::plain).collect();
         }
         let wide = gap(links) > self.hair();
-        let [first, .., last] = links.as_mut_slice() else { return Ok(()) };
-        if wide {
-            let link = linked(&mut last.curve, &mut first.curve)?;
-            links.push(Link::plain(link));
-        } else {
-            // A straight end meets the start exactly.
-            let (from, to) = (last.curve.end(), first.curve.start());
-            if let Curve::Line(LineCurve { line, domain }) = last.curve {
-                last.curve = LineCurve { line: Line::new(line.from, to), domain }.into();
-            } else if let Curve::Line(LineCurve { line, domain }) = first.curve {
-                first.curve = LineCurve { line: Line::new(from, line.to), domain }.into();
+        match links.as_mut_slice() {
+            [first, .., last] if wide => {
+                let link = linked(&mut last.curve, &mut first.curve)?;
+                links.push(Link::plain(link));
             }
+            [first, .., last] => meet(&mut last.curve, &mut first.curve)?,
+            [only] => {
+                let start = only.curve.start();
+                if let Curve::Nurbs(c) = &mut only.curve {
+                    *c = with_end(c, true, start)?;
+                }
+            }
+            [] => {}
         }
         Ok(())
     }
@@ -298,6 +305,35 @@ impl Border<'_> {
     fn hair(&self) -> f64 {
         1e-2 * self.gap
     }
+}
+
+/// Lets two curves with a gap of next to nothing between them meet exactly.
+fn meet(before: &mut Curve, after: &mut Curve) -> Result<()> {
+    let (end, start) = (before.end(), after.start());
+    if end == start {
+        return Ok(());
+    }
+    match (&mut *before, &mut *after) {
+        (Curve::Line(c), _) => c.line.to = start,
+        (_, Curve::Line(c)) => c.line.from = end,
+        (Curve::Nurbs(c), _) => *c = with_end(c, true, start)?,
+        (_, Curve::Nurbs(c)) => *c = with_end(c, false, end)?,
+        _ => {}
+    }
+    Ok(())
+}
+
+/// A clamped curve with another end, near to its own.
+fn with_end(curve: &NurbsCurve, last: bool, end: Point3) -> Result<NurbsCurve> {
+    let mut points = curve.control_points();
+    if let Some(p) = if last { points.last_mut() } else { points.first_mut() } {
+        *p = end;
+    }
+    let knots = curve.knots().to_vec();
+    if curve.is_rational() {
+        return NurbsCurve::with_weights(curve.degree(), &points, &curve.weights(), knots);
+    }
+    NurbsCurve::new(curve.degree(), points, knots)
 }
 
 /// The segment from the end of one curve to the start of another. Where it would lead back beside one of them, as

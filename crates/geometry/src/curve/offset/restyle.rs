@@ -6,7 +6,7 @@ use super::{OffsetCorner, Raw};
 use crate::box_tree::{Bounds, BoxTree};
 use crate::curve::blend::blend_between;
 use crate::curve::join::chained;
-use crate::intersect::{ContactKind, curve_curve};
+use crate::intersect::{ContactKind, curve_curve, curve_self};
 use crate::{BoundingBox, ClosestOnCurve, Curve, Line, Point3, Result};
 
 /// Parts of a chamfer or a blend whose distance is asked for at first, how many times they are halved at least next to
@@ -73,7 +73,7 @@ impl Restyle<'_> {
             for (j, link) in chain.links.iter().enumerate() {
                 let Some(corner) = link.corner else { continue };
                 for curve in self.choices(chain, j, &corner) {
-                    if clearance.allows(&curve)? {
+                    if curve_self(&curve, self.hair)?.is_empty() && clearance.allows(&curve)? {
                         candidates.push(Candidate { chain: i, link: j, curve });
                         break;
                     }
@@ -89,13 +89,13 @@ impl Restyle<'_> {
         }
         let boxes: Vec<BoundingBox> = candidates.iter().map(|c| c.curve.bounding_box()).collect();
         let others: Vec<BoundingBox> = all.iter().map(|c| c.bounding_box()).collect();
-        let mut work = Work::default();
+        let mut work = Work::new(self.raw.parts.len());
         let mut free = vec![true; candidates.len()];
-        for (i, j) in near_pairs(&boxes, Some(&others), self.hair, &mut work)? {
+        for (i, j) in near_pairs(&boxes, Some(&others), self.hair, &work)? {
             let own = firsts[candidates[i].chain] + candidates[i].link;
             free[i] = free[i] && (j == own || !self.cross(&candidates[i].curve, all[j], &mut work)?);
         }
-        for (i, j) in near_pairs(&boxes, None, self.hair, &mut work)? {
+        for (i, j) in near_pairs(&boxes, None, self.hair, &work)? {
             if free[i] && free[j] && self.cross(&candidates[i].curve, &candidates[j].curve, &mut work)? {
                 free[j] = false;
             }
@@ -124,14 +124,19 @@ impl Restyle<'_> {
         let before = if j > 0 { Some(j - 1) } else { chain.closed.then(|| n - 1) };
         let after = if j + 1 < n { Some(j + 1) } else { chain.closed.then_some(0) };
         let mut out = Vec::new();
+        // A side that bends too tightly would make the blend swing out.
+        let calm = |curve: &Curve, at_end: bool| {
+            let t = if at_end { curve.domain().end } else { curve.domain().start };
+            curve.curvature_on_side(t, at_end).length() * size <= 1.0
+        };
         if let (Some(before), Some(after)) = (before, after)
-            && before != j
-            && let Ok(blend) =
-                blend_between(&chain.links[before].curve, &chain.links[after].curve, [2, 2], [1.0, 1.0])
+            && let (before, after) = (&chain.links[before].curve, &chain.links[after].curve)
+            && calm(before, true)
+            && calm(after, false)
         {
-            out.push(blend.into());
+            out.extend(blend_between(before, after, [2, 2], [1.0, 1.0]).ok().map(Curve::from));
         }
-        // As between straight sides, where those bend too much.
+        // As between straight sides, otherwise.
         let sides: [Curve; 2] =
             [Line::new(a - corner.arriving * size, a).into(), Line::new(b, b + corner.leaving * size).into()];
         out.extend(blend_between(&sides[0], &sides[1], [2, 2], [1.0, 1.0]).ok().map(Curve::from));
