@@ -7,7 +7,7 @@ use crate::{Error, NurbsCurve, Plane, Point3, Result};
 type Flat = [f64; 3];
 
 /// Halvings of one span at most; beyond it the piece is shorter than rounding allows to improve.
-const DEPTH: u32 = 26;
+const DEPTH: u32 = 40;
 
 /// Cubics of one offset at most, besides some for every span: a curve so wild at a tolerance so small is refused.
 const MOST_CUBICS: usize = 3000;
@@ -215,24 +215,37 @@ fn hermite(points: &[Flat], distance: f64) -> Option<[[f64; 2]; 4]> {
     let side = |points: &[Flat], sign: f64| -> Option<([f64; 2], [f64; 2])> {
         let (p, d, k) = end_data(points);
         // A curve that stands still at its end leaves it towards the next control point.
-        let direction = if d[0].hypot(d[1]) > 0.0 {
-            d
-        } else {
-            let next = points.iter().map(|q| [q[0] / q[2] - p[0], q[1] / q[2] - p[1]]);
-            next.into_iter().find(|v| v[0].hypot(v[1]) > 0.0)?
-        };
+        let legs = points.iter().map(|q| [q[0] / q[2] - p[0], q[1] / q[2] - p[1]]);
+        let reach = legs.clone().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
+        let direction = legs.clone().find(|v| v[0].hypot(v[1]) > 1e-9 * reach)?;
         let length = direction[0].hypot(direction[1]);
         let unit = [direction[0] / length, direction[1] / length];
         // Walked backwards, right is left and curvature changes its sign: its product with the distance does not.
         let d_side = sign * distance;
         let factor = 1.0 + d_side * k;
         let place = [p[0] + d_side * unit[1], p[1] - d_side * unit[0]];
-        Some((place, [d[0] * factor / 3.0, d[1] * factor / 3.0]))
+        let still = legs.clone().nth(1).is_some_and(|v| v[0].hypot(v[1]) <= 1e-9 * reach);
+        let speed =
+            if still { [0, 1].map(|i| unit[i] * d_side * swing(points)) } else { d.map(|x| x * factor) };
+        Some((place, speed.map(|x| x / 3.0)))
     };
     let (a, da) = side(points, 1.0)?;
     let (b, db) = side(&backwards, -1.0)?;
     let out = [a, [a[0] + da[0], a[1] + da[1]], [b[0] + db[0], b[1] + db[1]], b];
     out.iter().flatten().all(|x| x.is_finite()).then_some(out)
+}
+
+/// How fast the direction turns at the start of a Bézier curve that stands still there, its first two points in one
+/// place: with C = P + At² + Bt³ + … the limit of κ|C′| is 3/2 A × B/A² (derived).
+fn swing(points: &[Flat]) -> f64 {
+    let [p0, _, p2, p3, ..] = points else { return 0.0 };
+    let from = |p: &Flat| [p[0] / p[2] - p0[0] / p0[2], p[1] / p[2] - p0[1] / p0[2]];
+    let n = (points.len() - 1) as f64;
+    let (a, b) = (from(p2), from(p3));
+    let (a_size, b_size) = (0.5 * n * (n - 1.0) * p2[2], n * (n - 1.0) * (n - 2.0) / 6.0 * p3[2]);
+    let area = a[0] * b[1] - a[1] * b[0];
+    let turning = 1.5 * b_size * area / (a_size * (a[0] * a[0] + a[1] * a[1]));
+    if turning.is_finite() { turning } else { 0.0 }
 }
 
 /// Whether a cubic O is within `error` of the offset along the tangent and across it, at every parameter: with

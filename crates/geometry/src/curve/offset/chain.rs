@@ -1,8 +1,9 @@
 //! Parts put together to whole curves along the places where they were cut.
 
-use crate::curve::join::chained;
+use super::RawPart;
+use super::restyle::{Chain, Link};
 use crate::intersect::curve_curve;
-use crate::{Curve, Interval, Line, LineCurve, Plane, Point3, Result, Vector3};
+use crate::{Curve, Interval, Line, NurbsCurve, Plane, Point3, Result, Vector3};
 
 /// A stretch of a part, from place to place.
 #[derive(Debug, Clone, Copy)]
@@ -58,7 +59,7 @@ pub(super) fn gather(sets: &mut Sets, places: &[Point3], reach: f64) {
 
 /// All that the edges of a border amount to.
 pub(super) struct Border<'a> {
-    pub(super) parts: &'a [&'a Curve],
+    pub(super) parts: &'a [RawPart],
     pub(super) edges: Vec<Edge>,
     pub(super) sets: Sets,
     pub(super) plane: &'a Plane,
@@ -72,12 +73,12 @@ pub(super) struct Border<'a> {
 
 impl Border<'_> {
     fn end(&self, e: &Edge, last: bool) -> Point3 {
-        self.parts[e.part].point_at(if last { e.range.end } else { e.range.start })
+        self.parts[e.part].curve.point_at(if last { e.range.end } else { e.range.start })
     }
 
     fn tangent(&self, e: &Edge, last: bool) -> Vector3 {
         let t = if last { e.range.end } else { e.range.start };
-        self.parts[e.part].tangent_on_side(t, last).unwrap_or(Vector3::ZERO)
+        self.parts[e.part].curve.tangent_on_side(t, last).unwrap_or(Vector3::ZERO)
     }
 
     /// Arrivals and departures by place.
@@ -161,7 +162,7 @@ impl Border<'_> {
 
     /// The curves, each from its first edge on, in the order of the parts; what is no longer than `least` is left
     /// out.
-    pub(super) fn curves(mut self, least: f64) -> Result<Vec<Curve>> {
+    pub(super) fn chains(mut self, least: f64) -> Result<Vec<Chain>> {
         self.settle();
         self.prune();
         self.link();
@@ -182,36 +183,34 @@ impl Border<'_> {
                 continue;
             }
             used[first] = true;
-            let (mut chain, mut closed, mut here) = (vec![first], false, first);
+            let (mut chain, mut here) = (vec![first], first);
             loop {
                 let place = self.edges[here].to;
+                // Back where it has been: that much is a closed curve of its own. So no curve meets itself at a cut.
+                if let Some(k) = chain.iter().position(|&k| self.edges[k].from == place) {
+                    chains.push((chain.split_off(k), true));
+                    let Some(&before) = chain.last() else { break };
+                    here = before;
+                }
                 let arriving = self.tangent(&self.edges[here], true);
                 let next = leaving[place]
                     .iter()
                     .copied()
-                    .filter(|&k| !used[k] || k == first)
+                    .filter(|&k| !used[k])
                     .min_by(|&j, &k| self.turn(arriving, j).total_cmp(&self.turn(arriving, k)));
-                match next {
-                    Some(k) if k == first => {
-                        closed = true;
-                        break;
-                    }
-                    Some(k) => {
-                        used[k] = true;
-                        chain.push(k);
-                        here = k;
-                    }
-                    None => break,
-                }
+                let Some(next) = next else { break };
+                used[next] = true;
+                chain.push(next);
+                here = next;
             }
-            chains.push((chain, closed));
+            if !chain.is_empty() {
+                chains.push((chain, false));
+            }
         }
         chains.sort_by_key(|c| c.0.iter().min().copied());
         let mut out = Vec::new();
         for (chain, closed) in chains {
-            if let Some(curve) = self.curve(&chain, closed, least)? {
-                out.push(curve);
-            }
+            out.extend(self.chain(&chain, closed, least)?);
         }
         Ok(out)
     }
@@ -223,7 +222,7 @@ impl Border<'_> {
         if angle.abs() > std::f64::consts::PI - 1e-7 { std::f64::consts::PI } else { angle * self.side }
     }
 
-    fn curve(&self, chain: &[usize], closed: bool, least: f64) -> Result<Option<Curve>> {
+    fn chain(&self, chain: &[usize], closed: bool, least: f64) -> Result<Option<Chain>> {
         let mut runs: Vec<(usize, Interval)> = Vec::new();
         for &k in chain {
             let e = &self.edges[k];
@@ -243,61 +242,143 @@ impl Border<'_> {
             runs.pop();
             runs[0].1.start = last.1.start;
         }
-        let mut pieces: Vec<Curve> = Vec::with_capacity(runs.len());
+        let mut links: Vec<Link> = Vec::with_capacity(runs.len());
         for (part, range) in runs {
-            let whole = self.parts[part];
-            let piece = if range == whole.domain() { whole.clone() } else { whole.trimmed(range)? };
+            let RawPart { curve, corner, .. } = &self.parts[part];
+            let whole = range == curve.domain();
+            let mut curve = if whole { curve.clone() } else { curve.trimmed(range)? };
             // A gap within the tolerance is bridged, not hidden.
-            let mut piece = piece;
-            if let Some(before) = pieces.last_mut()
-                && before.end().distance_to(piece.start()) > 1e-2 * self.gap
+            if let Some(before) = links.last_mut()
+                && before.curve.end().distance_to(curve.start()) > self.hair()
             {
-                let link = linked(before, &mut piece)?;
-                pieces.push(link);
+                let link = linked(&mut before.curve, &mut curve)?;
+                links.push(Link::plain(link));
             }
-            pieces.push(piece);
+            links.push(Link { curve, corner: *corner, whole });
         }
-        let length: f64 = pieces.iter().map(Curve::length).sum();
+        let length: f64 = links.iter().map(|l| l.curve.length()).sum();
         if !(length > least) {
             return Ok(None);
         }
-        if closed && let (Some(first), Some(last)) = (pieces.first().cloned(), pieces.last().cloned()) {
-            let (from, to) = (last.end(), first.start());
-            let count = pieces.len();
-            if from.distance_to(to) > 1e-2 * self.gap {
-                pieces.push(Line::new(from, to).into());
-            } else if count > 1 && from != to {
-                // A straight end meets the start exactly.
-                if let Curve::Line(LineCurve { line, domain }) = last {
-                    pieces[count - 1] = LineCurve { line: Line::new(line.from, to), domain }.into();
-                } else if let Curve::Line(LineCurve { line, domain }) = first {
-                    pieces[0] = LineCurve { line: Line::new(from, line.to), domain }.into();
-                }
+        for k in 1..links.len() {
+            let (before, after) = links.split_at_mut(k);
+            if let (Some(before), Some(after)) = (before.last_mut(), after.first_mut()) {
+                meet(&mut before.curve, &mut after.curve)?;
             }
         }
-        Ok(Some(chained(pieces, 1e-2 * self.gap)))
+        if closed {
+            self.close(&mut links)?;
+        }
+        Ok(Some(Chain { links, closed }))
+    }
+
+    /// Lets the last link end where the first starts.
+    fn close(&self, links: &mut Vec<Link>) -> Result<()> {
+        let gap = |links: &[Link]| match links {
+            [first, .., last] => last.curve.end().distance_to(first.curve.start()),
+            [only] => only.curve.end().distance_to(only.curve.start()),
+            [] => 0.0,
+        };
+        if links.len() == 1 && gap(links) > self.hair() {
+            let halves = links[0].curve.split_at(&[links[0].curve.domain().middle()])?;
+            *links = halves.into_iter().map(Link::plain).collect();
+        }
+        let wide = gap(links) > self.hair();
+        match links.as_mut_slice() {
+            [first, .., last] if wide => {
+                let link = linked(&mut last.curve, &mut first.curve)?;
+                links.push(Link::plain(link));
+            }
+            [first, .., last] => meet(&mut last.curve, &mut first.curve)?,
+            [only] => {
+                let start = only.curve.start();
+                if let Curve::Nurbs(c) = &mut only.curve {
+                    *c = with_end(c, true, start)?;
+                }
+            }
+            [] => {}
+        }
+        Ok(())
+    }
+
+    /// A gap no larger than this is none.
+    fn hair(&self) -> f64 {
+        1e-2 * self.gap
     }
 }
 
-/// The segment from the end of one curve to the start of another; where it turns back over one of them, that is cut
-/// off at the crossing.
+/// Lets two curves with a gap of next to nothing between them meet exactly.
+fn meet(before: &mut Curve, after: &mut Curve) -> Result<()> {
+    let (end, start) = (before.end(), after.start());
+    if end == start {
+        return Ok(());
+    }
+    match (&mut *before, &mut *after) {
+        (Curve::Line(c), _) => c.line.to = start,
+        (_, Curve::Line(c)) => c.line.from = end,
+        (Curve::Nurbs(c), _) => *c = with_end(c, true, start)?,
+        (_, Curve::Nurbs(c)) => *c = with_end(c, false, end)?,
+        _ => {}
+    }
+    Ok(())
+}
+
+/// A clamped curve with another end, near to its own.
+fn with_end(curve: &NurbsCurve, last: bool, end: Point3) -> Result<NurbsCurve> {
+    let mut points = curve.control_points();
+    if let Some(p) = if last { points.last_mut() } else { points.first_mut() } {
+        *p = end;
+    }
+    let knots = curve.knots().to_vec();
+    if curve.is_rational() {
+        return NurbsCurve::with_weights(curve.degree(), &points, &curve.weights(), knots);
+    }
+    NurbsCurve::new(curve.degree(), points, knots)
+}
+
+/// The segment from the end of one curve to the start of another. Where it would lead back beside one of them, as
+/// across the mouth of a swallowtail too thin to show a crossing, that is cut off beside the other's end; where it
+/// crosses one of them, at the crossing.
 fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
-    let link = |before: &Curve, after: &Curve| Curve::from(Line::new(before.end(), after.start()));
-    let crossings = |curve: &Curve, line: &Curve| -> Result<Vec<f64>> {
-        let found = curve_curve(curve, line, 1e-9 * line.length())?.crossings;
+    let link = |before: &Curve, after: &Curve| Line::new(before.end(), after.start());
+    let inside = |curve: &Curve, t: f64| {
+        let domain = curve.domain();
+        let hair = 1e-6 * domain.length();
+        domain.start + hair < t && t < domain.end - hair
+    };
+    // Another arm may be as near.
+    let gap = before.end().distance_to(after.start());
+    let short = |curve: &Curve, range: Interval| {
+        let places = (0..8).map(|k| curve.point_at(range.at(f64::from(k) / 7.0))).collect::<Vec<_>>();
+        places.windows(2).map(|w| w[0].distance_to(w[1])).sum::<f64>() <= 8.0 * gap
+    };
+    let back = |curve: &Curve, at_end: bool, line: Line| {
+        let t = if at_end { curve.domain().end } else { curve.domain().start };
+        curve.tangent_on_side(t, at_end).is_some_and(|d| d.dot(line.direction()) < 0.0)
+    };
+    if back(before, true, link(before, after)) {
+        let t = before.closest_point(after.start())?.parameter;
+        if inside(before, t) && short(before, Interval::new(t, before.domain().end)) {
+            *before = before.trimmed(Interval::new(before.domain().start, t))?;
+        }
+    }
+    if back(after, false, link(before, after)) {
+        let t = after.closest_point(before.end())?.parameter;
+        if inside(after, t) && short(after, Interval::new(after.domain().start, t)) {
+            *after = after.trimmed(Interval::new(t, after.domain().end))?;
+        }
+    }
+    let crossings = |curve: &Curve, line: Line| -> Result<Vec<f64>> {
+        let found = curve_curve(curve, &line.into(), 1e-9 * line.length())?.crossings;
         Ok(found.into_iter().map(|c| c.a).collect())
     };
-    let own = before.domain();
-    let hair = 1e-6 * own.length();
-    let first = crossings(before, &link(before, after))?.into_iter().fold(own.end, f64::min);
-    if own.start + hair < first && first < own.end - hair {
-        *before = before.trimmed(Interval::new(own.start, first))?;
+    let last = crossings(before, link(before, after))?.into_iter().fold(before.domain().end, f64::min);
+    if inside(before, last) {
+        *before = before.trimmed(Interval::new(before.domain().start, last))?;
     }
-    let own = after.domain();
-    let hair = 1e-6 * own.length();
-    let last = crossings(after, &link(before, after))?.into_iter().fold(own.start, f64::max);
-    if own.start + hair < last && last < own.end - hair {
-        *after = after.trimmed(Interval::new(last, own.end))?;
+    let first = crossings(after, link(before, after))?.into_iter().fold(after.domain().start, f64::max);
+    if inside(after, first) {
+        *after = after.trimmed(Interval::new(first, after.domain().end))?;
     }
-    Ok(link(before, after))
+    Ok(link(before, after).into())
 }

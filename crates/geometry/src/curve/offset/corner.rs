@@ -1,8 +1,16 @@
 //! What fills the outside of a corner.
 
-use super::validity::{Cap, Outer};
+use super::validity::Cap;
 use super::{OffsetCorner, RawPart, right_of};
-use crate::{Arc, Curve, Error, Line, LineCurve, Plane, Result};
+use crate::{Arc, Curve, Error, Line, LineCurve, Plane, Point3, Result, Vector3};
+
+/// A corner of the source with a gap to fill.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) vertex: Point3,
+    pub(super) arriving: Vector3,
+    pub(super) leaving: Vector3,
+}
 
 /// What lies between the offsets of two smooth parts that follow each other.
 #[derive(Default)]
@@ -12,7 +20,7 @@ pub(super) struct Bridge {
 }
 
 /// The parts between the offsets of two smooth parts that follow each other, and what they enclose: nothing where
-/// the sides meet smoothly or overlap.
+/// the sides meet smoothly or overlap. What becomes a chamfer or a blend is an arc so far.
 pub(super) fn bridge(
     before: &Curve,
     after: &Curve,
@@ -35,16 +43,15 @@ pub(super) fn bridge(
     let arc = round(vertex, a, b, distance, plane)?;
     let (frame, angle) = (arc.circle.plane, arc.angle.end);
     let (reach, side) = (distance.abs(), distance.signum());
-    let path = |points: &[crate::Point3], outer: Vec<(crate::Vector3, f64)>| Bridge {
+    let path = |points: &[Point3], outer: Vec<(Vector3, f64)>| Bridge {
         parts: points.windows(2).map(|w| RawPart::exact(Line::new(w[0], w[1]).into())).collect(),
-        cap: Some(Cap { frame, turn: angle, outer: Outer::Lines(outer), outline: points.to_vec() }),
+        cap: Some(Cap { frame, turn: angle, outer, outline: points.to_vec() }),
     };
     Ok(match corner {
         OffsetCorner::None => Bridge::default(),
-        OffsetCorner::Round => Bridge { parts: vec![RawPart::exact(arc.into())], cap: None },
-        OffsetCorner::Chamfer => {
-            let outward = (b - a).cross(frame.z_axis).unitized().ok_or_else(none)?;
-            path(&[a, b], vec![(outward, outward.dot(a - vertex))])
+        OffsetCorner::Round | OffsetCorner::Chamfer | OffsetCorner::Smooth => {
+            let corner = Some(Corner { vertex, arriving, leaving });
+            Bridge { parts: vec![RawPart { curve: arc.into(), source: None, corner }], cap: None }
         }
         OffsetCorner::Sharp => {
             let sides = vec![(n0 * side, reach), (n1 * side, reach)];
@@ -58,26 +65,10 @@ pub(super) fn bridge(
                 path(&[a, x, y, b], [sides, vec![(outward, outward.dot(x - vertex))]].concat())
             }
         }
-        OffsetCorner::Smooth => {
-            let size = a.distance_to(b);
-            let ends: [Curve; 2] =
-                [Line::new(a - arriving * size, a).into(), Line::new(b, b + leaving * size).into()];
-            let blend: Curve =
-                crate::curve::blend::blend_between(&ends[0], &ends[1], [2, 2], [1.0, 1.0])?.into();
-            let outline = blend.hull_points();
-            let cap = Cap { frame, turn: angle, outer: Outer::Blend(blend.clone()), outline };
-            Bridge { parts: vec![RawPart::exact(blend)], cap: Some(cap) }
-        }
     })
 }
 
-fn round(
-    vertex: crate::Point3,
-    a: crate::Point3,
-    b: crate::Point3,
-    distance: f64,
-    plane: &Plane,
-) -> Result<Arc> {
+fn round(vertex: Point3, a: Point3, b: Point3, distance: f64, plane: &Plane) -> Result<Arc> {
     let from = a - vertex;
     let z = if distance > 0.0 { plane.z_axis } else { -plane.z_axis };
     let frame = Plane::from_axes(vertex, from, z.cross(from))?;

@@ -3,13 +3,16 @@
 mod approximate;
 mod chain;
 mod corner;
+mod restyle;
 mod simple;
 mod trim;
 mod validity;
 
+use super::piece::Shape;
 use super::{ArcCurve, Continuity, Curve};
+use crate::polynomial::{Hodograph, dot};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
-use corner::{Bridge, bridge};
+use corner::{Bridge, Corner, bridge};
 pub(crate) use simple::right_of;
 use validity::Cap;
 
@@ -35,11 +38,13 @@ struct RawPart {
     curve: Curve,
     /// For one that is not exact, what it approximates the offset of, by the same parameter.
     source: Option<Curve>,
+    /// The corner that it goes round.
+    corner: Option<Corner>,
 }
 
 impl RawPart {
     fn exact(curve: Curve) -> Self {
-        Self { curve, source: None }
+        Self { curve, source: None, corner: None }
     }
 }
 
@@ -56,7 +61,7 @@ impl Curve {
     /// The curves at a distance to the right of this one, seen along its direction with the plane's normal up; a
     /// negative distance goes to the left. So a counter-clockwise closed curve grows. Loops are removed: every point
     /// of the result is at least the distance away from the curve (a chamfer or a blend at a corner may come nearer
-    /// to that corner, and to nothing else), and what has no such point is empty.
+    /// to such corners, and to nothing else), and what has no such point is empty.
     ///
     /// Lines and arcs give exact lines and arcs. Other curves give cubics with the certified property that the point
     /// at each parameter is within `tolerance.absolute` of the exact offset of one point of the curve: Hermite pieces
@@ -65,22 +70,25 @@ impl Curve {
     /// the distance on the inner side are cut out at their cusps. The rest is cut at all crossings of parts, at the
     /// ends of their overlaps, and for open curves and curves that cross themselves also where they meet the offset
     /// on the other side and the circles about the ends. A stretch is kept where the exact offset at its parameters
-    /// is far enough from the curve; stretches are put together at the cuts.
+    /// is far enough from the curve; stretches are put together at the cuts, and what comes back to a cut is a curve
+    /// of its own. Chamfers and blends take the place of round corners in the result, where they cross nothing and
+    /// come too near to nothing but such corners; elsewhere the corner stays round. A chamfer spans what is left of a
+    /// corner, a blend only a whole one.
     ///
     /// What comes back: of a closed curve that does not cross or touch itself, closed curves that touch neither
     /// themselves nor each other but at single points (with [`OffsetCorner::None`], the open stretches of them). Of
     /// an open curve, open curves, which end where the curve's ends come too near, and closed ones around holes. A
     /// curve that crosses itself gives that part of the border of all points near to it which lies to the asked
     /// side: mostly open curves that end where this side goes over into the other. Features of the border smaller
-    /// than three tolerances may be missing. A chamfer between curved sides that bend more tightly than the distance
-    /// may leave a closed curve's offset open next to it.
+    /// than three tolerances may be missing.
     ///
     /// Sources: W. Tiller and E. Hanson, *Offsets of two-dimensional profiles*, IEEE CG&A 4 (1984); G. Elber, I. Lee,
     /// M. Kim, *Comparing offset curve approximation methods*, IEEE CG&A 17 (1997), for the alternatives.
     ///
     /// # Errors
     /// The distance is not finite, the tolerance not above 0, the curve not parallel to the plane within it, a
-    /// part without direction, or parts that meet so often (hundreds of thousands of pairs) that the work is refused.
+    /// part without direction, a curve so wild that it needs thousands of cubics, or parts that meet so often (hundreds
+    /// of thousands of pairs, more than about a second of work) that it is refused.
     pub fn offset(
         &self,
         plane: &Plane,
@@ -105,7 +113,12 @@ impl Curve {
         if distance == 0.0 {
             return Ok(vec![self.clone()]);
         }
-        let raw = self.raw_offset(plane, distance, corner, tolerance)?;
+        // Chamfers and blends take the place of arcs in what is left.
+        let drawn = match corner {
+            OffsetCorner::Chamfer | OffsetCorner::Smooth => OffsetCorner::Round,
+            other => other,
+        };
+        let raw = self.raw_offset(plane, distance, drawn, tolerance)?;
         trim::cleaned(self, &raw, plane, distance, corner, tolerance)
     }
 
@@ -154,6 +167,7 @@ impl Curve {
                 }
                 Ok(out)
             }
+            Self::Line(c) if c.line.from == c.line.to => Ok(Vec::new()),
             Self::Line(_) | Self::Arc(_) => Ok(vec![self.clone()]),
             _ => {
                 if let Some(points) = self.as_polyline() {
@@ -163,12 +177,27 @@ impl Curve {
                 let tight = Tolerance { absolute: 1e-9, angle: 1e-7 };
                 let domain = self.domain();
                 let mut cuts = self.discontinuities(Continuity::G1, &tight);
+                let size = self.hull_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
+                let exact = 1e-12 * size;
+                // Spans in one place are no part, and where a span turns straight back one part ends.
+                let mut still: Vec<f64> = Vec::new();
+                for piece in self.pieces() {
+                    let Shape::Span(c, j) = piece.shape else { continue };
+                    let points: Vec<_> = c.span_hull(j).collect();
+                    if points.iter().all(|p| p.distance_to(points[0]) <= exact) {
+                        still.push(piece.whole.start);
+                        cuts.extend([piece.whole.start, piece.whole.end]);
+                    } else {
+                        cuts.extend(cusps(&c.bezier_points(j)).map(|x| piece.whole.at(x)));
+                    }
+                }
+                cuts.sort_by(f64::total_cmp);
+                cuts.dedup();
                 cuts.retain(|&t| domain.start < t && t < domain.end);
                 cuts.insert(0, domain.start);
                 cuts.push(domain.end);
-                let size = self.hull_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
-                let exact = 1e-12 * size;
                 cuts.windows(2)
+                    .filter(|w| !still.contains(&w[0]))
                     .map(|w| {
                         let part = self.trimmed(Interval::new(w[0], w[1]))?;
                         if let Some(line) = part.as_line(exact) {
@@ -180,6 +209,16 @@ impl Curve {
             }
         }
     }
+}
+
+/// Where a Bézier curve stands still inside its domain, with rounding.
+fn cusps(points: &[[f64; 4]]) -> impl Iterator<Item = f64> {
+    let tangent = Hodograph::new(points).tangent;
+    let squared = dot(&tangent, &tangent);
+    let slope = squared.derivative();
+    let limit = 1e-24 * squared.size();
+    let roots = slope.roots(1e-15 * slope.size());
+    roots.into_iter().filter(move |&x| 1e-6 < x && x < 1.0 - 1e-6 && squared.at(x) <= limit)
 }
 
 /// Two different elements of a list at once.
@@ -216,7 +255,10 @@ fn offset_part(part: &Curve, plane: &Plane, distance: f64, tolerance: f64) -> Re
             let source = other.to_nurbs()?;
             let parts = approximate::offset_nurbs(&source, plane, distance, tolerance)?;
             let source: Curve = source.into();
-            Ok(parts.into_iter().map(|c| RawPart { curve: c.into(), source: Some(source.clone()) }).collect())
+            Ok(parts
+                .into_iter()
+                .map(|c| RawPart { curve: c.into(), source: Some(source.clone()), corner: None })
+                .collect())
         }
     }
 }

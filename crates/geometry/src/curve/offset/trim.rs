@@ -1,35 +1,44 @@
 //! Loops cut away.
 
 use super::chain::{Border, Edge, Sets, gather};
+use super::restyle::Restyle;
 use super::validity::Validity;
 use super::{OffsetCorner, Raw, RawPart};
 use crate::intersect::{curve_curve, curve_self};
 use crate::{BoundingBox, Circle, Curve, Error, Interval, Plane, Point3, Result, Tolerance};
 
-/// The most pairs of parts, and of parts of them, that are looked at.
+/// The most pairs of parts that are looked at.
 const MOST_PAIRS: u64 = 400_000;
-const MOST_VISITS: u64 = 6_000_000;
+/// The most pairs of parts of parts: about a second, and more where there are many parts.
+const MOST_VISITS: u64 = 1_200_000;
+const MORE_VISITS: u64 = 300;
 
 /// Places on a stretch, but one, at which its distance is asked for.
 const SAMPLES: u32 = 8;
 
-/// What has been done, so that it ends.
-#[derive(Default)]
-struct Work {
+/// What may still be done, so that it ends.
+pub(super) struct Work {
     pairs: u64,
     visits: u64,
 }
 
 impl Work {
-    fn more(&mut self, visits: u64) -> Result<()> {
-        self.pairs += 1;
-        self.visits += visits;
-        if self.pairs > MOST_PAIRS || self.visits > MOST_VISITS {
-            let why = "the parts of its offset meet too often to be told apart".into();
-            return Err(Error::Invalid { what: "curve to offset", why });
+    pub(super) fn new(parts: usize) -> Self {
+        Self { pairs: MOST_PAIRS, visits: MOST_VISITS + MORE_VISITS * parts as u64 }
+    }
+
+    pub(super) fn more(&mut self, visits: u64) -> Result<()> {
+        match (self.pairs.checked_sub(1), self.visits.checked_sub(visits)) {
+            (Some(pairs), Some(visits)) => (self.pairs, self.visits) = (pairs, visits),
+            _ => return Err(too_much()),
         }
         Ok(())
     }
+}
+
+fn too_much() -> Error {
+    let why = "the parts of its offset meet too often to be told apart".into();
+    Error::Invalid { what: "curve to offset", why }
 }
 
 /// The parts that keep their distance from the curve, joined.
@@ -46,7 +55,7 @@ pub(super) fn cleaned(
     let size = curve.bounding_box().diagonal().length() + distance.abs();
     let fine = (1e-10 * size).min(0.01 * tolerance.absolute);
     let hair = (2e-9 * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
-    let mut work = Work::default();
+    let mut work = Work::new(parts.len());
 
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); parts.len()];
     // Stretches on which two parts run over each other: in opposite directions they enclose nothing.
@@ -59,7 +68,7 @@ pub(super) fn cleaned(
         }
     }
     let boxes: Vec<BoundingBox> = parts.iter().map(|p| p.bounding_box()).collect();
-    for (i, j) in near_pairs(&boxes, None, fine, &mut work)? {
+    for (i, j) in near_pairs(&boxes, None, fine, &work)? {
         let found = curve_curve(parts[i], parts[j], fine)?;
         work.more(found.visits)?;
         for c in &found.crossings {
@@ -89,8 +98,8 @@ pub(super) fn cleaned(
         round(distance)?;
     }
     let simple = closed && curve_self(curve, fine)?.is_empty();
-    // Tips and blends may reach over the curve.
-    let far_corners = matches!(corner, OffsetCorner::Sharp | OffsetCorner::Smooth) && !raw.caps.is_empty();
+    // Tips may reach over the curve.
+    let far_corners = !raw.caps.is_empty();
     if !simple || far_corners {
         round(-distance)?;
     }
@@ -100,7 +109,7 @@ pub(super) fn cleaned(
         }
     }
     let other_boxes: Vec<BoundingBox> = others.iter().map(Curve::bounding_box).collect();
-    for (i, j) in near_pairs(&boxes, Some(&other_boxes), fine, &mut work)? {
+    for (i, j) in near_pairs(&boxes, Some(&other_boxes), fine, &work)? {
         let found = curve_curve(parts[i], &others[j], fine)?;
         work.more(found.visits)?;
         cuts[i].extend(found.crossings.iter().map(|c| c.a));
@@ -128,7 +137,7 @@ pub(super) fn cleaned(
     let mut sets = Sets::new(places.len());
     gather(&mut sets, &places, hair);
 
-    let validity = Validity::new(curve, &raw.smooth, &raw.caps, plane, distance, (simple, hair));
+    let validity = Validity::new(curve, &raw.caps, plane, distance, hair);
     let blur = if exact { hair } else { 2.0 * tolerance.absolute };
     let mut edges = Vec::new();
     for (i, part) in raw.parts.iter().enumerate() {
@@ -159,15 +168,21 @@ pub(super) fn cleaned(
     };
     // So far two stretches may run on beyond their crossing before rounding sees it.
     let stub = 4.0 * (0.01 * hair * size).sqrt();
-    Border { parts: &parts, edges, sets, plane, side: distance.signum(), gap, stub }.curves(least)
+    let border = Border { parts: &raw.parts, edges, sets, plane, side: distance.signum(), gap, stub };
+    let mut chains = border.chains(least)?;
+    if matches!(corner, OffsetCorner::Chamfer | OffsetCorner::Smooth) {
+        Restyle { source: curve, raw, distance, tolerance: tolerance.absolute, hair, corner }
+            .apply(&mut chains)?;
+    }
+    Ok(chains.into_iter().map(|c| c.into_curve(1e-2 * gap)).collect())
 }
 
 /// Pairs of boxes that come within reach of each other, by a sweep along x: within one list, or of one and another.
-fn near_pairs(
+pub(super) fn near_pairs(
     first: &[BoundingBox],
     second: Option<&[BoundingBox]>,
     reach: f64,
-    work: &mut Work,
+    work: &Work,
 ) -> Result<Vec<(usize, usize)>> {
     let all: Vec<&BoundingBox> = first.iter().chain(second.unwrap_or(&[])).collect();
     let own = first.len();
@@ -187,9 +202,8 @@ fn near_pairs(
             {
                 continue;
             }
-            if out.len() as u64 > MOST_PAIRS {
-                work.more(MOST_VISITS)?;
-                work.more(1)?;
+            if out.len() as u64 >= work.pairs {
+                return Err(too_much());
             }
             let (low, high) = (i.min(j), i.max(j));
             out.push((low, if second.is_some() { high - own } else { high }));

@@ -2,26 +2,19 @@
 
 use super::RawPart;
 use crate::box_tree::{BoxTree, bounds_of};
-use crate::curve::{ClosestOnCurve, CurvePoint};
+use crate::curve::ClosestOnCurve;
 use crate::{Curve, Plane, Point3, Result, Vector3};
 
-/// What bounds a filled corner outwards.
-#[derive(Debug, Clone)]
-pub(super) enum Outer {
-    /// Half planes: unit normals, and how far from the vertex.
-    Lines(Vec<(Vector3, f64)>),
-    /// A curve from the offset of the side before to that of the side after.
-    Blend(Curve),
-}
-
-/// The area that fills a corner: the wedge between the normals of its sides, up to a border that is no arc.
+/// The area that fills a sharp corner: the wedge between the normals of its sides, up to straight borders, none of
+/// them nearer to the vertex than an arc about it.
 #[derive(Debug, Clone)]
 pub(super) struct Cap {
     /// The vertex, x to the offset before, y towards that after.
     pub(super) frame: Plane,
     /// The angle of the wedge.
     pub(super) turn: f64,
-    pub(super) outer: Outer,
+    /// Half planes that bound it outwards: unit normals, and how far from the vertex.
+    pub(super) outer: Vec<(Vector3, f64)>,
     /// Corners of the fill, for its box.
     pub(super) outline: Vec<Point3>,
 }
@@ -36,52 +29,31 @@ impl Cap {
     }
 
     /// How deep below the border a point of the wedge lies; negative outside.
-    fn depth(&self, q: Point3) -> Result<f64> {
+    fn depth(&self, q: Point3) -> f64 {
         let from = q - self.frame.origin;
-        Ok(match &self.outer {
-            Outer::Lines(lines) => lines.iter().fold(f64::INFINITY, |m, (n, h)| m.min(h - n.dot(from))),
-            Outer::Blend(curve) => {
-                let near = curve.closest_point(q)?;
-                let along = curve.tangent_at(near.parameter).unwrap_or(Vector3::ZERO);
-                (near.point - q).dot(along.cross(self.frame.z_axis))
-            }
-        })
+        self.outer.iter().fold(f64::INFINITY, |m, (n, h)| m.min(h - n.dot(from)))
     }
 }
 
 /// The source of an offset, prepared for many questions.
 pub(super) struct Validity<'a> {
     whole: ClosestOnCurve<'a>,
-    parts: &'a [Curve],
-    near_parts: BoxTree,
     caps: &'a [Cap],
     near_caps: BoxTree,
     plane: &'a Plane,
     distance: f64,
-    /// Whether the source is closed and does not meet itself.
-    simple: bool,
     /// Nearer than this is the same place.
     hair: f64,
 }
 
 impl<'a> Validity<'a> {
-    pub(super) fn new(
-        curve: &'a Curve,
-        parts: &'a [Curve],
-        caps: &'a [Cap],
-        plane: &'a Plane,
-        distance: f64,
-        (simple, hair): (bool, f64),
-    ) -> Self {
+    pub(super) fn new(curve: &'a Curve, caps: &'a [Cap], plane: &'a Plane, distance: f64, hair: f64) -> Self {
         let boxes: Vec<_> = caps
             .iter()
             .map(|c| bounds_of(c.outline.iter().chain([&c.frame.origin]).map(|&p| p.into())))
             .collect();
         let near_caps = BoxTree::by_place(&boxes);
-        let boxes: Vec<_> = if caps.is_empty() { Vec::new() } else { parts.iter().map(box_of).collect() };
-        let near_parts = BoxTree::by_place(&boxes);
-        let whole = ClosestOnCurve::new(curve);
-        Self { whole, parts, near_parts, caps, near_caps, plane, distance, simple, hair }
+        Self { whole: ClosestOnCurve::new(curve), caps, near_caps, plane, distance, hair }
     }
 
     /// How far a point of a part lies outside what the offset goes round: 0 on its border or outside, negative
@@ -97,30 +69,8 @@ impl<'a> Validity<'a> {
 
     fn margin_at(&self, q: Point3) -> Result<f64> {
         let reach = self.distance.abs();
-        let mut margin = 0.0_f64;
-        if let Some(near) = self.whole.nearest_within(q, reach - 0.005 * self.hair)? {
-            if self.in_wedge(q, near.point) {
-                // The vertex of a filled corner: the fill decides, and all that is not this vertex.
-                let mut hits = Vec::new();
-                self.near_parts.visit_near(&q.into(), reach * reach, |i| {
-                    hits.push(i);
-                    reach * reach
-                });
-                for part in hits.into_iter().filter_map(|i| self.parts.get(i)) {
-                    let Some(near) = part.closest_point_within(q, reach)? else { continue };
-                    let mut feet = vec![near];
-                    if !matches!(part, Curve::Line(_)) && !self.counts(part, &near, q) {
-                        // The part may come back.
-                        feet = part.local_closest_points(q)?;
-                    }
-                    for near in feet.iter().filter(|f| f.distance < reach && self.counts(part, f, q)) {
-                        margin = margin.min(near.distance - reach);
-                    }
-                }
-            } else {
-                margin = near.distance - reach;
-            }
-        }
+        let near = self.whole.nearest_within(q, reach - 0.005 * self.hair)?;
+        let mut margin = near.map_or(0.0, |n| n.distance - reach);
         let mut hits = Vec::new();
         let limit = self.hair * self.hair;
         self.near_caps.visit_near(&q.into(), limit, |i| {
@@ -129,22 +79,10 @@ impl<'a> Validity<'a> {
         });
         for cap in hits.into_iter().filter_map(|i| self.caps.get(i)) {
             if cap.holds(q) {
-                margin = margin.min(-cap.depth(q)?);
+                margin = margin.min(-cap.depth(q));
             }
         }
         Ok(margin)
-    }
-
-    /// Whether a foot behind the vertex of a filled corner is in the way: of a simple closed source those inside a
-    /// part, seen from the side of the offset.
-    fn counts(&self, part: &Curve, foot: &CurvePoint, q: Point3) -> bool {
-        if !self.simple {
-            return !self.in_wedge(q, foot.point);
-        }
-        let (t, domain) = (foot.parameter, part.domain());
-        let along = part.tangent_at(t).unwrap_or(Vector3::ZERO);
-        let right = (q - foot.point).cross(along).dot(self.plane.z_axis);
-        domain.start < t && t < domain.end && right * self.distance > 0.0
     }
 
     /// Whether a point lies on the side of the source to which the offset goes. Tips of sharp corners may reach over
@@ -168,21 +106,4 @@ impl<'a> Validity<'a> {
         };
         Ok(right == (self.distance > 0.0))
     }
-
-    /// Whether a foot is the vertex of a filled corner, seen from its wedge.
-    fn in_wedge(&self, q: Point3, foot: Point3) -> bool {
-        let mut found = false;
-        let limit = self.hair * self.hair;
-        self.near_caps.visit_near(&foot.into(), limit, |i| {
-            let own = |c: &Cap| c.frame.origin.distance_to(foot) <= self.hair && c.holds(q);
-            found = found || self.caps.get(i).is_some_and(own);
-            limit
-        });
-        found
-    }
-}
-
-fn box_of(curve: &Curve) -> crate::box_tree::Bounds {
-    let b = curve.bounding_box();
-    [b.min.into(), b.max.into()]
 }
