@@ -9,6 +9,7 @@ mod validity;
 
 use super::{ArcCurve, Continuity, Curve};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
+pub(crate) use chain::{Sets, gather};
 use corner::{Bridge, bridge};
 pub(crate) use simple::right_of;
 use validity::Cap;
