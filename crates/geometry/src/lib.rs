@@ -34,6 +34,7 @@ mod bernstein;
 pub mod biarc;
 mod bounding_box;
 mod box3;
+mod box_pairs;
 mod box_tree;
 mod catenary;
 mod circle;
@@ -57,6 +58,7 @@ mod polynomial;
 mod quadrature;
 mod quaternion;
 mod rectangle;
+pub mod region;
 #[cfg(feature = "serde")]
 mod serde_forms;
 mod surface;

@@ -105,7 +105,7 @@ pub fn join_curves(curves: &[Curve], tolerance: f64, preserve_direction: bool) -
 }
 
 /// One curve from parts that follow each other.
-pub(super) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
+pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
     if parts.len() == 1
         && let Some(only) = parts.pop()
     {

@@ -46,10 +46,12 @@ pub(crate) use evaluate::curvature;
 pub use extend::ExtensionStyle;
 pub use extrema::CurvatureExtremum;
 pub use fillet::CornerPiece;
+pub(crate) use join::chained;
 pub use join::join_curves;
 pub use length::ArcLength;
 pub use line_curve::LineCurve;
 pub use offset::OffsetCorner;
+pub(crate) use offset::{Sets, gather};
 pub(crate) use piece::{Piece, Shape};
 #[cfg(feature = "serde")]
 pub(crate) use poly_curve::MAX_NESTING;

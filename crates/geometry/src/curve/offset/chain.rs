@@ -16,19 +16,19 @@ pub(super) struct Edge {
 
 /// Sets of things that are one.
 #[derive(Debug)]
-pub(super) struct Sets(Vec<usize>);
+pub(crate) struct Sets(Vec<usize>);
 
 impl Sets {
-    pub(super) fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self((0..count).collect())
     }
 
-    pub(super) fn add(&mut self) -> usize {
+    pub(crate) fn add(&mut self) -> usize {
         self.0.push(self.0.len());
         self.0.len() - 1
     }
 
-    pub(super) fn root(&mut self, mut i: usize) -> usize {
+    pub(crate) fn root(&mut self, mut i: usize) -> usize {
         while self.0[i] != i {
             self.0[i] = self.0[self.0[i]];
             i = self.0[i];
@@ -36,14 +36,14 @@ impl Sets {
         i
     }
 
-    pub(super) fn join(&mut self, i: usize, j: usize) {
+    pub(crate) fn join(&mut self, i: usize, j: usize) {
         let (i, j) = (self.root(i), self.root(j));
         self.0[i.max(j)] = i.min(j);
     }
 }
 
 /// Joins places no further apart than `reach`: a sweep along x.
-pub(super) fn gather(sets: &mut Sets, places: &[Point3], reach: f64) {
+pub(crate) fn gather(sets: &mut Sets, places: &[Point3], reach: f64) {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|&i, &j| places[i].x.total_cmp(&places[j].x));
     for (k, &i) in order.iter().enumerate() {

@@ -13,6 +13,8 @@ use super::{ArcCurve, Continuity, Curve};
 use crate::polynomial::{Hodograph, dot};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
 use corner::{Bridge, Corner, bridge};
+pub(crate) use chain::{Sets, gather};
+use corner::{Bridge, bridge};
 pub(crate) use simple::right_of;
 use validity::Cap;
 

@@ -179,6 +179,8 @@ pub(super) fn cleaned(
 
 /// Pairs of boxes that come within reach of each other, by a sweep along x: within one list, or of one and another.
 pub(super) fn near_pairs(
+/// The pairs of boxes that come within reach of each other.
+fn near_pairs(
     first: &[BoundingBox],
     second: Option<&[BoundingBox]>,
     reach: f64,
@@ -208,9 +210,11 @@ pub(super) fn near_pairs(
             let (low, high) = (i.min(j), i.max(j));
             out.push((low, if second.is_some() { high - own } else { high }));
         }
+    let found = crate::box_pairs::near_pairs(first, second, reach, MOST_PAIRS as usize);
+    match found {
+        Some(pairs) => Ok(pairs),
+        None => work.more(MOST_VISITS + 1).map(|()| Vec::new()),
     }
-    out.sort_unstable();
-    Ok(out)
 }
 
 /// A stretch between cuts is valid or not as a whole. Cuts through approximated parts are off by the tolerance, so

@@ -1,0 +1,154 @@
+//! Loops of strands as curves.
+
+use super::loops::Step;
+use super::nodes::Nodes;
+use super::sources::Sources;
+use super::strands::{Member, Strand};
+use crate::curve::{chained, coincident};
+use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result};
+
+/// A stretch of a part, over the seam where the range decreases.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    part: usize,
+    range: Interval,
+    /// Whether it is walked as the part runs.
+    ahead: bool,
+}
+
+/// The closed curve of a loop: pieces of the parts as they are. A source that is walked as a whole comes back whole.
+/// Where pieces meet only within the tolerance their ends are moved together.
+pub(super) fn curve(
+    sources: &Sources,
+    nodes: &Nodes,
+    strands: &[Strand],
+    steps: &[Step],
+    tolerance: f64,
+) -> Result<Option<Curve>> {
+    let members = chosen(sources, strands, steps);
+    if let Some(&(first, ahead)) = members.first() {
+        let source = &sources.list[sources.parts[first.part].source];
+        let all: usize = source.parts.clone().map(|p| nodes.stops[p].len().saturating_sub(1)).sum();
+        let own = |&(m, a): &(Member, bool)| source.parts.contains(&m.part) && a == ahead;
+        if source.curve.is_closed() && members.len() == all && members.iter().all(own) {
+            return Ok(Some(if ahead { source.curve.clone() } else { source.curve.reversed() }));
+        }
+    }
+    let mut pieces = Vec::new();
+    for run in runs(sources, &members) {
+        let part = &sources.parts[run.part].curve;
+        let piece = if run.range == part.domain() { part.clone() } else { part.sub_curve(run.range)? };
+        pieces.push(if run.ahead { piece } else { piece.reversed() });
+    }
+    let count = pieces.len();
+    for i in 0..count {
+        let j = (i + 1) % count;
+        let (end, start) = (pieces[i].end(), pieces[j].start());
+        if coincident(end, start) {
+            continue;
+        }
+        let target = match (&pieces[i], &pieces[j]) {
+            (Curve::Line(_), Curve::Line(_)) => end.lerp(start, 0.5),
+            (Curve::Line(_), _) => start,
+            (_, Curve::Line(_)) => end,
+            _ => end.lerp(start, 0.5),
+        };
+        pieces[i] = with_end(&pieces[i], true, target)?;
+        pieces[j] = with_end(&pieces[j], false, target)?;
+    }
+    if pieces.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(chained(pieces, tolerance)))
+}
+
+/// Of the stretches of each strand the one that goes on best from the strand before, else the first.
+fn chosen(sources: &Sources, strands: &[Strand], steps: &[Step]) -> Vec<(Member, bool)> {
+    let mut before: Option<Member> = None;
+    let mut out = Vec::new();
+    // Around twice: the first step goes on from the last.
+    for _ in 0..2 {
+        out.clear();
+        for step in steps {
+            let members = &strands[step.strand].members;
+            let part = |p: Member| members.iter().find(|m| m.part == p.part);
+            let source = |p: Member| {
+                members.iter().find(|m| sources.parts[m.part].source == sources.parts[p.part].source)
+            };
+            let best = before.and_then(|p| part(p).or_else(|| source(p)));
+            if let Some(&m) = best.or(members.first()) {
+                before = Some(m);
+                out.push((m, m.along == step.forward));
+            }
+        }
+    }
+    out
+}
+
+/// Stretches that follow each other on one part as one.
+fn runs(sources: &Sources, members: &[(Member, bool)]) -> Vec<Run> {
+    let mut out: Vec<Run> = Vec::new();
+    for &(m, ahead) in members {
+        let new = Run { part: m.part, range: m.range, ahead };
+        match out.last_mut() {
+            Some(last) => match joined(sources, last, &new) {
+                Some(range) => last.range = range,
+                None => out.push(new),
+            },
+            None => out.push(new),
+        }
+    }
+    if out.len() > 1
+        && let (Some(&last), Some(&first)) = (out.last(), out.first())
+        && let Some(range) = joined(sources, &last, &first)
+    {
+        out.pop();
+        out[0].range = range;
+    }
+    out
+}
+
+/// The range of two runs of which the second follows the first.
+fn joined(sources: &Sources, a: &Run, b: &Run) -> Option<Interval> {
+    if a.part != b.part || a.ahead != b.ahead {
+        return None;
+    }
+    let curve = &sources.parts[a.part].curve;
+    let domain = curve.domain();
+    // In the direction of the part.
+    let (x, y) = if a.ahead { (a.range, b.range) } else { (b.range, a.range) };
+    let over_seam = || x.end == domain.end && y.start == domain.start && curve.is_closed();
+    let range = Interval::new(x.start, y.end);
+    ((x.end == y.start || over_seam()) && range.start != range.end).then_some(range)
+}
+
+/// The curve with one end moved by no more than the tolerance. Lines stay lines and arcs arcs.
+fn with_end(curve: &Curve, last: bool, p: Point3) -> Result<Curve> {
+    if (if last { curve.end() } else { curve.start() }) == p {
+        return Ok(curve.clone());
+    }
+    match curve {
+        Curve::Line(c) => {
+            let line = if last { Line::new(c.line.from, p) } else { Line::new(p, c.line.to) };
+            return Ok(LineCurve { line, domain: c.domain }.into());
+        }
+        Curve::Arc(c) => {
+            let (from, to) = if last { (curve.start(), p) } else { (p, curve.end()) };
+            if let Ok(arc) = Arc::through(from, c.arc.midpoint(), to) {
+                return Ok(ArcCurve { arc, domain: c.domain }.into());
+            }
+        }
+        _ => {}
+    }
+    let nurbs = curve.to_nurbs()?.clamped()?;
+    let mut points = nurbs.homogeneous_points();
+    if let Some(end) = if last { points.last_mut() } else { points.first_mut() } {
+        *end = [p.x * end[3], p.y * end[3], p.z * end[3], end[3]];
+    }
+    let knots = nurbs.knots().to_vec();
+    if nurbs.is_rational() {
+        return Ok(NurbsCurve::rational(nurbs.degree(), points, knots)?.into());
+    }
+    let plain = points.iter().map(|q| Point3::new(q[0], q[1], q[2])).collect();
+    Ok(NurbsCurve::new(nurbs.degree(), plain, knots)?.into())
+}

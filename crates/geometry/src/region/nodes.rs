@@ -1,0 +1,241 @@
+//! Where the curves of an arrangement meet, each place once.
+
+use super::sources::Sources;
+use crate::box_pairs::near_pairs;
+use crate::curve::{Sets, gather};
+use crate::intersect::{CurveIntersections, curve_curve, curve_self};
+use crate::{BoundingBox, Curve, Error, Interval, Point3, Result};
+
+/// The most pairs of parts, and of parts of them, that are looked at.
+const MOST_PAIRS: usize = 4_000_000;
+const MOST_VISITS: u64 = 100_000_000;
+
+/// The parts cut at nodes.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    /// For each part its parameters at nodes, increasing, and the nodes; from its start to its end. None for a part
+    /// that lies in one node as a whole.
+    pub(super) stops: Vec<Vec<(f64, usize)>>,
+    /// Where a node is.
+    pub(super) places: Vec<Point3>,
+}
+
+/// A stretch of a part that runs beside one of another.
+struct Beside {
+    part: usize,
+    range: Interval,
+    other: usize,
+}
+
+struct Cuts<'a> {
+    sources: &'a Sources,
+    tolerance: f64,
+    lists: Vec<Vec<(f64, usize)>>,
+    places: Vec<Point3>,
+    beside: Vec<Beside>,
+    visits: u64,
+    complete: bool,
+}
+
+/// All nodes at a tolerance: crossings, touches, ends of shared stretches, joints. `None` when the tolerance is too
+/// coarse for the curves: when places that are far apart, as it sees, become one, or more contacts than can be told.
+///
+/// # Errors
+/// There are too many parts, or they meet too often.
+pub(super) fn find(sources: &Sources, tolerance: f64, last: bool) -> Result<Option<Nodes>> {
+    let mut cuts = Cuts {
+        sources,
+        tolerance,
+        lists: vec![Vec::new(); sources.parts.len()],
+        places: Vec::new(),
+        beside: Vec::new(),
+        visits: 0,
+        complete: true,
+    };
+    cuts.joints();
+    cuts.meetings()?;
+    if !(cuts.complete || last) {
+        return Ok(None);
+    }
+    cuts.carry_over()?;
+    Ok(cuts.gathered(last))
+}
+
+fn too_much() -> Error {
+    let why = "its curves meet too often to be told apart".into();
+    Error::Invalid { what: "region", why }
+}
+
+impl Cuts<'_> {
+    fn place(&mut self, p: Point3) -> usize {
+        self.places.push(p);
+        self.places.len() - 1
+    }
+
+    fn curve(&self, part: usize) -> &Curve {
+        &self.sources.parts[part].curve
+    }
+
+    /// The end of a part and the start of the next are one place, however far apart they are.
+    fn joints(&mut self) {
+        for source in &self.sources.list {
+            let count = source.parts.len();
+            for (k, part) in source.parts.clone().enumerate() {
+                let before = source.parts.start + (k + count - 1) % count;
+                let place = self.places.len();
+                self.places.push(self.curve(part).start());
+                let (start, end) = (self.curve(part).domain().start, self.curve(before).domain().end);
+                self.lists[part].push((start, place));
+                self.lists[before].push((end, place));
+            }
+        }
+    }
+
+    fn meetings(&mut self) -> Result<()> {
+        let parts = &self.sources.parts;
+        for (i, part) in parts.iter().enumerate() {
+            if !matches!(part.curve, Curve::Line(_) | Curve::Arc(_)) {
+                let found = curve_self(&part.curve, self.tolerance)?;
+                self.take(i, i, &found)?;
+            }
+        }
+        let boxes: Vec<BoundingBox> = parts.iter().map(|p| p.bounds).collect();
+        let pairs = near_pairs(&boxes, None, self.tolerance, MOST_PAIRS).ok_or_else(too_much)?;
+        for &(i, j) in &pairs {
+            let found = curve_curve(self.curve(i), self.curve(j), self.tolerance)?;
+            self.take(i, j, &found)?;
+        }
+        // Ends that come near another part without being told as its only contact.
+        for &(i, j) in &pairs {
+            for (i, j) in [(i, j), (j, i)] {
+                let (near, other) = (boxes[j].inflated(self.tolerance), self.curve(j).clone());
+                let range = other.domain();
+                for end in 0..2 {
+                    let Some(&(_, place)) = self.lists[i].get(end) else { continue };
+                    let p = self.places[place];
+                    let own = self.lists[j].iter().take(2).any(|s| s.1 == place);
+                    if own || !near.contains(p) {
+                        continue;
+                    }
+                    if let Some(foot) = other.closest_point_within(p, self.tolerance)?
+                        && range.start < foot.parameter
+                        && foot.parameter < range.end
+                    {
+                        self.lists[j].push((foot.parameter, place));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, i: usize, j: usize, found: &CurveIntersections) -> Result<()> {
+        self.visits += found.visits;
+        if self.visits > MOST_VISITS {
+            return Err(too_much());
+        }
+        self.complete &= found.complete;
+        for c in &found.crossings {
+            let place = self.place(c.point);
+            self.lists[i].push((c.a, place));
+            self.lists[j].push((c.b, place));
+        }
+        for o in &found.overlaps {
+            for (s, t) in [(o.a.start, o.b.start), (o.a.end, o.b.end)] {
+                let place = self.place(self.curve(i).point_at(s));
+                self.lists[i].push((s, place));
+                self.lists[j].push((t, place));
+            }
+            self.beside.push(Beside { part: i, range: o.a.ordered(), other: j });
+            self.beside.push(Beside { part: j, range: o.b.ordered(), other: i });
+        }
+        Ok(())
+    }
+
+    /// What cuts one of two parts that run beside each other cuts the other too.
+    fn carry_over(&mut self) -> Result<()> {
+        let beside = std::mem::take(&mut self.beside);
+        // A cut goes on from the other to a third.
+        for _ in 0..4 {
+            let mut added = false;
+            for b in &beside {
+                let inner: Vec<(f64, usize)> = self.lists[b.part]
+                    .iter()
+                    .copied()
+                    .filter(|s| b.range.start < s.0 && s.0 < b.range.end)
+                    .collect();
+                let mut known: Vec<Point3> = Vec::new();
+                if !inner.is_empty() {
+                    known.extend(self.lists[b.other].iter().map(|s| self.curve(b.other).point_at(s.0)));
+                }
+                for (t, place) in inner {
+                    let p = self.curve(b.part).point_at(t);
+                    if known.iter().any(|q| q.distance_to(p) <= self.tolerance) {
+                        continue;
+                    }
+                    if let Some(foot) = self.curve(b.other).closest_point_within(p, 2.0 * self.tolerance)? {
+                        self.lists[b.other].push((foot.parameter, place));
+                        known.push(foot.point);
+                        added = true;
+                    }
+                }
+            }
+            if !added {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Places within the tolerance of each other as one node.
+    fn gathered(mut self, last: bool) -> Option<Nodes> {
+        let mut sets = Sets::new(self.places.len());
+        gather(&mut sets, &self.places, self.tolerance);
+        let mut boxes: Vec<Option<BoundingBox>> = vec![None; self.places.len()];
+        for i in 0..self.places.len() {
+            let (root, p) = (sets.root(i), self.places[i]);
+            let own = BoundingBox { min: p, max: p };
+            boxes[root] = Some(boxes[root].map_or(own, |b| b.union(&own)));
+        }
+        let wide = |b: &BoundingBox| b.diagonal().length() > 8.0 * self.tolerance;
+        if !last && boxes.iter().flatten().any(wide) {
+            return None;
+        }
+        let mut stops = Vec::with_capacity(self.lists.len());
+        for (part, mut list) in std::mem::take(&mut self.lists).into_iter().enumerate() {
+            let curve = self.curve(part);
+            let domain = curve.domain();
+            list.sort_by(|x, y| x.0.total_cmp(&y.0));
+            let mut out: Vec<(f64, usize)> = Vec::with_capacity(list.len());
+            for (t, place) in list {
+                let node = sets.root(place);
+                match out.last_mut() {
+                    Some(before) if before.1 == node && self.collapsed(curve, before.0, t) => {
+                        if t == domain.end && before.0 > domain.start {
+                            before.0 = t;
+                        }
+                    }
+                    _ => out.push((t, node)),
+                }
+            }
+            if out.len() < 2 {
+                out.clear();
+            }
+            // A part whose last stretch lies in the node of its start ends there.
+            if let Some(end) = out.last_mut() {
+                end.0 = domain.end;
+            }
+            stops.push(out);
+        }
+        Some(Nodes { stops, places: self.places })
+    }
+
+    /// Whether a stretch between two visits of a node stays there.
+    fn collapsed(&self, curve: &Curve, from: f64, to: f64) -> bool {
+        let start = curve.point_at(from);
+        (1..=8).all(|k| {
+            let p = curve.point_at(Interval::new(from, to).at(f64::from(k) / 8.0));
+            p.distance_to(start) <= 4.0 * self.tolerance
+        })
+    }
+}
