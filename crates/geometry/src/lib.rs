@@ -37,6 +37,7 @@ mod box3;
 mod box_tree;
 mod catenary;
 mod circle;
+pub mod cloud;
 mod curve;
 mod ellipse;
 mod error;
@@ -45,6 +46,7 @@ pub mod field;
 mod foreign;
 pub mod intersect;
 mod interval;
+pub mod isoline;
 mod line;
 mod linear;
 mod matrix;
@@ -59,6 +61,7 @@ mod quaternion;
 mod rectangle;
 #[cfg(feature = "serde")]
 mod serde_forms;
+pub mod substrate;
 mod surface;
 mod tangent;
 mod tangent_circle;
@@ -83,7 +86,7 @@ pub use field::Field;
 pub use interval::Interval;
 pub use line::Line;
 pub use matrix::{Matrix, RowReduction};
-pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
+pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint, RemeshOptions, Remeshed};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
