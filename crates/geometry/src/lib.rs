@@ -38,6 +38,7 @@ mod box_pairs;
 mod box_tree;
 mod catenary;
 mod circle;
+pub mod cloud;
 mod curve;
 mod ellipse;
 mod error;
@@ -46,6 +47,7 @@ pub mod field;
 mod foreign;
 pub mod intersect;
 mod interval;
+pub mod isoline;
 mod line;
 mod linear;
 mod matrix;
@@ -61,6 +63,7 @@ mod rectangle;
 pub mod region;
 #[cfg(feature = "serde")]
 mod serde_forms;
+pub mod substrate;
 mod surface;
 mod tangent;
 mod tangent_circle;
@@ -85,7 +88,7 @@ pub use field::Field;
 pub use interval::Interval;
 pub use line::Line;
 pub use matrix::{Matrix, RowReduction};
-pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
+pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint, RemeshOptions, Remeshed};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,

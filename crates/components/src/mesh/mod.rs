@@ -2,6 +2,7 @@
 
 mod analysis;
 mod primitive;
+mod triangulation;
 mod util;
 
 use std::sync::Arc as Shared;

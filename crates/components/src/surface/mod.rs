@@ -8,7 +8,7 @@ mod freeform;
 mod loft;
 mod measure;
 mod primitive;
-mod sphere;
+pub(crate) mod sphere;
 mod util;
 
 use std::sync::Arc as Shared;

@@ -72,7 +72,7 @@ fn sphere_fit(
 
 /// Starts with the sphere that is nearest in |p − c|² − r², whose equations are linear, and improves it by
 /// Gauss–Newton steps on the distances themselves.
-fn fit(context: &Context<'_>, points: &[Point3]) -> Result<Option<Sphere>, Message> {
+pub(crate) fn fit(context: &Context<'_>, points: &[Point3]) -> Result<Option<Sphere>, Message> {
     if points.len() < 4 {
         return Ok(None);
     }

@@ -4,11 +4,14 @@ mod closest;
 mod edit;
 mod face;
 mod measure;
+pub(crate) mod polygon;
 mod primitives;
+mod remesh;
 mod topology;
 
 pub use closest::MeshPoint;
 pub use face::MeshFace;
+pub use remesh::{RemeshOptions, Remeshed};
 pub use topology::MeshEdge;
 
 use crate::{Error, Point3, Result, Vector3};
