@@ -133,6 +133,39 @@ fn volumes_of_random_pairs_add_up() {
 }
 
 #[test]
+fn shapes_that_nearly_coincide() {
+    let side = Interval::new(-1.0, 1.0);
+    let cube = Mesh::cuboid(&Box3 { plane: Plane::XY, x: side, y: side, z: side }, 3, 3, 3).unwrap();
+    let ball = Mesh::sphere(&Plane::XY, 1.0, 16, 12).unwrap();
+    for shape in [&cube, &ball] {
+        for power in 1..18 {
+            let little = 10_f64.powi(-power);
+            let axis = Vector3::new(0.2, 0.3, 1.0);
+            let moves = [
+                Xform::rotation(little, axis, Point3::ORIGIN).unwrap(),
+                Xform::translation(axis * little),
+                Xform::scale(Point3::ORIGIN, 1.0 + little),
+            ];
+            for (k, motion) in moves.iter().enumerate() {
+                let other = shape.transformed(motion).unwrap();
+                let (p, q) = (Solid::new(shape).unwrap(), Solid::new(&other).unwrap());
+                let name = |what: &str| format!("{what} at 1e-{power}, motion {k}");
+                let union = checked(p.union(&q).unwrap(), &name("A ∪ B")).volume();
+                let both = checked(p.intersection(&q).unwrap(), &name("A ∩ B")).volume();
+                let less = checked(p.difference(&q).unwrap(), &name("A − B")).volume();
+                let (a, b) = (shape.volume(), other.volume());
+                assert!((union + both - a - b).abs() < 1e-9, "{}: {union} + {both}", name("volumes"));
+                assert!((less + both - a).abs() < 1e-9, "{}: {less} + {both}", name("the difference"));
+                // Curves of meshes that all but coincide are made of rounding: they may only not be endless.
+                let lines =
+                    intersect::mesh_mesh(&MeshTree::new(shape), &MeshTree::new(&other), 1e-6).unwrap();
+                assert!(lines.len() < 2000, "{}", name("curves"));
+            }
+        }
+    }
+}
+
+#[test]
 fn open_meshes_are_refused_with_the_reason() {
     for case in 0..20 {
         let mut random = Random(case);
