@@ -1,5 +1,6 @@
 //! The outlines of a mesh's shadow.
 
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use manifold_rust::cross_section::CrossSection;
@@ -35,14 +36,15 @@ impl Mesh {
             let [x, y, _] = plane.coordinates(foot);
             Point2::new(x, y)
         };
-        let flat: Vec<[Point2; 3]> = self.triangles().map(|t| t.map(fall)).collect();
-        let all = || flat.iter().flatten();
+        let flat: Vec<Point2> = self.vertices.iter().map(|&p| fall(p)).collect();
+        let rim = self.rim_of(&flat);
+        let all = || rim.iter().flatten();
         let bound = |pick: fn(f64, f64) -> f64, start: f64| {
             all().fold([start; 2], |m, p| [pick(m[0], p.x), pick(m[1], p.y)])
         };
         let (low, high) = (bound(f64::min, f64::INFINITY), bound(f64::max, f64::NEG_INFINITY));
         let extent = (high[0] - low[0]).max(high[1] - low[1]);
-        if flat.is_empty() || extent == 0.0 {
+        if rim.is_empty() || extent == 0.0 {
             return Ok(Vec::new());
         }
         if !(extent.is_finite() && extent > f64::MIN_POSITIVE * SIZE) {
@@ -51,18 +53,8 @@ impl Mesh {
         let scale = SIZE / extent;
         let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
         let place = |p: Point2| Vec2 { x: (p.x - middle[0]) * scale, y: (p.y - middle[1]) * scale };
-        // The faces of a closed mesh that look to the light have the whole shadow: the others are saved.
-        let closed = self.is_closed() && self.is_oriented();
-        let mut triangles = Vec::new();
-        for &[a, b, c] in &flat {
-            let area = (b - a).cross(c - a);
-            if area > 0.0 {
-                triangles.push(vec![place(a), place(b), place(c)]);
-            } else if area < 0.0 && !closed {
-                triangles.push(vec![place(a), place(c), place(b)]);
-            }
-        }
-        let Ok(loops) = catch_unwind(AssertUnwindSafe(|| CrossSection::new(triangles).to_polygons())) else {
+        let rim = rim.into_iter().map(|l| l.into_iter().map(place).collect()).collect();
+        let Ok(loops) = catch_unwind(AssertUnwindSafe(|| CrossSection::new(rim).to_polygons())) else {
             return Err(Error::Invalid {
                 what: "mesh for a shadow",
                 why: "its outlines could not be found".into(),
@@ -71,6 +63,60 @@ impl Mesh {
         let back = |v: &Vec2| plane.at(v.x / scale + middle[0], v.y / scale + middle[1], 0.0);
         let outlines = loops.iter().map(|l| cleaned(l)).filter(|l| area(l).abs() > LEAST * SIZE * SIZE);
         Ok(outlines.map(|l| l.iter().map(back).collect()).collect())
+    }
+
+    /// Closed loops that go round each point of the shadow as often as triangles lie over it, all counter-clockwise:
+    /// the sides that are left when those that neighbours walk in opposite directions are taken out. So the union has
+    /// to deal with the silhouette only, not with every triangle.
+    fn rim_of(&self, flat: &[Point2]) -> Vec<Vec<Point2>> {
+        let merged = self.merged_indices();
+        let at = |i: u32| flat.get(i as usize).copied().unwrap_or(Point2::new(0.0, 0.0));
+        // The faces of a closed mesh that look one way have the whole shadow.
+        let closed = self.is_closed() && self.is_oriented();
+        let mut sides: HashMap<[u32; 2], i64> = HashMap::new();
+        for t in self.faces.iter().flat_map(|f| f.triangles()) {
+            let [a, mut b, mut c] = t.map(|i| merged.get(i as usize).copied().unwrap_or(i));
+            let area = (at(b) - at(a)).cross(at(c) - at(a));
+            if area == 0.0 || (area < 0.0 && closed) {
+                continue;
+            }
+            if area < 0.0 {
+                std::mem::swap(&mut b, &mut c);
+            }
+            for (i, j) in [(a, b), (b, c), (c, a)] {
+                *sides.entry([i.min(j), i.max(j)]).or_default() += if i < j { 1 } else { -1 };
+            }
+        }
+        let mut walks: Vec<[u32; 2]> = Vec::new();
+        for ([i, j], times) in sides {
+            let walk = if times > 0 { [i, j] } else { [j, i] };
+            walks.extend((0..times.unsigned_abs()).map(|_| walk));
+        }
+        walks.sort_unstable();
+        // The next side that leaves a place, as places are in order.
+        let mut next: HashMap<u32, usize> = HashMap::new();
+        for (k, walk) in walks.iter().enumerate() {
+            next.entry(walk[0]).or_insert(k);
+        }
+        let mut loops = Vec::new();
+        for start in walks.iter().map(|w| w[0]) {
+            let (mut here, mut corners) = (start, Vec::new());
+            // As many sides leave a place as come to it, so every walk comes back to its start.
+            while let Some(k) = next.get_mut(&here)
+                && let Some([_, to]) = walks.get(*k).filter(|w| w[0] == here)
+            {
+                *k += 1;
+                corners.push(at(here));
+                here = *to;
+                if here == start {
+                    break;
+                }
+            }
+            if corners.len() > 2 {
+                loops.push(corners);
+            }
+        }
+        loops
     }
 }
 
