@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use crate::{
     Colour, Complex, Compound, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions, Material,
-    Path, Symbol, Value,
+    MeshSettings, Path, Symbol, Value,
 };
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
@@ -137,6 +137,7 @@ items! {
     Symbols, Symbol, Shared<Symbol>, |x| Value::Symbol(x.clone()), Value::Symbol(x) => x;
     Materials, Material, Material, |x| Value::Material(Shared::new(*x)), Value::Material(x) => *x;
     LoftOptions, LoftOptions, LoftOptions, |x| Value::LoftOptions(Shared::new(*x)), Value::LoftOptions(x) => *x;
+    MeshSettings, MeshSettings, MeshSettings, |x| Value::MeshSettings(Shared::new(*x)), Value::MeshSettings(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;
     Kept, Kept, Shared<RawObject>, |x| Value::Kept(x.clone()), Value::Kept(x) => x;
 }

@@ -44,6 +44,7 @@ pub enum Kind {
     Symbol,
     Material,
     LoftOptions,
+    MeshSettings,
     Group,
     /// Geometry of a class that Katydid keeps whole but does not compute with.
     Kept,
@@ -89,6 +90,7 @@ impl Kind {
             Self::Symbol => "Symbol Display",
             Self::Material => "Shader",
             Self::LoftOptions => "Loft Options",
+            Self::MeshSettings => "Mesh Settings",
             Self::Group => "Group",
             Self::Kept => "Geometry",
         }

@@ -76,6 +76,7 @@ pub fn value(value: &Value, style: &Style) -> String {
         Value::Symbol(symbol) => format!("Symbol ({})", symbol.style),
         Value::Matrix(m) => format!("Matrix ({} rows, {} columns)", m.rows(), m.columns()),
         Value::LoftOptions(_) => "Loft Options".to_owned(),
+        Value::MeshSettings(_) => "Mesh Settings".to_owned(),
         Value::Material(m) => {
             format!("Material ({},{},{})", m.diffuse.r, m.diffuse.g, m.diffuse.b)
         }

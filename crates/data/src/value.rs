@@ -8,7 +8,8 @@ use katydid_geometry::{
 use uuid::Uuid;
 
 use crate::{
-    Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material, Path, Symbol,
+    Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material, MeshSettings,
+    Path, Symbol,
 };
 
 /// One item of data of any type. Large contents are shared: a clone costs a counter.
@@ -48,6 +49,7 @@ pub enum Value {
     Symbol(Shared<Symbol>),
     Material(Shared<Material>),
     LoftOptions(Shared<LoftOptions>),
+    MeshSettings(Shared<MeshSettings>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
 }
@@ -87,6 +89,7 @@ impl Value {
             Self::Symbol(_) => Kind::Symbol,
             Self::Material(_) => Kind::Material,
             Self::LoftOptions(_) => Kind::LoftOptions,
+            Self::MeshSettings(_) => Kind::MeshSettings,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
         }
@@ -175,6 +178,7 @@ from! {
     Shared<Symbol>, Symbol;
     Material, Material;
     LoftOptions, LoftOptions;
+    MeshSettings, MeshSettings;
     Group, Group;
     Shared<Group>, Group;
     RawObject, Kept;

@@ -1,5 +1,9 @@
 //! A tree of boxes: which of many things may come nearer than the best found.
 
+mod visit;
+
+pub(crate) use visit::boxes_meet;
+
 /// The smallest and the largest coordinates.
 pub(crate) type Bounds = [[f64; 3]; 2];
 

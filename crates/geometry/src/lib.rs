@@ -89,6 +89,9 @@ pub use interval::Interval;
 pub use line::Line;
 pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint, RemeshOptions, Remeshed};
+#[cfg(feature = "mesh-booleans")]
+pub use mesh::Solid;
+pub use mesh::{Decimation, Mesh, MeshEdge, MeshFace, MeshPoint, MeshTree, Smoothing, SurfaceMeshing};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,

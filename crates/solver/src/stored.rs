@@ -3,7 +3,7 @@
 use katydid_3dm::Object as Archived;
 use katydid_component::Message;
 use katydid_data::{
-    Colour, Complex, DateTime, Domain2, LoftOptions, Material, Path, Tree, TreeBuilder, Value,
+    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
 };
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
@@ -92,6 +92,21 @@ fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
             // The numbers are kept even where sections are not simplified by them.
             rebuild: if o.simplify == 1 { o.rebuild } else { 0 },
             refit: if o.simplify == 2 { o.refit } else { 0.0 },
+        }),
+        Stored::MeshSettings(m) => Value::from(MeshSettings {
+            max_edge: m.max_edge,
+            min_edge: m.min_edge,
+            tolerance: m.tolerance,
+            min_tolerance: m.min_tolerance,
+            relative_tolerance: m.relative_tolerance,
+            refine_angle: m.refine_angle,
+            // Files do not keep it.
+            aspect: 0.0,
+            grid_min: m.grid_min,
+            grid_max: m.grid_max,
+            refine: m.refine,
+            jagged_seams: m.jagged_seams,
+            simple_planes: m.simple_planes,
         }),
         Stored::Geometry(g) => return geometry(g, missing),
         Stored::Unknown(chunk) => {

@@ -1,4 +1,6 @@
 //! The Intersect tab.
 
 mod mathematical;
+mod mesh_boolean;
+mod meshes;
 mod physical;

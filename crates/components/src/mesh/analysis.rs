@@ -2,11 +2,11 @@
 
 use std::sync::Arc as Shared;
 
-use katydid_component::{Message, component};
+use katydid_component::{Context, Message, component};
 use katydid_data::Colour;
-use katydid_geometry::{Circle, Curve, Line, Mesh, MeshFace, Point3, PolylineCurve, Vector3};
+use katydid_geometry::{Circle, Containment, Curve, Line, Mesh, MeshFace, Point3, PolylineCurve, Vector3};
 
-use super::integer;
+use super::{integer, tree_of};
 
 /// The parts of a mesh.
 #[component(
@@ -221,10 +221,43 @@ fn mesh_eval(
     Ok((point.to_point(), normal.unitized().unwrap_or(normal), colour))
 }
 
+/// Whether a point is inside a closed mesh.
+///
+/// For an open mesh the answer means little: a warning.
+#[component(
+    "01e3991d-18bd-474f-9fbd-076a8700159f",
+    name = "Mesh Inclusion",
+    nick = "MInc",
+    at = "Mesh/Analysis"
+)]
+#[output("Inside", "I", "True when it is inside.")]
+fn mesh_inclusion(
+    context: &Context<'_>,
+    /// The closed mesh.
+    #[port("Mesh", "M")]
+    mesh: Shared<Mesh>,
+    /// The point.
+    #[port("Point", "P")]
+    point: Point3,
+    /// Whether a point on the mesh itself, within the tolerance, counts as outside.
+    #[port("Strict", "S", default = false)]
+    strict: bool,
+) -> Result<bool, Message> {
+    let prepared = tree_of(context, &mesh)?;
+    if !prepared.is_closed() {
+        context.warn("The mesh is not closed: it has no inside");
+    }
+    Ok(match prepared.tree.containment(point, context.tolerance().absolute) {
+        Containment::Inside => true,
+        Containment::On => !strict,
+        Containment::Outside => false,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::{Trial, texts};
-    use katydid_geometry::{Mesh, MeshFace, Point3};
+    use katydid_geometry::{Mesh, MeshFace, Plane, Point3};
 
     fn mesh() -> Mesh {
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
@@ -262,5 +295,16 @@ mod tests {
         assert_eq!(texts(&back.outputs[1]), ["{0}: {0, 0, 1}"]);
         assert!(Trial::of("Mesh Eval").item(mesh()).item("9[1;0;0;0]").message().contains("no face 9"));
         assert!(Trial::of("Mesh Eval").item(mesh()).item("what").message().contains("no place"));
+    }
+    #[test]
+    fn inside() {
+        let ball = || Mesh::sphere(&Plane::XY, 2.0, 12, 8).unwrap();
+        let points = [Point3::ORIGIN, Point3::new(0.0, 0.0, 2.0), Point3::new(0.0, 0.0, 2.1)];
+        let ask = |strict: bool| Trial::of("Mesh Inclusion").item(ball()).list(points).item(strict).texts(0);
+        assert_eq!(ask(false), ["{0}: True, True, False"]);
+        assert_eq!(ask(true), ["{0}: True, False, False"]);
+        assert!(
+            Trial::of("Mesh Inclusion").item(mesh()).item(Point3::ORIGIN).message().contains("not closed")
+        );
     }
 }

@@ -1,13 +1,22 @@
 //! The Mesh tab.
 
 mod analysis;
+mod light;
+mod of_surface;
+mod parts;
 mod primitive;
 mod triangulation;
+mod settings;
+mod smooth;
+mod spray;
+mod trees;
 mod util;
+
+pub(crate) use trees::tree_of;
 
 use std::sync::Arc as Shared;
 
-use katydid_component::{List, Message};
+use katydid_component::{Context, List, Message};
 use katydid_data::Colour;
 use katydid_geometry::Mesh;
 
@@ -31,4 +40,11 @@ fn integer(n: usize) -> i32 {
 
 fn shared(mesh: Mesh) -> Shared<Mesh> {
     Shared::new(mesh)
+}
+
+/// Asks for the room that a mesh of so many faces takes.
+fn room(context: &Context<'_>, faces: usize) -> Result<(), Message> {
+    /// Corners, a vertex and its normal.
+    const BYTES: usize = 80;
+    context.bytes(faces.saturating_mul(BYTES))
 }

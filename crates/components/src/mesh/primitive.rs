@@ -6,7 +6,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::Colour;
 use katydid_geometry::{Box3, Interval, Mesh, MeshFace, Plane, Point3, Rectangle};
 
-use super::{colours, count, shared};
+use super::{colours, count, room, shared};
 
 /// A mesh from vertices and faces.
 ///
@@ -140,6 +140,37 @@ fn mesh_plane(
     Ok((shared(Mesh::plane(&boundary, x, y)?), boundary.area().abs()))
 }
 
+/// A flat mesh of quads in a plane.
+#[component(
+    "dd8d834f-40f1-4a84-8e4b-9fa8efe7be41",
+    name = "Mesh Plane",
+    nick = "MPlane",
+    at = "Mesh/Primitive",
+    old
+)]
+#[output("Mesh", "M", "The mesh; vertices run row by row along x.")]
+#[output("Area", "A", "Its area.")]
+fn mesh_plane_of_sizes(
+    context: &Context<'_>,
+    /// The plane.
+    #[port("Base", "B", default = Plane::XY)]
+    base: Plane,
+    /// The range along x; a number is a range from 0.
+    #[port("Width", "W", default = Interval::new(0.0, 10.0))]
+    width: Interval,
+    /// The range along y; a number is a range from 0.
+    #[port("Height", "H", default = Interval::new(0.0, 10.0))]
+    height: Interval,
+    /// The number of faces along x, at least 1.
+    #[port("Width count", "Cw", default = 10)]
+    width_count: i32,
+    /// The number of faces along y, at least 1.
+    #[port("Height count", "Ch", default = 10)]
+    height_count: i32,
+) -> Result<(Shared<Mesh>, f64), Message> {
+    mesh_plane(context, Rectangle { plane: base, x: width, y: height }, width_count, height_count)
+}
+
 /// A mesh of quads around a box. Its sides share no vertices, so that the edges are sharp.
 #[component("2696bd14-3fb5-4750-827f-86df6c31d664", name = "Mesh Box", nick = "MBox", at = "Mesh/Primitive")]
 #[output("Mesh", "M", "The mesh.")]
@@ -224,13 +255,6 @@ fn mesh_sphere_ex(
     Ok(shared(sphere.with_normals()))
 }
 
-/// Asks for the room that a mesh of so many faces takes.
-fn room(context: &Context<'_>, faces: usize) -> Result<(), Message> {
-    /// Corners, a vertex and its normal.
-    const BYTES: usize = 80;
-    context.bytes(faces.saturating_mul(BYTES))
-}
-
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
@@ -261,6 +285,8 @@ mod tests {
         assert_eq!(Trial::of("Mesh Plane").texts(1), ["{0}: 400"]);
         assert_eq!(Trial::of("Mesh Plane").default().item(2).item(3).texts(0), ["{0}: Mesh (V:12  F:6)"]);
         assert!(Trial::of("Mesh Plane").default().item(0).message().contains("at least 1"));
+        let sizes = Trial::of_guid("dd8d834f-40f1-4a84-8e4b-9fa8efe7be41").default().item(4.0).item(3.0);
+        assert_eq!(sizes.texts(1), ["{0}: 12"]);
         assert_eq!(Trial::of("Mesh Box").texts(0), ["{0}: Mesh (V:726  F:600)"]);
         assert_eq!(Trial::of("Mesh Sphere").texts(0), ["{0}: Mesh (V:192  F:200)"]);
         assert_eq!(Trial::of("Mesh Sphere Ex").texts(0), ["{0}: Mesh (V:216  F:150)"]);

@@ -100,105 +100,29 @@ fn triangulate(
     Ok((shared(with_faces(mesh, faces)?), cut))
 }
 
+/// Merges neighbouring triangles of a mesh to quads, those that come nearest to rectangles first.
+#[component("9266a2bb-918f-4675-9c91-f67d0dd33eac", name = "Quadrangulate", nick = "Quad", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh; triangles without a fitting neighbour stay.")]
+#[output("Count", "N", "How many quads were made.")]
+fn quadrangulate(
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// The greatest angle between the normals of two triangles that become one quad, in radians.
+    #[port("Angle", "A", default = PI / 90.0)]
+    angle: f64,
+    /// The least ratio of the shorter diagonal of a quad to the longer one, 0 to 1.
+    #[port("Ratio", "R", default = 0.875)]
+    ratio: f64,
+) -> (Shared<Mesh>, i32) {
+    let (merged, made) = mesh.quadrangulated(angle, ratio);
+    (shared(merged), integer(made))
+}
+
 /// The same vertices under other faces.
 fn with_faces(mesh: &Mesh, faces: Vec<MeshFace>) -> Result<Mesh, Message> {
     let parts = (mesh.vertices().to_vec(), mesh.normals().to_vec(), mesh.colours().to_vec());
     Ok(Mesh::from_parts(parts.0, faces, parts.1, parts.2)?)
-}
-
-/// Some faces of a mesh with the vertices they use, in their order.
-fn part(mesh: &Mesh, faces: &[MeshFace]) -> Result<Mesh, Message> {
-    let mut number: Vec<Option<u32>> = vec![None; mesh.vertices().len()];
-    for i in faces.iter().flat_map(|f| f.indices().iter()) {
-        if let Some(place) = number.get_mut(*i as usize) {
-            *place = Some(0);
-        }
-    }
-    for (place, next) in number.iter_mut().flatten().zip(0..) {
-        *place = next;
-    }
-    fn pick<T: Copy>(items: &[T], number: &[Option<u32>]) -> Vec<T> {
-        items.iter().zip(number).filter(|(_, n)| n.is_some()).map(|(x, _)| *x).collect()
-    }
-    let faces =
-        faces.iter().map(|f| f.map(|i| number.get(i as usize).copied().flatten().unwrap_or(0))).collect();
-    Ok(Mesh::from_parts(
-        pick(mesh.vertices(), &number),
-        faces,
-        pick(mesh.normals(), &number),
-        pick(mesh.colours(), &number),
-    )?)
-}
-
-/// Takes faces out of a mesh by a pattern, which is repeated as needed.
-#[component("57edd208-760a-4f0f-87e6-ca1bbd74133b", name = "Cull Faces", nick = "CullF", at = "Mesh/Util")]
-#[output("Mesh", "M", "The mesh of the faces that stay, without vertices that none uses.")]
-fn cull_faces(
-    /// The mesh.
-    #[port("Mesh", "M")]
-    mesh: &Mesh,
-    /// For each face whether it stays; nulls are skipped. An empty pattern keeps all.
-    #[port("Pattern", "P")]
-    pattern: List<bool>,
-) -> Result<Shared<Mesh>, Message> {
-    let pattern: Vec<bool> = pattern.present().collect();
-    if pattern.is_empty() {
-        return Ok(shared(mesh.clone()));
-    }
-    let stays = pattern.iter().cycle();
-    let faces: Vec<MeshFace> = mesh.faces().iter().zip(stays).filter(|(_, s)| **s).map(|(f, _)| *f).collect();
-    Ok(shared(part(mesh, &faces)?))
-}
-
-/// Takes faces out of a mesh by their numbers. Numbers that are no face's are ignored.
-#[component(
-    "d0f1311b-8287-4484-b2ea-1475c6770926",
-    name = "Delete Faces",
-    nick = "DeleteF",
-    at = "Mesh/Util"
-)]
-#[output("Mesh", "M", "The mesh of the faces that stay, without vertices that none uses.")]
-fn delete_faces(
-    /// The mesh.
-    #[port("Mesh", "M")]
-    mesh: &Mesh,
-    /// The numbers of the faces to take out, from 0.
-    #[port("Indices", "I")]
-    indices: List<i32>,
-) -> Result<Shared<Mesh>, Message> {
-    let gone: std::collections::HashSet<usize> =
-        indices.present().filter_map(|i| usize::try_from(i).ok()).collect();
-    let faces = mesh.faces().iter().enumerate();
-    let faces: Vec<MeshFace> = faces.filter(|(i, _)| !gone.contains(i)).map(|(_, f)| *f).collect();
-    Ok(shared(part(mesh, &faces)?))
-}
-
-/// The pieces of a mesh that hang together along edges. Vertices in the same place count as one.
-#[component(
-    "4dce5963-dc1a-4710-8991-9437ea23888d",
-    name = "Disjoint Mesh",
-    nick = "Disjoint",
-    at = "Mesh/Util"
-)]
-#[output("Meshes", "M", "The pieces, in order of their first faces.")]
-fn disjoint_mesh(
-    /// The mesh.
-    #[port("Mesh", "M")]
-    mesh: &Mesh,
-) -> Result<Vec<Shared<Mesh>>, Message> {
-    let merged = mesh.merged_indices();
-    let (piece, count) = pieces(mesh, &merged);
-    let mut out = Vec::with_capacity(count);
-    let mut sorted: Vec<Vec<MeshFace>> = vec![Vec::new(); count];
-    for (face, k) in mesh.faces().iter().zip(&piece) {
-        if let Some(list) = sorted.get_mut(*k) {
-            list.push(*face);
-        }
-    }
-    for faces in sorted {
-        out.push(shared(part(mesh, &faces)?));
-    }
-    Ok(out)
 }
 
 /// The sides of a face, each as the places of its two ends in order of the corners.
@@ -218,31 +142,6 @@ fn neighbours(mesh: &Mesh, merged: &[u32]) -> std::collections::HashMap<(u32, u3
         }
     }
     along
-}
-
-/// The number of the piece that each face belongs to, and the number of pieces.
-fn pieces(mesh: &Mesh, merged: &[u32]) -> (Vec<usize>, usize) {
-    let along = neighbours(mesh, merged);
-    let mut piece: Vec<Option<usize>> = vec![None; mesh.faces().len()];
-    let mut count = 0;
-    for first in 0..piece.len() {
-        if piece.get(first).is_none_or(Option::is_some) {
-            continue;
-        }
-        let mut todo = vec![first];
-        while let Some(i) = todo.pop() {
-            match piece.get_mut(i) {
-                Some(place @ None) => *place = Some(count),
-                _ => continue,
-            }
-            let Some(face) = mesh.faces().get(i) else { continue };
-            for (a, b) in sides(face, merged) {
-                todo.extend(along.get(&(a.min(b), a.max(b))).into_iter().flatten());
-            }
-        }
-        count += 1;
-    }
-    (piece.into_iter().map(|p| p.unwrap_or(0)).collect(), count)
 }
 
 /// Turns faces of a mesh round until neighbours look to the same side. The first face of each piece gives the side.
@@ -308,17 +207,10 @@ mod tests {
     }
 
     #[test]
-    fn joined_and_parted() {
+    fn joined() {
         let mesh = || two_faces(MeshFace::Triangle([1, 4, 2]));
         let joined = Trial::of("Mesh Join").list([mesh(), mesh()]).run();
         assert_eq!(texts(&joined.outputs[0]), ["{0}: Mesh (V:10  F:4)"]);
-        let parts = Trial::of("Disjoint Mesh").item(mesh());
-        assert_eq!(parts.texts(0), ["{0;0}: Mesh (V:5  F:2)"]);
-        assert_eq!(
-            Trial::of("Cull Faces").item(mesh()).list([false, true]).texts(0),
-            ["{0;0}: Mesh (V:3  F:1)".replace("{0;0}", "{0}")]
-        );
-        assert_eq!(Trial::of("Delete Faces").item(mesh()).list([1, 7]).texts(0), ["{0}: Mesh (V:4  F:1)"]);
     }
 
     #[test]
@@ -330,6 +222,9 @@ mod tests {
         let cut = Trial::of("Triangulate").item(wrong()).run();
         assert_eq!(texts(&cut.outputs[0]), ["{0}: Mesh (V:5  F:3)"]);
         assert_eq!(texts(&cut.outputs[1]), ["{0}: 1"]);
+        let back = Trial::of("Quadrangulate").tree(cut.outputs[0].clone()).run();
+        assert_eq!(texts(&back.outputs[0]), ["{0}: Mesh (V:5  F:2)"]);
+        assert_eq!(texts(&back.outputs[1]), ["{0}: 1"]);
         let flipped = Trial::of("Flip Mesh").item(wrong()).run().outputs[0].clone();
         assert!(Trial::of("Face Normals").tree(flipped).texts(1)[0].contains("-1}"));
     }

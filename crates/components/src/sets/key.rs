@@ -83,6 +83,7 @@ impl Key {
             | Value::Location(_)
             | Value::Symbol(_)
             | Value::LoftOptions(_)
+            | Value::MeshSettings(_)
             | Value::Matrix(_) => Self::Shape(format!("{value:?}")),
         }
     }

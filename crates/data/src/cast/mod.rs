@@ -106,7 +106,9 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             _ => None,
         },
         Kind::Location => parse::location(value).map(Value::Location),
-        Kind::LoftOptions | Kind::Field | Kind::Symbol | Kind::Group | Kind::Kept => None,
+        Kind::LoftOptions | Kind::MeshSettings | Kind::Field | Kind::Symbol | Kind::Group | Kind::Kept => {
+            None
+        }
     }
 }
 

@@ -1,18 +1,39 @@
 //! Polygon meshes of triangles and quads.
 
+mod align;
+#[cfg(feature = "mesh-booleans")]
+mod boolean;
 mod closest;
+mod decimate;
 mod edit;
 mod face;
 mod measure;
 pub(crate) mod polygon;
 mod primitives;
 mod remesh;
+mod neighbours;
+mod of_surface;
+mod offset;
+mod parts;
+mod quadrangulate;
+#[cfg(feature = "mesh-booleans")]
+mod shadow;
+mod smooth;
+mod split;
 mod topology;
+mod tree;
 
+pub(crate) use align::align_points;
+#[cfg(feature = "mesh-booleans")]
+pub use boolean::Solid;
 pub use closest::MeshPoint;
+pub use decimate::Decimation;
 pub use face::MeshFace;
 pub use remesh::{RemeshOptions, Remeshed};
+pub use of_surface::SurfaceMeshing;
+pub use smooth::Smoothing;
 pub use topology::MeshEdge;
+pub use tree::MeshTree;
 
 use crate::{Error, Point3, Result, Vector3};
 

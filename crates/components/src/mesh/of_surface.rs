@@ -1,0 +1,280 @@
+//! Mesh / Util: meshes of surfaces and simple solids.
+
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, Message, component};
+use katydid_data::{Geometry, Kind, MeshSettings, Value, cast};
+use katydid_geometry::{Box3, Direction, Mesh, MeshFace, Side, Surface, SurfaceMeshing};
+
+use super::{count, room, shared};
+
+/// What becomes a mesh.
+enum Shape {
+    Surface(Shared<Surface>),
+    Box(Box3),
+    Mesh(Shared<Mesh>),
+}
+
+/// The surface, box or mesh that a geometry is or stands for.
+fn shape(context: &Context<'_>, geometry: &Value) -> Result<Shape, Message> {
+    match geometry {
+        Value::Surface(surface) => Ok(Shape::Surface(surface.clone())),
+        Value::Box(shape) => Ok(Shape::Box(**shape)),
+        Value::Mesh(mesh) => Ok(Shape::Mesh(mesh.clone())),
+        Value::Kept(object) => Err(Message::error(format!(
+            "A {} is not meshed yet: only surfaces without trims, boxes and extruded curves are",
+            object.class_name()
+        ))),
+        other => match cast::value(other, Kind::Brep, context.rules()) {
+            Some(Value::Surface(surface)) => Ok(Shape::Surface(surface)),
+            _ => Err(Message::error(format!("A {} has no surface to mesh", other.kind()))),
+        },
+    }
+}
+
+/// A mesh over a surface with equal numbers of faces along each line.
+///
+/// Trims are not regarded: a trimmed surface is not meshed yet.
+#[component(
+    "58cf422f-19f7-42f7-9619-fc198c51c657",
+    name = "Mesh Surface",
+    nick = "Mesh UV",
+    at = "Mesh/Util"
+)]
+#[output("Mesh", "M", "The mesh; its vertices run along v first.")]
+fn mesh_surface(
+    context: &Context<'_>,
+    /// The surface.
+    #[port("Surface", "S")]
+    surface: &Surface,
+    /// The number of faces along u, at least 1.
+    #[port("U Count", "U", default = 5)]
+    u_count: i32,
+    /// The number of faces along v, at least 1.
+    #[port("V Count", "V", default = 5)]
+    v_count: i32,
+    /// Whether faces that reach beyond trims are kept; without trims this changes nothing.
+    #[port("Overhang", "H", default = true)]
+    overhang: bool,
+    /// Whether the faces are spaced by length along the middle lines of the surface rather than by parameter.
+    #[port("Equalize", "Q", default = false)]
+    equalize: bool,
+) -> Result<Shared<Mesh>, Message> {
+    let _ = overhang;
+    let counts = [count(u_count, "The U count")?, count(v_count, "The V count")?];
+    room(context, counts[0].saturating_mul(counts[1]))?;
+    let line = |direction: Direction| -> Result<Vec<f64>, Message> {
+        let (domain, n) = (surface.domain(direction), counts[direction.index()]);
+        if equalize {
+            let across = surface.domain(direction.other()).middle();
+            // A middle line that is a point has no lengths to go by.
+            let curve = surface.isocurve(direction, across);
+            if let Ok(mut parameters) = curve.and_then(|c| c.divide_by_count(n)) {
+                parameters.truncate(n);
+                parameters.push(domain.end);
+                if let Some(first) = parameters.first_mut() {
+                    *first = domain.start;
+                }
+                return Ok(parameters);
+            }
+        }
+        let inner = (0..n).map(|k| domain.at(k as f64 / n as f64));
+        Ok(inner.chain([domain.end]).collect())
+    };
+    let (us, vs) = (line(Direction::U)?, line(Direction::V)?);
+    Ok(shared(Mesh::surface_grid(surface, &us, &vs)?))
+}
+
+/// A mesh of a surface, a box or an extruded curve, as fine as the settings say.
+///
+/// Solids and surfaces with trims are not meshed yet. A mesh stays as it is.
+#[component("60e7defa-8b21-4ee1-99aa-a9223d6134ff", name = "Mesh Brep", nick = "Mesh", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh.")]
+fn mesh_brep(
+    context: &Context<'_>,
+    /// The surface, box or mesh.
+    #[port("Brep", "B")]
+    brep: Geometry,
+    /// How fine: from one of the Settings components.
+    #[port("Settings", "S", default = MeshSettings::SPEED)]
+    settings: MeshSettings,
+) -> Result<Shared<Mesh>, Message> {
+    let surface = match shape(context, &brep.0)? {
+        Shape::Mesh(mesh) => return Ok(mesh),
+        Shape::Box(shape) => return boxed(context, &shape, &settings),
+        Shape::Surface(surface) => surface,
+    };
+    let meshing = meshing(&settings, surface.bounding_box()?.diagonal().length());
+    let [us, vs] = meshing.grid(&surface)?;
+    room(context, us.len().saturating_mul(vs.len()))?;
+    Ok(shared(Mesh::surface_grid(&surface, &us, &vs)?))
+}
+
+/// A box under the settings: its sides are plane.
+fn boxed(context: &Context<'_>, shape: &Box3, settings: &MeshSettings) -> Result<Shared<Mesh>, Message> {
+    let lengths = [shape.x, shape.y, shape.z].map(|r| r.length().abs());
+    let least =
+        if settings.simple_planes { 1.0 } else { f64::from(settings.grid_min.max(0)).sqrt().ceil().max(1.0) };
+    let along = |length: f64| {
+        let by_edge = if settings.max_edge > 0.0 { (length / settings.max_edge).ceil() } else { 1.0 };
+        if settings.simple_planes { 1.0 } else { by_edge.max(least) }
+    };
+    let [x, y, z] = lengths.map(along);
+    room(context, (2.0 * (x * y + y * z + z * x)) as usize)?;
+    Ok(shared(Mesh::cuboid(shape, x as usize, y as usize, z as usize)?))
+}
+
+/// The limits that settings mean for a shape of some size.
+fn meshing(settings: &MeshSettings, size: f64) -> SurfaceMeshing {
+    // A relative tolerance of 0.65 stands for 0.0005 of the size; a step of 0.25 for a factor of 10.
+    let relative = settings.relative_tolerance;
+    let by_size = if relative > 0.0 { size * 10_f64.powf(-0.7 - 4.0 * relative.min(1.0)) } else { 0.0 };
+    let max_distance = match (settings.tolerance > 0.0, by_size > 0.0) {
+        (true, true) => settings.tolerance.min(by_size),
+        (true, false) => settings.tolerance,
+        (false, _) => by_size,
+    };
+    let most = if settings.grid_max > 0 { settings.grid_max } else { i32::MAX };
+    SurfaceMeshing {
+        max_distance,
+        max_angle: settings.refine_angle,
+        min_edge: settings.min_edge,
+        max_edge: settings.max_edge,
+        aspect: settings.aspect,
+        min_count: usize::try_from(settings.grid_min.min(most)).unwrap_or(0),
+        refine: settings.refine,
+        simple_planes: settings.simple_planes,
+    }
+}
+
+/// The coarsest mesh of a surface or box: one quad or triangle for each face, from corner to corner.
+///
+/// Only faces with three or four sides have one; a face that closes on itself has not. Solids and surfaces with trims
+/// are not meshed yet. A mesh stays as it is.
+#[component("c3f9cea5-6fd4-4db5-959b-08cd08ed9fe1", name = "Simple Mesh", nick = "SMesh", at = "Mesh/Util")]
+#[output("Mesh", "M", "The mesh.")]
+fn simple_mesh(
+    context: &Context<'_>,
+    /// The surface, box or mesh.
+    #[port("Brep", "B")]
+    brep: Geometry,
+) -> Result<Shared<Mesh>, Message> {
+    let surface = match shape(context, &brep.0)? {
+        Shape::Mesh(mesh) => return Ok(mesh),
+        Shape::Box(shape) => return Ok(shared(Mesh::cuboid(&shape, 1, 1, 1)?)),
+        Shape::Surface(surface) => surface,
+    };
+    let closed = [Direction::U, Direction::V].iter().any(|d| surface.is_closed(*d));
+    let points = Side::ALL.iter().filter(|s| surface.is_singular(**s)).count();
+    if closed || points > 1 {
+        return Err(Message::error("The face does not have three or four sides"));
+    }
+    let (u, v) = (surface.domain(Direction::U), surface.domain(Direction::V));
+    let at = |u: f64, v: f64| surface.point_at(u, v);
+    let mut corners = vec![at(u.start, v.start), at(u.end, v.start), at(u.end, v.end), at(u.start, v.end)];
+    // The corner that follows a side without length is the same one again.
+    let point = Side::ALL.iter().position(|s| surface.is_singular(*s));
+    if let Some(k) = point {
+        corners.remove((k + 1) % 4);
+    }
+    let face = if point.is_some() { MeshFace::Triangle([0, 1, 2]) } else { MeshFace::Quad([0, 1, 2, 3]) };
+    Ok(shared(Mesh::new(corners, vec![face])?.with_normals()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+    use std::sync::Arc as Shared;
+
+    use katydid_component::testing::Trial;
+    use katydid_data::{MeshSettings, Value};
+    use katydid_geometry::{
+        Box3, Circle, Cone, Cylinder, Interval, Mesh, NurbsSurface, Plane, PlaneSurface, Point3, Sphere,
+    };
+
+    fn mesh(trial: Trial) -> Shared<Mesh> {
+        match trial.run().outputs[0].column().get(0) {
+            Some(Value::Mesh(m)) => m,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn flat() -> katydid_geometry::Surface {
+        PlaneSurface::new(Plane::XY, Interval::new(0.0, 4.0), Interval::new(0.0, 2.0)).unwrap().into()
+    }
+
+    fn ball() -> katydid_geometry::Surface {
+        Sphere { plane: Plane::XY, radius: 3.0 }.into()
+    }
+
+    #[test]
+    fn grids() {
+        let grid = mesh(Trial::of("Mesh Surface").item(flat()).item(4).item(2));
+        assert_eq!((grid.vertices().len(), grid.faces().len()), (15, 8));
+        assert_eq!(grid.vertices()[1], Point3::new(0.0, 1.0, 0.0));
+        assert!((grid.area() - 8.0).abs() < 1e-12);
+        let ball = mesh(Trial::of("Mesh Surface").item(ball()).item(24).item(12).default().item(true));
+        assert_eq!(ball.vertices().len(), 25 * 13);
+        assert!(ball.is_closed() && ball.is_oriented());
+        assert!((ball.volume() - 36.0 * PI).abs() < 0.04 * 36.0 * PI);
+        assert!(Trial::of("Mesh Surface").item(flat()).item(0).message().contains("at least 1"));
+    }
+
+    #[test]
+    fn equal_lengths() {
+        // The corners of this strip are nearer in u at one end.
+        let curve = katydid_geometry::NurbsCurve::clamped_uniform(
+            2,
+            &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [9.0, 0.0, 0.0]].map(Point3::from),
+        );
+        let strip =
+            katydid_geometry::SumSurface::extrusion(curve.unwrap().into(), katydid_geometry::Vector3::Y);
+        let strip: katydid_geometry::Surface = strip.unwrap().into();
+        let by = |equal: bool| {
+            mesh(Trial::of("Mesh Surface").item(strip.clone()).item(3).item(1).default().item(equal))
+        };
+        let xs = |m: &Mesh| m.vertices().iter().step_by(2).map(|p| p.x).collect::<Vec<_>>();
+        assert!((xs(&by(true))[1] - 3.0).abs() < 1e-9 && (xs(&by(true))[2] - 6.0).abs() < 1e-9);
+        assert!(xs(&by(false))[1] < 2.0);
+    }
+
+    #[test]
+    fn by_settings() {
+        let cells = |m: &Mesh| m.faces().len();
+        assert_eq!(cells(&mesh(Trial::of("Mesh Brep").item(flat()))), 1);
+        let fine = MeshSettings { simple_planes: false, relative_tolerance: 0.0, ..MeshSettings::SPEED };
+        assert_eq!(cells(&mesh(Trial::of("Mesh Brep").item(flat()).item(fine))), 16);
+        let speed = mesh(Trial::of("Mesh Brep").item(ball()));
+        let quality = mesh(Trial::of("Mesh Brep").item(ball()).item(MeshSettings::QUALITY));
+        assert!(speed.is_closed() && quality.is_closed() && cells(&quality) > cells(&speed));
+        let size = 6.0 * 3_f64.sqrt();
+        assert!(speed.face_centers().iter().all(|p| 3.0 - p.to_vector().length() < 2.2 * 0.0005 * size));
+        let side = Interval::new(0.0, 2.0);
+        let cube = Box3 { plane: Plane::XY, x: side, y: side, z: side };
+        assert_eq!(cells(&mesh(Trial::of("Mesh Brep").item(cube))), 6);
+        assert_eq!(cells(&mesh(Trial::of("Mesh Brep").item(cube).item(fine))), 96);
+        assert!((mesh(Trial::of("Mesh Brep").item(cube)).volume() - 8.0).abs() < 1e-12);
+        assert_eq!(*mesh(Trial::of("Mesh Brep").item((*speed).clone())), *speed);
+        assert!(Trial::of("Mesh Brep").item(Point3::ORIGIN).message().contains("no surface"));
+        assert!(
+            Trial::of("Mesh Brep")
+                .item(Circle { plane: Plane::XY, radius: 1.0 })
+                .message()
+                .contains("no surface")
+        );
+    }
+
+    #[test]
+    fn one_face_each() {
+        let simple = mesh(Trial::of("Simple Mesh").item(flat()));
+        assert_eq!((simple.vertices().len(), simple.area()), (4, 8.0));
+        let [a, b, c] = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(Point3::from);
+        let triangle: katydid_geometry::Surface = NurbsSurface::from_corners(a, b, c, c).unwrap().into();
+        let simple = mesh(Trial::of("Simple Mesh").item(triangle));
+        assert_eq!((simple.vertices().len(), simple.area()), (3, 3.0));
+        let tube: katydid_geometry::Surface = Cylinder::new(Plane::XY, 1.0, Interval::UNIT).unwrap().into();
+        assert!(Trial::of("Simple Mesh").item(tube).message().contains("three or four"));
+        let cone: katydid_geometry::Surface = Cone::new(Plane::XY, 1.0, 1.0).unwrap().into();
+        assert!(Trial::of("Simple Mesh").item(cone).message().contains("three or four"));
+    }
+}
