@@ -43,10 +43,12 @@ mod error;
 pub mod field;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;
+mod hanging_chain;
 pub mod intersect;
 mod interval;
 mod line;
 mod linear;
+mod longest_rectangle;
 mod matrix;
 mod mesh;
 mod nurbs;
@@ -60,7 +62,9 @@ mod rectangle;
 #[cfg(feature = "serde")]
 mod serde_forms;
 mod surface;
+mod swing;
 mod tangent;
+mod tangent_arc;
 mod tangent_circle;
 mod tolerance;
 mod units;
@@ -75,15 +79,17 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
-    PolylineCurve, PolylineLimits, TweenMatch, join_curves,
+    PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use field::Field;
+pub use hanging_chain::hanging_chain;
 pub use interval::Interval;
 pub use line::Line;
+pub use longest_rectangle::longest_rectangle;
 pub use matrix::{Matrix, RowReduction};
-pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint};
+pub use mesh::{Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
@@ -96,9 +102,10 @@ pub use point2::Point2;
 pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
-    ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
-    Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
+    ClosestOnSurface, Cone, Cylinder, Geodesic, NormalSection, PlaneSurface, RevolutionSurface, Sphere,
+    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
 };
+pub use swing::{SwingArcs, swing_arcs};
 pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;
 pub use units::Units;

@@ -45,7 +45,7 @@ impl Mesh {
 
 /// The nearest point of a triangle and its barycentric coordinates (C. Ericson, *Real-Time Collision Detection*, 2005,
 /// §5.1.5: by the region the query lies in).
-fn closest_on_triangle([a, b, c]: [Point3; 3], q: Point3) -> (Point3, [f64; 3]) {
+pub(super) fn closest_on_triangle([a, b, c]: [Point3; 3], q: Point3) -> (Point3, [f64; 3]) {
     let (ab, ac, aq) = (b - a, c - a, q - a);
     let at = |u: f64, v: f64| (a + ab * u + ac * v, [1.0 - u - v, u, v]);
     let (d1, d2) = (ab.dot(aq), ac.dot(aq));

@@ -5,11 +5,15 @@ mod edit;
 mod face;
 mod measure;
 mod primitives;
+mod pull;
+mod section;
 mod topology;
+mod triangle_tree;
 
 pub use closest::MeshPoint;
 pub use face::MeshFace;
 pub use topology::MeshEdge;
+pub use triangle_tree::{MeshClash, MeshHit, MeshTree};
 
 use crate::{Error, Point3, Result, Vector3};
 
