@@ -14,7 +14,8 @@ Examples:
   katydid check projects/                       what is missing to run each file
   katydid convert facade.gh facade.kd           the same as text, to be read, written and compared
   katydid diff old.gh new.gh                    what changed, in words
-  katydid components 'Divide Curve'             help for a component")]
+  katydid components 'Divide Curve'             help for a component
+  katydid view facade.gh -o facade.png          a picture of what it makes")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -34,6 +35,8 @@ pub(crate) enum Command {
     Fmt(FmtArgs),
     /// List the components, or show the help of one
     Components(ComponentsArgs),
+    /// Make a picture of what a definition shows, or of the definition itself
+    View(ViewArgs),
 }
 
 #[derive(Debug, Args)]
@@ -181,6 +184,74 @@ pub(crate) struct ComponentsArgs {
     /// Print JSON: every id that is answered to, old ones too
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The exit code is 0 when every object that could run did so without an error, 1 when a component reported an
+error (the picture is made all the same), 2 when the file could not be opened or the call was wrong.")]
+pub(crate) struct ViewArgs {
+    /// The definition: .gh, .ghx or .kd
+    pub(crate) file: PathBuf,
+
+    /// The picture: .svg or .png
+    #[arg(short, long = "output", value_name = "OUT", required = true)]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// Draw the definition itself, with its wires, panels and groups
+    #[arg(long)]
+    pub(crate) canvas: bool,
+
+    /// Where to look from; from above when everything is flat, else in perspective, when not given
+    #[arg(long, value_name = "VIEW", conflicts_with = "canvas")]
+    pub(crate) view: Option<ViewName>,
+
+    /// Width and height in pixels; 1200x800, or as large as the canvas is, when not given
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    pub(crate) size: Option<[u32; 2]>,
+
+    /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub(crate) set: Vec<(String, String)>,
+
+    /// Draw the axes
+    #[arg(long, conflicts_with = "canvas")]
+    pub(crate) axes: bool,
+
+    /// Draw a grid
+    #[arg(long, conflicts_with = "canvas")]
+    pub(crate) grid: bool,
+
+    /// Explain the colours of gradients
+    #[arg(long, conflicts_with = "canvas")]
+    pub(crate) legend: bool,
+
+    /// The colour of the ground: white, black, none, #rrggbb, or three numbers to 255
+    #[arg(long, value_name = "COLOUR", default_value = "white")]
+    pub(crate) background: String,
+
+    /// The most seconds the solve may take
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) limit_seconds: Option<f64>,
+
+    /// The length unit of the document; when not given, that of a .kd file, else millimeters
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<UnitName>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ViewName {
+    Perspective,
+    Top,
+    Front,
+    Right,
+    Iso,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side = |side: &str| side.trim().parse().ok().filter(|n| (1..=16_384).contains(n));
+    let sizes = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    sizes.ok_or_else(|| "expected WIDTHxHEIGHT, each from 1 to 16384".to_owned())
 }
 
 fn assignment(text: &str) -> Result<(String, String), String> {

@@ -86,7 +86,8 @@ fn print(results: &[(PathBuf, Result<Check, String>)]) {
                     check.objects
                 ));
                 for missing in &check.unsupported {
-                    let plugin = missing.plugin.as_deref().map(|p| format!(" ({p})")).unwrap_or_default();
+                    let why = missing.plugin.as_deref().or(missing.reason.as_deref());
+                    let plugin = why.map(|why| format!(" ({why})")).unwrap_or_default();
                     say(&format!("         {:>4} × {}{DIM}{plugin}{DIM:#}", missing.count, missing.name));
                 }
                 missing += count;

@@ -13,7 +13,11 @@ pub(crate) fn components(args: &ComponentsArgs) -> Result<u8, String> {
         Some(name) => choose(&all, name),
     };
     if let (Some(name), true) = (&args.name, chosen.is_empty()) {
-        return Err(format!("no component is called '{name}'"));
+        let known = registry::all_unsupported().find(|known| known.name.eq_ignore_ascii_case(name));
+        return Err(match known {
+            Some(known) => format!("{} is not supported: {}", known.name, known.reason),
+            None => format!("no component is called '{name}'"),
+        });
     }
     if args.json {
         let list: Vec<serde_json::Value> = chosen.iter().map(|c| entry(c)).collect();

@@ -11,6 +11,7 @@ mod output;
 mod progress;
 mod run;
 mod source;
+mod view;
 
 use std::process::ExitCode;
 
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Diff(args) => diff::diff(args),
         Command::Fmt(args) => fmt::fmt(args),
         Command::Components(args) => components::components(args),
+        Command::View(args) => view::view(args),
     };
     match result {
         Ok(code) => ExitCode::from(code),

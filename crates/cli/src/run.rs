@@ -79,7 +79,7 @@ fn options(args: &RunArgs, units: Units) -> Result<Options, String> {
 }
 
 /// Prints the messages of all objects; tells whether any is an error.
-fn complain(session: &Session) -> bool {
+pub(crate) fn complain(session: &Session) -> bool {
     let mut failed = false;
     for (index, object) in session.document().objects.iter().enumerate() {
         let Some(report) = session.engine().report(index) else { continue };

@@ -18,6 +18,40 @@ static BY_GUID: LazyLock<HashMap<Uuid, &'static Component>> = LazyLock::new(|| {
     map
 });
 
+/// A component of Grasshopper that is known and is not here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unsupported {
+    /// Its type id.
+    pub guid: Uuid,
+    /// Its name.
+    pub name: &'static str,
+    /// Why it is not here: half a sentence that follows a colon.
+    pub reason: &'static str,
+}
+
+/// A list of such components, to be submitted to the registry as a whole.
+#[derive(Debug, Clone, Copy)]
+pub struct UnsupportedList(&'static [Unsupported]);
+
+impl Unsupported {
+    /// A list as the registry takes it.
+    pub const fn list(list: &'static [Self]) -> UnsupportedList {
+        UnsupportedList(list)
+    }
+}
+
+inventory::collect!(UnsupportedList);
+
+/// Why there is no component of a type id, where that is known.
+pub fn unsupported(guid: Uuid) -> Option<&'static Unsupported> {
+    all_unsupported().find(|known| known.guid == guid)
+}
+
+/// All components that are known and are not here.
+pub fn all_unsupported() -> impl Iterator<Item = &'static Unsupported> {
+    inventory::iter::<UnsupportedList>.into_iter().flat_map(|list| list.0)
+}
+
 /// The component of a type id, old ids included.
 pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
     BY_GUID.get(&guid).copied()

@@ -18,6 +18,7 @@ mod params;
 mod sets;
 mod surface;
 mod transform;
+mod unsupported;
 mod vector;
 
 /// Makes sure that the components are linked into the program, and tells how many there are.

@@ -22,16 +22,21 @@ fn access(word: Option<&str>) -> Access {
     }
 }
 
-#[test]
-fn components_are_what_files_say() {
-    assert!(katydid_components::link() > 100);
+/// The rows of the catalogue, where it is at hand.
+fn catalogue() -> Option<Vec<Value>> {
     let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data/components.json"));
     if !path.exists() {
         assert!(std::env::var_os("KATYDID_REQUIRE_SHARED").is_none(), "{} is absent", path.display());
         println!("skipped: {} is absent", path.display());
-        return;
+        return None;
     }
-    let catalogue: Vec<Value> = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    Some(serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap())
+}
+
+#[test]
+fn components_are_what_files_say() {
+    assert!(katydid_components::link() > 100);
+    let Some(catalogue) = catalogue() else { return };
     let (mut known, mut differing) = (0, Vec::new());
     for row in &catalogue {
         let guid = Uuid::parse_str(row["guid"].as_str().unwrap()).unwrap();
@@ -70,6 +75,40 @@ fn components_are_what_files_say() {
 /// an old Null Check takes and gives whole trees, and an old Duplicate, Split and Graft Tree give lists and
 /// trees, and an old Curve | Line two lists, which the catalogue does not tell for outputs of their age.
 const MOST: usize = 9;
+
+/// The panels that are in whole: each row of the catalogue is a component or has its reason for being none.
+const WHOLE: [(&str, &[&str]); 7] = [
+    ("Params", &[]),
+    ("Maths", &[]),
+    ("Complex", &[]),
+    ("Scalar", &[]),
+    ("Sets", &[]),
+    ("Vector", &[]),
+    ("Transform", &["Euclidean", "Affine", "Array", "Util"]),
+];
+
+/// What a definition draws or opens rather than runs.
+const NOT_RUN: [&str; 4] = ["Group", "Scribble", "Sketch", "Cluster"];
+
+#[test]
+fn whole_panels_lack_nothing_without_a_reason() {
+    katydid_components::link();
+    let Some(catalogue) = catalogue() else { return };
+    let mut lacking = Vec::new();
+    for row in &catalogue {
+        let text = |key: &str| row[key].as_str().unwrap_or_default();
+        let guid = Uuid::parse_str(text("guid")).unwrap();
+        let mut panels = WHOLE.iter().filter(|(tab, _)| *tab == text("tab")).map(|(_, panels)| panels);
+        if !panels.any(|panels| panels.is_empty() || panels.contains(&text("panel"))) {
+            continue;
+        }
+        let is_known = registry::by_guid(guid).is_some() || NOT_RUN.contains(&text("name"));
+        if is_known == registry::unsupported(guid).is_some() {
+            lacking.push(format!("{guid} {} at {}/{}", text("name"), text("tab"), text("panel")));
+        }
+    }
+    assert!(lacking.is_empty(), "neither or both a component and a reason:\n{}", lacking.join("\n"));
+}
 
 #[test]
 fn no_two_components_have_one_id() {

@@ -46,4 +46,6 @@ pub use error::{Error, Result, Warning};
 pub use layer::Layer;
 pub use limits::Limits;
 pub use model::{Model, ModelObject, UnitScale};
-pub use object::{BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData};
+pub use object::{
+    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+};

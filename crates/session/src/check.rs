@@ -24,8 +24,10 @@ pub struct Unsupported {
     pub name: String,
     /// Its type id.
     pub component: Uuid,
-    /// The plug-in it comes from, or why it cannot be had.
+    /// The plug-in it comes from.
     pub plugin: Option<String>,
+    /// Why it cannot be had, where that is known.
+    pub reason: Option<String>,
     /// How many objects are of this type.
     pub count: usize,
 }
@@ -45,27 +47,31 @@ fn count(document: &Document, found: &mut BTreeMap<(Uuid, String), Unsupported>)
         if object.is_annotation() {
             continue;
         }
-        let missing = match object.cluster(&Limits::default()) {
+        let reason = match object.cluster(&Limits::default()) {
             Some(Ok(ClusterContent::Open { document, .. })) => {
                 objects += count(&document, found);
                 continue;
             }
-            Some(Ok(ClusterContent::Locked)) => Some("a cluster locked by a password".to_owned()),
-            Some(Ok(ClusterContent::File(path))) => Some(format!("a cluster in another file, {path}")),
-            Some(Err(error)) => Some(format!("a broken cluster: {error}")),
-            None if registry::by_guid(object.component).is_some() => None,
-            None => Some(plugin(document, object).unwrap_or_default()),
+            Some(Ok(ClusterContent::Locked)) => Some("the cluster is locked by a password".to_owned()),
+            Some(Ok(ClusterContent::File(path))) => Some(format!("the cluster is in another file, {path}")),
+            Some(Err(error)) => Some(format!("the cluster is broken: {error}")),
+            None if registry::by_guid(object.component).is_some() => {
+                objects += 1;
+                continue;
+            }
+            None => registry::unsupported(object.component).map(|known| known.reason.to_owned()),
         };
         objects += 1;
-        if let Some(reason) = missing {
-            let entry = found.entry((object.component, reason.clone())).or_insert_with(|| Unsupported {
-                name: object.name.clone(),
-                component: object.component,
-                plugin: Some(reason).filter(|r| !r.is_empty()),
-                count: 0,
-            });
-            entry.count += 1;
-        }
+        let plugin = plugin(document, object);
+        let key = (object.component, plugin.clone().or_else(|| reason.clone()).unwrap_or_default());
+        let missing = || Unsupported {
+            name: object.name.clone(),
+            component: object.component,
+            plugin,
+            reason,
+            count: 0,
+        };
+        found.entry(key).or_insert_with(missing).count += 1;
     }
     objects
 }

@@ -69,12 +69,7 @@ impl Session {
     }
 
     fn put(&mut self, index: usize, object: &Object) {
-        self.engine.edit(|document| {
-            if let Some(slot) = document.objects.get_mut(index) {
-                *slot = object.clone();
-            }
-            vec![object.id]
-        });
+        self.engine.edit(index, |slot| *slot = object.clone());
     }
 
     /// Takes the last change back; `false` when there is none.

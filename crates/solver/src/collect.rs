@@ -42,17 +42,31 @@ pub(crate) fn port(
     Collected { tree, messages }
 }
 
-/// Surfaces that are only kept pass through parameters, but components have nothing to compute with.
+/// Components compute with the surface of a kept brep of one untrimmed face, turned over or not; for others they
+/// have nothing to compute with. (Parameters pass all of them through as they are.)
 fn computable(tree: Tree, messages: &mut Vec<Message>) -> Tree {
     let column = tree.column();
-    let kept = |item: &Option<Value>| matches!(item, Some(Value::Kept(_)));
-    let Some(Some(Value::Kept(first))) = column.iter().find(kept) else { return tree };
-    messages.push(Message::warning(format!(
-        "A {} that is trimmed or of several faces cannot be computed with yet",
-        first.class_name()
-    )));
-    let usable = column.iter().map(|item| item.filter(|value| !matches!(value, Value::Kept(_))));
+    if !column.iter().any(|item| matches!(item, Some(Value::Kept(_)))) {
+        return tree;
+    }
+    let mut refused = None;
+    let usable = column.iter().map(|item| match item {
+        Some(Value::Kept(brep)) => match brep.bare_surface() {
+            Ok(Some(bare)) => Some(Value::from(bare.surface)),
+            _ => {
+                refused.get_or_insert(brep);
+                None
+            }
+        },
+        item => item,
+    });
     let usable = Column::of_options(usable.collect());
+    if let Some(first) = refused {
+        messages.push(Message::warning(format!(
+            "A {} that is trimmed or of several faces cannot be computed with yet",
+            first.class_name()
+        )));
+    }
     tree.with_column(usable)
 }
 

@@ -5,12 +5,12 @@ use std::time::Duration;
 
 use katydid_component::{Deadline, Message};
 use katydid_data::Tree;
-use katydid_definition::document::Document;
-use uuid::Uuid;
+use katydid_definition::document::{Document, Object};
 
 use crate::graph::Graph;
 use crate::object::{Turn, solve};
 use crate::report::{ObjectReport, Status};
+use crate::schedule::Todo;
 use crate::{Options, Progress, schedule};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
@@ -20,6 +20,8 @@ pub struct Engine {
     options: Options,
     graph: Graph,
     reports: Vec<Option<ObjectReport>>,
+    /// The objects without a report: a solve looks at these and at no others.
+    dirty: Vec<usize>,
 }
 
 /// What one solve did.
@@ -34,9 +36,10 @@ pub struct Summary {
 impl Engine {
     /// An engine for a document; nothing is solved yet.
     pub fn new(document: Document, options: Options) -> Self {
-        let graph = Graph::new(&document);
-        let reports = vec![None; document.objects.len()];
-        Self { document, options, graph, reports }
+        let mut engine =
+            Self { document, options, graph: Graph::default(), reports: Vec::new(), dirty: Vec::new() };
+        engine.rebuild();
+        engine
     }
 
     /// The document.
@@ -59,16 +62,12 @@ impl Engine {
         self.reports.get(index)?.as_ref()
     }
 
-    /// Changes objects without adding, removing or rewiring any. Those that `change` names are dirty then.
-    pub fn edit(&mut self, change: impl FnOnce(&mut Document) -> Vec<Uuid>) {
-        let changed = change(&mut self.document);
-        if self.document.objects.len() != self.reports.len() {
-            return self.rebuild();
-        }
-        for id in changed {
-            if let Some(index) = self.document.objects.iter().position(|o| o.id == id) {
-                self.touch(index);
-            }
+    /// Changes the object at `index` of the document's objects, but not its wires. It and all that hangs on it are
+    /// dirty then. Nothing happens when there is no such object.
+    pub fn edit(&mut self, index: usize, change: impl FnOnce(&mut Object)) {
+        if let Some(object) = self.document.objects.get_mut(index) {
+            change(object);
+            self.touch(index);
         }
     }
 
@@ -81,6 +80,7 @@ impl Engine {
     fn rebuild(&mut self) {
         self.graph = Graph::new(&self.document);
         self.reports = vec![None; self.document.objects.len()];
+        self.dirty = (0..self.reports.len()).collect();
     }
 
     /// Marks an object and all that hangs on it as dirty.
@@ -88,10 +88,9 @@ impl Engine {
         let mut stack = vec![index];
         while let Some(object) = stack.pop() {
             // What is dirty already has dirty readers.
-            if self.reports[object].take().is_some() || object == index {
-                stack.extend(
-                    self.graph.readers[object].iter().copied().filter(|&r| self.reports[r].is_some()),
-                );
+            if self.reports[object].take().is_some() {
+                self.dirty.push(object);
+                stack.extend(&self.graph.readers[object]);
             }
         }
     }
@@ -107,7 +106,8 @@ impl Engine {
             given: &HashMap::new(),
             wanted: &[],
         };
-        let solved = solve_graph(&turn, &self.graph, &mut self.reports);
+        let solved = solve_graph(&turn, &self.graph, &mut self.reports, &self.dirty);
+        self.dirty.clear();
         Summary { solved, time: watch.elapsed() }
     }
 }
@@ -130,29 +130,38 @@ pub(crate) fn solve_nested(
         given,
         wanted: &[],
     };
-    solve_graph(&turn, &graph, &mut reports);
+    let all: Vec<usize> = (0..reports.len()).collect();
+    solve_graph(&turn, &graph, &mut reports, &all);
     reports.into_iter().map(|r| r.unwrap_or_else(|| ObjectReport::idle(Status::Ok, Vec::new(), 0))).collect()
 }
 
-/// Fills in the reports that are missing.
-fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectReport>]) -> usize {
+/// Fills in the reports of the `dirty` objects, which are missing, and gives the number of those that ran. The time is
+/// in proportion to them, not to the document.
+fn solve_graph(
+    turn: &Turn<'_>,
+    graph: &Graph,
+    reports: &mut [Option<ObjectReport>],
+    dirty: &[usize],
+) -> usize {
     let objects = &turn.document.objects;
-    for members in &graph.loops {
-        for &member in members {
-            reports[member] = Some(in_loop(turn.document, members, member));
-        }
+    let (todo, looped) = Todo::new(graph, dirty);
+    // Objects in a loop are never run, they only say so.
+    for object in looped {
+        let members = graph.loops.iter().find(|members| members.contains(&object));
+        reports[object] = Some(in_loop(turn.document, members.map_or(&[], Vec::as_slice), object));
     }
-    // Objects in a loop are never run: they have their report by now.
-    let todo: Vec<bool> = reports.iter().map(Option::is_none).collect();
-    let results: Vec<OnceLock<ObjectReport>> = reports.iter().map(|_| OnceLock::new()).collect();
-    let total = todo.iter().filter(|&&t| t).count();
+    let results: Vec<OnceLock<ObjectReport>> = todo.iter().map(|_| OnceLock::new()).collect();
+    let total = results.len();
     let done = AtomicUsize::new(0);
     let kept: &[Option<ObjectReport>] = reports;
     schedule::run(graph, &todo, &results, |object| {
         let watch = Watch::start();
         let tree = |source: &crate::graph::Source| -> Option<&Tree> {
-            let report = results[source.object].get().or(kept[source.object].as_ref())?;
-            report.outputs.get(source.output)
+            let report = match todo.place(source.object) {
+                Some(place) => results[place].get(),
+                None => kept[source.object].as_ref(),
+            };
+            report?.outputs.get(source.output)
         };
         let wired: Vec<Vec<&Tree>> =
             graph.sources[object].iter().map(|sources| sources.iter().filter_map(tree).collect()).collect();
@@ -166,10 +175,8 @@ fn solve_graph(turn: &Turn<'_>, graph: &Graph, reports: &mut [Option<ObjectRepor
         }
         report
     });
-    for (report, result) in reports.iter_mut().zip(results) {
-        if let Some(result) = result.into_inner() {
-            *report = Some(result);
-        }
+    for (object, result) in todo.iter().zip(results) {
+        reports[object] = result.into_inner();
     }
     total
 }

@@ -25,6 +25,8 @@ pub(crate) struct Graph {
     pub(crate) wanted: Vec<Vec<bool>>,
     /// The objects in an order in which each stands behind all it reads. Objects in a loop are left out.
     pub(crate) order: Vec<usize>,
+    /// For each object, its place in `order`; `None` in a loop.
+    pub(crate) rank: Vec<Option<u32>>,
     /// The loops: the objects of each, in the order of the document.
     pub(crate) loops: Vec<Vec<usize>>,
 }
@@ -94,6 +96,10 @@ impl Graph {
                     }
                 }
             }
+        }
+        self.rank = vec![None; n];
+        for (rank, &object) in (0..).zip(&self.order) {
+            self.rank[object] = Some(rank);
         }
         self.loops = looped;
     }

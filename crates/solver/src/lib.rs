@@ -15,6 +15,7 @@ mod cluster;
 mod collect;
 mod engine;
 mod graph;
+mod inputs;
 mod modifiers;
 mod object;
 mod options;
@@ -23,6 +24,7 @@ mod schedule;
 mod stored;
 
 pub use engine::{Engine, Summary};
+pub use inputs::Inputs;
 pub use options::{Listener, Options, Progress};
 pub use report::{ObjectReport, Status};
 pub use stored::tree as stored_tree;

@@ -53,7 +53,8 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
         .and_then(|lib| document.library(lib))
         .map(|library| format!(" of the plug-in {}", library.name))
         .unwrap_or_default();
-    let text = format!("{}{plugin} is not supported", object.name);
+    let reason = registry::unsupported(object.component).map(|known| format!(": {}", known.reason));
+    let text = format!("{}{plugin} is not supported{}", object.name, reason.unwrap_or_default());
     let mut report = ObjectReport::idle(Status::Unsupported, vec![Message::warning(text)], 0);
     report.outputs = vec![Tree::branch_at(Path::zero(), Column::nulls(1)); object.outputs.len()];
     report

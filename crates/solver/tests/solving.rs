@@ -137,12 +137,8 @@ fn only_what_hangs_on_a_change_solves_again() {
     let mut engine = Engine::new(sheet.document, Options { progress: Some(progress), ..Options::default() });
     assert_eq!(engine.solve().solved, 5);
     assert_eq!(engine.solve().solved, 0);
-    engine.edit(|document| {
-        let object: &mut Object = &mut document.objects[0];
-        let five = katydid_definition::document::Persistent::item(Stored::Number(5.0));
-        object.set_persistent(0, Some(&five)).unwrap();
-        vec![object.id]
-    });
+    let five = katydid_definition::document::Persistent::item(Stored::Number(5.0));
+    engine.edit(0, |object| object.set_persistent(0, Some(&five)).unwrap());
     assert_eq!(engine.solve().solved, 3);
     assert_eq!(solved.load(Ordering::Relaxed), 8);
     assert!(names.lock().unwrap().iter().all(|(done, total)| done <= total));

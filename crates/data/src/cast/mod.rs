@@ -32,6 +32,11 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
     if value.kind() == kind {
         return Some(value.clone());
     }
+    // What is computed from a brep of one untrimmed face is computed from its surface; the brep itself stays whole.
+    if let (Value::Kept(brep), Kind::Domain2 | Kind::Plane | Kind::Box) = (value, kind) {
+        let bare = brep.bare_surface().ok().flatten()?;
+        return self::value(&Value::from(bare.surface), kind, rules);
+    }
     match kind {
         Kind::Generic => Some(value.clone()),
         Kind::Geometry => geometry(value),
@@ -82,6 +87,10 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         Kind::Transform => match value {
             Value::Compound(_) => Some(value.clone()),
             Value::Vector(v) => Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v)))),
+            Value::Matrix(m) if (m.rows(), m.columns()) == (4, 4) => {
+                let rows = std::array::from_fn(|i| std::array::from_fn(|j| m.get(i, j).unwrap_or_default()));
+                Some(Value::Transform(Shared::new(katydid_geometry::Xform { rows })))
+            }
             _ => None,
         },
         Kind::Matrix => match value {

@@ -2,7 +2,7 @@
 
 use katydid_geometry::{Curve, Direction, Interval};
 
-use super::parse;
+use super::{curve, parse};
 use crate::{Colour, Complex, Domain2, Value};
 
 /// 0 is false, every other number true; texts by their words.
@@ -45,11 +45,14 @@ pub(super) fn complex(value: &Value) -> Option<Complex> {
     number(value).map(|re| Complex { re, im: 0.0 })
 }
 
-/// A number n is the domain from 0 to n; a text is `a to b`; a curve has its own.
+/// A number n is the domain from 0 to n; a text is `a to b`; a curve, and what casts to one, has its own.
 pub(super) fn domain(value: &Value) -> Option<Interval> {
     match value {
         Value::Text(text) => parse::domain(text),
         Value::Curve(curve) => Some(Curve::domain(curve)),
+        Value::Line(_) | Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) => {
+            curve::curve(value).map(|curve| Curve::domain(&curve))
+        }
         Value::Complex(z) => Some(Interval::new(z.re, z.im)),
         _ => number(value).map(|n| Interval::new(0.0, n)),
     }

@@ -1,4 +1,4 @@
-use katydid_geometry::{Curve, Interval, MeshFace, Plane, Point3, Vector3};
+use katydid_geometry::{Curve, Interval, Line, MeshFace, Plane, Point3, Vector3};
 
 use super::*;
 use crate::{Colour, Domain2};
@@ -117,7 +117,9 @@ fn a_compound_is_a_transform_that_stays_whole() {
         assert_eq!(Xform::get(&cast, last), Some(scale * step));
     }
     assert_eq!(to(Value::from(step), Kind::Compound), Some(Value::from(Compound { parts: vec![step] })));
-    let Some(Value::Matrix(matrix)) = to(compound, Kind::Matrix) else { panic!() };
+    let Some(Value::Matrix(matrix)) = to(compound.clone(), Kind::Matrix) else { panic!() };
+    let back = to(Value::Matrix(matrix.clone()), Kind::Transform).and_then(|t| t.as_transform());
+    assert_eq!(back, compound.as_transform());
     assert_eq!((matrix.get(0, 0), matrix.get(0, 3)), (Some(2.0), Some(2.0)));
 }
 
@@ -150,6 +152,8 @@ fn surfaces_and_what_becomes_one() {
     for kind in [Kind::Brep, Kind::Surface, Kind::Geometry, Kind::Generic] {
         assert_eq!(to(surface.clone(), kind), Some(surface.clone()), "{kind}");
     }
+    let line = Line { from: Point3::ORIGIN, to: Point3::new(0.0, 3.0, 4.0) };
+    assert_eq!(to(line.into(), Kind::Domain), Some(Interval::new(0.0, 5.0).into()));
     let domains = Domain2 { u: flat.domain(Direction::U), v: flat.domain(Direction::V) };
     assert_eq!(to(surface.clone(), Kind::Domain2), Some(domains.into()));
     assert_eq!(to(surface.clone(), Kind::Plane), Some(Plane::XY.into()));

@@ -13,6 +13,15 @@ const TRIM_TAIL: usize = 16 + 48 + 16;
 /// The first of the four sides of a surface as a trim names them: W, S, E, N.
 const WEST: i32 = 3;
 
+/// What a brep of one untrimmed face consists of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BareSurface {
+    /// The surface, with the parameters that the face has.
+    pub surface: Surface,
+    /// Whether the face is turned over: its normal is opposite to the surface's.
+    pub is_reversed: bool,
+}
+
 impl RawObject {
     /// The surface that a kept brep consists of, when it has one face, not turned over, whose trims run
     /// along the four sides of the surface's domain; nothing for other breps and other classes.
@@ -20,6 +29,14 @@ impl RawObject {
     /// # Errors
     /// The bytes are broken, are of the layout that version 2 files have, or the kernel refuses the surface.
     pub fn untrimmed_surface(&self) -> Result<Option<Surface>> {
+        Ok(self.bare_surface()?.filter(|bare| !bare.is_reversed).map(|bare| bare.surface))
+    }
+
+    /// The same for a face that may be turned over.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn bare_surface(&self) -> Result<Option<BareSurface>> {
         if class_ids::canonical(self.class) != class_ids::BREP {
             return Ok(None);
         }
@@ -31,7 +48,7 @@ impl RawObject {
     }
 }
 
-fn read_body(body: &mut Reader<'_>) -> Result<Option<Surface>> {
+fn read_body(body: &mut Reader<'_>) -> Result<Option<BareSurface>> {
     let offset = body.offset();
     let (major, _) = body.packed_version(WHAT)?;
     if major != 3 {
@@ -55,10 +72,8 @@ fn read_body(body: &mut Reader<'_>) -> Result<Option<Surface>> {
     faces.ints(FACE)?;
     let surface = faces.i32(FACE)?;
     let is_reversed = faces.i32(FACE)? != 0;
-    match usize::try_from(surface) {
-        Ok(index) if !is_reversed => read_surface(surfaces, index),
-        _ => Ok(None),
-    }
+    let Ok(index) = usize::try_from(surface) else { return Ok(None) };
+    Ok(read_surface(surfaces, index)?.map(|surface| BareSurface { surface, is_reversed }))
 }
 
 /// Whether all trims run along sides of the surface, and no side is without one. A side may be cut into several.

@@ -13,6 +13,7 @@ mod raw;
 mod surface;
 mod user_data;
 
+pub use bare_brep::BareSurface;
 pub use brep::{BrepEdge, BrepSummary, Solidity};
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;

@@ -1,0 +1,130 @@
+//! `katydid view`.
+
+use std::path::Path;
+use std::time::Duration;
+
+use katydid_component::{Files, Limits};
+use katydid_data::Colour;
+use katydid_data::cast::{Rules, parse_colour};
+use katydid_geometry::Units;
+use katydid_picture::{Drawing, View, canvas, result};
+use katydid_session::Session;
+use katydid_solver::Options;
+
+use crate::args::{ViewArgs, ViewName};
+use crate::output::{YELLOW, extension, note, write_file};
+use crate::{progress, run, source};
+
+pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
+    for path in &args.output {
+        if !["svg", "png"].contains(&extension(path).as_str()) {
+            return Err(format!("{}: a picture can be saved as .svg or .png", path.display()));
+        }
+    }
+    let background = background(&args.background)?;
+    let source = source::definition(&args.file)?;
+    let units = args.units.map(Units::from).or(source.units).unwrap_or_default();
+    let mut session = Session::new(source.document, options(args, units)?);
+    for (name, value) in &args.set {
+        session.set(name, value).map_err(|error| error.to_string())?;
+    }
+    session.solve();
+    progress::clear();
+    let failed = run::complain(&session);
+
+    let size = args.size.unwrap_or([1200, 800]);
+    let title = if session.document().header.name.is_empty() {
+        args.file.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+    } else {
+        String::new()
+    };
+    let look = katydid_picture::Options {
+        size,
+        view: args.view.map(View::from),
+        axes: args.axes,
+        grid: args.grid,
+        legend: args.legend,
+        background,
+        title,
+    };
+    if args.canvas {
+        let size = args.size.map(|size| size.map(f64::from));
+        let drawing = canvas(session.engine(), &look);
+        let drawing = match size {
+            Some(size) => drawing.fitted(size),
+            None => drawing,
+        };
+        save(&drawing, args)?;
+    } else {
+        let picture = result(session.engine(), &look);
+        if picture.is_empty {
+            let why = "no object with its preview on gives geometry: --canvas draws the definition itself";
+            note(&format!("{YELLOW}nothing to show{YELLOW:#}: {why}"));
+        }
+        for reason in &picture.left_out {
+            note(&format!("{YELLOW}left out{YELLOW:#}: {reason}"));
+        }
+        save(&picture.drawing, args)?;
+    }
+    Ok(u8::from(failed))
+}
+
+fn save(drawing: &Drawing, args: &ViewArgs) -> Result<(), String> {
+    for path in &args.output {
+        let bytes = if extension(path) == "png" {
+            drawing.to_png().map_err(|error| format!("{}: {error}", path.display()))?
+        } else {
+            drawing.to_svg().into_bytes()
+        };
+        write_file(path, &bytes)?;
+    }
+    Ok(())
+}
+
+fn options(args: &ViewArgs, units: Units) -> Result<Options, String> {
+    let time = args.limit_seconds.map(Duration::try_from_secs_f64).transpose();
+    Ok(Options {
+        rules: Rules { units, ..Rules::default() },
+        limits: Limits {
+            time: time.map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
+            ..Limits::default()
+        },
+        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
+        // Whatever has its preview on is seen, read by others or not.
+        skip_unread: false,
+        progress: progress::listener(),
+        ..Options::default()
+    })
+}
+
+/// A colour by one of a few names, as hexadecimal digits, or as Grasshopper writes it; none for a clear ground.
+fn background(text: &str) -> Result<Option<Colour>, String> {
+    let hexadecimal = |text: &str| {
+        let digits = text.strip_prefix('#')?;
+        let pair = |k: usize| u8::from_str_radix(digits.get(2 * k..2 * k + 2)?, 16).ok();
+        if digits.len() == 6 { Some(Colour::rgb(pair(0)?, pair(1)?, pair(2)?)) } else { None }
+    };
+    match text.trim().to_lowercase().as_str() {
+        "none" | "transparent" => Ok(None),
+        "white" => Ok(Some(Colour::rgb(255, 255, 255))),
+        "black" => Ok(Some(Colour::rgb(0, 0, 0))),
+        other => match hexadecimal(other).or_else(|| parse_colour(other)) {
+            Some(colour) => Ok(Some(colour)),
+            None => Err(format!(
+                "--background {text}: expected white, black, none, #rrggbb, or three numbers to 255"
+            )),
+        },
+    }
+}
+
+impl From<ViewName> for View {
+    fn from(name: ViewName) -> Self {
+        match name {
+            ViewName::Perspective => Self::Perspective,
+            ViewName::Top => Self::Top,
+            ViewName::Front => Self::Front,
+            ViewName::Right => Self::Right,
+            ViewName::Iso => Self::Isometric,
+        }
+    }
+}

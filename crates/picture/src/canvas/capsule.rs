@@ -1,0 +1,174 @@
+//! Components and floating parameters.
+
+use katydid_data::Colour;
+use katydid_definition::document::{Mapping, Object, Port, ids};
+use katydid_solver::Status;
+
+use super::{Placed, theme, type_name};
+use crate::drawing::{Anchor, Item, Label, Path, Shape, Stroke, blend};
+use crate::font;
+
+/// The name is set upright when there is less room for it than this.
+const NARROW: f64 = 30.0;
+
+pub(super) fn draw(one: &Placed<'_>) -> Vec<Item> {
+    let object = one.object;
+    let (fill, ink) = theme::capsule(one);
+    let mut items = body(one, fill);
+    let [x, y, w, h] = one.frame.rect;
+    if object.is_floating() {
+        let name = font::fitted(object.title(), theme::NAME, w - 10.0);
+        items.push(middle([x + 0.5 * w, y + 0.5 * h], name, theme::NAME, ink));
+        let marks = object.inputs.first().map(marks).unwrap_or_default();
+        if !marks.is_empty() {
+            let at = [x + 5.0, y + 0.5 * h + 3.0];
+            items.push(Label::new(at, marks, theme::TYPE, ink).into());
+        }
+    } else {
+        let left = column(&object.inputs);
+        let right = column(&object.outputs);
+        // Long names give way to the band in the middle.
+        let room = w - 20.0;
+        let share = if left + right > room { room / (left + right) } else { 1.0 };
+        let (left, right) = (left * share, right * share);
+        for (port, at) in object.inputs.iter().zip(&one.frame.inputs) {
+            let text = font::fitted(&named(port), theme::PORT, left);
+            items.push(Label::new([x + 6.0, at[1] + 3.2], text, theme::PORT, ink).into());
+        }
+        for (port, at) in object.outputs.iter().zip(&one.frame.outputs) {
+            let text = font::fitted(&named(port), theme::PORT, right);
+            let label = Label::new([x + w - 6.0, at[1] + 3.2], text, theme::PORT, ink);
+            items.push(label.anchored(Anchor::End).into());
+        }
+        let from = x + if left > 0.0 { left + 9.0 } else { 4.0 };
+        let to = x + w - if right > 0.0 { right + 9.0 } else { 4.0 };
+        items.extend(band([from, y + 3.0, (to - from).max(10.0), h - 6.0], object.title()));
+    }
+    items.extend(grips(one));
+    items
+}
+
+/// The capsule without anything on it; and above it the name of its type where the nickname hides that.
+pub(super) fn body(one: &Placed<'_>, fill: Colour) -> Vec<Item> {
+    let rect = one.frame.rect;
+    let [x, y, w, h] = rect;
+    let mut items = Vec::new();
+    if let Some(name) = type_name(one.object) {
+        let label = Label::new(
+            [x + 2.0, y - 3.5],
+            font::fitted(name, theme::TYPE, w + 14.0),
+            theme::TYPE,
+            theme::FAINT,
+        );
+        items.push(label.into());
+    }
+    if one.object.component == ids::CLUSTER {
+        let behind = Path::rounded([x + 3.0, y + 3.0, w, h], theme::CORNER);
+        items.push(Shape::filled(behind, fill).outlined(theme::EDGE, 1.0).into());
+    }
+    let mut shape = Shape::filled(Path::rounded(rect, theme::CORNER), fill).outlined(theme::EDGE, 1.0);
+    // What does not run has a broken outline.
+    if matches!(one.status(), Status::Disabled | Status::Unsupported) {
+        shape.stroke = Some(Stroke { colour: theme::EDGE, width: 1.2, dashes: vec![4.0, 3.0] });
+    }
+    items.push(shape.into());
+    items
+}
+
+/// The dark band with the name.
+fn band(rect: [f64; 4], name: &str) -> Vec<Item> {
+    let [x, y, w, h] = rect;
+    let mut items = vec![Shape::filled(Path::rounded(rect, 3.0), theme::BAND).into()];
+    let centre = [x + 0.5 * w, y + 0.5 * h];
+    if w < NARROW && h > w {
+        let text = font::fitted(name, theme::NAME, h - 6.0);
+        let mut label = Label::new([centre[0] + 3.5, centre[1]], text, theme::NAME, theme::WHITE)
+            .anchored(Anchor::Middle);
+        label.turn = [0.0, -1.0, 1.0, 0.0];
+        items.push(label.into());
+        return items;
+    }
+    let step = theme::NAME + 1.0;
+    let most = ((h / step).floor() as usize).max(1);
+    let lines = wrapped(name, theme::NAME, w - 6.0, most);
+    let top = centre[1] - 0.5 * step * (lines.len() as f64 - 1.0);
+    for (k, line) in lines.into_iter().enumerate() {
+        items.push(middle([centre[0], top + step * k as f64], line, theme::NAME, theme::WHITE));
+    }
+    items
+}
+
+/// A text in lines of a width; the last of them is cut where there are more.
+pub(super) fn wrapped(text: &str, size: f64, room: f64, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let joined = lines.last().map(|line| format!("{line} {word}"));
+        match joined {
+            Some(joined) if font::width(&joined, size) <= room || lines.len() == most => {
+                lines.pop();
+                lines.push(joined);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| font::fitted(line, size, room)).collect()
+}
+
+/// A text with its middle at a point.
+pub(super) fn middle(at: [f64; 2], text: String, size: f64, colour: Colour) -> Item {
+    Label::new([at[0], at[1] + 0.35 * size], text, size, colour).anchored(Anchor::Middle).into()
+}
+
+/// The width that the names of ports need.
+fn column(ports: &[Port]) -> f64 {
+    ports.iter().map(|port| font::width(&named(port), theme::PORT)).fold(0.0, f64::max)
+}
+
+/// A port's short name with marks for what it does to its data.
+fn named(port: &Port) -> String {
+    let name = if port.nickname.is_empty() { &port.name } else { &port.nickname };
+    let marks = marks(port);
+    if marks.is_empty() { name.clone() } else { format!("{name} {marks}") }
+}
+
+fn marks(port: &Port) -> String {
+    let m = &port.modifiers;
+    let mapping = match m.mapping {
+        Mapping::None => "",
+        Mapping::Flatten => "↓",
+        Mapping::Graft => "↑",
+    };
+    [
+        (true, mapping),
+        (m.simplify, "∼"),
+        (m.reverse, "←"),
+        (m.reparameterize, "↦"),
+        (m.unitize, "û"),
+        (m.invert, "¬"),
+        (m.degrees, "°"),
+        (m.expression.is_some(), "ƒ"),
+    ]
+    .into_iter()
+    .filter(|(on, _)| *on)
+    .map(|(_, mark)| mark)
+    .collect()
+}
+
+/// The round places where wires end.
+pub(super) fn grips(one: &Placed<'_>) -> Vec<Item> {
+    let fill = blend(theme::PAPER, theme::EDGE, 0.05);
+    let grip = |at: &[f64; 2]| Shape::filled(Path::circle(*at, 2.8), fill).outlined(theme::EDGE, 1.0).into();
+    one.frame.inputs.iter().chain(&one.frame.outputs).map(grip).collect()
+}
+
+/// The part of a rectangle left of a name, and the rest; the name is drawn on it.
+pub(super) fn titled(one: &Placed<'_>) -> (Vec<Item>, [f64; 4]) {
+    let (fill, ink) = theme::capsule(one);
+    let [x, y, w, h] = one.frame.rect;
+    let object: &Object = one.object;
+    let wide = (font::width(object.title(), theme::NAME) + 12.0).min(0.5 * w);
+    let mut items = body(one, fill);
+    let name = font::fitted(object.title(), theme::NAME, wide - 10.0);
+    items.push(Label::new([x + 6.0, y + h.min(20.0) * 0.5 + 3.5], name, theme::NAME, ink).into());
+    (items, [x + wide, y, w - wide, h])
+}

@@ -1,0 +1,158 @@
+//! Signs of one size on the picture: crosses, dots, symbols, heads of arrows. They have the depth of their place.
+
+use katydid_data::{Colour, Symbol};
+use katydid_geometry::{Point3, Vector3};
+
+use super::{BEFORE, Canvas};
+use crate::drawing::{Corner, Face, SpaceLine};
+
+/// The arms of a cross, in pixels.
+const ARM: f64 = 4.0;
+/// The length and half the width of an arrow's head, in pixels, for a line of width 1.5.
+const HEAD: [f64; 2] = [11.0, 4.0];
+/// No dot is smaller or larger on the picture than this, in pixels.
+const DOT: [f64; 2] = [1.5, 400.0];
+
+impl Canvas {
+    pub(super) fn cross(&mut self, p: Point3, colour: Colour, width: f64) {
+        let Some([x, y, z]) = self.camera.project(p) else { return };
+        for (dx, dy) in [(ARM, ARM), (ARM, -ARM)] {
+            let at = |s: f64| [x + s * dx, y + s * dy, z + 2.0 * BEFORE];
+            self.stroke(vec![at(-1.0), at(1.0)], colour, width);
+        }
+    }
+
+    /// A line in the space of the picture.
+    fn stroke(&mut self, points: Vec<[f64; 3]>, colour: Colour, width: f64) {
+        let colour = self.solid(colour);
+        self.solids.lines.push(SpaceLine { points, colour, width });
+    }
+
+    /// A flat outline that faces the viewer.
+    fn sign(&mut self, corners: impl IntoIterator<Item = [f64; 3]>, colour: Colour) {
+        let corners = corners.into_iter().map(|at| Corner { at, colour }).collect();
+        self.solids.faces.push(Face { corners, sign: true });
+    }
+
+    fn disc(&mut self, [x, y, z]: [f64; 3], radius: f64, colour: Colour) {
+        self.sign(ring(20).map(|[c, s]| [x + radius * c, y + radius * s, z]), colour);
+    }
+
+    pub(super) fn dot(&mut self, p: Point3, size: f64, colour: Colour) {
+        let Some([x, y, z]) = self.camera.project(p) else { return };
+        let pixels = (size / self.camera.unit(p)).clamp(DOT[0], DOT[1]);
+        if pixels.is_finite() {
+            self.disc([x, y, z + 2.0 * BEFORE], 0.5 * pixels, colour);
+        }
+    }
+
+    pub(super) fn arrow(&mut self, from: Point3, along: Vector3, colour: Colour, width: f64) {
+        let tip = from + along;
+        let parts = self.camera.polyline(&[from, tip]);
+        let (Some([a, b]), Some(end)) =
+            (parts.first().and_then(|p| p.first_chunk::<2>()), self.camera.project(tip))
+        else {
+            return;
+        };
+        let [a, b] = [*a, *b].map(|p| [p[0], p[1], p[2] + BEFORE]);
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy);
+        if length < 1.0 {
+            // Seen along its direction: a dot in a ring comes to the viewer, a ring with a cross goes away.
+            let z = end[2] + 2.0 * BEFORE;
+            let mut ring: Vec<[f64; 3]> =
+                ring(24).map(|[c, s]| [b[0] + 5.0 * c, b[1] + 5.0 * s, z]).collect();
+            ring.extend(ring.first().copied());
+            self.stroke(ring, colour, width);
+            if self.camera.direction(along)[2] > 0.0 {
+                self.disc([b[0], b[1], z], 1.8, colour);
+            } else {
+                for s in [1.0, -1.0] {
+                    self.stroke(
+                        vec![[b[0] - 3.0, b[1] - 3.0 * s, z], [b[0] + 3.0, b[1] + 3.0 * s, z]],
+                        colour,
+                        width,
+                    );
+                }
+            }
+            return;
+        }
+        let scale = (width / 1.5).clamp(0.6, 4.0).min(0.6 * length / HEAD[0]);
+        let (ux, uy) = (dx / length, dy / length);
+        let back = (HEAD[0] * scale / length).min(1.0);
+        let base = [0, 1, 2].map(|k| b[k] - (b[k] - a[k]) * back);
+        let side =
+            |s: f64| [base[0] - s * uy * HEAD[1] * scale, base[1] + s * ux * HEAD[1] * scale, base[2] + 0.5];
+        let shaft = [0, 1, 2].map(|k| b[k] - (b[k] - a[k]) * back * 0.8);
+        self.stroke(vec![a, shaft], colour, width);
+        let colour = self.solid(colour);
+        self.sign([[b[0], b[1], b[2] + 0.5], side(1.0), side(-1.0)], colour);
+    }
+
+    pub(super) fn symbol(&mut self, p: Point3, symbol: &Symbol) {
+        let Some([x, y, z]) = self.camera.project(p) else { return };
+        let z = z + 2.0 * BEFORE;
+        let r = 0.5 * symbol.size[0];
+        if !(r.is_finite() && r > 0.0) {
+            return;
+        }
+        let r = r.min(500.0);
+        let turned = |u: f64, v: f64| {
+            let (sin, cos) = symbol.rotation.sin_cos();
+            [x + r * (u * cos - v * sin), y + r * (u * sin + v * cos), z]
+        };
+        let outline: Vec<[f64; 3]> = match symbol.style {
+            // Crosses of two kinds have no inside.
+            3 | 6 => {
+                let arms =
+                    if symbol.style == 3 { [[1.0, 1.0], [1.0, -1.0]] } else { [[1.0, 0.0], [0.0, 1.0]] };
+                for [u, v] in arms {
+                    let points = vec![turned(-u, -v), turned(u, v)];
+                    self.stroke(points, symbol.edge, symbol.width.clamp(1.0, 50.0));
+                }
+                return;
+            }
+            4 | 5 | 9 | 10 => ring(24).map(|[c, s]| turned(c, s)).collect(),
+            7 => [[0.0, -1.0], [0.87, 0.5], [-0.87, 0.5]].map(|[u, v]| turned(u, v)).to_vec(),
+            8 => heart().into_iter().map(|[u, v]| turned(u, v)).collect(),
+            _ => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[u, v]| turned(u, v)).to_vec(),
+        };
+        // A heart is not convex: its middle and each side are faces of their own.
+        let middle = turned(0.0, 0.0);
+        if symbol.style == 8 {
+            for w in outline.windows(2) {
+                self.sign([middle, w[0], w[1]], symbol.fill);
+            }
+            self.sign(
+                [middle].into_iter().chain(outline.last().copied()).chain(outline.first().copied()),
+                symbol.fill,
+            );
+        } else {
+            self.sign(outline.iter().copied(), symbol.fill);
+        }
+        if symbol.width > 0.0 {
+            let closed = outline.iter().chain(outline.first()).map(|p| [p[0], p[1], p[2] + 0.5]).collect();
+            self.stroke(closed, symbol.edge, symbol.width.clamp(0.3, 50.0));
+        }
+    }
+}
+
+/// Cosine and sine around a circle.
+fn ring(n: u32) -> impl Iterator<Item = [f64; 2]> {
+    (0..n).map(move |k| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(n)).sin_cos();
+        [cos, sin]
+    })
+}
+
+/// A heart of about size 1 around the middle, star-shaped from there, y down.
+fn heart() -> Vec<[f64; 2]> {
+    (0..24)
+        .map(|k| {
+            let t = std::f64::consts::TAU * f64::from(k) / 24.0;
+            let x = t.sin().powi(3);
+            let y = 13.0 * t.cos() - 5.0 * (2.0 * t).cos() - 2.0 * (3.0 * t).cos() - (4.0 * t).cos();
+            [x, -y / 16.0]
+        })
+        .collect()
+}

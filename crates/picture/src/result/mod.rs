@@ -1,0 +1,165 @@
+//! What a solved definition shows: the geometry of every object whose preview is on, and what display components draw.
+
+mod display;
+mod gradients;
+mod rows;
+mod values;
+
+use katydid_component::registry;
+use katydid_data::cast::Rules;
+use katydid_data::{Colour, Kind};
+use katydid_definition::archive;
+use katydid_definition::document::{Document, Object};
+use katydid_geometry::BoundingBox;
+use katydid_solver::{Engine, Inputs};
+
+use crate::camera::View;
+use crate::drawing::{Anchor, Drawing, Label, opaque};
+use crate::scene::{Form, Look, Scene};
+use crate::{Options, project};
+use values::Values;
+
+/// A picture of a result.
+#[derive(Debug, Clone)]
+pub struct Picture {
+    /// The picture.
+    pub drawing: Drawing,
+    /// What could not be drawn, in words.
+    pub left_out: Vec<String>,
+    /// Whether there was nothing to be shown: the picture says so.
+    pub is_empty: bool,
+}
+
+/// What Grasshopper gives previews in a new document: a clear dark red.
+const PREVIEW: Colour = Colour::argb(100, 150, 0, 0);
+/// The width of curves and arrows, in pixels.
+const WIDTH: f64 = 1.6;
+
+/// Collects what objects show.
+pub(crate) struct Painter<'a> {
+    pub(crate) scene: Scene,
+    pub(crate) values: Values,
+    pub(crate) rules: &'a Rules,
+    /// The document's preview colours.
+    pub(crate) look: Look,
+}
+
+/// The picture of what a solved definition makes: the geometry of all objects with their preview on, in the document's
+/// preview colour or the material of a Custom Preview, and what display components draw.
+pub fn result(engine: &Engine, options: &Options) -> Picture {
+    let document = engine.document();
+    let mut painter = Painter::new(engine, options);
+    let inputs = Inputs::new(engine);
+    for (index, object) in document.objects.iter().enumerate() {
+        if object.hidden || object.locked || object.is_annotation() {
+            continue;
+        }
+        painter.outputs(engine, index, object);
+        if let Some(draw) = display::of(object) {
+            let trees = inputs.of(index);
+            let access = registry::by_guid(object.component).map_or(&[][..], |component| component.inputs);
+            let access: Vec<_> = access.iter().map(|port| port.access).collect();
+            rows::for_each(&trees, &access, |row| draw(&mut painter, object, row));
+        }
+    }
+    if options.legend {
+        painter.scene.legends.extend(gradients::legends(document, &inputs));
+    }
+    let is_empty = painter.scene.things.is_empty();
+    let view = options.view.unwrap_or_else(|| own_view(&painter.scene));
+    let mut drawing = project::draw(&painter.scene, view, options);
+    if is_empty {
+        say_nothing(&mut drawing);
+    }
+    drawing.title = title(document, options);
+    drawing.description = description(&painter.scene, view);
+    Picture { drawing, left_out: painter.values.left_out, is_empty }
+}
+
+impl<'a> Painter<'a> {
+    fn new(engine: &'a Engine, options: &Options) -> Self {
+        let fill = engine.document().header.preview_normal.map_or(PREVIEW, colour);
+        let fineness = (options.size.iter().copied().max().unwrap_or(0) / 20).clamp(24, 64) as usize;
+        Self {
+            scene: Scene::default(),
+            values: Values::new(fineness),
+            rules: &engine.options().rules,
+            look: Look { line: opaque(fill), fill, width: WIDTH },
+        }
+    }
+
+    fn outputs(&mut self, engine: &Engine, index: usize, object: &Object) {
+        let Some(report) = engine.report(index) else { return };
+        for (tree, port) in report.outputs.iter().zip(&object.outputs) {
+            let kind = tree.column().kind();
+            if port.hidden || !(kind.is_geometry() || kind == Kind::Generic) {
+                continue;
+            }
+            for value in tree.column().iter().flatten() {
+                self.values.add(&mut self.scene, &value, self.look, self.rules, object.title());
+            }
+        }
+    }
+}
+
+/// A colour of the archive as one of data.
+pub(crate) fn colour(c: archive::Colour) -> Colour {
+    Colour::argb(c.a, c.r, c.g, c.b)
+}
+
+/// From above where everything is on one height, else in perspective.
+fn own_view(scene: &Scene) -> View {
+    let Some(bounds) = BoundingBox::from_points(scene.extents()) else { return View::Perspective };
+    let size = bounds.diagonal();
+    let flat = size.z <= 1e-6 * size.length();
+    // Planes and solids stand up even where their middles do not.
+    let stands = scene.things.iter().any(|thing| match &thing.form {
+        Form::Plane(plane) => plane.z_axis.z.abs() < 1.0 - 1e-9,
+        _ => false,
+    });
+    if flat && !stands { View::Top } else { View::Perspective }
+}
+
+pub(crate) fn title(document: &Document, options: &Options) -> String {
+    let name = if options.title.is_empty() { &document.header.name } else { &options.title };
+    if name.is_empty() { "A Grasshopper definition".to_owned() } else { name.clone() }
+}
+
+/// What is to be seen, counted.
+fn description(scene: &Scene, view: View) -> String {
+    let words = ["point", "curve", "mesh", "surface", "plane", "arrow", "text"];
+    let mut counts = [0_usize; 7];
+    for thing in &scene.things {
+        let place = match thing.form {
+            Form::Point(_) | Form::Symbol(..) | Form::Dot(..) => 0,
+            Form::Lines(_) | Form::Curve(_) => 1,
+            Form::Mesh(_) => 2,
+            Form::Surface(_) => 3,
+            Form::Plane(_) => 4,
+            Form::Arrow(..) => 5,
+            Form::Tag { .. } | Form::Writing { .. } => 6,
+            Form::Tile(..) => continue,
+        };
+        counts[place] += 1;
+    }
+    let of = |(count, word): (usize, &str)| match (count, word) {
+        (1, word) => format!("1 {word}"),
+        (n, "mesh") => format!("{n} meshes"),
+        (n, word) => format!("{n} {word}s"),
+    };
+    let list: Vec<String> = counts.into_iter().zip(words).filter(|(n, _)| *n > 0).map(of).collect();
+    if list.is_empty() {
+        return "The definition shows no geometry.".to_owned();
+    }
+    format!("The result seen in {} view: {}.", view.word(), list.join(", "))
+}
+
+fn say_nothing(drawing: &mut Drawing) {
+    let [w, h] = drawing.size;
+    let size = (0.04 * w).clamp(9.0, 22.0);
+    let grey = Colour::rgb(128, 128, 132);
+    let middle =
+        |y: f64, text: &str, size: f64| Label::new([0.5 * w, y], text, size, grey).anchored(Anchor::Middle);
+    drawing.push(middle(0.5 * h - 0.2 * size, "Nothing to show", size));
+    drawing.push(middle(0.5 * h + size, "no object with its preview on gives geometry", 0.6 * size));
+}

@@ -1,0 +1,137 @@
+//! What a definition shows, in the model's own space.
+
+mod surface;
+
+use std::sync::Arc as Shared;
+
+use katydid_data::{Colour, Symbol};
+use katydid_geometry::{Curve, Mesh, Plane, Point3, PolylineLimits, Vector3};
+
+pub(crate) use surface::Facets;
+
+/// Everything that is to be seen.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scene {
+    pub(crate) things: Vec<Thing>,
+    pub(crate) legends: Vec<Legend>,
+}
+
+/// One thing, and how it is painted.
+#[derive(Debug, Clone)]
+pub(crate) struct Thing {
+    pub(crate) form: Form,
+    pub(crate) look: Look,
+}
+
+/// The colours of a thing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    /// Of lines, points and texts.
+    pub(crate) line: Colour,
+    /// Of faces; its alpha lets shine through what is behind.
+    pub(crate) fill: Colour,
+    /// The width of lines in pixels.
+    pub(crate) width: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) enum Form {
+    /// A cross.
+    Point(Point3),
+    /// A sign of the given kind.
+    Symbol(Point3, Shared<Symbol>),
+    /// A dot: its diameter in units of the model.
+    Dot(Point3, f64),
+    /// A straight line or several in a row.
+    Lines(Vec<Point3>),
+    /// A curve, drawn as smooth as the picture shows.
+    Curve(Shared<Curve>),
+    /// A mesh with its edges.
+    Mesh(Shared<Mesh>),
+    /// A surface with its borders and isocurves.
+    Surface(Shared<Facets>),
+    /// A plane: a square with its axes, of one size on the picture.
+    Plane(Plane),
+    /// An arrow from a point.
+    Arrow(Point3, Vector3),
+    /// A text that faces the viewer, of this height in pixels.
+    Tag { at: Point3, text: String, size: f64, place: Place },
+    /// A text on a plane, of this height in units of the model; 1 to 9: which part of it is at the origin.
+    Writing { plane: Plane, text: String, size: f64, justification: i32 },
+    /// A flat quad with a colour at each corner, and no light.
+    Tile([Point3; 4], [Colour; 4]),
+}
+
+/// Where a tag stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Beside its point, where there is room.
+    Beside,
+    /// With its middle on the point.
+    On,
+}
+
+/// Colours and what they mean.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Legend {
+    /// Colours with a text each.
+    List(Vec<(Colour, String)>),
+    /// Colours that run into one another: the place from 0 to 1 with the colour before and behind, and the texts of
+    /// both ends.
+    Scale { name: String, grips: Vec<(f64, Colour, Colour)>, low: String, high: String },
+}
+
+impl Scene {
+    pub(crate) fn add(&mut self, form: Form, look: Look) {
+        self.things.push(Thing { form, look });
+    }
+
+    /// Points that a camera must see so that everything is seen.
+    pub(crate) fn extents(&self) -> Vec<Point3> {
+        let mut points = Vec::new();
+        for thing in &self.things {
+            extents(&thing.form, &mut points);
+        }
+        points.retain(|p| p.is_finite());
+        points
+    }
+}
+
+fn extents(form: &Form, out: &mut Vec<Point3>) {
+    match form {
+        Form::Point(p) | Form::Symbol(p, _) | Form::Tag { at: p, .. } => out.push(*p),
+        Form::Dot(p, size) => {
+            let r = 0.5 * size;
+            for v in [Vector3::X, Vector3::Y, Vector3::Z] {
+                out.extend([*p + v * r, *p - v * r]);
+            }
+        }
+        Form::Lines(points) => out.extend(points),
+        Form::Curve(curve) => {
+            let size = curve.bounding_box().diagonal().length();
+            out.extend(tessellated(curve, 5e-3 * size));
+        }
+        Form::Mesh(mesh) => out.extend(mesh.vertices()),
+        Form::Surface(facets) => out.extend(facets.mesh.vertices()),
+        Form::Plane(plane) => out.push(plane.origin),
+        Form::Arrow(p, v) => out.extend([*p, *p + *v]),
+        Form::Writing { plane, text, size, .. } => {
+            let wide = crate::font::width(text, *size);
+            let corner = |u: f64, v: f64| plane.at(u * wide, v * size, 0.0);
+            out.extend([corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)]);
+        }
+        Form::Tile(corners, _) => out.extend(corners),
+    }
+}
+
+/// The curve as a line through points, at most so far from it; coarser when that would take too many.
+pub(crate) fn tessellated(curve: &Curve, distance: f64) -> Vec<Point3> {
+    if distance > 0.0
+        && let Ok(polyline) = curve.to_polyline(&PolylineLimits::within(distance))
+        && polyline.points().len() < 100_000
+    {
+        return polyline.points().to_vec();
+    }
+    let domain = curve.domain();
+    (0..=1000).map(|k| curve.point_at(domain.at(f64::from(k) / 1000.0))).collect()
+}
