@@ -73,8 +73,8 @@ fn components_are_what_files_say() {
 
 /// How many facts differ on purpose: the cells of Square and Rectangular grids are a branch a column, as pictures show,
 /// an old Null Check takes and gives whole trees, and an old Duplicate, Split and Graft Tree give lists and
-/// trees, which the catalogue does not tell for outputs of their age.
-const MOST: usize = 7;
+/// trees, and an old Curve | Line two lists, which the catalogue does not tell for outputs of their age.
+const MOST: usize = 9;
 
 /// The panels that are in whole: each row of the catalogue is a component or has its reason for being none.
 const WHOLE: [(&str, &[&str]); 7] = [

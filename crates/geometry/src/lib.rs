@@ -45,11 +45,13 @@ mod error;
 pub mod field;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;
+mod hanging_chain;
 pub mod intersect;
 mod interval;
 pub mod isoline;
 mod line;
 mod linear;
+mod longest_rectangle;
 mod matrix;
 mod mesh;
 mod nurbs;
@@ -65,7 +67,9 @@ pub mod region;
 mod serde_forms;
 pub mod substrate;
 mod surface;
+mod swing;
 mod tangent;
+mod tangent_arc;
 mod tangent_circle;
 mod tolerance;
 mod units;
@@ -80,18 +84,21 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
-    PolylineCurve, PolylineLimits, TweenMatch, join_curves,
+    PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
 pub use field::Field;
+pub use hanging_chain::hanging_chain;
 pub use interval::Interval;
 pub use line::Line;
+pub use longest_rectangle::longest_rectangle;
 pub use matrix::{Matrix, RowReduction};
 pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint, RemeshOptions, Remeshed};
 #[cfg(feature = "mesh-booleans")]
 pub use mesh::Solid;
 pub use mesh::{Decimation, Mesh, MeshEdge, MeshFace, MeshPoint, MeshTree, Smoothing, SurfaceMeshing};
+pub use mesh::{Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
@@ -106,7 +113,10 @@ pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
     ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
     Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
+    ClosestOnSurface, Cone, Cylinder, Geodesic, NormalSection, PlaneSurface, RevolutionSurface, Sphere,
+    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
 };
+pub use swing::{SwingArcs, swing_arcs};
 pub use tangent_circle::touching_circle;
 pub use tolerance::Tolerance;
 pub use units::Units;

@@ -8,7 +8,7 @@ use katydid_geometry::{
     Arc, Circle, Curve, Interval, NurbsCurve, Plane, Point3, PolyCurve, Vector3, catenary, touching_circle,
 };
 
-use super::{measured, shared, warning};
+use super::{measured, primitive, shared, warning};
 
 fn points(list: &List<'_, Point3>) -> Vec<Point3> {
     list.present().collect()
@@ -247,8 +247,7 @@ fn early_arc(
     #[port("Angle", "A", default = Interval::new(0.0, std::f64::consts::PI))]
     angle: Interval,
 ) -> Result<(Arc, f64), Message> {
-    let arc = Arc::new(Circle::new(plane, radius)?, angle)?;
-    Ok((arc, arc.length()))
+    primitive::arc::measured(plane, radius, angle)
 }
 
 fn parts(arc: Arc) -> (Arc, Plane, f64) {

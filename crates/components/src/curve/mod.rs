@@ -2,17 +2,22 @@
 
 mod analysis;
 mod arcs;
+mod connect;
 mod division;
 mod evaluate;
 mod fillet;
 mod offset;
 mod on_surface;
+mod onto;
 mod places;
 mod polyline;
 mod primitive;
+mod proximity;
+mod rebuild;
 mod region;
 mod spline;
 mod tangent;
+mod touching;
 mod util;
 
 use std::sync::Arc as Shared;

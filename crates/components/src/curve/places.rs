@@ -7,6 +7,7 @@ use katydid_data::{Gather, Item, Path, Tree, TreeBuilder};
 use katydid_geometry::{Curve, Interval, KnotSpacing, NurbsCurve, Plane, Point3, Vector3};
 
 use super::{measured, warning};
+use crate::intersect::planes;
 
 /// A point on a curve that slides along it by hand, stored as a part of the curve's length.
 #[component(
@@ -243,20 +244,16 @@ fn earliest_interpolate_t(
 }
 
 /// The places where a curve meets planes: a branch of points and one of parameters for each plane.
-fn cuts(
-    context: &Context<'_>,
-    curve: &Curve,
-    planes: impl Iterator<Item = Result<Plane, Message>>,
-) -> Result<(Tree, Tree), Message> {
+fn cuts(context: &Context<'_>, curve: &Curve, planes: &[Plane]) -> Result<(Tree, Tree), Message> {
     let start: Path = context.path().child(context.iteration());
     let (mut points, mut parameters) = (TreeBuilder::<Point3>::new(), TreeBuilder::<f64>::new());
-    for (k, plane) in planes.enumerate() {
+    for (k, plane) in planes.iter().enumerate() {
         context.check()?;
         context.items(k)?;
         let path = start.child(k);
         points.branch(path.clone());
         parameters.branch(path);
-        for t in curve.intersect_plane(&plane?, context.tolerance().absolute)? {
+        for t in planes::places_in(context, curve, plane)? {
             points.push(Some(curve.point_at(t)));
             parameters.push(Some(t));
         }
@@ -289,22 +286,11 @@ fn contour(
     #[port("Distance", "D")]
     distance: f64,
 ) -> Result<(Tree, Tree), Message> {
-    if !(distance > 0.0 && distance.is_finite()) {
-        return Err(Message::error(format!("Distance is {distance}, which must be greater than 0")));
-    }
     let first = Plane::from_normal(point, direction)?;
     let extent = curve.extent_along(first.z_axis);
     let at = point.to_vector().dot(first.z_axis);
-    // A plane that only touches an end of the extent counts, rounding or not.
-    let slack = context.tolerance().absolute.min(0.5 * distance) / distance;
-    let low = ((extent.start - at) / distance - slack).ceil();
-    let high = ((extent.end - at) / distance + slack).floor();
-    if !(low.is_finite() && high.is_finite()) || high - low > 1e9 {
-        return Err(Message::error("There are too many planes: the distance is too small for this curve"));
-    }
-    let count = (high - low).max(-1.0) as i64 + 1;
-    context.items(usize::try_from(count).unwrap_or(0))?;
-    cuts(context, curve, (0..count).map(|k| Ok(first.offset((low + k as f64) * distance))))
+    let heights = Interval::new(extent.start - at, extent.end - at);
+    cuts(context, curve, &planes::row(context, &first, heights, distance)?)
 }
 
 /// Cuts a curve with parallel planes: at offsets from a plane, or, without offsets, at distances from plane to plane.
@@ -331,21 +317,7 @@ fn contour_ex(
     #[port("Distances", "D", optional)]
     distances: List<f64>,
 ) -> Result<(Tree, Tree), Message> {
-    let places: Vec<f64> = if offsets.is_empty() {
-        distances
-            .present()
-            .scan(0.0, |sum, d| {
-                *sum += d;
-                Some(*sum)
-            })
-            .collect()
-    } else {
-        offsets.present().collect()
-    };
-    if places.is_empty() {
-        return Err(Message::error("Offsets or distances are needed"));
-    }
-    cuts(context, curve, places.into_iter().map(|place| Ok(plane.offset(place))))
+    cuts(context, curve, &planes::placed(&plane, &offsets, &distances)?)
 }
 
 #[cfg(test)]

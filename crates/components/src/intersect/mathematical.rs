@@ -3,12 +3,23 @@
 use katydid_component::{Context, Message, component};
 use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect};
 
+use super::planes;
 use crate::vector::hit;
 
 /// A place in a plane's coordinates.
 fn coordinates(plane: &Plane, p: Point3) -> Point3 {
     let [u, v, _] = plane.coordinates(p);
     Point3::new(u, v, 0.0)
+}
+
+/// The parameters at which a curve meets a line between its ends, in order. A stretch that they share counts with its two
+/// ends.
+fn on_line(context: &Context<'_>, curve: &Curve, line: Line) -> Result<Vec<f64>, Message> {
+    let found = intersect::curve_curve(curve, &Curve::from(line), context.tolerance().absolute)?;
+    let mut places: Vec<f64> = found.crossings.iter().map(|c| c.a).collect();
+    places.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
+    places.sort_by(f64::total_cmp);
+    Ok(places)
 }
 
 /// Where a curve meets a line between its ends, in the order of the curve.
@@ -33,12 +44,64 @@ fn curve_line(
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
-    let found = intersect::curve_curve(curve, &Curve::from(line), context.tolerance().absolute)?;
-    let mut places: Vec<f64> = found.crossings.iter().map(|c| c.a).collect();
-    places.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
-    places.sort_by(f64::total_cmp);
+    let places = on_line(context, curve, line)?;
     let n = i32::try_from(places.len()).unwrap_or(i32::MAX);
-    Ok((places.iter().map(|&t| curve.point_at(t)).collect(), places, n))
+    Ok((curve.points_at(&places), places, n))
+}
+
+/// Where a curve meets a line between its ends. Another form of the component of the same name.
+#[component(
+    "9396be03-8159-43bf-b3e7-2c86c8d04fc0",
+    name = "Curve | Line",
+    nick = "CLX",
+    at = "Intersect/Mathematical",
+    old
+)]
+#[output("Points", "P", "The points.")]
+#[output("Params", "t", "Their parameters on the curve.")]
+#[output("Count", "N", "How many there are.")]
+fn curve_line_first(
+    context: &Context<'_>,
+    /// The curve.
+    #[port("Curve", "C")]
+    curve: &Curve,
+    /// The line.
+    #[port("Line", "L")]
+    line: Line,
+    /// Whether only the first meeting along the line is wanted.
+    #[port("First", "F", default = false)]
+    first: bool,
+) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
+    let mut places = on_line(context, curve, line)?;
+    if first {
+        let along = |t: f64| line.closest_parameter(curve.point_at(t));
+        places = places.into_iter().min_by(|&a, &b| along(a).total_cmp(&along(b))).into_iter().collect();
+    }
+    let n = i32::try_from(places.len()).unwrap_or(i32::MAX);
+    Ok((curve.points_at(&places), places, n))
+}
+
+/// Where a curve meets a line between its ends. An early form of Curve | Line.
+#[component(
+    "ddaea1a9-d6bd-4a18-ac11-8a4993954a03",
+    name = "Curve | Line [OBSOLETE]",
+    nick = "CLX",
+    at = "Intersect/Mathematical",
+    old
+)]
+#[output("Points", "P", "The points.")]
+#[output("Params", "t", "Their parameters on the curve.")]
+fn early_curve_line(
+    context: &Context<'_>,
+    /// The curve.
+    #[port("Curve", "C")]
+    curve: &Curve,
+    /// The line.
+    #[port("Line", "L")]
+    line: Line,
+) -> Result<(Vec<Point3>, Vec<f64>), Message> {
+    let places = on_line(context, curve, line)?;
+    Ok((curve.points_at(&places), places))
 }
 
 /// Where a curve meets a plane, in the order of the curve.
@@ -62,7 +125,7 @@ fn curve_plane(
     #[port("Plane", "P")]
     plane: Plane,
 ) -> Result<(Vec<Point3>, Vec<f64>, Vec<Point3>), Message> {
-    let places = curve.intersect_plane(&plane, context.tolerance().absolute)?;
+    let places = planes::places_in(context, curve, &plane)?;
     let points: Vec<Point3> = places.iter().map(|&t| curve.point_at(t)).collect();
     let uv = points.iter().map(|&p| coordinates(&plane, p)).collect();
     Ok((points, places, uv))
@@ -222,6 +285,12 @@ mod tests {
             || Trial::of("Curve | Line").item(circle).item(line(p(-9.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
         assert_eq!(through().texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
         assert_eq!(through().texts(2), ["{0}: 2"]);
+        let old =
+            |guid: &str| Trial::of_guid(guid).item(circle).item(line(p(-9.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
+        let first = old("9396be03-8159-43bf-b3e7-2c86c8d04fc0").item(true);
+        assert_eq!(first.texts(0), ["{0;0}: {-4, 3, 0}"]);
+        let early = old("ddaea1a9-d6bd-4a18-ac11-8a4993954a03");
+        assert_eq!(early.texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
         // The line has ends.
         let short = Trial::of("Curve | Line").item(circle).item(line(p(0.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
         assert_eq!(short.texts(0), ["{0;0}: {4, 3, 0}"]);

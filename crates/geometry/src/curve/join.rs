@@ -55,10 +55,31 @@ impl Ends {
 pub fn join_curves(curves: &[Curve], tolerance: f64, preserve_direction: bool) -> Vec<Curve> {
     let tolerance = if tolerance.is_finite() { tolerance.max(0.0) } else { 0.0 };
     let ends: Vec<(Point3, Point3)> = curves.iter().map(|c| (c.start(), c.end())).collect();
+    let closed: Vec<bool> = curves.iter().map(Curve::is_closed).collect();
+    chains(&ends, &closed, tolerance, preserve_direction)
+        .into_iter()
+        .map(|chain| {
+            let parts: Vec<Curve> = chain
+                .iter()
+                .map(|&(i, backwards)| if backwards { curves[i].reversed() } else { curves[i].clone() })
+                .collect();
+            chained(parts, tolerance)
+        })
+        .collect()
+}
+
+/// Which of many things with two ends follow each other, and whether each is walked backwards: by the rules of
+/// [`join_curves`].
+pub(crate) fn chains(
+    ends: &[(Point3, Point3)],
+    closed: &[bool],
+    tolerance: f64,
+    preserve_direction: bool,
+) -> Vec<Vec<(usize, bool)>> {
     let size =
         ends.iter().fold(1.0_f64, |m, (a, b)| m.max(a.to_vector().length()).max(b.to_vector().length()));
     let mut grid = Ends { cell: (2.0 * tolerance).max(1e-9 * size), cells: HashMap::new() };
-    let mut used: Vec<bool> = curves.iter().map(Curve::is_closed).collect();
+    let mut used: Vec<bool> = closed.to_vec();
     for (i, &(a, b)) in ends.iter().enumerate() {
         if !used[i] {
             grid.add(a, i, false);
@@ -66,10 +87,10 @@ pub fn join_curves(curves: &[Curve], tolerance: f64, preserve_direction: bool) -
         }
     }
     let mut out = Vec::new();
-    for first in 0..curves.len() {
+    for first in 0..ends.len() {
         if used[first] {
-            if curves[first].is_closed() {
-                out.push(curves[first].clone());
+            if closed[first] {
+                out.push(vec![(first, false)]);
             }
             continue;
         }
@@ -95,11 +116,7 @@ pub fn join_curves(curves: &[Curve], tolerance: f64, preserve_direction: bool) -
                 }
             }
         }
-        let parts: Vec<Curve> = chain
-            .iter()
-            .map(|&(i, backwards)| if backwards { curves[i].reversed() } else { curves[i].clone() })
-            .collect();
-        out.push(chained(parts, tolerance));
+        out.push(chain.into());
     }
     out
 }

@@ -8,10 +8,12 @@ mod curve_surface;
 mod judge;
 mod lines;
 mod mesh_mesh;
+mod nearest;
 mod patch_tree;
 mod result;
 mod search;
 mod surface_kinds;
+mod surface_plane;
 mod tree;
 
 pub use analytic::{
@@ -24,5 +26,7 @@ pub use curve_plane::{PlaneIntersections, curve_plane};
 pub use curve_surface::{SurfaceCrossing, SurfaceIntersections, SurfaceOverlap, curve_surface};
 pub use lines::{line_line, line_plane, plane_plane, three_planes};
 pub use mesh_mesh::{mesh_mesh, mesh_mesh_segments};
+pub use nearest::{NearestPair, nearest_on_curves, nearest_to_shape};
 pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
 pub use surface_kinds::curve_with_surface;
+pub use surface_plane::{SurfaceSection, surface_plane};

@@ -22,6 +22,9 @@ mod smooth;
 mod split;
 mod topology;
 mod tree;
+mod pull;
+mod section;
+mod triangle_tree;
 
 pub(crate) use align::align_points;
 #[cfg(feature = "mesh-booleans")]
@@ -34,6 +37,7 @@ pub use of_surface::SurfaceMeshing;
 pub use smooth::Smoothing;
 pub use topology::MeshEdge;
 pub use tree::MeshTree;
+pub use triangle_tree::{MeshClash, MeshHit, MeshTree};
 
 use crate::{Error, Point3, Result, Vector3};
 
