@@ -15,6 +15,9 @@ use crate::args::{ViewArgs, ViewName};
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::{progress, run, source};
 
+/// The longer side of a canvas in pixels, when no size is asked for.
+const LONGEST: f64 = 8192.0;
+
 pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
     for path in &args.output {
         if !["svg", "png"].contains(&extension(path).as_str()) {
@@ -72,13 +75,20 @@ pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
 fn save(drawing: &Drawing, args: &ViewArgs) -> Result<(), String> {
     for path in &args.output {
         let bytes = if extension(path) == "png" {
-            drawing.to_png().map_err(|error| format!("{}: {error}", path.display()))?
+            reduced(drawing, args).to_png().map_err(|error| format!("{}: {error}", path.display()))?
         } else {
             drawing.to_svg().into_bytes()
         };
         write_file(path, &bytes)?;
     }
     Ok(())
+}
+
+/// A canvas larger than a picture of pixels should be, made smaller; as it is where its size was asked for.
+fn reduced(drawing: &Drawing, args: &ViewArgs) -> Drawing {
+    let longer = drawing.size[0].max(drawing.size[1]);
+    let factor = if args.size.is_none() { f64::min(LONGEST / longer, 1.0) } else { 1.0 };
+    drawing.clone().scaled(factor)
 }
 
 fn options(args: &ViewArgs, units: Units) -> Result<Options, String> {

@@ -137,7 +137,8 @@ impl Camera {
             }
             Projection::Perspective { eye, focal, middle } => {
                 let w = eye[2] - z;
-                if w < NEAR * middle * (1.0 - 1e-9) {
+                // What was cut at the nearest distance may lie a little before it.
+                if !(w > 0.5 * NEAR * middle) {
                     return None;
                 }
                 // Depth goes with 1/w, so that planes stay planes.
@@ -228,10 +229,29 @@ fn perspective(places: &[[f64; 3]], room: [f64; 2], size: [f64; 2]) -> Projectio
     let spread = [0, 1].map(|k| range(places.iter().map(|p| p[k])).map_or(0.0, |[a, b]| b - a));
     let largest = spread[0].max(spread[1]).max(high - low);
     let largest = if largest > 0.0 { largest } else { 2.0 };
-    // Never nearer than the model is large by a half: it would look like through a fish's eye.
-    let far = far_x.max(far_y).max(high + 0.5 * largest);
+    // Never nearer than the model is large: it would look like through a fish's eye. A longer lens fills the picture.
+    let fits = far_x.max(far_y);
+    let far = fits.max(high + largest);
     let middle = (far - 0.5 * (low + high)).max(1e-12);
-    Projection::Perspective { eye: [x, y, far], focal, middle }
+    let (mut eye, mut focal) = ([x, y, far], focal);
+    if far > fits {
+        let seen = |k: usize, centre: f64| {
+            range(places.iter().map(|p| (p[k] - centre) / (far - p[2]))).unwrap_or([0.0; 2])
+        };
+        // The middle moves towards where both sides are equally far.
+        for _ in 0..8 {
+            for k in 0..2 {
+                let [a, b] = seen(k, eye[k]);
+                eye[k] += 0.5 * (a + b) * middle;
+            }
+        }
+        let zoom = |k: usize| {
+            let [a, b] = seen(k, eye[k]);
+            0.5 * room[k] / b.max(-a).max(1e-3 * largest / middle)
+        };
+        focal = zoom(0).min(zoom(1));
+    }
+    Projection::Perspective { eye, focal, middle }
 }
 
 #[cfg(test)]

@@ -18,6 +18,12 @@
 //! assert!(picture.drawing.to_svg().starts_with("<svg"));
 //! ```
 
+#![allow(
+    clippy::needless_range_loop,
+    clippy::neg_cmp_op_on_partial_ord,
+    reason = "coordinates read best with indices; !(x > limit) is how a NaN is refused together with the too small"
+)]
+
 mod camera;
 mod canvas;
 mod clip;

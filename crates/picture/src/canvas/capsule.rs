@@ -25,19 +25,21 @@ pub(super) fn draw(one: &Placed<'_>) -> Vec<Item> {
             items.push(Label::new(at, marks, theme::TYPE, ink).into());
         }
     } else {
-        let left = column(&object.inputs);
-        let right = column(&object.outputs);
+        let rows = object.inputs.len().max(object.outputs.len()).max(1);
+        let size = theme::PORT.min(0.95 * h / rows as f64);
+        let left = column(&object.inputs, size);
+        let right = column(&object.outputs, size);
         // Long names give way to the band in the middle.
         let room = w - 20.0;
         let share = if left + right > room { room / (left + right) } else { 1.0 };
         let (left, right) = (left * share, right * share);
         for (port, at) in object.inputs.iter().zip(&one.frame.inputs) {
-            let text = font::fitted(&named(port), theme::PORT, left);
-            items.push(Label::new([x + 6.0, at[1] + 3.2], text, theme::PORT, ink).into());
+            let text = font::fitted(&named(port), size, left);
+            items.push(Label::new([x + 6.0, at[1] + 0.36 * size], text, size, ink).into());
         }
         for (port, at) in object.outputs.iter().zip(&one.frame.outputs) {
-            let text = font::fitted(&named(port), theme::PORT, right);
-            let label = Label::new([x + w - 6.0, at[1] + 3.2], text, theme::PORT, ink);
+            let text = font::fitted(&named(port), size, right);
+            let label = Label::new([x + w - 6.0, at[1] + 0.36 * size], text, size, ink);
             items.push(label.anchored(Anchor::End).into());
         }
         let from = x + if left > 0.0 { left + 9.0 } else { 4.0 };
@@ -50,18 +52,22 @@ pub(super) fn draw(one: &Placed<'_>) -> Vec<Item> {
 
 /// The capsule without anything on it; and above it the name of its type where the nickname hides that.
 pub(super) fn body(one: &Placed<'_>, fill: Colour) -> Vec<Item> {
+    let mut items: Vec<Item> = type_name(one.object).map(|name| above(one, name)).into_iter().collect();
+    items.extend(outline(one, fill));
+    items
+}
+
+/// A small text above an object.
+fn above(one: &Placed<'_>, text: &str) -> Item {
+    let [x, y, w, _] = one.frame.rect;
+    Label::new([x + 2.0, y - 3.5], font::fitted(text, theme::TYPE, w + 14.0), theme::TYPE, theme::FAINT)
+        .into()
+}
+
+fn outline(one: &Placed<'_>, fill: Colour) -> Vec<Item> {
     let rect = one.frame.rect;
     let [x, y, w, h] = rect;
     let mut items = Vec::new();
-    if let Some(name) = type_name(one.object) {
-        let label = Label::new(
-            [x + 2.0, y - 3.5],
-            font::fitted(name, theme::TYPE, w + 14.0),
-            theme::TYPE,
-            theme::FAINT,
-        );
-        items.push(label.into());
-    }
     if one.object.component == ids::CLUSTER {
         let behind = Path::rounded([x + 3.0, y + 3.0, w, h], theme::CORNER);
         items.push(Shape::filled(behind, fill).outlined(theme::EDGE, 1.0).into());
@@ -120,8 +126,8 @@ pub(super) fn middle(at: [f64; 2], text: String, size: f64, colour: Colour) -> I
 }
 
 /// The width that the names of ports need.
-fn column(ports: &[Port]) -> f64 {
-    ports.iter().map(|port| font::width(&named(port), theme::PORT)).fold(0.0, f64::max)
+fn column(ports: &[Port], size: f64) -> f64 {
+    ports.iter().map(|port| font::width(&named(port), size)).fold(0.0, f64::max)
 }
 
 /// A port's short name with marks for what it does to its data.
@@ -161,14 +167,20 @@ pub(super) fn grips(one: &Placed<'_>) -> Vec<Item> {
     one.frame.inputs.iter().chain(&one.frame.outputs).map(grip).collect()
 }
 
-/// The part of a rectangle left of a name, and the rest; the name is drawn on it.
-pub(super) fn titled(one: &Placed<'_>) -> (Vec<Item>, [f64; 4]) {
+/// A capsule with its name on the left, and the rectangle beside it, at least `need` wide; where that leaves no room for
+/// the name it stands above, and the rectangle is the whole.
+pub(super) fn titled(one: &Placed<'_>, need: f64) -> (Vec<Item>, [f64; 4]) {
     let (fill, ink) = theme::capsule(one);
     let [x, y, w, h] = one.frame.rect;
     let object: &Object = one.object;
-    let wide = (font::width(object.title(), theme::NAME) + 12.0).min(0.5 * w);
+    let wide = font::width(object.title(), theme::NAME) + 12.0;
+    if wide + need > w {
+        let mut items = vec![above(one, object.title())];
+        items.extend(outline(one, fill));
+        return (items, [x + 2.0, y, w - 2.0, h]);
+    }
     let mut items = body(one, fill);
-    let name = font::fitted(object.title(), theme::NAME, wide - 10.0);
-    items.push(Label::new([x + 6.0, y + h.min(20.0) * 0.5 + 3.5], name, theme::NAME, ink).into());
+    let at = [x + 6.0, y + h.min(20.0) * 0.5 + 3.5];
+    items.push(Label::new(at, object.title(), theme::NAME, ink).into());
     (items, [x + wide, y, w - wide, h])
 }

@@ -59,7 +59,7 @@ fn slider_text(slider: &Slider) -> String {
 }
 
 fn slider(one: &Placed<'_>, slider: &Slider) -> Vec<Item> {
-    let (mut items, [x, y, w, h]) = titled(one);
+    let (mut items, [x, y, w, h]) = titled(one, 0.45 * one.frame.rect[2]);
     let range = slider.max - slider.min;
     let t = if range.abs() > 0.0 { ((slider.value - slider.min) / range).clamp(0.0, 1.0) } else { 0.5 };
     let t = if t.is_finite() { t } else { 0.5 };
@@ -74,18 +74,16 @@ fn slider(one: &Placed<'_>, slider: &Slider) -> Vec<Item> {
     items.push(Shape::filled(knob, theme::BAND).into());
     // The number stands on the longer side of the knob.
     let text = slider_text(slider);
-    let label = Label::new([0.0, cy + 3.4], text, theme::NAME, theme::INK).with_halo(theme::PAPER);
-    let label = if t < 0.5 {
-        Label { at: [at + r + 4.0, cy + 3.4], ..label }
-    } else {
-        Label { at: [at - r - 4.0, cy + 3.4], ..label }.anchored(Anchor::End)
-    };
-    items.push(label.into());
+    let wide = font::width(&text, theme::NAME);
+    let start = if t < 0.5 { at + r + 5.0 } else { at - r - 5.0 - wide };
+    let behind = Path::rectangle([start - 2.0, cy - 5.0, wide + 4.0, 10.0]);
+    items.push(Shape::filled(behind, theme::PAPER).into());
+    items.push(Label::new([start, cy + 3.5], text, theme::NAME, theme::INK).into());
     items
 }
 
 fn pill(one: &Placed<'_>, value: &str, on: bool) -> Vec<Item> {
-    let (mut items, [x, y, w, h]) = titled(one);
+    let (mut items, [x, y, w, h]) = titled(one, font::width(value, theme::NAME) + 16.0);
     let fill = if on { theme::BAND } else { theme::PAPER };
     let ink = if on { theme::WHITE } else { theme::INK };
     let rect = [x + 2.0, y + 3.0, (w - 6.0).max(4.0), (h - 6.0).max(4.0)];
@@ -96,14 +94,14 @@ fn pill(one: &Placed<'_>, value: &str, on: bool) -> Vec<Item> {
 }
 
 fn swatch(one: &Placed<'_>, c: Colour) -> Vec<Item> {
-    let (mut items, [x, y, w, h]) = titled(one);
+    let (mut items, [x, y, w, h]) = titled(one, 18.0);
     let rect = [x + 2.0, y + 3.0, (w - 6.0).max(4.0), (h - 6.0).max(4.0)];
     items.push(Shape::filled(Path::rounded(rect, 3.0), c).outlined(theme::EDGE, 0.8).into());
     items
 }
 
 fn value_list(one: &Placed<'_>, list: &ValueList) -> Vec<Item> {
-    let (mut items, [x, y, w, h]) = titled(one);
+    let (mut items, [x, y, w, h]) = titled(one, 0.5 * one.frame.rect[2]);
     let rect = [x + 2.0, y + 2.0, (w - 5.0).max(4.0), (h - 4.0).max(4.0)];
     items.push(Shape::filled(Path::rounded(rect, 3.0), theme::PAPER).outlined(theme::EDGE, 0.6).into());
     if list.mode == ListMode::CheckList && !list.items.is_empty() {

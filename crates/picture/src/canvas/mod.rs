@@ -10,7 +10,6 @@ mod sign;
 mod theme;
 mod wires;
 
-use katydid_component::registry;
 use katydid_data::Tree;
 use katydid_data::text::Style;
 use katydid_definition::document::{Document, Object, Special, ids};
@@ -107,12 +106,12 @@ fn told(one: &Placed<'_>) -> String {
     text
 }
 
-/// The name of an object's type where its nickname does not tell it.
+/// The name of an object's type where neither its nickname nor its look tells it.
 pub(crate) fn type_name(object: &Object) -> Option<&str> {
-    let usual = registry::by_guid(object.component).map_or("", |component| component.nick);
-    let own = object.nickname.trim();
-    let telling = own.is_empty() || own == usual || own.eq_ignore_ascii_case(&object.name);
-    (!telling && object.component != ids::RELAY).then_some(object.name.as_str())
+    let telling = object.title().eq_ignore_ascii_case(&object.name)
+        || [ids::RELAY, ids::NUMBER_SLIDER, ids::BOOLEAN_TOGGLE, ids::BOOLEAN_TOGGLE_2, ids::COLOUR_SWATCH]
+            .contains(&object.component);
+    (!telling).then_some(object.name.as_str())
 }
 
 /// Moves everything to the corner and gives the picture its size.

@@ -11,7 +11,7 @@ use crate::result::colour;
 
 /// Free pixels inside a group's frame; more at the top, where its name stands.
 const PAD: f64 = 12.0;
-const TOP: f64 = 24.0;
+const TOP: f64 = 28.0;
 /// Groups in groups, at most.
 const MOST_NESTED: usize = 16;
 

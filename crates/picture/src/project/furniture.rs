@@ -17,17 +17,16 @@ const AXES: [(Colour, &str); 3] = [(RED, "x"), (GREEN, "y"), (BLUE, "z")];
 
 /// Cells of a grid along its longer side, about.
 const CELLS: f64 = 14.0;
-/// How far behind its place a grid is drawn, in pixels: what lies on its plane is seen.
-const BEHIND: f64 = -1.0;
-
-/// Lines on the world plane of the view, around everything, and the axes through the origin where they are near.
-pub(super) fn grid(canvas: &mut Canvas, view: View, points: &[Point3], options: &Options) {
+/// Lines on the world plane of the view, around everything, and the axes through the origin where they are near. They
+/// lie below all else: a ground to measure on, not a part of the model.
+pub(super) fn grid(canvas: &Canvas, view: View, points: &[Point3], options: &Options) -> Vec<Item> {
     let plane = view.grid_axes();
     let coordinates = |p: Point3| {
         let all = [p.x, p.y, p.z];
         plane.map(|axis| all.get(axis).copied().unwrap_or(0.0))
     };
-    let Some(bounds) = BoundingBox::from_points(points.iter().copied()) else { return };
+    let mut items = Vec::new();
+    let Some(bounds) = BoundingBox::from_points(points.iter().copied()) else { return items };
     let (min, max) = (coordinates(bounds.min), coordinates(bounds.max));
     let extent = f64::max(max[0] - min[0], max[1] - min[1]);
     let extent = if extent > 0.0 { extent } else { bounds.diagonal().length().max(1.0) };
@@ -41,28 +40,42 @@ pub(super) fn grid(canvas: &mut Canvas, view: View, points: &[Point3], options: 
     let [[u0, u1], [v0, v1]] = ends;
     // Far from the origin a step may be less than the numbers can tell apart.
     if !(u0 + 1.0 > u0 && v0 + 1.0 > v0) || u1 - u0 > 200.0 || v1 - v0 > 200.0 {
-        return;
+        return items;
     }
+    let add = |path: &mut Path, a: Point3, b: Point3| {
+        for part in canvas.camera.polyline(&[a, b]) {
+            path.add_polyline(part.iter().map(|p| [p[0], p[1]]));
+        }
+    };
     if options.grid {
-        for (from, to, is_u) in [(u0, u1, true), (v0, v1, false)] {
-            for k in 0..=((to - from) as u32) {
-                let x = from + f64::from(k);
-                let (a, b) = if is_u { (at(x, v0), at(x, v1)) } else { (at(u0, x), at(u1, x)) };
-                let strength = if x % 5.0 == 0.0 { 0.2 } else { 0.09 };
-                let colour = blend(canvas.ground, canvas.ink, strength);
-                canvas.line(&[a, b], colour, 0.7, BEHIND);
+        // Every fifth line is stronger.
+        for (strong, strength) in [(false, 0.09), (true, 0.2)] {
+            let mut path = Path::default();
+            for (from, to, is_u) in [(u0, u1, true), (v0, v1, false)] {
+                let places = (0..=((to - from) as u32)).map(|k| from + f64::from(k));
+                for x in places.filter(|x| (x % 5.0 == 0.0) == strong) {
+                    let (a, b) = if is_u { (at(x, v0), at(x, v1)) } else { (at(u0, x), at(u1, x)) };
+                    add(&mut path, a, b);
+                }
             }
+            items.push(Shape::stroked(path, blend(canvas.ground, canvas.ink, strength), 0.8).into());
         }
     }
     if options.axes {
         let [first, second] = plane.map(|axis| AXES.get(axis).map_or(RED, |a| a.0));
-        if v0 <= 0.0 && v1 >= 0.0 {
-            canvas.line(&[at(u0, 0.0), at(u1, 0.0)], blend(canvas.ground, first, 0.65), 1.2, BEHIND + 0.4);
-        }
-        if u0 <= 0.0 && u1 >= 0.0 {
-            canvas.line(&[at(0.0, v0), at(0.0, v1)], blend(canvas.ground, second, 0.65), 1.2, BEHIND + 0.4);
+        let near = |low: f64, high: f64| low <= 0.0 && high >= 0.0;
+        for (a, b, colour, near) in [
+            (at(u0, 0.0), at(u1, 0.0), first, near(v0, v1)),
+            (at(0.0, v0), at(0.0, v1), second, near(u0, u1)),
+        ] {
+            let mut path = Path::default();
+            add(&mut path, a, b);
+            if near {
+                items.push(Shape::stroked(path, blend(canvas.ground, colour, 0.65), 1.2).into());
+            }
         }
     }
+    items
 }
 
 /// 1, 2 or 5 times a power of ten, not less than `x`.

@@ -52,9 +52,11 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
         ground,
         ink: if bright { Colour::rgb(34, 38, 46) } else { Colour::rgb(236, 238, 242) },
     };
-    if options.grid || options.axes {
-        furniture::grid(&mut canvas, view, &points, options);
-    }
+    let grid = if options.grid || options.axes {
+        furniture::grid(&canvas, view, &points, options)
+    } else {
+        Vec::new()
+    };
     scene.things.iter().for_each(|thing| canvas.thing(thing));
     if options.axes {
         furniture::triad(&mut canvas);
@@ -63,6 +65,9 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
         furniture::legends(&mut canvas, &scene.legends, options.legend);
     }
     let mut drawing = Drawing { size, background: options.background, ..Drawing::default() };
+    if !grid.is_empty() {
+        drawing.items.push(Item::Group("Grid".to_owned(), grid));
+    }
     drawing.items.push(Item::Solids(canvas.solids));
     drawing.items.extend(canvas.labels.placed(size, ground));
     drawing.items.extend(canvas.above);

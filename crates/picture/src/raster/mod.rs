@@ -132,16 +132,16 @@ fn draw_label(pixels: &mut Pixmap, label: &Label) {
 fn encode(pixels: &Pixmap) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
-    encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
-    let straight: Vec<u8> = pixels
-        .pixels()
-        .iter()
-        .flat_map(|pixel| {
-            let c = pixel.demultiply();
-            [c.red(), c.green(), c.blue(), c.alpha()]
-        })
-        .collect();
+    // Without clear places there is no need to store how clear they are.
+    let clear = pixels.pixels().iter().any(|pixel| pixel.alpha() < 255);
+    encoder.set_color(if clear { png::ColorType::Rgba } else { png::ColorType::Rgb });
+    let mut straight: Vec<u8> = Vec::with_capacity(pixels.pixels().len() * if clear { 4 } else { 3 });
+    for pixel in pixels.pixels() {
+        let c = pixel.demultiply();
+        straight.extend([c.red(), c.green(), c.blue()]);
+        straight.extend(Some(c.alpha()).filter(|_| clear));
+    }
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&straight)?;
     writer.finish()?;

@@ -28,7 +28,7 @@ pub(crate) fn of(object: &Object) -> Option<Draw> {
 mod tests {
     use super::*;
 
-    /// A component without outputs is there to be seen; those that are not are named here.
+    /// A component without outputs is there to be seen, but for those that hand data to who runs the definition.
     #[test]
     fn what_gives_no_data_is_drawn() {
         katydid_components::link();
@@ -38,6 +38,7 @@ mod tests {
             .filter(|component| component.outputs.is_empty() && !component.inputs.is_empty())
             .filter(|component| !drawn(component.guid))
             .map(|component| component.name)
+            .filter(|name| !["Context Bake", "Context Print", "Data Output"].contains(name))
             .collect();
         assert_eq!(silent, Vec::<&str>::new());
     }

@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_data::Colour;
 use katydid_definition::document::Object;
-use katydid_geometry::{Curve, Point3, Vector3};
+use katydid_geometry::{Curve, Field, Point3, Rectangle, Vector3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
@@ -18,6 +18,7 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("cc14daa5-911a-4fcc-8b3b-1149bf7f2eeb"), point_list),
     (uuid!("1f18e802-4ab9-444f-bf3c-3e7e421a2acf"), early_point_list),
     (uuid!("0ad9f1ab-2204-45bb-b282-474469e2fa7b"), point_order),
+    (uuid!("08619b6d-f9c4-4cb2-adcd-90959f08dc0d"), tensors),
     (uuid!("7376fe41-74ec-497e-b367-1ffe5072608b"), curvature_graph),
 ];
 
@@ -62,6 +63,32 @@ fn point_order(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
     for w in row.list::<Point3>(0).windows(2) {
         let [a, b] = *w else { continue };
         painter.scene.add(Form::Arrow(a, b - a), Look { width: 1.0, ..painter.look });
+    }
+}
+
+/// Arrows over a section of a field, the longest of them as long as the way to the next.
+fn tensors(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let (Some(field), Some(section)) = (row.item::<Shared<Field>>(0), row.item::<Rectangle>(1)) else {
+        return;
+    };
+    let samples = f64::from(row.item::<i32>(2).unwrap_or(1000).clamp(1, 20_000));
+    let (w, h) = (section.x.length().abs(), section.y.length().abs());
+    let step = (w * h / samples).sqrt();
+    if !(step > 0.0) {
+        return;
+    }
+    let count = |side: f64| (side / step).round().clamp(1.0, samples) as u32;
+    let (columns, rows) = (count(w), count(h));
+    let middle = |k: u32, n: u32| (f64::from(k) + 0.5) / f64::from(n);
+    let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let arrows: Vec<(Point3, Vector3)> = places
+        .map(|(i, j)| section.plane.at(section.x.at(middle(i, columns)), section.y.at(middle(j, rows)), 0.0))
+        .map(|p| (p, field.at(p)))
+        .filter(|(_, v)| v.is_finite() && v.length() > 0.0)
+        .collect();
+    let longest = arrows.iter().map(|(_, v)| v.length()).fold(0.0, f64::max);
+    for (p, v) in arrows {
+        painter.scene.add(Form::Arrow(p, v * (0.9 * step / longest)), Look { width: 0.8, ..painter.look });
     }
 }
 
