@@ -105,7 +105,11 @@ fn ports(page: &mut String, word: &str, ports: &[Port]) {
     page.push('\n');
 }
 
-fn page((tab, panel): (&str, &str), components: &[&Component], rows: &BTreeMap<Uuid, BTreeSet<String>>) -> String {
+fn page(
+    (tab, panel): (&str, &str),
+    components: &[&Component],
+    rows: &BTreeMap<Uuid, BTreeSet<String>>,
+) -> String {
     let mut page = format!("# {tab} / {panel}\n\n[All panels](README.md)\n\n");
     let folder = slug(&format!("{tab} {panel}"));
     let mut seen = BTreeMap::new();
@@ -150,9 +154,10 @@ fn page((tab, panel): (&str, &str), components: &[&Component], rows: &BTreeMap<U
 }
 
 fn index(panels: &Panels) -> String {
-    let mut page = "# Components\n\nWritten from the components themselves; `katydid components NAME` prints the same \
+    let mut page =
+        "# Components\n\nWritten from the components themselves; `katydid components NAME` prints the same \
                     help.\n"
-        .to_owned();
+            .to_owned();
     let mut last = "";
     for ((tab, panel), components) in panels {
         if *tab != last {
@@ -196,7 +201,10 @@ fn the_pages_say_what_the_components_say() {
     assert_eq!(kept, pages.keys().cloned().collect(), "pages of panels that are not there, or none of one");
     for (name, page) in &pages {
         let found = fs::read_to_string(Path::new(PAGES).join(name)).unwrap();
-        assert!(found == *page, "{name} is not fresh: KATYDID_REFRESH_PAGES=1 cargo test -p katydid --test component_pages");
+        assert!(
+            found == *page,
+            "{name} is not fresh: KATYDID_REFRESH_PAGES=1 cargo test -p katydid --test component_pages"
+        );
     }
 }
 
@@ -223,7 +231,11 @@ fn every_example_runs_and_has_its_picture() {
         .map(|((tab, panel), components)| (slug(&format!("{tab} {panel}")), slugs(components)))
         .collect();
     for (panel, component, file) in examples() {
-        assert!(known.get(&panel).is_some_and(|k| k.contains(&component)), "{}: no such component", file.display());
+        assert!(
+            known.get(&panel).is_some_and(|k| k.contains(&component)),
+            "{}: no such component",
+            file.display()
+        );
         let folder = tempfile::tempdir().unwrap();
         let drawn = folder.path().join("picture.png");
         let mut call = vec!["view", text(&file), "-o", text(&drawn), "--size", "480x320"];

@@ -94,11 +94,12 @@ pub use interval::Interval;
 pub use line::Line;
 pub use longest_rectangle::longest_rectangle;
 pub use matrix::{Matrix, RowReduction};
-pub use mesh::{Mesh, MeshEdge, MeshFace, MeshPoint, RemeshOptions, Remeshed};
 #[cfg(feature = "mesh-booleans")]
 pub use mesh::Solid;
-pub use mesh::{Decimation, Mesh, MeshEdge, MeshFace, MeshPoint, MeshTree, Smoothing, SurfaceMeshing};
-pub use mesh::{Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree};
+pub use mesh::{
+    Decimation, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, RemeshOptions, Remeshed,
+    Smoothing, SurfaceMeshing,
+};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
@@ -111,10 +112,8 @@ pub use point2::Point2;
 pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
-    ClosestOnSurface, Cone, Cylinder, NormalSection, PlaneSurface, RevolutionSurface, Sphere, SumSurface,
-    Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
     ClosestOnSurface, Cone, Cylinder, Geodesic, NormalSection, PlaneSurface, RevolutionSurface, Sphere,
-    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfacePoint, Torus,
+    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
 };
 pub use swing::{SwingArcs, swing_arcs};
 pub use tangent_circle::touching_circle;

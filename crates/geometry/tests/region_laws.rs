@@ -111,7 +111,14 @@ fn on_grid(r: &mut Random) -> Curve {
         }
         2 if w > 1.0 && h > 1.0 => {
             let (u, v) = (r.whole(1, w as i64 - 1), r.whole(1, h as i64 - 1));
-            polyline(vec![p(x, y), p(x + w, y), p(x + w, y + v), p(x + u, y + v), p(x + u, y + h), p(x, y + h)])
+            polyline(vec![
+                p(x, y),
+                p(x + w, y),
+                p(x + w, y + v),
+                p(x + u, y + v),
+                p(x + u, y + h),
+                p(x, y + h),
+            ])
         }
         3 => polyline(vec![p(x, y), p(x + w, y), p(x + r.whole(-1, 2), y + h)]),
         _ => polyline(vec![p(x, y), p(x + w, y), p(x + w, y + h), p(x, y + h)]),
@@ -138,7 +145,11 @@ fn random_curve(r: &mut Random) -> Curve {
             let side = |w: &[Point3], r: &mut Random| -> Curve {
                 let bulge = (w[1] - w[0]).cross(Vector3::Z) * r.between(-0.2, 0.4);
                 let arc = Arc::through(w[0], w[0].lerp(w[1], 0.5) + bulge, w[1]);
-                if r.below(2) == 0 { segment(w[0], w[1]) } else { arc.map_or(segment(w[0], w[1]), Into::into) }
+                if r.below(2) == 0 {
+                    segment(w[0], w[1])
+                } else {
+                    arc.map_or(segment(w[0], w[1]), Into::into)
+                }
             };
             PolyCurve::new(points.windows(2).map(|w| side(w, r)).collect()).unwrap().into()
         }
@@ -243,7 +254,10 @@ fn faults(seed: u64) -> (String, Vec<String>) {
     if r.below(4) == 0 {
         let axis = Vector3::new(r.between(-1.0, 1.0), r.between(-1.0, 1.0), 1.0);
         let turn = Xform::rotation(r.between(0.0, 3.0), axis, p(1.0, 2.0)).unwrap();
-        let (u, v) = (turn.point(p(1.0, 0.0)) - turn.point(p(0.0, 0.0)), turn.point(p(0.0, 1.0)) - turn.point(p(0.0, 0.0)));
+        let (u, v) = (
+            turn.point(p(1.0, 0.0)) - turn.point(p(0.0, 0.0)),
+            turn.point(p(0.0, 1.0)) - turn.point(p(0.0, 0.0)),
+        );
         plane = Plane::from_axes(turn.point(p(0.0, 0.0)), u, v).unwrap();
         (a, b) = (a.transformed(&turn).unwrap(), b.transformed(&turn).unwrap());
     }
@@ -289,7 +303,8 @@ fn faults(seed: u64) -> (String, Vec<String>) {
         border_faults(name, region, tolerance, &mut out);
     }
     let frame = |x: f64, y: f64| plane.at(x, y, 0.0);
-    let mut places: Vec<Point3> = (0..24).map(|_| frame(r.between(-8.0, 8.0), r.between(-8.0, 8.0))).collect();
+    let mut places: Vec<Point3> =
+        (0..24).map(|_| frame(r.between(-8.0, 8.0), r.between(-8.0, 8.0))).collect();
     for c in [&a, &b] {
         for _ in 0..8 {
             let t = c.domain().at(r.between(0.0, 1.0));

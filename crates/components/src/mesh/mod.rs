@@ -5,11 +5,11 @@ mod light;
 mod of_surface;
 mod parts;
 mod primitive;
-mod triangulation;
 mod settings;
 mod smooth;
 mod spray;
 mod trees;
+mod triangulation;
 mod util;
 
 pub(crate) use trees::tree_of;

@@ -7,24 +7,24 @@ mod closest;
 mod decimate;
 mod edit;
 mod face;
+mod hits;
 mod measure;
-pub(crate) mod polygon;
-mod primitives;
-mod remesh;
 mod neighbours;
 mod of_surface;
 mod offset;
 mod parts;
+pub(crate) mod polygon;
+mod primitives;
+mod pull;
 mod quadrangulate;
+mod remesh;
+mod section;
 #[cfg(feature = "mesh-booleans")]
 mod shadow;
 mod smooth;
 mod split;
 mod topology;
 mod tree;
-mod pull;
-mod section;
-mod triangle_tree;
 
 pub(crate) use align::align_points;
 #[cfg(feature = "mesh-booleans")]
@@ -32,12 +32,12 @@ pub use boolean::Solid;
 pub use closest::MeshPoint;
 pub use decimate::Decimation;
 pub use face::MeshFace;
-pub use remesh::{RemeshOptions, Remeshed};
+pub use hits::{MeshClash, MeshHit};
 pub use of_surface::SurfaceMeshing;
+pub use remesh::{RemeshOptions, Remeshed};
 pub use smooth::Smoothing;
 pub use topology::MeshEdge;
 pub use tree::MeshTree;
-pub use triangle_tree::{MeshClash, MeshHit, MeshTree};
 
 use crate::{Error, Point3, Result, Vector3};
 

@@ -15,10 +15,10 @@ const DIRECTIONS: u32 = 24;
 /// The triangles of a mesh in a tree of boxes. Quads are two triangles each, cut from first to third corner.
 #[derive(Debug, Clone)]
 pub struct MeshTree {
-    triangles: Vec<[Point3; 3]>,
+    pub(super) triangles: Vec<[Point3; 3]>,
     /// The face of the mesh that each triangle is of.
-    faces: Vec<u32>,
-    tree: BoxTree,
+    pub(super) faces: Vec<u32>,
+    pub(super) tree: BoxTree,
     bounds: Bounds,
 }
 

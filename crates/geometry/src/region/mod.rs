@@ -232,7 +232,8 @@ impl Region {
     pub fn transformed(&self, xform: &Xform) -> Result<Self> {
         let at = |p: Point3| xform.point(p);
         let o = at(self.plane.origin);
-        let (x, y) = (at(self.plane.origin + self.plane.x_axis) - o, at(self.plane.origin + self.plane.y_axis) - o);
+        let (x, y) =
+            (at(self.plane.origin + self.plane.x_axis) - o, at(self.plane.origin + self.plane.y_axis) - o);
         let plane = Plane::from_axes(o, x, y)?;
         let moved = |c: &Curve| c.transformed(xform);
         let face = |f: &Face| {

@@ -40,7 +40,11 @@ pub(super) fn in_plane(curve: &Curve, plane: &Plane) -> Result<Curve> {
     let away = (height.start - own).abs().max((height.end - own).abs());
     let bounds = curve.bounding_box();
     let scale = reach(&bounds).max(own.abs());
-    if away <= 1e-13 * scale { Ok(curve.clone()) } else { curve.transformed(&Xform::planar_projection(plane)) }
+    if away <= 1e-13 * scale {
+        Ok(curve.clone())
+    } else {
+        curve.transformed(&Xform::planar_projection(plane))
+    }
 }
 
 /// The largest absolute coordinate in a box.

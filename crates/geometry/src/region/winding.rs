@@ -123,7 +123,8 @@ mod tests {
     fn turns_of_circles_and_stars() {
         let circle: Curve = Circle::new(Plane::XY, 1.0).unwrap().into();
         let around = Outline::new(&circle, &Plane::XY);
-        for (p, want) in [([0.0, 0.0], 1), ([0.999, 0.0], 1), ([1.001, 0.0], 0), ([-0.7, 0.7], 1), ([0.8, 0.8], 0)]
+        for (p, want) in
+            [([0.0, 0.0], 1), ([0.999, 0.0], 1), ([1.001, 0.0], 0), ([-0.7, 0.7], 1), ([0.8, 0.8], 0)]
         {
             assert_eq!(around.winding(p), want, "{p:?}");
         }

@@ -12,9 +12,8 @@ use super::piece::Shape;
 use super::{ArcCurve, Continuity, Curve};
 use crate::polynomial::{Hodograph, dot};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
-use corner::{Bridge, Corner, bridge};
 pub(crate) use chain::{Sets, gather};
-use corner::{Bridge, bridge};
+use corner::{Bridge, Corner, bridge};
 pub(crate) use simple::right_of;
 use validity::Cap;
 

@@ -177,44 +177,15 @@ pub(super) fn cleaned(
     Ok(chains.into_iter().map(|c| c.into_curve(1e-2 * gap)).collect())
 }
 
-/// Pairs of boxes that come within reach of each other, by a sweep along x: within one list, or of one and another.
-pub(super) fn near_pairs(
 /// The pairs of boxes that come within reach of each other.
-fn near_pairs(
+pub(super) fn near_pairs(
     first: &[BoundingBox],
     second: Option<&[BoundingBox]>,
     reach: f64,
     work: &Work,
 ) -> Result<Vec<(usize, usize)>> {
-    let all: Vec<&BoundingBox> = first.iter().chain(second.unwrap_or(&[])).collect();
-    let own = first.len();
-    let mut order: Vec<usize> = (0..all.len()).collect();
-    order.sort_by(|&i, &j| all[i].min.x.total_cmp(&all[j].min.x));
-    let mut out = Vec::new();
-    for (k, &i) in order.iter().enumerate() {
-        for &j in order.get(k + 1..).unwrap_or(&[]) {
-            let (p, q) = (all[i], all[j]);
-            if q.min.x > p.max.x + reach {
-                break;
-            }
-            let apart = |a: f64, b: f64, c: f64, d: f64| a > d + reach || c > b + reach;
-            if (second.is_some() && (i < own) == (j < own))
-                || apart(p.min.y, p.max.y, q.min.y, q.max.y)
-                || apart(p.min.z, p.max.z, q.min.z, q.max.z)
-            {
-                continue;
-            }
-            if out.len() as u64 >= work.pairs {
-                return Err(too_much());
-            }
-            let (low, high) = (i.min(j), i.max(j));
-            out.push((low, if second.is_some() { high - own } else { high }));
-        }
-    let found = crate::box_pairs::near_pairs(first, second, reach, MOST_PAIRS as usize);
-    match found {
-        Some(pairs) => Ok(pairs),
-        None => work.more(MOST_VISITS + 1).map(|()| Vec::new()),
-    }
+    let most = usize::try_from(work.pairs).unwrap_or(usize::MAX);
+    crate::box_pairs::near_pairs(first, second, reach, most).ok_or_else(too_much)
 }
 
 /// A stretch between cuts is valid or not as a whole. Cuts through approximated parts are off by the tolerance, so
