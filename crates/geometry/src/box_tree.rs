@@ -135,53 +135,6 @@ impl BoxTree {
     }
 }
 
-/// Whether two boxes come within `reach` of each other along every axis.
-#[inline]
-pub(crate) fn near(a: &Bounds, b: &Bounds, reach: f64) -> bool {
-    (0..3).all(|c| a[0][c] - b[1][c] <= reach && b[0][c] - a[1][c] <= reach)
-}
-
-impl BoxTree {
-    /// Visits the things whose boxes, and all boxes around them, are wanted.
-    pub(crate) fn visit_wanted(&self, wanted: impl Fn(&Bounds) -> bool, mut visit: impl FnMut(usize)) {
-        let mut stack = vec![0_u32];
-        while let Some(here) = stack.pop() {
-            let Some(node) = self.nodes.get(here as usize).filter(|n| wanted(&n.bounds)) else { continue };
-            if node.link & LEAF != 0 {
-                visit((node.link & !LEAF) as usize);
-            } else {
-                stack.extend([node.link, here + 1]);
-            }
-        }
-    }
-
-    /// Visits the pairs of things of two trees whose boxes come within `reach` of each other, until a visit says stop
-    /// by giving `false`.
-    pub(crate) fn visit_pairs(&self, other: &Self, reach: f64, mut visit: impl FnMut(usize, usize) -> bool) {
-        let mut stack = vec![(0_u32, 0_u32)];
-        while let Some((a, b)) = stack.pop() {
-            let (Some(m), Some(n)) = (self.nodes.get(a as usize), other.nodes.get(b as usize)) else {
-                return;
-            };
-            if !near(&m.bounds, &n.bounds, reach) {
-                continue;
-            }
-            match (m.link & LEAF != 0, n.link & LEAF != 0) {
-                (true, true) => {
-                    if !visit((m.link & !LEAF) as usize, (n.link & !LEAF) as usize) {
-                        return;
-                    }
-                }
-                (false, true) => stack.extend([(m.link, b), (a + 1, b)]),
-                (true, false) => stack.extend([(a, n.link), (a, b + 1)]),
-                (false, false) => {
-                    stack.extend([(m.link, n.link), (m.link, b + 1), (a + 1, n.link), (a + 1, b + 1)]);
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::{BoxTree, squared_distance_to};

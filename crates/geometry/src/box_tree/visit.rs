@@ -42,8 +42,14 @@ impl BoxTree {
         }
     }
 
-    /// Visits all pairs of a thing here and a thing there whose boxes come within `margin` of each other.
-    pub(crate) fn visit_pairs(&self, other: &Self, margin: f64, mut visit: impl FnMut(usize, usize)) {
+    /// Visits all pairs of a thing here and a thing there whose boxes come within `margin` of each other, until a visit
+    /// breaks off.
+    pub(crate) fn visit_pairs(
+        &self,
+        other: &Self,
+        margin: f64,
+        mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
+    ) {
         let size = |b: &Bounds| (0..3).map(|c| b[1][c] - b[0][c]).sum::<f64>();
         let mut stack = vec![(0_u32, 0_u32)];
         while let Some((i, j)) = stack.pop() {
@@ -54,7 +60,11 @@ impl BoxTree {
                 continue;
             }
             match (a.link & LEAF != 0, b.link & LEAF != 0) {
-                (true, true) => visit((a.link & !LEAF) as usize, (b.link & !LEAF) as usize),
+                (true, true) => {
+                    if visit((a.link & !LEAF) as usize, (b.link & !LEAF) as usize).is_break() {
+                        return;
+                    }
+                }
                 // The larger box is opened first, so that both shrink together.
                 (false, last) if last || size(&a.bounds) >= size(&b.bounds) => {
                     stack.extend([(a.link, j), (i + 1, j)]);
@@ -86,7 +96,10 @@ mod tests {
         let (a, b) = (boxes(0.0), boxes(0.3));
         let (s, t) = (BoxTree::by_place(&a), BoxTree::by_place(&b));
         let mut found = Vec::new();
-        s.visit_pairs(&t, 0.01, |i, j| found.push((i, j)));
+        s.visit_pairs(&t, 0.01, |i, j| {
+            found.push((i, j));
+            ControlFlow::Continue(())
+        });
         found.sort_unstable();
         let all = (0..60).flat_map(|i| (0..60).map(move |j| (i, j)));
         let want: Vec<_> = all.filter(|&(i, j)| boxes_meet(&a[i], &b[j], 0.01)).collect();

@@ -27,6 +27,7 @@ pub fn mesh_mesh_segments(a: &MeshTree, b: &MeshTree) -> Vec<Line> {
         if let (Some((p, _)), Some((q, _))) = (a.triangle(i), b.triangle(j)) {
             out.extend(triangle_triangle(p, q, snap));
         }
+        ControlFlow::Continue(())
     });
     out
 }

@@ -1,5 +1,7 @@
 //! Where lines pass through a mesh, what of it is nearest to a point, and where two meshes clash.
 
+use std::ops::ControlFlow;
+
 use super::MeshTree;
 use super::closest::closest_on_triangle;
 use crate::{Error, Point3, Result, Vector3};
@@ -67,13 +69,12 @@ impl MeshTree {
             }
             low <= high * (1.0 + 1e-9 * high.signum()) || low - high <= 1e-9
         };
-        self.tree.visit_wanted(wanted, |i| {
-            let Some(t) = self.triangles.get(i).and_then(|t| through_triangle(*t, start, direction)) else {
-                return;
-            };
-            if range[0] <= t && t <= range[1] {
+        self.tree.visit_where(wanted, |i| {
+            let t = self.triangles.get(i).and_then(|t| through_triangle(*t, start, direction));
+            if let Some(t) = t.filter(|t| (range[0]..=range[1]).contains(t)) {
                 hits.push(MeshHit { t, face: self.face(i), point: start + direction * t });
             }
+            ControlFlow::Continue(())
         });
         hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
         let size = direction.length();
@@ -125,10 +126,11 @@ impl MeshTree {
             let slack = 1e-9 * (high - low).abs().max(above - below).max(reach);
             low <= reach + slack && high >= -slack && below <= slack && above >= -slack
         };
-        self.tree.visit_wanted(wanted, |i| {
+        self.tree.visit_where(wanted, |i| {
             if let Some(&triangle) = self.triangles.get(i) {
                 visit(triangle);
             }
+            ControlFlow::Continue(())
         });
     }
 
@@ -155,7 +157,7 @@ impl MeshTree {
                     found.push(MeshClash { first: self.face(i), second: other.face(j), point, distance });
                 }
             }
-            found.len() < most
+            if found.len() < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         });
         found
     }
