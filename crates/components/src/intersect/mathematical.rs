@@ -1,7 +1,9 @@
 //! Intersect / Mathematical: lines, planes, and where curves meet them.
 
-use katydid_component::{Context, Message, component};
-use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect};
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, List, Message, component};
+use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect, region};
 
 use crate::vector::hit;
 
@@ -9,6 +11,23 @@ use crate::vector::hit;
 fn coordinates(plane: &Plane, p: Point3) -> Point3 {
     let [u, v, _] = plane.coordinates(p);
     Point3::new(u, v, 0.0)
+}
+
+/// The parameters on a curve where it meets a line between its ends, a shared stretch with its two ends.
+fn meetings(context: &Context<'_>, curve: &Curve, line: Line) -> Result<Vec<f64>, Message> {
+    let found = intersect::curve_curve(curve, &Curve::from(line), context.tolerance().absolute)?;
+    let mut places: Vec<f64> = found.crossings.iter().map(|c| c.a).collect();
+    places.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
+    places.sort_by(f64::total_cmp);
+    Ok(places)
+}
+
+/// Points, parameters and their number.
+type Places = (Vec<Point3>, Vec<f64>, i32);
+
+fn places(curve: &Curve, parameters: Vec<f64>) -> Places {
+    let n = i32::try_from(parameters.len()).unwrap_or(i32::MAX);
+    (parameters.iter().map(|&t| curve.point_at(t)).collect(), parameters, n)
 }
 
 /// Where a curve meets a line between its ends, in the order of the curve.
@@ -19,7 +38,8 @@ fn coordinates(plane: &Plane, p: Point3) -> Point3 {
     "0e3173b6-91c6-4845-a748-e45d4fdbc262",
     name = "Curve | Line",
     nick = "CLX",
-    at = "Intersect/Mathematical"
+    at = "Intersect/Mathematical",
+    also("ddaea1a9-d6bd-4a18-ac11-8a4993954a03")
 )]
 #[output("Points", "P", "The points.")]
 #[output("Params", "t", "Their parameters on the curve.")]
@@ -32,13 +52,40 @@ fn curve_line(
     /// The line.
     #[port("Line", "L")]
     line: Line,
-) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
-    let found = intersect::curve_curve(curve, &Curve::from(line), context.tolerance().absolute)?;
-    let mut places: Vec<f64> = found.crossings.iter().map(|c| c.a).collect();
-    places.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
-    places.sort_by(f64::total_cmp);
-    let n = i32::try_from(places.len()).unwrap_or(i32::MAX);
-    Ok((places.iter().map(|&t| curve.point_at(t)).collect(), places, n))
+) -> Result<Places, Message> {
+    Ok(places(curve, meetings(context, curve, line)?))
+}
+
+/// Where a curve meets a line between its ends, in the order of the curve: all places, or only the first.
+///
+/// A stretch that they share counts with its two ends. Nothing is found where they pass each other by more than the
+/// tolerance.
+#[component(
+    "9396be03-8159-43bf-b3e7-2c86c8d04fc0",
+    name = "Curve | Line",
+    nick = "CLX",
+    at = "Intersect/Mathematical"
+)]
+#[output("Points", "P", "The points.")]
+#[output("Params", "t", "Their parameters on the curve.")]
+#[output("Count", "N", "How many there are.")]
+fn curve_line_first(
+    context: &Context<'_>,
+    /// The curve.
+    #[port("Curve", "C")]
+    curve: &Curve,
+    /// The line.
+    #[port("Line", "L")]
+    line: Line,
+    /// Whether to give the first place on the curve only.
+    #[port("First", "F", default = false)]
+    first: bool,
+) -> Result<Places, Message> {
+    let mut parameters = meetings(context, curve, line)?;
+    if first {
+        parameters.truncate(1);
+    }
+    Ok(places(curve, parameters))
 }
 
 /// Where a curve meets a plane, in the order of the curve.
@@ -202,6 +249,30 @@ fn mesh_ray(
     (first.map(|t| start + direction * t), first.is_some())
 }
 
+/// The part of a plane around its origin that other planes cut off.
+///
+/// It is convex and its outline runs counter-clockwise about the normal. Planes parallel to it bound nothing. When the
+/// planes leave the part open, or one of them goes through the origin, there is none: a warning.
+#[component(
+    "80e3614a-25ae-43e7-bb0a-760e68ade864",
+    name = "Plane Region",
+    nick = "PlReg",
+    at = "Intersect/Mathematical"
+)]
+#[output("Region", "R", "The outline.")]
+fn plane_region(
+    /// The plane.
+    #[port("Plane", "P")]
+    plane: Plane,
+    /// The planes that bound the region.
+    #[port("Bounds", "B")]
+    bounds: List<Plane>,
+) -> Result<Shared<Curve>, Message> {
+    let bounds: Vec<Plane> = bounds.iter().flatten().collect();
+    let cell = region::plane_cell(&plane, &bounds).map_err(|e| Message::warning(e.to_string()))?;
+    Ok(Shared::new(cell.into()))
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
@@ -222,6 +293,9 @@ mod tests {
             || Trial::of("Curve | Line").item(circle).item(line(p(-9.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
         assert_eq!(through().texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
         assert_eq!(through().texts(2), ["{0}: 2"]);
+        let first = Trial::of_guid("9396be03-8159-43bf-b3e7-2c86c8d04fc0").item(circle);
+        let first = first.item(line(p(-9.0, 3.0, 0.0), p(9.0, 3.0, 0.0))).item(true);
+        assert_eq!(first.texts(0), ["{0;0}: {4, 3, 0}"]);
         // The line has ends.
         let short = Trial::of("Curve | Line").item(circle).item(line(p(0.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
         assert_eq!(short.texts(0), ["{0;0}: {4, 3, 0}"]);
@@ -234,6 +308,19 @@ mod tests {
         assert_eq!(cut().texts(2), ["{0;0}: {4, 0, 0}, {-4, 0, 0}"]);
         let apart = Trial::of("Curve | Plane").item(circle).item(Plane::XY.offset(1.0));
         assert_eq!(apart.run().outputs[0].item_count(), 0);
+    }
+
+    #[test]
+    fn cells_of_planes() {
+        let wall = |x: f64, y: f64| Plane::from_normal(p(x, y, 0.0), Vector3::new(x, y, 0.0)).unwrap();
+        let room = |walls: Vec<Plane>| Trial::of("Plane Region").item(Plane::XY).list(walls);
+        let walls = || vec![wall(2.0, 0.0), wall(-2.0, 0.0), wall(0.0, 1.0), wall(0.0, -1.0), wall(9.0, 9.0)];
+        let cell = || {
+            Trial::of_guid("c75b62fa-0a33-4da7-a5bd-03fd0068fd93")
+                .tree(room(walls()).run().outputs[0].clone())
+        };
+        assert_eq!(cell().texts(0), ["{0}: 12"]);
+        assert!(room(walls()[..3].to_vec()).message().contains("open"));
     }
 
     #[test]

@@ -91,8 +91,10 @@ mod tests {
 
     #[test]
     fn cells() {
-        let upright = |x: f64, y: f64| Plane::from_normal(Point3::new(x, y, 7.0), Vector3::new(-x, -y, 0.0)).unwrap();
-        let room = [upright(2.0, 0.0), upright(-1.0, 0.0), upright(0.0, 3.0), upright(0.0, -1.0), upright(9.0, 9.0)];
+        let upright =
+            |x: f64, y: f64| Plane::from_normal(Point3::new(x, y, 7.0), Vector3::new(-x, -y, 0.0)).unwrap();
+        let room =
+            [upright(2.0, 0.0), upright(-1.0, 0.0), upright(0.0, 3.0), upright(0.0, -1.0), upright(9.0, 9.0)];
         let cell = plane_cell(&Plane::XY, &room).unwrap();
         assert_eq!(cell.points().len(), 5);
         let (area, _) = Curve::from(cell).signed_area_in(&Plane::XY);

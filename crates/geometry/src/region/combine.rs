@@ -1,7 +1,7 @@
 //! Regions from closed curves by a rule.
 
 use super::loops::{Step, loops};
-use super::sides::{Sides, sides};
+use super::sides::{Sides, all_sides};
 use super::sources::Sources;
 use super::strands::{Strand, strands};
 use super::winding::{Outline, flat};
@@ -32,7 +32,11 @@ pub(super) fn checked(plane: &Plane, tolerance: f64) -> Result<()> {
         return Err(Error::NotFinite("plane of the region"));
     }
     if !(tolerance > 0.0 && tolerance.is_finite()) {
-        return Err(Error::OutOfRange { what: "tolerance", value: tolerance, must: "finite and greater than 0" });
+        return Err(Error::OutOfRange {
+            what: "tolerance",
+            value: tolerance,
+            must: "finite and greater than 0",
+        });
     }
     Ok(())
 }
@@ -60,7 +64,7 @@ pub(super) type Sided = (nodes::Nodes, Vec<Strand>, Vec<Vec<Sides>>);
 pub(super) fn arranged(sources: &Sources, tolerance: f64, last: bool) -> Result<Option<Sided>> {
     let Some(nodes) = nodes::find(sources, tolerance, last)? else { return Ok(None) };
     let strands = strands(sources, &nodes, tolerance)?;
-    let sides = strands.iter().map(|s| sides(sources, s, tolerance)).collect::<Result<Vec<_>>>()?;
+    let sides = all_sides(sources, &strands, nodes.places.len(), tolerance)?;
     Ok(Some((nodes, strands, sides)))
 }
 
@@ -84,7 +88,9 @@ pub(super) fn combined(
     };
     let steps = ladder(tolerance, sources.scale);
     for (k, &reach) in steps.iter().enumerate() {
-        let Some((nodes, strands, sides)) = arranged(&sources, reach, k + 1 == steps.len())? else { continue };
+        let Some((nodes, strands, sides)) = arranged(&sources, reach, k + 1 == steps.len())? else {
+            continue;
+        };
         let mut border = Vec::new();
         for (strand, all) in sides.iter().enumerate() {
             let (left, right) = (inside(all, true), inside(all, false));
@@ -119,7 +125,8 @@ fn faces(curves: Vec<Curve>, plane: &Plane) -> Vec<Face> {
     for hole in holes {
         // It may touch its outline, in points: most places on it tell.
         let domain = hole.domain();
-        let places = [0.03, 0.17, 0.31, 0.47, 0.59, 0.73, 0.89].map(|x| flat(plane, hole.point_at(domain.at(x))));
+        let places =
+            [0.03, 0.17, 0.31, 0.47, 0.59, 0.73, 0.89].map(|x| flat(plane, hole.point_at(domain.at(x))));
         let around = |o: &Outline| 2 * places.iter().filter(|&&p| o.winding(p) != 0).count() > places.len();
         let home = outer.iter_mut().filter(|o| around(&o.1)).min_by(|x, y| x.0.total_cmp(&y.0));
         if let Some((_, _, face)) = home {

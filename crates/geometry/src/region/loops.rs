@@ -114,7 +114,8 @@ impl Walk<'_> {
         let found = curve_curve(&curve, circle, 1e-13 * self.sources.scale)?;
         let places = found.crossings.iter().map(|c| c.a);
         let t = if from_start { places.reduce(f64::min) } else { places.reduce(f64::max) };
-        let [x, y] = flat(&self.sources.plane.with_origin(center), curve.point_at(t.unwrap_or(m.range.middle())));
+        let [x, y] =
+            flat(&self.sources.plane.with_origin(center), curve.point_at(t.unwrap_or(m.range.middle())));
         Ok(y.atan2(x))
     }
 

@@ -40,7 +40,11 @@ pub(super) fn in_plane(curve: &Curve, plane: &Plane) -> Result<Curve> {
     let away = (height.start - own).abs().max((height.end - own).abs());
     let bounds = curve.bounding_box();
     let scale = reach(&bounds).max(own.abs());
-    if away <= 1e-13 * scale { Ok(curve.clone()) } else { curve.transformed(&Xform::planar_projection(plane)) }
+    if away <= 1e-13 * scale {
+        Ok(curve.clone())
+    } else {
+        curve.transformed(&Xform::planar_projection(plane))
+    }
 }
 
 /// The largest absolute coordinate in a box.
@@ -65,6 +69,10 @@ impl Sources {
             let ends_meet = curve.start().distance_to(curve.end()) <= tolerance;
             if !(curve.is_closed() || ends_meet && !matches!(curve, Curve::Line(_))) {
                 return Err(Error::degenerate("region", "one of its curves is open and has no inside"));
+            }
+            let bounds = curve.bounding_box();
+            if !(bounds.min.is_finite() && bounds.max.is_finite()) {
+                return Err(Error::NotFinite("curve of the region"));
             }
             let curve = in_plane(curve, plane)?;
             let bounds = curve.bounding_box();

@@ -38,12 +38,10 @@ pub(super) fn strands(sources: &Sources, nodes: &Nodes, tolerance: f64) -> Resul
             let mut home = None;
             for &k in same_ends.iter() {
                 let first = out[k].members[0];
-                if coincide(sources, &new, &first, tolerance)? && coincide(sources, &first, &new, tolerance)? {
-                    new.along = if from == to {
-                        runs_with(sources, &new, &first)?
-                    } else {
-                        from == out[k].from
-                    };
+                if coincide(sources, &new, &first, tolerance)? && coincide(sources, &first, &new, tolerance)?
+                {
+                    new.along =
+                        if from == to { runs_with(sources, &new, &first)? } else { from == out[k].from };
                     home = Some(k);
                     break;
                 }
