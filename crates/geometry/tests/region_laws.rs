@@ -315,7 +315,7 @@ fn faults(seed: u64) -> (String, Vec<String>) {
     let [area_a, area_b, area_u, area_i, area_d, area_e] = areas;
     let bound = 1e-9 * (area_a + area_b) + tolerance * (a.length() + b.length());
     let mut law = |name: &str, excess: f64| {
-        if !(excess.abs() <= bound) {
+        if excess.is_nan() || excess.abs() > bound {
             out.push(format!("{name} is off by {excess:e}; areas {areas:?}"));
         }
     };

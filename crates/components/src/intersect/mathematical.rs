@@ -52,7 +52,7 @@ fn curve_line(
     /// The line.
     #[port("Line", "L")]
     line: Line,
-) -> Result<Places, Message> {
+) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
     Ok(places(curve, meetings(context, curve, line)?))
 }
 
@@ -80,7 +80,7 @@ fn curve_line_first(
     /// Whether to give the first place on the curve only.
     #[port("First", "F", default = false)]
     first: bool,
-) -> Result<Places, Message> {
+) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
     let mut parameters = meetings(context, curve, line)?;
     if first {
         parameters.truncate(1);

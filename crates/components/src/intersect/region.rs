@@ -51,7 +51,7 @@ fn trim_with_region(
     /// The plane; without it that of the curve, or of the region when the curve is straight.
     #[port("Plane", "P")]
     plane: Option<Plane>,
-) -> Result<Pieces, Message> {
+) -> Result<(Vec<Shared<Curve>>, Vec<Shared<Curve>>), Message> {
     trimmed(context, curve, std::slice::from_ref(region), plane)
 }
 
@@ -78,7 +78,7 @@ fn trim_with_regions(
     /// The plane; without it that of the curve, or of the first region when the curve is straight.
     #[port("Plane", "P")]
     plane: Option<Plane>,
-) -> Result<Pieces, Message> {
+) -> Result<(Vec<Shared<Curve>>, Vec<Shared<Curve>>), Message> {
     let regions = closed_curves(context, "R", &regions);
     if regions.is_empty() {
         return Ok((Vec::new(), vec![Shared::new(curve.clone())]));
