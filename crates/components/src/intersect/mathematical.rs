@@ -1,7 +1,9 @@
 //! Intersect / Mathematical: lines, planes, and where curves meet them.
 
-use katydid_component::{Context, Message, component};
-use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect};
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, List, Message, component};
+use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect, region};
 
 use super::planes;
 use crate::vector::hit;
@@ -265,6 +267,30 @@ fn mesh_ray(
     (first.map(|t| start + direction * t), first.is_some())
 }
 
+/// The part of a plane around its origin that other planes cut off.
+///
+/// It is convex and its outline runs counter-clockwise about the normal. Planes parallel to it bound nothing. When the
+/// planes leave the part open, or one of them goes through the origin, there is none: a warning.
+#[component(
+    "80e3614a-25ae-43e7-bb0a-760e68ade864",
+    name = "Plane Region",
+    nick = "PlReg",
+    at = "Intersect/Mathematical"
+)]
+#[output("Region", "R", "The outline.")]
+fn plane_region(
+    /// The plane.
+    #[port("Plane", "P")]
+    plane: Plane,
+    /// The planes that bound the region.
+    #[port("Bounds", "B")]
+    bounds: List<Plane>,
+) -> Result<Shared<Curve>, Message> {
+    let bounds: Vec<Plane> = bounds.iter().flatten().collect();
+    let cell = region::plane_cell(&plane, &bounds).map_err(|e| Message::warning(e.to_string()))?;
+    Ok(Shared::new(cell.into()))
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
@@ -348,5 +374,18 @@ mod tests {
             (ray(2.0).texts(0), ray(2.0).texts(1)),
             (vec!["{0}: null".into()], vec!["{0}: False".into()])
         );
+    }
+
+    #[test]
+    fn cells_of_planes() {
+        let wall = |x: f64, y: f64| Plane::from_normal(p(x, y, 0.0), Vector3::new(x, y, 0.0)).unwrap();
+        let room = |walls: Vec<Plane>| Trial::of("Plane Region").item(Plane::XY).list(walls);
+        let walls = || vec![wall(2.0, 0.0), wall(-2.0, 0.0), wall(0.0, 1.0), wall(0.0, -1.0), wall(9.0, 9.0)];
+        let cell = || {
+            Trial::of_guid("c75b62fa-0a33-4da7-a5bd-03fd0068fd93")
+                .tree(room(walls()).run().outputs[0].clone())
+        };
+        assert_eq!(cell().texts(0), ["{0}: 12"]);
+        assert!(room(walls()[..3].to_vec()).message().contains("open"));
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Curve;
 use super::piece::Shape;
-use crate::bernstein::{BUDGET, halves};
 use crate::quadrature::integrate;
+use crate::region::Outline;
 use crate::{Error, Plane, Point3, Result};
 
 /// Where a point lies relative to a closed curve.
@@ -74,8 +74,8 @@ impl Curve {
     /// Where a point lies relative to a closed curve, both projected into a plane; points within `tolerance` of the
     /// projected curve are on it. Inside means a winding number other than 0.
     ///
-    /// Each piece is halved until its control points leave the query outside their box, where the angle it subtends
-    /// is that of its ends; nothing is decided by rounding unless the point is nearer than the tolerance.
+    /// The crossings with a ray are counted; each piece is halved until its control points prove whether it crosses,
+    /// so that nothing is decided by rounding unless the point is nearer than the tolerance.
     ///
     /// # Errors
     /// The curve is open or the point not finite.
@@ -91,43 +91,7 @@ impl Curve {
         if flat.closest_point(q)?.distance <= tolerance.max(0.0) {
             return Ok(Containment::On);
         }
-        let local = plane.with_origin(q);
-        let mut angle = 0.0;
-        for piece in flat.pieces() {
-            for bezier in piece.beziers() {
-                let points = bezier
-                    .iter()
-                    .map(|&[x, y, z, w]| {
-                        let d = crate::Vector3::new(x, y, z) - q.to_vector() * w;
-                        [d.dot(local.x_axis), d.dot(local.y_axis)]
-                    })
-                    .collect();
-                angle += subtended(points);
-            }
-        }
-        let turns = (angle / std::f64::consts::TAU).round();
-        Ok(if turns == 0.0 { Containment::Outside } else { Containment::Inside })
+        let turns = Outline::new(&flat, &plane.with_origin(q)).winding([0.0; 2]);
+        Ok(if turns == 0 { Containment::Outside } else { Containment::Inside })
     }
-}
-
-/// The angle that a plane Bézier curve, given by points whose direction from the origin is all that matters, subtends
-/// at the origin.
-fn subtended(points: Vec<[f64; 2]>) -> f64 {
-    let mut sum = 0.0;
-    let mut stack = vec![(points, 0_u32)];
-    let mut budget = BUDGET;
-    while let Some((points, depth)) = stack.pop() {
-        budget = budget.saturating_sub(1);
-        let one_side = (0..2).any(|c| points.iter().all(|p| p[c] > 0.0) || points.iter().all(|p| p[c] < 0.0));
-        if one_side || depth >= 60 || points.len() == 2 || budget == 0 {
-            if let (Some(a), Some(b)) = (points.first(), points.last()) {
-                sum += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-            }
-        } else {
-            let (left, right) = halves(&points);
-            stack.push((right, depth + 1));
-            stack.push((left, depth + 1));
-        }
-    }
-    sum
 }

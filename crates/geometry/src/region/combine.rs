@@ -1,7 +1,7 @@
 //! Regions from closed curves by a rule.
 
 use super::loops::{Step, loops};
-use super::sides::{Sides, sides};
+use super::sides::{Sides, all_sides};
 use super::sources::Sources;
 use super::strands::{Strand, strands};
 use super::winding::{Outline, flat};
@@ -64,7 +64,7 @@ pub(super) type Sided = (nodes::Nodes, Vec<Strand>, Vec<Vec<Sides>>);
 pub(super) fn arranged(sources: &Sources, tolerance: f64, last: bool) -> Result<Option<Sided>> {
     let Some(nodes) = nodes::find(sources, tolerance, last)? else { return Ok(None) };
     let strands = strands(sources, &nodes, tolerance)?;
-    let sides = strands.iter().map(|s| sides(sources, s, tolerance)).collect::<Result<Vec<_>>>()?;
+    let sides = all_sides(sources, &strands, nodes.places.len(), tolerance)?;
     Ok(Some((nodes, strands, sides)))
 }
 

@@ -5,10 +5,23 @@
 //! border of the result; and the border is walked in loops. The pieces of the result are pieces of the input: an arc
 //! stays an arc, a line a line, and a curve that nothing cuts comes back as it is.
 //!
-//! **Tolerance.** Places within the tolerance of each other are one place, and stretches that stay within it of each
-//! other from one such place to another are one stretch; a result may be off by as much. It should be smaller than
-//! the features of the curves. Where it is found not to be, because places that are far apart would become one or the
+//! **Tolerance.** Crossings are exact. Crossings, ends and corners within the tolerance of each other are one place, a
+//! corner within it of another curve is a place on that curve, and stretches that stay within it of each other from
+//! one place to another are one stretch; a result may be off by as much. It should be smaller than the features of
+//! the curves. Where it is found not to be, because places that are far apart would become one or the
 //! border would not close, a finer one is taken, down to 4·10⁻¹² of the largest coordinate.
+//!
+//! ```
+//! use katydid_geometry::{Circle, Curve, Plane, Point3, region::Region};
+//! # fn main() -> katydid_geometry::Result<()> {
+//! let disc: Curve = Circle::new(Plane::XY, 2.0)?.into();
+//! let hole: Curve = Circle::new(Plane::XY.with_origin(Point3::new(0.5, 0.0, 0.0)), 1.0)?.into();
+//! let ring = Region::difference_of(&[disc.clone()], &[hole], &Plane::XY, 0.001)?;
+//! assert_eq!(ring.faces()[0].outline(), &disc);
+//! assert!((ring.area() - 3.0 * std::f64::consts::PI).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
 //!
 //! Sources: the arrangement and the walk around its faces after M. de Berg and others, *Computational Geometry*,
 //! chapter 2; selection by winding numbers on both sides derived; crossings by
@@ -27,6 +40,7 @@ mod trim;
 mod winding;
 
 use combine::{Operand, combined};
+pub(crate) use winding::Outline;
 
 pub use cell::plane_cell;
 pub use relation::{CurveRelation, relation};
@@ -36,6 +50,7 @@ use crate::{Containment, Curve, Error, Plane, Point3, Result, Xform};
 
 /// What several closed curves enclose together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FillRule {
     /// Points that at least one curve runs around, whatever the directions: the union of what each encloses by
     /// itself.
@@ -215,20 +230,22 @@ impl Region {
             return Err(Error::NotFinite("point to test"));
         }
         let q = self.plane.closest_point(p);
+        // About the point, so that nothing is lost far from the plane's origin.
+        let local = self.plane.with_origin(q);
         let mut turns = 0;
         for curve in self.faces.iter().flat_map(Face::curves) {
             if curve.closest_point_within(q, tolerance.max(f64::MIN_POSITIVE))?.is_some() {
                 return Ok(Containment::On);
             }
-            turns += winding::Outline::new(curve, &self.plane).winding(winding::flat(&self.plane, q));
+            turns += Outline::new(curve, &local).winding([0.0; 2]);
         }
         Ok(if turns == 0 { Containment::Outside } else { Containment::Inside })
     }
 
-    /// The region moved with its plane by a map that keeps angles and orientation in the plane or mirrors them.
+    /// The region moved with its plane by an affine map.
     ///
     /// # Errors
-    /// The map sends the plane or a curve to infinity or squeezes the plane flat.
+    /// The map sends a curve to infinity or squeezes the plane to a line.
     pub fn transformed(&self, xform: &Xform) -> Result<Self> {
         let at = |p: Point3| xform.point(p);
         let o = at(self.plane.origin);

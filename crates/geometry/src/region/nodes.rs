@@ -37,7 +37,7 @@ struct Cuts<'a> {
     complete: bool,
 }
 
-/// All nodes at a tolerance: crossings, touches, ends of shared stretches, joints. `None` when the tolerance is too
+/// All nodes at a tolerance: crossings, touches, ends of shared stretches, joints and what is near them. `None` when the tolerance is too
 /// coarse for the curves: when places that are far apart, as it sees, become one, or more contacts than can be told.
 ///
 /// # Errors
@@ -53,6 +53,9 @@ pub(super) fn find(sources: &Sources, tolerance: f64, last: bool) -> Result<Opti
         complete: true,
     };
     cuts.joints();
+    if !last && too_wide(&mut cuts.sets(), &cuts.places, tolerance) {
+        return Ok(None);
+    }
     cuts.meetings()?;
     if !(cuts.complete || last) {
         return Ok(None);
@@ -64,6 +67,17 @@ pub(super) fn find(sources: &Sources, tolerance: f64, last: bool) -> Result<Opti
 fn too_much() -> Error {
     let why = "its curves meet too often to be told apart".into();
     Error::Invalid { what: "region", why }
+}
+
+/// Whether places have become one that are too far apart for it: one near the next, and so on.
+fn too_wide(sets: &mut Sets, places: &[Point3], tolerance: f64) -> bool {
+    let mut boxes: Vec<Option<BoundingBox>> = vec![None; places.len()];
+    for (i, &p) in places.iter().enumerate() {
+        let root = sets.root(i);
+        let own = BoundingBox { min: p, max: p };
+        boxes[root] = Some(boxes[root].map_or(own, |b| b.union(&own)));
+    }
+    boxes.iter().flatten().any(|b| b.diagonal().length() > 8.0 * tolerance)
 }
 
 impl Cuts<'_> {
@@ -91,24 +105,27 @@ impl Cuts<'_> {
         }
     }
 
+    /// Crossings are found as exactly as numbers allow. What comes within the tolerance without crossing matters only
+    /// where a part ends.
     fn meetings(&mut self) -> Result<()> {
         let parts = &self.sources.parts;
+        let fine = (1e-11 * self.sources.scale).min(self.tolerance);
         for (i, part) in parts.iter().enumerate() {
             if !matches!(part.curve, Curve::Line(_) | Curve::Arc(_)) {
-                let found = curve_self(&part.curve, self.tolerance)?;
+                let found = curve_self(&part.curve, fine)?;
                 self.take(i, i, &found)?;
             }
         }
         let boxes: Vec<BoundingBox> = parts.iter().map(|p| p.bounds).collect();
         let pairs = near_pairs(&boxes, None, self.tolerance, MOST_PAIRS).ok_or_else(too_much)?;
         for &(i, j) in &pairs {
-            let found = curve_curve(self.curve(i), self.curve(j), self.tolerance)?;
+            let found = curve_curve(self.curve(i), self.curve(j), fine)?;
             self.take(i, j, &found)?;
         }
-        // Ends that come near another part without being told as its only contact.
+        // Ends near another part.
         for &(i, j) in &pairs {
             for (i, j) in [(i, j), (j, i)] {
-                let (near, other) = (boxes[j].inflated(self.tolerance), self.curve(j).clone());
+                let (near, other) = (boxes[j].inflated(self.tolerance), &parts[j].curve);
                 let range = other.domain();
                 for end in 0..2 {
                     let Some(&(_, place)) = self.lists[i].get(end) else { continue };
@@ -187,18 +204,17 @@ impl Cuts<'_> {
         Ok(())
     }
 
-    /// Places within the tolerance of each other as one node.
-    fn gathered(mut self, last: bool) -> Option<Nodes> {
+    /// Places within the tolerance of each other.
+    fn sets(&self) -> Sets {
         let mut sets = Sets::new(self.places.len());
         gather(&mut sets, &self.places, self.tolerance);
-        let mut boxes: Vec<Option<BoundingBox>> = vec![None; self.places.len()];
-        for i in 0..self.places.len() {
-            let (root, p) = (sets.root(i), self.places[i]);
-            let own = BoundingBox { min: p, max: p };
-            boxes[root] = Some(boxes[root].map_or(own, |b| b.union(&own)));
-        }
-        let wide = |b: &BoundingBox| b.diagonal().length() > 8.0 * self.tolerance;
-        if !last && boxes.iter().flatten().any(wide) {
+        sets
+    }
+
+    /// The parts cut at the nodes.
+    fn gathered(mut self, last: bool) -> Option<Nodes> {
+        let mut sets = self.sets();
+        if !last && too_wide(&mut sets, &self.places, self.tolerance) {
             return None;
         }
         let mut stops = Vec::with_capacity(self.lists.len());

@@ -7,6 +7,7 @@ use crate::{Curve, Error, Plane, Result};
 /// How the regions that two closed curves enclose lie to each other. Borders may touch, within the tolerance, in all
 /// cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CurveRelation {
     /// They have no area in common.
     Apart,

@@ -1,7 +1,7 @@
 //! What lies on both sides of a strand.
 
 use super::sources::Sources;
-use super::strands::{Strand, place};
+use super::strands::{Member, Strand, place};
 use super::winding::flat;
 use crate::{Result, Vector3};
 
@@ -17,8 +17,66 @@ pub(super) struct Sides {
 const FIRST: [f64; 3] = [0.5, 0.21, 0.77];
 const MORE: [f64; 7] = [0.5, 0.21, 0.77, 0.08, 0.35, 0.63, 0.92];
 
+/// The winding numbers beside all strands. Strands that follow each other at a node where nothing else goes on lie
+/// between the same two faces: the longest of them is asked.
+pub(super) fn all_sides(
+    sources: &Sources,
+    strands: &[Strand],
+    places: usize,
+    tolerance: f64,
+) -> Result<Vec<Vec<Sides>>> {
+    let mut ends: Vec<Vec<(usize, bool)>> = vec![Vec::new(); places];
+    for (k, s) in strands.iter().enumerate() {
+        ends[s.from].push((k, false));
+        ends[s.to].push((k, true));
+    }
+    let mut out: Vec<Option<Vec<Sides>>> = vec![None; strands.len()];
+    let mut seen = vec![false; strands.len()];
+    for first in 0..strands.len() {
+        if seen[first] {
+            continue;
+        }
+        seen[first] = true;
+        // Each with whether it runs against the first.
+        let mut chain = vec![(first, false)];
+        let mut next = 0;
+        while let Some(&(k, against)) = chain.get(next) {
+            next += 1;
+            for (node, last) in [(strands[k].from, false), (strands[k].to, true)] {
+                let &[x, y] = &ends[node][..] else { continue };
+                let (other, other_last) = if x == (k, last) { y } else { x };
+                if !seen[other] {
+                    seen[other] = true;
+                    chain.push((other, against != (last == other_last)));
+                }
+            }
+        }
+        let longest = chain.iter().copied().max_by(|x, y| {
+            let length = |k: usize| strands[k].members.first().map_or(0.0, |m| length(sources, m));
+            length(x.0).total_cmp(&length(y.0))
+        });
+        let Some((longest, turned)) = longest else { continue };
+        let found = sides(sources, &strands[longest], tolerance)?;
+        for (k, against) in chain {
+            let own = found.iter().map(|s| match against == turned {
+                true => *s,
+                false => Sides { left: s.right, right: s.left, ..*s },
+            });
+            out[k] = Some(own.collect());
+        }
+    }
+    Ok(out.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// About the length of a stretch.
+fn length(sources: &Sources, member: &Member) -> f64 {
+    let curve = &sources.parts[member.part].curve;
+    let at = |k: i32| curve.point_at(member.range.at(f64::from(k) / 4.0));
+    (0..4).map(|k| at(k).distance_to(at(k + 1))).sum()
+}
+
 /// The winding numbers of all sources that have one at the strand.
-pub(super) fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides>> {
+fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides>> {
     let Some(first) = strand.members.first() else { return Ok(Vec::new()) };
     let at = |x: f64| flat(&sources.plane, place(sources, first, x).0);
     let mut own: Vec<(usize, i32)> = Vec::new();

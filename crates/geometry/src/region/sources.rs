@@ -70,6 +70,10 @@ impl Sources {
             if !(curve.is_closed() || ends_meet && !matches!(curve, Curve::Line(_))) {
                 return Err(Error::degenerate("region", "one of its curves is open and has no inside"));
             }
+            let bounds = curve.bounding_box();
+            if !(bounds.min.is_finite() && bounds.max.is_finite()) {
+                return Err(Error::NotFinite("curve of the region"));
+            }
             let curve = in_plane(curve, plane)?;
             let bounds = curve.bounding_box();
             all = Some(all.map_or(bounds, |b| b.union(&bounds)));

@@ -33,8 +33,12 @@ impl Region {
         let domain = shadow.domain();
         let mut stops = vec![domain.start, domain.end];
         for border in &borders {
-            let found = curve_curve(&shadow, border, tolerance)?;
+            // Crossings as exactly as numbers allow; only for stretches along the border the tolerance matters.
+            let size = border.start().to_vector().length().max(shadow.start().to_vector().length());
+            let fine = (1e-11 * size).min(tolerance);
+            let found = curve_curve(&shadow, border, fine)?;
             stops.extend(found.crossings.iter().map(|c| c.a));
+            let found = curve_curve(&shadow, border, tolerance)?;
             stops.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
         }
         stops.sort_by(f64::total_cmp);

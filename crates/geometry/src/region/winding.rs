@@ -7,7 +7,7 @@ use crate::{Curve, Plane, Point3};
 /// exactly where the one before ends, so that the count of crossings with a ray is a whole number that no rounding
 /// can spoil.
 #[derive(Debug, Clone)]
-pub(super) struct Outline {
+pub(crate) struct Outline {
     /// Homogeneous plane coordinates (x, y, w).
     pieces: Vec<Vec<[f64; 3]>>,
     /// The box of the control points: least and greatest coordinates.
@@ -16,7 +16,7 @@ pub(super) struct Outline {
 
 impl Outline {
     /// Prepares a curve that lies in the plane. A gap between its ends is closed by moving the start.
-    pub(super) fn new(curve: &Curve, plane: &Plane) -> Self {
+    pub(crate) fn new(curve: &Curve, plane: &Plane) -> Self {
         let mut pieces: Vec<Vec<[f64; 3]>> = Vec::new();
         for piece in curve.pieces() {
             for bezier in piece.beziers() {
@@ -46,13 +46,13 @@ impl Outline {
     }
 
     /// Whether the point lies in the box of the control points; outside it the winding number is 0.
-    pub(super) fn reaches(&self, [x, y]: [f64; 2]) -> bool {
+    pub(crate) fn reaches(&self, [x, y]: [f64; 2]) -> bool {
         self.bounds[0][0] <= x && x <= self.bounds[1][0] && self.bounds[0][1] <= y && y <= self.bounds[1][1]
     }
 
     /// How often the curve runs counter-clockwise around a point of the plane that is not on it: signed crossings
     /// with the ray along x.
-    pub(super) fn winding(&self, p: [f64; 2]) -> i32 {
+    pub(crate) fn winding(&self, p: [f64; 2]) -> i32 {
         if !self.reaches(p) {
             return 0;
         }
