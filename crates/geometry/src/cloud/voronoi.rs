@@ -3,7 +3,7 @@ use std::ops::Range;
 use spade::Triangulation;
 
 use super::convex_polygon::{ConvexPolygon, doubled_area, nearer_part, outline};
-use super::delaunay::{Corner, Delaunay, circumcenter};
+use super::delaunay::{Corner, circumcenter, triangulated};
 use crate::{Curve, Plane, Point2, Result};
 
 /// The Voronoi diagram of sites in a plane, inside a convex boundary: for every site the part of the boundary's inside
@@ -26,11 +26,10 @@ impl Voronoi {
     /// The diagram of sites inside a boundary.
     ///
     /// # Errors
-    /// As [`Delaunay::new`].
+    /// As [`Delaunay::new`](super::Delaunay::new).
     pub fn new(sites: &[Point2], boundary: &ConvexPolygon) -> Result<Self> {
-        let delaunay = Delaunay::new(sites)?;
-        let centers: Vec<Center> = delaunay
-            .mesh
+        let (mesh, shared) = triangulated(sites)?;
+        let centers: Vec<Center> = mesh
             .all_faces()
             .map(|face| match face.as_inner() {
                 None => Center::OUTSIDE,
@@ -46,11 +45,11 @@ impl Voronoi {
             sites: sites.to_vec(),
             corners: Vec::with_capacity(6 * sites.len()),
             ranges: vec![0..0; sites.len()],
-            duplicates: delaunay.has_duplicates(),
+            duplicates: shared.is_some(),
         };
         let mut scratch = (Vec::new(), Vec::new());
         // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
-        for corner in delaunay.mesh.vertices() {
+        for corner in mesh.vertices() {
             let i = corner.data().index as usize;
             let Some(&site) = sites.get(i) else { continue };
             let start = out.corners.len();
