@@ -133,6 +133,32 @@ impl BoxTree {
             }
         }
     }
+
+    /// Visits the things in boxes that are `wanted`; what is visited may change what is wanted.
+    pub(crate) fn visit_wanted<S>(
+        &self,
+        state: &mut S,
+        wanted: impl Fn(&S, &Bounds) -> bool,
+        mut visit: impl FnMut(&mut S, usize),
+    ) {
+        let mut stack = [0_u32; DEEPEST];
+        let mut top = 1;
+        while top > 0 {
+            top -= 1;
+            let here = stack[top];
+            let Some(node) = self.nodes.get(here as usize) else { continue };
+            if !wanted(state, &node.bounds) {
+                continue;
+            }
+            if node.link & LEAF != 0 {
+                visit(state, (node.link & !LEAF) as usize);
+            } else if top + 2 <= DEEPEST {
+                stack[top] = node.link;
+                stack[top + 1] = here + 1;
+                top += 2;
+            }
+        }
+    }
 }
 
 #[cfg(test)]

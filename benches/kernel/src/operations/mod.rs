@@ -1,6 +1,7 @@
 //! The operations that are measured, each by all kernels that have it, on the same inputs.
 
 mod closest;
+mod cloud;
 mod evaluate;
 mod interpolate;
 mod intersect;
@@ -10,6 +11,7 @@ mod surface;
 mod transform;
 
 pub use closest::closest;
+pub use cloud::cloud;
 pub use evaluate::evaluate;
 pub use interpolate::interpolate;
 pub use intersect::intersect;
@@ -57,8 +59,8 @@ pub type Operations = fn(&Inputs) -> Result<Vec<Operation>, Box<dyn Error>>;
 /// # Errors
 /// The inputs lack something, or a kernel refuses it.
 pub fn all(inputs: &Inputs) -> Result<Vec<Operation>, Box<dyn Error>> {
-    let kinds: [Operations; 8] =
-        [evaluate, surface, closest, length, intersect, interpolate, raise_degree, transform];
+    let kinds: [Operations; 9] =
+        [evaluate, surface, closest, length, intersect, interpolate, raise_degree, transform, cloud];
     let mut out = Vec::new();
     for kind in kinds {
         out.extend(kind(inputs)?);

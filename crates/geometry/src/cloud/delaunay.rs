@@ -24,6 +24,8 @@ impl HasPosition for Site {
     }
 }
 
+/// A triangulation of sites.
+pub(super) type SiteMesh = DelaunayTriangulation<Site>;
 /// A corner of the triangulation.
 pub(super) type Corner<'a> = VertexHandle<'a, Site>;
 
@@ -34,8 +36,8 @@ pub(super) type Corner<'a> = VertexHandle<'a, Site>;
 /// (B. Žalik, I. Kolingerová, *A sweep-line algorithm for spatial triangulation*, 2005).
 #[derive(Debug, Clone)]
 pub struct Delaunay {
-    pub(super) mesh: DelaunayTriangulation<Site>,
-    /// For every point the vertex it is, when some points share a place.
+    mesh: SiteMesh,
+    /// For every point the first in its place, when some points share one.
     shared: Option<Vec<u32>>,
     /// For every point its vertex.
     vertices: Vec<u32>,
@@ -48,29 +50,7 @@ impl Delaunay {
     /// # Errors
     /// A coordinate is not finite or beyond 3.2e60, or there are 2²⁹ points or more.
     pub fn new(points: &[Point2]) -> Result<Self> {
-        check_points2(points)?;
-        let settled = |x: f64| if x.abs() < SMALLEST { 0.0 } else { x };
-        let place = |p: &Point2| spade::Point2::new(settled(p.x), settled(p.y));
-        let sites = points.iter().zip(0..).map(|(p, index)| Site { position: place(p), index }).collect();
-        let mut mesh = DelaunayTriangulation::<Site>::bulk_load(sites)
-            .map_err(|e| Error::Invalid { what: "points to triangulate", why: e.to_string() })?;
-        // Where points share a place the triangulation names any one of them: it shall be the first.
-        let shared = (mesh.num_vertices() < points.len()).then(|| {
-            let mut first: HashMap<[u64; 2], u32> = HashMap::with_capacity(points.len());
-            let firsts: Vec<u32> = points
-                .iter()
-                .zip(0..)
-                .map(|(p, i)| {
-                    let p = place(p);
-                    *first.entry([(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()]).or_insert(i)
-                })
-                .collect();
-            for handle in mesh.fixed_vertices() {
-                let data = mesh.vertex_data_mut(handle);
-                data.index = firsts.get(data.index as usize).copied().unwrap_or(data.index);
-            }
-            firsts
-        });
+        let (mesh, shared) = triangulated(points)?;
         let mut vertices = vec![0; points.len()];
         for vertex in mesh.vertices() {
             if let Some(place) = vertices.get_mut(vertex.data().index as usize) {
@@ -106,7 +86,7 @@ impl Delaunay {
         self.shared.is_some()
     }
 
-    pub(super) fn corner(&self, i: usize) -> Option<Corner<'_>> {
+    fn corner(&self, i: usize) -> Option<Corner<'_>> {
         let vertex = *self.vertices.get(self.first_at(i))?;
         self.mesh.get_vertex(FixedVertexHandle::from_index(vertex as usize))
     }
@@ -137,6 +117,34 @@ impl Delaunay {
         out.reverse();
         out
     }
+}
+
+/// The triangulation, and, when some points share a place, for every point the first in its place.
+pub(super) fn triangulated(points: &[Point2]) -> Result<(SiteMesh, Option<Vec<u32>>)> {
+    check_points2(points)?;
+    let settled = |x: f64| if x.abs() < SMALLEST { 0.0 } else { x };
+    let place = |p: &Point2| spade::Point2::new(settled(p.x), settled(p.y));
+    let sites = points.iter().zip(0..).map(|(p, index)| Site { position: place(p), index }).collect();
+    let mut mesh = DelaunayTriangulation::<Site>::bulk_load(sites)
+        .map_err(|e| Error::Invalid { what: "points to triangulate", why: e.to_string() })?;
+    // Where points share a place the triangulation names any one of them: it shall be the first.
+    let shared = (mesh.num_vertices() < points.len()).then(|| {
+        let mut first: HashMap<[u64; 2], u32> = HashMap::with_capacity(points.len());
+        let firsts: Vec<u32> = points
+            .iter()
+            .zip(0..)
+            .map(|(p, i)| {
+                let p = place(p);
+                *first.entry([(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()]).or_insert(i)
+            })
+            .collect();
+        for handle in mesh.fixed_vertices() {
+            let data = mesh.vertex_data_mut(handle);
+            data.index = firsts.get(data.index as usize).copied().unwrap_or(data.index);
+        }
+        firsts
+    });
+    Ok((mesh, shared))
 }
 
 /// The centre of the circle through three points; not finite when they lie on a line.

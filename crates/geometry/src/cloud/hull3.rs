@@ -1,7 +1,7 @@
 use std::collections::VecDeque;
 
 use super::check_points3;
-use crate::{Error, Point3, Result};
+use crate::{Error, Point3, Result, Vector3};
 
 /// A triangle of the hull as it grows.
 #[derive(Debug, Default)]
@@ -9,8 +9,13 @@ struct Facet {
     corners: [u32; 3],
     /// The facets across the sides; side k goes from corner k to the next.
     across: [u32; 3],
+    /// The plane: an area vector, and its product with a corner.
+    normal: Vector3,
+    offset: f64,
     /// Points above this facet that no other facet keeps.
     above: Vec<u32>,
+    /// The farthest of them, with its height in units of the normal.
+    top: Option<(f64, u32)>,
     gone: bool,
 }
 
@@ -24,7 +29,10 @@ struct Facet {
 /// A coordinate is not finite or beyond 3.2e60, or all points lie in one plane: `Degenerate`.
 pub fn convex_hull_3d(points: &[Point3]) -> Result<Vec<[u32; 3]>> {
     check_points3(points)?;
-    let mut hull = Hull { points, facets: Vec::new() };
+    let size = points.iter().flat_map(|p| [p.x.abs(), p.y.abs(), p.z.abs()]).fold(0.0, f64::max);
+    // Areas are at most 24 and heights over them 100 times a power of the size; each step rounds by half an epsilon.
+    let doubt = 1000.0 * f64::EPSILON * size * size * size;
+    let mut hull = Hull { points, facets: Vec::new(), doubt };
     hull.start()?;
     let mut todo: VecDeque<u32> = (0..4).collect();
     let mut start_at = vec![u32::MAX; points.len()];
@@ -34,11 +42,8 @@ pub fn convex_hull_3d(points: &[Point3]) -> Result<Vec<[u32; 3]>> {
         let (seen, horizon) = hull.seen_from(f, top);
         let first = hull.facets.len() as u32;
         for (k, &(a, b, beyond)) in (first..).zip(&horizon) {
-            hull.facets.push(Facet {
-                corners: [a, b, top],
-                across: [beyond, u32::MAX, u32::MAX],
-                ..Facet::default()
-            });
+            let facet = hull.facet([a, b, top], [beyond, u32::MAX, u32::MAX]);
+            hull.facets.push(facet);
             start_at[a as usize] = k;
             end_at[b as usize] = k;
             let other = &mut hull.facets[beyond as usize];
@@ -69,9 +74,25 @@ pub fn convex_hull_3d(points: &[Point3]) -> Result<Vec<[u32; 3]>> {
 struct Hull<'a> {
     points: &'a [Point3],
     facets: Vec<Facet>,
+    /// Heights nearer to 0 than this are found exactly.
+    doubt: f64,
 }
 
 impl Hull<'_> {
+    fn facet(&self, corners: [u32; 3], across: [u32; 3]) -> Facet {
+        let [a, b, c] = corners.map(|i| self.at(i));
+        let normal = (b - a).cross(c - a);
+        Facet { corners, across, normal, offset: normal.dot(a.to_vector()), ..Facet::default() }
+    }
+
+    /// The height of a point over a facet, in units of its normal, when it lies above it; decided exactly.
+    #[inline]
+    fn height(&self, facet: &Facet, p: u32) -> Option<f64> {
+        let height = facet.normal.dot(self.at(p).to_vector()) - facet.offset;
+        let above = if height.abs() > self.doubt { height > 0.0 } else { self.above(facet.corners, p) > 0.0 };
+        above.then_some(height)
+    }
+
     fn at(&self, i: u32) -> Point3 {
         self.points[i as usize]
     }
@@ -89,15 +110,19 @@ impl Hull<'_> {
     fn start(&mut self) -> Result<()> {
         let flat = || Error::degenerate("points", "they lie in one plane");
         let n = self.points.len() as u32;
-        let best = |value: &dyn Fn(u32) -> f64| {
-            (0..n).max_by(|&i, &j| value(i).total_cmp(&value(j)).then(j.cmp(&i))).ok_or_else(flat)
-        };
-        let a = best(&|i| -self.at(i).x)?;
-        let b = best(&|i| (self.at(i) - self.at(a)).length_squared())?;
+        fn best(n: u32, value: impl Fn(u32) -> f64) -> Option<u32> {
+            let larger = |found: (f64, Option<u32>), i: u32| {
+                let v = value(i);
+                if found.1.is_none() || v > found.0 { (v, Some(i)) } else { found }
+            };
+            (0..n).fold((0.0, None), larger).1
+        }
+        let a = best(n, |i| -self.at(i).x).ok_or_else(flat)?;
+        let b = best(n, |i| (self.at(i) - self.at(a)).length_squared()).ok_or_else(flat)?;
         let ab = self.at(b) - self.at(a);
-        let c = best(&|i| ab.cross(self.at(i) - self.at(a)).length_squared())?;
+        let c = best(n, |i| ab.cross(self.at(i) - self.at(a)).length_squared()).ok_or_else(flat)?;
         let normal = ab.cross(self.at(c) - self.at(a));
-        let guess = best(&|i| normal.dot(self.at(i) - self.at(a)).abs())?;
+        let guess = best(n, |i| normal.dot(self.at(i) - self.at(a)).abs()).ok_or_else(flat)?;
         // What is farthest by rounded numbers may lie in the plane by exact ones; and another point may not.
         let off = |i: &u32| self.above([a, b, c], *i) != 0.0;
         let corners = std::iter::once((a, b, c))
@@ -109,7 +134,7 @@ impl Hull<'_> {
         };
         let (b, c) = if self.above([a, b, c], d) < 0.0 { (b, c) } else { (c, b) };
         // d is below a, b, c.
-        let facet = |corners, across| Facet { corners, across, ..Facet::default() };
+        let facet = |corners, across| self.facet(corners, across);
         self.facets = vec![
             facet([a, b, c], [3, 1, 2]),
             facet([c, b, d], [0, 3, 2]),
@@ -139,20 +164,19 @@ impl Hull<'_> {
     fn hand_out(&mut self, points: impl Iterator<Item = u32>, first: u32) {
         for p in points {
             let above = (first as usize..self.facets.len())
-                .find(|&f| self.facets.get(f).is_some_and(|f| self.above(f.corners, p) > 0.0));
-            if let Some(facet) = above.and_then(|f| self.facets.get_mut(f)) {
+                .find_map(|f| self.facets.get(f).and_then(|facet| Some((f, self.height(facet, p)?))));
+            if let Some((facet, height)) = above.and_then(|(f, h)| Some((self.facets.get_mut(f)?, h))) {
                 facet.above.push(p);
+                if facet.top.is_none_or(|(most, _)| height > most) {
+                    facet.top = Some((height, p));
+                }
             }
         }
     }
 
     /// The farthest of the points above a facet.
     fn farthest(&self, f: u32) -> Option<u32> {
-        let facet = self.facets.get(f as usize).filter(|f| !f.gone)?;
-        let [a, b, c] = facet.corners.map(|i| self.at(i));
-        let normal = (b - a).cross(c - a);
-        let height = |&i: &u32| normal.dot(self.at(i) - a);
-        facet.above.iter().copied().max_by(|i, j| height(i).total_cmp(&height(j)))
+        self.facets.get(f as usize).filter(|f| !f.gone)?.top.map(|(_, p)| p)
     }
 
     /// The facets that a point sees, from one of them on, and the border of what it sees: the ends of each side, and
@@ -171,7 +195,7 @@ impl Hull<'_> {
                     // Seen already: the facets that are gone for good have no neighbours left.
                     continue;
                 }
-                if self.above(other.corners, p) > 0.0 {
+                if self.height(other, p).is_some() {
                     self.facets[h as usize].gone = true;
                     seen.push(h);
                 } else {

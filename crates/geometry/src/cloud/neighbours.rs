@@ -1,5 +1,5 @@
 use super::check_points3;
-use crate::box_tree::BoxTree;
+use crate::box_tree::{Bounds, BoxTree};
 use crate::{Point3, Result};
 
 /// Points in a tree, to find those near a place.
@@ -73,13 +73,18 @@ impl PointTree {
         });
     }
 
-    /// Calls `visit` with the points nearer than a squared distance, which it may lessen.
-    pub(super) fn visit_near(&self, q: [f64; 3], limit: f64, visit: impl FnMut(usize) -> f64) {
-        self.tree.visit_near(&q, limit, visit);
+    /// Calls `visit` with the points in boxes that are `wanted`; what is visited may change what is wanted.
+    pub(super) fn visit_wanted<S>(
+        &self,
+        state: &mut S,
+        wanted: impl Fn(&S, &Bounds) -> bool,
+        visit: impl FnMut(&mut S, usize),
+    ) {
+        self.tree.visit_wanted(state, wanted, visit);
     }
 }
 
-pub(super) fn squared_distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
+fn squared_distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
     let d: [f64; 3] = std::array::from_fn(|k| p[k] - q[k]);
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 }

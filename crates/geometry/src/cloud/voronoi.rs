@@ -1,7 +1,9 @@
+use std::ops::Range;
+
 use spade::Triangulation;
 
 use super::convex_polygon::{ConvexPolygon, doubled_area, nearer_part, outline};
-use super::delaunay::{Corner, Delaunay, circumcenter};
+use super::delaunay::{Corner, circumcenter, triangulated};
 use crate::{Curve, Plane, Point2, Result};
 
 /// The Voronoi diagram of sites in a plane, inside a convex boundary: for every site the part of the boundary's inside
@@ -15,8 +17,8 @@ use crate::{Curve, Plane, Point2, Result};
 pub struct Voronoi {
     sites: Vec<Point2>,
     corners: Vec<Point2>,
-    /// Where each cell's corners end; they begin where those of the cell before end.
-    ends: Vec<usize>,
+    /// Where each cell's corners lie.
+    ranges: Vec<Range<usize>>,
     duplicates: bool,
 }
 
@@ -24,11 +26,10 @@ impl Voronoi {
     /// The diagram of sites inside a boundary.
     ///
     /// # Errors
-    /// As [`Delaunay::new`].
+    /// As [`Delaunay::new`](super::Delaunay::new).
     pub fn new(sites: &[Point2], boundary: &ConvexPolygon) -> Result<Self> {
-        let delaunay = Delaunay::new(sites)?;
-        let centers: Vec<Center> = delaunay
-            .mesh
+        let (mesh, shared) = triangulated(sites)?;
+        let centers: Vec<Center> = mesh
             .all_faces()
             .map(|face| match face.as_inner() {
                 None => Center::OUTSIDE,
@@ -43,28 +44,29 @@ impl Voronoi {
         let mut out = Self {
             sites: sites.to_vec(),
             corners: Vec::with_capacity(6 * sites.len()),
-            ends: Vec::with_capacity(sites.len()),
-            duplicates: delaunay.has_duplicates(),
+            ranges: vec![0..0; sites.len()],
+            duplicates: shared.is_some(),
         };
         let mut scratch = (Vec::new(), Vec::new());
-        for (i, &site) in sites.iter().enumerate() {
-            if delaunay.first_at(i) == i
-                && let Some(corner) = delaunay.corner(i)
-            {
-                let start = out.corners.len();
-                let inner = corner.out_edges().all(|e| {
-                    let center = centers.get(e.face().index()).filter(|c| c.inside);
-                    out.corners.extend(center.map(|c| c.place));
-                    center.is_some()
-                });
-                if !inner || corner.out_edge().is_none() {
-                    out.corners.truncate(start);
-                    cut_out(boundary, site, corner, sites, &mut scratch);
-                    out.corners.extend_from_slice(&scratch.0);
-                }
-                out.tidy(start, 1e-12 * size);
+        // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
+        for corner in mesh.vertices() {
+            let i = corner.data().index as usize;
+            let Some(&site) = sites.get(i) else { continue };
+            let start = out.corners.len();
+            let inner = corner.out_edges().all(|e| {
+                let center = centers.get(e.face().index()).filter(|c| c.inside);
+                out.corners.extend(center.map(|c| c.place));
+                center.is_some()
+            });
+            if !inner || corner.out_edge().is_none() {
+                out.corners.truncate(start);
+                cut_out(boundary, site, corner, sites, &mut scratch);
+                out.corners.extend_from_slice(&scratch.0);
             }
-            out.ends.push(out.corners.len());
+            out.tidy(start, 1e-12 * size);
+            if let Some(range) = out.ranges.get_mut(i) {
+                *range = start..out.corners.len();
+            }
         }
         Ok(out)
     }
@@ -73,13 +75,14 @@ impl Voronoi {
     /// no area.
     fn tidy(&mut self, start: usize, tolerance: f64) {
         let mut kept = start;
+        let apart = |a: Point2, b: Point2| (a - b).length_squared() > tolerance * tolerance;
         for k in start..self.corners.len() {
-            if kept == start || self.corners[k].distance_to(self.corners[kept - 1]) > tolerance {
+            if kept == start || apart(self.corners[k], self.corners[kept - 1]) {
                 self.corners[kept] = self.corners[k];
                 kept += 1;
             }
         }
-        while kept > start + 1 && self.corners[kept - 1].distance_to(self.corners[start]) <= tolerance {
+        while kept > start + 1 && !apart(self.corners[kept - 1], self.corners[start]) {
             kept -= 1;
         }
         self.corners.truncate(kept);
@@ -90,12 +93,12 @@ impl Voronoi {
 
     /// The number of sites.
     pub fn len(&self) -> usize {
-        self.ends.len()
+        self.ranges.len()
     }
 
     /// Whether there is no site.
     pub fn is_empty(&self) -> bool {
-        self.ends.is_empty()
+        self.ranges.is_empty()
     }
 
     /// Whether some sites share a place: all but the first of them have empty cells.
@@ -105,8 +108,7 @@ impl Voronoi {
 
     /// The corners of the cell of site `i`, counter-clockwise; none when the cell is empty.
     pub fn cell(&self, i: usize) -> &[Point2] {
-        let start = i.checked_sub(1).and_then(|b| self.ends.get(b)).copied().unwrap_or(0);
-        self.ends.get(i).and_then(|&end| self.corners.get(start..end)).unwrap_or(&[])
+        self.ranges.get(i).and_then(|range| self.corners.get(range.clone())).unwrap_or(&[])
     }
 
     /// The area of the cell of site `i`.

@@ -1,6 +1,7 @@
-use super::neighbours::{PointTree, squared_distance};
+use super::neighbours::PointTree;
 use super::polyhedron::{ConvexPolyhedron, Cut, Scratch};
 use super::{check_coordinates, check_points3};
+use crate::box_tree::{Bounds, squared_distance_to};
 use crate::{BoundingBox, Error, Point3, Result, Vector3};
 
 /// So many neighbours, the nearest first, settle most cells.
@@ -11,9 +12,10 @@ const USUAL: usize = 24;
 ///
 /// `None` for a site in the same place as an earlier one, and for one so far outside the box that its cell does not
 /// reach it. Each cell is cut from the box by the middle planes to its neighbours, the nearest first, until none can be
-/// near enough to matter: twice the distance to the farthest corner (C. Rycroft, *Voro++: a three-dimensional Voronoi
-/// cell library*, 2009). Corners within 1e-12 of the box's size of a plane count as on it. Runs in parallel with the
-/// `parallel` feature.
+/// near enough to matter (C. Rycroft, *Voro++: a three-dimensional Voronoi cell library*, 2009): after the nearest few,
+/// boxes of sites in a tree are passed over that are nearer to no corner of the cell than its own site, so that sites
+/// on a plane or a surface take not much longer than others. Corners within 1e-12 of the box's size of a plane count as
+/// on it. Runs in parallel with the `parallel` feature.
 ///
 /// # Errors
 /// A coordinate is not finite or beyond 3.2e60, or the box has no volume.
@@ -62,7 +64,6 @@ struct Cells {
 struct Room {
     scratch: Scratch,
     found: Vec<(f64, u32)>,
-    rest: Vec<(f64, u32)>,
 }
 
 impl Cells {
@@ -100,7 +101,7 @@ impl Cells {
         room: &mut Room,
     ) -> Option<ConvexPolyhedron> {
         let q: [f64; 3] = site.into();
-        let Room { scratch, found, rest } = room;
+        let Room { scratch, found } = room;
         self.tree.nearest_into(q, USUAL, [0.0, f64::INFINITY], own, found);
         // What is not nearer than twice the farthest corner cuts nothing: here squared.
         let mut reach = reach_of(&cell);
@@ -108,31 +109,34 @@ impl Cells {
             if d > reach {
                 return Some(cell);
             }
-            self.cut(&mut cell, site, own, j, scratch, &mut reach)?;
+            if self.cut(&mut cell, site, own, j, scratch)? {
+                reach = reach_of(&cell);
+            }
         }
         if found.len() < USUAL {
             return Some(cell);
         }
-        let last = found.last().copied()?;
-        rest.clear();
-        self.tree.visit_near(q, reach, |j| {
-            let candidate = self.sites.get(j).map(|&p| (squared_distance(&p.into(), &q), j as u32));
-            let new =
-                |c: &(f64, u32)| c.0.total_cmp(&last.0).then(c.1.cmp(&last.1)).is_gt() && Some(j) != own;
-            rest.extend(candidate.filter(new));
-            reach
-        });
-        rest.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        for &(d, j) in rest.iter() {
-            if d > reach {
-                break;
+        // A site cuts off a corner that is nearer to it than to its own.
+        let cuts = |(cell, reach): &(Option<ConvexPolyhedron>, f64), bounds: &Bounds| {
+            squared_distance_to(bounds, &q) < *reach
+                && cell.iter().flat_map(ConvexPolyhedron::vertices).any(|&v| {
+                    let v = v.to_vector();
+                    squared_distance_to(bounds, &(site + v).into()) < v.length_squared()
+                })
+        };
+        let mut state = (Some(cell), reach);
+        self.tree.visit_wanted(&mut state, cuts, |(left, reach), j| {
+            let Some(cell) = left.as_mut().filter(|_| Some(j) != own) else { return };
+            match self.cut(cell, site, own, j as u32, scratch) {
+                Some(true) => *reach = reach_of(cell),
+                Some(false) => {}
+                None => *left = None,
             }
-            self.cut(&mut cell, site, own, j, scratch, &mut reach)?;
-        }
-        Some(cell)
+        });
+        state.0
     }
 
-    /// Cuts off what is nearer to site `j`; `None` when nothing is left.
+    /// Cuts off what is nearer to site `j`, and tells whether that was anything; `None` when nothing is left.
     fn cut(
         &self,
         cell: &mut ConvexPolyhedron,
@@ -140,19 +144,17 @@ impl Cells {
         own: Option<usize>,
         j: u32,
         scratch: &mut Scratch,
-        reach: &mut f64,
-    ) -> Option<()> {
+    ) -> Option<bool> {
         let d: Vector3 = *self.sites.get(j as usize)? - site;
         let Some(n) = d.unitized() else {
             // In the same place: the cell is the first one's.
-            return own.is_none_or(|i| i < j as usize).then_some(());
+            return own.is_none_or(|i| i < j as usize).then_some(false);
         };
         match cell.cut(n, 0.5 * d.length(), self.tolerance, j, scratch) {
-            Cut::Nothing => {}
-            Cut::Part => *reach = reach_of(cell),
-            Cut::All => return None,
+            Cut::Nothing => Some(false),
+            Cut::Part => Some(true),
+            Cut::All => None,
         }
-        Some(())
     }
 }
 

@@ -61,10 +61,10 @@ impl Metaballs {
 
     /// A size of cells that shows the smallest ball: an eighth of its radius, but at most a thousand to a side.
     pub fn usual_accuracy(&self, threshold: f64) -> f64 {
-        let radius = |b: &Ball| (b.charge / threshold).sqrt();
-        let radii: Vec<f64> = self.balls.iter().map(radius).filter(|r| *r > 0.0).collect();
+        let radius = |b: &Ball| (b.charge / threshold).abs().sqrt();
+        let radii: Vec<f64> = self.balls.iter().map(radius).filter(|r| *r > 0.0 && r.is_finite()).collect();
         let (small, large) = radii.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &r| (a.min(r), b.max(r)));
-        let Some([min, max]) = self.extent() else { return 1.0 };
+        let Some([min, max]) = self.extent().filter(|_| large > 0.0) else { return 1.0 };
         let side = (max.x - min.x).max(max.y - min.y) + 2.0 * large;
         (small / 8.0).max(side / 1000.0)
     }
@@ -415,6 +415,8 @@ mod tests {
         assert!(Metaballs::new(&[Point3::ORIGIN], &[], &Plane::XY).is_err());
         assert!(Metaballs::new(&[Point3::new(f64::NAN, 0.0, 0.0)], &[1.0], &Plane::XY).is_err());
         assert!(pair.usual_accuracy(0.5) > 0.0);
-        assert!(balls(&[], &[1.0]).usual_accuracy(0.5) > 0.0);
+        assert_eq!(balls(&[], &[1.0]).usual_accuracy(0.5), 1.0);
+        assert_eq!(balls(&[[0.0; 3]], &[0.0]).usual_accuracy(0.5), 1.0);
+        assert_eq!(balls(&[[0.0; 3]], &[-2.0]).usual_accuracy(-0.5), 0.25);
     }
 }

@@ -17,7 +17,7 @@ fn outlines(
     threshold: f64,
     accuracy: Option<f64>,
 ) -> Result<Vec<Shared<Curve>>, Message> {
-    let accuracy = accuracy.unwrap_or_else(|| field.usual_accuracy(threshold.abs()));
+    let accuracy = accuracy.unwrap_or_else(|| field.usual_accuracy(threshold));
     let lines = field.isolines(threshold, accuracy, MOST_LOOKS)?;
     context.items(lines.iter().map(|l| l.points.len()).sum())?;
     let curve = |points: &[Point2]| -> Result<Shared<Curve>, Message> {
