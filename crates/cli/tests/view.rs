@@ -54,10 +54,9 @@ fn looked_at(name: &str, file: &Path, words: &[&str]) {
     let told = said(&output);
     assert_eq!((output.status.code(), told.as_str()), (Some(0), ""), "{name}");
     let written = fs::read_to_string(&svg).unwrap();
-    assert!(
-        written.starts_with("<svg") && written.contains("<path") && written.ends_with("</svg>\n"),
-        "{name}"
-    );
+    // Thousands of faces are put in as pixels.
+    let drawn = written.contains("<path") || written.contains("<image");
+    assert!(written.starts_with("<svg") && drawn && written.ends_with("</svg>\n"), "{name}");
     let kept = Path::new(PICTURES).join(format!("{name}.png"));
     if std::env::var_os("KATYDID_REFRESH_PICTURES").is_some() {
         fs::create_dir_all(PICTURES).unwrap();

@@ -103,44 +103,71 @@ fn write_solids(out: &mut String, solids: &Solids, size: [f64; 2]) {
     if pieces > MOST_VECTORS && !solids.faces.is_empty() && write_pixels(out, solids, size).is_some() {
         return;
     }
-    let mut line: Option<(usize, Path)> = None;
-    let finish = |out: &mut String, line: &mut Option<(usize, Path)>| {
-        if let Some((of, path)) = line.take()
-            && let Some(style) = solids.lines.get(of)
+    let mut run = Run { solids, line: None, alpha: None };
+    for drawn in order::back_to_front(solids) {
+        match drawn {
+            Drawn::Face { corners, colour } => run.face(out, &corners, colour),
+            Drawn::Line { from, to, of } => run.line(out, [from[0], from[1]], [to[0], to[1]], of),
+        }
+    }
+    run.finish_line(out);
+    run.finish_faces(out);
+}
+
+/// What is being written: neighbours in the painter's order share what they have in common.
+struct Run<'a> {
+    solids: &'a Solids,
+    /// A line of one style, and the index of one that has it.
+    line: Option<(usize, Path)>,
+    /// The alpha of the group of faces that is open.
+    alpha: Option<u8>,
+}
+
+impl Run<'_> {
+    fn face(&mut self, out: &mut String, corners: &[[f64; 3]], colour: Colour) {
+        self.finish_line(out);
+        if self.alpha != Some(colour.a) {
+            self.finish_faces(out);
+            self.alpha = Some(colour.a);
+            // Neighbours would let the ground shine through between them: an opaque face gets a rim of its own
+            // colour, and a clear one, whose rim would show, is drawn without smoothing.
+            if colour.a == 255 {
+                out.push_str("<g stroke-width=\"0.6\">\n");
+            } else {
+                let opacity = number(f64::from(colour.a) / 255.0);
+                let _ = writeln!(out, "<g fill-opacity=\"{opacity}\" shape-rendering=\"crispEdges\">");
+            }
+        }
+        let path = data(&Path::polygon(corners.iter().map(|p| [p[0], p[1]])));
+        let rim = if colour.a == 255 { paint("stroke", colour) } else { String::new() };
+        let _ = writeln!(out, "<path d=\"{path}\"{}{rim}/>", paint("fill", opaque(colour)));
+    }
+
+    fn line(&mut self, out: &mut String, from: [f64; 2], to: [f64; 2], of: usize) {
+        self.finish_faces(out);
+        if !self.line.as_ref().is_some_and(|(last, _)| same_style(self.solids, *last, of)) {
+            self.finish_line(out);
+        }
+        let (_, path) = self.line.get_or_insert_with(|| (of, Path::default()));
+        if !matches!(path.segments.last(), Some(Segment::Line(p)) if *p == from) {
+            path.segments.push(Segment::Move(from));
+        }
+        path.segments.push(Segment::Line(to));
+    }
+
+    fn finish_line(&mut self, out: &mut String) {
+        if let Some((of, path)) = self.line.take()
+            && let Some(style) = self.solids.lines.get(of)
         {
             write_shape(out, &Shape::stroked(path, opaque(style.colour), style.width));
         }
-    };
-    for drawn in order::back_to_front(solids) {
-        match drawn {
-            Drawn::Face { corners, colour } => {
-                finish(out, &mut line);
-                let path = data(&Path::polygon(corners.iter().map(|p| [p[0], p[1]])));
-                let fill = paint("fill", colour);
-                // Neighbours would let the ground shine through between them: an opaque face gets a rim of its own
-                // colour, and a clear one, whose rim would show, is drawn without smoothing.
-                let seam = if colour.a == 255 {
-                    format!("{} stroke-width=\"0.6\"", paint("stroke", colour))
-                } else {
-                    " shape-rendering=\"crispEdges\"".to_owned()
-                };
-                let _ = writeln!(out, "<path d=\"{path}\"{fill}{seam}/>");
-            }
-            Drawn::Line { from, to, of } => {
-                let (from, to) = ([from[0], from[1]], [to[0], to[1]]);
-                let goes_on = line.as_ref().is_some_and(|(last, _)| same_style(solids, *last, of));
-                if !goes_on {
-                    finish(out, &mut line);
-                }
-                let (_, path) = line.get_or_insert_with(|| (of, Path::default()));
-                if !matches!(path.segments.last(), Some(Segment::Line(p)) if *p == from) {
-                    path.segments.push(Segment::Move(from));
-                }
-                path.segments.push(Segment::Line(to));
-            }
+    }
+
+    fn finish_faces(&mut self, out: &mut String) {
+        if self.alpha.take().is_some() {
+            out.push_str("</g>\n");
         }
     }
-    finish(out, &mut line);
 }
 
 fn same_style(solids: &Solids, a: usize, b: usize) -> bool {

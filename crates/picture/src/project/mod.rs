@@ -20,6 +20,10 @@ const MARGIN: (f64, f64) = (0.07, 14.0);
 /// How far lines are moved towards the viewer, in pixels of depth: a curve on a surface is seen whole although both
 /// are drawn as facets.
 const BEFORE: f64 = 2.0;
+/// Half the side of a plane, in pixels.
+const PLANE: f64 = 20.0;
+/// Signs are smaller on pictures whose smaller side is less than this, in pixels, but by no more than that factor.
+const FULL_SIGNS: (f64, f64) = (500.0, 0.55);
 /// Curves are drawn to this part of a pixel.
 const SMOOTH: f64 = 0.15;
 
@@ -30,6 +34,8 @@ pub(crate) struct Canvas {
     pub(crate) solids: Solids,
     pub(crate) labels: Labels,
     pub(crate) above: Vec<Item>,
+    /// How large signs are, over their full size.
+    pub(crate) sign_size: f64,
     /// The colour of the ground, or what a clear ground is taken for.
     pub(crate) ground: Colour,
     /// A colour that is seen on the ground.
@@ -40,7 +46,12 @@ pub(crate) struct Canvas {
 pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
     let size = options.size.map(f64::from);
     let points = scene.extents();
-    let margin = (MARGIN.0 * size[0].min(size[1])).max(MARGIN.1);
+    let side = size[0].min(size[1]);
+    let sign_size = (side / FULL_SIGNS.0).clamp(FULL_SIGNS.1, 1.0);
+    // Planes are seen whole at the border too.
+    let planes = scene.things.iter().any(|thing| matches!(thing.form, Form::Plane(_)));
+    let least = if planes { 1.5 * PLANE * sign_size } else { MARGIN.1 };
+    let margin = (MARGIN.0 * side).max(least);
     let ground = options.background.unwrap_or(Colour::rgb(255, 255, 255));
     let bright = 0.3 * f64::from(ground.r) + 0.59 * f64::from(ground.g) + 0.11 * f64::from(ground.b) > 110.0;
     let mut canvas = Canvas {
@@ -49,6 +60,7 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
         solids: Solids::default(),
         labels: Labels::default(),
         above: Vec::new(),
+        sign_size,
         ground,
         ink: if bright { Colour::rgb(34, 38, 46) } else { Colour::rgb(236, 238, 242) },
     };
@@ -123,7 +135,7 @@ impl Canvas {
     }
 
     fn plane(&mut self, plane: &katydid_geometry::Plane, look: &crate::scene::Look) {
-        let r = 20.0 * self.camera.unit(plane.origin);
+        let r = PLANE * self.sign_size * self.camera.unit(plane.origin);
         let at = |u: f64, v: f64| plane.at(u * r, v * r, 0.0);
         let corners = [at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0), at(-1.0, -1.0)];
         let faint = blend(self.ground, opaque(look.line), 0.5);

@@ -16,7 +16,8 @@ const DOT: [f64; 2] = [1.5, 400.0];
 impl Canvas {
     pub(super) fn cross(&mut self, p: Point3, colour: Colour, width: f64) {
         let Some([x, y, z]) = self.camera.project(p) else { return };
-        for (dx, dy) in [(ARM, ARM), (ARM, -ARM)] {
+        let arm = ARM * self.sign_size;
+        for (dx, dy) in [(arm, arm), (arm, -arm)] {
             let at = |s: f64| [x + s * dx, y + s * dy, z + 2.0 * BEFORE];
             self.stroke(vec![at(-1.0), at(1.0)], colour, width);
         }
@@ -77,7 +78,7 @@ impl Canvas {
             }
             return;
         }
-        let scale = (width / 1.5).clamp(0.6, 4.0).min(0.6 * length / HEAD[0]);
+        let scale = (self.sign_size.max(0.75) * width / 1.5).clamp(0.6, 4.0).min(0.6 * length / HEAD[0]);
         let (ux, uy) = (dx / length, dy / length);
         let back = (HEAD[0] * scale / length).min(1.0);
         let base = [0, 1, 2].map(|k| b[k] - (b[k] - a[k]) * back);
