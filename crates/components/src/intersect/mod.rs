@@ -17,13 +17,18 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message};
 use katydid_geometry::{Curve, Plane};
 
+/// Whether a curve ends where it starts, within the tolerance.
+fn closes(curve: &Curve, tolerance: f64) -> bool {
+    let meets = || curve.start().distance_to(curve.end()) <= tolerance && !matches!(curve, Curve::Line(_));
+    curve.is_closed() || meets()
+}
+
 /// The closed curves of a list. Nulls are skipped; open curves too, with a warning.
 fn closed_curves(context: &Context<'_>, name: &str, list: &List<'_, Shared<Curve>>) -> Vec<Curve> {
     let mut open = 0;
     let mut out = Vec::new();
     for curve in list.iter().flatten() {
-        let gap = curve.start().distance_to(curve.end());
-        if curve.is_closed() || (gap <= context.tolerance().absolute && !matches!(*curve, Curve::Line(_))) {
+        if closes(&curve, context.tolerance().absolute) {
             out.push(Curve::clone(&curve));
         } else {
             open += 1;

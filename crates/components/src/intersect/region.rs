@@ -6,7 +6,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_geometry::region::Region;
 use katydid_geometry::{Curve, Plane};
 
-use super::{closed_curves, plane_of};
+use super::{closed_curves, closes, plane_of};
 
 /// The pieces inside and outside.
 type Pieces = (Vec<Shared<Curve>>, Vec<Shared<Curve>>);
@@ -18,6 +18,9 @@ fn trimmed(
     plane: Option<Plane>,
 ) -> Result<Pieces, Message> {
     let tolerance = context.tolerance().absolute;
+    if !regions.iter().all(|r| closes(r, tolerance)) {
+        return Err(Message::error("The region is open and has no inside"));
+    }
     // A straight curve lies in many planes, and then the regions decide.
     let plane =
         plane_of(context, plane, std::iter::once(curve).filter(|c| !c.is_linear(tolerance)).chain(regions))?;
