@@ -22,6 +22,10 @@ static FACTS: LazyLock<HashMap<Uuid, Arc<Facts>>> = LazyLock::new(|| {
         .collect()
 });
 
+/// What a name without its panel means where the first of that name is not the one that had it first: files keep their
+/// meaning when a component of a known name is added.
+const MEANT: [(&str, &str); 1] = [("Project", "Affine")];
+
 /// By name in lower case, with and without the panel before it: what the name finds, and the parameter of that name.
 static NAMES: LazyLock<HashMap<String, (Uuid, Option<Uuid>)>> = LazyLock::new(|| {
     let mut names: HashMap<String, (&Component, Option<Uuid>)> = HashMap::new();
@@ -30,7 +34,8 @@ static NAMES: LazyLock<HashMap<String, (Uuid, Option<Uuid>)>> = LazyLock::new(||
         let parameter = component.floating.then_some(component.guid);
         for name in [component.name.to_owned(), format!("{}/{}", component.panel, component.name)] {
             let (found, floating) = names.entry(name.to_lowercase()).or_insert((component, parameter));
-            if found.floating && !component.floating {
+            let is_meant = MEANT.contains(&(component.name, component.panel)) && !component.old;
+            if found.floating && !component.floating || is_meant {
                 *found = component;
             }
             *floating = floating.or(parameter);

@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 27] = [
+static LIST: [Unsupported; 56] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -143,4 +143,97 @@ static LIST: [Unsupported; 27] = [
         "Construct Exotic Date",
         "under what name a file stores its calendar is not known",
     ),
+    row(
+        uuid!("f3c769fd-aa9b-4695-a1ce-3ad4c53d1440"),
+        "Test Crash",
+        "all it does is to make Grasshopper fail",
+    ),
+    row(
+        uuid!("e1905a16-da43-4705-bd65-41d34328c4e6"),
+        "Bar Graph",
+        "it draws on the canvas only, and how is not known",
+    ),
+    row(
+        uuid!("54ab3f01-a769-4742-a7bf-cec48a1acb6f"),
+        "Image Gallery",
+        "it draws on the canvas only, and how is not known",
+    ),
+    row(
+        uuid!("952c2bcc-b5ec-480a-a0d7-27f016632e33"),
+        "Pie Chart",
+        "it draws on the canvas only, and how is not known",
+    ),
+    row(
+        uuid!("615367b4-c9d0-4cb7-986c-cb861226136f"),
+        "Value Tracker",
+        "it draws on the canvas only, and how is not known",
+    ),
+    row(
+        uuid!("b78d95bc-dffb-414c-b177-c611c92580b9"),
+        "Viewport Display",
+        "it shows a viewport on the canvas",
+    ),
+    row(
+        uuid!("96e40f6b-ba46-4102-bf15-ebf90471f4a0"),
+        "Make2D",
+        "outlines and hidden lines are not computed yet",
+    ),
+    row(
+        uuid!("3fc08088-d75d-43bc-83cc-7a654f156cb7"),
+        "Make2D Parallel View",
+        "outlines and hidden lines are not computed yet",
+    ),
+    row(
+        uuid!("33359c6d-984e-42f3-a869-0c3364ab33b6"),
+        "Make2D Perspective View",
+        "outlines and hidden lines are not computed yet",
+    ),
+    row(
+        uuid!("4ac24770-e38b-4363-be38-551a3b134707"),
+        "Make2D Rhino View",
+        "outlines and hidden lines are not computed yet",
+    ),
+    row(uuid!("b57bf805-046a-4360-ad76-51aeddfe9720"), "Boundary Volume", "there are no computed solids yet"),
+    row(uuid!("2d3b6ef3-5c26-4e2f-bcb3-8ffb9fb0f7c3"), "Box Slits", "there are no computed solids yet"),
+    row(uuid!("904e4b56-484a-4814-b35f-aa4baf362117"), "Brep | Brep", "there are no computed solids yet"),
+    row(uuid!("0feeeaca-8f1f-4d7c-a24a-8e7dd68604a2"), "Region Slits", "there are no computed solids yet"),
+    row(
+        uuid!("fab11c30-2d9c-4d15-ab3c-2289f1ae5c21"),
+        "Solid Difference",
+        "there are no computed solids yet",
+    ),
+    row(
+        uuid!("5723c845-cafc-442d-a667-8c76532845e6"),
+        "Solid Intersection",
+        "there are no computed solids yet",
+    ),
+    row(uuid!("10434a15-da85-4281-bb64-a2b3a995b9c6"), "Solid Union", "there are no computed solids yet"),
+    row(uuid!("ef6b26f4-f820-48d6-b0c5-85898ef8888b"), "Split Brep", "there are no computed solids yet"),
+    row(
+        uuid!("03f22640-ff80-484e-bb53-a4025c5faa07"),
+        "Split Brep Multiple",
+        "there are no computed solids yet",
+    ),
+    row(uuid!("4bdc2eb0-24ed-4c90-a27b-a32db069eaef"), "Split with Brep", "there are no computed solids yet"),
+    row(
+        uuid!("5b742537-9bcb-4f06-9613-866da5bf845e"),
+        "Split with Breps",
+        "there are no computed solids yet",
+    ),
+    row(uuid!("7db14002-c09c-4d7b-9f80-e4e2b00dfa1d"), "Surface Split", "there are no computed solids yet"),
+    row(uuid!("f0b70e8e-7337-4ce4-a7bb-317fc971f918"), "Trim Solid", "there are no computed solids yet"),
+    row(uuid!("3eba04bc-00e8-416d-b58f-a3dc8b3e22e2"), "Trim with Brep", "there are no computed solids yet"),
+    row(uuid!("916e7ebc-524c-47ce-8936-e50a09a7b43c"), "Trim with Breps", "there are no computed solids yet"),
+    row(uuid!("1a17d3f0-c8f8-4ee9-8dab-ea1c29db6a49"), "Quad Remesh", "there is no remeshing with quads yet"),
+    row(
+        uuid!("f562505b-4c49-49d1-932d-c8804b3fcec6"),
+        "Quad Remesh Settings",
+        "there is no remeshing with quads yet",
+    ),
+    row(
+        uuid!("b7cbe6eb-0608-4038-88e0-50495a559a41"),
+        "Quadmesh Settings",
+        "there is no remeshing with quads yet",
+    ),
+    row(uuid!("07a3b2a0-c4d0-4638-9044-39ac4681e782"), "Mesh Depth", "what it computes is not known"),
 ];
