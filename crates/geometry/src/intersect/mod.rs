@@ -5,11 +5,14 @@ mod clusters;
 mod curve_curve;
 mod curve_plane;
 mod curve_surface;
+mod fold;
 mod judge;
 mod lines;
 mod patch_tree;
+mod reader;
 mod result;
 mod search;
+mod side;
 mod surface_kinds;
 mod tree;
 
