@@ -360,6 +360,26 @@ fn cusps_are_no_crossings() {
     assert_eq!(sound(&cusp, &line, 1e-9).crossings.len(), 1);
 }
 
+/// Hundreds of thousands of honest crossings are not too many: chords of a circle, which cross where their ends
+/// alternate.
+#[test]
+fn a_star_is_not_hostile() {
+    let n = 1_200;
+    let angles: Vec<f64> = (0..n).map(|i| (2.5 * f64::from(i)).rem_euclid(std::f64::consts::TAU)).collect();
+    let star: Vec<Point3> = angles.iter().map(|a| p(a.cos(), a.sin())).collect();
+    let chords: Vec<[f64; 2]> = angles.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1])]).collect();
+    let mut want = 0;
+    for (i, [a, b]) in chords.iter().enumerate() {
+        for [c, d] in chords.iter().skip(i + 2) {
+            want += usize::from((a < c && c < b) != (a < d && d < b));
+        }
+    }
+    let found = curve_self(&polyline(&star), 1e-12).unwrap();
+    assert!(found.complete && found.overlaps.is_empty());
+    assert!(want > 100_000);
+    assert_eq!(found.crossings.len(), want);
+}
+
 #[test]
 fn hostile_input_ends_and_says_so() {
     let fold: Vec<Point3> = (0..4_000).map(|i| p(f64::from(i % 2), 0.0)).collect();

@@ -64,7 +64,7 @@ fn meet<'a>(
     let contacts = std::mem::take(&mut search.contacts);
     let (pa, pb) = search.pieces();
     let tolerance = search.tolerance;
-    let purse = Cell::new(purse(pa.len() + pb.len()));
+    let purse = Cell::new(purse(pa.len() + pb.len(), contacts.len()));
     let a = Side::new(pa, &turns_a, a.domain(), tolerance, &purse);
     let b = Side::new(pb, &turns_b, b.domain(), tolerance, &purse);
     Reader { a, b, tolerance, itself: false }.read(contacts, &mut out);
@@ -72,8 +72,8 @@ fn meet<'a>(
 }
 
 /// How many places on the curves the reading of contacts may look at: some tenths of a second.
-fn purse(pieces: usize) -> u64 {
-    3_000_000 + (200 * pieces as u64).min(4_000_000)
+fn purse(pieces: usize, contacts: usize) -> u64 {
+    3_000_000 + (200 * pieces as u64).min(4_000_000) + 4 * contacts as u64
 }
 
 /// All points and stretches in which a curve meets itself within `tolerance`: crossings with the smaller parameter
@@ -102,7 +102,7 @@ pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
         }
     }
     let pieces = search.pieces().0;
-    let purse = Cell::new(purse(pieces.len()));
+    let purse = Cell::new(purse(pieces.len(), contacts.len()));
     let side = Side::new(pieces, &turns, curve.domain(), search.tolerance, &purse);
     Reader { a: side, b: side, tolerance: search.tolerance, itself: true }.read(contacts, &mut out);
     Ok(out)

@@ -33,15 +33,15 @@ pub(super) struct Search<'a> {
     pub(super) tolerance: f64,
     pub(super) contacts: Vec<Contact>,
     pub(super) visits: u64,
-    /// What has been done, in looks at a pair of small parts.
+    /// What has been done, in looks at two boxes.
     work: u64,
     pub(super) complete: bool,
     stack: Vec<(u32, u32)>,
 }
 
 /// So much work and no more: some tenths of a second, and more for curves of many pieces.
-const BUDGET: u64 = 8_000_000;
-const BUDGET_A_PIECE: u64 = 30;
+const BUDGET: u64 = 14_000_000;
+const BUDGET_A_PIECE: u64 = 20;
 
 /// No more contacts than this are kept.
 const MOST_CONTACTS: usize = 800_000;
@@ -113,7 +113,8 @@ impl<'a> Search<'a> {
             self.open(ia, ib, open_a, !open_a);
             return;
         };
-        self.work += 1 + u64::from(a.pairs_of_points(&b)) / 16;
+        let pairs = u64::from(a.pairs_of_points(&b));
+        self.work += 1 + pairs / 5;
         let verdict = judge(self.first.hull(&a), self.second().hull(&b), self.tolerance);
         if verdict == Verdict::Apart {
             return;
@@ -138,7 +139,7 @@ impl<'a> Search<'a> {
         }
         let verdict = match verdict {
             Verdict::Single(s, t) => {
-                self.work += 20;
+                self.work += (pairs * pairs / 6).min(200);
                 if let Some(contact) = crossing(&pa, &a, &pb, &b, (s, t), self.tolerance) {
                     self.contacts.push(contact);
                     return;
@@ -161,7 +162,7 @@ impl<'a> Search<'a> {
             }
             Verdict::Parallel { along, opposite, low, high } => {
                 self.visits += 2;
-                self.work += 80;
+                self.work += 16 + 11 * pairs;
                 if self.beside(&a, &b, (along, opposite, low, high)) {
                     return;
                 }
