@@ -114,7 +114,7 @@ impl<'a> Search<'a> {
             return;
         };
         let pairs = u64::from(a.pairs_of_points(&b));
-        self.work += 1 + pairs / 5;
+        self.work += 1 + pairs / 4;
         let verdict = judge(self.first.hull(&a), self.second().hull(&b), self.tolerance);
         if verdict == Verdict::Apart {
             return;
@@ -139,7 +139,7 @@ impl<'a> Search<'a> {
         }
         let verdict = match verdict {
             Verdict::Single(s, t) => {
-                self.work += (pairs * pairs / 6).min(200);
+                self.work += (pairs * pairs / 5).min(240);
                 if let Some(contact) = crossing(&pa, &a, &pb, &b, (s, t), self.tolerance) {
                     self.contacts.push(contact);
                     return;
@@ -162,8 +162,9 @@ impl<'a> Search<'a> {
             }
             Verdict::Parallel { along, opposite, low, high } => {
                 self.visits += 2;
-                self.work += 16 + 11 * pairs;
+                self.work += 8;
                 if self.beside(&a, &b, (along, opposite, low, high)) {
+                    self.work += 8 + 11 * pairs;
                     return;
                 }
             }
