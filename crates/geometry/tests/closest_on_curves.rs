@@ -267,3 +267,23 @@ fn rounding_around_one_minimum_does_not_hide_another() {
         assert!(c.closest_point(c.point_at(t)).unwrap().distance < 1e-7, "at {t}");
     }
 }
+
+/// A symmetric curve has a minimum just where its range is halved first.
+#[test]
+fn minima_where_a_range_is_halved() {
+    let xs = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0];
+    let ys = [0.0, 9.0, -20.0, 30.0, -20.0, 9.0, 0.0];
+    let points = xs.iter().zip(ys).map(|(&x, y)| Point3::new(x, y, 0.0)).collect();
+    let c: Curve =
+        NurbsCurve::new(6, points, katydid_geometry::clamped_uniform_knots(6, 7).unwrap()).unwrap().into();
+    let q = Point3::new(0.0, 40.0, 0.0);
+    let found = c.local_closest_points(q).unwrap();
+    let domain = c.domain();
+    let steps = 2_000;
+    let far: Vec<f64> =
+        (0..=steps).map(|k| c.point_at(domain.at(f64::from(k) / f64::from(steps))).distance_to(q)).collect();
+    let inner = far.windows(3).filter(|w| w[1] <= w[0] && w[1] < w[2]).count();
+    let ends = usize::from(far[0] < far[1]) + usize::from(far[far.len() - 1] < far[far.len() - 2]);
+    assert_eq!(found.len(), inner + ends, "{found:?}");
+    assert!(found.iter().any(|p| (p.parameter - domain.middle()).abs() < 1e-9), "{found:?}");
+}

@@ -242,6 +242,167 @@ fn a_curve_with_itself() {
     assert!(found.crossings.len() <= 1 && found.complete, "{found:?}");
 }
 
+/// Control points on a line in space.
+fn on_line(xs: &[f64]) -> Vec<Point3> {
+    xs.iter().map(|&x| Point3::new(x, 0.37 * x, -0.11 * x)).collect()
+}
+
+/// Overlaps of a curve with itself: the ranges meet in space all along.
+fn own_overlaps(c: &Curve, tolerance: f64) -> Vec<katydid_geometry::intersect::Overlap> {
+    let found = curve_self(c, tolerance).unwrap();
+    assert!(found.complete && found.crossings.is_empty(), "{found:?}");
+    for o in &found.overlaps {
+        assert_eq!(o.same_direction, o.b.start < o.b.end);
+        for (s, t) in [(o.a.start, o.b.start), (o.a.end, o.b.end)] {
+            assert!(c.point_at(s).distance_to(c.point_at(t)) <= 2.0 * tolerance, "{o:?}");
+        }
+    }
+    found.overlaps
+}
+
+#[test]
+fn spans_that_turn_back_overlap_themselves() {
+    // x = 4t − at², which turns at 2/a.
+    for (end, a) in [(0.0, 4.0), (0.7, 3.3), (-1.0, 5.0)] {
+        let c = nurbs(2, &on_line(&[0.0, 2.0, end]));
+        for tolerance in [1e-9, 1e-6, 1e-3] {
+            let found = own_overlaps(&c, tolerance);
+            assert_eq!(found.len(), 1, "{end} {tolerance}: {found:?}");
+            let o = found[0];
+            assert!(!o.same_direction, "{o:?}");
+            assert!((o.a.end - 2.0 / a).abs() < 1e-9 && (o.b.end - 2.0 / a).abs() < 1e-9, "{o:?}");
+            let start = if end >= 0.0 { 4.0 / a - 1.0 } else { 0.0 };
+            assert!((o.a.start - start).abs() < 2.0 * tolerance.max(1e-9), "{end} {tolerance}: {o:?}");
+        }
+    }
+    // Twice: three stretches, each pair of which overlaps. Joined where they go on in each other.
+    let c = nurbs(3, &on_line(&[0.0, 5.0, -2.0, 3.0]));
+    let found = own_overlaps(&c, 1e-9);
+    assert!(found.len() >= 3, "{found:?}");
+    assert!(found.iter().any(|o| o.same_direction));
+    let path = polyline(&on_line(&[0.0, 3.0, 1.0, 4.0]));
+    let found = own_overlaps(&path, 1e-9);
+    let mut covered: Vec<(f64, f64, f64, f64)> =
+        found.iter().map(|o| (o.a.start, o.a.end, o.b.start, o.b.end)).collect();
+    covered.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.2.total_cmp(&y.2)));
+    let want = [(1.0 / 3.0, 1.0, 2.0, 1.0), (1.0 / 3.0, 1.0, 2.0, 8.0 / 3.0), (1.0, 2.0, 8.0 / 3.0, 2.0)];
+    for w in want {
+        let near = |x: &(f64, f64, f64, f64)| {
+            [(x.0, w.0), (x.1, w.1), (x.2, w.2), (x.3, w.3)].iter().all(|(a, b)| (a - b).abs() < 1e-9)
+        };
+        assert!(covered.iter().any(near), "{w:?} is not in {covered:?}");
+    }
+    assert_eq!(covered.len(), 3, "{covered:?}");
+}
+
+#[test]
+fn arcs_run_there_and_back_overlap_themselves() {
+    // A cubic g(x) run through with x = 1 − (1 − at)²: of degree 6, and it turns at 1/a. Bernstein coefficients of
+    // the composition by the blossom: the mean of g's over all ways to take three pairs of the six arguments.
+    let g = [p(0.0, 0.0), p(1.0, 2.0), Point3::new(3.0, 2.0, 1.0), p(4.0, 0.0)];
+    let blossom = |x: [f64; 3]| {
+        let mut row = g.map(|q| q.to_vector());
+        for (level, x) in x.into_iter().enumerate() {
+            for i in 0..3 - level {
+                row[i] = row[i] * (1.0 - x) + row[i + 1] * x;
+            }
+        }
+        row[0]
+    };
+    for a in [1.25, 1.6, 2.0] {
+        // 1 − (1 − at)² has the blossom 2a·mean − a²·product.
+        let x = |s: f64, t: f64| a * (s + t) - a * a * s * t;
+        let pairings: Vec<[[usize; 2]; 3]> = {
+            let mut out = Vec::new();
+            for i in 1..6 {
+                let rest: Vec<usize> = (1..6).filter(|&k| k != i).collect();
+                for j in 1..4 {
+                    let last: Vec<usize> = (1..4).filter(|&k| k != j).map(|k| rest[k]).collect();
+                    out.push([[0, i], [rest[0], rest[j]], [last[0], last[1]]]);
+                }
+            }
+            out
+        };
+        let points: Vec<Point3> = (0..=6)
+            .map(|k| {
+                let t: Vec<f64> = (0..6).map(|i| if i < k { 1.0 } else { 0.0 }).collect();
+                let sum =
+                    pairings.iter().fold(Vector3::ZERO, |s, w| s + blossom(w.map(|[i, j]| x(t[i], t[j]))));
+                (sum / pairings.len() as f64).to_point()
+            })
+            .collect();
+        let c = nurbs(6, &points);
+        for tolerance in [1e-9, 1e-6] {
+            let found = own_overlaps(&c, tolerance);
+            assert_eq!(found.len(), 1, "{a} {tolerance}: {found:?}");
+            let o = found[0];
+            assert!(
+                !o.same_direction && (o.a.end - 1.0 / a).abs() < 1e-7 && (o.b.end - 1.0 / a).abs() < 1e-7
+            );
+            assert!((o.a.start - (2.0 / a - 1.0)).abs() < 1e-5, "{a}: {o:?}");
+        }
+        // Its copy: all of it, and there against back.
+        let found = curve_curve(&c, &c.clone(), 1e-9).unwrap();
+        assert!(found.overlaps.iter().any(|o| o.same_direction && o.a.length() > 0.999), "{found:?}");
+        assert!(found.overlaps.iter().any(|o| !o.same_direction), "{found:?}");
+    }
+}
+
+#[test]
+fn cusps_are_no_crossings() {
+    let cusp = nurbs(3, &[p(0.0, 0.0), p(1.0, 1.0), p(0.0, 1.0), p(1.0, 0.0)]);
+    for tolerance in [1e-9, 1e-6, 1e-3] {
+        let found = curve_self(&cusp, tolerance).unwrap();
+        assert!(found.is_empty() && found.complete, "{tolerance}: {found:?}");
+    }
+    // What crosses at the tip crosses once.
+    let line: Curve = Line::new(p(0.5, 0.0), p(0.5, 2.0)).into();
+    assert_eq!(sound(&cusp, &line, 1e-9).crossings.len(), 1);
+}
+
+/// Hundreds of thousands of honest crossings are not too many: chords of a circle, which cross where their ends
+/// alternate.
+#[test]
+fn a_star_is_not_hostile() {
+    let n = 1_200;
+    let angles: Vec<f64> = (0..n).map(|i| (2.5 * f64::from(i)).rem_euclid(std::f64::consts::TAU)).collect();
+    let star: Vec<Point3> = angles.iter().map(|a| p(a.cos(), a.sin())).collect();
+    let chords: Vec<[f64; 2]> = angles.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1])]).collect();
+    let mut want = 0;
+    for (i, [a, b]) in chords.iter().enumerate() {
+        for [c, d] in chords.iter().skip(i + 2) {
+            want += usize::from((a < c && c < b) != (a < d && d < b));
+        }
+    }
+    let found = curve_self(&polyline(&star), 1e-12).unwrap();
+    assert!(found.complete && found.overlaps.is_empty());
+    assert!(want > 100_000);
+    assert_eq!(found.crossings.len(), want);
+}
+
+#[test]
+fn hostile_input_ends_and_says_so() {
+    let fold: Vec<Point3> = (0..4_000).map(|i| p(f64::from(i % 2), 0.0)).collect();
+    let found = curve_self(&polyline(&fold), 1e-9).unwrap();
+    assert!(!found.complete && !found.overlaps.is_empty());
+    for o in found.overlaps.iter().take(100) {
+        assert!(o.a.length() <= 1.0 + 1e-9, "{o:?}");
+    }
+    let round: Vec<Point3> =
+        (0..4_000).map(|i| f64::from(i % 7)).map(|a| p((0.9 * a).cos(), (0.9 * a).sin())).collect();
+    let path = nurbs(3, &round);
+    let found = curve_self(&path, 1e-9).unwrap();
+    assert!(!found.complete);
+    for c in &found.crossings {
+        assert!(path.point_at(c.a).distance_to(path.point_at(c.b)) <= 2e-9);
+    }
+    let heap = |f: f64| -> Vec<Point3> {
+        (0..3_000).map(|i| p((f64::from(i) * f).sin() * 3e-3, (f64::from(i) * 2.3).cos() * 3e-3)).collect()
+    };
+    let found = curve_curve(&nurbs(3, &heap(1.7)), &nurbs(3, &heap(1.9)), 1e-3).unwrap();
+    assert!(!found.complete && !found.is_empty());
+}
+
 #[test]
 fn degenerate_input_stays_bounded() {
     let point = nurbs(3, &[p(1.0, 0.0); 4]);

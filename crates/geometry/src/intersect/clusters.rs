@@ -1,87 +1,28 @@
-//! From contacts of parts to crossings, touches and overlaps of curves.
+//! Contacts that hang together.
 
-use super::result::{ContactKind, Crossing, CurveIntersections, Overlap};
 use super::search::Contact;
-use crate::curve::{Piece, curvature};
-use crate::{Interval, Point3, Vector3};
-
-/// A curve's pieces by the whole curve's parameter.
-#[derive(Clone, Copy)]
-pub(super) struct Side<'a> {
-    pub(super) pieces: &'a [Piece<'a>],
-    pub(super) domain: Interval,
-    pub(super) closed: bool,
-}
-
-impl<'a> Side<'a> {
-    pub(super) fn new(pieces: &'a [Piece<'a>], domain: Interval, tolerance: f64) -> Self {
-        let closed = match (pieces.first(), pieces.last()) {
-            (Some(f), Some(l)) => f.start().distance_to(l.end()) <= tolerance,
-            _ => false,
-        };
-        Self { pieces, domain, closed }
-    }
-
-    fn piece(&self, t: f64) -> Option<&'a Piece<'a>> {
-        let i = self.pieces.partition_point(|p| p.whole.end <= t).min(self.pieces.len().wrapping_sub(1));
-        self.pieces.get(i)
-    }
-
-    pub(super) fn point(&self, t: f64) -> Point3 {
-        self.piece(t).map_or(Point3::ORIGIN, |p| p.point(p.own_parameter(t)))
-    }
-
-    /// Point, first and second derivative by the whole curve's parameter.
-    fn jet(&self, t: f64) -> [Vector3; 3] {
-        let Some(p) = self.piece(t) else { return [Vector3::ZERO; 3] };
-        let [c, d1, d2] = p.jet(p.own_parameter(t));
-        let speed = p.own.length() / p.whole.length();
-        [c, d1 * speed, d2 * (speed * speed)]
-    }
-
-    /// The place between two parameters that is nearest to `q`, as far as a search from `t` shows it.
-    fn near(&self, q: Point3, range: [f64; 2], t: f64) -> f64 {
-        let range = Interval::new(range[0], range[1]);
-        let mut t = range.clamp(t);
-        let mut gap = f64::INFINITY;
-        for _ in 0..20 {
-            let [p, d, _] = self.jet(t);
-            let r = q.to_vector() - p;
-            let next = range.clamp(t + r.dot(d) / d.length_squared());
-            if !next.is_finite() || r.length() > gap {
-                break;
-            }
-            gap = r.length();
-            if (next - t).abs() <= 1e-15 * self.domain.length() {
-                return next;
-            }
-            t = next;
-        }
-        t
-    }
-
-    /// The other parameter of the same point of a closed curve.
-    fn over_seam(&self, t: f64) -> Option<f64> {
-        let d = self.domain;
-        let hair = 1e-9 * d.length();
-        match t {
-            _ if !self.closed => None,
-            t if t - d.start <= hair => Some(d.end),
-            t if d.end - t <= hair => Some(d.start),
-            _ => None,
-        }
-    }
-}
+use super::side::Side;
 
 /// A place: contacts that hang together.
-struct Cluster {
-    a: [f64; 2],
-    b: [f64; 2],
-    reach: [f64; 2],
-    members: Vec<Contact>,
+pub(super) struct Cluster {
+    pub(super) a: [f64; 2],
+    pub(super) b: [f64; 2],
+    pub(super) reach: [f64; 2],
+    pub(super) members: Vec<Contact>,
+    /// For each curve the members by the start of their range, each with the furthest end so far.
+    orders: [Vec<(u32, f64)>; 2],
+}
+
+/// A contact's range on the first or the second curve.
+fn range(c: &Contact, side: usize) -> [f64; 2] {
+    if side == 0 { c.a } else { c.b }
 }
 
 impl Cluster {
+    fn of(c: Contact) -> Self {
+        Self { a: c.a, b: c.b, reach: c.reach, members: vec![c], orders: Default::default() }
+    }
+
     fn touches(&self, c: &Contact) -> bool {
         let near = |x: [f64; 2], y: [f64; 2], reach: f64| x[0] <= y[1] + reach && y[0] <= x[1] + reach;
         near(self.a, c.a, self.reach[0].max(c.reach[0])) && near(self.b, c.b, self.reach[1].max(c.reach[1]))
@@ -97,455 +38,99 @@ impl Cluster {
         }
         self.members.append(&mut other.members);
     }
+
+    /// Makes ready for [`Cluster::at`].
+    pub(super) fn sort(&mut self) {
+        let members = &self.members;
+        self.orders = [0, 1].map(|side| {
+            let mut order: Vec<(u32, f64)> = (0..members.len() as u32).map(|i| (i, 0.0)).collect();
+            let start = |i: u32| members.get(i as usize).map_or(0.0, |c| range(c, side)[0]);
+            order.sort_by(|x, y| start(x.0).total_cmp(&start(y.0)));
+            let mut furthest = f64::NEG_INFINITY;
+            for (i, end) in &mut order {
+                furthest = members.get(*i as usize).map_or(furthest, |c| furthest.max(range(c, side)[1]));
+                *end = furthest;
+            }
+            order
+        });
+    }
+
+    /// The member whose range on the first (0) or second (1) curve holds a parameter or is nearest to it; of several
+    /// that in which the curves are nearest. With it comes how many were looked at.
+    pub(super) fn at(&self, side: usize, t: f64) -> (Option<&Contact>, usize) {
+        let order = self.orders.get(side).map_or(&[][..], |o| o);
+        let member = |k: usize| order.get(k).and_then(|&(i, _)| self.members.get(i as usize));
+        let split = order
+            .partition_point(|&(i, _)| self.members.get(i as usize).is_some_and(|c| range(c, side)[0] <= t));
+        let (mut best, mut looks): (Option<(f64, &Contact)>, usize) = (None, 0);
+        let mut consider = |k: usize| -> f64 {
+            looks += 1;
+            if let Some(c) = member(k) {
+                let [low, high] = range(c, side);
+                let off = (low - t).max(t - high).max(0.0);
+                if best.is_none_or(|(known, b)| off < known || (off == known && c.gap < b.gap)) {
+                    best = Some((off, c));
+                }
+            }
+            best.map_or(f64::INFINITY, |(off, _)| off)
+        };
+        let mut least = f64::INFINITY;
+        for k in (0..split).rev() {
+            if order.get(k).is_some_and(|&(_, end)| t - end > least) {
+                break;
+            }
+            least = consider(k);
+        }
+        for k in split..order.len() {
+            if member(k).is_some_and(|c| range(c, side)[0] - t > least) {
+                break;
+            }
+            least = consider(k);
+        }
+        (best.map(|(_, c)| c), looks)
+    }
 }
 
-/// Joins contacts that overlap or nearly do on both curves: one sweep along the first.
-fn gather(mut contacts: Vec<Contact>) -> Vec<Cluster> {
+/// Joins contacts that overlap or nearly do on both curves: one sweep along the first. Contacts beyond a turn of either
+/// curve are others, for along a curve that turns back each point has several partners.
+///
+/// When the purse is empty the contacts that are left are not among them.
+pub(super) fn gather(mut contacts: Vec<Contact>, a: &Side<'_>, b: &Side<'_>) -> Vec<Cluster> {
     contacts.sort_by(|x, y| {
         let key = |c: &Contact| (c.a[0] - c.reach[0], c.b[0]);
         key(x).0.total_cmp(&key(y).0).then(key(x).1.total_cmp(&key(y).1))
     });
+    let stretches = |c: &Contact| {
+        let middle = |x: [f64; 2]| 0.5 * (x[0] + x[1]);
+        (a.stretch(middle(c.a)), b.stretch(middle(c.b)))
+    };
+    if !a.turns.is_empty() || !b.turns.is_empty() {
+        contacts.sort_by_cached_key(stretches);
+    }
     let mut done = Vec::new();
-    let mut open: Vec<Cluster> = Vec::new();
-    for c in contacts {
-        let mut own = Cluster { a: c.a, b: c.b, reach: c.reach, members: vec![c] };
-        let mut i = 0;
-        while i < open.len() {
-            if open[i].touches(&c) {
-                own.take(open.swap_remove(i));
-            } else if open[i].a[1] + 2.0 * open[i].reach[0] < c.a[0] - c.reach[0] {
-                done.push(open.swap_remove(i));
-            } else {
-                i += 1;
-            }
-        }
-        open.push(own);
-    }
-    done.extend(open);
-    done
-}
-
-/// What the contacts amount to.
-pub(super) struct Reader<'a> {
-    pub(super) a: Side<'a>,
-    pub(super) b: Side<'a>,
-    pub(super) tolerance: f64,
-    /// Whether both sides are the same curve.
-    pub(super) itself: bool,
-}
-
-impl Reader<'_> {
-    pub(super) fn read(&self, contacts: Vec<Contact>, out: &mut CurveIntersections) {
-        for cluster in gather(contacts) {
-            if self.itself && self.is_diagonal(&cluster) {
-                continue;
-            }
-            if let [only] = cluster.members.as_slice()
-                && only.root
-            {
-                out.crossings.push(self.crossing(only.best.0, only.best.1, Some(ContactKind::Transversal)));
-                continue;
-            }
-            let before = out.overlaps.len();
-            if !cluster.members.iter().all(|c| c.root) {
-                self.overlaps(&cluster, &mut out.overlaps);
-            }
-            if out.overlaps.len() == before && !self.crossings(&cluster, &mut out.crossings) {
-                out.crossings.extend(self.touch(&cluster));
-            }
-        }
-        out.sort();
-        self.drop_doubles(out);
-        self.drop_shadows(&mut out.crossings);
-    }
-
-    /// A touch next to a crossing, where the curves have not parted in between, is that crossing's shadow: around a
-    /// shallow one they stay within the tolerance for long.
-    fn drop_shadows(&self, crossings: &mut Vec<Crossing>) {
-        let weight = |c: &Crossing| (c.kind == ContactKind::Tangent, c.gap);
-        let mut kept: Vec<Crossing> = Vec::with_capacity(crossings.len());
-        for c in crossings.drain(..) {
-            let touch = |x: &Crossing| x.kind == ContactKind::Tangent;
-            match kept.last_mut() {
-                Some(last)
-                    if (touch(last) || touch(&c)) && self.within_between((last.a, last.b), (c.a, c.b)) =>
-                {
-                    let (old, new) = (weight(last), weight(&c));
-                    if (new.0, new.1) < (old.0, old.1) {
-                        *last = c;
-                    }
-                }
-                _ => kept.push(c),
-            }
-        }
-        *crossings = kept;
-    }
-
-    fn gap(&self, s: f64, t: f64) -> f64 {
-        self.a.point(s).distance_to(self.b.point(t))
-    }
-
-    /// The crossing at two parameters; without a kind, by the directions there.
-    fn crossing(&self, a: f64, b: f64, kind: Option<ContactKind>) -> Crossing {
-        let (p, q) = (self.a.point(a), self.b.point(b));
-        let kind = kind.unwrap_or_else(|| {
-            let (u, v) = (self.a.jet(a)[1].unitized(), self.b.jet(b)[1].unitized());
-            match (u, v) {
-                (Some(u), Some(v)) if u.cross(v).length() > 1e-3 => ContactKind::Transversal,
-                _ => ContactKind::Tangent,
-            }
-        });
-        Crossing { a, b, point: p.lerp(q, 0.5), gap: p.distance_to(q), kind }
-    }
-
-    /// Whether a contact of a curve with itself is only the curve's going on: everything between both parameters
-    /// lies in the same place.
-    fn is_diagonal(&self, cluster: &Cluster) -> bool {
-        let (from, to) = (cluster.a[0].min(cluster.b[0]), cluster.a[1].max(cluster.b[1]));
-        let all_near = |from: f64, to: f64| {
-            let p = self.a.point(from);
-            (0..=16).all(|k| {
-                let t = Interval::new(from, to).at(f64::from(k) / 16.0);
-                p.distance_to(self.a.point(t)) <= 8.0 * self.tolerance
-            })
-        };
-        if all_near(from, to) {
-            return true;
-        }
-        let Interval { start, end } = self.a.domain;
-        let (low, high) = (cluster.a[1].min(cluster.b[1]), cluster.a[0].max(cluster.b[0]));
-        self.a.closed && all_near(start, low) && all_near(high, end)
-    }
-
-    /// The parameter on the second curve that belongs to `s` on the first, in a cluster.
-    fn partner(&self, cluster: &Cluster, s: f64) -> f64 {
-        let near = cluster.members.iter().min_by(|x, y| {
-            let off = |c: &Contact| (c.a[0] - s).max(s - c.a[1]).max(0.0);
-            off(x).total_cmp(&off(y)).then(x.gap.total_cmp(&y.gap))
-        });
-        let Some(c) = near else { return cluster.b[0] };
-        let middle = 0.5 * (c.b[0] + c.b[1]);
-        let q = self.a.point(s);
-        // From the middle and from both ends, for stretches that run either way.
-        let tries = [middle, c.b[0], c.b[1]].map(|t| self.b.near(q, cluster.b, t));
-        tries.into_iter().min_by(|&x, &y| self.gap(s, x).total_cmp(&self.gap(s, y))).unwrap_or(middle)
-    }
-
-    /// The first curve's parameter for one of the second, likewise.
-    fn back(&self, cluster: &Cluster, t: f64) -> f64 {
-        let near = cluster.members.iter().min_by(|x, y| {
-            let off = |c: &Contact| (c.b[0] - t).max(t - c.b[1]).max(0.0);
-            off(x).total_cmp(&off(y)).then(x.gap.total_cmp(&y.gap))
-        });
-        let Some(c) = near else { return cluster.a[0] };
-        let middle = 0.5 * (c.a[0] + c.a[1]);
-        let q = self.b.point(t);
-        let tries = [middle, c.a[0], c.a[1]].map(|s| self.a.near(q, cluster.a, s));
-        tries.into_iter().min_by(|&x, &y| self.gap(x, t).total_cmp(&self.gap(y, t))).unwrap_or(middle)
-    }
-
-    /// The stretches of a cluster along which the curves coincide.
-    ///
-    /// Two analytic pieces coincide until one of them ends, so that an overlap runs between joints (or ends) of
-    /// either curve. Where a stretch within the tolerance does not end at a curve's end, the curves part there:
-    /// what is no overlap but a touch tells itself by the gap, which between joints of an overlap is nothing.
-    fn overlaps(&self, cluster: &Cluster, out: &mut Vec<Overlap>) {
-        let [a0, a1] = cluster.a;
-        if !(a0 < a1) {
-            return;
-        }
-        let (b0, b1) = (self.partner(cluster, a0), self.partner(cluster, a1));
-        let hair = |side: &Side<'_>, t: f64, reach: f64| {
-            let d = side.domain;
-            let slack = 1e-9 * d.length() + reach;
-            t - d.start <= slack || d.end - t <= slack
-        };
-        let shut = |s: f64, t: f64| {
-            hair(&self.a, s, cluster.reach[0].min(1e-6 * self.a.domain.length()))
-                || hair(&self.b, t, cluster.reach[1].min(1e-6 * self.b.domain.length()))
-        };
-        let both_shut = shut(a0, b0) && shut(a1, b1);
-        let limit = if both_shut { self.tolerance } else { 1e-3 * self.tolerance };
-        let limit = limit.max(super::search::NOISE * self.scale());
-        // Joints of both curves inside, and the ends where they are ends of a curve.
-        let slack = 1e-9 * self.a.domain.length();
-        let mut stops: Vec<(f64, f64)> = Vec::new();
-        for (s, t) in [(a0, b0), (a1, b1)] {
-            if both_shut || shut(s, t) {
-                stops.push((s, t));
-            }
-        }
-        for s in joints(self.a.pieces, cluster.a, cluster.reach[0]) {
-            stops.push((s, self.partner(cluster, s)));
-        }
-        for t in joints(self.b.pieces, cluster.b, cluster.reach[1]) {
-            stops.push((self.back(cluster, t), t));
-        }
-        stops.sort_by(|x, y| x.0.total_cmp(&y.0));
-        stops.dedup_by(|later, first| later.0 - first.0 <= slack);
-        let mut run: Option<((f64, f64), (f64, f64))> = None;
-        let mut close = |run: Option<((f64, f64), (f64, f64))>| {
-            let Some((from, to)) = run else { return };
-            let steps = 8;
-            let at = |k: i32| self.a.point(Interval::new(from.0, to.0).at(f64::from(k) / f64::from(steps)));
-            let length: f64 = (0..steps).map(|k| at(k).distance_to(at(k + 1))).sum();
-            if length > 4.0 * self.tolerance {
-                let (from, to) = (self.snapped(from), self.snapped(to));
-                let (a, b) = (Interval::new(from.0, to.0), Interval::new(from.1, to.1));
-                out.push(Overlap { a, b, same_direction: b.start < b.end });
-            }
-        };
-        for w in stops.windows(2) {
-            let (from, to) = (w[0], w[1]);
-            let range = Interval::new(from.1, to.1);
-            let mut before = from.1;
-            let together = (0..=8).all(|k| {
-                let x = f64::from(k) / 8.0;
-                let s = Interval::new(from.0, to.0).at(x);
-                // From where it should be and from the place before: in a part that stands still no search moves.
-                let places = [range.at(x), before];
-                let feet = places.map(|t| self.b.near(self.a.point(s), [range.min(), range.max()], t));
-                let gaps = feet.map(|t| self.gap(s, t));
-                before = if gaps[0] <= gaps[1] { feet[0] } else { feet[1] };
-                gaps[0].min(gaps[1]) <= limit
-            });
-            if !together {
-                close(run.take());
-            } else if let Some((_, end)) = &mut run {
-                *end = to;
-            } else {
-                run = Some((from, to));
-            }
-        }
-        close(run.take());
-    }
-
-    fn scale(&self) -> f64 {
-        let p = self.a.point(self.a.domain.start);
-        p.x.abs().max(p.y.abs()).max(p.z.abs())
-    }
-
-    /// Parameters a hair from an end of the domain are that end.
-    fn snapped(&self, (s, t): (f64, f64)) -> (f64, f64) {
-        let snap = |side: &Side<'_>, t: f64| {
-            let d = side.domain;
-            let hair = 1e-10 * d.length();
-            let end = if t - d.start <= hair {
-                d.start
-            } else if d.end - t <= hair {
-                d.end
-            } else {
-                return t;
-            };
-            if side.point(end).distance_to(side.point(t)) <= self.tolerance { end } else { t }
-        };
-        (snap(&self.a, s), snap(&self.b, t))
-    }
-
-    /// The proved crossings of a cluster, each once, and those that a lens no deeper than the tolerance divides as
-    /// one; `false` when there are none.
-    fn crossings(&self, cluster: &Cluster, out: &mut Vec<Crossing>) -> bool {
-        let mut roots: Vec<&Contact> = cluster.members.iter().filter(|c| c.root).collect();
-        roots.sort_by(|x, y| x.best.0.total_cmp(&y.best.0).then(x.best.1.total_cmp(&y.best.1)));
-        let (wa, wb) = (1e-11 * self.a.domain.length(), 1e-11 * self.b.domain.length());
-        let mut distinct: Vec<&Contact> = Vec::new();
-        for root in roots {
-            let same =
-                |d: &&Contact| (d.best.0 - root.best.0).abs() <= wa && (d.best.1 - root.best.1).abs() <= wb;
-            match distinct.iter_mut().rev().find(|d| same(d)) {
-                // Of two readings of one crossing the better.
-                Some(known) if root.gap < known.gap => *known = root,
-                Some(_) => {}
-                None => distinct.push(root),
-            }
-        }
-        let mut group: Vec<&Contact> = Vec::new();
-        let mut close = |group: &mut Vec<&Contact>| {
-            let Some(&middle) = group.get(group.len() / 2) else { return };
-            if group.len() % 2 == 1 {
-                out.push(self.crossing(middle.best.0, middle.best.1, Some(ContactKind::Transversal)));
-            } else if let (Some(f), Some(l)) = (group.first(), group.last()) {
-                let range = |x: f64, y: f64| [x.min(y), x.max(y)];
-                let a = range(f.best.0, l.best.0);
-                let b = range(f.best.1, l.best.1);
-                let start = (0.5 * (a[0] + a[1]), 0.5 * (b[0] + b[1]));
-                let (s, t) = self.tangency(start, a, b).unwrap_or(middle.best);
-                out.push(self.crossing(s, t, Some(ContactKind::Tangent)));
-            }
-            group.clear();
-        };
-        for root in distinct.iter().copied() {
-            if let Some(last) = group.last()
-                && !self.within_between(last.best, root.best)
-            {
-                close(&mut group);
-            }
-            group.push(root);
-        }
-        close(&mut group);
-        !distinct.is_empty()
-    }
-
-    /// Whether between two crossings the curves stay within the tolerance of each other.
-    fn within_between(&self, x: (f64, f64), y: (f64, f64)) -> bool {
-        let b = [x.1.min(y.1), x.1.max(y.1)];
-        // The middle first: it decides most cases.
-        [4, 1, 2, 3, 5, 6, 7].into_iter().all(|k| {
-            let f = f64::from(k) / 8.0;
-            let (s, t) = (Interval::new(x.0, y.0).at(f), Interval::new(x.1, y.1).at(f));
-            self.gap(s, self.b.near(self.a.point(s), b, t)) <= self.tolerance
-        })
-    }
-
-    /// A cluster without a proved crossing: the place where the curves are nearest, when that is within the
-    /// tolerance.
-    fn touch(&self, cluster: &Cluster) -> Option<Crossing> {
-        let mut best = (f64::INFINITY, 0.0, 0.0);
-        let mut offer = |s: f64, t: f64, favour: f64| {
-            let gap = self.gap(s, t);
-            if gap < best.0 + favour {
-                best = (gap, s, t);
-            }
-        };
-        for c in &cluster.members {
-            offer(c.best.0, c.best.1, 0.0);
-        }
-        let wide = |x: [f64; 2], reach: f64, d: Interval| {
-            let more = (x[1] - x[0]).max(reach);
-            [d.clamp(x[0] - more), d.clamp(x[1] + more)]
-        };
-        let a = wide(cluster.a, cluster.reach[0], self.a.domain);
-        let b = wide(cluster.b, cluster.reach[1], self.b.domain);
-        // The nearest members lead to the nearest place: by alternating projection, then by parallel tangents.
-        let (mut s, mut t) =
-            cluster.members.iter().min_by(|x, y| x.gap.total_cmp(&y.gap)).map_or((a[0], b[0]), |c| c.best);
-        for _ in 0..4 {
-            t = self.b.near(self.a.point(s), b, t);
-            s = self.a.near(self.b.point(t), a, s);
-        }
-        offer(s, t, 0.0);
-        if let Some((s, t)) = self.crossed(cluster) {
-            offer(s, t, 0.0);
-        }
-        for s in cluster.a {
-            let t = self.partner(cluster, s);
-            offer(s, t, 0.0);
-        }
-        let middle = (0.5 * (cluster.a[0] + cluster.a[1]), 0.5 * (cluster.b[0] + cluster.b[1]));
-        for start in [(s, t), middle] {
-            if let Some((s, t)) = self.tangency(start, a, b) {
-                offer(s, t, 1e-3 * self.tolerance);
-            }
-        }
-        let (gap, s, t) = best;
-        let (s, t) = self.snapped((s, t));
-        (gap <= self.tolerance).then(|| self.crossing(s, t, None))
-    }
-
-    /// Where the curves of a cluster change sides.
-    fn crossed(&self, cluster: &Cluster) -> Option<(f64, f64)> {
-        let between = |s: f64| {
-            let t = self.partner(cluster, s);
-            (t, self.b.point(t) - self.a.point(s))
-        };
-        let [mut low, mut high] = cluster.a;
-        let ((_, g0), (_, g1)) = (between(low), between(high));
-        let noise = super::search::NOISE * self.scale();
-        if !(g0.dot(g1) < 0.0) || g0.length() <= noise || g1.length() <= noise {
-            return None;
-        }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if !(low < middle && middle < high) {
+    for group in
+        contacts.chunk_by(|x, y| (a.turns.is_empty() && b.turns.is_empty()) || stretches(x) == stretches(y))
+    {
+        let mut open: Vec<Cluster> = Vec::new();
+        for &c in group {
+            a.pay(open.len() / 16);
+            if a.purse.get() == 0 {
                 break;
             }
-            if between(middle).1.dot(g0) > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let s = 0.5 * (low + high);
-        Some((s, between(s).0))
-    }
-
-    /// Newton's method for the place where the curves are level and parallel: (a − b)·T = 0 with T their common
-    /// direction, and equal tangents as seen along the difference of their curvatures. `None` when it leaves the
-    /// ranges or the curves osculate.
-    fn tangency(&self, start: (f64, f64), ra: [f64; 2], rb: [f64; 2]) -> Option<(f64, f64)> {
-        let (mut s, mut t) = start;
-        let (wa, wb) = (self.a.domain.length(), self.b.domain.length());
-        for _ in 0..24 {
-            let ([p, da, dda], [q, db, ddb]) = (self.a.jet(s), self.b.jet(t));
-            let (ta, tb) = (da.unitized()?, db.unitized()?);
-            let sign = if ta.dot(tb) < 0.0 { -1.0 } else { 1.0 };
-            let along = (ta + tb * sign).unitized()?;
-            let (ka, kb) = (curvature(da, dda), curvature(db, ddb));
-            let m = ka - kb;
-            let m = m - along * m.dot(along);
-            if !(m.length() > 1e-9 * (ka.length() + kb.length())) {
-                return None;
-            }
-            let (f, g) = ((p - q).dot(along), (ta - tb * sign).dot(m));
-            let (fs, ft) = (da.dot(along), -db.dot(along));
-            let (gs, gt) = (da.length() * ka.dot(m), -sign * db.length() * kb.dot(m));
-            let determinant = fs * gt - ft * gs;
-            let ds = -(f * gt - ft * g) / determinant;
-            let dt = -(fs * g - f * gs) / determinant;
-            if !(ds.is_finite() && dt.is_finite()) {
-                return None;
-            }
-            (s, t) = (s + ds, t + dt);
-            let inside = |x: f64, r: [f64; 2], w: f64| r[0] - 1e-12 * w <= x && x <= r[1] + 1e-12 * w;
-            if !(inside(s, ra, wa) && inside(t, rb, wb)) {
-                return None;
-            }
-            if ds.abs() <= 1e-13 * wa && dt.abs() <= 1e-13 * wb {
-                return Some((self.a.domain.clamp(s), self.b.domain.clamp(t)));
-            }
-        }
-        None
-    }
-
-    /// One place has one entry: the seam of a closed curve counts at its start, and ends of overlaps are no
-    /// crossings.
-    fn drop_doubles(&self, out: &mut CurveIntersections) {
-        if self.a.closed || self.b.closed {
-            let overlaps = std::mem::take(&mut out.overlaps);
-            let all = std::mem::take(&mut out.crossings);
-            let near = |side: &Side<'_>, x: f64, y: f64| {
-                (x - y).abs() <= 1e-9 * side.domain.length()
-                    || ((x - y).abs() <= 1e-4 * side.domain.length()
-                        && side.point(x).distance_to(side.point(y)) <= 4.0 * self.tolerance)
-            };
-            let twins = |c: &Crossing| {
-                let a = [Some(c.a), self.a.over_seam(c.a)];
-                let b = [Some(c.b), self.b.over_seam(c.b)];
-                let pairs =
-                    a.into_iter().flatten().flat_map(move |x| b.into_iter().flatten().map(move |y| (x, y)));
-                pairs.collect::<Vec<_>>()
-            };
-            for c in &all {
-                let seam = self.a.over_seam(c.a).is_some() || self.b.over_seam(c.b).is_some();
-                let known = seam
-                    && twins(c).iter().any(|&(x, y)| {
-                        let (x, y) = if self.itself { (x.min(y), x.max(y)) } else { (x, y) };
-                        let at = |s: f64, t: f64| near(&self.a, x, s) && near(&self.b, y, t);
-                        out.crossings.iter().any(|d| at(d.a, d.b))
-                            || overlaps.iter().any(|o| at(o.a.start, o.b.start) || at(o.a.end, o.b.end))
-                    });
-                if !known {
-                    out.crossings.push(*c);
+            let mut own = Cluster::of(c);
+            let mut i = 0;
+            while i < open.len() {
+                if open[i].touches(&c) {
+                    own.take(open.swap_remove(i));
+                } else if open[i].a[1] + 2.0 * open[i].reach[0] < c.a[0] - c.reach[0] {
+                    done.push(open.swap_remove(i));
+                } else {
+                    i += 1;
                 }
             }
-            out.overlaps = overlaps;
+            open.push(own);
         }
+        done.extend(open);
     }
-}
-
-/// The parameters in a range, or at most `reach` outside it, where pieces meet.
-fn joints(pieces: &[Piece<'_>], range: [f64; 2], reach: f64) -> Vec<f64> {
-    let first = pieces.partition_point(|p| p.whole.start < range[0] - reach);
-    let inner = pieces.get(first.max(1)..).unwrap_or(&[]).iter().map(|p| p.whole.start);
-    inner.take_while(|&t| t <= range[1] + reach).collect()
+    done
 }

@@ -1,10 +1,13 @@
 //! Curve with curve.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 
-use super::clusters::{Reader, Side};
+use super::fold::unfolded;
+use super::reader::Reader;
 use super::result::CurveIntersections;
 use super::search::Search;
+use super::side::{Side, is_closed};
 use crate::curve::Piece;
 use crate::{Curve, Error, Result};
 
@@ -54,20 +57,29 @@ fn meet<'a>(
     pb: Vec<Piece<'a>>,
     tolerance: f64,
 ) -> CurveIntersections {
+    let ((pa, turns_a), (pb, turns_b)) = (unfolded(pa, tolerance), unfolded(pb, tolerance));
     let mut search = Search::pair(pa, pb, tolerance);
     search.run();
     let mut out = search.summary();
     let contacts = std::mem::take(&mut search.contacts);
     let (pa, pb) = search.pieces();
     let tolerance = search.tolerance;
-    let sides = (Side::new(pa, a.domain(), tolerance), Side::new(pb, b.domain(), tolerance));
-    Reader { a: sides.0, b: sides.1, tolerance, itself: false }.read(contacts, &mut out);
+    let purse = Cell::new(purse(pa.len() + pb.len(), contacts.len()));
+    let a = Side::new(pa, &turns_a, a.domain(), tolerance, &purse);
+    let b = Side::new(pb, &turns_b, b.domain(), tolerance, &purse);
+    Reader { a, b, tolerance, itself: false }.read(contacts, &mut out);
     out
+}
+
+/// How many places on the curves the reading of contacts may look at: some tenths of a second.
+fn purse(pieces: usize, contacts: usize) -> u64 {
+    3_000_000 + (200 * pieces as u64).min(4_000_000) + 4 * contacts as u64
 }
 
 /// All points and stretches in which a curve meets itself within `tolerance`: crossings with the smaller parameter
 /// as `a` and the larger as `b`. That neighbouring parts meet at their joint, or a closed curve at its seam, does not
-/// count.
+/// count. A curve that turns back along itself, at a corner or inside a span, overlaps itself up to the turn, the two
+/// ranges meeting there; a cusp whose branches part is no crossing.
 ///
 /// Complete in the sense of [`curve_curve`]: a part is free of crossings with itself when all differences of its
 /// control points lead within 60° of one direction, and so are two neighbours.
@@ -76,8 +88,8 @@ fn meet<'a>(
 /// The tolerance is negative or not finite.
 pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
     check(tolerance)?;
-    let pieces = curve.pieces();
-    let closed = Side::new(&pieces, curve.domain(), tolerance).closed;
+    let (pieces, turns) = unfolded(curve.pieces(), tolerance);
+    let closed = is_closed(&pieces, tolerance);
     let mut search = Search::own(pieces, closed, tolerance);
     search.run();
     let mut out = search.summary();
@@ -89,7 +101,9 @@ pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
             c.reach.reverse();
         }
     }
-    let side = Side::new(search.pieces().0, curve.domain(), search.tolerance);
+    let pieces = search.pieces().0;
+    let purse = Cell::new(purse(pieces.len(), contacts.len()));
+    let side = Side::new(pieces, &turns, curve.domain(), search.tolerance, &purse);
     Reader { a: side, b: side, tolerance: search.tolerance, itself: true }.read(contacts, &mut out);
     Ok(out)
 }

@@ -52,7 +52,8 @@ pub struct CurveIntersections {
     pub overlaps: Vec<Overlap>,
     /// Whether the search came to its end. `false` says that the input was so degenerate that the budget of work ran
     /// out (long curves that run beside each other at little more than the tolerance, curves crumpled into a heap
-    /// of its size): what is listed is right, but something may be missing.
+    /// of its size, thousands of stretches of a curve upon each other): what is listed is right, but something may be
+    /// missing. That takes about a second.
     pub complete: bool,
     /// The pairs of parts that were looked at: a measure of the work that does not depend on any clock.
     pub visits: u64,

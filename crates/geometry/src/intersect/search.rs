@@ -33,12 +33,18 @@ pub(super) struct Search<'a> {
     pub(super) tolerance: f64,
     pub(super) contacts: Vec<Contact>,
     pub(super) visits: u64,
+    /// What has been done, in looks at two boxes.
+    work: u64,
     pub(super) complete: bool,
     stack: Vec<(u32, u32)>,
 }
 
-/// So much work and no more: some seconds.
-const BUDGET: u64 = 3_000_000;
+/// So much work and no more: some tenths of a second, and more for curves of many pieces.
+const BUDGET: u64 = 14_000_000;
+const BUDGET_A_PIECE: u64 = 20;
+
+/// No more contacts than this are kept.
+const MOST_CONTACTS: usize = 800_000;
 
 /// The smallest tolerance that rounding lets one ask for, as a part of the largest coordinate.
 pub(super) const NOISE: f64 = 8e-15;
@@ -56,7 +62,7 @@ impl<'a> Search<'a> {
         let scale = second.as_ref().map_or(first.scale, |t| t.scale.max(first.scale));
         let tolerance = tolerance.max(NOISE * scale).max(f64::MIN_POSITIVE);
         let (contacts, stack) = (Vec::new(), Vec::new());
-        Self { first, second, closed, tolerance, contacts, visits: 0, complete: true, stack }
+        Self { first, second, closed, tolerance, contacts, visits: 0, work: 0, complete: true, stack }
     }
 
     pub(super) fn pieces(&self) -> (&[Piece<'a>], &[Piece<'a>]) {
@@ -79,11 +85,12 @@ impl<'a> Search<'a> {
             return;
         }
         let pieces = (self.first.pieces.len() + self.second().pieces.len()) as u64;
-        let budget = BUDGET.saturating_add(pieces.saturating_mul(200));
+        let budget = BUDGET.saturating_add(pieces.saturating_mul(BUDGET_A_PIECE));
         self.stack.push((self.first.root, self.second().root));
         while let Some((ia, ib)) = self.stack.pop() {
             self.visits += 1;
-            if self.visits > budget {
+            self.work += 1;
+            if self.work > budget || self.contacts.len() > MOST_CONTACTS {
                 self.complete = false;
                 self.stack.clear();
                 return;
@@ -106,6 +113,8 @@ impl<'a> Search<'a> {
             self.open(ia, ib, open_a, !open_a);
             return;
         };
+        let pairs = u64::from(a.pairs_of_points(&b));
+        self.work += 1 + pairs / 4;
         let verdict = judge(self.first.hull(&a), self.second().hull(&b), self.tolerance);
         if verdict == Verdict::Apart {
             return;
@@ -130,6 +139,7 @@ impl<'a> Search<'a> {
         }
         let verdict = match verdict {
             Verdict::Single(s, t) => {
+                self.work += (pairs * pairs / 5).min(240);
                 if let Some(contact) = crossing(&pa, &a, &pb, &b, (s, t), self.tolerance) {
                     self.contacts.push(contact);
                     return;
@@ -152,7 +162,9 @@ impl<'a> Search<'a> {
             }
             Verdict::Parallel { along, opposite, low, high } => {
                 self.visits += 2;
+                self.work += 8;
                 if self.beside(&a, &b, (along, opposite, low, high)) {
+                    self.work += 8 + 11 * pairs;
                     return;
                 }
             }

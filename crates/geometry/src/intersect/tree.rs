@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::curve::{Piece, Shape};
 use crate::nurbs::{MAX_DEGREE, project};
-use crate::{Arc, Vector3};
+use crate::{Arc, Interval, Vector3};
 
 /// No such index.
 const NONE: u32 = u32::MAX;
@@ -34,6 +34,11 @@ impl Node {
     /// The index of the piece, `None` for a run of several.
     pub(super) fn piece(&self) -> Option<usize> {
         (self.piece != NONE).then_some(self.piece as usize)
+    }
+
+    /// How many pairs of control points there are: what comparing two parts costs.
+    pub(super) fn pairs_of_points(&self, other: &Self) -> u32 {
+        self.count * other.count
     }
 
     /// The diagonal of the box, squared.
@@ -92,6 +97,10 @@ impl<'a> Tree<'a> {
                 Shape::Span(curve, j) => {
                     points.clear();
                     curve.push_bezier(j, &mut points);
+                    let knots = curve.knots().get(j + curve.degree() - 1..=j + curve.degree());
+                    if let Some(&[from, to]) = knots {
+                        cut(&mut points, piece.own, Interval::new(from, to));
+                    }
                     let weighted = if curve.is_rational() {
                         tree.weighted.extend_from_slice(&points);
                         (tree.weighted.len() - points.len()) as u32
@@ -212,6 +221,44 @@ impl<'a> Tree<'a> {
         let node = &mut self.nodes[index as usize];
         (node.left, node.right) = (left, right);
         (left, right)
+    }
+}
+
+/// The control points of the part of a Bézier curve over `all` that lies over `part`: one end or the other is cut off
+/// by de Casteljau's algorithm. Cuts are made where the curve stands still; there two control points fall together.
+fn cut(points: &mut [[f64; 4]], part: Interval, all: Interval) {
+    if part.start != all.start {
+        let x = all.normalized(part.start);
+        for level in 1..points.len() {
+            for i in 0..points.len() - level {
+                points[i] = std::array::from_fn(|c| (1.0 - x) * points[i][c] + x * points[i + 1][c]);
+            }
+        }
+    }
+    if part.end != all.end {
+        let x = Interval::new(part.start, all.end).normalized(part.end);
+        for level in 1..points.len() {
+            for i in (level..points.len()).rev() {
+                points[i] = std::array::from_fn(|c| (1.0 - x) * points[i - 1][c] + x * points[i][c]);
+            }
+        }
+    }
+    let last = points.len().saturating_sub(1);
+    let size = points.windows(2).map(|w| project(w[0]).distance_to(project(w[1]))).fold(0.0, f64::max);
+    let mut snap = |end: usize, next: usize| {
+        let Some(&p) = points.get(end) else { return };
+        let Some(q) = points.get_mut(next) else { return };
+        // What rounding left of the difference leads anywhere.
+        if project(p).distance_to(project(*q)) <= 1e-12 * size {
+            let share = q[3] / p[3];
+            *q = p.map(|x| x * share);
+        }
+    };
+    if part.start != all.start {
+        snap(0, 1);
+    }
+    if part.end != all.end && last > 0 {
+        snap(last, last - 1);
     }
 }
 
