@@ -5,6 +5,7 @@ use super::nodes::Nodes;
 use super::sources::Sources;
 use super::strands::{Member, Strand};
 use crate::curve::{chained, coincident};
+use crate::intersect::{Crossing, curve_curve};
 use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result};
 
 /// A stretch of a part, over the seam where the range decreases.
@@ -17,7 +18,7 @@ struct Run {
 }
 
 /// The closed curve of a loop: pieces of the parts as they are. A source that is walked as a whole comes back whole.
-/// Where pieces meet only within the tolerance their ends are moved together.
+/// Where pieces meet only within the tolerance they are brought together.
 pub(super) fn curve(
     sources: &Sources,
     nodes: &Nodes,
@@ -40,22 +41,7 @@ pub(super) fn curve(
         let piece = if run.range == part.domain() { part.clone() } else { part.sub_curve(run.range)? };
         pieces.push(if run.ahead { piece } else { piece.reversed() });
     }
-    let count = pieces.len();
-    for i in 0..count {
-        let j = (i + 1) % count;
-        let (end, start) = (pieces[i].end(), pieces[j].start());
-        if coincident(end, start) {
-            continue;
-        }
-        let target = match (&pieces[i], &pieces[j]) {
-            (Curve::Line(_), Curve::Line(_)) => end.lerp(start, 0.5),
-            (Curve::Line(_), _) => start,
-            (_, Curve::Line(_)) => end,
-            _ => end.lerp(start, 0.5),
-        };
-        pieces[i] = with_end(&pieces[i], true, target)?;
-        pieces[j] = with_end(&pieces[j], false, target)?;
-    }
+    let pieces = closed_up(pieces, sources.scale, tolerance)?;
     if pieces.is_empty() {
         return Ok(None);
     }
@@ -122,33 +108,96 @@ fn joined(sources: &Sources, a: &Run, b: &Run) -> Option<Interval> {
     ((x.end == y.start || over_seam()) && range.start != range.end).then_some(range)
 }
 
-/// The curve with one end moved by no more than the tolerance. Lines stay lines and arcs arcs.
-fn with_end(curve: &Curve, last: bool, p: Point3) -> Result<Curve> {
-    if (if last { curve.end() } else { curve.start() }) == p {
-        return Ok(curve.clone());
+/// Pieces that meet exactly. Where ends are apart, by some tolerances at most, the pieces are cut where they cross
+/// near there; else the ends are moved together, if that moves nothing else by more, or joined by a segment.
+fn closed_up(mut pieces: Vec<Curve>, scale: f64, tolerance: f64) -> Result<Vec<Curve>> {
+    let count = pieces.len();
+    let mut links: Vec<Option<Curve>> = vec![None; count];
+    for i in 0..count {
+        let j = (i + 1) % count;
+        let (end, start) = (pieces[i].end(), pieces[j].start());
+        if coincident(end, start) {
+            continue;
+        }
+        if i != j
+            && let Some((a, b)) = crossing_near_ends(&pieces[i], &pieces[j], scale, tolerance)?
+        {
+            pieces[i] = pieces[i].trimmed(Interval::new(pieces[i].domain().start, a))?;
+            pieces[j] = pieces[j].trimmed(Interval::new(b, pieces[j].domain().end))?;
+            continue;
+        }
+        let target = match (&pieces[i], &pieces[j]) {
+            (Curve::Line(_), Curve::Line(_)) => end.lerp(start, 0.5),
+            (Curve::Line(_), _) => start,
+            (_, Curve::Line(_)) => end,
+            _ => end.lerp(start, 0.5),
+        };
+        let first = with_end(&pieces[i], true, target)?;
+        let second = if i == j { None } else { with_end(&pieces[j], false, target)? };
+        if let (Some(first), Some(second)) = (first, second) {
+            (pieces[i], pieces[j]) = (first, second);
+        } else {
+            links[i] = Some(Line::new(end, start).into());
+        }
+    }
+    Ok(pieces.into_iter().zip(links).flat_map(|(piece, link)| std::iter::once(piece).chain(link)).collect())
+}
+
+/// Where two pieces cross next to the end of the first and the start of the second.
+fn crossing_near_ends(
+    first: &Curve,
+    second: &Curve,
+    scale: f64,
+    tolerance: f64,
+) -> Result<Option<(f64, f64)>> {
+    let (end, start) = (first.end(), second.start());
+    let found = curve_curve(first, second, 1e-12 * scale)?;
+    let away = |p: Point3| p.distance_to(end).max(p.distance_to(start));
+    let inside = |c: &&Crossing| {
+        let (d, e) = (first.domain(), second.domain());
+        away(c.point) <= 8.0 * tolerance && d.start < c.a && c.b < e.end
+    };
+    let best = found.crossings.iter().filter(inside).min_by(|x, y| away(x.point).total_cmp(&away(y.point)));
+    Ok(best.map(|c| (c.a, c.b)))
+}
+
+/// The curve with one end moved. Lines stay lines and arcs arcs. `None` when more than the end would move by more.
+fn with_end(curve: &Curve, last: bool, p: Point3) -> Result<Option<Curve>> {
+    let gap = (if last { curve.end() } else { curve.start() }).distance_to(p);
+    if gap == 0.0 {
+        return Ok(Some(curve.clone()));
     }
     match curve {
         Curve::Line(c) => {
             let line = if last { Line::new(c.line.from, p) } else { Line::new(p, c.line.to) };
-            return Ok(LineCurve { line, domain: c.domain }.into());
+            return Ok(Some(LineCurve { line, domain: c.domain }.into()));
         }
         Curve::Arc(c) => {
             let (from, to) = if last { (curve.start(), p) } else { (p, curve.end()) };
-            if let Ok(arc) = Arc::through(from, c.arc.midpoint(), to) {
-                return Ok(ArcCurve { arc, domain: c.domain }.into());
-            }
+            let moved = Arc::through(from, c.arc.midpoint(), to).ok().filter(|arc| {
+                arc.circle.center().distance_to(c.arc.circle.center()) <= 2.0 * gap
+                    && (arc.circle.radius - c.arc.circle.radius).abs() <= 2.0 * gap
+            });
+            return Ok(moved.map(|arc| ArcCurve { arc, domain: c.domain }.into()));
         }
         _ => {}
     }
     let nurbs = curve.to_nurbs()?.clamped()?;
     let mut points = nurbs.homogeneous_points();
+    let leg = |points: &[[f64; 4]]| {
+        let [a, b] = if last { [points.len() - 1, points.len() - 2] } else { [0, 1] };
+        crate::nurbs::project(points[a]).distance_to(crate::nurbs::project(points[b]))
+    };
+    if points.len() < 2 || leg(&points) < 20.0 * gap {
+        return Ok(None);
+    }
     if let Some(end) = if last { points.last_mut() } else { points.first_mut() } {
         *end = [p.x * end[3], p.y * end[3], p.z * end[3], end[3]];
     }
     let knots = nurbs.knots().to_vec();
     if nurbs.is_rational() {
-        return Ok(NurbsCurve::rational(nurbs.degree(), points, knots)?.into());
+        return Ok(Some(NurbsCurve::rational(nurbs.degree(), points, knots)?.into()));
     }
-    let plain = points.iter().map(|q| Point3::new(q[0], q[1], q[2])).collect();
-    Ok(NurbsCurve::new(nurbs.degree(), plain, knots)?.into())
+    let plain = points.iter().map(|&q| crate::nurbs::project(q)).collect();
+    Ok(Some(NurbsCurve::new(nurbs.degree(), plain, knots)?.into()))
 }

@@ -246,12 +246,20 @@ impl Cuts<'_> {
         Some(Nodes { stops, places: self.places })
     }
 
-    /// Whether a stretch between two visits of a node stays there.
+    /// Whether a stretch between two visits of a node is nothing but the way from one place in it to another. A curl,
+    /// which comes back to where it began, is left to be cut out.
     fn collapsed(&self, curve: &Curve, from: f64, to: f64) -> bool {
-        let start = curve.point_at(from);
-        (1..=8).all(|k| {
-            let p = curve.point_at(Interval::new(from, to).at(f64::from(k) / 8.0));
-            p.distance_to(start) <= 4.0 * self.tolerance
-        })
+        let widest = excursion(curve, Interval::new(from, to));
+        let step = curve.point_at(from).distance_to(curve.point_at(to));
+        widest <= WITHIN * self.tolerance && (step > 0.05 * widest || widest <= 0.05 * self.tolerance)
     }
+}
+
+/// How many tolerances a stretch may leave a node and still belong to it.
+pub(super) const WITHIN: f64 = 4.0;
+
+/// How far a stretch goes from its start.
+pub(super) fn excursion(curve: &Curve, range: Interval) -> f64 {
+    let start = curve.point_at(range.start);
+    (1..=8).map(|k| curve.point_at(range.at(f64::from(k) / 8.0)).distance_to(start)).fold(0.0, f64::max)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::nodes::Nodes;
+use super::nodes::{Nodes, WITHIN, excursion};
 use super::sources::Sources;
 use crate::{Interval, Point3, Result, Vector3};
 
@@ -33,7 +33,12 @@ pub(super) fn strands(sources: &Sources, nodes: &Nodes, tolerance: f64) -> Resul
     for (part, stops) in nodes.stops.iter().enumerate() {
         for w in stops.windows(2) {
             let (from, to) = (w[0].1, w[1].1);
-            let mut new = Member { part, range: Interval::new(w[0].0, w[1].0), along: true };
+            let range = Interval::new(w[0].0, w[1].0);
+            // A curl that does not leave its node.
+            if from == to && excursion(&sources.parts[part].curve, range) <= WITHIN * tolerance {
+                continue;
+            }
+            let mut new = Member { part, range, along: true };
             let same_ends = by_ends.entry((from.min(to), from.max(to))).or_default();
             let mut home = None;
             for &k in same_ends.iter() {
