@@ -287,3 +287,46 @@ fn minima_where_a_range_is_halved() {
     assert_eq!(found.len(), inner + ends, "{found:?}");
     assert!(found.iter().any(|p| (p.parameter - domain.middle()).abs() < 1e-9), "{found:?}");
 }
+
+/// Where control points fall together at an end the curve starts or stops with a speed of zero: its slope there is
+/// nothing but rounding, and must not pass for that of a nearest end.
+#[test]
+fn ends_with_a_speed_of_zero_are_not_taken_for_nearest() {
+    let knots = |n: usize, degree: usize| -> Vec<f64> {
+        let spans = n - degree;
+        (0..n + degree - 1).map(|k| (k as f64 + 1.0 - degree as f64).clamp(0.0, spans as f64)).collect()
+    };
+    let mut seed = 5_u64;
+    let mut random = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as f64 / f64::from(1_u32 << 31)
+    };
+    for case in 0..200 {
+        let degree = 2 + case % 4;
+        let n = degree + 1 + case % 5;
+        let mut points: Vec<[f64; 4]> = (0..n)
+            .map(|_| {
+                let w = if case % 2 == 0 { 1.0 } else { 0.3 + 2.0 * random() };
+                [4.0 * random() * w, 4.0 * random() * w, random() * w, w]
+            })
+            .collect();
+        // The second point falls on the first, with a weight of its own.
+        let (w0, w1) = (points[0][3], points[1][3]);
+        points[1] = points[0].map(|x| x / w0 * w1);
+        points[1][3] = w1;
+        let curve = Curve::from(NurbsCurve::rational(degree, points, knots(n, degree)).unwrap());
+        let domain = curve.domain();
+        let prepared = ClosestOnCurve::new(&curve);
+        for _ in 0..10 {
+            let start = curve.start();
+            let q = start + Vector3::new(random() - 0.5, random() - 0.5, random() - 0.5);
+            let found = prepared.nearest(q).unwrap();
+            let best = (0..=4000)
+                .map(|i| {
+                    curve.point_at(domain.start + domain.length() * f64::from(i) / 4000.0).distance_to(q)
+                })
+                .fold(f64::INFINITY, f64::min);
+            assert!(found.distance <= best + 1e-12, "case {case}: {q:?}: {} > {best}", found.distance);
+        }
+    }
+}

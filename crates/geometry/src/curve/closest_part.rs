@@ -424,7 +424,11 @@ impl Search<'_> {
         let found = dot(&v, &v);
         best.offer(found, self.part.piece, self.place(x));
         let (slope, rate) = (dot(&v, &d1), dot(&d1, &d1) + dot(&v, &d2));
-        let at_end = (x <= a && slope > 0.0) || (x >= b && slope < 0.0);
+        // Where the curve starts or ends with a speed of zero the slope is rounding, and its sign says nothing.
+        let reach = self.part.radius + self.r.iter().map(|r| r * r).sum::<f64>().sqrt();
+        let least = self.points.iter().fold(f64::INFINITY, |least, point| least.min(point[3]));
+        let rounding = 1e-14 * self.part.degree as f64 * reach * found.sqrt() / least;
+        let at_end = (x <= a && slope > rounding) || (x >= b && slope < -rounding);
         // On the curve the distance is 0, and no point is nearer.
         (rate > 0.0 || at_end || found == 0.0).then_some(found)
     }
