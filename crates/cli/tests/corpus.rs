@@ -75,8 +75,12 @@ fn check_knows_most_objects_of_the_stock_files() {
     let mut failed = Vec::new();
     for file in whole {
         let output = katydid(&["run", &file]);
-        if output.status.code() != Some(0) {
-            failed.push(format!("{file}: {:?} {}", output.status.code(), said(&output)));
+        // A definition that reads a file which was never handed on with it can only say so.
+        let told = said(&output);
+        let mut errors = told.lines().filter(|line| line.starts_with("error: "));
+        let lacks_only_files = told.contains("error: ") && errors.all(|e| e.ends_with("there is no such file"));
+        if output.status.code() != Some(0) && !lacks_only_files {
+            failed.push(format!("{file}: {:?} {told}", output.status.code()));
         }
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));

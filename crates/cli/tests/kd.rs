@@ -177,3 +177,16 @@ fn fmt_sets_files_and_checks_them() {
     assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0), "nothing in, nothing out");
     assert_eq!(katydid(&["fmt", GHX]).status.code(), Some(2));
 }
+
+#[test]
+fn modifiers_of_parameters_and_sliders_work_on_what_they_give() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("modified.kd");
+    let lines = ["a = Number([1, 2, 3] |graft |{x*2})", "b = Number(a |flatten |reverse)", "c = Panel(b)"];
+    std::fs::write(&file, lines.join("\n")).unwrap();
+    let output = katydid(&["run", text(&file), "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let branches = |k: usize| report["objects"][k]["outputs"][0]["branches"].clone();
+    assert_eq!(branches(0).as_array().unwrap().len(), 3);
+    assert_eq!(branches(2)[0]["items"], serde_json::json!(["6", "4", "2"]));
+}

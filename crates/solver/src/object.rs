@@ -126,7 +126,8 @@ fn run(
     ObjectReport { status, messages, outputs, time: std::time::Duration::ZERO }
 }
 
-/// What output `k` shows: its data after its own modifiers.
+/// What output `k` shows: its data after its own modifiers. A floating parameter is one port, whose modifiers stand
+/// with its input; they work on what it gives, be it wired, kept or, as with a slider, stored.
 pub(crate) fn output(
     object: &Object,
     k: usize,
@@ -134,7 +135,8 @@ pub(crate) fn output(
     options: &Options,
     messages: &mut Vec<Message>,
 ) -> Tree {
-    match object.outputs.get(k) {
+    let port = if object.is_floating() { object.inputs.get(k) } else { object.outputs.get(k) };
+    match port {
         Some(port) => modifiers::apply(tree, port, &options.rules, messages),
         None => tree,
     }

@@ -109,6 +109,8 @@ fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
             simple_planes: m.simple_planes,
         }),
         Stored::Geometry(g) => return geometry(g, missing),
+        // Which coordinates Points to Numbers takes; the meaning of other codes is not known.
+        Stored::Unknown(chunk) if chunk.i32("CMask") == Some(4) => Value::text("XYZ"),
         Stored::Unknown(chunk) => {
             let names: Vec<&str> = chunk.items.iter().map(|i| i.name.as_str()).collect();
             missing.add(format!("A stored value is of an unknown form ({})", names.join(", ")));

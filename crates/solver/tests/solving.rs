@@ -12,7 +12,7 @@ use common::{Input, Sheet, number, value, wire};
 use katydid_component::testing::texts;
 use katydid_component::{Cancel, Limits};
 use katydid_data::Value;
-use katydid_definition::document::{Document, Object, Stored};
+use katydid_definition::document::{Document, Mapping, Object, Side, Stored};
 use katydid_solver::{Engine, Options, Status};
 use proptest::prelude::*;
 use uuid::Uuid;
@@ -281,4 +281,22 @@ proptest! {
         };
         prop_assert_eq!(run(1), run(2));
     }
+}
+
+#[test]
+fn a_floating_parameter_has_its_own_modifiers() {
+    let mut sheet = Sheet::default();
+    let series = sheet.add("Series", vec![number(0.0), number(1.0), value(Stored::Integer(3))])[0];
+    sheet.add("Number", vec![wire(series)]);
+    sheet.add("Number", vec![number(7.0)]);
+    for object in [1, 2] {
+        sheet.document.objects[object].set_mapping(Side::Input, 0, Mapping::Graft).unwrap();
+    }
+    let engine = solved(sheet.document);
+    let shape = |object: usize| {
+        let tree = &engine.report(object).unwrap().outputs[0];
+        tree.branches().map(|branch| branch.path().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(shape(1), ["{0;0;0}", "{0;0;1}", "{0;0;2}"]);
+    assert_eq!(shape(2), ["{0;0}"]);
 }
