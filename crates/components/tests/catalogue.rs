@@ -84,7 +84,7 @@ const WHOLE: [(&str, &[&str]); 7] = [
     ("Scalar", &[]),
     ("Sets", &[]),
     ("Vector", &[]),
-    ("Transform", &["Euclidean", "Affine", "Array", "Util"]),
+    ("Transform", &[]),
 ];
 
 /// What a definition draws or opens rather than runs.

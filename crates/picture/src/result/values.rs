@@ -51,7 +51,7 @@ impl Values {
                     _ => return self.leave_out(of, "a curve without length"),
                 }
             }
-            Value::Box(_) | Value::Mesh(_) => match cast::value(value, Kind::Mesh, rules) {
+            Value::Box(_) | Value::TwistedBox(_) | Value::Mesh(_) => match cast::value(value, Kind::Mesh, rules) {
                 Some(Value::Mesh(mesh)) => Form::Mesh(mesh),
                 _ => return self.leave_out(of, "a box without volume"),
             },
