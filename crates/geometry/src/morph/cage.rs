@@ -107,7 +107,7 @@ mod tests {
         let same = mesh.morphed(&morph).unwrap();
         assert!((same.volume() - mesh.volume()).abs() < 1e-12);
         let mut corners = TwistedBox::from(unit(2.0)).corners;
-        corners[6] = corners[6] + Vector3::Z;
+        corners[6] += Vector3::Z;
         let twisted = BoxMorph::new(unit(2.0), TwistedBox { corners }).unwrap();
         let middle = twisted.image(Point3::new(1.0, 1.0, 1.0)).unwrap();
         assert!(middle.distance_to(Point3::new(1.0, 1.0, 1.125)) < 1e-13);

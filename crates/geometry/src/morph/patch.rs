@@ -37,7 +37,7 @@ impl Sheet {
             let d = self.surface.derivatives(iu, iv, 1, self.surface.inner_quadrant(iu, iv));
             for ((by, closed), along) in beyond.into_iter().zip([d.get(1, 0), d.get(0, 1)]) {
                 if !closed {
-                    point = point + along * by;
+                    point += along * by;
                 }
             }
         }
@@ -49,7 +49,7 @@ impl Sheet {
     }
 
     /// How far (u, v) is from an anchor, the shorter way round where the surface is closed.
-    fn from_anchor(&self, place: [f64; 2], anchor: [f64; 2]) -> [f64; 2] {
+    fn off_anchor(&self, place: [f64; 2], anchor: [f64; 2]) -> [f64; 2] {
         std::array::from_fn(|i| {
             let (by, period) = (place[i] - anchor[i], self.domains[i].length());
             if self.closed[i] && by.abs() > 0.5 * period { by - period * by.signum() } else { by }
@@ -190,7 +190,7 @@ impl Morph for Sporph {
         let surface = &self.base.sheet.surface;
         let normal: Option<Vector3> = surface.normal_at(near.u, near.v);
         let height = normal.map_or(0.0, |n| (p - near.point).dot(n));
-        let by = self.base.sheet.from_anchor([near.u, near.v], self.base.place);
+        let by = self.base.sheet.off_anchor([near.u, near.v], self.base.place);
         self.target.over(self.base.step(by), height)
     }
 }

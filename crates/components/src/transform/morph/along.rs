@@ -44,6 +44,7 @@ fn stretch(
 /// R1; between the two the factor changes evenly.
 #[component("ad0ee51e-c86f-4668-8de5-b55b850f6001", name = "Taper", nick = "Taper", at = "Transform/Morph")]
 #[output("Geometry", "G", "The tapered geometry.")]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn taper(
     context: &Context<'_>,
     /// What to taper.
@@ -159,6 +160,7 @@ fn maelstrom(
 /// tangents.
 #[component("c3249da4-3f8e-4400-833e-e4e984d28657", name = "Flow", nick = "Flow", at = "Transform/Morph")]
 #[output("Geometry", "G", "The geometry along the target.")]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn flow(
     context: &Context<'_>,
     /// What to carry.

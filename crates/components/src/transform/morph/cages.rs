@@ -76,7 +76,7 @@ fn patch(surface: &Surface, domain: &Domain2, height: f64) -> Result<[Point3; 4]
     if height != 0.0 {
         for (u, v, point) in &mut corners {
             let none = || Message::error("The surface has no normal at a corner of the domain");
-            *point = *point + surface.normal_at(*u, *v).ok_or_else(none)? * height;
+            *point += surface.normal_at(*u, *v).ok_or_else(none)? * height;
         }
     }
     Ok(corners.map(|(_, _, point)| point))
