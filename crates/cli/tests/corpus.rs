@@ -78,7 +78,8 @@ fn check_knows_most_objects_of_the_stock_files() {
         // A definition that reads a file which was never handed on with it can only say so.
         let told = said(&output);
         let mut errors = told.lines().filter(|line| line.starts_with("error: "));
-        let lacks_only_files = told.contains("error: ") && errors.all(|e| e.ends_with("there is no such file"));
+        let lacks_only_files =
+            told.contains("error: ") && errors.all(|e| e.ends_with("there is no such file"));
         if output.status.code() != Some(0) && !lacks_only_files {
             failed.push(format!("{file}: {:?} {told}", output.status.code()));
         }

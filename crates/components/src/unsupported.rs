@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 56] = [
+static LIST: [Unsupported; 55] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -118,11 +118,6 @@ static LIST: [Unsupported; 56] = [
         "the script is kept, but it needs the .NET runtime",
     ),
     row(uuid!("aa538b89-3df8-436f-9ae4-bc44525984de"), "Import SHP", "there is no reader of shapefiles yet"),
-    row(
-        uuid!("6db039c4-cad1-4549-bd45-e31cb0f71692"),
-        "Twisted Box",
-        "there is no value for a box with eight free corners yet",
-    ),
     row(
         uuid!("a80395af-f134-4d6a-9b89-15edf3161619"),
         "Atom",

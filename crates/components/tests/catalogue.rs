@@ -88,7 +88,7 @@ const WHOLE: [(&str, &[&str]); 11] = [
     ("Intersect", &[]),
     ("Mesh", &[]),
     ("Display", &[]),
-    ("Transform", &["Euclidean", "Affine", "Array", "Util"]),
+    ("Transform", &[]),
 ];
 
 /// What a definition draws or opens rather than runs.

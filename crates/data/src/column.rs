@@ -3,7 +3,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::RawObject;
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
-    Surface, Vector3, Xform,
+    Surface, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -125,6 +125,7 @@ items! {
     Arcs, Arc, Arc, |x| Value::Arc(Shared::new(*x)), Value::Arc(x) => *x;
     Rectangles, Rectangle, Rectangle, |x| Value::Rectangle(Shared::new(*x)), Value::Rectangle(x) => *x;
     Boxes, Box, Box3, |x| Value::Box(Shared::new(*x)), Value::Box(x) => *x;
+    TwistedBoxes, TwistedBox, TwistedBox, |x| Value::TwistedBox(Shared::new(*x)), Value::TwistedBox(x) => *x;
     Curves, Curve, Shared<Curve>, |x| Value::Curve(x.clone()), Value::Curve(x) => x;
     Surfaces, Surface, Shared<Surface>, |x| Value::Surface(x.clone()), Value::Surface(x) => x;
     Meshes, Mesh, Shared<Mesh>, |x| Value::Mesh(x.clone()), Value::Mesh(x) => x;

@@ -3,7 +3,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::RawObject;
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, LineCurve, Matrix, Mesh, MeshFace, Plane, Point3,
-    Rectangle, Sphere, Surface, Vector3, Xform,
+    Rectangle, Sphere, Surface, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -91,6 +91,7 @@ item!(Circle, Circle, Circles, Circle { plane: Plane::XY, radius: 1.0 });
 item!(Arc, Arc, Arcs, Arc { circle: Circle::placeholder(), angle: Interval::UNIT });
 item!(Rectangle, Rectangle, Rectangles, Rectangle { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT });
 item!(Box3, Box, Boxes, Box3 { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT, z: Interval::UNIT });
+item!(TwistedBox, TwistedBox, TwistedBoxes, TwistedBox { corners: [Point3::ORIGIN; 8] });
 item!(Shared<Curve>, Curve, Curves, Shared::new(Curve::Line(LineCurve::new(Line::placeholder()))));
 item!(Shared<Surface>, Surface, Surfaces, Shared::new(Sphere { plane: Plane::XY, radius: 1.0 }.into()));
 item!(Shared<Mesh>, Mesh, Meshes, Shared::new(Mesh::default()));

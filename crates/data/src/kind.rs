@@ -28,6 +28,8 @@ pub enum Kind {
     Arc,
     Rectangle,
     Box,
+    /// A box with eight free corners.
+    TwistedBox,
     Curve,
     Surface,
     Brep,
@@ -75,6 +77,7 @@ impl Kind {
             Self::Arc => "Arc",
             Self::Rectangle => "Rectangle",
             Self::Box => "Box",
+            Self::TwistedBox => "Twisted Box",
             Self::Curve => "Curve",
             Self::Surface => "Surface",
             Self::Brep => "Brep",
@@ -109,6 +112,7 @@ impl Kind {
                 | Self::Arc
                 | Self::Rectangle
                 | Self::Box
+                | Self::TwistedBox
                 | Self::Curve
                 | Self::Surface
                 | Self::Brep

@@ -58,6 +58,7 @@ pub fn value(value: &Value, style: &Style) -> String {
             number(b.y.length().abs()),
             number(b.z.length().abs())
         ),
+        Value::TwistedBox(_) => "Twisted Box".to_owned(),
         Value::Curve(c) => curve(c, style).to_owned(),
         Value::Surface(_) => "Untrimmed Surface".to_owned(),
         Value::Mesh(mesh) => format!("Mesh (V:{}  F:{})", mesh.vertices().len(), mesh.faces().len()),

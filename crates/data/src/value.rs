@@ -3,7 +3,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::{Object, RawObject};
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
-    Surface, Vector3, Xform,
+    Surface, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -37,6 +37,7 @@ pub enum Value {
     Arc(Shared<Arc>),
     Rectangle(Shared<Rectangle>),
     Box(Shared<Box3>),
+    TwistedBox(Shared<TwistedBox>),
     Curve(Shared<Curve>),
     Surface(Shared<Surface>),
     Mesh(Shared<Mesh>),
@@ -77,6 +78,7 @@ impl Value {
             Self::Arc(_) => Kind::Arc,
             Self::Rectangle(_) => Kind::Rectangle,
             Self::Box(_) => Kind::Box,
+            Self::TwistedBox(_) => Kind::TwistedBox,
             Self::Curve(_) => Kind::Curve,
             Self::Surface(_) => Kind::Surface,
             Self::Mesh(_) => Kind::Mesh,
@@ -159,6 +161,7 @@ from! {
     Arc, Arc;
     Rectangle, Rectangle;
     Box3, Box;
+    TwistedBox, TwistedBox;
     Curve, Curve;
     Shared<Curve>, Curve;
     Surface, Surface;

@@ -111,7 +111,7 @@ fn archived(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Archived>) -> R
         }
         Value::Surface(surface) => pieces.push(Archived::Surface((**surface).clone())),
         Value::Mesh(mesh) => pieces.push(Archived::Mesh((**mesh).clone())),
-        Value::Box(_) => match cast::value(value, Kind::Mesh, rules) {
+        Value::Box(_) | Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {
             Some(Value::Mesh(mesh)) => pieces.push(Archived::Mesh((*mesh).clone())),
             _ => return Err("a box without volume".to_owned()),
         },

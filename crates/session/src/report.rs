@@ -155,6 +155,7 @@ fn structured(value: &Value, style: &text::Style) -> serde_json::Value {
         }
         Value::Rectangle(r) => json!({"plane": plane(&r.plane), "x": range(r.x), "y": range(r.y)}),
         Value::Box(b) => json!({"plane": plane(&b.plane), "x": range(b.x), "y": range(b.y), "z": range(b.z)}),
+        Value::TwistedBox(b) => b.corners.iter().map(|p| point(*p)).collect(),
         Value::Domain(d) => range(*d),
         Value::Domain2(d) => json!({"u": range(d.u), "v": range(d.v)}),
         Value::Complex(z) => json!([z.re, z.im]),

@@ -31,6 +31,9 @@ parameters! {
     /// Boxes. Other geometry becomes the box around it, along the world axes.
     box_parameter, "c9482db6-bea9-448d-98ff-fed6d69a8efc", "Box", "Box", "Params/Geometry", Box;
 
+    /// Boxes with eight free corners, to morph geometry into. A box becomes one.
+    twisted_box, "6db039c4-cad1-4549-bd45-e31cb0f71692", "Twisted Box", "TBox", "Params/Geometry", TwistedBox;
+
     /// Surfaces.
     surface, "deaf8653-5528-4286-807c-3de8b8dad781", "Surface", "Srf", "Params/Geometry", Surface;
 

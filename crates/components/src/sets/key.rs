@@ -76,6 +76,7 @@ impl Key {
             | Value::Arc(_)
             | Value::Rectangle(_)
             | Value::Box(_)
+            | Value::TwistedBox(_)
             | Value::MeshFace(_)
             | Value::Transform(_)
             | Value::Compound(_)

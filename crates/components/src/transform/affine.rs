@@ -195,7 +195,8 @@ fn projected(
     "407e35c6-7c40-4652-bd80-fde1eb7ec034",
     name = "Camera Obscura",
     nick = "CO",
-    at = "Transform/Affine"
+    at = "Transform/Affine",
+    also("7ee33ede-4ce1-482c-ab1a-eb7f9151fbc5")
 )]
 #[output("Geometry", "G", "The picture.")]
 #[output("Transform", "X", "The map as a transform.", kind = Transform)]

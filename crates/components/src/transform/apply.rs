@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::Message;
 use katydid_data::{Group, Value};
-use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, Vector3, Xform};
+use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
 
 /// Groups in groups beyond this depth are refused.
 const DEEPEST: usize = 100;
@@ -40,6 +40,7 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
                 "This transform makes a solid of the box that is no box, which cannot be shown yet",
             )
         })?),
+        Value::TwistedBox(b) => Value::from(TwistedBox { corners: b.corners.map(|p| xform.point(p)) }),
         Value::Curve(curve) => Value::from(curve.transformed(xform)?),
         Value::Surface(surface) => Value::from(surface.transformed(xform)?),
         Value::Mesh(mesh) => Value::from(mesh.transformed(xform)?),

@@ -17,6 +17,7 @@ fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
         Value::Line(line) => vec![line.from, line.to],
         Value::Rectangle(r) => r.corners().to_vec(),
         Value::Box(b) => b.corners().to_vec(),
+        Value::TwistedBox(b) => b.corners.to_vec(),
         Value::Mesh(mesh) => mesh.vertices().to_vec(),
         Value::Curve(curve) => curve.bounding_box_in(plane).corners().to_vec(),
         Value::Surface(surface) => {

@@ -5,6 +5,7 @@ mod apply;
 mod array;
 mod euclidean;
 mod extent;
+mod morph;
 mod util;
 
 pub(crate) use apply::apply;

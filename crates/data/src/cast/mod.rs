@@ -70,6 +70,10 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         Kind::Arc => curve::arc(value, rules).map(|a| Value::Arc(Shared::new(a))),
         Kind::Rectangle => curve::rectangle(value, rules).map(|r| Value::Rectangle(Shared::new(r))),
         Kind::Box => place::bounding_box(value).map(|b| Value::Box(Shared::new(b))),
+        Kind::TwistedBox => match value {
+            Value::Box(b) => Some(Value::from(katydid_geometry::TwistedBox::from(**b))),
+            _ => None,
+        },
         Kind::Curve => curve::curve(value).map(|c| Value::Curve(Shared::new(c))),
         Kind::Mesh => place::mesh(value).map(|m| Value::Mesh(Shared::new(m))),
         Kind::MeshFace => match value {

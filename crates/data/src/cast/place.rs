@@ -74,6 +74,7 @@ fn bounds(value: &Value) -> Option<BoundingBox> {
         Value::Point(p) => BoundingBox::from_points([*p]),
         Value::Mesh(mesh) => BoundingBox::from_points(mesh.vertices().iter().copied()),
         Value::Box(b) => BoundingBox::from_points(b.corners()),
+        Value::TwistedBox(b) => BoundingBox::from_points(b.corners),
         Value::Surface(surface) => surface.bounding_box().ok(),
         Value::Group(group) => {
             let boxes = group.members.iter().flatten().filter_map(bounds);
@@ -83,10 +84,11 @@ fn bounds(value: &Value) -> Option<BoundingBox> {
     }
 }
 
-/// A box as a mesh of six quads.
+/// A box, also a twisted one, as a mesh of six quads.
 pub(super) fn mesh(value: &Value) -> Option<Mesh> {
     match value {
         Value::Box(b) => Mesh::cuboid(b, 1, 1, 1).ok(),
+        Value::TwistedBox(b) => b.to_mesh().ok(),
         _ => None,
     }
 }

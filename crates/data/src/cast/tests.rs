@@ -187,3 +187,17 @@ fn a_colour_is_a_plain_material() {
     assert!((made.transparency - 128.0 / 255.0).abs() < 1e-15);
     assert_eq!(to(Value::Material(made), Kind::Colour), Some(Value::Colour(Colour::rgb(10, 20, 30))));
 }
+
+#[test]
+fn a_box_becomes_a_twisted_one() {
+    let side = Interval::new(0.0, 2.0);
+    let cube = Value::from(katydid_geometry::Box3 { plane: Plane::XY, x: side, y: side, z: side });
+    let Some(Value::TwistedBox(twisted)) = to(cube, Kind::TwistedBox) else { panic!("a twisted box") };
+    assert_eq!(twisted.corners[6], Point3::new(2.0, 2.0, 2.0));
+    let twisted = Value::TwistedBox(twisted);
+    assert_eq!(text::value(&twisted, &text::Style::default()), "Twisted Box");
+    assert!(matches!(to(twisted.clone(), Kind::Box), Some(Value::Box(b)) if b.volume() == 8.0));
+    assert!(matches!(to(twisted.clone(), Kind::Mesh), Some(Value::Mesh(m)) if m.faces().len() == 6));
+    assert_eq!(to(twisted.clone(), Kind::Geometry), Some(twisted));
+    assert_eq!(to(Point3::ORIGIN.into(), Kind::TwistedBox), None);
+}

@@ -219,7 +219,7 @@ fn goes_on(row: &[Sample], next: &[Sample], angle: f64) -> bool {
 }
 
 /// One curve from curves that follow each other.
-fn whole(mut curves: Vec<Curve>) -> Result<Curve> {
+pub(crate) fn whole(mut curves: Vec<Curve>) -> Result<Curve> {
     if curves.len() == 1
         && let Some(only) = curves.pop()
     {
@@ -234,7 +234,7 @@ fn whole(mut curves: Vec<Curve>) -> Result<Curve> {
 }
 
 /// The simplest curve through samples.
-fn shape(samples: &[Sample]) -> Result<Curve> {
+pub(crate) fn shape(samples: &[Sample]) -> Result<Curve> {
     let (first, last) = match samples {
         [a, .., b] => (a.point, b.point),
         _ => return Err(crate::Error::degenerate("curve", "it has no length")),

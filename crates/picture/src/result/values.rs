@@ -51,10 +51,12 @@ impl Values {
                     _ => return self.leave_out(of, "a curve without length"),
                 }
             }
-            Value::Box(_) | Value::Mesh(_) => match cast::value(value, Kind::Mesh, rules) {
-                Some(Value::Mesh(mesh)) => Form::Mesh(mesh),
-                _ => return self.leave_out(of, "a box without volume"),
-            },
+            Value::Box(_) | Value::TwistedBox(_) | Value::Mesh(_) => {
+                match cast::value(value, Kind::Mesh, rules) {
+                    Some(Value::Mesh(mesh)) => Form::Mesh(mesh),
+                    _ => return self.leave_out(of, "a box without volume"),
+                }
+            }
             Value::Surface(surface) => match Facets::new(surface, self.fineness) {
                 Some(facets) => Form::Surface(Shared::new(facets)),
                 None => return self.leave_out(of, "a surface without a NURBS form"),
