@@ -248,3 +248,43 @@ fn points_of_wild_rational_surfaces_are_found_again() {
         }
     }
 }
+
+/// Where rows of control points fall together at a side, partial derivatives are zero there: rounding must not pass for
+/// a slope that makes the side the nearest.
+#[test]
+fn sides_with_a_speed_of_zero_are_not_taken_for_nearest() {
+    let mut numbers = Numbers(77);
+    for case in 0..40 {
+        let (degrees, counts) = ([3, 2], [5, 4]);
+        let rational = case % 2 == 1;
+        let mut points: Vec<[f64; 4]> = Vec::new();
+        for i in 0..counts[0] {
+            for j in 0..counts[1] {
+                let w = if rational { 1.0 + 0.6 * numbers.next() } else { 1.0 };
+                let p = Point3::new(i as f64, j as f64, numbers.next());
+                // The second row falls on the first, with weights of its own.
+                let p = if i == 1 {
+                    let [x, y, z, v] = points[j];
+                    Point3::new(x / v, y / v, z / v)
+                } else {
+                    p
+                };
+                points.push([p.x * w, p.y * w, p.z * w, w]);
+            }
+        }
+        let knots = [vec![0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0], vec![0.0, 0.0, 1.0, 2.0, 2.0]];
+        let s = NurbsSurface::rational(degrees, counts, points, knots).unwrap();
+        let ready = ClosestOnSurface::of_nurbs(&s);
+        for _ in 0..6 {
+            let foot = s.point_at(0.0, 1.0 + numbers.next());
+            let q = foot + numbers.point(0.6).to_vector();
+            let found = ready.nearest(q).unwrap().distance;
+            let steps = 200;
+            let grid = (0..=steps).flat_map(|i| (0..=steps).map(move |j| (i, j)));
+            let at = |k: i32| 2.0 * f64::from(k) / f64::from(steps);
+            let least =
+                grid.map(|(i, j)| s.point_at(at(i), at(j)).distance_to(q)).fold(f64::INFINITY, f64::min);
+            assert!(found <= least + 1e-12, "case {case}: {q:?}: {found} > {least}");
+        }
+    }
+}
