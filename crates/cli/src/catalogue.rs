@@ -22,9 +22,10 @@ static FACTS: LazyLock<HashMap<Uuid, Arc<Facts>>> = LazyLock::new(|| {
         .collect()
 });
 
-/// What a name without its panel means where the first of that name is not the one that had it first: files keep their
-/// meaning when a component of a known name is added.
-const MEANT: [(&str, &str); 1] = [("Project", "Affine")];
+/// What a name without its panel means where that is not the first of that name: the one that everybody means, and the
+/// one that had the name first, so that files keep their meaning when a component of a known name is added.
+const MEANT: [(&str, &str); 3] =
+    [("Addition", "Operators"), ("Mass Addition", "Operators"), ("Project", "Affine")];
 
 /// By name in lower case, with and without the panel before it: what the name finds, and the parameter of that name.
 static NAMES: LazyLock<HashMap<String, (Uuid, Option<Uuid>)>> = LazyLock::new(|| {

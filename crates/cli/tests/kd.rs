@@ -190,3 +190,18 @@ fn modifiers_of_parameters_and_sliders_work_on_what_they_give() {
     assert_eq!(branches(0).as_array().unwrap().len(), 3);
     assert_eq!(branches(2)[0]["items"], serde_json::json!(["6", "4", "2"]));
 }
+
+#[test]
+fn a_bare_name_that_several_have_means_what_the_text_form_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("names.kd");
+    std::fs::write(
+        &file,
+        "a = Addition(3, 4)\nb = Mass Addition([1, 2, 3])\nc = Colour/Addition(rgb(1, 2, 3), rgb(4, 5, 6))\n",
+    )
+    .unwrap();
+    let output = katydid(&["run", text(&file), "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let first = |k: usize| report["objects"][k]["outputs"][0]["branches"][0]["items"][0].clone();
+    assert_eq!([first(0), first(1), first(2)], ["7", "6", "5,7,9"].map(serde_json::Value::from));
+}
