@@ -349,14 +349,20 @@ pub fn circle_circle(a: &Circle, b: &Circle, tolerance: f64) -> CircleCircle {
         positive(y.atan2(x))
     };
     if !coplanar(a, b, tolerance) {
-        let PlaneCircle::At(angles) = plane_circle(&b.plane, a, tolerance) else {
-            return CircleCircle::At(UpToTwo::None);
+        let meet = |tolerance_of_plane: f64| {
+            let PlaneCircle::At(angles) = plane_circle(&b.plane, a, tolerance_of_plane) else {
+                return UpToTwo::None;
+            };
+            angles.filter_map(|t| {
+                let p = a.at(t);
+                let on = angle(b, p);
+                (b.at(on).distance_to(p) <= tolerance).then_some([t, on])
+            })
         };
-        return CircleCircle::At(angles.filter_map(|t| {
-            let p = a.at(t);
-            let on = angle(b, p);
-            (b.at(on).distance_to(p) <= tolerance).then_some([t, on])
-        }));
+        // Where the plane all but touches the circle its two crossings count as one place between them, and the other
+        // circle may go through either of the two and miss that.
+        let found = meet(tolerance);
+        return CircleCircle::At(if found.count() == 0 { meet(0.0) } else { found });
     }
     let [x, y, _] = a.plane.coordinates(b.center());
     let (distance, ra, rb) = (x.hypot(y), a.radius, b.radius);
