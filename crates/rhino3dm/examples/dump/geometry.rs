@@ -1,0 +1,26 @@
+//! One object of any class.
+
+use katydid_3dm::Object;
+use serde_json::{Value, json};
+
+use crate::brep::brep;
+use crate::curve::curve;
+use crate::mesh::mesh;
+use crate::numbers::{point, points, vectors};
+use crate::surface::surface;
+
+pub(crate) fn geometry(object: &Object) -> Value {
+    let detail = match object {
+        Object::Point(p) => json!({"point": point(*p)}),
+        Object::PointCloud(cloud) => {
+            json!({"points": points(&cloud.points), "normals": vectors(&cloud.normals),
+                "colours": cloud.colours})
+        }
+        Object::Curve(c) => curve(c),
+        Object::Surface(s) => surface(s),
+        Object::Mesh(m) => mesh(m),
+        Object::Kept(raw) if raw.class_name() == "Brep" => brep(raw),
+        _ => json!({}),
+    };
+    json!({"class": object.class_name(), "kept": matches!(object, Object::Kept(_)), "detail": detail})
+}
