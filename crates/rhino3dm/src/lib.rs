@@ -47,5 +47,7 @@ pub use layer::Layer;
 pub use limits::Limits;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    BareSurface, BrepEdge, BrepObject, BrepSummary, CachedMesh, CurveForm, CurveOnSurface, Extrusion,
+    ExtrusionMesh, NurbsForm, NurbsSurfaceForm, Object, OnData, PointCloud, RawObject, Solidity, SurfaceForm,
+    UserData,
 };

@@ -13,7 +13,7 @@ pub struct Face {
     pub material_channel: u32,
     /// Its identifier, if it has one.
     pub id: Option<NonZeroU128>,
-    /// Its own colour as red, green, blue and transparency.
+    /// Its own colour as red, green, blue and alpha.
     pub colour: Option<[u8; 4]>,
     /// Whether the face is a gap in the list that operations left behind.
     pub deleted: bool,

@@ -42,7 +42,7 @@ fn whole(surface: &Surface, curve: &Curve) -> Iso {
 }
 
 /// The box around control points; around an arc itself.
-fn hull(curve: &Curve) -> Option<BoundingBox> {
+pub(super) fn hull(curve: &Curve) -> Option<BoundingBox> {
     match curve {
         Curve::Arc(_) => Some(curve.bounding_box()),
         Curve::Poly(poly) => poly.segments().iter().map(hull).reduce(|a, b| Some(a?.union(&b?))).flatten(),

@@ -8,6 +8,7 @@
 //! boundary. Files hold many that are not.
 
 mod assemble;
+mod bounds;
 mod edge;
 mod face;
 mod iso;
