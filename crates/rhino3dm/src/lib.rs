@@ -50,7 +50,9 @@ pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    BareSurface, BrepEdge, BrepObject, BrepSummary, CachedMesh, CurveForm, CurveOnSurface, Extrusion,
+    ExtrusionMesh, NurbsForm, NurbsSurfaceForm, Object, OnData, PointCloud, RawObject, Solidity, SurfaceForm,
+    UserData,
 };
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use settings::Settings;
