@@ -34,6 +34,7 @@ mod layer;
 mod limits;
 mod model;
 mod object;
+mod planar;
 mod primitives;
 mod read;
 mod settings;
@@ -47,5 +48,8 @@ pub use layer::Layer;
 pub use limits::Limits;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepSummary, ClippingPlane, Dimension, Light, LightStyle, Object, OnData,
+    Participants, PointCloud, RawObject, Solidity, StyleOverrides, TextContent, TextDot, UserData,
 };
+pub use planar::StoredPlane;
