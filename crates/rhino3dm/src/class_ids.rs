@@ -21,6 +21,7 @@ pub(crate) const TEXT_DOT: Uuid = uuid!("74198302-CDF4-4F95-9609-6D684F22AB37");
 pub(crate) const BLOCK_REFERENCE: Uuid = uuid!("F9CFB638-B9D4-4340-87E3-C56E7865D96A");
 pub(crate) const LIGHT: Uuid = uuid!("85A08513-F383-11D3-BFE7-0010830122F0");
 pub(crate) const CLIPPING_PLANE: Uuid = uuid!("DBC5A584-CE3F-4170-98A8-497069CA5C36");
+pub(crate) const NURBS_CAGE: Uuid = uuid!("06936AFB-3D3C-41AC-BF70-C9319FA480A1");
 /// The dots and arrows of version 2.
 pub(crate) const TEXT_DOT_2: Uuid = uuid!("8BD94E19-59E1-11D4-8018-0010830122F0");
 pub(crate) const ARROW_2: Uuid = uuid!("8BD94E1A-59E1-11D4-8018-0010830122F0");
@@ -90,7 +91,7 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (TEXT_DOT, "TextDot", 0x2000),
     (LIGHT, "Light", 0x100),
     (uuid!("C8C66EFA-B3CB-4E00-9440-2AD66203379E"), "DetailView", 0x8000),
-    (uuid!("06936AFB-3D3C-41AC-BF70-C9319FA480A1"), "NurbsCage", 0x0800_0000),
+    (NURBS_CAGE, "NurbsCage", 0x0800_0000),
     (uuid!("D379E6D8-7C31-4407-A913-E3B7040D034A"), "MorphControl", 0x2_0000),
     (TEXT, "Text", 0x200),
     (LEADER, "Leader", 0x200),

@@ -49,7 +49,7 @@ pub use limits::Limits;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
-    BlockReference, BrepEdge, BrepSummary, ClippingPlane, Dimension, Light, LightStyle, Object, OnData,
-    Participants, PointCloud, RawObject, Solidity, StyleOverrides, TextContent, TextDot, UserData,
+    BlockReference, BrepEdge, BrepSummary, ClippingPlane, Dimension, Light, LightStyle, NurbsCage, Object,
+    OnData, Participants, PointCloud, RawObject, Solidity, StyleOverrides, TextContent, TextDot, UserData,
 };
 pub use planar::StoredPlane;

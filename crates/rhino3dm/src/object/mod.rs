@@ -10,6 +10,7 @@ mod clipping_plane;
 mod curve;
 mod light;
 mod mesh;
+mod nurbs_cage;
 mod on_data;
 mod point;
 mod point_cloud;
@@ -27,6 +28,7 @@ pub use block_reference::BlockReference;
 pub use brep::{BrepEdge, BrepSummary, Solidity};
 pub use clipping_plane::{ClippingPlane, Participants};
 pub use light::{Light, LightStyle};
+pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
@@ -65,6 +67,8 @@ pub enum Object {
     Light(Box<Light>),
     /// A rectangle that cuts the views.
     ClippingPlane(Box<ClippingPlane>),
+    /// A NURBS volume.
+    NurbsCage(Box<NurbsCage>),
     /// Text, a leader or a dimension of version 6 and later.
     Annotation(Box<Annotation>),
     /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
@@ -110,6 +114,7 @@ impl Object {
             Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
             Self::Light(_) => class_ids::LIGHT,
             Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::NurbsCage(_) => class_ids::NURBS_CAGE,
             Self::Annotation(a) => annotation::class_of(a),
             Self::Annotation5(a) => annotation::class_of_5(a),
             Self::Annotation2(a) => annotation::class_of_2(a),
@@ -134,6 +139,7 @@ impl Object {
             class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
             class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
             class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
+            class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
             class if annotation::is_annotation(class) => {
                 Self::Annotation(annotation::read(class, &mut body)?.into())
             }
@@ -167,6 +173,7 @@ impl Object {
             Self::ClippingPlane(c) => {
                 write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
             }
+            Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
             Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
