@@ -88,6 +88,12 @@ impl Object {
         }
     }
 
+    /// What the object is, as Rhino's filters number it: 1 a point, 2 a point cloud, 4 a curve, 8 a surface, 16 a
+    /// brep, 32 a mesh and so on; 0 for a class that is not known.
+    pub fn object_type(&self) -> u32 {
+        class_ids::object_type(self.class())
+    }
+
     /// Whether an archive of the given version can carry this object.
     ///
     /// # Errors
