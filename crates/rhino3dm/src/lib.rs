@@ -34,6 +34,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod planar;
 mod primitives;
 mod properties;
 mod read;
@@ -50,10 +51,13 @@ pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepObject, BrepSummary, CachedMesh, CurveForm, CurveOnSurface, Extrusion,
-    ExtrusionMesh, NurbsForm, NurbsSurfaceForm, Object, OnData, PointCloud, RawObject, Solidity, SurfaceForm,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurveForm, CurveOnSurface,
+    Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, NurbsCage, NurbsForm, NurbsSurfaceForm, Object,
+    OnData, Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
     UserData,
 };
+pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use settings::Settings;
 pub use tables::{
