@@ -49,6 +49,7 @@ mod hanging_chain;
 pub mod intersect;
 mod interval;
 pub mod isoline;
+pub mod isosurface;
 mod line;
 mod linear;
 mod longest_rectangle;
