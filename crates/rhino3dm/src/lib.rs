@@ -37,6 +37,8 @@ mod object;
 mod primitives;
 mod properties;
 mod read;
+mod recode;
+mod render_settings;
 mod settings;
 mod tables;
 mod typecode;
@@ -53,6 +55,7 @@ pub use object::{
     BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
 };
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use render_settings::RenderSettings;
 pub use settings::Settings;
 pub use tables::{
     Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,
