@@ -24,6 +24,7 @@
 //! ```
 
 mod attributes;
+mod build;
 mod chunk;
 mod class_ids;
 mod colour;

@@ -189,10 +189,15 @@ pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
     Ok(StoredUnits { units, scale, tolerance, relative_tolerance, display })
 }
 
+/// The number of a unit in archives, and its length in metres.
+pub(crate) fn unit_number(units: Units) -> (i32, f64) {
+    let known = UNITS.iter().find(|(_, known, _)| *known == units);
+    known.map_or((0, 1.0), |(number, _, metres)| (*number, *metres))
+}
+
 /// Writes the body of a units record.
 pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
-    let known = UNITS.iter().find(|(_, units, _)| *units == stored.units);
-    let (mut number, mut metres) = known.map_or((0, 1.0), |(number, _, metres)| (*number, *metres));
+    let (mut number, mut metres) = unit_number(stored.units);
     let mut name = "";
     if let Some(scale) = &stored.scale {
         (number, metres) = (scale.number, scale.metres);

@@ -97,12 +97,13 @@ impl KeptRecord {
         if self.typecode & typecode::SHORT != 0 {
             return Ok(Cow::Borrowed(&[]));
         }
-        // Class objects changed their layouts with version 60; settings say their versions themselves, and styles
-        // of before are another class, which readers of today turn into that of today.
+        // Class objects changed their layouts with version 60. Settings and mappings say their versions themselves,
+        // styles of before are another class, which readers of today turn into that of today, and the layout of
+        // history has only grown.
         let new = |archive: i32| archive >= 60;
         let says_itself = match self.table {
-            Table::Settings => true,
-            Table::TextStyles | Table::DimensionStyles => !new(self.archive_version),
+            Table::Settings | Table::TextureMappings => true,
+            Table::TextStyles | Table::DimensionStyles | Table::History => !new(self.archive_version),
             _ => false,
         };
         if !says_itself && new(self.archive_version) != new(version.archive) {
