@@ -94,7 +94,8 @@ impl UserData {
                 w.i32(self.copy_count);
                 self.transform.iter().for_each(|x| w.f64(*x));
                 w.uuid(self.application);
-                w.bool(false);
+                // Whether the body follows rules other than those of the archive around it.
+                w.bool(self.archive_version != w.version().archive);
                 w.i32(self.archive_version);
                 w.u32(self.opennurbs_version);
                 Ok(())
