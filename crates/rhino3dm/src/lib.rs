@@ -29,7 +29,9 @@ mod class_ids;
 mod colour;
 mod compressed;
 mod crc;
+mod deflate;
 mod error;
+mod items;
 mod layer;
 mod limits;
 mod model;
@@ -47,5 +49,6 @@ pub use layer::Layer;
 pub use limits::Limits;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    BareSurface, BrepEdge, BrepSummary, CurvatureStatistics, MappingTag, MeshObject, MeshParameters, Ngon,
+    Object, OnData, PointCloud, RawObject, Solidity, SubDMeshing, UserData,
 };

@@ -5,6 +5,7 @@ mod bare_brep;
 mod brep;
 mod class_object;
 mod curve;
+mod mapping_tag;
 mod mesh;
 mod on_data;
 mod point;
@@ -15,6 +16,8 @@ mod user_data;
 
 pub use bare_brep::BareSurface;
 pub use brep::{BrepEdge, BrepSummary, Solidity};
+pub use mapping_tag::MappingTag;
+pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
@@ -41,9 +44,8 @@ pub enum Object {
     Curve(Curve),
     /// A surface without trims: of a plane, of revolution, a sum of two curves, or NURBS.
     Surface(Surface),
-    /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
-    /// coordinates, curvatures and n-gons are not read.
-    Mesh(Mesh),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -91,13 +93,24 @@ impl Object {
         let parsed = match class_ids::canonical(object.class) {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
-            class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
             class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
             class if surface::is_surface(class) => Self::Surface(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
         Ok(parsed)
+    }
+
+    /// The user data that is carried beside this object: none beside a kept one, whose bytes hold it, and beside
+    /// others what did not become part of them.
+    pub(crate) fn user_data_beside(&self, mut all: Vec<UserData>) -> Vec<UserData> {
+        match self {
+            Self::Kept(_) => all.clear(),
+            Self::Mesh(_) => all.retain(|data| !mesh::owns(data)),
+            _ => {}
+        }
+        all
     }
 
     /// Writes the class object, with user data behind the body. Kept objects go out as they came, and carry
@@ -110,11 +123,16 @@ impl Object {
             Self::Curve(c) => write_class(w, self.class(), user_data, |w| curve::write(c, w)),
             Self::Surface(s) => write_class(w, self.class(), user_data, |w| surface::write(s, w)),
             Self::Mesh(m) => {
-                let own = mesh::double_vertices(m, w.version())?;
-                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
         }
+    }
+}
+
+impl From<Mesh> for Object {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Box::new(mesh.into()))
     }
 }
 

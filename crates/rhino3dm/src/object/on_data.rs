@@ -1,9 +1,9 @@
 //! The form in which openNURBS objects travel outside archives: Grasshopper files, rhino3dm JSON (section 9).
 
-use super::{ClassObject, Object};
+use super::{ClassObject, Object, RawObject, UserData};
 use crate::chunk::{Context, Reader, Writer};
 use crate::version::Version;
-use crate::{Limits, Result};
+use crate::{Limits, ModelObject, Result};
 
 /// An object with the versions it was written under: the members `archive3dm`, `opennurbs` and `data` of the
 /// JSON and .NET forms, whose fourth member `version` is always 10000.
@@ -30,12 +30,30 @@ impl Object {
         Self::from_class(&ClassObject::read(&mut Reader::new(data, version, &context))?)
     }
 
+    /// The object as bytes under the newest version that is written.
+    ///
+    /// # Errors
+    /// More data than the format can count.
+    pub fn to_raw(&self) -> Result<RawObject> {
+        if let Self::Kept(raw) = self {
+            return Ok(raw.clone());
+        }
+        let form = self.to_on_data(80)?;
+        let (raw, _) =
+            RawObject::read(form.archive3dm, form.opennurbs.cast_unsigned(), &form.data, &Limits::default())?;
+        Ok(raw)
+    }
+
     /// The object in the form that travels outside archives, for archive version 4, 50, 60, 70 or 80. A kept
     /// object keeps the version it came under, which the form states.
     ///
     /// # Errors
     /// Another version, or more data than the format can count.
     pub fn to_on_data(&self, archive3dm: i32) -> Result<OnData> {
+        self.on_data_with(archive3dm, &[])
+    }
+
+    fn on_data_with(&self, archive3dm: i32, user_data: &[UserData]) -> Result<OnData> {
         if let Self::Kept(raw) = self {
             return Ok(OnData {
                 archive3dm: raw.archive_version,
@@ -45,7 +63,31 @@ impl Object {
         }
         let version = Version::for_writing(archive3dm)?;
         let mut w = Writer::new(version);
-        self.write(&mut w, &[])?;
+        self.write(&mut w, user_data)?;
         Ok(OnData { archive3dm, opennurbs: version.opennurbs.cast_signed(), data: w.into_bytes() })
+    }
+}
+
+impl ModelObject {
+    /// Reads the object of a JSON or .NET form as [`Object::from_on_data`] does, its user data with it. Such forms
+    /// have no attributes.
+    ///
+    /// # Errors
+    /// As [`Object::from_on_data`].
+    pub fn from_on_data(archive3dm: i32, opennurbs: i32, data: &[u8]) -> Result<Self> {
+        let context = Context::new(&Limits::default());
+        let version = super::raw::object_version(archive3dm, opennurbs.cast_unsigned())?;
+        let class = ClassObject::read(&mut Reader::new(data, version, &context))?;
+        let geometry = Object::from_class(&class)?;
+        let user_data = geometry.user_data_beside(class.user_data);
+        Ok(Self { user_data, ..geometry.into() })
+    }
+
+    /// The object with its user data, without its attributes, in the form that travels outside archives.
+    ///
+    /// # Errors
+    /// As [`Object::to_on_data`].
+    pub fn to_on_data(&self, archive3dm: i32) -> Result<OnData> {
+        self.geometry.on_data_with(archive3dm, &self.user_data)
     }
 }

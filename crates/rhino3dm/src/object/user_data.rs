@@ -94,7 +94,8 @@ impl UserData {
                 w.i32(self.copy_count);
                 self.transform.iter().for_each(|x| w.f64(*x));
                 w.uuid(self.application);
-                w.bool(false);
+                // Whether it is passed on by a program that does not know it.
+                w.bool(!class_ids::is_opennurbs(self.application));
                 w.i32(self.archive_version);
                 w.u32(self.opennurbs_version);
                 Ok(())

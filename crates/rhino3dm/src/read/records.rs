@@ -40,7 +40,7 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
                 context.warn(class.offset, format!("an object is kept as bytes: {error}"));
                 Object::Kept(class.to_raw())
             });
-            let user_data = if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            let user_data = geometry.user_data_beside(class.user_data);
             found = Some((geometry, user_data));
             continue;
         }
