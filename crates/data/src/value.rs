@@ -116,7 +116,7 @@ impl Value {
             Object::Surface(surface) => Self::from(surface),
             Object::Mesh(mesh) => match mesh.to_mesh() {
                 Ok(mesh) => Self::from(mesh),
-                Err(_) => Self::from(Object::Mesh(mesh).to_raw().ok()?),
+                Err(_) => Self::from(Object::Mesh(mesh).to_raw(80, &[]).ok()?),
             },
             Object::Kept(raw) => match raw.untrimmed_surface() {
                 Ok(Some(surface)) => Self::from(surface),

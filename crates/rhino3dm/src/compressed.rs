@@ -59,7 +59,6 @@ impl<'a> Reader<'a> {
     }
 
     /// The plain bytes of a compressed buffer, bounded by the limits on inflated data.
-    #[cfg(test)]
     pub(crate) fn compressed(&mut self, what: &'static str) -> Result<Vec<u8>> {
         let buffer = self.compressed_buffer(what)?;
         let mut plain = vec![0; buffer.size()];

@@ -32,23 +32,35 @@ mod crc;
 mod deflate;
 mod error;
 mod items;
-mod layer;
 mod limits;
+mod loss;
 mod model;
 mod object;
 mod primitives;
+mod properties;
 mod read;
 mod settings;
+mod tables;
 mod typecode;
+mod user_table;
 mod version;
 mod write;
 
-pub use attributes::{Attributes, ObjectMode};
+pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
 pub use error::{Error, Result, Warning};
-pub use layer::Layer;
 pub use limits::Limits;
+pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, CurvatureStatistics, MappingTag, MeshObject, MeshParameters, Ngon,
-    Object, OnData, PointCloud, RawObject, Solidity, SubDMeshing, UserData,
+    BareSurface, BrepEdge, BrepObject, BrepSummary, CachedMesh, CurvatureStatistics, CurveForm,
+    CurveOnSurface, Extrusion, ExtrusionMesh, MappingTag, MeshObject, MeshParameters, Ngon, NurbsForm,
+    NurbsSurfaceForm, Object, OnData, PointCloud, RawObject, Solidity, SubDMeshing, SurfaceForm, UserData,
 };
+pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use settings::Settings;
+pub use tables::{
+    Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,
+    KeptRecord, Layer, LineCap, LineJoin, Linetype, LinetypeSegment, LinkedBlock, MappingReference, Material,
+    MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
+};
+pub use user_table::UserTable;

@@ -1,6 +1,6 @@
 //! The form in which openNURBS objects travel outside archives: Grasshopper files, rhino3dm JSON (section 9).
 
-use super::{ClassObject, Object, RawObject, UserData};
+use super::{ClassObject, Object, UserData};
 use crate::chunk::{Context, Reader, Writer};
 use crate::version::Version;
 use crate::{Limits, ModelObject, Result};
@@ -28,20 +28,6 @@ impl Object {
         let version = Version { archive: archive3dm, opennurbs: opennurbs.cast_unsigned() };
         super::raw::object_version(version.archive, version.opennurbs)?;
         Self::from_class(&ClassObject::read(&mut Reader::new(data, version, &context))?)
-    }
-
-    /// The object as bytes under the newest version that is written.
-    ///
-    /// # Errors
-    /// More data than the format can count.
-    pub fn to_raw(&self) -> Result<RawObject> {
-        if let Self::Kept(raw) = self {
-            return Ok(raw.clone());
-        }
-        let form = self.to_on_data(80)?;
-        let (raw, _) =
-            RawObject::read(form.archive3dm, form.opennurbs.cast_unsigned(), &form.data, &Limits::default())?;
-        Ok(raw)
     }
 
     /// The object in the form that travels outside archives, for archive version 4, 50, 60, 70 or 80. A kept
@@ -79,7 +65,8 @@ impl ModelObject {
         let version = super::raw::object_version(archive3dm, opennurbs.cast_unsigned())?;
         let class = ClassObject::read(&mut Reader::new(data, version, &context))?;
         let geometry = Object::from_class(&class)?;
-        let user_data = geometry.user_data_beside(class.user_data);
+        let beside = !matches!(geometry, Object::Kept(_));
+        let user_data = class.user_data.into_iter().filter(|data| beside && !geometry.holds(data)).collect();
         Ok(Self { user_data, ..geometry.into() })
     }
 

@@ -50,14 +50,12 @@ pub struct MeshParameters {
     /// Whether the user's own settings are used.
     pub custom_enabled: bool,
     /// How SubDs are meshed.
-    pub subd: Option<SubDMeshing>,
+    pub subd: SubDMeshing,
 }
 
 /// How finely a SubD is meshed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubDMeshing {
-    /// The minor version of the body as it came, which says which of the fields below it held.
-    pub(super) minor: i32,
     /// Subdivisions of a face: 0 for the control net, each further step halves the quads.
     pub density: u32,
     /// 1 to mesh the control net, 2 the limit surface.
@@ -70,7 +68,7 @@ pub struct SubDMeshing {
 
 impl Default for SubDMeshing {
     fn default() -> Self {
-        Self { minor: 3, density: 4, location: 2, absolute: false, compute_curvature: false }
+        Self { density: 4, location: 2, absolute: false, compute_curvature: false }
     }
 }
 
@@ -115,7 +113,7 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<MeshParameters> {
         parameters.custom_enabled = body.bool(WHAT)?;
     }
     if minor >= 5 {
-        parameters.subd = Some(read_subd(&mut body)?);
+        parameters.subd = read_subd(&mut body)?;
     }
     body.finish();
     Ok(parameters)
@@ -123,12 +121,8 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<MeshParameters> {
 
 fn read_subd(body: &mut Reader<'_>) -> Result<SubDMeshing> {
     let (mut chunk, minor) = body.versioned_1(WHAT)?;
-    let mut subd = SubDMeshing {
-        minor,
-        density: chunk.u32(WHAT)?,
-        location: chunk.u32(WHAT)?,
-        ..SubDMeshing::default()
-    };
+    let mut subd =
+        SubDMeshing { density: chunk.u32(WHAT)?, location: chunk.u32(WHAT)?, ..SubDMeshing::default() };
     if minor >= 2 {
         subd.absolute = chunk.bool(WHAT)?;
     }
@@ -161,7 +155,7 @@ pub(super) fn write(parameters: &MeshParameters, w: &mut Writer) -> Result<()> {
         w.f64(p.relative_tolerance);
         w.u8(p.mesher);
         w.bool(p.custom_enabled);
-        let subd = p.subd.clone().unwrap_or_default();
+        let subd = &p.subd;
         w.versioned(1, 3, |w| {
             w.u32(subd.density);
             w.u32(subd.location);
@@ -196,7 +190,7 @@ impl Default for MeshParameters {
             relative_tolerance: 0.0,
             mesher: 0,
             custom_enabled: true,
-            subd: None,
+            subd: SubDMeshing::default(),
         }
     }
 }
