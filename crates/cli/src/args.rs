@@ -74,6 +74,10 @@ pub(crate) struct RunArgs {
     #[arg(short, long = "output", value_name = "OUT")]
     pub(crate) output: Vec<PathBuf>,
 
+    /// In .3dm files, write geometry that repeats at other places as a block and references to it
+    #[arg(long)]
+    pub(crate) blocks: bool,
+
     /// Print the results as one JSON object: items as a panel shows them, or with =values in full precision
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "texts", require_equals = true)]
     pub(crate) json: Option<JsonForm>,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use katydid_component::Level;
 use katydid_exchange::Format;
-use katydid_session::{Items, Session, bake};
+use katydid_session::{BakeOptions, Items, Session, bake};
 use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
 
     let failed = complain(&session);
     for path in &args.output {
-        save(&session, path)?;
+        save(&session, args, path)?;
     }
     match args.json {
         Some(form) => {
@@ -100,11 +100,15 @@ fn summarise(session: &Session, args: &RunArgs) {
     }
 }
 
-fn save(session: &Session, path: &Path) -> Result<(), String> {
-    let baked = bake(session.engine());
+fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
+    let is_model = extension(path) == "3dm";
+    let baked = bake(session.engine(), BakeOptions { blocks: args.blocks && is_model });
     let mut left_out = baked.left_out;
-    let bytes = if extension(path) == "3dm" {
-        baked.model.write(70).map_err(|error| format!("{}: {error}", path.display()))?
+    let bytes = if is_model {
+        let written = baked.model.write_what_fits(70);
+        let (bytes, losses) = written.map_err(|error| format!("{}: {error}", path.display()))?;
+        left_out.extend(losses.iter().map(ToString::to_string));
+        bytes
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
         let scene = katydid_exchange::Scene::from_model(&baked.model);

@@ -61,7 +61,12 @@ impl RhinoModel {
                     name: attributes.name,
                     layer: layer.map_or_else(String::new, |layer| layer.path.clone()),
                     layer_index: attributes.layer.unwrap_or_default(),
-                    groups: attributes.groups.iter().filter_map(|group| groups.get(*group)).cloned().collect(),
+                    groups: attributes
+                        .groups
+                        .iter()
+                        .filter_map(|group| groups.get(*group))
+                        .cloned()
+                        .collect(),
                     is_hidden: !attributes.visible
                         || attributes.mode == ObjectMode::Hidden
                         || layer.is_some_and(|layer| layer.is_hidden),

@@ -169,7 +169,8 @@ mod tests {
         let inner = Layer { id: Uuid::from_u128(2), parent: Some(outer.id), ..Layer::new("Walls") };
         let mut model = Model { layers: vec![outer, inner], ..Model::default() };
         let mut add = |geometry: Object, layer, name: &str, mode| {
-            let attributes = Attributes { layer: Some(layer), name: name.to_owned(), mode, ..Attributes::default() };
+            let attributes =
+                Attributes { layer: Some(layer), name: name.to_owned(), mode, ..Attributes::default() };
             model.objects.push(ModelObject { attributes, ..ModelObject::from(geometry) });
         };
         let point = |x| Point3::new(x, 0.0, 0.0);
