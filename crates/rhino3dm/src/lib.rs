@@ -35,6 +35,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod overlay;
 mod primitives;
 mod properties;
 mod read;
@@ -54,6 +55,9 @@ pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+};
+pub use overlay::{
+    ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,
 };
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use render_settings::RenderSettings;
