@@ -1,6 +1,9 @@
 //! .3dm archives, read and written in safe Rust.
 //!
-//! A [`Model`] is what an archive holds: units, tolerances, notes, layers, and objects with their attributes.
+//! A [`Model`] is what an archive holds: units, tolerances, notes, objects with their attributes, and the tables
+//! they refer to: layers, materials, linetypes, groups, hatch patterns, block definitions. What is not taken apart
+//! (styles, views, history, embedded files) is kept and written back, in other versions too where that can be done;
+//! [`Model::losses`] names beforehand what a version cannot carry.
 //! Points, point clouds, curves and meshes come as types of [`katydid_geometry`]; every other class is kept byte
 //! for byte as a [`RawObject`] and written back as it was where the archive version allows. Archives of version
 //! 2 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
@@ -37,6 +40,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod overlay;
 mod planar;
 mod primitives;
 mod properties;
@@ -62,6 +66,9 @@ pub use object::{
     MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
     PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
     UserData,
+};
+pub use overlay::{
+    ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};

@@ -154,6 +154,13 @@ pub(crate) struct StoredUnits {
 
 /// Reads the body of a units record.
 pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
+    let stored = read_stored_units(&mut body)?;
+    body.finish();
+    Ok(stored)
+}
+
+/// Reads units and tolerances inside of something else.
+pub(crate) fn read_stored_units(body: &mut Reader<'_>) -> Result<StoredUnits> {
     let version = body.i32(WHAT)?;
     let number = body.i32(WHAT)?;
     let mut tolerance = Tolerance::default();
@@ -174,7 +181,6 @@ pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
     if version >= 102 {
         custom = (body.f64(WHAT)?, body.string("unit name")?);
     }
-    body.finish();
     let (units, scale) = match UNITS.iter().find(|(known, ..)| *known == number) {
         Some((_, units, _)) => (*units, None),
         None => {
