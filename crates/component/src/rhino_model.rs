@@ -31,8 +31,8 @@ pub struct RhinoObject {
     pub layer: String,
     /// The place of its layer in the model.
     pub layer_index: usize,
-    /// The numbers of its groups.
-    pub groups: Vec<i32>,
+    /// The names of its groups.
+    pub groups: Vec<String>,
     /// Whether it or its layer is hidden.
     pub is_hidden: bool,
     /// Whether it or its layer is locked.
@@ -50,17 +50,18 @@ impl RhinoModel {
     /// The model with its geometry as values.
     pub fn new(model: Model) -> Self {
         let layers = Layers::new(&model);
+        let groups: Vec<String> = model.groups.into_iter().map(|group| group.name).collect();
         let objects: Vec<RhinoObject> = (model.objects.into_iter())
             .filter(|object| object.attributes.mode != ObjectMode::InDefinition)
             .map(|object| {
                 let attributes = object.attributes;
-                let layer = layers.0.get(attributes.layer);
+                let layer = attributes.layer.and_then(|place| layers.0.get(place));
                 RhinoObject {
                     id: attributes.id,
                     name: attributes.name,
                     layer: layer.map_or_else(String::new, |layer| layer.path.clone()),
-                    layer_index: attributes.layer,
-                    groups: attributes.groups,
+                    layer_index: attributes.layer.unwrap_or_default(),
+                    groups: attributes.groups.iter().filter_map(|group| groups.get(*group)).cloned().collect(),
                     is_hidden: !attributes.visible
                         || attributes.mode == ObjectMode::Hidden
                         || layer.is_some_and(|layer| layer.is_hidden),

@@ -116,8 +116,7 @@ fn geometry_pipeline(
 
 /// Finds objects in the Rhino model by name, layer and state.
 ///
-/// `*` in a filter stands for any text, `?` for one character. An input without data asks for nothing. Groups are asked
-/// for by their number. The model is the file given to `katydid run` with `--model`.
+/// `*` in a filter stands for any text, `?` for one character. An input without data asks for nothing. The model is the file given to `katydid run` with `--model`.
 #[component(
     "3ed98048-ed09-41ef-b378-74c60c8d3e9a",
     name = "Query Model Objects",
@@ -133,9 +132,9 @@ fn query_model_objects(
     /// The layer, by its path (`Outer::Inner`) or its own name.
     #[port("Layer", "L", optional)]
     layer: Option<Arc<str>>,
-    /// The number of a group.
+    /// The name of a group.
     #[port("Group", "G", optional)]
-    group: Option<i32>,
+    group: Option<Arc<str>>,
     /// Whether locked objects count.
     #[port("Locked", "Lo", default = true)]
     locked: bool,
@@ -145,12 +144,13 @@ fn query_model_objects(
 ) -> Result<Vec<Geometry>, Message> {
     let names = name.as_deref().map(Wildcard::new).transpose()?;
     let layers = layer.as_deref().map(Wildcard::new).transpose()?;
+    let groups = group.as_deref().map(Wildcard::new).transpose()?;
     let objects = model(context)?.objects().iter().filter(|object| {
         (hidden || !object.is_hidden)
             && (locked || !object.is_locked)
             && names.as_ref().is_none_or(|names| names.takes(&object.name))
             && layers.as_ref().is_none_or(|layers| layers.takes_layer(&object.layer))
-            && group.is_none_or(|group| object.groups.contains(&group))
+            && groups.as_ref().is_none_or(|groups| object.groups.iter().any(|name| groups.takes(name)))
     });
     Ok(geometry(context, objects)?.into_iter().map(|(_, value)| Geometry(value)).collect())
 }
@@ -169,7 +169,7 @@ mod tests {
         let inner = Layer { id: Uuid::from_u128(2), parent: Some(outer.id), ..Layer::new("Walls") };
         let mut model = Model { layers: vec![outer, inner], ..Model::default() };
         let mut add = |geometry: Object, layer, name: &str, mode| {
-            let attributes = Attributes { layer, name: name.to_owned(), mode, ..Attributes::default() };
+            let attributes = Attributes { layer: Some(layer), name: name.to_owned(), mode, ..Attributes::default() };
             model.objects.push(ModelObject { attributes, ..ModelObject::from(geometry) });
         };
         let point = |x| Point3::new(x, 0.0, 0.0);

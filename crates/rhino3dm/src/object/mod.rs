@@ -2,14 +2,18 @@
 //! byte for byte.
 
 mod annotation;
-mod bare_brep;
 mod block_reference;
 mod brep;
+mod cached_mesh;
 mod class_object;
 mod clipping_plane;
 mod curve;
+mod detail_view;
+mod extrusion;
+mod hatch;
 mod light;
 mod mesh;
+mod morph_control;
 mod nurbs_cage;
 mod on_data;
 mod point;
@@ -23,19 +27,30 @@ pub use annotation::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Dimension,
     StyleOverrides, TextContent,
 };
-pub use bare_brep::BareSurface;
 pub use block_reference::BlockReference;
-pub use brep::{BrepEdge, BrepSummary, Solidity};
+pub use brep::{BareSurface, BrepEdge, BrepObject, BrepSummary};
+pub use cached_mesh::CachedMesh;
 pub use clipping_plane::{ClippingPlane, Participants};
+pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
+pub use detail_view::DetailView;
+pub use extrusion::{Extrusion, ExtrusionMesh};
+pub use hatch::{Hatch, HatchLoop};
+pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
+pub use morph_control::{Localizer, MorphControl, MorphShape};
 pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
 pub(crate) use class_object::{ClassObject, write_class};
+
+use class_object::write_null;
+
+use std::borrow::Cow;
 
 use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
@@ -52,10 +67,19 @@ pub enum Object {
     Point(Point3),
     /// Many points, with normals and colours if they have them.
     PointCloud(PointCloud),
-    /// A curve of any kind the kernel has. Curves in a plane (dimension 2) lie at z = 0.
+    /// A curve of any kind the kernel has.
     Curve(Curve),
     /// A surface without trims: of a plane, of revolution, a sum of two curves, or NURBS.
     Surface(Surface),
+    /// A curve that the kernel alone would lose something of: one of dimension 2, one that a SubD can be made of,
+    /// or numbers that make no curve.
+    CurveForm(Box<CurveForm>),
+    /// A surface that the kernel alone would lose something of: a stored box, or numbers that make no surface.
+    SurfaceForm(Box<SurfaceForm>),
+    /// Faces on surfaces, joined along edges.
+    Brep(Box<BrepObject>),
+    /// Curves in a plane moved along a segment.
+    Extrusion(Box<Extrusion>),
     /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
     /// coordinates, curvatures and n-gons are not read.
     Mesh(Mesh),
@@ -67,8 +91,14 @@ pub enum Object {
     Light(Box<Light>),
     /// A rectangle that cuts the views.
     ClippingPlane(Box<ClippingPlane>),
+    /// A region of a plane filled with a pattern.
+    Hatch(Box<Hatch>),
+    /// A window of a page into the model.
+    DetailView(Box<DetailView>),
     /// A NURBS volume.
     NurbsCage(Box<NurbsCage>),
+    /// A curve, surface or volume that bends other objects along with it.
+    MorphControl(Box<MorphControl>),
     /// Text, a leader or a dimension of version 6 and later.
     Annotation(Box<Annotation>),
     /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
@@ -102,9 +132,65 @@ impl Object {
     pub fn check_writable(&self, version: i32) -> Result<()> {
         Version::for_writing(version)?;
         match self {
-            Self::Kept(raw) => raw.check_fits(version),
+            Self::Kept(raw) => raw.check_writable(version),
+            Self::Extrusion(_) => extrusion::check_writable(version),
             Self::Annotation(annotation) => annotation.check_writable(version),
+            Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),
+        }
+    }
+
+    /// The curve, if the object is one that the kernel takes, whatever else archives say of it.
+    pub fn curve(&self) -> Option<Cow<'_, Curve>> {
+        match self {
+            Self::Curve(curve) => Some(Cow::Borrowed(curve)),
+            Self::CurveForm(form) => form.to_curve().ok().map(Cow::Owned),
+            _ => None,
+        }
+    }
+
+    /// The surface without trims, if the object is one that the kernel takes: a surface, or a brep that is nothing
+    /// but one, not turned over.
+    pub fn surface(&self) -> Option<Cow<'_, Surface>> {
+        match self {
+            Self::Surface(surface) => Some(Cow::Borrowed(surface)),
+            Self::SurfaceForm(form) => form.to_surface().ok().map(Cow::Owned),
+            Self::Brep(object) => match object.brep.as_surface() {
+                Some((surface, false)) => Some(Cow::Borrowed(surface)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The object as bytes, with user data, for an archive of version 4, 50, 60, 70 or 80. A kept object stays as it
+    /// is, with its own user data.
+    ///
+    /// # Errors
+    /// Another version, or an object that it cannot carry.
+    pub fn to_raw(&self, version: i32, user_data: &[UserData]) -> Result<RawObject> {
+        if let Self::Kept(raw) = self {
+            return Ok(raw.clone());
+        }
+        let version = Version::for_writing(version)?;
+        let mut w = Writer::new(version);
+        self.write(&mut w, user_data)?;
+        Ok(RawObject {
+            class: self.class(),
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+            bytes: w.into_bytes(),
+            user_data: user_data.to_vec(),
+        })
+    }
+
+    /// Whether what this user data says is part of the object itself, which writes it anew.
+    pub(crate) fn holds(&self, data: &UserData) -> bool {
+        match self {
+            Self::Brep(_) => data.class == class_ids::V5_REGIONS,
+            Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
+            Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
+            _ => false,
         }
     }
 
@@ -115,12 +201,19 @@ impl Object {
             Self::PointCloud(_) => class_ids::POINT_CLOUD,
             Self::Curve(c) => curve::class_of(c),
             Self::Surface(s) => surface::class_of(s),
+            Self::CurveForm(form) => curve::class_of_form(form),
+            Self::SurfaceForm(form) => surface::class_of_form(form),
+            Self::Brep(_) => class_ids::BREP,
+            Self::Extrusion(_) => class_ids::EXTRUSION,
             Self::Mesh(_) => class_ids::MESH,
             Self::TextDot(_) => class_ids::TEXT_DOT,
             Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
             Self::Light(_) => class_ids::LIGHT,
             Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::Hatch(_) => class_ids::HATCH,
+            Self::DetailView(_) => class_ids::DETAIL_VIEW,
             Self::NurbsCage(_) => class_ids::NURBS_CAGE,
+            Self::MorphControl(_) => class_ids::MORPH_CONTROL,
             Self::Annotation(a) => annotation::class_of(a),
             Self::Annotation5(a) => annotation::class_of_5(a),
             Self::Annotation2(a) => annotation::class_of_2(a),
@@ -138,13 +231,17 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
+            class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
             class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
             class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
             class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
             class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
             class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
             class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
-            class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
+            class_ids::HATCH => Self::Hatch(hatch::read(&mut body, &object.user_data)?.into()),
+            class_ids::DETAIL_VIEW => Self::DetailView(detail_view::read(&mut body)?.into()),
+            class_ids::MORPH_CONTROL => Self::MorphControl(morph_control::read(&mut body)?.into()),
             class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
             class if annotation::is_annotation(class) => {
                 Self::Annotation(annotation::read(class, &mut body)?.into())
@@ -155,7 +252,8 @@ impl Object {
             class if annotation::is_version_2(class) => {
                 Self::Annotation2(annotation::read_2(class, &mut body)?.into())
             }
-            class if surface::is_surface(class) => Self::Surface(surface::read(class, &mut body)?),
+            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
+            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -169,8 +267,26 @@ impl Object {
             Self::Kept(raw) => raw.write(w),
             Self::Point(p) => write_class(w, self.class(), user_data, |w| point::write(*p, w)),
             Self::PointCloud(c) => write_class(w, self.class(), user_data, |w| point_cloud::write(c, w)),
-            Self::Curve(c) => write_class(w, self.class(), user_data, |w| curve::write(c, w)),
-            Self::Surface(s) => write_class(w, self.class(), user_data, |w| surface::write(s, w)),
+            Self::Curve(c) => {
+                let form = CurveForm::of(c, curve::SPACE);
+                write_class(w, self.class(), user_data, |w| curve::write(&form, w))
+            }
+            Self::Surface(s) => {
+                let form = SurfaceForm::of(s);
+                write_class(w, self.class(), user_data, |w| surface::write(&form, w))
+            }
+            Self::CurveForm(form) => write_class(w, self.class(), user_data, |w| curve::write(form, w)),
+            Self::SurfaceForm(form) => write_class(w, self.class(), user_data, |w| surface::write(form, w)),
+            Self::Brep(b) => {
+                let own = brep::own_user_data(b, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| brep::write(b, w))
+            }
+            Self::Extrusion(e) => {
+                let own = extrusion::own_user_data(e, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| extrusion::write(e, w))
+            }
             Self::TextDot(d) => write_class(w, self.class(), user_data, |w| text_dot::write(d, w)),
             Self::BlockReference(b) => {
                 write_class(w, self.class(), user_data, |w| block_reference::write(b, w))
@@ -179,6 +295,13 @@ impl Object {
             Self::ClippingPlane(c) => {
                 write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
             }
+            Self::Hatch(h) => {
+                let own = hatch::own_user_data(h, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| hatch::write(h, w))
+            }
+            Self::DetailView(d) => write_class(w, self.class(), user_data, |w| detail_view::write(d, w)),
+            Self::MorphControl(c) => write_class(w, self.class(), user_data, |w| morph_control::write(c, w)),
             Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
             Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
@@ -188,6 +311,24 @@ impl Object {
                 let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
+        }
+    }
+}
+
+impl From<CurveForm> for Object {
+    fn from(form: CurveForm) -> Self {
+        match form.to_curve() {
+            Ok(curve) if CurveForm::of(&curve, curve::SPACE) == form => Self::Curve(curve),
+            _ => Self::CurveForm(Box::new(form)),
+        }
+    }
+}
+
+impl From<SurfaceForm> for Object {
+    fn from(form: SurfaceForm) -> Self {
+        match form.to_surface() {
+            Ok(surface) if SurfaceForm::of(&surface) == form => Self::Surface(surface),
+            _ => Self::SurfaceForm(Box::new(form)),
         }
     }
 }
