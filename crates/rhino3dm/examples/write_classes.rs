@@ -10,9 +10,6 @@ use katydid_3dm::{
 use katydid_geometry::{Interval, Plane, Point2, Point3, Vector2, Vector3, Xform};
 use uuid::Uuid;
 
-/// The identifier of openNURBS's own default style, which every reader has.
-const STYLE: Uuid = Uuid::from_u128(0x25B6_83C2_B7D5_4E85_93EF_3C61_B3F7_5AD5);
-
 fn frame() -> Plane {
     let (x, y) = (Vector3::new(0.8, 0.6, 0.0), Vector3::new(-0.6, 0.8, 0.0));
     Plane { origin: Point3::new(1.0, 2.0, 3.0), x_axis: x, y_axis: y, z_axis: Vector3::new(0.0, 0.0, 1.0) }
@@ -25,7 +22,7 @@ fn annotation(kind: AnnotationKind) -> Object {
     Object::Annotation(Box::new(Annotation {
         kind,
         text,
-        style: STYLE,
+        style: Uuid::nil(),
         overrides: None,
         plane: frame().into(),
         horizontal: Vector2::X,

@@ -2,7 +2,9 @@
 
 use super::curve::{self, CurveForm};
 use crate::chunk::{Reader, Writer};
-use crate::{Error, Result, class_ids};
+use crate::recode::recode;
+use crate::version::Version;
+use crate::{Error, Result, class_ids, typecode};
 
 /// A window of a page into the model.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,9 +13,9 @@ pub struct DetailView {
     pub boundary: CurveForm,
     /// Lengths on the page as a part of those in the model; 0 when that is not fixed.
     pub page_per_model: f64,
-    /// What it shows: the chunks of a view, as they were.
+    /// What it shows: the body of the chunk that holds the view, as it was.
     pub view: Vec<u8>,
-    /// Whether those chunks have lengths of 8 bytes, as archives from version 50 on.
+    /// Whether chunks in it have lengths of 8 bytes, as in archives from version 50 on.
     pub view_is_wide: bool,
 }
 
@@ -22,12 +24,15 @@ const WHAT: &str = "detail view";
 impl DetailView {
     /// Whether an archive of the given version can carry it.
     pub(super) fn check_writable(&self, version: i32) -> Result<()> {
-        if self.view_is_wide == (version >= 50) {
-            return Ok(());
-        }
-        Err(Error::CannotWrite {
+        self.view_for(Version { archive: version, opennurbs: 0 }).map(|_| ())
+    }
+
+    /// The view with chunk lengths as an archive has them.
+    fn view_for(&self, version: Version) -> Result<Vec<u8>> {
+        let own = Version { archive: if self.view_is_wide { 50 } else { 4 }, opennurbs: 0 };
+        recode(typecode::ANONYMOUS, &self.view, own, version).ok_or_else(|| Error::CannotWrite {
             what: "a DetailView".into(),
-            version,
+            version: version.archive,
             why: "the chunk lengths of its view are of another width".into(),
         })
     }
@@ -35,9 +40,12 @@ impl DetailView {
 
 pub(super) fn read(body: &mut Reader<'_>) -> Result<DetailView> {
     let (mut body, minor) = body.versioned_1(WHAT)?;
-    let (mut inner, _) = body.versioned_1(WHAT)?;
-    let view = inner.rest().to_vec();
-    let view_is_wide = inner.version().is_wide();
+    let chunk = body.chunk()?;
+    if chunk.typecode != typecode::ANONYMOUS {
+        return Err(Error::malformed(chunk.offset, WHAT, "it has no view"));
+    }
+    let view = chunk.whole.to_vec();
+    let view_is_wide = body.version().is_wide();
     let (mut inner, _) = body.versioned_1(WHAT)?;
     let boundary = curve::read(class_ids::NURBS_CURVE, &mut inner)?;
     inner.finish();
@@ -47,12 +55,9 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<DetailView> {
 }
 
 pub(super) fn write(detail: &DetailView, w: &mut Writer) -> Result<()> {
-    detail.check_writable(w.version().archive)?;
+    let view = detail.view_for(w.version())?;
     w.versioned(1, 1, |w| {
-        w.versioned(1, 0, |w| {
-            w.chunks(&detail.view);
-            Ok(())
-        })?;
+        w.foreign_chunk(typecode::ANONYMOUS, &view)?;
         w.versioned(1, 0, |w| curve::write(&detail.boundary, w))?;
         w.f64(detail.page_per_model);
         Ok(())

@@ -12,6 +12,7 @@ mod detail_view;
 mod extrusion;
 mod hatch;
 mod light;
+mod mapping_tag;
 mod mesh;
 mod morph_control;
 mod nurbs_cage;
@@ -37,6 +38,8 @@ pub use extrusion::{Extrusion, ExtrusionMesh};
 pub use hatch::{Hatch, HatchLoop};
 pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
+pub use mapping_tag::MappingTag;
+pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
 pub use morph_control::{Localizer, MorphControl, MorphShape};
 pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
@@ -80,9 +83,6 @@ pub enum Object {
     Brep(Box<BrepObject>),
     /// Curves in a plane moved along a segment.
     Extrusion(Box<Extrusion>),
-    /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
-    /// coordinates, curvatures and n-gons are not read.
-    Mesh(Mesh),
     /// Text at a point, turned to the viewer.
     TextDot(TextDot),
     /// A block placed in the model.
@@ -105,6 +105,8 @@ pub enum Object {
     Annotation5(Box<Annotation5>),
     /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
     Annotation2(Box<Annotation2>),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -190,6 +192,7 @@ impl Object {
             Self::Brep(_) => data.class == class_ids::V5_REGIONS,
             Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
             Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
+            Self::Mesh(_) => mesh::owns(data),
             _ => false,
         }
     }
@@ -230,9 +233,11 @@ impl Object {
         let parsed = match class_ids::canonical(object.class) {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
-            class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
+            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
+            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
             class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
             class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
             class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
@@ -252,8 +257,6 @@ impl Object {
             class if annotation::is_version_2(class) => {
                 Self::Annotation2(annotation::read_2(class, &mut body)?.into())
             }
-            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
-            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -307,11 +310,16 @@ impl Object {
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
             Self::Mesh(m) => {
-                let own = mesh::double_vertices(m, w.version())?;
-                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
         }
+    }
+}
+
+impl From<Mesh> for Object {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Box::new(mesh.into()))
     }
 }
 
