@@ -16,9 +16,13 @@ fn frame() -> Plane {
 }
 
 fn annotation(kind: AnnotationKind) -> Object {
+    let is_mark = matches!(kind, AnnotationKind::CentreMark { .. });
     let mut text =
         TextContent::new("{\\rtf1\\deff0{\\fonttbl{\\f0 Arial;}}\\f0 Text \\u197? \\b bold\\b0\\par second}");
     text.width = 12.5;
+    if is_mark {
+        text.rich_text.clear();
+    }
     Object::Annotation(Box::new(Annotation {
         kind,
         text,
