@@ -62,10 +62,10 @@ pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
     BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
-    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
-    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
-    PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
-    UserData,
+    CurveForm, CurveOnSurface, DetailView, Dimension, Extrusion, ExtrusionMesh, Hatch, HatchLoop, Light,
+    LightStyle, Localizer, MappingTag, MeshObject, MeshParameters, MorphControl, MorphShape, Ngon, NurbsCage,
+    NurbsForm, NurbsSurfaceForm, Object, OnData, Participants, PointCloud, RawObject, Solidity,
+    StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot, UserData,
 };
 pub use overlay::{
     ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,

@@ -24,6 +24,7 @@ pub(crate) fn geometry(object: &Object) -> Value {
         Object::Annotation(a) => annotation::annotation(a),
         Object::Annotation5(a) => annotation::annotation_5(a),
         Object::Annotation2(a) => annotation::annotation_2(a),
+        Object::Hatch(hatch) => annotation::hatch(hatch),
         Object::TextDot(dot) => annotation::text_dot(dot),
         Object::Light(light) => annotation::light(light),
         Object::BlockReference(block) => annotation::block_reference(block),
