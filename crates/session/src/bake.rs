@@ -13,6 +13,9 @@ const CONTEXT_BAKE: Uuid = uuid!("ae2531b4-bab2-4bb1-b5bf-f2143d10c132");
 /// The label of groups that mark an output for Rhino.Compute.
 const MARK: &str = "RH_OUT";
 
+/// The version of the archives that baked models are written as.
+const WRITTEN_AS: i32 = 70;
+
 /// A model, and what of the results it does not hold.
 #[derive(Debug)]
 pub struct Baked {
@@ -120,13 +123,10 @@ fn archived(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Archived>) -> R
                 archived(member, rules, pieces)?;
             }
         }
-        Value::Kept(raw) if raw.archive_version >= 50 => pieces.push(Archived::Kept((**raw).clone())),
         Value::Kept(raw) => {
-            return Err(format!(
-                "a {} of an archive of version {} cannot be rewritten yet",
-                raw.class_name(),
-                raw.archive_version
-            ));
+            let kept = Archived::Kept((**raw).clone());
+            kept.check_writable(WRITTEN_AS).map_err(|error| error.to_string())?;
+            pieces.push(kept);
         }
         _ => {}
     }
