@@ -117,7 +117,10 @@ impl Value {
             Object::Point(p) => Some(Self::Point(p)),
             Object::Curve(curve) => Some(Self::from(curve)),
             Object::Surface(surface) => Some(Self::from(surface)),
-            Object::Mesh(mesh) => Some(Self::from(mesh)),
+            Object::Mesh(mesh) => match mesh.to_mesh() {
+                Ok(mesh) => Some(Self::from(mesh)),
+                Err(_) => Object::Mesh(mesh).to_raw(NEWEST, user_data).ok().map(Self::from),
+            },
             Object::Kept(raw) => Some(match raw.untrimmed_surface() {
                 Ok(Some(surface)) => Self::from(surface),
                 _ => Self::from(raw),
