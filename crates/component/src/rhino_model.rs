@@ -74,7 +74,7 @@ impl RhinoModel {
                         || layer.is_some_and(|layer| layer.is_locked),
                     type_flag: object.geometry.object_type(),
                     class: object.geometry.class_name(),
-                    geometry: Value::from_object(object.geometry),
+                    geometry: Value::from_object(object.geometry, &object.user_data),
                 }
             })
             .collect();

@@ -1,6 +1,6 @@
 use std::sync::Arc as Shared;
 
-use katydid_3dm::{Object, RawObject};
+use katydid_3dm::{Limits, Object, RawObject, UserData};
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
     Surface, TwistedBox, Vector3, Xform,
@@ -11,6 +11,9 @@ use crate::{
     Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material, MeshSettings,
     Path, Symbol,
 };
+
+/// The archive version whose rules the bytes of kept objects follow.
+const NEWEST: i32 = 80;
 
 /// One item of data of any type. Large contents are shared: a clone costs a counter.
 ///
@@ -106,23 +109,42 @@ impl Value {
         }
     }
 
-    /// An object of a Rhino model; `None` for a class that no value holds.
+    /// An object of a Rhino model, with its user data; `None` for a class that no value holds.
     ///
     /// A brep of one face that has no trims is a surface; other classes that are not computed with are kept whole.
-    pub fn from_object(object: Object) -> Option<Self> {
-        Some(match object {
-            Object::Point(p) => Self::Point(p),
-            Object::Curve(curve) => Self::from(curve),
-            Object::Surface(surface) => Self::from(surface),
+    pub fn from_object(object: Object, user_data: &[UserData]) -> Option<Self> {
+        match object {
+            Object::Point(p) => Some(Self::Point(p)),
+            Object::Curve(curve) => Some(Self::from(curve)),
+            Object::Surface(surface) => Some(Self::from(surface)),
             Object::Mesh(mesh) => match mesh.to_mesh() {
-                Ok(mesh) => Self::from(mesh),
-                Err(_) => Self::from(Object::Mesh(mesh).to_raw(80, &[]).ok()?),
+                Ok(mesh) => Some(Self::from(mesh)),
+                Err(_) => Object::Mesh(mesh).to_raw(NEWEST, user_data).ok().map(Self::from),
             },
-            Object::Kept(raw) => match raw.untrimmed_surface() {
+            Object::Kept(raw) => Some(match raw.untrimmed_surface() {
                 Ok(Some(surface)) => Self::from(surface),
                 _ => Self::from(raw),
-            },
-            _ => return None,
+            }),
+            other => {
+                other.curve().map(|curve| Self::from(curve.into_owned())).or_else(|| match other.surface() {
+                    Some(surface) => Some(Self::from(surface.into_owned())),
+                    None => other.to_raw(NEWEST, user_data).ok().map(Self::from),
+                })
+            }
+        }
+    }
+
+    /// An object on its own, as it came.
+    ///
+    /// # Errors
+    /// The bytes are broken, or hold numbers that no curve, surface or mesh has.
+    pub fn from_raw(raw: RawObject) -> Result<Option<Self>, katydid_3dm::Error> {
+        Ok(match raw.parse(&Limits::default())? {
+            // What is not computed with stays as it came, user data and all.
+            object @ (Object::Brep(_) | Object::Extrusion(_)) => {
+                Some(object.surface().map_or_else(|| Self::from(raw), |s| Self::from(s.into_owned())))
+            }
+            object => Self::from_object(object, &raw.user_data),
         })
     }
 

@@ -50,7 +50,11 @@ impl Scene {
                     Some(mesh) => add(Shape::Mesh(mesh)),
                     None => scene.unknown.push(object.geometry.class_name()),
                 },
-                other => scene.unknown.push(other.class_name()),
+                other => match (other.curve(), other.surface().and_then(|surface| facets(&surface))) {
+                    (Some(curve), _) => add(Shape::Curve(curve.into_owned())),
+                    (_, Some(mesh)) => add(Shape::Mesh(mesh)),
+                    _ => scene.unknown.push(other.class_name()),
+                },
             }
         }
         scene

@@ -1,6 +1,6 @@
 //! Values that are kept in a port, as a data tree.
 
-use katydid_3dm::Object as Archived;
+use katydid_3dm::{Limits, RawObject};
 use katydid_component::{Message, RhinoModel, RhinoObject};
 use katydid_data::{
     Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
@@ -160,12 +160,14 @@ fn geometry(stored: &StoredGeometry, missing: &mut Missing<'_>) -> Option<Value>
         return None;
     };
     let read = unpacked.map_err(|error| error.to_string()).and_then(|data| {
-        Archived::from_on_data(data.archive3dm, data.opennurbs, &data.data).map_err(|error| error.to_string())
+        let version = data.opennurbs.cast_unsigned();
+        let (raw, _) = RawObject::read(data.archive3dm, version, &data.data, &Limits::default())
+            .map_err(|error| error.to_string())?;
+        let class = raw.class_name();
+        Value::from_raw(raw).map(|value| (class, value)).map_err(|error| error.to_string())
     });
     match read {
-        Ok(object) => {
-            let class = object.class_name();
-            let value = Value::from_object(object);
+        Ok((class, value)) => {
             if value.is_none() {
                 missing.add(format!("{class} is kept, but cannot be used yet"));
             }

@@ -138,8 +138,8 @@ pub(super) fn is_straight(curve: &Curve, tolerance: f64) -> bool {
         let t = (*p - from).dot(direction) / square;
         let foot = line.at(t);
         let on_line = (-OVERHANG..=1.0 + OVERHANG).contains(&t) && p.distance_to(foot) <= tolerance;
-        let back = t < reached && foot.distance_to(line.at(reached)) > tolerance;
         reached = reached.max(t.min(1.0));
+        let back = (t < reached || t > 1.0) && foot.distance_to(line.at(reached)) > tolerance;
         on_line && !back
     })
 }

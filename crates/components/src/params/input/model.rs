@@ -25,7 +25,7 @@ fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<
         if !on_layer || !names.takes(&object.attributes.name) {
             continue;
         }
-        match Value::from_object(object.geometry) {
+        match Value::from_object(object.geometry, &object.user_data) {
             Some(value) => geometry.push(Geometry(value)),
             None => unknown += 1,
         }
