@@ -17,6 +17,8 @@ pub(crate) const SUM_SURFACE: Uuid = uuid!("C4CD5359-446D-4690-9FF5-29059732472B
 pub(crate) const BREP: Uuid = uuid!("60B5DBC5-E660-11D3-BFE4-0010830122F0");
 pub(crate) const MESH: Uuid = uuid!("4ED7D4E4-E947-11D3-BFE5-0010830122F0");
 pub(crate) const SUBD: Uuid = uuid!("F09BA4D9-455B-42C3-BA3B-E6CCACEF853B");
+pub(crate) const TEXT_DOT: Uuid = uuid!("74198302-CDF4-4F95-9609-6D684F22AB37");
+pub(crate) const LIGHT: Uuid = uuid!("85A08513-F383-11D3-BFE7-0010830122F0");
 pub(crate) const LAYER: Uuid = uuid!("95809813-E985-11D3-BFE5-0010830122F0");
 
 /// User data: attribute and object user strings.
@@ -61,8 +63,8 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (SUBD, "SubD", 0x4_0000),
     (uuid!("F9CFB638-B9D4-4340-87E3-C56E7865D96A"), "InstanceReference", 0x1000),
     (uuid!("0559733B-5332-49D1-A936-0532AC76ADE5"), "Hatch", 0x1_0000),
-    (uuid!("74198302-CDF4-4F95-9609-6D684F22AB37"), "TextDot", 0x2000),
-    (uuid!("85A08513-F383-11D3-BFE7-0010830122F0"), "Light", 0x100),
+    (TEXT_DOT, "TextDot", 0x2000),
+    (LIGHT, "Light", 0x100),
     (uuid!("C8C66EFA-B3CB-4E00-9440-2AD66203379E"), "DetailView", 0x8000),
     (uuid!("06936AFB-3D3C-41AC-BF70-C9319FA480A1"), "NurbsCage", 0x0800_0000),
     (uuid!("D379E6D8-7C31-4407-A913-E3B7040D034A"), "MorphControl", 0x2_0000),

@@ -46,7 +46,7 @@ fn archive(path: &str) -> Result<(), Box<dyn std::error::Error>> {
     let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
     println!(
         "{}",
-        json!({"file": path, "version": model.archive_version, "units": model.units.name(), "notes": model.notes,
+        json!({"file": path, "version": model.archive_version, "units": model.units.name(), "notes": model.notes, "application": model.application,
             "absolute": model.tolerance.absolute, "angle": model.tolerance.angle, "layers": layers,
             "objects": model.objects.len(), "lights": model.lights.len(), "skipped": model.skipped,
             "warnings": warnings})
