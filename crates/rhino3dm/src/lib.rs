@@ -30,24 +30,35 @@ mod colour;
 mod compressed;
 mod crc;
 mod error;
-mod layer;
 mod limits;
+mod loss;
 mod model;
 mod object;
 mod primitives;
+mod properties;
 mod read;
 mod settings;
+mod tables;
 mod typecode;
+mod user_table;
 mod v1;
 mod version;
 mod write;
 
-pub use attributes::{Attributes, ObjectMode};
+pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
 pub use chunk::ChunkPath;
 pub use error::{Error, Result, Warning, WarningKind};
-pub use layer::Layer;
 pub use limits::Limits;
+pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
 };
+pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use settings::Settings;
+pub use tables::{
+    Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,
+    KeptRecord, Layer, LineCap, LineJoin, Linetype, LinetypeSegment, LinkedBlock, MappingReference, Material,
+    MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
+};
+pub use user_table::UserTable;

@@ -90,7 +90,7 @@ def check_archive(path):
     assert head["units"] == (units if units in known else "None"), units
     close(head["absolute"], file.Settings.ModelAbsoluteTolerance, "tolerance")
     layers = [(layer.Name, list(layer.Color[:3])) for layer in file.Layers]
-    assert [(layer["name"], layer["colour"][:3]) for layer in head["layers"]] == layers, path.name
+    assert [(layer["name"], layer["colour"][:3]) for layer in head["tables"]["layers"]] == layers, path.name
     apart = 0
     for i, (ours, theirs) in enumerate(zip(objects, file.Objects)):
         what = f"{path.name} object {i}"
@@ -98,8 +98,7 @@ def check_archive(path):
         # rhino3dm copies a light's own name into attributes without one.
         if ours["name"] or not isinstance(theirs.Geometry, rhino3dm.Light):
             assert ours["name"] == attributes.Name, what
-        # A layer that is not there is -1 there and the first one here.
-        assert ours["layer"] == max(0, attributes.LayerIndex), f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
+        assert ours["layer"] == attributes.LayerIndex, f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
         assert ours["visible"] == attributes.Visible, what
         own = attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromObject
         assert (ours["colour"] or [None] * 3)[:3] == (list(attributes.ObjectColor[:3]) if own else [None] * 3), what

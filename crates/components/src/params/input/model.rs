@@ -30,7 +30,8 @@ fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<
     let mut geometry = Vec::new();
     let mut unknown = 0;
     for object in model.objects {
-        let on_layer = wanted.get(object.attributes.layer).copied().unwrap_or(any_layer);
+        let on_layer =
+            object.attributes.layer.and_then(|layer| wanted.get(layer)).copied().unwrap_or(any_layer);
         if !on_layer || !names.is_match(&object.attributes.name) {
             continue;
         }
@@ -101,7 +102,8 @@ mod tests {
         let layers = vec![Layer::new("Walls"), Layer::new("Roof")];
         let mut model = Model { layers, ..Model::default() };
         for (x, layer, name) in [(1.0, 0, "north"), (2.0, 1, "north"), (3.0, 1, "south")] {
-            let attributes = Attributes { layer, name: name.to_owned(), ..Attributes::default() };
+            let attributes =
+                Attributes { layer: Some(layer), name: name.to_owned(), ..Attributes::default() };
             let geometry = Object::Point(Point3::new(x, 0.0, 0.0));
             model.objects.push(ModelObject { geometry, attributes, user_data: Vec::new() });
         }
