@@ -34,6 +34,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod planar;
 mod primitives;
 mod properties;
 mod read;
@@ -52,8 +53,11 @@ pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepSummary, ClippingPlane, Dimension, Light, LightStyle, Object, OnData,
+    Participants, PointCloud, RawObject, Solidity, StyleOverrides, TextContent, TextDot, UserData,
 };
+pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use settings::Settings;
 pub use tables::{

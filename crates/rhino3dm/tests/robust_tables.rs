@@ -19,7 +19,7 @@ fn sample() -> Model {
         let line = Line::new(Point3::ORIGIN, Point3::new(1.0 + f64::from(i), 2.0, 3.0));
         model.objects.push(Object::Curve(line.into()).into());
     }
-    model.objects[7].attributes.layer = 1;
+    model.objects[7].attributes.layer = Some(1);
     model
 }
 
@@ -69,7 +69,7 @@ fn tables_may_stand_in_any_order() {
     all[2..last].reverse();
     let model = Model::read_strict(&joined(&bytes, &all), &Limits::default()).unwrap();
     assert_eq!(model.layers, Model::read(&bytes, &Limits::default()).unwrap().layers);
-    assert_eq!(model.objects[7].attributes.layer, 1);
+    assert_eq!(model.objects[7].attributes.layer, Some(1));
     assert_eq!(model.objects.len(), 20);
 }
 

@@ -159,11 +159,18 @@ impl<'a> Reader<'a> {
         let offset = self.offset();
         let typecode = self.peek_typecode().filter(|typecode| typecode & typecode::SHORT == 0)?;
         self.take(if self.version.is_wide() { 12 } else { 8 }, "chunk header").ok()?;
-        let mut body = self.clone();
-        body.chunk = self.context.open(typecode, offset, offset.saturating_add(body.left()), self.chunk);
-        body.depth += 1;
-        body.stored_crc = None;
+        let base = self.offset();
         let whole = self.rest();
+        let chunk = self.context.open(typecode, offset, self.offset(), self.chunk);
+        let body = Reader {
+            data: whole,
+            position: 0,
+            base,
+            depth: self.depth + 1,
+            stored_crc: None,
+            chunk,
+            ..self.clone()
+        };
         Some(Chunk { typecode, value: i64::try_from(whole.len()).unwrap_or(i64::MAX), offset, body, whole })
     }
 

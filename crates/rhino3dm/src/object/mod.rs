@@ -1,23 +1,36 @@
 //! One openNURBS class object (sections 6 and 8): read into geometry where this crate knows the class, else kept
 //! byte for byte.
 
+mod annotation;
 mod bare_brep;
+mod block_reference;
 mod brep;
 mod class_object;
+mod clipping_plane;
 mod curve;
+mod light;
 mod mesh;
 mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
 mod surface;
+mod text_dot;
 mod user_data;
 
+pub use annotation::{
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Dimension,
+    StyleOverrides, TextContent,
+};
 pub use bare_brep::BareSurface;
+pub use block_reference::BlockReference;
 pub use brep::{BrepEdge, BrepSummary, Solidity};
+pub use clipping_plane::{ClippingPlane, Participants};
+pub use light::{Light, LightStyle};
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use text_dot::TextDot;
 pub use user_data::UserData;
 
 pub(crate) use class_object::{ClassObject, write_class};
@@ -44,6 +57,20 @@ pub enum Object {
     /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
     /// coordinates, curvatures and n-gons are not read.
     Mesh(Mesh),
+    /// Text at a point, turned to the viewer.
+    TextDot(TextDot),
+    /// A block placed in the model.
+    BlockReference(Box<BlockReference>),
+    /// A light. Archives keep most of them in a table of their own.
+    Light(Box<Light>),
+    /// A rectangle that cuts the views.
+    ClippingPlane(Box<ClippingPlane>),
+    /// Text, a leader or a dimension of version 6 and later.
+    Annotation(Box<Annotation>),
+    /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
+    Annotation5(Box<Annotation5>),
+    /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
+    Annotation2(Box<Annotation2>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -66,6 +93,7 @@ impl Object {
         Version::for_writing(version)?;
         match self {
             Self::Kept(raw) => raw.check_fits(version),
+            Self::Annotation(annotation) => annotation.check_writable(version),
             _ => Ok(()),
         }
     }
@@ -78,6 +106,13 @@ impl Object {
             Self::Curve(c) => curve::class_of(c),
             Self::Surface(s) => surface::class_of(s),
             Self::Mesh(_) => class_ids::MESH,
+            Self::TextDot(_) => class_ids::TEXT_DOT,
+            Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
+            Self::Light(_) => class_ids::LIGHT,
+            Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::Annotation(a) => annotation::class_of(a),
+            Self::Annotation5(a) => annotation::class_of_5(a),
+            Self::Annotation2(a) => annotation::class_of_2(a),
             Self::Kept(raw) => raw.class,
         }
     }
@@ -92,7 +127,22 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
+            class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
+            class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
+            class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
+            class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
+            class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
             class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
+            class if annotation::is_annotation(class) => {
+                Self::Annotation(annotation::read(class, &mut body)?.into())
+            }
+            class if annotation::is_version_5(class) => {
+                Self::Annotation5(annotation::read_5(class, &mut body)?.into())
+            }
+            class if annotation::is_version_2(class) => {
+                Self::Annotation2(annotation::read_2(class, &mut body)?.into())
+            }
             class if surface::is_surface(class) => Self::Surface(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
@@ -109,6 +159,17 @@ impl Object {
             Self::PointCloud(c) => write_class(w, self.class(), user_data, |w| point_cloud::write(c, w)),
             Self::Curve(c) => write_class(w, self.class(), user_data, |w| curve::write(c, w)),
             Self::Surface(s) => write_class(w, self.class(), user_data, |w| surface::write(s, w)),
+            Self::TextDot(d) => write_class(w, self.class(), user_data, |w| text_dot::write(d, w)),
+            Self::BlockReference(b) => {
+                write_class(w, self.class(), user_data, |w| block_reference::write(b, w))
+            }
+            Self::Light(l) => write_class(w, self.class(), user_data, |w| light::write(l, w)),
+            Self::ClippingPlane(c) => {
+                write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
+            }
+            Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
+            Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
+            Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
             Self::Mesh(m) => {
                 let own = mesh::double_vertices(m, w.version())?;
                 let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();

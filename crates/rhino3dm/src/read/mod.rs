@@ -67,7 +67,7 @@ fn read_whole(bytes: &[u8], context: Context) -> Result<Model> {
 fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
     let (start, archive) = header::find(bytes, context)?;
     context.forget(0);
-    let version = Version { archive, opennurbs: 0 };
+    let version = Version::unstated(archive);
     let file = Reader::new_at(bytes.get(start..).unwrap_or_default(), start, version, context);
     if archive == 1 {
         return v1::read_archive(file, context);

@@ -1,17 +1,11 @@
 //! Annotations of version 1, restated as the classes of version 2.
 
 use katydid_geometry::{Plane, Point3, Vector3};
-use uuid::{Uuid, uuid};
+use uuid::Uuid;
 
 use super::{text, typecode as code};
 use crate::chunk::{Reader, Writer};
-use crate::{Error, Result};
-
-const LINEAR: Uuid = uuid!("5DE6B20D-486B-11D4-8014-0010830122F0");
-const RADIAL: Uuid = uuid!("5DE6B20E-486B-11D4-8014-0010830122F0");
-const ANGULAR: Uuid = uuid!("5DE6B20F-486B-11D4-8014-0010830122F0");
-const TEXT: Uuid = uuid!("5DE6B210-486B-11D4-8014-0010830122F0");
-const LEADER: Uuid = uuid!("5DE6B211-486B-11D4-8014-0010830122F0");
+use crate::{Error, Result, class_ids};
 
 const WHAT: &str = "annotation of version 1";
 /// Coordinates of annotation planes beyond this were never set.
@@ -95,11 +89,11 @@ impl Annotation {
     /// The class of version 2.
     pub(super) fn class(&self) -> Uuid {
         match self.kind {
-            Kind::Linear { .. } => LINEAR,
-            Kind::Angular { .. } => ANGULAR,
-            Kind::Radial { .. } => RADIAL,
-            Kind::Leader => LEADER,
-            Kind::Text { .. } => TEXT,
+            Kind::Linear { .. } => class_ids::LINEAR_DIMENSION_2,
+            Kind::Angular { .. } => class_ids::ANGULAR_DIMENSION_2,
+            Kind::Radial { .. } => class_ids::RADIAL_DIMENSION_2,
+            Kind::Leader => class_ids::LEADER_2,
+            Kind::Text { .. } => class_ids::TEXT_2,
         }
     }
 

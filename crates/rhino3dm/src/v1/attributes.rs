@@ -4,39 +4,13 @@ use katydid_geometry::Vector3;
 
 use super::{text, typecode as code};
 use crate::chunk::Reader;
-use crate::{Attributes, Result, typecode};
+use crate::{Attributes, FileReference, Material, Result, Texture, TextureKind, typecode};
 
 const WHAT: &str = "attributes";
 /// The colour that means there is none.
 const NO_COLOUR: u32 = 0x00FF_FFFF;
-
-/// A material that an object of version 1 has to itself.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct ObjectMaterial {
-    pub(super) name: String,
-    /// Red, green and blue.
-    pub(super) diffuse: [u8; 3],
-    /// From 0 to 1.
-    pub(super) shine: f64,
-    /// From 0 to 1.
-    pub(super) transparency: f64,
-    /// Files of pictures: the colour, and the relief.
-    pub(super) texture: Option<String>,
-    pub(super) bump: Option<String>,
-}
-
-impl Default for ObjectMaterial {
-    fn default() -> Self {
-        Self {
-            name: String::new(),
-            diffuse: [255; 3],
-            shine: 0.0,
-            transparency: 0.0,
-            texture: None,
-            bump: None,
-        }
-    }
-}
+/// The shine of what shines most; it is stored in hundredths of it.
+const MOST_SHINE: f64 = 255.0;
 
 /// What points are when they are more than points.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,10 +25,8 @@ pub(super) enum Extra {
 #[derive(Debug, Default)]
 pub(super) struct Stated {
     pub(super) attributes: Attributes,
-    /// The number of its layer.
-    pub(super) layer: i32,
     /// Its material, when it says anything about one.
-    pub(super) material: Option<ObjectMaterial>,
+    pub(super) material: Option<Material>,
     pub(super) extra: Option<Extra>,
 }
 
@@ -82,8 +54,8 @@ impl Stated {
                 body.finish();
             }
             code::LAYER_REFERENCE => {
-                if let Some(layer) = i32::try_from(value).ok().filter(|layer| *layer >= 0) {
-                    self.layer = layer;
+                if let Ok(layer) = usize::try_from(value) {
+                    self.attributes.layer = Some(layer);
                 }
             }
             code::WIRE_DENSITY => {
@@ -103,41 +75,49 @@ impl Stated {
         Ok(())
     }
 
+    /// Its material, white until it says otherwise.
+    fn material(&mut self) -> &mut Material {
+        self.material.get_or_insert_with(|| Material { diffuse: [255; 4], ..Material::default() })
+    }
+
     fn take_material(&mut self, typecode: u32, value: i64, mut body: Reader<'_>) -> Result<()> {
         match typecode {
             code::COLOUR => {
                 let [red, green, blue, shine] = colour_bytes(value);
                 if u32::from_le_bytes([red, green, blue, shine]) != NO_COLOUR {
-                    let material = self.material.get_or_insert_default();
-                    material.diffuse = [red, green, blue];
-                    material.shine = f64::from(shine) / 100.0;
+                    let material = self.material();
+                    material.diffuse = [red, green, blue, 255];
+                    material.shine = f64::from(shine) / 100.0 * MOST_SHINE;
                 }
             }
             code::TRANSPARENCY => {
                 if let Some(part) = u8::try_from(value).ok().filter(|part| *part > 0) {
-                    self.material.get_or_insert_default().transparency = f64::from(part) / 255.0;
+                    self.material().transparency = f64::from(part) / 255.0;
                 }
             }
             code::TEXTURE => {
                 let file = text::counted(&mut body, "texture")?;
                 if !file.is_empty() {
-                    self.material.get_or_insert_default().texture = Some(file);
+                    self.material().textures.push(texture(file, TextureKind::Diffuse));
                 }
             }
             code::BUMP => {
                 let file = text::counted(&mut body, "bump map")?;
                 if !file.is_empty() {
-                    self.material.get_or_insert_default().bump = Some(file);
+                    self.material().textures.push(texture(file, TextureKind::Bump));
                 }
             }
             code::MATERIAL_NAME if body.i32("material")? == 1 => {
                 let name = text::counted(&mut body, "material name")?;
                 if !name.is_empty() {
-                    self.material.get_or_insert_default().name = name;
+                    self.material().name = name;
                 }
             }
             // An object's own colour is stored but never in force: every object shows its layer's.
-            code::DISPLAY_COLOUR => {}
+            code::DISPLAY_COLOUR => {
+                let [red, green, blue, _] = colour_bytes(value);
+                self.attributes.unused_colour = [red, green, blue, 255];
+            }
             _ => {}
         }
         Ok(())
@@ -158,6 +138,12 @@ impl Stated {
         // The layer that a hidden or locked object lay on before is stored here, too; openNURBS passes it over.
         Ok(())
     }
+}
+
+/// An image under a name.
+fn texture(path: String, kind: TextureKind) -> Texture {
+    let file = FileReference { full_path: path, ..FileReference::default() };
+    Texture { file, kind, ..Texture::default() }
 }
 
 /// The four bytes of a colour in a short chunk.

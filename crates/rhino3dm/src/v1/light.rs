@@ -38,7 +38,7 @@ impl Spotlight {
     /// Writes the body of the class.
     pub(super) fn write(
         &self,
-        diffuse: Option<[u8; 3]>,
+        diffuse: Option<[u8; 4]>,
         id: Uuid,
         index: usize,
         w: &mut Writer,
@@ -50,7 +50,7 @@ impl Spotlight {
         w.f64(1.0);
         w.f64(0.0);
         w.colour([0; 4]);
-        let [red, green, blue] = diffuse.unwrap_or([255; 3]);
+        let [red, green, blue, _] = diffuse.unwrap_or([255; 4]);
         w.colour([red, green, blue, 0]);
         w.colour([255, 255, 255, 0]);
         w.vector(self.direction);

@@ -28,7 +28,7 @@ use self::typecode as code;
 use crate::chunk::{Chunk, Context, Reader, Writer};
 use crate::model::{Model, ModelObject};
 use crate::object::Object;
-use crate::{Error, Result, class_ids, typecode as common};
+use crate::{Attributes, Error, Result, class_ids, typecode as common};
 
 /// What openNURBS writes where a number was never set.
 const UNSET: f64 = -1.234_321_012_343_21e308;
@@ -38,7 +38,7 @@ const DOT_FONT: &str = "Arial";
 
 /// Reads the chunks behind the header.
 pub(crate) fn read_archive(mut file: Reader<'_>, context: &Context) -> Result<Model> {
-    let mut reading = Reading { model: Model { archive_version: 1, ..Model::default() }, materials: 0 };
+    let mut reading = Reading { model: Model { archive_version: 1, ..Model::default() } };
     while file.left() >= 8 {
         let offset = file.offset();
         let chunk = match file.chunk() {
@@ -67,21 +67,16 @@ pub(crate) fn read_archive(mut file: Reader<'_>, context: &Context) -> Result<Mo
 /// A model being read.
 struct Reading {
     model: Model,
-    /// How many objects had a material of their own so far.
-    materials: usize,
 }
 
 impl Reading {
     fn read_chunk(&mut self, chunk: Chunk<'_>, file: &mut Reader<'_>) -> Result<()> {
         let mut body = chunk.body;
         match chunk.typecode {
-            common::COMMENT => {
-                let name = settings::application(body.rest());
-                if !name.is_empty() {
-                    self.model.application = name;
-                }
-            }
-            code::NOTES => self.model.notes = settings::read_notes(body)?,
+            common::COMMENT => settings::read_comment(body.rest(), &mut self.model),
+            code::SUMMARY => settings::read_summary(body, &mut self.model)?,
+            code::PREVIEW => settings::read_preview(body, &mut self.model)?,
+            code::NOTES => settings::read_notes(body, &mut self.model)?,
             code::UNITS => settings::read_units(body, &mut self.model)?,
             code::LAYER => self.model.layers.push(settings::read_layer(body)?),
             // Some points with arrows state a length of zero: what belongs to them follows.
@@ -162,8 +157,7 @@ impl Reading {
             light.write(diffuse, stated.attributes.id, index, w)
         })?;
         // A light's material is its colour and no material of the model.
-        let object = with_attributes(geometry, stated.attributes, stated.layer);
-        self.model.lights.push(object);
+        self.model.lights.push(with_attributes(geometry, stated.attributes));
         Ok(())
     }
 
@@ -176,23 +170,20 @@ impl Reading {
         Ok(())
     }
 
-    fn push(&mut self, geometry: Object, stated: Stated) {
-        if stated.material.is_some() {
-            self.materials += 1;
+    /// Adds an object, and its material to those of the model.
+    fn push(&mut self, geometry: Object, mut stated: Stated) {
+        if let Some(material) = stated.material {
+            stated.attributes.material = Some(self.model.materials.len());
+            self.model.materials.push(material);
         }
-        self.model.objects.push(with_attributes(geometry, stated.attributes, stated.layer));
+        self.model.objects.push(with_attributes(geometry, stated.attributes));
     }
 
-    /// Puts objects on layers that are not there on the first.
+    /// Takes objects off layers that are not there.
     fn check_layers(&mut self) {
         let count = self.model.layers.len();
         for object in self.model.objects.iter_mut().chain(&mut self.model.lights) {
-            if object.attributes.layer >= count {
-                object.attributes.layer = 0;
-            }
-        }
-        if self.materials > 0 {
-            self.model.skipped.insert("material".to_owned(), self.materials);
+            object.attributes.layer = object.attributes.layer.filter(|layer| *layer < count);
         }
     }
 
@@ -201,11 +192,8 @@ impl Reading {
     }
 }
 
-fn with_attributes(geometry: Object, attributes: crate::Attributes, layer: i32) -> ModelObject {
-    let mut object = ModelObject::from(geometry);
-    object.attributes = attributes;
-    object.attributes.layer = usize::try_from(layer).unwrap_or(usize::MAX);
-    object
+fn with_attributes(geometry: Object, attributes: Attributes) -> ModelObject {
+    ModelObject { attributes, ..geometry.into() }
 }
 
 /// The body of a line over its length.
@@ -235,6 +223,8 @@ fn kind_name(typecode: u32) -> &'static str {
     match typecode {
         code::LAYER => "layer",
         code::NOTES => "note",
+        code::SUMMARY => "summary",
+        code::PREVIEW => "preview",
         code::UNITS => "unit",
         code::POINT => "point",
         code::MESH => "mesh",

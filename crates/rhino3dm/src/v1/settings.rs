@@ -3,29 +3,50 @@
 use super::attributes::colour_bytes;
 use super::{text, typecode as code};
 use crate::chunk::Reader;
-use crate::{Layer, Model, Result, colour, settings, typecode};
+use crate::{Layer, Model, Preview, Result, Revision, Time, colour, settings, typecode};
 
 const WHAT: &str = "units of version 1";
 /// The last unit that version 1 knows.
 const LAST_UNIT: i32 = 10;
 
-/// The program that a comment names: behind `Interface:`, up to its version.
-pub(super) fn application(comment: &[u8]) -> String {
+/// Where Rhinoceros was to be found.
+const RHINOCEROS: &str = "Rhinoceros";
+const RHINOCEROS_URL: &str = "http://www.rhino3d.com";
+
+/// The program that a comment names: behind `Interface:`, up to its version; more about it follows.
+pub(super) fn read_comment(comment: &[u8], model: &mut Model) {
     let comment = String::from_utf8_lossy(comment);
     let comment = comment.trim_end_matches(['\0', '\x1A']);
-    let Some((_, name)) = split_at_ignoring_case(comment, "Interface:") else { return String::new() };
-    let name = name.trim_start();
-    let name = name.split('(').next().unwrap_or_default();
-    let name = name.trim_end_matches(|c: char| c <= ' ' || c == '-');
-    match split_at_ignoring_case(name, "Rhinoceros") {
-        Some(("", rest)) => {
-            let version: &str = rest.trim_start();
-            let end = version.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(version.len());
-            let length = name.len() - version.len() + end;
-            name.get(..length).unwrap_or(name).trim_end().to_owned()
+    let Some((_, program)) = split_at_ignoring_case(comment, "Interface:") else { return };
+    let program = program.trim_start_matches(is_space);
+    let program = match program.split_once('(') {
+        Some((program, _)) => program.trim_end_matches(is_space_or_dash),
+        None => program,
+    };
+    let (mut name, mut details) = (program, "");
+    if let Some(("", rest)) = split_at_ignoring_case(program, RHINOCEROS) {
+        let version = rest.trim_start_matches(is_space);
+        let behind = version.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+        RHINOCEROS_URL.clone_into(&mut model.properties.application_url);
+        if behind.starts_with(is_space) {
+            name = program.get(..program.len() - behind.len()).unwrap_or(program);
+            details = behind.trim_start_matches(is_space_or_dash);
         }
-        _ => name.to_owned(),
     }
+    if !name.is_empty() {
+        name.clone_into(&mut model.application);
+    }
+    if !details.is_empty() {
+        details.clone_into(&mut model.properties.application_details);
+    }
+}
+
+fn is_space(c: char) -> bool {
+    c <= ' '
+}
+
+fn is_space_or_dash(c: char) -> bool {
+    is_space(c) || c == '-'
 }
 
 /// What stands before and behind a word of ASCII letters, in whatever case.
@@ -35,9 +56,37 @@ fn split_at_ignoring_case<'a>(whole: &'a str, word: &str) -> Option<(&'a str, &'
 }
 
 /// Notes: the window they stand in, then the text.
-pub(super) fn read_notes(mut body: Reader<'_>) -> Result<String> {
-    body.take(20, "notes")?;
-    text::counted(&mut body, "notes")
+pub(super) fn read_notes(mut body: Reader<'_>, model: &mut Model) -> Result<()> {
+    const WHAT: &str = "notes";
+    let window = &mut model.properties.notes_window;
+    window.visible = body.i32(WHAT)? != 0;
+    for edge in &mut window.frame {
+        *edge = body.i32(WHAT)?;
+    }
+    model.notes = text::counted(&mut body, WHAT)?;
+    Ok(())
+}
+
+/// The summary: who made and changed the archive, and when.
+pub(super) fn read_summary(mut body: Reader<'_>, model: &mut Model) -> Result<()> {
+    const WHAT: &str = "summary";
+    let mut revision = Revision { created_by: text::counted(&mut body, WHAT)?, ..Revision::default() };
+    revision.created = Time::read(&mut body)?;
+    body.i32(WHAT)?;
+    revision.edited_by = text::counted(&mut body, WHAT)?;
+    revision.edited = Time::read(&mut body)?;
+    body.i32(WHAT)?;
+    revision.count = body.i32(WHAT)?;
+    body.finish();
+    model.properties.revision = Some(revision);
+    Ok(())
+}
+
+/// A small picture: a Windows bitmap without its file header.
+pub(super) fn read_preview(mut body: Reader<'_>, model: &mut Model) -> Result<()> {
+    let header = body.array("preview")?;
+    model.properties.preview = Some(Preview { header, pieces: vec![body.rest().to_vec()] });
+    Ok(())
 }
 
 /// Units and tolerances.

@@ -8,6 +8,8 @@ pub(super) const LAYER_STATE: u32 = SHORT | 0x0040_0033;
 pub(super) const NAME: u32 = 0x0200_0001;
 pub(super) const NOTES: u32 = 0x0200_000F;
 pub(super) const UNITS: u32 = 0x0200_0010;
+pub(super) const SUMMARY: u32 = 0x0200_0013;
+pub(super) const PREVIEW: u32 = 0x0200_0014;
 /// A mark of the end of the file that a program took for something unknown and wrote back.
 pub(super) const ROGUE_END: u32 = 0x0000_7FFE;
 
@@ -52,15 +54,7 @@ pub(super) const EXTRA: u32 = 0x4000_0001;
 /// Whether a chunk of version 1 can stand before the tables of version 2: summary, preview, units, viewports,
 /// layers, mesh parameters, the current layer, annotation settings, notes, named planes and views.
 pub(crate) fn may_precede_tables(typecode: u32) -> bool {
-    const OTHERS: [u32; 8] = [
-        0x0200_0013,
-        0x0200_0014,
-        0x0200_0006,
-        0x0040_0020,
-        SHORT | 0x0040_0025,
-        0x0020_0001,
-        0x0200_0004,
-        0x0200_0005,
-    ];
-    matches!(typecode, UNITS | LAYER | NOTES) || OTHERS.contains(&typecode)
+    const OTHERS: [u32; 6] =
+        [0x0200_0006, 0x0040_0020, SHORT | 0x0040_0025, 0x0020_0001, 0x0200_0004, 0x0200_0005];
+    matches!(typecode, UNITS | LAYER | NOTES | SUMMARY | PREVIEW) || OTHERS.contains(&typecode)
 }

@@ -30,8 +30,15 @@ def check_head(head, file, path):
     assert head["application"] == file.ApplicationName, head["application"]
     assert head["notes"] == (rhino3dm.File3dm.ReadNotes(str(path)) or ""), head["notes"]
     layers = [(l.Name, list(l.Color[:3]), l.Visible, l.Locked) for l in file.Layers]
-    ours = [(l["name"], l["colour"][:3], l["visible"], l["locked"]) for l in head["layers"]]
+    ours = [(l["name"], l["colour"][:3], l["visible"], l["locked"]) for l in head["tables"]["layers"]]
     assert ours == layers, ours
+    materials = head["tables"]["materials"]
+    assert len(materials) == len(file.Materials)
+    for ours, theirs in zip(materials, file.Materials):
+        assert ours["name"] == theirs.Name and ours["diffuse"][:3] == list(theirs.DiffuseColor[:3]), ours
+        close([ours["shine"], ours["transparency"]], [theirs.Shine, theirs.Transparency], "material")
+        theirs = [texture.FileName for texture in (theirs.GetBitmapTexture(), theirs.GetBumpTexture()) if texture]
+        assert ours["textures"] == theirs, ours
 
 
 def check_version_1(path):
@@ -49,8 +56,10 @@ def check_version_1(path):
         name = CLASSES[type(geometry)]
         assert ours["geometry"]["class"] == name, f"{what}: {ours['geometry']['class']} here, {name} there"
         assert ours["name"] == attributes.Name, what
-        assert ours["layer"] == max(0, attributes.LayerIndex), what
+        assert ours["layer"] == attributes.LayerIndex, what
         assert ours["visible"] == attributes.Visible, what
+        assert ours["material"] == attributes.MaterialIndex, what
+        assert ours["wire_density"] == attributes.WireDensity, what
         assert ours["colour"] is None and attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromLayer, what
         check_geometry(ours["geometry"], geometry, what)
         counts[name] = counts.get(name, 0) + 1

@@ -48,6 +48,18 @@ pub(super) fn read(class: Uuid, body: &mut Reader<'_>) -> Result<Curve> {
     }
 }
 
+/// Reads an arrow of version 2: its tail and its tip. The official reader makes a line of it, too.
+pub(super) fn read_arrow(body: &mut Reader<'_>) -> Result<Curve> {
+    const WHAT: &str = "arrow";
+    let offset = body.offset();
+    major_1(body, WHAT)?;
+    let line = body.line(WHAT)?;
+    if !(line.from.is_finite() && line.to.is_finite()) {
+        return Err(Error::geometry(offset, WHAT, katydid_geometry::Error::NotFinite("end of the arrow")));
+    }
+    Ok(Curve::from(line))
+}
+
 /// Reads a whole class object that must be a curve.
 pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<Curve> {
     let object = super::ClassObject::read(reader)?;
