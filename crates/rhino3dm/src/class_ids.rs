@@ -8,6 +8,7 @@ pub(crate) const LINE_CURVE: Uuid = uuid!("4ED7D4DB-E947-11D3-BFE5-0010830122F0"
 pub(crate) const ARC_CURVE: Uuid = uuid!("CF33BE2A-09B4-11D4-BFFB-0010830122F0");
 pub(crate) const POLYLINE_CURVE: Uuid = uuid!("4ED7D4E6-E947-11D3-BFE5-0010830122F0");
 pub(crate) const POLY_CURVE: Uuid = uuid!("4ED7D4E0-E947-11D3-BFE5-0010830122F0");
+pub(crate) const CURVE_ON_SURFACE: Uuid = uuid!("4ED7D4D8-E947-11D3-BFE5-0010830122F0");
 const POLY_EDGE_CURVE: Uuid = uuid!("39FF3DD3-FE0F-4807-9D59-185F0D73C0E4");
 pub(crate) const NURBS_CURVE: Uuid = uuid!("4ED7D4DD-E947-11D3-BFE5-0010830122F0");
 pub(crate) const PLANE_SURFACE: Uuid = uuid!("4ED7D4DF-E947-11D3-BFE5-0010830122F0");
@@ -15,6 +16,10 @@ pub(crate) const NURBS_SURFACE: Uuid = uuid!("4ED7D4DE-E947-11D3-BFE5-0010830122
 pub(crate) const REVOLUTION_SURFACE: Uuid = uuid!("A16220D3-163B-11D4-8000-0010830122F0");
 pub(crate) const SUM_SURFACE: Uuid = uuid!("C4CD5359-446D-4690-9FF5-29059732472B");
 pub(crate) const BREP: Uuid = uuid!("60B5DBC5-E660-11D3-BFE4-0010830122F0");
+pub(crate) const EXTRUSION: Uuid = uuid!("36F53175-72B8-4D47-BF1F-B4E6FC24F4B9");
+/// Parts of a brep's regions.
+pub(crate) const FACE_SIDE: Uuid = uuid!("30930370-0D5B-4EE4-8083-BD635C7398A4");
+pub(crate) const REGION: Uuid = uuid!("CA7A0092-7EE6-4F99-B9D2-E1D6AA798AA1");
 pub(crate) const MESH: Uuid = uuid!("4ED7D4E4-E947-11D3-BFE5-0010830122F0");
 pub(crate) const SUBD: Uuid = uuid!("F09BA4D9-455B-42C3-BA3B-E6CCACEF853B");
 pub(crate) const TEXT_DOT: Uuid = uuid!("74198302-CDF4-4F95-9609-6D684F22AB37");
@@ -49,6 +54,12 @@ pub(crate) const LAYER: Uuid = uuid!("95809813-E985-11D3-BFE5-0010830122F0");
 pub(crate) const USER_STRINGS: Uuid = uuid!("CE28DE29-F4C5-4FAA-A50A-C3A6849B6329");
 /// User data: the double-precision vertices of a mesh in archives before version 60.
 pub(crate) const DOUBLE_VERTICES: Uuid = uuid!("17F24E75-21BE-4A7B-9F3D-7F85225247E3");
+/// User data: the regions of a brep in version 5 archives.
+pub(crate) const V5_REGIONS: Uuid = uuid!("7FE23D63-E536-43F1-98E2-C807A2625AFF");
+/// User data: the meshes of an extrusion in version 5 archives.
+pub(crate) const V5_EXTRUSION_MESHES: Uuid = uuid!("A8130A3E-E4F3-4CB0-BB8A-F10A473912D0");
+/// The application that core openNURBS user data of version 5 names as its owner.
+pub(crate) const OPENNURBS_5_APPLICATION: Uuid = uuid!("C8CDA597-D957-4625-A4B3-A0B510FC30D4");
 /// The application that core openNURBS user data names as its owner.
 pub(crate) const OPENNURBS_APPLICATION: Uuid = uuid!("17B3ECDA-17BA-4E45-9E67-A2B8D9BE520D");
 
@@ -76,6 +87,7 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (POLYLINE_CURVE, "PolylineCurve", 4),
     (POLY_CURVE, "PolyCurve", 4),
     (NURBS_CURVE, "NurbsCurve", 4),
+    (CURVE_ON_SURFACE, "CurveOnSurface", 4),
     (NURBS_SURFACE, "NurbsSurface", 8),
     (PLANE_SURFACE, "PlaneSurface", 8),
     (REVOLUTION_SURFACE, "RevSurface", 8),
@@ -83,7 +95,7 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (CLIPPING_PLANE, "ClippingPlaneSurface", 0x2000_0000),
     (BREP, "Brep", 0x10),
     (MESH, "Mesh", 0x20),
-    (uuid!("36F53175-72B8-4D47-BF1F-B4E6FC24F4B9"), "Extrusion", 0x4000_0000),
+    (EXTRUSION, "Extrusion", 0x4000_0000),
     (SUBD, "SubD", 0x4_0000),
     (BLOCK_REFERENCE, "InstanceReference", 0x1000),
     (uuid!("0559733B-5332-49D1-A936-0532AC76ADE5"), "Hatch", 0x1_0000),

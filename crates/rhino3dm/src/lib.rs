@@ -54,8 +54,10 @@ pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
-    BlockReference, BrepEdge, BrepSummary, ClippingPlane, Dimension, Light, LightStyle, Object, OnData,
-    Participants, PointCloud, RawObject, Solidity, StyleOverrides, TextContent, TextDot, UserData,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurveForm, CurveOnSurface,
+    Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, NurbsForm, NurbsSurfaceForm, Object, OnData,
+    Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
+    UserData,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};

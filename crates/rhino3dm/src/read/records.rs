@@ -39,7 +39,9 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
                 context.kept(class.offset, error);
                 Object::Kept(class.to_raw())
             });
-            let user_data = if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            let mut user_data =
+                if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            user_data.retain(|data| !geometry.holds(data));
             found = Some((geometry, user_data));
             continue;
         }
