@@ -50,6 +50,7 @@ mod hanging_chain;
 pub mod intersect;
 mod interval;
 pub mod isoline;
+pub mod isosurface;
 mod line;
 mod linear;
 mod longest_rectangle;

@@ -24,12 +24,15 @@
 //! ```
 
 mod attributes;
+mod build;
 mod chunk;
 mod class_ids;
 mod colour;
 mod compressed;
 mod crc;
+mod deflate;
 mod error;
+mod items;
 mod limits;
 mod loss;
 mod model;
@@ -38,6 +41,8 @@ mod planar;
 mod primitives;
 mod properties;
 mod read;
+mod recode;
+mod render_settings;
 mod settings;
 mod tables;
 mod typecode;
@@ -54,13 +59,15 @@ pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
-    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurveForm, CurveOnSurface,
-    Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, NurbsForm, NurbsSurfaceForm, Object, OnData,
-    Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
+    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
+    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
+    PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
     UserData,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use render_settings::RenderSettings;
 pub use settings::Settings;
 pub use tables::{
     Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,

@@ -10,7 +10,9 @@ mod clipping_plane;
 mod curve;
 mod extrusion;
 mod light;
+mod mapping_tag;
 mod mesh;
+mod nurbs_cage;
 mod on_data;
 mod point;
 mod point_cloud;
@@ -31,6 +33,9 @@ pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
 pub use extrusion::{Extrusion, ExtrusionMesh};
 pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
+pub use mapping_tag::MappingTag;
+pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
+pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
@@ -73,9 +78,6 @@ pub enum Object {
     Brep(Box<BrepObject>),
     /// Curves in a plane moved along a segment.
     Extrusion(Box<Extrusion>),
-    /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
-    /// coordinates, curvatures and n-gons are not read.
-    Mesh(Mesh),
     /// Text at a point, turned to the viewer.
     TextDot(TextDot),
     /// A block placed in the model.
@@ -84,12 +86,16 @@ pub enum Object {
     Light(Box<Light>),
     /// A rectangle that cuts the views.
     ClippingPlane(Box<ClippingPlane>),
+    /// A NURBS volume.
+    NurbsCage(Box<NurbsCage>),
     /// Text, a leader or a dimension of version 6 and later.
     Annotation(Box<Annotation>),
     /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
     Annotation5(Box<Annotation5>),
     /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
     Annotation2(Box<Annotation2>),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -103,6 +109,12 @@ impl Object {
         }
     }
 
+    /// What the object is, as Rhino's filters number it: 1 a point, 2 a point cloud, 4 a curve, 8 a surface, 16 a
+    /// brep, 32 a mesh and so on; 0 for a class that is not known.
+    pub fn object_type(&self) -> u32 {
+        class_ids::object_type(self.class())
+    }
+
     /// Whether an archive of the given version can carry this object.
     ///
     /// # Errors
@@ -112,8 +124,8 @@ impl Object {
         Version::for_writing(version)?;
         match self {
             Self::Kept(raw) => raw.check_writable(version),
-            Self::Annotation(annotation) => annotation.check_writable(version),
             Self::Extrusion(_) => extrusion::check_writable(version),
+            Self::Annotation(annotation) => annotation.check_writable(version),
             _ => Ok(()),
         }
     }
@@ -167,6 +179,7 @@ impl Object {
         match self {
             Self::Brep(_) => data.class == class_ids::V5_REGIONS,
             Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
+            Self::Mesh(_) => mesh::owns(data),
             _ => false,
         }
     }
@@ -187,6 +200,7 @@ impl Object {
             Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
             Self::Light(_) => class_ids::LIGHT,
             Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::NurbsCage(_) => class_ids::NURBS_CAGE,
             Self::Annotation(a) => annotation::class_of(a),
             Self::Annotation5(a) => annotation::class_of_5(a),
             Self::Annotation2(a) => annotation::class_of_2(a),
@@ -203,13 +217,18 @@ impl Object {
         let parsed = match class_ids::canonical(object.class) {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
-            class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
+            class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
+            class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
+            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
+            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
             class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
             class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
             class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
             class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
             class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
             class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
+            class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
             class if annotation::is_annotation(class) => {
                 Self::Annotation(annotation::read(class, &mut body)?.into())
             }
@@ -219,10 +238,6 @@ impl Object {
             class if annotation::is_version_2(class) => {
                 Self::Annotation2(annotation::read_2(class, &mut body)?.into())
             }
-            class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
-            class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
-            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
-            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -264,15 +279,21 @@ impl Object {
             Self::ClippingPlane(c) => {
                 write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
             }
+            Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
             Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
             Self::Mesh(m) => {
-                let own = mesh::double_vertices(m, w.version())?;
-                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
         }
+    }
+}
+
+impl From<Mesh> for Object {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Box::new(mesh.into()))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use katydid_geometry::Plane;
 
-use crate::Result;
 use crate::chunk::{Reader, Writer};
+use crate::{Result, StoredPlane};
 
 /// Text with its formatting.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +38,8 @@ impl TextContent {
 }
 
 const WHAT: &str = "text of an annotation";
+/// What openNURBS stores in the place of a plane that is of no use any more.
+const UNUSED_PLANE: StoredPlane = StoredPlane { frame: Plane::XY, equation: Some([0.0, 0.0, 1.0, -0.0]) };
 
 pub(super) fn read(body: &mut Reader<'_>) -> Result<TextContent> {
     let (mut body, _) = body.versioned_1(WHAT)?;
@@ -58,7 +60,7 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<TextContent> {
 pub(super) fn write(text: &TextContent, w: &mut Writer) -> Result<()> {
     w.versioned(1, 0, |w| {
         w.string(&text.rich_text)?;
-        w.plane(&Plane::XY);
+        w.stored_plane(&UNUSED_PLANE);
         w.f64(text.width);
         w.f64(text.rotation);
         w.i32(text.horizontal_alignment);

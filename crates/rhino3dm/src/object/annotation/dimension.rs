@@ -11,7 +11,9 @@ use crate::chunk::{Reader, Writer};
 pub struct Dimension {
     /// The text as the user wrote it; `<>` in it stands for the measure.
     pub user_text: String,
-    /// Where the text stands when the user moved it, in coordinates of the annotation's plane.
+    /// Whether the user moved the text.
+    pub text_moved: bool,
+    /// Where the text stands when it was moved, in coordinates of the annotation's plane.
     pub text_point: Option<Point2>,
     /// Whether each arrow points inwards.
     pub flipped_arrows: [bool; 2],
@@ -23,8 +25,6 @@ pub struct Dimension {
     pub detail: Uuid,
     /// What measures are multiplied by.
     pub distance_scale: f64,
-    /// The place of text that was not moved, which means nothing but is stored.
-    unused_text_point: Option<Point2>,
 }
 
 /// What openNURBS stores for a coordinate that is not set.
@@ -34,13 +34,13 @@ impl Default for Dimension {
     fn default() -> Self {
         Self {
             user_text: "<>".into(),
+            text_moved: false,
             text_point: None,
             flipped_arrows: [false; 2],
             arrow_fit: 0,
             text_fit: 0,
             detail: Uuid::nil(),
             distance_scale: 1.0,
-            unused_text_point: None,
         }
     }
 }
@@ -55,8 +55,8 @@ pub(super) fn read(body: &mut Reader<'_>, content: i32) -> Result<Dimension> {
     let point = body.point2(WHAT)?;
     Ok(Dimension {
         user_text,
-        text_point: (!default_place).then_some(point),
-        unused_text_point: (default_place && point != UNSET).then_some(point),
+        text_moved: !default_place,
+        text_point: (point != UNSET).then_some(point),
         flipped_arrows: [body.bool(WHAT)?, body.bool(WHAT)?],
         arrow_fit: body.i32(WHAT)?,
         detail: body.uuid(WHAT)?,
@@ -68,8 +68,8 @@ pub(super) fn read(body: &mut Reader<'_>, content: i32) -> Result<Dimension> {
 pub(super) fn write(dimension: &Dimension, w: &mut Writer) -> Result<()> {
     w.string(&dimension.user_text)?;
     w.f64(0.0);
-    w.bool(dimension.text_point.is_none());
-    w.point2(dimension.text_point.or(dimension.unused_text_point).unwrap_or(UNSET));
+    w.bool(!dimension.text_moved);
+    w.point2(dimension.text_point.unwrap_or(UNSET));
     dimension.flipped_arrows.iter().for_each(|flipped| w.bool(*flipped));
     w.i32(dimension.arrow_fit);
     w.uuid(dimension.detail);

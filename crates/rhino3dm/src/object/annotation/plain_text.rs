@@ -1,59 +1,91 @@
-//! The text of a rich text string: what is left when its control words and tables are taken out.
+//! The text of an annotation without its formatting, as the official reader gives it.
+//!
+//! That reader takes every text for rich text format, with or without its head, and breaks a line at a paragraph
+//! mark only where a brace follows it before the next character. What programs write has that form.
 
-/// Groups of these control words hold no text.
+/// Groups that begin with these control words hold no text.
 const TABLES: [&str; 8] = ["fonttbl", "colortbl", "stylesheet", "info", "pict", "object", "header", "footer"];
-
-/// The text without formatting; a string that is not in rich text format is plain already.
-pub(super) fn of(text: &str) -> String {
-    if !text.get(..6).is_some_and(|start| start.eq_ignore_ascii_case("{\\rtf1")) {
-        return text.to_owned();
-    }
-    let mut parser = Parser { rest: text, out: String::new(), groups: Vec::new(), fallback: 1, skip: 0 };
-    parser.run();
-    // A paragraph mark at the end ends the last line and begins no other.
-    parser.out.trim_end_matches(['\r', '\n']).to_owned()
-}
-
-/// What holds inside a pair of braces.
-#[derive(Clone, Copy)]
-struct Group {
-    /// Whether its text is none.
-    hidden: bool,
-    /// How many characters stand in for one that is written as a number.
-    fallback: usize,
-}
-
-struct Parser<'a> {
-    rest: &'a str,
-    out: String,
-    groups: Vec<Group>,
-    fallback: usize,
-    /// Characters to pass over behind a number.
-    skip: usize,
-}
-
+/// Control words that stand for a character.
+const CHARACTERS: [(&str, char); 7] = [
+    ("emdash", '—'),
+    ("endash", '–'),
+    ("bullet", '•'),
+    ("lquote", '‘'),
+    ("rquote", '’'),
+    ("ldblquote", '“'),
+    ("rdblquote", '”'),
+];
+/// The characters 0x80 to 0x9F of code page 1252; those it does not have are left as they are.
+const CODE_PAGE: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8D}', 'Ž', '\u{8F}', '\u{90}',
+    '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9D}', 'ž', 'Ÿ',
+];
+const TAB: &str = "        ";
+const LINE_END: &str = "\r\n";
 /// The depth of braces beyond which nothing is read.
 const DEEPEST: usize = 1000;
+
+/// The text without formatting.
+pub(super) fn of(text: &str) -> String {
+    let rich = text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case("{\\rtf"));
+    let mut parser = Parser { rest: text, rich, ..Parser::default() };
+    parser.run();
+    parser.out
+}
+
+#[derive(Default)]
+struct Parser<'a> {
+    rest: &'a str,
+    /// Whether the text has the head of rich text, so that line ends in it mean nothing.
+    rich: bool,
+    out: String,
+    /// Of each open brace whether its text is none.
+    hidden: Vec<bool>,
+    line_end: LineEnd,
+    lines: usize,
+    /// The first half of a character that takes two numbers.
+    half: Option<u16>,
+    /// Whether a bracketed fraction is open.
+    stacked: bool,
+}
+
+/// A line end that was read but not written.
+#[derive(Default, Clone, Copy, PartialEq)]
+enum LineEnd {
+    #[default]
+    None,
+    /// It counts when a brace follows.
+    Waiting,
+    /// It counts when anything follows.
+    Due,
+}
 
 impl Parser<'_> {
     fn run(&mut self) {
         while let Some(c) = self.next() {
             match c {
-                '{' if self.groups.len() < DEEPEST => {
-                    let hidden = self.hidden();
-                    self.groups.push(Group { hidden, fallback: self.fallback });
-                    self.skip = 0;
+                '{' => {
+                    if self.hidden.len() >= DEEPEST {
+                        break;
+                    }
+                    self.hidden.push(self.is_hidden());
+                    self.brace();
                 }
-                '{' => return,
                 '}' => {
-                    let Some(group) = self.groups.pop() else { return };
-                    self.fallback = group.fallback;
-                    self.skip = 0;
+                    self.hidden.pop();
+                    self.brace();
                 }
                 '\\' => self.control(),
-                '\r' | '\n' => {}
+                '\n' if !self.rich => self.end_line(LineEnd::Due),
+                '\r' | '\n' | '\t' => {}
+                '[' if self.eat("[") => self.stacked = true,
+                ']' if self.stacked && self.eat("]") => self.stacked = false,
                 c => self.put(c),
             }
+        }
+        // A last line end that is the only one ends the text and is none.
+        if self.line_end != LineEnd::None && self.lines > 0 {
+            self.out.push_str(LINE_END);
         }
     }
 
@@ -64,21 +96,46 @@ impl Parser<'_> {
         c
     }
 
-    fn hidden(&self) -> bool {
-        self.groups.last().is_some_and(|group| group.hidden)
+    fn eat(&mut self, what: &str) -> bool {
+        let found = self.rest.strip_prefix(what);
+        self.rest = found.unwrap_or(self.rest);
+        found.is_some()
     }
 
-    fn put(&mut self, c: char) {
-        if self.skip > 0 {
-            self.skip -= 1;
-        } else if !self.hidden() {
-            self.out.push(c);
-        }
+    fn is_hidden(&self) -> bool {
+        self.hidden.last().copied().unwrap_or(false)
     }
 
     fn hide(&mut self) {
-        if let Some(group) = self.groups.last_mut() {
-            group.hidden = true;
+        if let Some(hidden) = self.hidden.last_mut() {
+            *hidden = true;
+        }
+    }
+
+    fn brace(&mut self) {
+        if self.line_end == LineEnd::Waiting {
+            self.line_end = LineEnd::Due;
+        }
+    }
+
+    fn end_line(&mut self, how: LineEnd) {
+        self.flush();
+        self.line_end = how;
+    }
+
+    /// Writes the line end that is due and forgets one that waits.
+    fn flush(&mut self) {
+        if self.line_end == LineEnd::Due {
+            self.out.push_str(LINE_END);
+            self.lines += 1;
+        }
+        self.line_end = LineEnd::None;
+    }
+
+    fn put(&mut self, c: char) {
+        if !self.is_hidden() {
+            self.flush();
+            self.out.push(c);
         }
     }
 
@@ -89,26 +146,37 @@ impl Parser<'_> {
             return self.symbol();
         }
         let (word, rest) = self.rest.split_at(letters);
-        let signed = usize::from(rest.starts_with('-'));
-        let digits = rest.bytes().skip(signed).take_while(u8::is_ascii_digit).count();
-        let length = if digits > 0 { signed + digits } else { 0 };
-        let (number, rest) = rest.split_at(length);
+        let sign = usize::from(rest.starts_with('-'));
+        let digits = rest.bytes().skip(sign).take_while(u8::is_ascii_digit).count();
+        let (number, rest) = rest.split_at(if digits > 0 { sign + digits } else { 0 });
         // One blank belongs to the control word.
         self.rest = rest.strip_prefix(' ').unwrap_or(rest);
-        let number: Option<i64> = number.parse().ok();
         match word {
-            "par" | "line" => "\r\n".chars().for_each(|c| self.put(c)),
-            "tab" => self.put('\t'),
-            "uc" => self.fallback = number.and_then(|n| usize::try_from(n).ok()).unwrap_or(1),
+            "par" if !self.is_hidden() => self.end_line(LineEnd::Waiting),
+            "tab" => TAB.chars().for_each(|c| self.put(c)),
             "u" => {
-                let code = number.map_or(0, |n| if n < 0 { n + 0x1_0000 } else { n });
-                self.put(
-                    u32::try_from(code).ok().and_then(char::from_u32).unwrap_or(char::REPLACEMENT_CHARACTER),
-                );
-                self.skip = self.fallback;
+                self.unicode(number.parse().unwrap_or_default());
+                self.eat("?");
             }
             table if TABLES.contains(&table) => self.hide(),
-            _ => {}
+            word => {
+                if let Some((_, c)) = CHARACTERS.iter().find(|(name, _)| *name == word) {
+                    self.put(*c);
+                }
+            }
+        }
+    }
+
+    /// A character by its number; numbers are signed and of 16 bits, and large characters take two.
+    fn unicode(&mut self, number: i64) {
+        let Ok(unit) = u16::try_from(number.rem_euclid(0x1_0000)) else { return };
+        let halves = self.half.take().into_iter().chain([unit]);
+        for c in char::decode_utf16(halves) {
+            match c {
+                Ok(c) => self.put(c),
+                Err(broken) if broken.unpaired_surrogate() == unit && unit < 0xDC00 => self.half = Some(unit),
+                Err(_) => self.put(char::REPLACEMENT_CHARACTER),
+            }
         }
     }
 
@@ -116,18 +184,17 @@ impl Parser<'_> {
     fn symbol(&mut self) {
         match self.next() {
             Some(c @ ('\\' | '{' | '}')) => self.put(c),
-            Some('~') => self.put('\u{A0}'),
-            Some('_') => self.put('\u{2011}'),
+            Some('~') => self.put(' '),
+            Some('_') => self.put('-'),
             Some('*') => self.hide(),
             Some('\'') => {
                 let (digits, rest) = self.rest.split_at_checked(2).unwrap_or((self.rest, ""));
                 self.rest = rest;
-                // Taken for Latin-1; the code page is not followed.
                 if let Ok(code) = u8::from_str_radix(digits, 16) {
-                    self.put(char::from(code));
+                    let special = code.checked_sub(0x80).and_then(|i| CODE_PAGE.get(usize::from(i)));
+                    self.put(special.copied().unwrap_or(char::from(code)));
                 }
             }
-            Some('\r' | '\n') => "\r\n".chars().for_each(|c| self.put(c)),
             _ => {}
         }
     }
@@ -137,28 +204,57 @@ impl Parser<'_> {
 mod tests {
     use super::of;
 
+    /// What rhino3dm 8.35 gives for each.
     #[test]
-    fn control_words_and_tables_are_no_text() {
-        let text = "{\\rtf1\\deff0{\\fonttbl{\\f0 Arial;}}\\f0 \\fs18{\\f0 90.0\\u176?\\par}}";
-        assert_eq!(of(text), "90.0°");
-        assert_eq!(of("plain {text}"), "plain {text}");
-        assert_eq!(of("{\\rtf1 a\\par b\\{\\'e9\\u-10179?\\u-8704?}"), "a\r\nb{é\u{FFFD}\u{FFFD}");
-        assert_eq!(of("{\\rtf1{\\*\\generator x;}{\\b y} z}"), "y z");
+    fn text_is_what_the_official_reader_gives() {
+        let head = "{\\rtf1\\deff0{\\fonttbl{\\f0 Arial;}}\\f0 ";
+        for (rich, plain) in [
+            ("{\\f0 a\\par}}", "a"),
+            ("{\\f0 a\\par}{\\f0 b}}", "a\r\nb"),
+            ("{\\f0 a\\par}{\\f0 b\\par}}", "a\r\nb\r\n"),
+            ("\\fs18{\\f0 90.0\\u176?\\par}}", "90.0°"),
+            ("a\\par b\\par c}", "abc"),
+            ("{\\f0 a\\par}\\par{\\f0 b}}", "a\r\n\r\nb"),
+            ("x{\\f0 a\\par}y}", "xa\r\ny"),
+            ("{a\\par}{b\\par}{\\par}{c}}", "a\r\nb\r\n\r\nc"),
+            ("{a}\\par {b}\\par {c}\\par}", "a\r\nb\r\nc\r\n"),
+            ("{{\\i a\\par}} b}", "a\r\n b"),
+            ("a\\tab b}", "a        b"),
+            ("a\\~b\\_c\\-d}", "a b-cd"),
+            ("a\\'e9b\\'80\\'93}", "aéb€“"),
+            ("a\\u8364?b \\u-10179?\\u-8704?c}", "a€b 😀c"),
+            ("\\u8364 b}", "€b"),
+            ("\\{x\\}\\\\}", "{x}\\"),
+            ("{\\*\\x y} z}", " z"),
+            ("a\r\nb}", "ab"),
+            ("[[1/2]]x}", "1/2x"),
+            ("x\\emdash y\\bullet z\\lquote q\\rquote}", "x—y•z‘q’"),
+        ] {
+            assert_eq!(of(&format!("{head}{rich}")), plain, "{rich}");
+        }
+        for (text, plain) in [
+            ("plain\nnext", "plain\r\nnext"),
+            ("x\r\n\r\ny", "x\r\n\r\ny"),
+            ("x\n", "x"),
+            ("\nx", "\r\nx"),
+            ("a}b", "ab"),
+            ("a\\\\b", "a\\b"),
+            ("a\\P b", "ab"),
+            ("[[a", "a"),
+            ("a]]b", "a]]b"),
+            ("%<area(\"x\")>% end", "%<area(\"x\")>% end"),
+        ] {
+            assert_eq!(of(text), plain, "{text}");
+        }
     }
 
     #[test]
     fn broken_text_ends() {
-        for text in [
-            "{\\rtf1",
-            "{\\rtf1\\",
-            "{\\rtf1\\'",
-            "{\\rtf1\\'é",
-            "{\\rtf1\\u",
-            "{\\rtf1}}}}a",
-            "{\\rtf1\\u99999999999999999999?",
-        ] {
+        for text in
+            ["{\\rtf1", "\\", "\\'", "\\'é", "\\u", "\\u-55296\\u-55296", "}}}", "\\u99999999999999999999?"]
+        {
             of(text);
         }
-        of(&format!("{{\\rtf1{}", "{".repeat(100_000)));
+        of(&"{".repeat(100_000));
     }
 }

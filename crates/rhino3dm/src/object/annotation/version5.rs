@@ -76,6 +76,8 @@ impl Annotation5 {
 
 const WHAT: &str = "annotation of version 5";
 const TEXT_NUMBER: i32 = 7;
+/// Text that hangs from its point, to the right of it.
+const TOP_LEFT: i32 = 1 << 18 | 1;
 /// openNURBS wraps them in chunks since then.
 const WRAPPED_SINCE: u32 = 200_710_180;
 /// What stands for no bend.
@@ -226,11 +228,10 @@ fn write_parts(annotation: &Annotation5, w: &mut Writer) -> Result<()> {
 fn write_base(annotation: &Annotation5, w: &mut Writer) -> Result<()> {
     if !is_wrapped(w.version()) {
         w.packed_version(1, 0);
-        // Text without a place of its own for fields and wrapping.
-        return write_fields(annotation, &hard_returns(&annotation.text), w);
+        return write_fields(annotation, &standing_plane(annotation), &hard_returns(&annotation.text), w);
     }
     w.versioned(1, 3, |w| {
-        write_fields(annotation, &annotation.text, w)?;
+        write_fields(annotation, &annotation.plane, &annotation.text, w)?;
         w.i32(annotation.justification);
         w.bool(annotation.scales_text);
         w.string(&annotation.text_formula)?;
@@ -243,16 +244,26 @@ fn write_base(annotation: &Annotation5, w: &mut Writer) -> Result<()> {
     })
 }
 
-fn write_fields(annotation: &Annotation5, text: &str, w: &mut Writer) -> Result<()> {
+fn write_fields(annotation: &Annotation5, plane: &StoredPlane, text: &str, w: &mut Writer) -> Result<()> {
     w.i32(annotation.number);
     w.i32(annotation.text_display);
-    w.stored_plane(&annotation.plane);
+    w.stored_plane(plane);
     w.points2(&annotation.points)?;
     w.string(text)?;
     w.i32(i32::from(annotation.user_positioned_text));
     w.i32(annotation.style);
     w.f64(annotation.text_height);
     Ok(())
+}
+
+/// The plane where text stands on its point, as in archives before version 5: readers take it to hang from a point
+/// that lies its height above. Text that neither hangs nor stands to the right of its point is left where it is.
+fn standing_plane(annotation: &Annotation5) -> StoredPlane {
+    if annotation.number != TEXT_NUMBER || annotation.justification != TOP_LEFT {
+        return annotation.plane;
+    }
+    let frame = annotation.plane.frame;
+    frame.with_origin(frame.at(0.0, -annotation.text_height, 0.0)).into()
 }
 
 /// Every line end as the pair of characters that version 4 knows; version 5 marks wrapping by one of them.
