@@ -105,7 +105,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     && case % 16 == 0
                     && let Ok(written) = model.write([4, 50, 60, 70, 80][case / 16 % 5])
                 {
-                    Model::read_strict(&written, &Limits::default())?;
+                    // Objects kept as bytes may be broken inside, but none is lost.
+                    let again = Model::read(&written, &Limits::default())?;
+                    if again.objects.len() != model.objects.len() {
+                        return Err(format!("{} case {case}: objects are lost", file.path().display()).into());
+                    }
                 }
             }
         }

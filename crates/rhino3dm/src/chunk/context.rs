@@ -6,6 +6,9 @@ use crate::{Error, Limits, Result, Warning, WarningKind, typecode};
 /// How much compressed buffers may inflate to whatever the size of the archive.
 const FREE_INFLATION: u64 = 128 << 20;
 
+/// Chunks of one record that messages tell apart.
+const MOST_OPENED: u32 = 1 << 16;
+
 /// What all readers of one archive share: the limits, what they have used of them, and the warnings.
 #[derive(Debug)]
 pub(crate) struct Context {
@@ -146,7 +149,11 @@ impl Context {
             return parent;
         }
         let mut opened = self.opened.borrow_mut();
-        let place = u32::try_from(opened.len()).ok()?;
+        let place = match u32::try_from(opened.len()) {
+            Ok(place) if place < MOST_OPENED => place,
+            // No more are told apart from the chunk around them.
+            _ => return parent,
+        };
         opened.push(Opened { typecode, start, end, parent });
         Some(OpenChunk(place))
     }

@@ -183,11 +183,12 @@ impl Reading {
         self.model.objects.push(with_attributes(geometry, stated.attributes));
     }
 
-    /// Takes objects off layers that are not there.
+    /// Puts objects on layers that are not there on the first.
     fn check_layers(&mut self) {
         let count = self.model.layers.len();
         for object in self.model.objects.iter_mut().chain(&mut self.model.lights) {
-            object.attributes.layer = object.attributes.layer.filter(|layer| *layer < count);
+            let layer = object.attributes.layer.filter(|layer| *layer < count);
+            object.attributes.layer = layer.or((count > 0).then_some(0));
         }
     }
 

@@ -79,8 +79,7 @@ impl Model {
     fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
         let mut ids = Ids::default();
         for (place, pattern) in self.hatch_patterns.iter().enumerate() {
-            let number =
-                pattern.number.map_or_else(|| i32::try_from(place).unwrap_or(i32::MAX), |number| number);
+            let number = pattern.number.unwrap_or_else(|| i32::try_from(place).unwrap_or(i32::MAX));
             let id = ids.take(pattern.id, place, pattern.name.as_bytes());
             w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
         }

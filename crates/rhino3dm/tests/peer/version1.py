@@ -8,6 +8,7 @@ import rhino3dm
 
 from .common import VERSIONS, close, dumped, encoded, example, xyz
 from .geometry import check_geometry
+from .version1_sample import archive, wrapped_version_2
 
 CLASSES = {
     rhino3dm.LineCurve: "LineCurve",
@@ -19,6 +20,9 @@ CLASSES = {
     rhino3dm.TextDot: "TextDot",
     rhino3dm.Light: "Light",
     rhino3dm.NurbsSurface: "NurbsSurface",
+    rhino3dm.Text: "Text",
+    rhino3dm.Leader: "Leader",
+    rhino3dm.DimLinear: "LinearDimension",
 }
 
 
@@ -94,6 +98,23 @@ def check_converted_1(path, version):
         else:
             same += encoded(old) == encoded(new)
     return len(before.Objects), len(carried), same
+
+
+def check_samples(version_2):
+    """What no shared archive holds: an archive made here, and a version 2 archive that says it is of version 1."""
+    with tempfile.TemporaryDirectory() as folder:
+        sample = pathlib.Path(folder) / "sample.3dm"
+        sample.write_bytes(archive())
+        counts = check_version_1(sample)
+        results = [check_converted_1(sample, version) for version in VERSIONS]
+        print(f"an archive made here: {counts} equal, {results} carried over and encoded alike")
+        if version_2:
+            sample.write_bytes(wrapped_version_2(version_2.read_bytes()))
+            head, *objects = dumped(sample)
+            file = rhino3dm.File3dm.Read(str(sample))
+            assert head["version"] == 2 and len(objects) == len(file.Objects) > 0, head
+            assert len(head["tables"]["layers"]) == len(file.Layers)
+            print(f"an archive of version 2 that says it is of version 1: {len(objects)} objects")
 
 
 def check_all(paths):
