@@ -49,6 +49,7 @@ pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
+pub(crate) use brep::Reading as BrepReading;
 pub(crate) use class_object::{ClassObject, write_class};
 
 use class_object::write_null;
