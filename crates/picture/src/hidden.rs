@@ -2,8 +2,10 @@
 
 use crate::drawing::{Face, Solids, SpaceLine};
 
-/// Cells of the index over the picture have this side, in pixels.
-const CELL: f64 = 24.0;
+/// The least and the greatest side of the cells of the index over the picture, in pixels.
+const CELL: [f64; 2] = [3.0, 24.0];
+/// There are about so many times more faces than cells.
+const FACES_A_CELL: f64 = 8.0;
 /// The index has no more cells than this in each direction.
 const MOST_CELLS: f64 = 512.0;
 /// Stretches shorter than this, in pixels, take the kind of what is beside them.
@@ -174,7 +176,9 @@ impl<'a> Index<'a> {
         if !size.is_finite() {
             return None;
         }
-        let side = CELL.max(size / MOST_CELLS);
+        let area = (high[0] - low[0]) * (high[1] - low[1]);
+        let side = (area * FACES_A_CELL / covers.len() as f64).sqrt().clamp(CELL[0], CELL[1]);
+        let side = side.max(size / MOST_CELLS);
         let count = [0, 1].map(|k| ((high[k] - low[k]) / side) as usize + 1);
         let mut index = Self { covers, cells: vec![Vec::new(); count[0] * count[1]], low, side, count };
         for k in 0..index.covers.len() {

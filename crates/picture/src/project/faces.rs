@@ -17,7 +17,7 @@ const SHORTEST_EDGES: f64 = 5.0;
 /// The same for faces that let light through: several behind one another must not grow black.
 const AMBIENT_CLEAR: f64 = 0.62;
 /// Facets of a surface stray from it by this part of a pixel at most.
-const SMOOTH: f64 = 0.2;
+const SMOOTH: f64 = 0.3;
 /// Corners of clear faces nearer to each other than this, in pixels, are in one place.
 const SAME: f64 = 0.02;
 /// A quad whose corners are no farther from a plane than this, in pixels of depth, is drawn as one face.
