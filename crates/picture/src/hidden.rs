@@ -16,6 +16,10 @@ const RIM: f64 = 0.01;
 /// What is no farther behind the plane of a face than this, in pixels, lies on it.
 const ON: f64 = 0.5;
 
+/// A line that is no longer than this on the picture, in pixels, is a part of a sign, such as a cross: seen or hidden
+/// as a whole.
+const SIGN: f64 = 16.0;
+
 /// The lines in stretches: those that nothing lies before, and those behind a face, clear or not. Lines are drawn
 /// `nearer` than where they are.
 pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
@@ -26,6 +30,8 @@ pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
     for line in &solids.lines {
         // The kind of the stretch before, so that a dash runs on round a corner.
         let mut last = None;
+        let short = is_short(line);
+        let mut lengths = [0.0; 2];
         for w in line.points.windows(2) {
             let [a, b] = *w else { continue };
             turn += 1;
@@ -41,6 +47,10 @@ pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
             });
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
             for (from, to, is_hidden) in stretches(behind, SHORTEST / length.max(SHORTEST)) {
+                if short {
+                    lengths[usize::from(is_hidden)] += (to - from) * length;
+                    continue;
+                }
                 let at = |t: f64| [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * t);
                 let list = if is_hidden { &mut hidden } else { &mut seen };
                 match list.last_mut() {
@@ -50,8 +60,21 @@ pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
                 last = Some(is_hidden);
             }
         }
+        if short {
+            let list = if lengths[1] > lengths[0] { &mut hidden } else { &mut seen };
+            list.push(line.clone());
+        }
     }
     [seen, hidden]
+}
+
+/// Whether a line is a part of a sign.
+pub(crate) fn is_short(line: &SpaceLine) -> bool {
+    let length = |w: &[[f64; 3]]| match w {
+        [a, b] => (b[0] - a[0]).hypot(b[1] - a[1]),
+        _ => 0.0,
+    };
+    line.points.windows(2).map(length).sum::<f64>() <= SIGN
 }
 
 /// The way from 0 to 1 in stretches in turn: where they begin and end, and whether they are hidden.
@@ -279,6 +302,15 @@ mod tests {
         let [seen, hidden] = part(&Solids { faces, lines: vec![bent] }, 0.0);
         assert_eq!((ends(&seen), ends(&hidden)), (vec![[0.0, 20.0], [70.0, 90.0]], vec![[20.0, 70.0]]));
         assert_eq!(hidden[0].points.len(), 4);
+    }
+
+    #[test]
+    fn signs_are_seen_or_hidden_as_a_whole() {
+        let wall = face(&[[50.0, 0.0, 9.0], [90.0, 0.0, 9.0], [90.0, 90.0, 9.0], [50.0, 90.0, 9.0]]);
+        let stroke = |x: f64| line(&[[x - 4.0, 20.0, 0.0], [x + 4.0, 28.0, 0.0]]);
+        let lines = vec![stroke(48.0), stroke(52.0)];
+        let [seen, hidden] = part(&Solids { faces: vec![wall], lines }, 0.0);
+        assert_eq!((ends(&seen), ends(&hidden)), (vec![[44.0, 52.0]], vec![[48.0, 56.0]]));
     }
 
     #[test]

@@ -103,6 +103,8 @@ fn behind(canvas: &mut Canvas, choice: HiddenLines) -> Vec<Item> {
     canvas.solids.lines = seen;
     let stroke = |line: &SpaceLine| match choice {
         HiddenLines::Natural | HiddenLines::Hide => None,
+        // What is too short for a dash and a gap.
+        HiddenLines::Dash if hidden::is_short(line) => Some(Stroke::solid(line.colour, line.width)),
         HiddenLines::Show => Some(Stroke::solid(line.colour, line.width)),
         HiddenLines::Dash => {
             let width = (0.7 * line.width).max(0.5);
