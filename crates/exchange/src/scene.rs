@@ -38,9 +38,14 @@ impl Scene {
             let mut add = |shape| scene.things.push(Thing { name: object.attributes.name.clone(), shape });
             match &object.geometry {
                 Object::Point(p) => add(Shape::Point(*p)),
-                Object::PointCloud(cloud) => cloud.points.iter().for_each(|p| add(Shape::Point(*p))),
+                Object::PointCloud(cloud) => {
+                    cloud.points.iter().filter(|p| p.is_finite()).for_each(|p| add(Shape::Point(*p)));
+                }
                 Object::Curve(curve) => add(Shape::Curve(curve.clone())),
-                Object::Mesh(mesh) => add(Shape::Mesh(mesh.clone())),
+                Object::Mesh(mesh) => match mesh.to_mesh() {
+                    Ok(mesh) => add(Shape::Mesh(mesh)),
+                    Err(_) => scene.unknown.push(object.geometry.class_name()),
+                },
                 Object::Surface(surface) => match facets(surface) {
                     Some(mesh) => add(Shape::Mesh(mesh)),
                     None => scene.unknown.push(object.geometry.class_name()),

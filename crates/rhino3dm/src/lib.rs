@@ -24,28 +24,52 @@
 //! ```
 
 mod attributes;
+mod build;
 mod chunk;
 mod class_ids;
 mod colour;
 mod compressed;
 mod crc;
+mod deflate;
 mod error;
-mod layer;
+mod items;
 mod limits;
+mod loss;
 mod model;
 mod object;
+mod planar;
 mod primitives;
+mod properties;
 mod read;
+mod recode;
+mod render_settings;
 mod settings;
+mod tables;
 mod typecode;
+mod user_table;
 mod version;
 mod write;
 
-pub use attributes::{Attributes, ObjectMode};
+pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
 pub use error::{Error, Result, Warning};
-pub use layer::Layer;
 pub use limits::Limits;
+pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
+    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
+    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
+    PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
+    UserData,
 };
+pub use planar::StoredPlane;
+pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use render_settings::RenderSettings;
+pub use settings::Settings;
+pub use tables::{
+    Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,
+    KeptRecord, Layer, LineCap, LineJoin, Linetype, LinetypeSegment, LinkedBlock, MappingReference, Material,
+    MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
+};
+pub use user_table::UserTable;

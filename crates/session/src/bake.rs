@@ -92,7 +92,8 @@ fn add_tree(
                 baked.model.layers.push(Layer::new(object.title()));
                 baked.model.layers.len() - 1
             });
-            let attributes = Attributes { layer, name: object.title().to_owned(), ..Attributes::default() };
+            let attributes =
+                Attributes { layer: Some(layer), name: object.title().to_owned(), ..Attributes::default() };
             let mut baked_object = ModelObject::from(geometry);
             baked_object.attributes = attributes;
             baked.model.objects.push(baked_object);
@@ -110,9 +111,9 @@ fn archived(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Archived>) -> R
             }
         }
         Value::Surface(surface) => pieces.push(Archived::Surface((**surface).clone())),
-        Value::Mesh(mesh) => pieces.push(Archived::Mesh((**mesh).clone())),
+        Value::Mesh(mesh) => pieces.push(Archived::from((**mesh).clone())),
         Value::Box(_) | Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {
-            Some(Value::Mesh(mesh)) => pieces.push(Archived::Mesh((*mesh).clone())),
+            Some(Value::Mesh(mesh)) => pieces.push(Archived::from((*mesh).clone())),
             _ => return Err("a box without volume".to_owned()),
         },
         Value::Group(group) => {
