@@ -237,9 +237,23 @@ pub(crate) struct ViewArgs {
     #[arg(long, conflicts_with = "canvas")]
     pub(crate) legend: bool,
 
+    /// What becomes of lines behind faces; when not given, they shine through clear faces and opaque ones hide them
+    #[arg(long, value_name = "CHOICE", conflicts_with = "canvas")]
+    pub(crate) hidden_lines: Option<HiddenLinesName>,
+
     /// The colour of the ground: white, black, none, #rrggbb, or three numbers to 255
     #[arg(long, value_name = "COLOUR", default_value = "white")]
     pub(crate) background: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum HiddenLinesName {
+    /// Leave them out
+    Hide,
+    /// Dash them
+    Dash,
+    /// Draw them as if there were no faces
+    Show,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -446,3 +446,19 @@ fn what_has_no_place_gets_one() {
     assert_eq!(kd::arrange(&mut document), 0);
     assert!(document.objects.iter().all(|object| object.component != ids::GROUP));
 }
+
+#[test]
+fn what_gets_a_place_covers_nothing() {
+    let text = "a = Panel(\"a rather long line that wants to be read without being cut\")\nb = Number(a)\n\
+        a slider with a long name = Number Slider(3, 0..10)\nc = Construct Point(b, a slider with a long name)\n";
+    let mut document = read(text);
+    kd::arrange(&mut document);
+    let places: Vec<[f32; 4]> = document.objects.iter().filter_map(|object| object.bounds).collect();
+    assert_eq!(places.len(), 4);
+    for (k, a) in places.iter().enumerate() {
+        for b in places.iter().skip(k + 1) {
+            let apart = |i: usize| a[i] + a[i + 2] + 10.0 <= b[i] || b[i] + b[i + 2] + 10.0 <= a[i];
+            assert!(apart(0) || apart(1), "{a:?} {b:?}");
+        }
+    }
+}
