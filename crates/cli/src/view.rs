@@ -1,7 +1,5 @@
 //! `katydid view`.
 
-use std::path::Path;
-
 use katydid_component::Limits;
 use katydid_data::Colour;
 use katydid_data::cast::parse_colour;
