@@ -115,6 +115,17 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
 }
 
 #[test]
+fn a_floating_parameter_is_one_port() {
+    for (behind, before) in [
+        ("n = Number(3) -> Number |graft", "n = Number(3 |graft)"),
+        ("n = Number(3 |reverse) -> Number |{x+1} |flatten", "n = Number(3 |reverse |{x+1} |flatten)"),
+        ("n = Number() -> N |simplify", "n = Number(_ |simplify)"),
+    ] {
+        assert_eq!(read(behind).to_archive().root, read(before).to_archive().root, "{behind}");
+    }
+}
+
+#[test]
 fn a_panel_tells_components_of_the_same_name_apart() {
     let document = read("a = Grid/Square(Size = 3)\nb = Move(grid/square().Points)\n");
     assert_eq!(document.objects[0].name, "Square");
@@ -322,6 +333,8 @@ fn faults_point_to_their_place() {
         ("A = Number(\"x)", 1, 12, "this text does not end on its line", ""),
         ("A = Number(1 |flaten)", 1, 15, "there is no such modifier", "did you mean flatten?"),
         ("A = Number(1 |graft |flatten)", 1, 21, "this modifier goes against one before it", ""),
+        ("A = Number(1 |graft) -> Number |flatten", 1, 32, "given before the arrow too", ""),
+        ("A = Number(1) -> Number, Text |graft", 1, 26, "Number has one output", ""),
         ("A = Number(1)\nA = Number(2)", 2, 1, "A stands for another object already", ""),
         ("A = Number([B, 2])\nB = Number(1)", 1, 16, "wires and values cannot stand in one list", ""),
         ("katydid 2", 1, 9, "only version 1 of the format is known", ""),
