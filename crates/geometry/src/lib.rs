@@ -50,6 +50,7 @@ mod hanging_chain;
 pub mod intersect;
 mod interval;
 pub mod isoline;
+pub mod isosurface;
 mod line;
 mod linear;
 mod longest_rectangle;
@@ -67,6 +68,7 @@ mod rectangle;
 pub mod region;
 #[cfg(feature = "serde")]
 mod serde_forms;
+pub mod subd;
 pub mod substrate;
 mod surface;
 mod swing;

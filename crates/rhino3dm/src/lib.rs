@@ -36,6 +36,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod planar;
 mod primitives;
 mod properties;
 mod read;
@@ -52,10 +53,15 @@ pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepObject, BrepSummary, CachedMesh, CurvatureStatistics, CurveForm,
-    CurveOnSurface, Extrusion, ExtrusionMesh, MappingTag, MeshObject, MeshParameters, Ngon, NurbsForm,
-    NurbsSurfaceForm, Object, OnData, PointCloud, RawObject, Solidity, SubDMeshing, SurfaceForm, UserData,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
+    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
+    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, PackRectangle,
+    Participants, PointCloud, RawObject, Solidity, StoredEdge, StoredFace, StoredPart, StoredVertex,
+    StyleOverrides, SubDLevel, SubDMeshing, SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent,
+    TextDot, UserData,
 };
+pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use settings::Settings;
 pub use tables::{

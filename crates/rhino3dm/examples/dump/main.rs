@@ -3,6 +3,7 @@
 //! `dump FILE.3dm…` prints a line an object of each archive; `dump OBJECTS.jsonl` reads lines with the members
 //! `archive3dm`, `opennurbs` and `data` (base64), the form rhino3dm encodes objects in, and prints a line each.
 
+mod annotation;
 mod brep;
 mod curve;
 mod geometry;

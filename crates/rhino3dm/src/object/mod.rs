@@ -1,31 +1,51 @@
 //! One openNURBS class object (sections 6 and 8): read into geometry where this crate knows the class, else kept
 //! byte for byte.
 
+mod annotation;
+mod block_reference;
 mod brep;
 mod cached_mesh;
 mod class_object;
+mod clipping_plane;
 mod curve;
 mod extrusion;
+mod light;
 mod mapping_tag;
 mod mesh;
+mod nurbs_cage;
 mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod subd;
 mod surface;
+mod text_dot;
 mod user_data;
 
+pub use annotation::{
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Dimension,
+    StyleOverrides, TextContent,
+};
+pub use block_reference::BlockReference;
 pub use brep::{BareSurface, BrepEdge, BrepObject, BrepSummary};
 pub use cached_mesh::CachedMesh;
+pub use clipping_plane::{ClippingPlane, Participants};
 pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
 pub use extrusion::{Extrusion, ExtrusionMesh};
 pub use katydid_geometry::brep::Solidity;
+pub use light::{Light, LightStyle};
 pub use mapping_tag::MappingTag;
 pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
+pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use subd::{
+    PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
+    SubDObject, SubDPacking,
+};
 pub use surface::{NurbsSurfaceForm, SurfaceForm};
+pub use text_dot::TextDot;
 pub use user_data::UserData;
 
 pub(crate) use class_object::{ClassObject, write_class};
@@ -64,6 +84,24 @@ pub enum Object {
     Extrusion(Box<Extrusion>),
     /// A mesh with everything that archives keep of one.
     Mesh(Box<MeshObject>),
+    /// A subdivision surface with everything that archives keep of one.
+    SubD(Box<SubDObject>),
+    /// Text at a point, turned to the viewer.
+    TextDot(TextDot),
+    /// A block placed in the model.
+    BlockReference(Box<BlockReference>),
+    /// A light. Archives keep most of them in a table of their own.
+    Light(Box<Light>),
+    /// A rectangle that cuts the views.
+    ClippingPlane(Box<ClippingPlane>),
+    /// A NURBS volume.
+    NurbsCage(Box<NurbsCage>),
+    /// Text, a leader or a dimension of version 6 and later.
+    Annotation(Box<Annotation>),
+    /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
+    Annotation5(Box<Annotation5>),
+    /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
+    Annotation2(Box<Annotation2>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -93,6 +131,8 @@ impl Object {
         match self {
             Self::Kept(raw) => raw.check_writable(version),
             Self::Extrusion(_) => extrusion::check_writable(version),
+            Self::SubD(_) => subd::check_writable(version),
+            Self::Annotation(annotation) => annotation.check_writable(version),
             _ => Ok(()),
         }
     }
@@ -163,6 +203,15 @@ impl Object {
             Self::Brep(_) => class_ids::BREP,
             Self::Extrusion(_) => class_ids::EXTRUSION,
             Self::Mesh(_) => class_ids::MESH,
+            Self::SubD(_) => class_ids::SUBD,
+            Self::TextDot(_) => class_ids::TEXT_DOT,
+            Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
+            Self::Light(_) => class_ids::LIGHT,
+            Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::NurbsCage(_) => class_ids::NURBS_CAGE,
+            Self::Annotation(a) => annotation::class_of(a),
+            Self::Annotation5(a) => annotation::class_of_5(a),
+            Self::Annotation2(a) => annotation::class_of_2(a),
             Self::Kept(raw) => raw.class,
         }
     }
@@ -177,10 +226,27 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
+            class_ids::SUBD => Self::SubD(Box::new(subd::read(&mut body)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
             class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
             class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
+            class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
+            class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
+            class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
+            class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
+            class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
+            class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
+            class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
+            class if annotation::is_annotation(class) => {
+                Self::Annotation(annotation::read(class, &mut body)?.into())
+            }
+            class if annotation::is_version_5(class) => {
+                Self::Annotation5(annotation::read_5(class, &mut body)?.into())
+            }
+            class if annotation::is_version_2(class) => {
+                Self::Annotation2(annotation::read_2(class, &mut body)?.into())
+            }
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -214,6 +280,19 @@ impl Object {
                 let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
                 write_class(w, self.class(), &all, |w| extrusion::write(e, w))
             }
+            Self::TextDot(d) => write_class(w, self.class(), user_data, |w| text_dot::write(d, w)),
+            Self::BlockReference(b) => {
+                write_class(w, self.class(), user_data, |w| block_reference::write(b, w))
+            }
+            Self::Light(l) => write_class(w, self.class(), user_data, |w| light::write(l, w)),
+            Self::ClippingPlane(c) => {
+                write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
+            }
+            Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
+            Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
+            Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
+            Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
+            Self::SubD(s) => write_class(w, self.class(), user_data, |w| subd::write(s, w)),
             Self::Mesh(m) => {
                 let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))

@@ -78,6 +78,18 @@ pub(super) fn read_poly(body: &mut Reader<'_>) -> Result<CurveForm> {
     poly::read(body)
 }
 
+/// Reads an arrow of version 2: its tail and its tip. The official reader makes a line of it, too.
+pub(super) fn read_arrow(body: &mut Reader<'_>) -> Result<Curve> {
+    const WHAT: &str = "arrow";
+    let offset = body.offset();
+    major_1(body, WHAT)?;
+    let line = body.line(WHAT)?;
+    if !(line.from.is_finite() && line.to.is_finite()) {
+        return Err(Error::geometry(offset, WHAT, katydid_geometry::Error::NotFinite("end of the arrow")));
+    }
+    Ok(Curve::from(line))
+}
+
 /// Reads a whole class object that must be a curve.
 pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<CurveForm> {
     form_of_object(ClassObject::read(reader)?)
