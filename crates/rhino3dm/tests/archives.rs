@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use katydid_3dm::{Error, Limits, MeshObject, Model, Object};
+use katydid_3dm::{CachedMesh, Error, Limits, MeshObject, Model, Object};
 
 #[test]
 fn every_archive_but_version_1_is_read() {
@@ -92,9 +92,10 @@ fn forget(mesh: &mut MeshObject) {
     mesh.ngons.clear();
 }
 
-fn forget_in(object: &mut Object) {
-    if let Object::Mesh(mesh) = object {
+fn forget_in(cached: &mut CachedMesh) {
+    if let Object::Mesh(mesh) = &mut cached.mesh {
         forget(mesh);
+        cached.user_data.clear();
     }
 }
 
@@ -106,9 +107,9 @@ fn as_older(object: &Object) -> Object {
         Object::Mesh(mesh) => forget(mesh),
         Object::Brep(b) => {
             let meshes = b.render_meshes.iter_mut().chain(&mut b.analysis_meshes).flatten();
-            meshes.for_each(|cached| forget_in(&mut cached.mesh));
+            meshes.for_each(forget_in);
         }
-        Object::Extrusion(e) => e.meshes.iter_mut().for_each(|cached| forget_in(&mut cached.mesh.mesh)),
+        Object::Extrusion(e) => e.meshes.iter_mut().for_each(|kept| forget_in(&mut kept.mesh)),
         _ => {}
     }
     object

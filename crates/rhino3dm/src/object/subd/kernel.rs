@@ -103,7 +103,6 @@ impl SubDLevel {
         };
         Self {
             index: level,
-            bounds: [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]],
             vertices: net.vertices().iter().map(vertex).collect(),
             edges: net.edges().iter().map(edge).collect(),
             faces: net.faces().iter().map(face).collect(),

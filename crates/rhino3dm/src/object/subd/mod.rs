@@ -56,8 +56,6 @@ pub struct SubDPacking {
 pub struct SubDLevel {
     /// How often the net was subdivided.
     pub index: u16,
-    /// Least and greatest corner of the box of the control points; turned inside out where it is not computed.
-    pub bounds: [[f64; 3]; 2],
     /// Its vertices, in the order of their identifiers.
     pub vertices: Vec<StoredVertex>,
     /// Its edges, in the order of their identifiers.

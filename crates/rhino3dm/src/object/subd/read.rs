@@ -62,11 +62,8 @@ fn verbatim(chunk: &mut Reader<'_>) -> Result<Vec<u8>> {
 fn read_level(body: &mut Reader<'_>) -> Result<SubDLevel> {
     let (mut chunk, minor) = body.versioned_1("SubD level")?;
     let mut level = SubDLevel { index: chunk.u16(WHAT)?, ..SubDLevel::default() };
-    // The kind of subdivision, of which there is one.
-    chunk.take(3, WHAT)?;
-    for x in level.bounds.as_flattened_mut() {
-        *x = chunk.f64(WHAT)?;
-    }
+    // The kind of subdivision, of which there is one, and the box of the control points, which follows from them.
+    chunk.take(3 + 48, WHAT)?;
     let offset = chunk.offset();
     let mut marks = [0; 4];
     for mark in &mut marks {

@@ -55,12 +55,8 @@ fn write_level(level: &SubDLevel, w: &mut Writer) -> Result<()> {
     w.versioned(1, 1, |w| {
         w.u16(level.index);
         w.bytes(&[4, 4, 4]);
-        let [least, greatest] = level.bounds;
-        if least.iter().zip(greatest).all(|(a, b)| a.is_finite() && b.is_finite() && *a <= b) {
-            level.bounds.as_flattened().iter().for_each(|x| w.f64(*x));
-        } else {
-            w.empty_box();
-        }
+        // openNURBS forgets the box of a level when it reads one, and writes this.
+        w.empty_box();
         let mut next = 1_u32;
         w.u32(next);
         for count in [level.vertices.len(), level.edges.len(), level.faces.len()] {
