@@ -55,6 +55,9 @@ pub enum Value {
     Kept(Shared<RawObject>),
 }
 
+/// The archive version under which objects that are not computed with are kept.
+const NEWEST: i32 = 80;
+
 impl Value {
     /// The type of this value.
     pub fn kind(&self) -> Kind {
@@ -116,13 +119,21 @@ impl Value {
             Object::Surface(surface) => Self::from(surface),
             Object::Mesh(mesh) => match mesh.to_mesh() {
                 Ok(mesh) => Self::from(mesh),
-                Err(_) => Self::from(Object::Mesh(mesh).to_raw(80, &[]).ok()?),
+                Err(_) => Self::from(Object::Mesh(mesh).to_raw(NEWEST, &[]).ok()?),
             },
             Object::Kept(raw) => match raw.untrimmed_surface() {
                 Ok(Some(surface)) => Self::from(surface),
                 _ => Self::from(raw),
             },
-            _ => return None,
+            other => {
+                if let Some(curve) = other.curve() {
+                    Self::from(curve.into_owned())
+                } else if let Some(surface) = other.surface() {
+                    Self::from(surface.into_owned())
+                } else {
+                    Self::from(other.to_raw(NEWEST, &[]).ok()?)
+                }
+            }
         })
     }
 
