@@ -50,7 +50,7 @@ fn odd_meshes_come_back_byte_for_byte() {
                 curvatures: vec![[1.0, -1.0]; 4],
                 colours: vec![[1, 2, 3, 4]; 4],
                 surface_parameters: vec![[3.0, 4.0]; 4],
-                ngons: vec![Ngon { vertices: vec![0, 1, 2], faces: vec![0] }, Ngon::default()],
+                ngons: vec![Ngon { vertices: vec![0, 1, 2], faces: vec![0] }],
                 closed: Some(false),
                 manifold: 1,
                 oriented: 2,
