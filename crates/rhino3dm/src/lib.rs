@@ -66,8 +66,9 @@ pub use object::{
     BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
     CurveForm, CurveOnSurface, DetailView, Dimension, Extrusion, ExtrusionMesh, Hatch, HatchLoop, Light,
     LightStyle, Localizer, MappingTag, MeshObject, MeshParameters, MorphControl, MorphShape, Ngon, NurbsCage,
-    NurbsForm, NurbsSurfaceForm, Object, OnData, Participants, PointCloud, RawObject, Solidity,
-    StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot, UserData,
+    NurbsForm, NurbsSurfaceForm, Object, OnData, PackRectangle, Participants, PointCloud, RawObject,
+    Solidity, StoredEdge, StoredFace, StoredPart, StoredVertex, StyleOverrides, SubDLevel, SubDMeshing,
+    SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent, TextDot, UserData,
 };
 pub use overlay::{
     ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,

@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use katydid_3dm::{BrepObject, Error, Extrusion, Limits, MeshObject, Model, Object};
+use katydid_3dm::{BrepObject, Extrusion, Limits, MeshObject, Model, Object};
 
 #[test]
 fn every_archive_is_read() {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::annotation;
 use crate::brep::brep;
 use crate::curve::curve;
-use crate::mesh::mesh;
+use crate::mesh::{mesh, subd};
 use crate::numbers::{point, points, vectors};
 use crate::surface::surface;
 
@@ -20,6 +20,7 @@ pub(crate) fn geometry(object: &Object) -> Value {
         Object::Curve(c) => curve(c),
         Object::Surface(s) => surface(s),
         Object::Mesh(m) => mesh(m),
+        Object::SubD(s) => subd(s),
         Object::Kept(raw) if raw.class_name() == "Brep" => brep(raw),
         Object::Annotation(a) => annotation::annotation(a),
         Object::Annotation5(a) => annotation::annotation_5(a),

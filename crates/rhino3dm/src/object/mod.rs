@@ -20,6 +20,7 @@ mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod subd;
 mod surface;
 mod text_dot;
 mod user_data;
@@ -45,6 +46,10 @@ pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use subd::{
+    PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
+    SubDObject, SubDPacking,
+};
 pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
@@ -84,6 +89,10 @@ pub enum Object {
     Brep(Box<BrepObject>),
     /// Curves in a plane moved along a segment.
     Extrusion(Box<Extrusion>),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
+    /// A subdivision surface with everything that archives keep of one.
+    SubD(Box<SubDObject>),
     /// Text at a point, turned to the viewer.
     TextDot(TextDot),
     /// A block placed in the model.
@@ -106,8 +115,6 @@ pub enum Object {
     Annotation5(Box<Annotation5>),
     /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
     Annotation2(Box<Annotation2>),
-    /// A mesh with everything that archives keep of one.
-    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -137,6 +144,7 @@ impl Object {
         match self {
             Self::Kept(raw) => raw.check_writable(version),
             Self::Extrusion(_) => extrusion::check_writable(version),
+            Self::SubD(_) => subd::check_writable(version),
             Self::Annotation(annotation) => annotation.check_writable(version),
             Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),
@@ -210,6 +218,7 @@ impl Object {
             Self::Brep(_) => class_ids::BREP,
             Self::Extrusion(_) => class_ids::EXTRUSION,
             Self::Mesh(_) => class_ids::MESH,
+            Self::SubD(_) => class_ids::SUBD,
             Self::TextDot(_) => class_ids::TEXT_DOT,
             Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
             Self::Light(_) => class_ids::LIGHT,
@@ -235,6 +244,7 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
+            class_ids::SUBD => Self::SubD(Box::new(subd::read(&mut body)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
             class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
@@ -310,6 +320,7 @@ impl Object {
             Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
+            Self::SubD(s) => write_class(w, self.class(), user_data, |w| subd::write(s, w)),
             Self::Mesh(m) => {
                 let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
