@@ -86,10 +86,11 @@ def archive():
     spotlight = doubles(1, 2, 3, 0.8, 0.6, 0, -0.6, 0.8, 0, 2, 5, 0.5) + attributes("spot", 1, 0x00102030) + END
     chunks = [
         chunk(1, b"Interface: Rhinoceros 1.1 - Education (12-May-2000)\x1a"),
+        # The official reader looks for notes before layers only.
+        chunk(0x0200000F, ints(1, 10, 20, 300, 400) + text("two\nlines")),
         layer("first", 0x00FF0000, 0),
         layer("second", 0x0000FF00, 2),
         layer("third", 0x000000FF, 1),
-        chunk(0x0200000F, ints(1, 10, 20, 300, 400) + text("two\nlines")),
         chunk(0x02000010, ints(1, 8) + doubles(0.002, 0.02, 0.05)),
         point((1, 2, 3), name="point", layer=1, density=3, transparency=51),
         point((0, 0, 0), data={"RhAnnotateArrow": doubles(1, 2, 2)}),
