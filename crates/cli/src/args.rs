@@ -39,17 +39,36 @@ pub(crate) enum Command {
     View(ViewArgs),
 }
 
+/// A definition that is to be solved, and with what.
+#[derive(Debug, Args)]
+pub(crate) struct DefinitionArgs {
+    /// The definition: .gh, .ghx or .kd
+    pub(crate) file: PathBuf,
+
+    /// The Rhino model (.3dm) with the objects that the definition refers to; its unit and tolerance count
+    #[arg(long, value_name = "MODEL")]
+    pub(crate) model: Option<PathBuf>,
+
+    /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub(crate) set: Vec<(String, String)>,
+
+    /// The most seconds the solve may take
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) limit_seconds: Option<f64>,
+
+    /// The length unit of the document; when not given, that of a .kd file or of the model, else millimeters
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<UnitName>,
+}
+
 #[derive(Debug, Args)]
 #[command(after_help = "\
 The exit code is 0 when every object that could run did so without an error, 1 when a component reported an
 error, 2 when the file could not be opened or the call was wrong. Messages go to standard error.")]
 pub(crate) struct RunArgs {
-    /// The definition: .gh, .ghx or .kd
-    pub(crate) file: PathBuf,
-
-    /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
-    pub(crate) set: Vec<(String, String)>,
+    #[command(flatten)]
+    pub(crate) definition: DefinitionArgs,
 
     /// Save the geometry: .3dm, .obj or .stl. What is previewed, or what Context Bake or an RH_OUT group marks
     #[arg(short, long = "output", value_name = "OUT")]
@@ -74,14 +93,6 @@ pub(crate) struct RunArgs {
     /// The most bytes one object's texts may take
     #[arg(long, value_name = "N")]
     pub(crate) limit_bytes: Option<u64>,
-
-    /// The most seconds the solve may take
-    #[arg(long, value_name = "SECONDS")]
-    pub(crate) limit_seconds: Option<f64>,
-
-    /// The length unit of the document; when not given, that of a .kd file, else millimeters
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) units: Option<UnitName>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -191,8 +202,8 @@ pub(crate) struct ComponentsArgs {
 The exit code is 0 when every object that could run did so without an error, 1 when a component reported an
 error (the picture is made all the same), 2 when the file could not be opened or the call was wrong.")]
 pub(crate) struct ViewArgs {
-    /// The definition: .gh, .ghx or .kd
-    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) definition: DefinitionArgs,
 
     /// The picture: .svg or .png
     #[arg(short, long = "output", value_name = "OUT", required = true)]
@@ -210,10 +221,6 @@ pub(crate) struct ViewArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub(crate) size: Option<[u32; 2]>,
 
-    /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
-    pub(crate) set: Vec<(String, String)>,
-
     /// Draw the axes
     #[arg(long, conflicts_with = "canvas")]
     pub(crate) axes: bool,
@@ -229,14 +236,6 @@ pub(crate) struct ViewArgs {
     /// The colour of the ground: white, black, none, #rrggbb, or three numbers to 255
     #[arg(long, value_name = "COLOUR", default_value = "white")]
     pub(crate) background: String,
-
-    /// The most seconds the solve may take
-    #[arg(long, value_name = "SECONDS")]
-    pub(crate) limit_seconds: Option<f64>,
-
-    /// The length unit of the document; when not given, that of a .kd file, else millimeters
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) units: Option<UnitName>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -7,6 +7,7 @@ mod components;
 mod convert;
 mod diff;
 mod fmt;
+mod open;
 mod output;
 mod progress;
 mod run;

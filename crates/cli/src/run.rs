@@ -1,18 +1,15 @@
 //! `katydid run`.
 
 use std::path::Path;
-use std::time::Duration;
 
-use katydid_component::{Files, Level, Limits};
-use katydid_data::cast::Rules;
+use katydid_component::Level;
 use katydid_exchange::Format;
-use katydid_geometry::Units;
 use katydid_session::{Items, Session, bake};
-use katydid_solver::{Options, Status};
+use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
 use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
-use crate::{progress, source};
+use crate::{open, progress};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
@@ -28,12 +25,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         // Only fails when a pool stands already, and this is the first use.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
-    let source = source::definition(&args.file)?;
-    let units = args.units.map(Units::from).or(source.units).unwrap_or_default();
-    let mut session = Session::new(source.document, options(args, units)?);
-    for (name, value) in &args.set {
-        session.set(name, value).map_err(|error| error.to_string())?;
-    }
+    let mut session = open::session(&args.definition)?;
+    let options = session.options_mut();
+    options.limits.items = args.limit_items.unwrap_or(options.limits.items);
+    options.limits.bytes = args.limit_bytes.unwrap_or(options.limits.bytes);
+    // A report shows every output.
+    options.skip_unread = args.json.is_none();
     session.solve();
     progress::clear();
 
@@ -45,37 +42,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         Some(form) => {
             let items = if form == JsonForm::Values { Items::Values } else { Items::Texts };
             let mut report = session.report_with(items);
-            report.file = args.file.display().to_string();
+            report.file = args.definition.file.display().to_string();
             say(&serde_json::to_string(&report).map_err(|error| error.to_string())?);
         }
         None => summarise(&session, args),
     }
     Ok(u8::from(failed))
-}
-
-fn options(args: &RunArgs, units: Units) -> Result<Options, String> {
-    let defaults = Limits::default();
-    let time = match args.limit_seconds {
-        Some(seconds) => Some(
-            Duration::try_from_secs_f64(seconds)
-                .map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
-        ),
-        None => None,
-    };
-    Ok(Options {
-        rules: Rules { units, ..Rules::default() },
-        limits: Limits {
-            items: args.limit_items.unwrap_or(defaults.items),
-            bytes: args.limit_bytes.unwrap_or(defaults.bytes),
-            time,
-        },
-        // Who runs a definition here may read their own files; the paths start where the definition lies.
-        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
-        // A report shows every output.
-        skip_unread: args.json.is_none(),
-        progress: progress::listener(),
-        ..Options::default()
-    })
 }
 
 /// Prints the messages of all objects; tells whether any is an error.

@@ -1,19 +1,12 @@
 //! `katydid view`.
 
-use std::path::Path;
-use std::time::Duration;
-
-use katydid_component::{Files, Limits};
 use katydid_data::Colour;
-use katydid_data::cast::{Rules, parse_colour};
-use katydid_geometry::Units;
+use katydid_data::cast::parse_colour;
 use katydid_picture::{Drawing, View, canvas, result};
-use katydid_session::Session;
-use katydid_solver::Options;
 
 use crate::args::{ViewArgs, ViewName};
 use crate::output::{YELLOW, extension, note, write_file};
-use crate::{progress, run, source};
+use crate::{open, progress, run};
 
 /// The longer side of a canvas in pixels, when no size is asked for.
 const LONGEST: f64 = 8192.0;
@@ -25,19 +18,14 @@ pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
         }
     }
     let background = background(&args.background)?;
-    let source = source::definition(&args.file)?;
-    let units = args.units.map(Units::from).or(source.units).unwrap_or_default();
-    let mut session = Session::new(source.document, options(args, units)?);
-    for (name, value) in &args.set {
-        session.set(name, value).map_err(|error| error.to_string())?;
-    }
+    let mut session = open::session(&args.definition)?;
     session.solve();
     progress::clear();
     let failed = run::complain(&session);
 
     let size = args.size.unwrap_or([1200, 800]);
     let title = if session.document().header.name.is_empty() {
-        args.file.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+        args.definition.file.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
     } else {
         String::new()
     };
@@ -89,22 +77,6 @@ fn reduced(drawing: &Drawing, args: &ViewArgs) -> Drawing {
     let longer = drawing.size[0].max(drawing.size[1]);
     let factor = if args.size.is_none() { f64::min(LONGEST / longer, 1.0) } else { 1.0 };
     drawing.clone().scaled(factor)
-}
-
-fn options(args: &ViewArgs, units: Units) -> Result<Options, String> {
-    let time = args.limit_seconds.map(Duration::try_from_secs_f64).transpose();
-    Ok(Options {
-        rules: Rules { units, ..Rules::default() },
-        limits: Limits {
-            time: time.map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
-            ..Limits::default()
-        },
-        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
-        // Whatever has its preview on is seen, read by others or not.
-        skip_unread: false,
-        progress: progress::listener(),
-        ..Options::default()
-    })
 }
 
 /// A colour by one of a few names, as hexadecimal digits, or as Grasshopper writes it; none for a clear ground.

@@ -214,7 +214,9 @@ fn examples() -> Vec<(String, String, PathBuf)> {
     let Ok(folders) = fs::read_dir(Path::new(PAGES).join("examples")) else { return found };
     for folder in folders.map(|entry| entry.unwrap().path()) {
         let panel = folder.file_name().unwrap().to_str().unwrap().to_owned();
-        for file in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let files = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+        // Beside them lies what they read.
+        for file in files.filter(|path| path.extension().is_some_and(|e| e == "kd")) {
             found.push((panel.clone(), file.file_stem().unwrap().to_str().unwrap().to_owned(), file));
         }
     }

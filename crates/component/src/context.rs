@@ -5,7 +5,7 @@ use katydid_data::{Path, cast::Rules, text};
 use katydid_definition::archive::Chunk;
 use katydid_geometry::Tolerance;
 
-use crate::{Call, Message, Notes};
+use crate::{Call, Message, Notes, RhinoModel};
 
 /// What a component's function may ask and tell besides its data.
 #[derive(Debug)]
@@ -112,6 +112,11 @@ impl<'a> Context<'a> {
         let bytes = self.call.files.read(path, MOST)?;
         self.bytes(bytes.len())?;
         Ok(bytes)
+    }
+
+    /// The Rhino model that the definition looks into, when one is given.
+    pub fn model(&self) -> Option<&'a RhinoModel> {
+        self.call.model
     }
 
     /// How near is near enough in this document.

@@ -35,6 +35,7 @@ mod message;
 mod output;
 mod port;
 pub mod registry;
+mod rhino_model;
 pub mod testing;
 pub mod whole;
 
@@ -47,6 +48,7 @@ pub use katydid_component_macros::component;
 pub use message::{Level, Message, Notes};
 pub use output::Each;
 pub use port::{Access, Component, Port};
+pub use rhino_model::{RhinoModel, RhinoObject};
 
 /// What the [`component`] attribute writes code against; not for use by hand.
 #[doc(hidden)]

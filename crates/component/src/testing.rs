@@ -3,7 +3,7 @@
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, text};
 use katydid_definition::archive::{Chunk, ItemValue};
 
-use crate::{Budget, Call, Component, Files, Limits, Outcome, registry};
+use crate::{Budget, Call, Component, Files, Limits, Outcome, RhinoModel, registry};
 
 /// A component with its inputs.
 ///
@@ -32,6 +32,7 @@ pub struct Trial {
     outputs: usize,
     limits: Limits,
     files: Files,
+    model: Option<RhinoModel>,
 }
 
 impl Trial {
@@ -65,6 +66,7 @@ impl Trial {
             outputs: component.outputs.len(),
             limits: Limits::default(),
             files: Files::default(),
+            model: None,
         }
     }
 
@@ -155,6 +157,13 @@ impl Trial {
         self
     }
 
+    /// The Rhino model that the component may look into.
+    #[must_use]
+    pub fn model(mut self, model: RhinoModel) -> Self {
+        self.model = Some(model);
+        self
+    }
+
     /// The files that it may read.
     #[must_use]
     pub fn files(mut self, files: Files) -> Self {
@@ -177,6 +186,7 @@ impl Trial {
             rules: Default::default(),
             budget: &budget,
             files: &self.files,
+            model: self.model.as_ref(),
         })
     }
 

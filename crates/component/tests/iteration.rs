@@ -156,6 +156,7 @@ fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> O
         rules: Default::default(),
         budget: &budget,
         files: &Default::default(),
+        model: None,
     };
     (component.run)(&call)
 }

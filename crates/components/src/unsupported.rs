@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 55] = [
+static LIST: [Unsupported; 54] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -26,11 +26,6 @@ static LIST: [Unsupported; 55] = [
         uuid!("03b3db66-d7e8-4d2d-bc0c-122913317254"),
         "Sanity XForm",
         "it is a joke that bends geometry at random",
-    ),
-    row(
-        uuid!("b341e2e5-c4b3-49a3-b3a4-b4e6e2054516"),
-        "Geometry Pipeline",
-        "it looks into the open Rhino model, and there is none here",
     ),
     row(
         uuid!("bc26bf46-e81b-429a-b168-16d50cc89bd7"),

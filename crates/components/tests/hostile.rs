@@ -217,6 +217,7 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         rules: Default::default(),
         budget: &budget,
         files: &Default::default(),
+        model: None,
     };
     let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| (component.run)(&call))) else {
         return Some("panics".into());

@@ -36,6 +36,7 @@ mod bounding_box;
 mod box3;
 mod box_pairs;
 mod box_tree;
+pub mod brep;
 mod catenary;
 mod circle;
 pub mod cloud;
@@ -49,6 +50,7 @@ mod hanging_chain;
 pub mod intersect;
 mod interval;
 pub mod isoline;
+pub mod isosurface;
 mod line;
 mod linear;
 mod longest_rectangle;
@@ -81,6 +83,7 @@ mod xform;
 
 pub use bounding_box::BoundingBox;
 pub use box3::Box3;
+pub use brep::Brep;
 pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{

@@ -30,22 +30,39 @@ mod colour;
 mod compressed;
 mod crc;
 mod error;
-mod layer;
 mod limits;
+mod loss;
 mod model;
 mod object;
+mod planar;
 mod primitives;
+mod properties;
 mod read;
 mod settings;
+mod tables;
 mod typecode;
+mod user_table;
 mod version;
 mod write;
 
-pub use attributes::{Attributes, ObjectMode};
+pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
 pub use error::{Error, Result, Warning};
-pub use layer::Layer;
 pub use limits::Limits;
+pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
-    BareSurface, BrepEdge, BrepSummary, Object, OnData, PointCloud, RawObject, Solidity, UserData,
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurveForm, CurveOnSurface,
+    Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, NurbsCage, NurbsForm, NurbsSurfaceForm, Object,
+    OnData, Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
+    UserData,
 };
+pub use planar::StoredPlane;
+pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use settings::Settings;
+pub use tables::{
+    Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,
+    KeptRecord, Layer, LineCap, LineJoin, Linetype, LinetypeSegment, LinkedBlock, MappingReference, Material,
+    MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
+};
+pub use user_table::UserTable;

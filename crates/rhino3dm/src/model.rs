@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use katydid_geometry::{Tolerance, Units};
 
-use crate::{Attributes, Layer, Object, UserData, Warning};
+use crate::{
+    Attributes, Block, Group, HatchPattern, KeptRecord, Layer, Linetype, Material, Object, Properties,
+    Settings, UserData, UserTable, Warning,
+};
 
 /// A model with its layers and objects, read from an archive or to be written to one.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,12 +28,30 @@ pub struct Model {
     pub notes: String,
     /// The name of the program that wrote the file.
     pub application: String,
+    /// The revision history, the window of the notes, the preview and the like.
+    pub properties: Properties,
+    /// What new objects get, and how lengths are shown.
+    pub settings: Settings,
+    /// The materials.
+    pub materials: Vec<Material>,
+    /// The linetypes besides those that every model has.
+    pub linetypes: Vec<Linetype>,
     /// The layers. A model without any is written with one, called Default.
     pub layers: Vec<Layer>,
+    /// The groups.
+    pub groups: Vec<Group>,
+    /// The hatch patterns.
+    pub hatch_patterns: Vec<HatchPattern>,
+    /// The block definitions. Their members are among the objects.
+    pub blocks: Vec<Block>,
     /// The objects in file order.
     pub objects: Vec<ModelObject>,
     /// The lights in file order; [`Object::Kept`] all of them.
     pub lights: Vec<ModelObject>,
+    /// Records that are not taken apart: they are written back as they were where the archive version allows.
+    pub kept: Vec<KeptRecord>,
+    /// What plug-ins store.
+    pub user_tables: Vec<UserTable>,
     /// Records that were passed over, by table: they are not in this model and would not be written.
     pub skipped: BTreeMap<String, usize>,
     /// What was odd in the archive but did not stop the reading.
@@ -48,9 +69,18 @@ impl Default for Model {
             relative_tolerance: 0.01,
             notes: String::new(),
             application: String::new(),
+            properties: Properties::default(),
+            settings: Settings::default(),
+            materials: Vec::new(),
+            linetypes: Vec::new(),
             layers: Vec::new(),
+            groups: Vec::new(),
+            hatch_patterns: Vec::new(),
+            blocks: Vec::new(),
             objects: Vec::new(),
             lights: Vec::new(),
+            kept: Vec::new(),
+            user_tables: Vec::new(),
             skipped: BTreeMap::new(),
             warnings: Vec::new(),
         }

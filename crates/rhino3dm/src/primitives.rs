@@ -2,11 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use katydid_geometry::{Arc, Circle, Interval, Line, Plane, Point3, Vector3};
+use katydid_geometry::{Arc, BoundingBox, Circle, Interval, Line, Plane, Point3, Vector3};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result};
+
+/// The corners of the box that openNURBS calls empty.
+const EMPTY_BOX: [Point3; 2] = [Point3::new(1.0, 0.0, 0.0), Point3::new(-1.0, 0.0, 0.0)];
 
 /// Read side. Every `what` names the thing for the error message.
 impl Reader<'_> {
@@ -70,6 +73,13 @@ impl Reader<'_> {
         let radius = self.f64(what)?;
         self.take(72, what)?;
         Ok(Arc { circle: Circle { plane, radius }, angle: self.interval(what)? })
+    }
+
+    /// A box; nothing for the one that openNURBS calls empty.
+    pub(crate) fn bounds(&mut self, what: &'static str) -> Result<Option<BoundingBox>> {
+        let bounds = BoundingBox { min: self.point(what)?, max: self.point(what)? };
+        let [min, max] = EMPTY_BOX;
+        Ok((bounds.min != min || bounds.max != max).then_some(bounds))
     }
 
     /// Red, green, blue and transparency (0 is opaque).
@@ -196,8 +206,15 @@ impl Writer {
 
     /// The box openNURBS calls empty, which it also writes where it keeps none.
     pub(crate) fn empty_box(&mut self) {
-        self.point(Point3::new(1.0, 0.0, 0.0));
-        self.point(Point3::new(-1.0, 0.0, 0.0));
+        EMPTY_BOX.into_iter().for_each(|corner| self.point(corner));
+    }
+
+    /// A box, or the empty one.
+    pub(crate) fn bounds(&mut self, bounds: Option<BoundingBox>) {
+        match bounds {
+            Some(bounds) => [bounds.min, bounds.max].into_iter().for_each(|corner| self.point(corner)),
+            None => self.empty_box(),
+        }
     }
 
     pub(crate) fn colour(&mut self, colour: [u8; 4]) {

@@ -1,9 +1,101 @@
-//! Units and tolerances of the settings table (section 5).
+//! The settings table (section 5): units, tolerances, and what new objects get.
 
 use katydid_geometry::{Tolerance, Units};
 
-use crate::chunk::{Reader, Writer};
-use crate::{Result, model::UnitScale};
+use crate::attributes::write_place;
+use crate::chunk::{Chunk, Reader, Writer};
+use crate::read::Places;
+use crate::{Result, colour, model::UnitScale, typecode};
+
+/// What a model is worked on with: what new objects get.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Whether and how lengths are shown: 0 as decimals, 1 as fractions, 2 as feet and inches.
+    pub length_display: i32,
+    /// How many digits are shown.
+    pub length_digits: i32,
+    /// The layer of new objects, an index into [`Model::layers`](crate::Model::layers).
+    pub current_layer: Option<usize>,
+    /// The material of new objects, an index into [`Model::materials`](crate::Model::materials), and where their
+    /// material comes from by its number in archives; nothing when the archive says neither.
+    pub current_material: Option<(Option<usize>, i32)>,
+    /// The colour of new objects as red, green, blue, alpha, and where their colour comes from by its number in
+    /// archives; nothing when the archive says neither.
+    pub current_colour: Option<([u8; 4], i32)>,
+    /// The isocurves a span of new objects.
+    pub current_wire_density: Option<i32>,
+}
+
+impl Default for Settings {
+    /// Decimals with three digits, nothing current.
+    fn default() -> Self {
+        Self {
+            length_display: 0,
+            length_digits: 3,
+            current_layer: None,
+            current_material: None,
+            current_colour: None,
+            current_wire_density: None,
+        }
+    }
+}
+
+impl Settings {
+    /// Reads a record of the table; gives whether it was one that is known.
+    pub(crate) fn read(&mut self, record: &Chunk<'_>) -> Result<bool> {
+        let mut body = record.body.clone();
+        match record.typecode {
+            typecode::CURRENT_LAYER => self.current_layer = usize::try_from(record.value).ok(),
+            typecode::CURRENT_WIRE_DENSITY => self.current_wire_density = i32::try_from(record.value).ok(),
+            typecode::CURRENT_MATERIAL => {
+                const WHAT: &str = "current material";
+                let material = usize::try_from(body.i32(WHAT)?).ok();
+                self.current_material = Some((material, body.i32(WHAT)?));
+            }
+            typecode::CURRENT_COLOUR => {
+                const WHAT: &str = "current colour";
+                let rgba = colour::from_archive(body.colour(WHAT)?);
+                self.current_colour = Some((rgba, body.i32(WHAT)?));
+            }
+            _ => return Ok(false),
+        }
+        body.finish();
+        Ok(true)
+    }
+
+    /// Turns the numbers of the current layer and material into places in their tables.
+    pub(crate) fn place(&mut self, places: &Places) {
+        self.current_layer = self.current_layer.and_then(|number| places.layers.find(number));
+        if let Some((material, _)) = &mut self.current_material {
+            *material = material.and_then(|number| places.materials.find(number));
+        }
+    }
+
+    /// Writes the records that are known.
+    pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
+        if let Some(layer) = self.current_layer {
+            w.short(typecode::CURRENT_LAYER, i64::try_from(layer).unwrap_or_default());
+        }
+        if let Some((material, source)) = self.current_material {
+            w.chunk(typecode::CURRENT_MATERIAL, |w| {
+                write_place(material, "materials", w)?;
+                w.i32(source);
+                Ok(())
+            })?;
+        }
+        if let Some((rgba, source)) = self.current_colour {
+            w.chunk(typecode::CURRENT_COLOUR, |w| {
+                w.colour(colour::to_archive(rgba));
+                w.i32(source);
+                Ok(())
+            })?;
+        }
+        if let Some(density) = self.current_wire_density {
+            w.short(typecode::CURRENT_WIRE_DENSITY, i64::from(density));
+        }
+        Ok(())
+    }
+}
 
 /// Unit number, unit, metres per unit. The units the kernel has names for.
 const UNITS: &[(i32, Units, f64)] = &[
@@ -49,6 +141,8 @@ pub(crate) struct StoredUnits {
     pub(crate) scale: Option<UnitScale>,
     pub(crate) tolerance: Tolerance,
     pub(crate) relative_tolerance: f64,
+    /// How lengths are shown, and with how many digits.
+    pub(crate) display: [i32; 2],
 }
 
 /// Reads the body of a units record.
@@ -65,8 +159,9 @@ pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
     if angle.is_finite() && angle > 0.0 {
         tolerance.angle = angle;
     }
+    let mut display = [0, 3];
     if version >= 101 {
-        body.take(8, "distance display")?;
+        display = [body.i32("length display")?, body.i32("length digits")?];
     }
     let mut custom = (1.0, String::new());
     if version >= 102 {
@@ -84,7 +179,7 @@ pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
             (Units::None, Some(UnitScale { number, name, metres }))
         }
     };
-    Ok(StoredUnits { units, scale, tolerance, relative_tolerance })
+    Ok(StoredUnits { units, scale, tolerance, relative_tolerance, display })
 }
 
 /// Writes the body of a units record.
@@ -103,9 +198,7 @@ pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
     w.f64(stored.tolerance.absolute);
     w.f64(stored.tolerance.angle);
     w.f64(stored.relative_tolerance);
-    // Lengths shown as decimals with three digits.
-    w.i32(0);
-    w.i32(3);
+    stored.display.iter().for_each(|number| w.i32(*number));
     w.f64(metres);
     w.string(name)
 }

@@ -27,9 +27,43 @@ pub(crate) const HISTORY_TABLE: u32 = 0x1000_0026;
 pub(crate) const USER_TABLE: u32 = 0x1000_0017;
 
 pub(crate) const OPENNURBS_VERSION: u32 = 0xA000_0026;
+pub(crate) const REVISION: u32 = 0x2000_8021;
 pub(crate) const NOTES: u32 = 0x2000_8022;
 pub(crate) const APPLICATION: u32 = 0x2000_8024;
+pub(crate) const PREVIEW: u32 = 0x2000_8025;
+pub(crate) const FILE_NAME: u32 = 0x2000_8027;
+
 pub(crate) const UNITS: u32 = 0x2000_8031;
+pub(crate) const RENDER_MESH: u32 = 0x2000_8032;
+pub(crate) const ANALYSIS_MESH: u32 = 0x2000_8033;
+pub(crate) const ANNOTATION_SETTINGS: u32 = 0x2000_8034;
+pub(crate) const NAMED_PLANES: u32 = 0x2000_8035;
+pub(crate) const NAMED_VIEWS: u32 = 0x2000_8036;
+pub(crate) const VIEWS: u32 = 0x2000_8037;
+pub(crate) const CURRENT_LAYER: u32 = 0xA000_0038;
+pub(crate) const CURRENT_MATERIAL: u32 = 0x2000_8039;
+pub(crate) const CURRENT_COLOUR: u32 = 0x2000_803A;
+pub(crate) const CURRENT_WIRE_DENSITY: u32 = 0xA000_003C;
+pub(crate) const RENDER_SETTINGS: u32 = 0x2000_803D;
+pub(crate) const GRID: u32 = 0x2000_803F;
+pub(crate) const CURRENT_TEXT_STYLE: u32 = 0xA000_0132;
+pub(crate) const CURRENT_DIMENSION_STYLE: u32 = 0xA000_0133;
+pub(crate) const SETTINGS_ATTRIBUTES: u32 = 0x2000_8134;
+pub(crate) const PLUG_IN_LIST: u32 = 0x2000_8135;
+
+pub(crate) const MATERIAL_RECORD: u32 = 0x2000_8040;
+pub(crate) const GROUP_RECORD: u32 = 0x2000_8073;
+pub(crate) const TEXT_STYLE_RECORD: u32 = 0x2000_8074;
+pub(crate) const DIMENSION_STYLE_RECORD: u32 = 0x2000_8075;
+pub(crate) const INSTANCE_DEFINITION_RECORD: u32 = 0x2000_8076;
+pub(crate) const HATCH_PATTERN_RECORD: u32 = 0x2000_8077;
+pub(crate) const LINETYPE_RECORD: u32 = 0x2000_8078;
+pub(crate) const TEXTURE_MAPPING_RECORD: u32 = 0x2000_807A;
+pub(crate) const HISTORY_RECORD: u32 = 0x2000_807B;
+pub(crate) const BITMAP_RECORD: u32 = 0x2000_8090;
+pub(crate) const USER_TABLE_HEADER: u32 = 0x2000_8080;
+pub(crate) const USER_TABLE_BODY: u32 = 0x2000_0081;
+pub(crate) const USER_TABLE_VERSION: u32 = 0x2000_8082;
 
 pub(crate) const LAYER_RECORD: u32 = 0x2000_8050;
 pub(crate) const LIGHT_RECORD: u32 = 0x2000_8060;
@@ -40,6 +74,7 @@ pub(crate) const OBJECT_RECORD: u32 = 0x2000_8070;
 pub(crate) const OBJECT_RECORD_TYPE: u32 = 0x8200_0071;
 pub(crate) const OBJECT_ATTRIBUTES: u32 = 0x0200_8072;
 pub(crate) const OBJECT_USER_DATA: u32 = 0x0200_0073;
+pub(crate) const OBJECT_HISTORY: u32 = 0x0200_8074;
 pub(crate) const OBJECT_RECORD_END: u32 = 0x8200_007F;
 
 pub(crate) const CLASS: u32 = 0x0002_7FFA;
@@ -74,6 +109,35 @@ pub(crate) fn table_name(typecode: u32) -> Option<&'static str> {
         OBJECT_TABLE => "object",
         HISTORY_TABLE => "history",
         USER_TABLE => "user",
+        _ => return None,
+    })
+}
+
+/// A record in words, for messages; nothing for a typecode that no table here holds.
+pub(crate) fn record_name(typecode: u32) -> Option<&'static str> {
+    Some(match typecode {
+        RENDER_MESH => "render mesh parameters",
+        ANALYSIS_MESH => "analysis mesh parameters",
+        ANNOTATION_SETTINGS => "annotation settings",
+        NAMED_PLANES => "named construction planes",
+        NAMED_VIEWS => "named views",
+        VIEWS => "views",
+        RENDER_SETTINGS => "render settings",
+        GRID => "grid",
+        CURRENT_TEXT_STYLE => "current text style",
+        CURRENT_DIMENSION_STYLE => "current dimension style",
+        SETTINGS_ATTRIBUTES => "page units, earth anchor and current styles",
+        PLUG_IN_LIST => "list of plug-ins",
+        MATERIAL_RECORD => "material",
+        GROUP_RECORD => "group",
+        TEXT_STYLE_RECORD => "text style",
+        DIMENSION_STYLE_RECORD => "dimension style",
+        INSTANCE_DEFINITION_RECORD => "block definition",
+        HATCH_PATTERN_RECORD => "hatch pattern",
+        LINETYPE_RECORD => "linetype",
+        TEXTURE_MAPPING_RECORD => "texture mapping",
+        HISTORY_RECORD => "history record",
+        BITMAP_RECORD => "bitmap or embedded file",
         _ => return None,
     })
 }

@@ -15,6 +15,7 @@ import rhino3dm
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+from peer.classes import check_bytes_of_real_objects, check_written_classes
 from peer.common import SHARED, VERSIONS, close, dumped, encoded, ends, example, xyz
 from peer.curves import check_curve, homogeneous
 from peer.geometry import check_geometry
@@ -90,7 +91,7 @@ def check_archive(path):
     assert head["units"] == (units if units in known else "None"), units
     close(head["absolute"], file.Settings.ModelAbsoluteTolerance, "tolerance")
     layers = [(layer.Name, list(layer.Color[:3])) for layer in file.Layers]
-    assert [(layer["name"], layer["colour"][:3]) for layer in head["layers"]] == layers, path.name
+    assert [(layer["name"], layer["colour"][:3]) for layer in head["tables"]["layers"]] == layers, path.name
     apart = 0
     for i, (ours, theirs) in enumerate(zip(objects, file.Objects)):
         what = f"{path.name} object {i}"
@@ -98,8 +99,7 @@ def check_archive(path):
         # rhino3dm copies a light's own name into attributes without one.
         if ours["name"] or not isinstance(theirs.Geometry, rhino3dm.Light):
             assert ours["name"] == attributes.Name, what
-        # A layer that is not there is -1 there and the first one here.
-        assert ours["layer"] == max(0, attributes.LayerIndex), f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
+        assert ours["layer"] == attributes.LayerIndex, f"{what}: layer {ours['layer']}, {attributes.LayerIndex}"
         assert ours["visible"] == attributes.Visible, what
         own = attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromObject
         assert (ours["colour"] or [None] * 3)[:3] == (list(attributes.ObjectColor[:3]) if own else [None] * 3), what
@@ -118,6 +118,12 @@ def test_real_archives_are_read_as_rhino3dm_reads_them():
     objects, apart, layers = (sum(column) for column in zip(*read))
     print(f"{len(read)} archives ({len(results) - len(read)} of version 1 refused): {objects} objects, "
           f"{apart} of them taken apart, and {layers} layers equal")
+
+
+def test_objects_of_small_classes_have_the_bytes_of_rhino3dm():
+    check_bytes_of_real_objects()
+    for version in VERSIONS:
+        check_written_classes(version)
 
 
 def check_conversion(path, version):
@@ -160,6 +166,7 @@ if __name__ == "__main__":
     test_what_we_write_is_read_by_rhino3dm()
     test_encoded_objects_come_out_as_they_went_in()
     test_real_archives_are_read_as_rhino3dm_reads_them()
+    test_objects_of_small_classes_have_the_bytes_of_rhino3dm()
     test_converted_archives_hold_the_same_objects()
     for extra in sys.argv[1:]:
         check_encoded(extra, strict=False)

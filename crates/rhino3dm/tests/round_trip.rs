@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests only")]
 
 use katydid_3dm::{
-    Attributes, Error, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud, UnitScale,
+    Attributes, Error, Group, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud, UnitScale,
 };
 use katydid_geometry::{
     Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, NurbsSurface, Plane,
@@ -156,7 +156,7 @@ proptest! {
                 id: Uuid::from_u128(7 + i as u128),
                 user_strings: if marked { vec![("key".into(), name.clone())] } else { vec![] },
                 name,
-                layer: i % layers,
+                layer: Some(i % layers),
                 colour: marked.then_some([1, 2, 3, 200]),
                 ..Attributes::default()
             };
@@ -195,16 +195,17 @@ fn what_is_not_geometry_comes_back() {
         relative_tolerance: 0.125,
         notes: "two\nlines".into(),
         layers: vec![top, under],
+        groups: vec![Group::new("first"), Group::new("")],
         ..Model::default()
     };
     let attributes = Attributes {
         id: Uuid::from_u128(3),
         url: "https://example.org".into(),
-        layer: 1,
+        layer: Some(1),
         visible: false,
         mode: ObjectMode::Hidden,
         wire_density: -1,
-        groups: vec![0, 4],
+        groups: vec![0, 1],
         ..Attributes::default()
     };
     model.objects.push(ModelObject { attributes, ..Object::Point(Point3::ORIGIN).into() });
@@ -244,7 +245,7 @@ fn refusals_name_the_reason() {
     let mut model = Model::default();
     assert!(matches!(model.write(5), Err(Error::UnsupportedVersion(5))));
     let mut object = ModelObject::from(Object::Point(Point3::ORIGIN));
-    object.attributes.layer = 1;
+    object.attributes.layer = Some(1);
     model.objects.push(object);
     assert!(model.write(70).unwrap_err().to_string().contains("layer 1"));
 

@@ -92,7 +92,8 @@ fn add_tree(
                 baked.model.layers.push(Layer::new(object.title()));
                 baked.model.layers.len() - 1
             });
-            let attributes = Attributes { layer, name: object.title().to_owned(), ..Attributes::default() };
+            let attributes =
+                Attributes { layer: Some(layer), name: object.title().to_owned(), ..Attributes::default() };
             let mut baked_object = ModelObject::from(geometry);
             baked_object.attributes = attributes;
             baked.model.objects.push(baked_object);

@@ -31,7 +31,7 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
             let mut given = HashMap::new();
             for (k, port) in object.inputs.iter().enumerate() {
                 let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
-                let collected = collect::port(object, port, None, wires, &turn.options.rules);
+                let collected = collect::port(object, port, None, wires, turn.options);
                 messages.extend(collected.messages);
                 if let Some(inner) = hook(port.id) {
                     given.insert(inner, collected.tree);

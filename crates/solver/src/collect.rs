@@ -4,7 +4,7 @@ use katydid_component::{Message, Port as Declared};
 use katydid_data::{Column, Kind, Tree, Value, cast};
 use katydid_definition::document::{Object, Port};
 
-use crate::{modifiers, stored};
+use crate::{Options, modifiers, stored};
 
 /// Data on its way into an input, and what to say about it.
 #[derive(Debug, Default)]
@@ -20,13 +20,14 @@ pub(crate) fn port(
     port: &Port,
     declared: Option<&Declared>,
     wired: &[&Tree],
-    rules: &cast::Rules,
+    options: &Options,
 ) -> Collected {
+    let rules = &options.rules;
     let mut messages = Vec::new();
     let tree = if !port.sources.is_empty() {
         Tree::merge(wired.iter().copied())
     } else if let Some(persistent) = object.persistent(port) {
-        let (tree, said) = stored::tree(&persistent);
+        let (tree, said) = stored::tree(&persistent, options.model.as_deref());
         messages.extend(said);
         tree
     } else {

@@ -26,7 +26,7 @@ impl<'a> Inputs<'a> {
     pub fn of(&self, index: usize) -> Vec<Tree> {
         let Some(object) = self.engine.document().objects.get(index) else { return Vec::new() };
         let component = registry::by_guid(object.component);
-        let rules = &self.engine.options().rules;
+        let options = self.engine.options();
         let mut inputs = Vec::with_capacity(object.inputs.len());
         for (k, port) in object.inputs.iter().enumerate() {
             let source = |id: &uuid::Uuid| {
@@ -35,7 +35,7 @@ impl<'a> Inputs<'a> {
             };
             let wired: Vec<&Tree> = port.sources.iter().filter_map(source).collect();
             let declared = component.and_then(|component| component.input(k));
-            inputs.push(collect::port(object, port, declared, &wired, rules).tree);
+            inputs.push(collect::port(object, port, declared, &wired, options).tree);
         }
         // An old file may know fewer inputs than the component has today.
         let missing = component.map_or(&[][..], |component| component.inputs).iter().skip(inputs.len());

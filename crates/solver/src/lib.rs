@@ -27,4 +27,3 @@ pub use engine::{Engine, Summary};
 pub use inputs::Inputs;
 pub use options::{Listener, Options, Progress};
 pub use report::{ObjectReport, Status};
-pub use stored::tree as stored_tree;

@@ -73,7 +73,7 @@ fn run(
     for (k, port) in object.inputs.iter().enumerate() {
         let declared = component.input(k);
         let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
-        let collected = collect::port(object, port, declared, wires, &rules);
+        let collected = collect::port(object, port, declared, wires, turn.options);
         messages.extend(collected.messages);
         let optional = declared.is_none_or(|d| d.optional || d.many && d.access != Access::Item);
         if collected.tree.is_empty() && !optional {
@@ -106,6 +106,7 @@ fn run(
         rules,
         budget: &budget,
         files: &turn.options.files,
+        model: turn.options.model.as_deref(),
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| (component.run)(&call)));
     let Ok(outcome) = outcome else {

@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::{Cancel, Files, Limits};
+use katydid_component::{Cancel, Files, Limits, RhinoModel};
 use katydid_data::cast::Rules;
 
 /// How far a solve has come.
@@ -30,6 +30,8 @@ pub struct Options {
     pub cancel: Cancel,
     /// Which files the definition may read; none unless said so.
     pub files: Files,
+    /// The Rhino model that parameters refer to, when there is one.
+    pub model: Option<Arc<RhinoModel>>,
     /// Leaves out what no wire reads where a component says that it is costly: the transforms of Move, say.
     pub skip_unread: bool,
     /// Told after each object.
@@ -52,6 +54,7 @@ impl fmt::Debug for Options {
             .field("limits", &self.limits)
             .field("cancel", &self.cancel)
             .field("files", &self.files)
+            .field("model", &self.model.as_ref().map(|model| model.objects().len()))
             .finish_non_exhaustive()
     }
 }

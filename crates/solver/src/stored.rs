@@ -1,7 +1,7 @@
 //! Values that are kept in a port, as a data tree.
 
 use katydid_3dm::Object as Archived;
-use katydid_component::Message;
+use katydid_component::{Message, RhinoModel, RhinoObject};
 use katydid_data::{
     Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
 };
@@ -9,9 +9,10 @@ use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
 
-/// The values of a port, and what the user should know of those that could not be had.
-pub fn tree(persistent: &Persistent) -> (Tree, Vec<Message>) {
-    let mut missing = Missing::default();
+/// The values of a port, and what the user should know of those that could not be had. Geometry that only a Rhino
+/// model has is looked up in `model`.
+pub(crate) fn tree(persistent: &Persistent, model: Option<&RhinoModel>) -> (Tree, Vec<Message>) {
+    let mut missing = Missing { model, ..Missing::default() };
     let mut builder = TreeBuilder::<Value>::new();
     for branch in &persistent.branches {
         builder.branch(Path::from(branch.path.as_slice()));
@@ -22,14 +23,15 @@ pub fn tree(persistent: &Persistent) -> (Tree, Vec<Message>) {
     (builder.finish(), missing.into_messages())
 }
 
-/// What could not be had, each reason once.
+/// Where geometry is looked up, and what could not be had, each reason once.
 #[derive(Default)]
-struct Missing {
+struct Missing<'a> {
+    model: Option<&'a RhinoModel>,
     referenced: Vec<Uuid>,
     others: Vec<String>,
 }
 
-impl Missing {
+impl Missing<'_> {
     fn add(&mut self, reason: String) {
         if !self.others.contains(&reason) {
             self.others.push(reason);
@@ -37,19 +39,27 @@ impl Missing {
     }
 
     fn into_messages(self) -> Vec<Message> {
-        let mut messages: Vec<Message> = self.others.into_iter().map(Message::warning).collect();
-        if let Some(first) = self.referenced.first() {
-            let text = match self.referenced.len() {
-                1 => format!("Needs the Rhino model: object {first} is referenced, and not in this file"),
-                n => format!("Needs the Rhino model: {n} objects are referenced, the first is {first}"),
-            };
-            messages.insert(0, Message::warning(text));
+        let referenced = (!self.referenced.is_empty()).then(|| self.without_geometry());
+        referenced.into_iter().chain(self.others).map(Message::warning).collect()
+    }
+
+    /// The objects of a model that are referenced and not to be had, as many as one cares to read.
+    fn without_geometry(&self) -> String {
+        const SHOWN: usize = 8;
+        let mut ids: Vec<String> = self.referenced.iter().take(SHOWN).map(Uuid::to_string).collect();
+        if let Some(more) = self.referenced.len().checked_sub(SHOWN).filter(|more| *more > 0) {
+            ids.push(format!("and {more} more"));
         }
-        messages
+        let (objects, are) = if self.referenced.len() == 1 { ("object", "is") } else { ("objects", "are") };
+        let ids = ids.join(", ");
+        match self.model {
+            None => format!("Needs the Rhino model: {objects} {ids} {are} referenced, and not in this file"),
+            Some(_) => format!("Referenced {objects} {ids} {are} not in the Rhino model"),
+        }
     }
 }
 
-fn value(stored: &Stored, missing: &mut Missing) -> Option<Value> {
+fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
     Some(match stored {
         Stored::Null => return None,
         Stored::Number(x) => Value::Number(*x),
@@ -138,7 +148,11 @@ fn mesh_face(indices: [i32; 4]) -> Option<MeshFace> {
     })
 }
 
-fn geometry(stored: &StoredGeometry, missing: &mut Missing) -> Option<Value> {
+fn geometry(stored: &StoredGeometry, missing: &mut Missing<'_>) -> Option<Value> {
+    // The model comes first: what a file carries beside a reference is how the object looked when it was saved.
+    if let Some(found) = missing.model.and_then(|model| model.object(stored.ref_id)) {
+        return referenced(stored, found, missing);
+    }
     let Some(unpacked) = stored.decode(&Default::default()) else {
         if !stored.ref_id.is_nil() {
             missing.referenced.push(stored.ref_id);
@@ -162,4 +176,18 @@ fn geometry(stored: &StoredGeometry, missing: &mut Missing) -> Option<Value> {
             None
         }
     }
+}
+
+/// What a reference to an object of the model stands for: its geometry, or one of its edges.
+fn referenced(stored: &StoredGeometry, found: &RhinoObject, missing: &mut Missing<'_>) -> Option<Value> {
+    if let Some(kind) = stored.ref_type.as_deref().filter(|kind| *kind != "point_object") {
+        missing.add(format!("A point that is referenced as {kind} cannot be had yet"));
+        return None;
+    }
+    let edge = stored.edge.and_then(|edge| usize::try_from(edge).ok());
+    let value = match edge {
+        Some(edge) => found.edge(edge),
+        None => found.geometry.clone().ok_or_else(|| format!("A {} cannot be used yet", found.class)),
+    };
+    value.map_err(|reason| missing.add(reason)).ok()
 }

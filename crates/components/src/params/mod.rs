@@ -22,4 +22,6 @@ mod input;
 mod landscape;
 mod passive;
 mod primitive;
+mod rhino;
 mod util;
+mod wildcard;

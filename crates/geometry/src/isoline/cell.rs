@@ -1,7 +1,7 @@
 //! How lines of equal height run through one cell of a grid.
 
 /// A way through a cell, from one of its sides to another: 0 bottom, 1 right, 2 top, 3 left.
-pub(super) type Way = [u8; 2];
+pub(crate) type Way = [u8; 2];
 
 /// No way.
 const NONE: Way = [4, 4];
@@ -28,30 +28,36 @@ const WAYS: [Way; 16] = [
 ];
 
 /// The ways of the line of height 0 through a cell with given heights at its corners, counter-clockwise from the lower
-/// left. A height of 0 counts as high. Where opposite corners are high, the height at the saddle of the bilinear surface
-/// through the corners tells whether they are joined (G. M. Nielson, B. Hamann, *The asymptotic decider*, 1991).
+/// left. A height of 0 counts as high.
 #[inline]
-pub(super) fn ways(heights: [f64; 4]) -> (Way, Option<Way>) {
-    let [a, b, c, d] = heights;
+pub(crate) fn ways(heights: [f64; 4]) -> (Way, Option<Way>) {
     let case = heights.iter().enumerate().fold(0_usize, |case, (k, &h)| case | usize::from(h >= 0.0) << k);
-    match case {
-        5 | 10 => {
-            // Both are of the sign of the saddle's height.
-            let joined = (a * c - b * d) * (a + c - b - d) >= 0.0;
-            match (case, joined) {
-                (5, true) => ([0, 1], Some([2, 3])),
-                (5, false) => ([0, 3], Some([2, 1])),
-                (_, true) => ([3, 0], Some([1, 2])),
-                (_, false) => ([1, 0], Some([3, 2])),
-            }
-        }
+    ways_of(case, highs_joined(heights))
+}
+
+/// Whether the high corners of a cell are joined where they face each other: the height at the saddle of the bilinear
+/// surface through the corners tells (G. M. Nielson, B. Hamann, *The asymptotic decider*, 1991). It has the sign of the
+/// product of the high corners less that of the low ones. Whichever corner comes first, the answer is the same.
+#[inline]
+pub(crate) fn highs_joined([a, b, c, d]: [f64; 4]) -> bool {
+    if a >= 0.0 { a * c >= b * d } else { b * d >= a * c }
+}
+
+/// The ways by which corners are high, bit 0 the first, and whether two that face each other are joined.
+#[inline]
+pub(crate) fn ways_of(case: usize, joined: bool) -> (Way, Option<Way>) {
+    match (case, joined) {
+        (5, true) => ([0, 1], Some([2, 3])),
+        (5, false) => ([0, 3], Some([2, 1])),
+        (10, true) => ([3, 0], Some([1, 2])),
+        (10, false) => ([1, 0], Some([3, 2])),
         _ => (WAYS.get(case).copied().unwrap_or(NONE), None),
     }
 }
 
 /// Whether a way is one.
 #[inline]
-pub(super) fn is_way(way: Way) -> bool {
+pub(crate) fn is_way(way: Way) -> bool {
     way[0] < 4
 }
 

@@ -2,11 +2,17 @@ use std::collections::HashMap;
 
 use super::Isoline;
 use super::cell::{is_way, ways};
+use super::far::Far;
 use super::join::Links;
 use crate::{Error, Plane, Point2, Point3, Result};
 
 /// What a far ball adds to the field may be off by this part of it.
 const FAR_ERROR: f64 = 1e-5;
+/// A cell of 2³ smallest ones a side is looked through corner by corner if it has no more near balls than this: cheaper
+/// than to gather those that are far from each of its parts.
+const BLOCK: u32 = 3;
+const MOST_IN_BLOCK: usize = 512;
+const BLOCK_CORNERS: usize = ((1 << BLOCK) + 1) * ((1 << BLOCK) + 1);
 /// No cell is halved more often than this.
 const DEEPEST: u32 = 28;
 
@@ -19,12 +25,12 @@ pub struct Metaballs {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Ball {
-    x: f64,
-    y: f64,
+pub(super) struct Ball {
+    pub(super) x: f64,
+    pub(super) y: f64,
     /// The squared distance from the plane.
-    off: f64,
-    charge: f64,
+    pub(super) off: f64,
+    pub(super) charge: f64,
 }
 
 impl Metaballs {
@@ -82,9 +88,9 @@ impl Metaballs {
     /// threshold (of the sum of all balls' strengths without their signs), from side to side of cells of a given size; what is smaller than a cell may be missed.
     ///
     /// Cells are found by halving: one is left when bounds of the field in it do not hold the threshold, with near
-    /// balls by their least and largest distance, and far ones gathered in a quadratic Taylor polynomial about the
-    /// cell's middle, as in the fast multipole method (L. Greengard, V. Rokhlin, 1987). `limit` bounds how
-    /// many balls are looked at in all cells together.
+    /// balls by their least and largest distance, and far ones gathered in a Taylor polynomial about the cell's
+    /// middle, as in the fast multipole method (L. Greengard, V. Rokhlin, 1987). The time grows like balls × log
+    /// (side / accuracy). `limit` bounds how many balls are looked at in all cells together.
     ///
     /// # Errors
     /// The threshold is 0 or not finite, the accuracy is not finite and greater than 0, or the work is more than
@@ -137,59 +143,9 @@ fn too_many() -> Error {
 
 impl Ball {
     #[inline]
-    fn squared_distance(&self, p: Point2) -> f64 {
+    pub(super) fn squared_distance(&self, p: Point2) -> f64 {
         let (dx, dy) = (p.x - self.x, p.y - self.y);
         dx * dx + dy * dy + self.off
-    }
-}
-
-/// The field of far balls near a place: a quadratic polynomial.
-#[derive(Debug, Clone, Copy)]
-struct Far {
-    middle: Point2,
-    value: f64,
-    slope: [f64; 2],
-    /// Second derivatives by xx, xy and yy.
-    bend: [f64; 3],
-}
-
-impl Far {
-    fn about(middle: Point2) -> Self {
-        Self { middle, value: 0.0, slope: [0.0; 2], bend: [0.0; 3] }
-    }
-
-    fn add(&mut self, ball: &Ball) {
-        let (dx, dy) = (self.middle.x - ball.x, self.middle.y - ball.y);
-        let d = dx * dx + dy * dy + ball.off;
-        let f = ball.charge / d;
-        let (g, h) = (-2.0 * f / d, 8.0 * f / (d * d));
-        self.value += f;
-        self.slope[0] += g * dx;
-        self.slope[1] += g * dy;
-        self.bend[0] += h * dx * dx + g;
-        self.bend[1] += h * dx * dy;
-        self.bend[2] += h * dy * dy + g;
-    }
-
-    fn at(&self, p: Point2) -> f64 {
-        let (x, y) = (p.x - self.middle.x, p.y - self.middle.y);
-        let [xx, xy, yy] = self.bend;
-        self.value + self.slope[0] * x + self.slope[1] * y + 0.5 * (xx * x * x + yy * y * y) + xy * x * y
-    }
-
-    /// The same polynomial about another place.
-    fn moved(&self, middle: Point2) -> Self {
-        let (x, y) = (middle.x - self.middle.x, middle.y - self.middle.y);
-        let [xx, xy, yy] = self.bend;
-        let slope = [self.slope[0] + xx * x + xy * y, self.slope[1] + xy * x + yy * y];
-        Self { middle, value: self.at(middle), slope, bend: self.bend }
-    }
-
-    /// How far values in a square about the middle can be from that in the middle.
-    fn spread(&self, half: f64) -> f64 {
-        let [xx, xy, yy] = self.bend;
-        (self.slope[0].abs() + self.slope[1].abs()) * half
-            + (0.5 * (xx.abs() + yy.abs()) + xy.abs()) * half * half
     }
 }
 
@@ -222,33 +178,31 @@ impl Search<'_> {
         let mut far = far.moved(middle);
         let (mut low, mut high) = (0.0, 0.0);
         let mut still_near = Vec::with_capacity(near.len());
-        // The third derivatives of 1/r² in any direction are at most 24/r⁵, so that a quadratic is off by 4s³/r⁵ at
-        // most, s the half diagonal: a part 4s³/r³ of 1/r². Here squared.
-        let diagonal = half * std::f64::consts::SQRT_2;
-        let far_cube = (4.0 * diagonal.powi(3) / FAR_ERROR).powi(2);
+        let far_from = Far::squared_distance(half);
         for &i in near {
             let Some(ball) = self.balls.get(i as usize) else { continue };
+            if ball.squared_distance(middle) >= far_from {
+                far.add(ball);
+                continue;
+            }
             let (dx, dy) = ((ball.x - middle.x).abs(), (ball.y - middle.y).abs());
             let (gx, gy) = ((dx - half).max(0.0), (dy - half).max(0.0));
             let least = gx * gx + gy * gy + ball.off;
             let most = (dx + half) * (dx + half) + (dy + half) * (dy + half) + ball.off;
-            if far_cube <= least * least * least {
-                far.add(ball);
-                continue;
-            }
             still_near.push(i);
             let (weak, strong) = (ball.charge / most, ball.charge / least);
             low += weak.min(strong);
             high += weak.max(strong);
         }
-        let slack = far.spread(half) + 2.0 * FAR_ERROR * self.level;
-        if far.value + low - slack > self.level || far.value + high + slack < self.level {
+        let [value, spread] = far.range(half);
+        let slack = spread + 2.0 * FAR_ERROR * self.level;
+        if value + low - slack > self.level || value + high + slack < self.level {
             return Ok(());
         }
-        let Some(below) = depth.checked_sub(1) else {
-            self.leaf(cell, &still_near, &far);
-            return Ok(());
-        };
+        if depth == 0 || (depth <= BLOCK && still_near.len() <= MOST_IN_BLOCK) {
+            return self.block(cell, depth, &still_near, &far);
+        }
+        let below = depth - 1;
         let step = 1_u32 << below;
         for (i, j) in [(0, 0), (step, 0), (0, step), (step, step)] {
             self.visit([cell[0] + i, cell[1] + j], below, &still_near, far)?;
@@ -265,17 +219,43 @@ impl Search<'_> {
         far.at(p) + near.iter().map(strength).sum::<f64>() - self.level
     }
 
-    fn leaf(&mut self, [i, j]: [u32; 2], near: &[u32], far: &Far) {
-        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
-        let heights = corners.map(|[i, j]| {
-            // Shared corners have one height, whichever cell asks first.
-            if let Some(&h) = self.heights.get(&(i, j)) {
-                return h;
+    /// Looks through all smallest cells of a block at once.
+    fn block(&mut self, start: [u32; 2], depth: u32, near: &[u32], far: &Far) -> Result<()> {
+        let side = 1_u32 << depth;
+        let corners = (side as usize + 1).pow(2);
+        self.left = self.left.checked_sub(corners * near.len()).ok_or_else(too_many)?;
+        let mut heights = [0.0; BLOCK_CORNERS];
+        let place = |i: u32, j: u32| (j * (side + 1) + i) as usize;
+        for j in 0..=side {
+            for i in 0..=side {
+                let corner = [start[0] + i, start[1] + j];
+                let h = if i % side == 0 || j % side == 0 {
+                    // Corners that blocks share have one height, whichever asks first.
+                    let key = (corner[0], corner[1]);
+                    let known = self.heights.get(&key).copied();
+                    let h = known.unwrap_or_else(|| self.height(self.corner(corner), near, far));
+                    self.heights.insert(key, h);
+                    h
+                } else {
+                    self.height(self.corner(corner), near, far)
+                };
+                if let Some(slot) = heights.get_mut(place(i, j)) {
+                    *slot = h;
+                }
             }
-            let h = self.height(self.corner([i, j]), near, far);
-            self.heights.insert((i, j), h);
-            h
-        });
+        }
+        let height = |i: u32, j: u32| heights.get(place(i, j)).copied().unwrap_or(0.0);
+        for j in 0..side {
+            for i in 0..side {
+                let around = [height(i, j), height(i + 1, j), height(i + 1, j + 1), height(i, j + 1)];
+                self.cell([start[0] + i, start[1] + j], around, near, far);
+            }
+        }
+        Ok(())
+    }
+
+    fn cell(&mut self, [i, j]: [u32; 2], heights: [f64; 4], near: &[u32], far: &Far) {
+        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
         let (first, second) = ways(heights);
         for way in [Some(first), second].into_iter().flatten().filter(|w| is_way(*w)) {
             let ends = way.map(|side| {

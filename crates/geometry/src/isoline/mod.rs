@@ -1,6 +1,7 @@
 //! Lines of equal height: of a grid of numbers, and of fields of metaballs.
 
-mod cell;
+pub(crate) mod cell;
+mod far;
 mod grid;
 mod join;
 mod metaballs;

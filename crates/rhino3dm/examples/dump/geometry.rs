@@ -3,6 +3,7 @@
 use katydid_3dm::Object;
 use serde_json::{Value, json};
 
+use crate::annotation;
 use crate::brep::brep;
 use crate::curve::curve;
 use crate::mesh::mesh;
@@ -20,6 +21,13 @@ pub(crate) fn geometry(object: &Object) -> Value {
         Object::Surface(s) => surface(s),
         Object::Mesh(m) => mesh(m),
         Object::Kept(raw) if raw.class_name() == "Brep" => brep(raw),
+        Object::Annotation(a) => annotation::annotation(a),
+        Object::Annotation5(a) => annotation::annotation_5(a),
+        Object::Annotation2(a) => annotation::annotation_2(a),
+        Object::TextDot(dot) => annotation::text_dot(dot),
+        Object::Light(light) => annotation::light(light),
+        Object::BlockReference(block) => annotation::block_reference(block),
+        Object::ClippingPlane(clipping) => annotation::clipping_plane(clipping),
         _ => json!({}),
     };
     json!({"class": object.class_name(), "kept": matches!(object, Object::Kept(_)), "detail": detail})

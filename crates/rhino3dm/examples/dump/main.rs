@@ -3,18 +3,21 @@
 //! `dump FILE.3dm…` prints a line an object of each archive; `dump OBJECTS.jsonl` reads lines with the members
 //! `archive3dm`, `opennurbs` and `data` (base64), the form rhino3dm encodes objects in, and prints a line each.
 
+mod annotation;
 mod brep;
 mod curve;
 mod geometry;
 mod mesh;
 mod numbers;
 mod surface;
+mod tables;
 
 use base64::Engine;
 use katydid_3dm::{Limits, Model, Object};
 use serde_json::{Value, json};
 
 use geometry::geometry;
+use tables::{attributes, tables};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for path in std::env::args().skip(1) {
@@ -37,28 +40,18 @@ fn archive(path: &str) -> Result<(), Box<dyn std::error::Error>> {
             return Ok(());
         }
     };
-    let layers: Vec<Value> = (model.layers.iter().enumerate())
-        .map(|(i, layer)| {
-            json!({"name": layer.name, "path": model.layer_path(i), "colour": layer.colour,
-                "id": layer.id.to_string(), "visible": layer.visible, "locked": layer.locked})
-        })
-        .collect();
     let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
     println!(
         "{}",
         json!({"file": path, "version": model.archive_version, "units": model.units.name(), "notes": model.notes,
-            "absolute": model.tolerance.absolute, "angle": model.tolerance.angle, "layers": layers,
+            "absolute": model.tolerance.absolute, "angle": model.tolerance.angle, "tables": tables(&model),
             "objects": model.objects.len(), "lights": model.lights.len(), "skipped": model.skipped,
             "warnings": warnings})
     );
     for object in model.objects.iter().chain(&model.lights) {
-        let attributes = &object.attributes;
-        println!(
-            "{}",
-            json!({"id": attributes.id.to_string(), "name": attributes.name, "layer": attributes.layer,
-                "colour": attributes.colour, "visible": attributes.visible,
-                "user_strings": attributes.user_strings, "geometry": geometry(&object.geometry)})
-        );
+        let mut line = attributes(&object.attributes);
+        line["geometry"] = geometry(&object.geometry);
+        println!("{line}");
     }
     Ok(())
 }

@@ -1,19 +1,21 @@
-//! Object attributes (section 7): identity, name, layer, colour, visibility, groups, user strings.
+//! Object attributes (section 7): identity, name, layer, colour, visibility, groups, print settings, user data.
 
+mod choices;
 mod item_form;
 mod old_form;
+
+pub use choices::{ActiveSpace, Arrowheads, Clipping, LinetypeChoice, ObjectMode, Source};
 
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
 use crate::object::UserData;
+use crate::read::Places;
+use crate::tables::{Linetype, Rendering, SectionStyle};
 use crate::version::Version;
 use crate::{Result, class_ids, typecode};
 
-/// What an object is besides its geometry.
-///
-/// Materials, linetypes, plot settings, page space and display order of a file are not read, so they are not
-/// written back.
+/// What an object is besides its geometry. Colours are red, green, blue, alpha.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attributes {
     /// The object's identifier. A nil one gets a value of its own when written.
@@ -22,19 +24,69 @@ pub struct Attributes {
     pub name: String,
     /// A web address; empty when there is none.
     pub url: String,
-    /// Index into [`Model::layers`](crate::Model::layers).
-    pub layer: usize,
-    /// The object's own colour as red, green, blue, alpha; nothing when it shows its layer's (or its material's
-    /// or parent's) colour.
+    /// Index into [`Model::layers`](crate::Model::layers); nothing for an object on no layer.
+    pub layer: Option<usize>,
+    /// The object's own linetype, used when `linetype_source` is the object.
+    pub linetype: LinetypeChoice,
+    /// Where the linetype comes from.
+    pub linetype_source: Source,
+    /// The object's own material as an index into [`Model::materials`](crate::Model::materials), used when
+    /// `material_source` is the object.
+    pub material: Option<usize>,
+    /// Where the material comes from.
+    pub material_source: Source,
+    /// Materials and mappings of rendering programs, and shadows.
+    pub rendering: Rendering,
+    /// The object's own colour; nothing when it shows the colour of what `colour_source` says.
     pub colour: Option<[u8; 4]>,
+    /// Where the colour comes from when the object does not show its own.
+    pub colour_source: Source,
+    /// The colour that the object keeps but does not show.
+    pub unused_colour: [u8; 4],
+    /// The colour in print.
+    pub plot_colour: [u8; 4],
+    /// Where the colour in print comes from.
+    pub plot_colour_source: Source,
+    /// The width in print in millimetres; 0 for a default, negative for nothing at all.
+    pub plot_weight: f64,
+    /// Where the width in print comes from.
+    pub plot_weight_source: Source,
+    /// Arrowheads on curves.
+    pub arrowheads: Arrowheads,
+    /// Isocurves a span; −1 for none.
+    pub wire_density: i32,
     /// Whether the object is visible.
     pub visible: bool,
     /// Normal, hidden, locked, or part of a block definition.
     pub mode: ObjectMode,
-    /// Isocurves a span; −1 for none.
-    pub wire_density: i32,
-    /// Indices of groups in the file's group table, which this crate does not read yet.
-    pub groups: Vec<i32>,
+    /// Indices into [`Model::groups`](crate::Model::groups).
+    pub groups: Vec<usize>,
+    /// Whether the object lies in the model or on a page.
+    pub space: ActiveSpace,
+    /// The page or view it is shown in alone; nil for all.
+    pub viewport: Uuid,
+    /// Viewports, and the display mode of the object in each.
+    pub display_modes: Vec<(Uuid, Uuid)>,
+    /// What is drawn later has a greater number.
+    pub display_order: i32,
+    /// Which clipping planes cut the object; nothing for all of them.
+    pub clipping: Option<Clipping>,
+    /// Where the section style comes from, by its number in archives; 0 for the layer.
+    pub section_source: u8,
+    /// The object's own section style.
+    pub section_style: Option<Box<SectionStyle>>,
+    /// How much longer the pattern of the linetype is.
+    pub linetype_scale: f64,
+    /// A linetype that only this object has.
+    pub own_linetype: Option<Box<Linetype>>,
+    /// The colour behind the lines of a hatch.
+    pub hatch_background: Option<[u8; 4]>,
+    /// Whether the boundary of a hatch is drawn.
+    pub hatch_boundary: bool,
+    /// The object's frame as a transform of the world's, row after row.
+    pub frame: Option<[f64; 16]>,
+    /// How a clipping plane is labelled, by its number in archives; 0 for not at all.
+    pub clipping_label: u8,
     /// Key and value pairs.
     pub user_strings: Vec<(String, String)>,
     /// Other user data, carried along as it is.
@@ -47,77 +99,61 @@ impl Default for Attributes {
             id: Uuid::nil(),
             name: String::new(),
             url: String::new(),
-            layer: 0,
+            layer: Some(0),
+            linetype: LinetypeChoice::default(),
+            linetype_source: Source::Layer,
+            material: None,
+            material_source: Source::Layer,
+            rendering: Rendering::default(),
             colour: None,
+            colour_source: Source::Layer,
+            unused_colour: BLACK,
+            plot_colour: BLACK,
+            plot_colour_source: Source::Layer,
+            plot_weight: 0.0,
+            plot_weight_source: Source::Layer,
+            arrowheads: Arrowheads::default(),
+            wire_density: 1,
             visible: true,
             mode: ObjectMode::Normal,
-            wire_density: 1,
             groups: Vec::new(),
+            space: ActiveSpace::Model,
+            viewport: Uuid::nil(),
+            display_modes: Vec::new(),
+            display_order: 0,
+            clipping: None,
+            section_source: 0,
+            section_style: None,
+            linetype_scale: 1.0,
+            own_linetype: None,
+            hatch_background: None,
+            hatch_boundary: false,
+            frame: None,
+            clipping_label: 0,
             user_strings: Vec::new(),
             user_data: Vec::new(),
         }
     }
 }
 
-/// How an object takes part in a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ObjectMode {
-    /// Seen and selectable.
-    #[default]
-    Normal,
-    /// Hidden.
-    Hidden,
-    /// Seen but not selectable.
-    Locked,
-    /// Part of a block definition.
-    InDefinition,
-}
-
-impl ObjectMode {
-    fn from_code(code: u8) -> Self {
-        // The upper four bits say something else.
-        match code & 15 {
-            1 => Self::Hidden,
-            2 => Self::Locked,
-            3 => Self::InDefinition,
-            _ => Self::Normal,
-        }
-    }
-
-    fn code(self) -> u8 {
-        match self {
-            Self::Normal => 0,
-            Self::Hidden => 1,
-            Self::Locked => 2,
-            Self::InDefinition => 3,
-        }
-    }
-}
-
-/// Where a colour comes from: the object itself.
-const COLOUR_FROM_OBJECT: u8 = 1;
+/// The colour of objects and prints that have none.
+const BLACK: [u8; 4] = [0, 0, 0, 255];
 /// From this openNURBS version on archives of version 5 and up store attributes as items.
 const ITEMS_FROM: u32 = 200_712_190;
 
-/// Attributes as a file states them, with the layer by the number that layer gives itself.
-#[derive(Debug, Default)]
-pub(crate) struct StoredAttributes {
-    pub(crate) attributes: Attributes,
-    pub(crate) layer_number: i32,
-}
-
-impl StoredAttributes {
-    /// Reads the body of an attributes chunk in the form its version has.
+impl Attributes {
+    /// Reads the body of an attributes chunk in the form its version has. Indices are the numbers of the archive
+    /// until [`Attributes::place`] makes places of them.
     pub(crate) fn read(mut body: Reader<'_>) -> Result<Self> {
         let version = body.version();
-        let mut stored = Self::default();
+        let mut attributes = Self::default();
         if version.archive >= 5 && version.opennurbs >= ITEMS_FROM {
-            item_form::read(&mut body, &mut stored)?;
+            item_form::read(&mut body, &mut attributes)?;
         } else {
-            old_form::read(&mut body, &mut stored)?;
+            old_form::read(&mut body, &mut attributes)?;
         }
         body.finish();
-        Ok(stored)
+        Ok(attributes)
     }
 
     /// Reads the chunk of attribute user data: user data chunks until the end mark.
@@ -141,14 +177,39 @@ impl StoredAttributes {
 
     fn add_user_data(&mut self, data: UserData) -> Result<()> {
         match data.strings()? {
-            Some(strings) => self.attributes.user_strings.extend(strings),
-            None => self.attributes.user_data.push(data),
+            Some(strings) => self.user_strings.extend(strings),
+            None => self.user_data.push(data),
         }
         Ok(())
     }
-}
 
-impl Attributes {
+    /// Turns the numbers of layers, materials, linetypes and groups into places in their tables.
+    pub(crate) fn place(&mut self, places: &Places) {
+        self.layer = self.layer.and_then(|number| places.layers.find(number));
+        self.material = self.material.and_then(|number| places.materials.find(number));
+        self.linetype = self.linetype.placed(&places.linetypes);
+        self.groups = self.groups.iter().filter_map(|number| places.groups.find(*number)).collect();
+    }
+
+    /// Takes the colour that is stored and where the one that is shown comes from.
+    fn set_colour(&mut self, stored: [u8; 4], source: Source) {
+        if source == Source::Object {
+            self.colour = Some(stored);
+        } else {
+            (self.unused_colour, self.colour_source) = (stored, source);
+        }
+    }
+
+    /// The colour that is stored, shown or not, and where the one that is shown comes from.
+    fn stored_colour(&self) -> ([u8; 4], Source) {
+        match self.colour {
+            Some(colour) => (colour, Source::Object),
+            // Without a colour of its own an object cannot show it.
+            None if self.colour_source == Source::Object => (self.unused_colour, Source::Layer),
+            None => (self.unused_colour, self.colour_source),
+        }
+    }
+
     /// Writes the attributes chunk and, when there is any, the chunk of user data behind it.
     pub(crate) fn write(&self, w: &mut Writer, id: Uuid, attributes: u32, user_data: u32) -> Result<()> {
         let version = w.version();
@@ -173,5 +234,16 @@ impl Attributes {
         }
         all.extend(self.user_data.iter().filter(|data| data.class != class_ids::USER_STRINGS).cloned());
         Ok(all)
+    }
+}
+
+/// Writes the place of an entry as its number, −1 for none.
+pub(crate) fn write_place(place: Option<usize>, what: &str, w: &mut Writer) -> Result<()> {
+    match place {
+        Some(place) => w.count(place, what),
+        None => {
+            w.i32(-1);
+            Ok(())
+        }
     }
 }

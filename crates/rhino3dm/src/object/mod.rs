@@ -1,26 +1,50 @@
 //! One openNURBS class object (sections 6 and 8): read into geometry where this crate knows the class, else kept
 //! byte for byte.
 
-mod bare_brep;
+mod annotation;
+mod block_reference;
 mod brep;
+mod cached_mesh;
 mod class_object;
+mod clipping_plane;
 mod curve;
+mod extrusion;
+mod light;
 mod mesh;
+mod nurbs_cage;
 mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
 mod surface;
+mod text_dot;
 mod user_data;
 
-pub use bare_brep::BareSurface;
-pub use brep::{BrepEdge, BrepSummary, Solidity};
+pub use annotation::{
+    Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Dimension,
+    StyleOverrides, TextContent,
+};
+pub use block_reference::BlockReference;
+pub use brep::{BareSurface, BrepEdge, BrepObject, BrepSummary};
+pub use cached_mesh::CachedMesh;
+pub use clipping_plane::{ClippingPlane, Participants};
+pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
+pub use extrusion::{Extrusion, ExtrusionMesh};
+pub use katydid_geometry::brep::Solidity;
+pub use light::{Light, LightStyle};
+pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use surface::{NurbsSurfaceForm, SurfaceForm};
+pub use text_dot::TextDot;
 pub use user_data::UserData;
 
 pub(crate) use class_object::{ClassObject, write_class};
+
+use class_object::write_null;
+
+use std::borrow::Cow;
 
 use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
@@ -37,13 +61,38 @@ pub enum Object {
     Point(Point3),
     /// Many points, with normals and colours if they have them.
     PointCloud(PointCloud),
-    /// A curve of any kind the kernel has. Curves in a plane (dimension 2) lie at z = 0.
+    /// A curve of any kind the kernel has.
     Curve(Curve),
     /// A surface without trims: of a plane, of revolution, a sum of two curves, or NURBS.
     Surface(Surface),
+    /// A curve that the kernel alone would lose something of: one of dimension 2, one that a SubD can be made of,
+    /// or numbers that make no curve.
+    CurveForm(Box<CurveForm>),
+    /// A surface that the kernel alone would lose something of: a stored box, or numbers that make no surface.
+    SurfaceForm(Box<SurfaceForm>),
+    /// Faces on surfaces, joined along edges.
+    Brep(Box<BrepObject>),
+    /// Curves in a plane moved along a segment.
+    Extrusion(Box<Extrusion>),
     /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
     /// coordinates, curvatures and n-gons are not read.
     Mesh(Mesh),
+    /// Text at a point, turned to the viewer.
+    TextDot(TextDot),
+    /// A block placed in the model.
+    BlockReference(Box<BlockReference>),
+    /// A light. Archives keep most of them in a table of their own.
+    Light(Box<Light>),
+    /// A rectangle that cuts the views.
+    ClippingPlane(Box<ClippingPlane>),
+    /// A NURBS volume.
+    NurbsCage(Box<NurbsCage>),
+    /// Text, a leader or a dimension of version 6 and later.
+    Annotation(Box<Annotation>),
+    /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
+    Annotation5(Box<Annotation5>),
+    /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
+    Annotation2(Box<Annotation2>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -57,6 +106,12 @@ impl Object {
         }
     }
 
+    /// What the object is, as Rhino's filters number it: 1 a point, 2 a point cloud, 4 a curve, 8 a surface, 16 a
+    /// brep, 32 a mesh and so on; 0 for a class that is not known.
+    pub fn object_type(&self) -> u32 {
+        class_ids::object_type(self.class())
+    }
+
     /// Whether an archive of the given version can carry this object.
     ///
     /// # Errors
@@ -65,8 +120,63 @@ impl Object {
     pub fn check_writable(&self, version: i32) -> Result<()> {
         Version::for_writing(version)?;
         match self {
-            Self::Kept(raw) => raw.check_fits(version),
+            Self::Kept(raw) => raw.check_writable(version),
+            Self::Extrusion(_) => extrusion::check_writable(version),
+            Self::Annotation(annotation) => annotation.check_writable(version),
             _ => Ok(()),
+        }
+    }
+
+    /// The curve, if the object is one that the kernel takes, whatever else archives say of it.
+    pub fn curve(&self) -> Option<Cow<'_, Curve>> {
+        match self {
+            Self::Curve(curve) => Some(Cow::Borrowed(curve)),
+            Self::CurveForm(form) => form.to_curve().ok().map(Cow::Owned),
+            _ => None,
+        }
+    }
+
+    /// The surface without trims, if the object is one that the kernel takes: a surface, or a brep that is nothing
+    /// but one, not turned over.
+    pub fn surface(&self) -> Option<Cow<'_, Surface>> {
+        match self {
+            Self::Surface(surface) => Some(Cow::Borrowed(surface)),
+            Self::SurfaceForm(form) => form.to_surface().ok().map(Cow::Owned),
+            Self::Brep(object) => match object.brep.as_surface() {
+                Some((surface, false)) => Some(Cow::Borrowed(surface)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The object as bytes, with user data, for an archive of version 4, 50, 60, 70 or 80. A kept object stays as it
+    /// is, with its own user data.
+    ///
+    /// # Errors
+    /// Another version, or an object that it cannot carry.
+    pub fn to_raw(&self, version: i32, user_data: &[UserData]) -> Result<RawObject> {
+        if let Self::Kept(raw) = self {
+            return Ok(raw.clone());
+        }
+        let version = Version::for_writing(version)?;
+        let mut w = Writer::new(version);
+        self.write(&mut w, user_data)?;
+        Ok(RawObject {
+            class: self.class(),
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+            bytes: w.into_bytes(),
+            user_data: user_data.to_vec(),
+        })
+    }
+
+    /// Whether what this user data says is part of the object itself, which writes it anew.
+    pub(crate) fn holds(&self, data: &UserData) -> bool {
+        match self {
+            Self::Brep(_) => data.class == class_ids::V5_REGIONS,
+            Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
+            _ => false,
         }
     }
 
@@ -77,7 +187,19 @@ impl Object {
             Self::PointCloud(_) => class_ids::POINT_CLOUD,
             Self::Curve(c) => curve::class_of(c),
             Self::Surface(s) => surface::class_of(s),
+            Self::CurveForm(form) => curve::class_of_form(form),
+            Self::SurfaceForm(form) => surface::class_of_form(form),
+            Self::Brep(_) => class_ids::BREP,
+            Self::Extrusion(_) => class_ids::EXTRUSION,
             Self::Mesh(_) => class_ids::MESH,
+            Self::TextDot(_) => class_ids::TEXT_DOT,
+            Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
+            Self::Light(_) => class_ids::LIGHT,
+            Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::NurbsCage(_) => class_ids::NURBS_CAGE,
+            Self::Annotation(a) => annotation::class_of(a),
+            Self::Annotation5(a) => annotation::class_of_5(a),
+            Self::Annotation2(a) => annotation::class_of_2(a),
             Self::Kept(raw) => raw.class,
         }
     }
@@ -92,8 +214,26 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
-            class if curve::is_curve(class) => Self::Curve(curve::read(class, &mut body)?),
-            class if surface::is_surface(class) => Self::Surface(surface::read(class, &mut body)?),
+            class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
+            class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
+            class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
+            class if surface::is_surface(class) => Self::from(surface::read(class, &mut body)?),
+            class_ids::TEXT_DOT => Self::TextDot(text_dot::read(&mut body)?),
+            class_ids::TEXT_DOT_2 => Self::TextDot(text_dot::read_version_2(&mut body)?),
+            class_ids::ARROW_2 => Self::Curve(curve::read_arrow(&mut body)?),
+            class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
+            class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
+            class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
+            class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
+            class if annotation::is_annotation(class) => {
+                Self::Annotation(annotation::read(class, &mut body)?.into())
+            }
+            class if annotation::is_version_5(class) => {
+                Self::Annotation5(annotation::read_5(class, &mut body)?.into())
+            }
+            class if annotation::is_version_2(class) => {
+                Self::Annotation2(annotation::read_2(class, &mut body)?.into())
+            }
             _ => return Ok(Self::Kept(object.to_raw())),
         };
         body.finish();
@@ -107,13 +247,61 @@ impl Object {
             Self::Kept(raw) => raw.write(w),
             Self::Point(p) => write_class(w, self.class(), user_data, |w| point::write(*p, w)),
             Self::PointCloud(c) => write_class(w, self.class(), user_data, |w| point_cloud::write(c, w)),
-            Self::Curve(c) => write_class(w, self.class(), user_data, |w| curve::write(c, w)),
-            Self::Surface(s) => write_class(w, self.class(), user_data, |w| surface::write(s, w)),
+            Self::Curve(c) => {
+                let form = CurveForm::of(c, curve::SPACE);
+                write_class(w, self.class(), user_data, |w| curve::write(&form, w))
+            }
+            Self::Surface(s) => {
+                let form = SurfaceForm::of(s);
+                write_class(w, self.class(), user_data, |w| surface::write(&form, w))
+            }
+            Self::CurveForm(form) => write_class(w, self.class(), user_data, |w| curve::write(form, w)),
+            Self::SurfaceForm(form) => write_class(w, self.class(), user_data, |w| surface::write(form, w)),
+            Self::Brep(b) => {
+                let own = brep::own_user_data(b, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| brep::write(b, w))
+            }
+            Self::Extrusion(e) => {
+                let own = extrusion::own_user_data(e, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| extrusion::write(e, w))
+            }
+            Self::TextDot(d) => write_class(w, self.class(), user_data, |w| text_dot::write(d, w)),
+            Self::BlockReference(b) => {
+                write_class(w, self.class(), user_data, |w| block_reference::write(b, w))
+            }
+            Self::Light(l) => write_class(w, self.class(), user_data, |w| light::write(l, w)),
+            Self::ClippingPlane(c) => {
+                write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
+            }
+            Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
+            Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
+            Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
+            Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
             Self::Mesh(m) => {
                 let own = mesh::double_vertices(m, w.version())?;
                 let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
+        }
+    }
+}
+
+impl From<CurveForm> for Object {
+    fn from(form: CurveForm) -> Self {
+        match form.to_curve() {
+            Ok(curve) if CurveForm::of(&curve, curve::SPACE) == form => Self::Curve(curve),
+            _ => Self::CurveForm(Box::new(form)),
+        }
+    }
+}
+
+impl From<SurfaceForm> for Object {
+    fn from(form: SurfaceForm) -> Self {
+        match form.to_surface() {
+            Ok(surface) if SurfaceForm::of(&surface) == form => Self::Surface(surface),
+            _ => Self::SurfaceForm(Box::new(form)),
         }
     }
 }

@@ -87,20 +87,42 @@ impl RawObject {
         Ok(())
     }
 
-    /// [`RawObject::fits`] as an error that names the object.
-    pub(crate) fn check_fits(&self, version: i32) -> Result<()> {
-        self.fits(version).map_err(|why| Error::CannotWrite {
+    /// The object taken apart, for an archive whose rules its bytes do not follow.
+    fn refitted(&self, archive: i32, why: &str) -> Result<Object> {
+        let refused = |why: String| Error::CannotWrite {
             what: format!("a {} kept from a version {} archive", self.class_name(), self.archive_version),
-            version,
-            why: why.into(),
-        })
+            version: archive,
+            why,
+        };
+        match self.parse(&Limits::default()) {
+            Ok(Object::Kept(_)) => Err(refused(why.into())),
+            Ok(object) => Ok(object),
+            Err(error) => Err(refused(format!("{why}, and it cannot be taken apart: {error}"))),
+        }
     }
 
-    /// The bytes as they are.
+    /// Whether an archive of the given version can carry the object: as it is, or taken apart.
+    pub(crate) fn check_writable(&self, archive: i32) -> Result<()> {
+        match self.fits(archive) {
+            Ok(()) => Ok(()),
+            Err(why) => self.refitted(archive, why)?.check_writable(archive),
+        }
+    }
+
+    /// The bytes as they are, where they follow the rules of the archive; else what they say.
     pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
-        self.check_fits(w.version().archive)?;
-        w.chunks(&self.bytes);
-        Ok(())
+        match self.fits(w.version().archive) {
+            Ok(()) => {
+                w.chunks(&self.bytes);
+                Ok(())
+            }
+            Err(why) => {
+                let object = self.refitted(w.version().archive, why)?;
+                let kept: Vec<UserData> =
+                    self.user_data.iter().filter(|data| !object.holds(data)).cloned().collect();
+                object.write(w, &kept)
+            }
+        }
     }
 }
 

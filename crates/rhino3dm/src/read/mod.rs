@@ -1,17 +1,18 @@
 //! Reading an archive: header, tables, records (sections 1, 5 and 7).
 
 mod header;
+mod places;
 mod records;
-
-use std::collections::HashMap;
+mod tables;
 
 use crate::chunk::{Chunk, Context, Reader};
 use crate::model::Model;
-use crate::object::ClassObject;
+use crate::user_table::UserTable;
 use crate::version::Version;
-use crate::{Error, Limits, Result, class_ids, layer, settings, typecode};
+use crate::{Error, Limits, Result, properties, settings, typecode};
 
 pub(crate) use header::SIGNATURE;
+pub(crate) use places::{Numbers, Places};
 pub(crate) use records::RecordCodes;
 use records::read_record;
 
@@ -71,7 +72,7 @@ fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
     if !ended {
         context.warn(file.offset(), "the archive has no end mark");
     }
-    reading.place_on_layers();
+    reading.place();
     Ok(reading.model)
 }
 
@@ -79,11 +80,8 @@ fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
 #[derive(Default)]
 struct Reading {
     model: Model,
-    /// The number that each layer gives itself, by which attributes refer to it.
-    layer_numbers: Vec<i32>,
-    /// The layer number of each object and each light.
-    object_layers: Vec<i32>,
-    light_layers: Vec<i32>,
+    /// The numbers by which entries of tables are referred to.
+    places: Places,
 }
 
 impl Reading {
@@ -101,12 +99,12 @@ impl Reading {
                     self.model.opennurbs_version = version.opennurbs;
                     Ok(())
                 }
-                typecode::NOTES => read_notes(record.body).map(|notes| self.model.notes = notes),
-                typecode::APPLICATION => {
-                    read_application(record.body).map(|name| self.model.application = name)
-                }
                 typecode::END_OF_TABLE => break,
-                _ => Ok(()),
+                _ => properties::read(&record, &mut self.model).map(|known| {
+                    if !known {
+                        self.keep(typecode::PROPERTIES_TABLE, &record);
+                    }
+                }),
             };
             if let Err(error) = read {
                 context.warn(record.offset, format!("a property left out: {error}"));
@@ -122,7 +120,14 @@ impl Reading {
             return Ok(());
         };
         if table.typecode == typecode::USER_TABLE {
-            self.skip(name);
+            let context = table.body.context();
+            match UserTable::read(table.body) {
+                Ok(read) => self.model.user_tables.push(read),
+                Err(error) => {
+                    self.skip(name);
+                    context.warn(table.offset, format!("a user table is left out: {error}"));
+                }
+            }
             return Ok(());
         }
         let mut body = table.body;
@@ -141,7 +146,7 @@ impl Reading {
                 break;
             }
             let offset = record.offset;
-            if let Err(error) = self.read_record(table.typecode, name, record) {
+            if let Err(error) = self.read_record(table.typecode, &record) {
                 self.skip(name);
                 context.warn(offset, format!("a record of the {name} table is left out: {error}"));
             }
@@ -149,34 +154,32 @@ impl Reading {
         Ok(())
     }
 
-    fn read_record(&mut self, table: u32, name: &str, record: Chunk<'_>) -> Result<()> {
+    fn read_record(&mut self, table: u32, record: &Chunk<'_>) -> Result<()> {
         match (table, record.typecode) {
             (typecode::SETTINGS_TABLE, typecode::UNITS) => self.read_units(record),
-            // Other settings are views and options, not parts of the model.
-            (typecode::SETTINGS_TABLE, _) => Ok(()),
-            (typecode::LAYER_TABLE, typecode::LAYER_RECORD) => self.read_layer(record),
+            (typecode::SETTINGS_TABLE, _) => {
+                if !self.model.settings.read(record)? {
+                    self.keep(table, record);
+                }
+                Ok(())
+            }
             (typecode::OBJECT_TABLE, typecode::OBJECT_RECORD) => {
-                let (object, layer) = read_record(record.body, RecordCodes::OBJECT)?;
-                self.model.objects.push(object);
-                self.object_layers.push(layer);
+                self.model.objects.push(read_record(record.body.clone(), RecordCodes::OBJECT)?);
                 Ok(())
             }
             (typecode::LIGHT_TABLE, typecode::LIGHT_RECORD) => {
-                let (light, layer) = read_record(record.body, RecordCodes::LIGHT)?;
-                self.model.lights.push(light);
-                self.light_layers.push(layer);
+                self.model.lights.push(read_record(record.body.clone(), RecordCodes::LIGHT)?);
                 Ok(())
             }
-            _ => {
-                self.skip(name);
-                Ok(())
-            }
+            _ => self.read_entry_record(table, record),
         }
     }
 
-    fn read_units(&mut self, record: Chunk<'_>) -> Result<()> {
+    fn read_units(&mut self, record: &Chunk<'_>) -> Result<()> {
         let context = record.body.context();
-        let stored = settings::read_units(record.body)?;
+        let stored = settings::read_units(record.body.clone())?;
+        let settings = &mut self.model.settings;
+        [settings.length_display, settings.length_digits] = stored.display;
         self.model.units = stored.units;
         self.model.tolerance = stored.tolerance;
         self.model.relative_tolerance = stored.relative_tolerance;
@@ -190,47 +193,7 @@ impl Reading {
         Ok(())
     }
 
-    fn read_layer(&mut self, record: Chunk<'_>) -> Result<()> {
-        const WHAT: &str = "layer";
-        let mut body = record.body;
-        let object = ClassObject::read(&mut body)?;
-        let Some(mut data) = object.data.filter(|_| object.class == class_ids::LAYER) else {
-            return Err(Error::malformed(record.offset, WHAT, "the record holds no layer"));
-        };
-        let (layer, number) = layer::read(&mut data)?;
-        self.model.layers.push(layer);
-        self.layer_numbers.push(number);
-        Ok(())
-    }
-
-    /// Turns the layer numbers of objects into places in the list of layers.
-    fn place_on_layers(&mut self) {
-        let places: HashMap<i32, usize> =
-            self.layer_numbers.iter().enumerate().rev().map(|(place, number)| (*number, place)).collect();
-        let place = |number: &i32| places.get(number).copied().unwrap_or(0);
-        for (object, number) in self.model.objects.iter_mut().zip(&self.object_layers) {
-            object.attributes.layer = place(number);
-        }
-        for (light, number) in self.model.lights.iter_mut().zip(&self.light_layers) {
-            light.attributes.layer = place(number);
-        }
-    }
-
     fn skip(&mut self, name: &str) {
         *self.model.skipped.entry(name.to_owned()).or_default() += 1;
     }
-}
-
-/// Notes: whether HTML, then the text; the window behind it is passed over.
-fn read_notes(mut body: Reader<'_>) -> Result<String> {
-    const WHAT: &str = "notes";
-    body.packed_version(WHAT)?;
-    body.i32(WHAT)?;
-    body.string(WHAT)
-}
-
-fn read_application(mut body: Reader<'_>) -> Result<String> {
-    const WHAT: &str = "application";
-    body.packed_version(WHAT)?;
-    body.string(WHAT)
 }

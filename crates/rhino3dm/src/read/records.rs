@@ -1,10 +1,9 @@
 //! Records of the object and light tables (section 7): a class object, its attributes, their user data.
 
-use crate::attributes::StoredAttributes;
 use crate::chunk::Reader;
 use crate::model::ModelObject;
 use crate::object::{ClassObject, Object};
-use crate::{Error, Result, typecode};
+use crate::{Attributes, Error, Result, typecode};
 
 /// The typecodes inside a record; objects and lights differ in them only.
 #[derive(Debug, Clone, Copy)]
@@ -27,12 +26,12 @@ impl RecordCodes {
     };
 }
 
-/// Reads a record; gives the object and the number of its layer.
-pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<(ModelObject, i32)> {
+/// Reads a record.
+pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<ModelObject> {
     let offset = record.offset();
     let context = record.context();
     let mut found: Option<(Object, Vec<_>)> = None;
-    let mut stored = StoredAttributes::default();
+    let mut attributes = Attributes::default();
     while !record.is_at_end() {
         if record.peek_typecode() == Some(typecode::CLASS) && found.is_none() {
             let class = ClassObject::read(&mut record)?;
@@ -40,16 +39,18 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
                 context.warn(class.offset, format!("an object is kept as bytes: {error}"));
                 Object::Kept(class.to_raw())
             });
-            let user_data = if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            let mut user_data =
+                if matches!(geometry, Object::Kept(_)) { Vec::new() } else { class.user_data };
+            user_data.retain(|data| !geometry.holds(data));
             found = Some((geometry, user_data));
             continue;
         }
         let chunk = record.chunk()?;
         let at = chunk.offset;
         let read = if chunk.typecode == codes.attributes {
-            StoredAttributes::read(chunk.body).map(|read| stored = read)
+            Attributes::read(chunk.body).map(|read| attributes = read)
         } else if chunk.typecode == codes.user_data {
-            stored.read_user_data(chunk.body)
+            attributes.read_user_data(chunk.body)
         } else if chunk.typecode == codes.end {
             break;
         } else {
@@ -62,5 +63,5 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
     let Some((geometry, user_data)) = found else {
         return Err(Error::malformed(offset, "object record", "it holds no object"));
     };
-    Ok((ModelObject { geometry, attributes: stored.attributes, user_data }, stored.layer_number))
+    Ok(ModelObject { geometry, attributes, user_data })
 }

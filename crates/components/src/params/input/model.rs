@@ -5,33 +5,24 @@ use std::sync::Arc;
 use katydid_3dm::{Limits, Model};
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Value};
-use regex::{Regex, RegexBuilder};
 
-/// A filter in which `*` stands for any text and `?` for any character; case does not matter.
-fn filter(pattern: &str) -> Result<Regex, Message> {
-    let pattern = regex::escape(pattern.trim()).replace(r"\*", ".*").replace(r"\?", ".");
-    let regex = RegexBuilder::new(&format!("^(?s:{pattern})$")).case_insensitive(true).build();
-    regex.map_err(|error| Message::error(format!("The filter cannot be used: {error}")))
-}
+use crate::params::wildcard::Wildcard;
 
 fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<Vec<Geometry>, Message> {
-    let (layers, names) = (filter(layer)?, filter(name)?);
+    let (layers, names) = (Wildcard::new(layer)?, Wildcard::new(name)?);
     let bytes = context.read_file(file)?;
     let model = Model::read(&bytes, &Limits::default())
         .map_err(|error| Message::error(format!("{file} cannot be read: {error}")))?;
-    // An object counts by its layer's own name, and by its path from the outermost layer.
     let wanted: Vec<bool> = (0..model.layers.len())
-        .map(|i| {
-            let own = model.layers.get(i).is_some_and(|layer| layers.is_match(&layer.name));
-            own || model.layer_path(i).is_some_and(|path| layers.is_match(&path))
-        })
+        .map(|i| model.layer_path(i).is_some_and(|path| layers.takes_layer(&path)))
         .collect();
-    let any_layer = layers.is_match("");
+    let any_layer = layers.takes("");
     let mut geometry = Vec::new();
     let mut unknown = 0;
     for object in model.objects {
-        let on_layer = wanted.get(object.attributes.layer).copied().unwrap_or(any_layer);
-        if !on_layer || !names.is_match(&object.attributes.name) {
+        let on_layer =
+            object.attributes.layer.and_then(|layer| wanted.get(layer)).copied().unwrap_or(any_layer);
+        if !on_layer || !names.takes(&object.attributes.name) {
             continue;
         }
         match Value::from_object(object.geometry) {
@@ -101,7 +92,8 @@ mod tests {
         let layers = vec![Layer::new("Walls"), Layer::new("Roof")];
         let mut model = Model { layers, ..Model::default() };
         for (x, layer, name) in [(1.0, 0, "north"), (2.0, 1, "north"), (3.0, 1, "south")] {
-            let attributes = Attributes { layer, name: name.to_owned(), ..Attributes::default() };
+            let attributes =
+                Attributes { layer: Some(layer), name: name.to_owned(), ..Attributes::default() };
             let geometry = Object::Point(Point3::new(x, 0.0, 0.0));
             model.objects.push(ModelObject { geometry, attributes, user_data: Vec::new() });
         }

@@ -1,41 +1,27 @@
 //! Class ArcCurve.
 
-use std::f64::consts::TAU;
+use katydid_geometry::{Arc, Interval};
 
-use katydid_geometry::ArcCurve;
-
-use super::{check_domain, major_1};
+use super::{CurveForm, major_1};
+use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::object::is_frame;
-use crate::{Error, Result};
 
 const WHAT: &str = "arc curve";
 
-pub(super) fn read(body: &mut Reader<'_>) -> Result<ArcCurve> {
-    let offset = body.offset();
+pub(super) fn read(body: &mut Reader<'_>) -> Result<CurveForm> {
     major_1(body, WHAT)?;
     let arc = body.arc(WHAT)?;
     let domain = body.interval(WHAT)?;
-    body.i32("dimension")?;
-    let radius = arc.circle.radius;
-    if !(radius.is_finite() && radius > 0.0) {
-        return Err(Error::malformed(offset, WHAT, format!("its radius is {radius}")));
-    }
-    if !is_frame(&arc.circle.plane) {
-        return Err(Error::malformed(offset, WHAT, "the axes of its plane are not square"));
-    }
-    let angle = arc.angle.length();
-    if !(arc.angle.start.is_finite() && angle > 0.0 && angle <= TAU + 1e-9) {
-        return Err(Error::malformed(offset, WHAT, format!("its angle is {angle}")));
-    }
-    check_domain(domain, offset, WHAT)?;
-    Ok(ArcCurve { arc, domain })
+    let dimension = match body.i32("dimension")? {
+        2 => 2,
+        _ => 3,
+    };
+    Ok(CurveForm::Arc { arc, domain, dimension })
 }
 
-pub(super) fn write(curve: &ArcCurve, w: &mut Writer) -> Result<()> {
+pub(super) fn write(arc: &Arc, domain: Interval, dimension: i32, w: &mut Writer) {
     w.packed_version(1, 0);
-    w.arc(&curve.arc);
-    w.interval(curve.domain);
-    w.i32(3);
-    Ok(())
+    w.arc(arc);
+    w.interval(domain);
+    w.i32(dimension);
 }

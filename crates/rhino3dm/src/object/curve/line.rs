@@ -1,30 +1,25 @@
 //! Class LineCurve.
 
-use katydid_geometry::LineCurve;
+use katydid_geometry::{Interval, Line};
 
-use super::{check_domain, major_1};
+use super::{CurveForm, major_1};
+use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::{Error, Result};
 
 const WHAT: &str = "line curve";
 
-pub(super) fn read(body: &mut Reader<'_>) -> Result<LineCurve> {
-    let offset = body.offset();
+pub(super) fn read(body: &mut Reader<'_>) -> Result<CurveForm> {
     major_1(body, WHAT)?;
-    let line = body.line(WHAT)?;
-    let domain = body.interval(WHAT)?;
-    body.i32("dimension")?;
-    if !(line.from.is_finite() && line.to.is_finite()) {
-        return Err(Error::geometry(offset, WHAT, katydid_geometry::Error::NotFinite("end of the line")));
-    }
-    check_domain(domain, offset, WHAT)?;
-    Ok(LineCurve { line, domain })
+    Ok(CurveForm::Line {
+        line: body.line(WHAT)?,
+        domain: body.interval(WHAT)?,
+        dimension: body.i32("dimension")?,
+    })
 }
 
-pub(super) fn write(curve: &LineCurve, w: &mut Writer) -> Result<()> {
+pub(super) fn write(line: &Line, domain: Interval, dimension: i32, w: &mut Writer) {
     w.packed_version(1, 0);
-    w.line(&curve.line);
-    w.interval(curve.domain);
-    w.i32(3);
-    Ok(())
+    w.line(line);
+    w.interval(domain);
+    w.i32(dimension);
 }

@@ -1,19 +1,30 @@
 //! The curve classes (section 8).
 
 mod arc;
+mod form;
 mod line;
 mod nurbs;
+mod on_surface;
 mod poly;
 mod polyline;
 
-use katydid_geometry::{Curve, Interval};
+pub use form::CurveForm;
+pub use nurbs::NurbsForm;
+pub use on_surface::CurveOnSurface;
+
+use katydid_geometry::Curve;
 use uuid::Uuid;
 
-use super::major_1;
+use super::{ClassObject, major_1, write_class};
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result, class_ids};
 
-/// Whether a class, by its own identifier, is a curve that the kernel has.
+/// The dimension of curves in space.
+pub(super) const SPACE: i32 = 3;
+/// The dimension of curves in a parameter plane.
+pub(super) const FLAT: i32 = 2;
+
+/// Whether a class, by its own identifier, is a curve.
 pub(super) fn is_curve(class: Uuid) -> bool {
     matches!(
         class,
@@ -22,6 +33,7 @@ pub(super) fn is_curve(class: Uuid) -> bool {
             | class_ids::POLYLINE_CURVE
             | class_ids::POLY_CURVE
             | class_ids::NURBS_CURVE
+            | class_ids::CURVE_ON_SURFACE
     )
 }
 
@@ -36,27 +48,61 @@ pub(super) fn class_of(curve: &Curve) -> Uuid {
     }
 }
 
+/// The class under which a form is written.
+pub(super) fn class_of_form(form: &CurveForm) -> Uuid {
+    match form {
+        CurveForm::Line { .. } => class_ids::LINE_CURVE,
+        CurveForm::Arc { .. } => class_ids::ARC_CURVE,
+        CurveForm::Polyline { .. } => class_ids::POLYLINE_CURVE,
+        CurveForm::Poly { .. } => class_ids::POLY_CURVE,
+        CurveForm::Nurbs(_) => class_ids::NURBS_CURVE,
+        CurveForm::OnSurface(_) => class_ids::CURVE_ON_SURFACE,
+    }
+}
+
 /// Reads the body of a curve class.
-pub(super) fn read(class: Uuid, body: &mut Reader<'_>) -> Result<Curve> {
+pub(super) fn read(class: Uuid, body: &mut Reader<'_>) -> Result<CurveForm> {
     match class {
-        class_ids::LINE_CURVE => line::read(body).map(Curve::Line),
-        class_ids::ARC_CURVE => arc::read(body).map(Curve::Arc),
-        class_ids::POLYLINE_CURVE => polyline::read(body).map(Curve::Polyline),
-        class_ids::POLY_CURVE => poly::read(body).map(Curve::Poly),
-        class_ids::NURBS_CURVE => nurbs::read(body).map(Curve::Nurbs),
+        class_ids::LINE_CURVE => line::read(body),
+        class_ids::ARC_CURVE => arc::read(body),
+        class_ids::POLYLINE_CURVE => polyline::read(body),
+        class_ids::POLY_CURVE => poly::read(body),
+        class_ids::NURBS_CURVE => nurbs::read(body).map(CurveForm::Nurbs),
+        class_ids::CURVE_ON_SURFACE => on_surface::read(body).map(Box::new).map(CurveForm::OnSurface),
         _ => Err(Error::malformed(body.offset(), "curve", format!("class {class} is no curve read here"))),
     }
 }
 
+/// Reads the body of a polycurve without its class object, as version 2 breps hold them.
+pub(super) fn read_poly(body: &mut Reader<'_>) -> Result<CurveForm> {
+    poly::read(body)
+}
+
+/// Reads an arrow of version 2: its tail and its tip. The official reader makes a line of it, too.
+pub(super) fn read_arrow(body: &mut Reader<'_>) -> Result<Curve> {
+    const WHAT: &str = "arrow";
+    let offset = body.offset();
+    major_1(body, WHAT)?;
+    let line = body.line(WHAT)?;
+    if !(line.from.is_finite() && line.to.is_finite()) {
+        return Err(Error::geometry(offset, WHAT, katydid_geometry::Error::NotFinite("end of the arrow")));
+    }
+    Ok(Curve::from(line))
+}
+
 /// Reads a whole class object that must be a curve.
-pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<Curve> {
-    let object = super::ClassObject::read(reader)?;
+pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<CurveForm> {
+    form_of_object(ClassObject::read(reader)?)
+}
+
+/// Takes apart a class object that must be a curve.
+pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<CurveForm> {
     let class = class_ids::canonical(object.class);
     match object.data {
         Some(mut body) if is_curve(class) => {
-            let curve = read(class, &mut body)?;
+            let form = read(class, &mut body)?;
             body.finish();
-            Ok(curve)
+            Ok(form)
         }
         _ => {
             let name = class_ids::name(class).map_or_else(|| class.to_string(), str::to_owned);
@@ -66,32 +112,21 @@ pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<Curve> {
 }
 
 /// Writes the body of a curve class.
-pub(super) fn write(curve: &Curve, w: &mut Writer) -> Result<()> {
-    match curve {
-        Curve::Line(c) => line::write(c, w),
-        Curve::Arc(c) => arc::write(c, w),
-        Curve::Polyline(c) => polyline::write(c, w),
-        Curve::Poly(c) => poly::write(c, w),
-        Curve::Nurbs(c) => nurbs::write(c, w),
+pub(super) fn write(form: &CurveForm, w: &mut Writer) -> Result<()> {
+    match form {
+        CurveForm::Line { line, domain, dimension } => line::write(line, *domain, *dimension, w),
+        CurveForm::Arc { arc, domain, dimension } => arc::write(arc, *domain, *dimension, w),
+        CurveForm::Polyline { points, parameters, dimension } => {
+            return polyline::write(points, parameters, *dimension, w);
+        }
+        CurveForm::Nurbs(form) => return nurbs::write(form, w),
+        CurveForm::Poly { segments, parameters } => return poly::write(segments, parameters, w),
+        CurveForm::OnSurface(curve) => return on_surface::write(curve, w),
     }
+    Ok(())
 }
 
 /// Writes a whole class object.
-pub(super) fn write_object(curve: &Curve, w: &mut Writer) -> Result<()> {
-    super::write_class(w, class_of(curve), &[], |w| write(curve, w))
-}
-
-/// A domain must be finite and increase.
-fn check_domain(domain: Interval, offset: usize, what: &'static str) -> Result<()> {
-    if !(domain.start.is_finite() && domain.end.is_finite()) {
-        return Err(Error::geometry(offset, what, katydid_geometry::Error::NotFinite("domain")));
-    }
-    if domain.start >= domain.end {
-        return Err(Error::malformed(
-            offset,
-            what,
-            format!("its domain {}…{} does not increase", domain.start, domain.end),
-        ));
-    }
-    Ok(())
+pub(super) fn write_object(form: &CurveForm, w: &mut Writer) -> Result<()> {
+    write_class(w, class_of_form(form), &[], |w| write(form, w))
 }

@@ -1,26 +1,26 @@
-//! Class PolylineCurve.
+//! Class PolylineCurve. Its points have three coordinates in every dimension.
 
-use katydid_geometry::PolylineCurve;
+use katydid_geometry::Point3;
 
-use super::major_1;
+use super::{CurveForm, major_1};
+use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::{Error, Result};
 
 const WHAT: &str = "polyline curve";
 
-pub(super) fn read(body: &mut Reader<'_>) -> Result<PolylineCurve> {
-    let offset = body.offset();
+pub(super) fn read(body: &mut Reader<'_>) -> Result<CurveForm> {
     major_1(body, WHAT)?;
-    let points = body.points(WHAT)?;
-    let parameters = body.doubles(WHAT)?;
-    body.i32("dimension")?;
-    PolylineCurve::with_parameters(points, parameters).map_err(|e| Error::geometry(offset, WHAT, e))
+    Ok(CurveForm::Polyline {
+        points: body.points(WHAT)?,
+        parameters: body.doubles(WHAT)?,
+        dimension: body.i32("dimension")?,
+    })
 }
 
-pub(super) fn write(curve: &PolylineCurve, w: &mut Writer) -> Result<()> {
+pub(super) fn write(points: &[Point3], parameters: &[f64], dimension: i32, w: &mut Writer) -> Result<()> {
     w.packed_version(1, 0);
-    w.points(curve.points())?;
-    w.doubles(curve.parameters())?;
-    w.i32(3);
+    w.points(points)?;
+    w.doubles(parameters)?;
+    w.i32(dimension);
     Ok(())
 }

@@ -1,14 +1,18 @@
 //! The surface classes (section 8).
 
+mod form;
 mod nurbs;
 mod plane;
 mod revolution;
 mod sum;
 
+pub use form::SurfaceForm;
+pub use nurbs::NurbsSurfaceForm;
+
 use katydid_geometry::Surface;
 use uuid::Uuid;
 
-use super::{curve, is_frame, major_1};
+use super::{ClassObject, curve, major_1, write_class};
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result, class_ids};
 
@@ -33,25 +37,69 @@ pub(super) fn class_of(surface: &Surface) -> Uuid {
     }
 }
 
+/// The class under which a form is written.
+pub(super) fn class_of_form(form: &SurfaceForm) -> Uuid {
+    match form {
+        SurfaceForm::Plane { .. } => class_ids::PLANE_SURFACE,
+        SurfaceForm::Sum { .. } => class_ids::SUM_SURFACE,
+        SurfaceForm::Revolution { .. } => class_ids::REVOLUTION_SURFACE,
+        SurfaceForm::Nurbs(_) => class_ids::NURBS_SURFACE,
+    }
+}
+
 /// Reads the body of a surface class.
-pub(super) fn read(class: Uuid, body: &mut Reader<'_>) -> Result<Surface> {
+pub(super) fn read(class: Uuid, body: &mut Reader<'_>) -> Result<SurfaceForm> {
     match class {
-        class_ids::PLANE_SURFACE => plane::read(body).map(Surface::Plane),
-        class_ids::SUM_SURFACE => sum::read(body).map(Surface::Sum),
-        class_ids::REVOLUTION_SURFACE => revolution::read(body).map(Surface::Revolution),
-        class_ids::NURBS_SURFACE => nurbs::read(body).map(Surface::Nurbs),
+        class_ids::PLANE_SURFACE => plane::read(body),
+        class_ids::SUM_SURFACE => sum::read(body),
+        class_ids::REVOLUTION_SURFACE => revolution::read(body),
+        class_ids::NURBS_SURFACE => read_nurbs(body),
         _ => {
             Err(Error::malformed(body.offset(), "surface", format!("class {class} is no surface read here")))
         }
     }
 }
 
-/// Writes the body of a surface class.
-pub(super) fn write(surface: &Surface, w: &mut Writer) -> Result<()> {
-    match surface {
-        Surface::Plane(s) => plane::write(s, w),
-        Surface::Sum(s) => sum::write(s, w),
-        Surface::Revolution(s) => revolution::write(s, w),
-        Surface::Nurbs(s) => nurbs::write(s, w),
+/// Reads the body of a NURBS surface without its class object, as version 2 breps hold them.
+pub(super) fn read_nurbs(body: &mut Reader<'_>) -> Result<SurfaceForm> {
+    nurbs::read(body).map(SurfaceForm::Nurbs)
+}
+
+/// Reads a whole class object that must be a surface.
+pub(super) fn read_object(reader: &mut Reader<'_>) -> Result<SurfaceForm> {
+    form_of_object(ClassObject::read(reader)?)
+}
+
+/// Takes apart a class object that must be a surface.
+pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<SurfaceForm> {
+    let class = class_ids::canonical(object.class);
+    match object.data {
+        Some(mut body) if is_surface(class) => {
+            let form = read(class, &mut body)?;
+            body.finish();
+            Ok(form)
+        }
+        _ => {
+            let name = class_ids::name(class).map_or_else(|| class.to_string(), str::to_owned);
+            Err(Error::malformed(object.offset, "surface", format!("class {name} is no surface read here")))
+        }
     }
+}
+
+/// Writes the body of a surface class.
+pub(super) fn write(form: &SurfaceForm, w: &mut Writer) -> Result<()> {
+    match form {
+        SurfaceForm::Plane { plane, domains, extents } => {
+            plane::write(plane, *domains, *extents, w);
+            Ok(())
+        }
+        SurfaceForm::Sum { .. } => sum::write(form, w),
+        SurfaceForm::Revolution { .. } => revolution::write(form, w),
+        SurfaceForm::Nurbs(form) => nurbs::write(form, w),
+    }
+}
+
+/// Writes a whole class object.
+pub(super) fn write_object(form: &SurfaceForm, w: &mut Writer) -> Result<()> {
+    write_class(w, class_of_form(form), &[], |w| write(form, w))
 }

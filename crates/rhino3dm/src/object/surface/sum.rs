@@ -1,28 +1,23 @@
 //! Class SumSurface: a shift, then two curves as class objects.
 
-use katydid_geometry::SumSurface;
-
-use super::{curve, major_1};
+use super::{SurfaceForm, curve, major_1};
+use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::{Error, Result};
 
 const WHAT: &str = "sum surface";
 
-pub(super) fn read(body: &mut Reader<'_>) -> Result<SumSurface> {
-    let offset = body.offset();
+pub(super) fn read(body: &mut Reader<'_>) -> Result<SurfaceForm> {
     major_1(body, WHAT)?;
     let shift = body.vector(WHAT)?;
-    body.take(48, "box of the sum surface")?;
-    let first = curve::read_object(body)?;
-    let second = curve::read_object(body)?;
-    SumSurface::new(first, second, shift).map_err(|e| Error::geometry(offset, WHAT, e))
+    let bounds = body.bounds("box of the sum surface")?;
+    let curves = Box::new([curve::read_object(body)?, curve::read_object(body)?]);
+    Ok(SurfaceForm::Sum { shift, bounds, curves })
 }
 
-pub(super) fn write(surface: &SumSurface, w: &mut Writer) -> Result<()> {
+pub(super) fn write(form: &SurfaceForm, w: &mut Writer) -> Result<()> {
+    let SurfaceForm::Sum { shift, bounds, curves } = form else { return Ok(()) };
     w.packed_version(1, 0);
-    w.vector(surface.shift());
-    w.empty_box();
-    let [first, second] = surface.curves();
-    curve::write_object(first, w)?;
-    curve::write_object(second, w)
+    w.vector(*shift);
+    w.bounds(*bounds);
+    curves.iter().try_for_each(|c| curve::write_object(c, w))
 }

@@ -1,0 +1,49 @@
+//! Opening a definition to solve it.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use katydid_component::{Files, Limits, RhinoModel};
+use katydid_data::cast::Rules;
+use katydid_geometry::Units;
+use katydid_session::Session;
+use katydid_solver::Options;
+
+use crate::args::DefinitionArgs;
+use crate::{progress, source};
+
+/// A session on the definition with its inputs set; nothing is solved yet.
+pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
+    let source = source::definition(&args.file)?;
+    let model = args.model.as_deref().map(model).transpose()?;
+    let mut rules = Rules::default();
+    if let Some(model) = &model {
+        (rules.units, rules.tolerance) = (model.units, model.tolerance);
+    }
+    if let Some(units) = args.units.map(Units::from).or(source.units) {
+        rules.units = units;
+    }
+    let time = args.limit_seconds.map(Duration::try_from_secs_f64).transpose();
+    let options = Options {
+        rules,
+        limits: Limits {
+            time: time.map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
+            ..Limits::default()
+        },
+        // Who runs a definition here may read their own files; the paths start where the definition lies.
+        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
+        model: model.map(Arc::new),
+        progress: progress::listener(),
+        ..Options::default()
+    };
+    let mut session = Session::new(source.document, options);
+    for (name, value) in &args.set {
+        session.set(name, value).map_err(|error| error.to_string())?;
+    }
+    Ok(session)
+}
+
+fn model(path: &Path) -> Result<RhinoModel, String> {
+    RhinoModel::read(&source::bytes(path)?).map_err(|error| format!("{}: {error}", path.display()))
+}

@@ -1,0 +1,72 @@
+//! Definitions that look into a Rhino model.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+mod common;
+
+use common::{katydid, said, text};
+use katydid_3dm::{Attributes, Layer, Model, ModelObject, Object};
+use katydid_geometry::{Line, Point3, Units};
+use serde_json::Value;
+use uuid::Uuid;
+
+const DEFINITION: &str = "katydid 1
+
+wall = Curve(geometry(ref = @00000000-0000-0000-0000-0000000000a1))
+lost = Curve(geometry(ref = @00000000-0000-0000-0000-0000000000ff))
+ends = End Points(wall)
+all  = Geometry Pipeline()
+";
+
+/// The ids, the layers and the geometry that the definition asks for, in metres.
+fn model() -> Model {
+    let mut model = Model { units: Units::Meters, layers: vec![Layer::new("Walls")], ..Model::default() };
+    let line = Line::new(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0));
+    for (id, geometry) in
+        [(0xa1, Object::Curve(line.into())), (0xa2, Object::Point(Point3::new(7.0, 0.0, 0.0)))]
+    {
+        let attributes = Attributes { id: Uuid::from_u128(id), ..Attributes::default() };
+        model.objects.push(ModelObject { attributes, ..ModelObject::from(geometry) });
+    }
+    model
+}
+
+fn items<'a>(report: &'a Value, nickname: &str, output: usize) -> &'a Value {
+    let mut objects = report["objects"].as_array().unwrap().iter();
+    &objects.find(|o| o["nickname"] == nickname).unwrap()["outputs"][output]["branches"][0]["items"]
+}
+
+#[test]
+fn referenced_objects_come_from_the_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let (definition, rhino) = (folder.path().join("d.kd"), folder.path().join("m.3dm"));
+    std::fs::write(&definition, DEFINITION).unwrap();
+    std::fs::write(&rhino, model().write(70).unwrap()).unwrap();
+
+    let without = katydid(&["run", text(&definition)]);
+    assert_eq!(without.status.code(), Some(0));
+    let words = said(&without);
+    assert!(words.contains("wall") && words.contains("00000000-0000-0000-0000-0000000000a1"), "{words}");
+    assert!(words.contains("Needs the Rhino model"), "{words}");
+
+    let with = katydid(&["run", text(&definition), "--model", text(&rhino), "--json"]);
+    assert_eq!(with.status.code(), Some(0), "{}", said(&with));
+    let report: Value = serde_json::from_slice(&with.stdout).unwrap();
+    assert_eq!(report["units"], "Meters");
+    assert_eq!(items(&report, "ends", 1)[0], "{3, 4, 0}");
+    assert_eq!(items(&report, "all", 0).as_array().unwrap().len(), 2);
+    let words = said(&with);
+    assert!(words.contains("lost") && words.contains("is not in the Rhino model"), "{words}");
+}
+
+#[test]
+fn a_model_that_cannot_be_read_is_exit_code_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let definition = folder.path().join("d.kd");
+    std::fs::write(&definition, DEFINITION).unwrap();
+    for model in [text(&definition), "nowhere.3dm"] {
+        let output = katydid(&["run", text(&definition), "--model", model]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said(&output).contains(model), "{}", said(&output));
+    }
+}

@@ -1,0 +1,77 @@
+//! Tables: layers, materials, linetypes, groups, blocks and the attributes that refer to them.
+
+use katydid_3dm::{Attributes, LinetypeChoice, Model, Source};
+use serde_json::{Value, json};
+
+/// The tables of a model.
+pub(crate) fn tables(model: &Model) -> Value {
+    let layers: Vec<Value> = (model.layers.iter().enumerate())
+        .map(|(i, layer)| {
+            json!({"name": layer.name, "path": model.layer_path(i), "colour": layer.colour,
+                "id": layer.id.to_string(), "visible": layer.visible, "locked": layer.locked,
+                "expanded": layer.expanded, "iges": layer.iges_level, "material": place(layer.material),
+                "linetype": linetype(layer.linetype), "plot_colour": layer.plot_colour,
+                "plot_weight": layer.plot_weight, "parent": layer.parent.unwrap_or_default().to_string()})
+        })
+        .collect();
+    let materials: Vec<Value> = (model.materials.iter())
+        .map(|m| {
+            json!({"name": m.name, "id": m.id.to_string(), "diffuse": m.diffuse, "shine": m.shine,
+                "transparency": m.transparency, "reflectivity": m.reflectivity, "refraction": m.refraction,
+                "textures": m.textures.iter().map(|t| t.file.path()).collect::<Vec<_>>()})
+        })
+        .collect();
+    let linetypes: Vec<Value> = (model.linetypes.iter())
+        .map(|l| {
+            let segments: Vec<_> = l.segments.iter().map(|s| json!([s.length, s.is_gap])).collect();
+            json!({"name": l.name, "id": l.id.to_string(), "segments": segments})
+        })
+        .collect();
+    let groups: Vec<Value> =
+        (model.groups.iter()).map(|group| json!({"name": group.name, "id": group.id.to_string()})).collect();
+    let blocks: Vec<Value> = (model.blocks.iter())
+        .map(|block| {
+            let members: Vec<String> = block.members.iter().map(ToString::to_string).collect();
+            json!({"name": block.name, "id": block.id.to_string(), "description": block.description,
+                "members": members, "file": block.link().map_or("", |link| link.file.path())})
+        })
+        .collect();
+    json!({"layers": layers, "materials": materials, "linetypes": linetypes, "groups": groups, "blocks": blocks})
+}
+
+/// The parts of attributes that rhino3dm shows, too.
+pub(crate) fn attributes(attributes: &Attributes) -> Value {
+    let a = attributes;
+    json!({"id": a.id.to_string(), "name": a.name, "url": a.url, "layer": place(a.layer),
+        "colour": a.colour, "colour_source": source(a.colour.map_or(a.colour_source, |_| Source::Object)),
+        "stored_colour": a.colour.unwrap_or(a.unused_colour), "visible": a.visible,
+        "material": place(a.material), "material_source": source(a.material_source),
+        "linetype": linetype(a.linetype), "linetype_source": source(a.linetype_source),
+        "plot_colour": a.plot_colour, "plot_colour_source": source(a.plot_colour_source),
+        "plot_weight": a.plot_weight, "plot_weight_source": source(a.plot_weight_source),
+        "wire_density": a.wire_density, "groups": a.groups, "display_order": a.display_order,
+        "viewport": a.viewport.to_string(), "casts": a.rendering.casts_shadows,
+        "receives": a.rendering.receives_shadows, "user_strings": a.user_strings})
+}
+
+fn place(place: Option<usize>) -> Value {
+    place.map_or(json!(-1), |place| json!(place))
+}
+
+fn linetype(choice: LinetypeChoice) -> Value {
+    match choice {
+        LinetypeChoice::ByLayer => json!(-2),
+        LinetypeChoice::ByParent => json!(-3),
+        LinetypeChoice::Entry(place) => json!(place),
+        _ => json!(-1),
+    }
+}
+
+fn source(source: Source) -> u8 {
+    match source {
+        Source::Layer => 0,
+        Source::Object => 1,
+        Source::Display => 2,
+        Source::Parent => 3,
+    }
+}

@@ -1,0 +1,82 @@
+//! Reading the tables of entries: each record typed, or kept where that fails.
+
+use super::Reading;
+use super::places::Numbers;
+use crate::chunk::Chunk;
+use crate::tables::{Entry, KeptRecord, Table, read_entry};
+use crate::{Result, typecode};
+
+/// Reads an entry into its list and notes its number.
+fn push<T: Entry>(record: &Chunk<'_>, list: &mut Vec<T>, numbers: &mut Numbers) -> Result<()> {
+    let (entry, number) = read_entry(&mut record.body.clone())?;
+    list.push(entry);
+    numbers.push(number);
+    Ok(())
+}
+
+impl Reading {
+    /// Takes a record of any table but those of objects and lights.
+    pub(super) fn read_entry_record(&mut self, table: u32, record: &Chunk<'_>) -> Result<()> {
+        // Hatch patterns and blocks are referred to by their own numbers and identifiers.
+        let mut unused = Numbers::default();
+        let (model, places) = (&mut self.model, &mut self.places);
+        let read = match (table, record.typecode) {
+            (typecode::LAYER_TABLE, typecode::LAYER_RECORD) => {
+                push(record, &mut model.layers, &mut places.layers)
+            }
+            (typecode::MATERIAL_TABLE, typecode::MATERIAL_RECORD) => {
+                push(record, &mut model.materials, &mut places.materials)
+            }
+            (typecode::LINETYPE_TABLE, typecode::LINETYPE_RECORD) => {
+                push(record, &mut model.linetypes, &mut places.linetypes)
+            }
+            (typecode::GROUP_TABLE, typecode::GROUP_RECORD) => {
+                push(record, &mut model.groups, &mut places.groups)
+            }
+            (typecode::HATCH_PATTERN_TABLE, typecode::HATCH_PATTERN_RECORD) => {
+                push(record, &mut model.hatch_patterns, &mut unused)
+            }
+            (typecode::INSTANCE_DEFINITION_TABLE, typecode::INSTANCE_DEFINITION_RECORD) => {
+                push(record, &mut model.blocks, &mut unused)
+            }
+            _ => {
+                self.keep(table, record);
+                return Ok(());
+            }
+        };
+        // A layer that cannot be read leaves its objects without; others are carried along unread.
+        if let Err(error) = read {
+            if table == typecode::LAYER_TABLE {
+                return Err(error);
+            }
+            let context = record.body.context();
+            context.warn(record.offset, format!("a record is kept as bytes: {error}"));
+            self.keep(table, record);
+        }
+        Ok(())
+    }
+
+    /// Keeps a record byte for byte.
+    pub(super) fn keep(&mut self, table: u32, record: &Chunk<'_>) {
+        let Some(table) = Table::from_typecode(table) else { return };
+        let version = record.body.version();
+        self.model.kept.push(KeptRecord {
+            table,
+            typecode: record.typecode,
+            value: record.value,
+            body: record.whole.to_vec(),
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+        });
+    }
+
+    /// Turns the numbers that layers, objects and lights refer by into places.
+    pub(super) fn place(&mut self) {
+        let (model, places) = (&mut self.model, &self.places);
+        model.layers.iter_mut().for_each(|layer| layer.place(places));
+        for object in model.objects.iter_mut().chain(&mut model.lights) {
+            object.attributes.place(places);
+        }
+        model.settings.place(places);
+    }
+}

@@ -1,0 +1,91 @@
+//! User tables (section 5): what plug-ins store beside the model.
+
+use uuid::Uuid;
+
+use crate::chunk::{Chunk, Reader, Writer};
+use crate::version::Version;
+use crate::{Error, Result, typecode};
+
+/// What one plug-in stores beside the model, as it was.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UserTable {
+    /// The plug-in.
+    pub plug_in: Uuid,
+    /// Whether the plug-in was absent when the archive was last written.
+    pub carried: bool,
+    /// The archive version whose rules the body follows.
+    pub archive_version: i32,
+    /// The openNURBS version that wrote it.
+    pub opennurbs_version: u32,
+    /// The body, verbatim.
+    pub body: Vec<u8>,
+}
+
+const WHAT: &str = "user table";
+
+impl UserTable {
+    /// Reads the table.
+    pub(crate) fn read(mut table: Reader<'_>) -> Result<Self> {
+        let version = table.version();
+        let offset = table.offset();
+        let mut header = table.expect(typecode::USER_TABLE_HEADER, WHAT)?;
+        let mut found = Self {
+            plug_in: header.uuid(WHAT)?,
+            carried: false,
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+            body: Vec::new(),
+        };
+        if !header.is_at_end() {
+            let record = header.expect(typecode::USER_TABLE_VERSION, WHAT)?;
+            found.read_version(record)?;
+        }
+        header.finish();
+        while !table.is_at_end() {
+            let Chunk { typecode, whole, .. } = table.chunk()?;
+            match typecode {
+                typecode::USER_TABLE_BODY => {
+                    found.body = whole.to_vec();
+                    return Ok(found);
+                }
+                typecode::END_OF_TABLE => break,
+                _ => {}
+            }
+        }
+        Err(Error::malformed(offset, WHAT, "it has no body"))
+    }
+
+    fn read_version(&mut self, mut record: Reader<'_>) -> Result<()> {
+        record.i32(WHAT)?;
+        record.i32(WHAT)?;
+        self.carried = record.bool(WHAT)?;
+        self.archive_version = record.i32(WHAT)?;
+        self.opennurbs_version = record.u32(WHAT)?;
+        record.finish();
+        Ok(())
+    }
+
+    /// Writes the table; its body keeps its own version.
+    pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
+        w.chunk(typecode::USER_TABLE, |w| {
+            w.chunk(typecode::USER_TABLE_HEADER, |w| {
+                w.uuid(self.plug_in);
+                w.chunk(typecode::USER_TABLE_VERSION, |w| {
+                    w.i32(1);
+                    w.i32(0);
+                    w.bool(self.carried || self.version() != w.version());
+                    w.i32(self.archive_version);
+                    w.u32(self.opennurbs_version);
+                    Ok(())
+                })
+            })?;
+            w.foreign_chunk(typecode::USER_TABLE_BODY, &self.body)?;
+            w.short(typecode::END_OF_TABLE, 0);
+            Ok(())
+        })
+    }
+
+    fn version(&self) -> Version {
+        Version { archive: self.archive_version, opennurbs: self.opennurbs_version }
+    }
+}

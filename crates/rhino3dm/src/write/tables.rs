@@ -1,0 +1,142 @@
+//! The tables of an archive in their order: typed entries first, then the records that are kept.
+
+use std::borrow::Cow;
+
+use super::ids::Ids;
+use crate::chunk::Writer;
+use crate::model::{Model, ModelObject};
+use crate::read::RecordCodes;
+use crate::settings::{self, StoredUnits};
+use crate::tables::{Entry, Table, write_entry};
+use crate::{Error, Layer, Result, class_ids, properties, typecode};
+
+impl Model {
+    pub(super) fn write_tables(&self, w: &mut Writer) -> Result<()> {
+        self.table(w, Table::Properties, |w| {
+            w.short(typecode::OPENNURBS_VERSION, i64::from(w.version().opennurbs));
+            properties::write(self, w)
+        })?;
+        self.table(w, Table::Settings, |w| self.write_settings(w))?;
+        self.table(w, Table::Bitmaps, |_| Ok(()))?;
+        self.table(w, Table::TextureMappings, |_| Ok(()))?;
+        self.table(w, Table::Materials, |w| entries(&self.materials, typecode::MATERIAL_RECORD, w))?;
+        self.table(w, Table::Linetypes, |w| entries(&self.linetypes, typecode::LINETYPE_RECORD, w))?;
+        let layers = self.layers_to_write();
+        self.table(w, Table::Layers, |w| entries(&layers, typecode::LAYER_RECORD, w))?;
+        self.table(w, Table::Groups, |w| entries(&self.groups, typecode::GROUP_RECORD, w))?;
+        if w.version().archive < 60 || self.kept.iter().any(|record| record.table == Table::TextStyles) {
+            self.table(w, Table::TextStyles, |_| Ok(()))?;
+        }
+        self.table(w, Table::DimensionStyles, |_| Ok(()))?;
+        let mut ids = Ids::default();
+        // Identifiers are unique over lights and objects together.
+        self.table(w, Table::Lights, |w| {
+            self.lights.iter().enumerate().try_for_each(|(place, light)| {
+                write_record(light, place, layers.len(), &mut ids, typecode::LIGHT_RECORD, w)
+            })
+        })?;
+        self.table(w, Table::HatchPatterns, |w| self.write_hatch_patterns(w))?;
+        self.table(w, Table::Blocks, |w| entries(&self.blocks, typecode::INSTANCE_DEFINITION_RECORD, w))?;
+        self.table(w, Table::Objects, |w| {
+            self.objects.iter().enumerate().try_for_each(|(place, object)| {
+                write_record(object, place, layers.len(), &mut ids, typecode::OBJECT_RECORD, w)
+            })
+        })?;
+        self.table(w, Table::History, |_| Ok(()))?;
+        self.user_tables.iter().try_for_each(|table| table.write(w))
+    }
+
+    /// A table: what `records` writes, the records that are kept, and its end mark.
+    fn table(
+        &self,
+        w: &mut Writer,
+        table: Table,
+        records: impl FnOnce(&mut Writer) -> Result<()>,
+    ) -> Result<()> {
+        w.chunk(table.typecode(), |w| {
+            records(w)?;
+            let version = w.version().archive;
+            let kept = self.kept.iter().filter(|record| record.table == table);
+            kept.filter(|record| record.fits(version).is_ok()).try_for_each(|record| record.write(w))?;
+            w.short(typecode::END_OF_TABLE, 0);
+            Ok(())
+        })
+    }
+
+    fn write_settings(&self, w: &mut Writer) -> Result<()> {
+        w.chunk(typecode::UNITS, |w| {
+            let stored = StoredUnits {
+                units: self.units,
+                scale: self.unit_scale.clone(),
+                tolerance: self.tolerance,
+                relative_tolerance: self.relative_tolerance,
+                display: [self.settings.length_display, self.settings.length_digits],
+            };
+            settings::write_units(&stored, w)
+        })?;
+        self.settings.write(w)
+    }
+
+    /// Hatch patterns keep their numbers, by which hatches refer to them.
+    fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
+        let mut ids = Ids::default();
+        for (place, pattern) in self.hatch_patterns.iter().enumerate() {
+            let number =
+                pattern.number.map_or_else(|| i32::try_from(place).unwrap_or(i32::MAX), |number| number);
+            let id = ids.take(pattern.id, place, pattern.name.as_bytes());
+            w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
+        }
+        Ok(())
+    }
+
+    fn layers_to_write(&self) -> Cow<'_, [Layer]> {
+        if self.layers.is_empty() { vec![Layer::new("Default")].into() } else { (&self.layers).into() }
+    }
+}
+
+/// The records of entries, each numbered by its place.
+fn entries<T: Entry>(entries: &[T], record: u32, w: &mut Writer) -> Result<()> {
+    let mut ids = Ids::default();
+    for (place, entry) in entries.iter().enumerate() {
+        let number = i32::try_from(place).map_err(|_| Error::CannotWrite {
+            what: format!("a table with {} entries", entries.len()),
+            version: w.version().archive,
+            why: "counts end at 2147483647".into(),
+        })?;
+        let id = ids.take(entry.id(), place, entry.name().as_bytes());
+        w.chunk(record, |w| write_entry(entry, number, id, w))?;
+    }
+    Ok(())
+}
+
+fn write_record(
+    object: &ModelObject,
+    place: usize,
+    layers: usize,
+    ids: &mut Ids,
+    typecode: u32,
+    w: &mut Writer,
+) -> Result<()> {
+    let attributes = &object.attributes;
+    if let Some(layer) = attributes.layer.filter(|layer| *layer >= layers) {
+        return Err(Error::CannotWrite {
+            what: format!("object {place}"),
+            version: w.version().archive,
+            why: format!("it lies on layer {layer}, but there are {layers} layers"),
+        });
+    }
+    let is_object = typecode == typecode::OBJECT_RECORD;
+    let codes = if is_object { RecordCodes::OBJECT } else { RecordCodes::LIGHT };
+    w.chunk(typecode, |w| {
+        if is_object {
+            let kind = class_ids::object_type(object.geometry.class());
+            w.short(typecode::OBJECT_RECORD_TYPE, i64::from(kind));
+        }
+        let start = w.len();
+        object.geometry.write(w, &object.user_data)?;
+        let id = ids.take(attributes.id, place, w.since(start));
+        attributes.write(w, id, codes.attributes, codes.user_data)?;
+        w.short(codes.end, 0);
+        Ok(())
+    })
+}
