@@ -46,7 +46,7 @@ impl Reader<'_> {
             }
         };
         if crc32fast::hash(&plain) != stored {
-            self.context().warn(offset, format!("CRC mismatch in the compressed {what}"));
+            self.context().bad_crc(offset, format!("CRC mismatch in the compressed {what}"));
         }
         Ok(plain)
     }

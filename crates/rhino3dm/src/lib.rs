@@ -3,7 +3,7 @@
 //! A [`Model`] is what an archive holds: units, tolerances, notes, layers, and objects with their attributes.
 //! Points, point clouds, curves and meshes come as types of [`katydid_geometry`]; every other class is kept byte
 //! for byte as a [`RawObject`] and written back as it was where the archive version allows. Archives of version
-//! 2 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
+//! 1 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
 //! files and rhino3dm's JSON carry.
 //!
 //! What belongs here: the layout of the format, and nothing that computes geometry. Every length is checked
@@ -42,11 +42,13 @@ mod settings;
 mod tables;
 mod typecode;
 mod user_table;
+mod v1;
 mod version;
 mod write;
 
 pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
-pub use error::{Error, Result, Warning};
+pub use chunk::ChunkPath;
+pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};

@@ -21,6 +21,10 @@ impl Reader<'_> {
         Ok(self.u8(what)? != 0)
     }
 
+    pub(crate) fn u16(&mut self, what: &'static str) -> Result<u16> {
+        Ok(u16::from_le_bytes(self.array(what)?))
+    }
+
     pub(crate) fn i32(&mut self, what: &'static str) -> Result<i32> {
         Ok(i32::from_le_bytes(self.array(what)?))
     }
