@@ -24,6 +24,7 @@
 //! ```
 
 mod attributes;
+mod build;
 mod chunk;
 mod class_ids;
 mod colour;
@@ -38,6 +39,8 @@ mod planar;
 mod primitives;
 mod properties;
 mod read;
+mod recode;
+mod render_settings;
 mod settings;
 mod tables;
 mod typecode;
@@ -61,6 +64,7 @@ pub use object::{
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
+pub use render_settings::RenderSettings;
 pub use settings::Settings;
 pub use tables::{
     Block, BlockSource, Checksum, ContentHash, FileReference, Group, HatchFill, HatchLine, HatchPattern,

@@ -28,10 +28,10 @@ impl Model {
     /// # Errors
     /// A version that is not written.
     pub fn losses(&self, version: i32) -> Result<Vec<Loss>> {
-        Version::for_writing(version)?;
+        let target = Version::for_writing(version)?;
         let mut losses: Vec<Loss> = Vec::new();
         for record in &self.kept {
-            if let Err(why) = record.fits(version) {
+            if let Err(why) = record.body_for(target) {
                 let name = record.name();
                 let what = format!("{name} of a version {} archive", record.archive_version);
                 losses.push(Loss { what, why: why.into() });

@@ -116,22 +116,6 @@ pub struct UnitScale {
 }
 
 impl Model {
-    /// The full name of a layer: the names from the top level down to it, joined by `::`.
-    pub fn layer_path(&self, layer: usize) -> Option<String> {
-        let mut current = self.layers.get(layer)?;
-        let mut names = vec![current.name.as_str()];
-        // Parents that run in a circle end after as many steps as there are layers.
-        for _ in 0..self.layers.len() {
-            let Some(parent) = current.parent.and_then(|id| self.layers.iter().find(|l| l.id == id)) else {
-                break;
-            };
-            names.push(&parent.name);
-            current = parent;
-        }
-        names.reverse();
-        Some(names.join("::"))
-    }
-
     /// How many objects there are of each class, lights included.
     pub fn counts(&self) -> BTreeMap<String, usize> {
         let mut counts = BTreeMap::new();

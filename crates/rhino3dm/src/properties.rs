@@ -203,7 +203,8 @@ pub(crate) fn write(model: &Model, w: &mut Writer) -> Result<()> {
     }
     w.chunk(typecode::APPLICATION, |w| {
         w.packed_version(1, 0);
-        if model.application.is_empty() {
+        // A model that was read keeps what it says, be it nothing.
+        if model.application.is_empty() && model.archive_version == 0 {
             w.string("Katydid")?;
             w.string("")?;
             return w.string(env!("CARGO_PKG_VERSION"));

@@ -5,7 +5,7 @@ use katydid_geometry::{Tolerance, Units};
 use crate::attributes::write_place;
 use crate::chunk::{Chunk, Reader, Writer};
 use crate::read::Places;
-use crate::{Result, colour, model::UnitScale, typecode};
+use crate::{RenderSettings, Result, colour, model::UnitScale, typecode};
 
 /// What a model is worked on with: what new objects get.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +24,8 @@ pub struct Settings {
     pub current_colour: Option<([u8; 4], i32)>,
     /// The isocurves a span of new objects.
     pub current_wire_density: Option<i32>,
+    /// How the model is rendered; nothing when the archive does not say.
+    pub render: Option<RenderSettings>,
 }
 
 impl Default for Settings {
@@ -36,6 +38,7 @@ impl Default for Settings {
             current_material: None,
             current_colour: None,
             current_wire_density: None,
+            render: None,
         }
     }
 }
@@ -57,6 +60,7 @@ impl Settings {
                 let rgba = colour::from_archive(body.colour(WHAT)?);
                 self.current_colour = Some((rgba, body.i32(WHAT)?));
             }
+            typecode::RENDER_SETTINGS => self.render = Some(RenderSettings::read(&mut body)?),
             _ => return Ok(false),
         }
         body.finish();
@@ -92,6 +96,9 @@ impl Settings {
         }
         if let Some(density) = self.current_wire_density {
             w.short(typecode::CURRENT_WIRE_DENSITY, i64::from(density));
+        }
+        if let Some(render) = &self.render {
+            w.chunk(typecode::RENDER_SETTINGS, |w| render.write(w))?;
         }
         Ok(())
     }
@@ -191,10 +198,15 @@ pub(crate) fn stored_units(
     StoredUnits { units, scale, tolerance, relative_tolerance, display: [0, 3] }
 }
 
+/// The number of a unit in archives, and its length in metres.
+pub(crate) fn unit_number(units: Units) -> (i32, f64) {
+    let known = UNITS.iter().find(|(_, known, _)| *known == units);
+    known.map_or((0, 1.0), |(number, _, metres)| (*number, *metres))
+}
+
 /// Writes the body of a units record.
 pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
-    let known = UNITS.iter().find(|(_, units, _)| *units == stored.units);
-    let (mut number, mut metres) = known.map_or((0, 1.0), |(number, _, metres)| (*number, *metres));
+    let (mut number, mut metres) = unit_number(stored.units);
     let mut name = "";
     if let Some(scale) = &stored.scale {
         (number, metres) = (scale.number, scale.metres);

@@ -74,7 +74,6 @@ pub(crate) const OBJECT_RECORD: u32 = 0x2000_8070;
 pub(crate) const OBJECT_RECORD_TYPE: u32 = 0x8200_0071;
 pub(crate) const OBJECT_ATTRIBUTES: u32 = 0x0200_8072;
 pub(crate) const OBJECT_USER_DATA: u32 = 0x0200_0073;
-pub(crate) const OBJECT_HISTORY: u32 = 0x0200_8074;
 pub(crate) const OBJECT_RECORD_END: u32 = 0x8200_007F;
 
 pub(crate) const CLASS: u32 = 0x0002_7FFA;

@@ -94,7 +94,9 @@ impl UserData {
                 w.i32(self.copy_count);
                 self.transform.iter().for_each(|x| w.f64(*x));
                 w.uuid(self.application);
-                w.bool(false);
+                // Whether the body follows other rules than the archive; readers look at its version only then.
+                let own = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
+                w.bool(own != w.version());
                 w.i32(self.archive_version);
                 w.u32(self.opennurbs_version);
                 Ok(())

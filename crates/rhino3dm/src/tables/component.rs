@@ -12,11 +12,13 @@ pub(crate) struct Component {
     pub(crate) id: Uuid,
     pub(crate) number: i32,
     pub(crate) name: String,
+    /// Whether the name is stated though it is empty, in the encoding by bits.
+    pub(crate) states_empty_name: bool,
 }
 
 impl Default for Component {
     fn default() -> Self {
-        Self { id: Uuid::nil(), number: NO_NUMBER, name: String::new() }
+        Self { id: Uuid::nil(), number: NO_NUMBER, name: String::new(), states_empty_name: false }
     }
 }
 
@@ -38,7 +40,7 @@ const STATUS: u32 = 16;
 impl Component {
     /// A component with these values.
     pub(crate) fn new(id: Uuid, number: i32, name: &str) -> Self {
-        Self { id, number, name: name.to_owned() }
+        Self { id, number, name: name.to_owned(), states_empty_name: false }
     }
 
     /// The chunk of five fields, each behind a byte that says whether it is there.
@@ -110,6 +112,7 @@ impl Component {
         }
         if bits & NAME != 0 {
             component.name = fields.string("name")?;
+            component.states_empty_name = component.name.is_empty();
         }
         if bits & STATUS != 0 {
             fields.take(8, "component status")?;
@@ -121,9 +124,7 @@ impl Component {
     /// The chunk whose bits say which fields follow: those that are set.
     pub(crate) fn write_bits(&self, w: &mut Writer) -> Result<()> {
         let bit = |set: bool, bit: u32| if set { bit } else { 0 };
-        let bits = bit(!self.id.is_nil(), ID)
-            | bit(self.number != NO_NUMBER, NUMBER)
-            | bit(!self.name.is_empty(), NAME);
+        let bits = bit(!self.id.is_nil(), ID) | bit(self.number != NO_NUMBER, NUMBER) | NAME;
         w.versioned(1, 0, |w| {
             w.u32(bits);
             if bits & ID != 0 {

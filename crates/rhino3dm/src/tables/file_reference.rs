@@ -20,8 +20,8 @@ pub struct FileReference {
     pub embedded: Uuid,
 }
 
-/// Size, times and hashes of a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Size, times and hashes of a file; all zeros when it was not looked at.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct ContentHash {
     /// The size in bytes.
     pub bytes: u64,
@@ -33,18 +33,6 @@ pub struct ContentHash {
     pub name: [u8; 20],
     /// The SHA-1 of the content.
     pub content: [u8; 20],
-}
-
-/// The SHA-1 of nothing.
-const NOTHING: [u8; 20] = [
-    0xDA, 0x39, 0xA3, 0xEE, 0x5E, 0x6B, 0x4B, 0x0D, 0x32, 0x55, 0xBF, 0xEF, 0x95, 0x60, 0x18, 0x90, 0xAF,
-    0xD8, 0x07, 0x09,
-];
-
-impl Default for ContentHash {
-    fn default() -> Self {
-        Self { bytes: 0, hashed: 0, changed: 0, name: NOTHING, content: NOTHING }
-    }
 }
 
 const WHAT: &str = "file reference";

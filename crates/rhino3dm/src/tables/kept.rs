@@ -1,6 +1,10 @@
 //! Records that are carried along byte for byte.
 
+use std::borrow::Cow;
+
 use crate::chunk::Writer;
+use crate::recode::recode;
+use crate::version::Version;
 use crate::{Result, typecode};
 
 /// The tables of an archive.
@@ -88,29 +92,40 @@ impl KeptRecord {
         )
     }
 
-    /// Whether the record may stand in an archive of the given version as it is, and if not why.
-    pub(crate) fn fits(&self, archive: i32) -> std::result::Result<(), &'static str> {
-        let own = self.archive_version;
+    /// The body for an archive of the given version, or why it cannot stand there.
+    pub(crate) fn body_for(&self, version: Version) -> std::result::Result<Cow<'_, [u8]>, &'static str> {
         if self.typecode & typecode::SHORT != 0 {
-            return Ok(());
+            return Ok(Cow::Borrowed(&[]));
         }
-        let wide = |version: i32| version >= 50;
-        if wide(own) != wide(archive) {
-            return Err("its chunk lengths are of another width");
-        }
-        // Layouts changed with version 60, and before version 50 with each.
-        let generation = |version: i32| if version >= 60 { 60 } else { version };
-        if self.table != Table::Settings && generation(own) != generation(archive) {
+        // Class objects changed their layouts with version 60. Settings and mappings say their versions themselves,
+        // styles of before are another class, which readers of today turn into that of today, and the layout of
+        // history has only grown.
+        let new = |archive: i32| archive >= 60;
+        let says_itself = match self.table {
+            Table::Settings | Table::TextureMappings => true,
+            Table::TextStyles | Table::DimensionStyles | Table::History => !new(self.archive_version),
+            _ => false,
+        };
+        if !says_itself && new(self.archive_version) != new(version.archive) {
             return Err("its layout belongs to another version");
         }
-        Ok(())
+        let own = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
+        if own.is_wide() == version.is_wide() {
+            return Ok(Cow::Borrowed(&self.body));
+        }
+        let recoded = recode(self.typecode, &self.body, own, version);
+        recoded.map(Cow::Owned).ok_or("its chunk lengths are of another width")
     }
 
+    /// Writes the record if it can stand in the archive.
     pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
         if self.typecode & typecode::SHORT != 0 {
             w.short(self.typecode, self.value);
             return Ok(());
         }
-        w.foreign_chunk(self.typecode, &self.body)
+        match self.body_for(w.version()) {
+            Ok(body) => w.foreign_chunk(self.typecode, &body),
+            Err(_) => Ok(()),
+        }
     }
 }

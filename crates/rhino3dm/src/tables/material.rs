@@ -16,6 +16,8 @@ pub struct Material {
     pub id: Uuid,
     /// The name.
     pub name: String,
+    /// Whether archives state the name though it is empty, which readers tell apart from no name.
+    pub states_empty_name: bool,
     /// The program that renders it; nil for none in particular.
     pub application: Uuid,
     /// The colour under ambient light.
@@ -68,6 +70,7 @@ impl Default for Material {
         Self {
             id: Uuid::nil(),
             name: String::new(),
+            states_empty_name: false,
             application: Uuid::nil(),
             ambient: black,
             diffuse: [126, 126, 126, 255],
@@ -179,6 +182,7 @@ impl Material {
         let (mut chunk, _) = body.versioned_1(WHAT)?;
         let component = Component::read_bits(&mut chunk)?;
         let mut material = Self { id: component.id, name: component.name, ..Self::default() };
+        material.states_empty_name = component.states_empty_name;
         material.read_looks(&mut chunk)?;
         material.read_channels(&mut chunk)?;
         material.shareable = chunk.bool(WHAT)?;
@@ -197,6 +201,7 @@ impl Material {
         let id = chunk.uuid(WHAT)?;
         let number = chunk.i32(WHAT)?;
         let mut material = Self { id, name: chunk.string("material name")?, ..Self::default() };
+        material.states_empty_name = material.name.is_empty();
         material.read_looks(&mut chunk)?;
         let seen_through = material.transparent.first_chunk::<3>();
         if version.opennurbs < WHITE_FROM && seen_through == Some(&MISTAKEN_GREY) {
@@ -255,6 +260,7 @@ impl Material {
         material.application = body.uuid(WHAT)?;
         body.string("material library")?;
         material.name = body.string("material name")?;
+        material.states_empty_name = material.name.is_empty();
         if minor >= 1 {
             material.id = body.uuid(WHAT)?;
             material.reflection = read_colour(body, WHAT)?;
@@ -307,7 +313,8 @@ impl Entry for Material {
         w.chunk(typecode::ANONYMOUS, |w| {
             w.i32(1);
             w.i32(0);
-            Component::new(id, number, &self.name).write_bits(w)?;
+            let component = Component::new(id, number, &self.name);
+            Component { states_empty_name: self.states_empty_name, ..component }.write_bits(w)?;
             self.write_looks(w)?;
             self.write_channels(w)?;
             w.bool(self.shareable);

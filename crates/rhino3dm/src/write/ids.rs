@@ -26,7 +26,7 @@ impl Ids {
 }
 
 /// An identifier of version 8 (custom, RFC 9562) from the FNV-1a hash of a number and some bytes.
-fn made_id(number: u64, content: &[u8]) -> Uuid {
+pub(crate) fn made_id(number: u64, content: &[u8]) -> Uuid {
     const BASIS: u128 = 0x6C62_272E_07BB_0142_62B8_2175_6295_C58D;
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013B;
     let bytes = content.iter().copied().chain(number.to_le_bytes());

@@ -3,6 +3,8 @@
 mod ids;
 mod tables;
 
+pub(crate) use ids::made_id;
+
 use std::io::Write;
 
 use crate::chunk::Writer;

@@ -24,9 +24,8 @@ impl Model {
         let layers = self.layers_to_write();
         self.table(w, Table::Layers, |w| entries(&layers, typecode::LAYER_RECORD, w))?;
         self.table(w, Table::Groups, |w| entries(&self.groups, typecode::GROUP_RECORD, w))?;
-        if w.version().archive < 60 || self.kept.iter().any(|record| record.table == Table::TextStyles) {
-            self.table(w, Table::TextStyles, |_| Ok(()))?;
-        }
+        // Without this table, empty as it may be, readers pass over the dimension styles behind it.
+        self.table(w, Table::TextStyles, |_| Ok(()))?;
         self.table(w, Table::DimensionStyles, |_| Ok(()))?;
         let mut ids = Ids::default();
         // Identifiers are unique over lights and objects together.
@@ -55,9 +54,8 @@ impl Model {
     ) -> Result<()> {
         w.chunk(table.typecode(), |w| {
             records(w)?;
-            let version = w.version().archive;
-            let kept = self.kept.iter().filter(|record| record.table == table);
-            kept.filter(|record| record.fits(version).is_ok()).try_for_each(|record| record.write(w))?;
+            let mut kept = self.kept.iter().filter(|record| record.table == table);
+            kept.try_for_each(|record| record.write(w))?;
             w.short(typecode::END_OF_TABLE, 0);
             Ok(())
         })
