@@ -35,6 +35,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod outline;
 mod planar;
 mod primitives;
 mod properties;
@@ -62,6 +63,7 @@ pub use object::{
     OnData, Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
     UserData,
 };
+pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
 pub use render_settings::RenderSettings;

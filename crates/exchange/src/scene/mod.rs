@@ -3,6 +3,8 @@
 mod facets;
 mod from_model;
 mod left_out;
+mod shape;
+mod to_model;
 mod tree;
 
 use katydid_geometry::{BoundingBox, Curve, Mesh, Point3, Units, Vector3};
