@@ -208,7 +208,7 @@ enum Validity {
 /// Curves, surfaces and point clouds that the kernel does not take are kept as bytes, so those it took are valid.
 fn validity(object: &Object) -> Validity {
     match object {
-        Object::Mesh(mesh) => match mesh.check() {
+        Object::Mesh(mesh) => match mesh.to_mesh().and_then(|mesh| mesh.check()) {
             Ok(()) => Validity::Valid,
             Err(error) => Validity::Invalid(error.to_string()),
         },

@@ -22,7 +22,7 @@ fn sample(path: &Path, version: i32) {
     let bad = Mesh::new(corners.to_vec(), vec![MeshFace::Triangle([0, 1, 1])]).unwrap();
     let circle: Curve = Circle::new(Plane::XY, 2.0).unwrap().into();
     for (name, object) in
-        [("circle", Object::Curve(circle)), ("good", Object::Mesh(good)), ("bad", Object::Mesh(bad))]
+        [("circle", Object::Curve(circle)), ("good", Object::from(good)), ("bad", Object::from(bad))]
     {
         let mut object = katydid_3dm::ModelObject::from(object);
         object.attributes.name = name.into();

@@ -114,7 +114,10 @@ impl Value {
             Object::Point(p) => Self::Point(p),
             Object::Curve(curve) => Self::from(curve),
             Object::Surface(surface) => Self::from(surface),
-            Object::Mesh(mesh) => Self::from(mesh),
+            Object::Mesh(mesh) => match mesh.to_mesh() {
+                Ok(mesh) => Self::from(mesh),
+                Err(_) => Self::from(Object::Mesh(mesh).to_raw(80, &[]).ok()?),
+            },
             Object::Kept(raw) => match raw.untrimmed_surface() {
                 Ok(Some(surface)) => Self::from(surface),
                 _ => Self::from(raw),

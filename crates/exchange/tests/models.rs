@@ -33,7 +33,7 @@ fn blocks_are_what_they_hold_where_they_stand() {
     let circle: Curve = Circle::new(Plane::XY, 1.0).unwrap().into();
     let mut coloured = object(Object::Curve(circle), layer);
     coloured.attributes.colour_source = Source::Parent;
-    let inner = model.add_block("inner", vec![coloured, object(Object::Mesh(square(1.0)), layer)]);
+    let inner = model.add_block("inner", vec![coloured, object(Object::from(square(1.0)), layer)]);
     let double = Xform::scale(Point3::ORIGIN, 2.0);
     let outer = model.add_block("outer", vec![object(reference(inner, double), layer)]);
     let mut placed = object(reference(outer, Xform::translation(Vector3::new(10.0, 0.0, 0.0))), layer);
@@ -55,7 +55,7 @@ fn blocks_are_what_they_hold_where_they_stand() {
 fn blocks_that_hold_each_other_come_to_an_end() {
     let mut model = Model::default();
     let layer = model.layer_at("l");
-    let id = model.add_block("round", vec![object(Object::Mesh(square(1.0)), layer)]);
+    let id = model.add_block("round", vec![object(Object::from(square(1.0)), layer)]);
     let mut again = object(reference(id, Xform::IDENTITY), layer);
     again.attributes.mode = ObjectMode::InDefinition;
     again.attributes.id = uuid::Uuid::from_u128(99);
@@ -98,7 +98,7 @@ fn colours_come_from_the_object_the_material_and_the_layer() {
         Layer { colour: [10, 20, 30, 255], ..Layer::new("coloured") },
         Layer { colour: [10, 20, 30, 255], material: Some(0), ..Layer::new("material") },
     ];
-    let mesh = |layer| object(Object::Mesh(square(1.0)), layer);
+    let mesh = |layer| object(Object::from(square(1.0)), layer);
     let line: Curve = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).into();
     let mut own = mesh(2);
     own.attributes.material = Some(0);

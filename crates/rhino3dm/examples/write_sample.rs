@@ -54,8 +54,8 @@ fn sample() -> Result<Model, katydid_geometry::Error> {
     for (name, surface) in sample_surfaces()? {
         add(name, 2, Object::Surface(surface));
     }
-    add("mesh", 2, Object::Mesh(mesh()?));
-    add("plain mesh", 2, Object::Mesh(plain_mesh()?));
+    add("mesh", 2, mesh()?.into());
+    add("plain mesh", 2, plain_mesh()?.into());
     for (i, object) in model.objects.iter_mut().enumerate() {
         if object.attributes.name == "line" {
             object.attributes.colour = Some([12, 34, 56, 255]);
@@ -78,7 +78,7 @@ fn cloud() -> PointCloud {
         points: (0..5).map(|i| Point3::new(f64::from(i), 0.5, -1.0 / 3.0)).collect(),
         normals: vec![Vector3::Z; 5],
         colours: (0..5).map(|i| [10 * i, 20, 30, 255]).collect(),
-        values: Vec::new(),
+        ..PointCloud::default()
     }
 }
 

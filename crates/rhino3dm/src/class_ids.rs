@@ -55,6 +55,8 @@ pub(crate) const LAYER: Uuid = uuid!("95809813-E985-11D3-BFE5-0010830122F0");
 pub(crate) const USER_STRINGS: Uuid = uuid!("CE28DE29-F4C5-4FAA-A50A-C3A6849B6329");
 /// User data: the double-precision vertices of a mesh in archives before version 60.
 pub(crate) const DOUBLE_VERTICES: Uuid = uuid!("17F24E75-21BE-4A7B-9F3D-7F85225247E3");
+/// User data: the n-gons of a mesh in archives before version 60.
+pub(crate) const MESH_NGONS: Uuid = uuid!("31F55AA3-71FB-49F5-A975-757584D937FF");
 /// User data: the regions of a brep in version 5 archives.
 pub(crate) const V5_REGIONS: Uuid = uuid!("7FE23D63-E536-43F1-98E2-C807A2625AFF");
 /// User data: the meshes of an extrusion in version 5 archives.
@@ -63,6 +65,20 @@ pub(crate) const V5_EXTRUSION_MESHES: Uuid = uuid!("A8130A3E-E4F3-4CB0-BB8A-F10A
 pub(crate) const OPENNURBS_5_APPLICATION: Uuid = uuid!("C8CDA597-D957-4625-A4B3-A0B510FC30D4");
 /// The application that core openNURBS user data names as its owner.
 pub(crate) const OPENNURBS_APPLICATION: Uuid = uuid!("17B3ECDA-17BA-4E45-9E67-A2B8D9BE520D");
+
+/// The applications under which openNURBS itself has owned user data, up to version 4, and from 5 to 8.
+const OPENNURBS_APPLICATIONS: &[Uuid] = &[
+    OPENNURBS_APPLICATION,
+    OPENNURBS_5_APPLICATION,
+    uuid!("7B0B585D-7A31-45D0-925E-BDD7DDF3E4E3"),
+    uuid!("523BFE6E-EF49-4B75-A8D6-253FAF5044D3"),
+    uuid!("50EDE5C9-1487-4B4C-B3AA-6840B460E3CF"),
+];
+
+/// Whether an application is openNURBS.
+pub(crate) fn is_opennurbs(application: Uuid) -> bool {
+    OPENNURBS_APPLICATIONS.contains(&application)
+}
 
 /// Identifiers under which older programs (and Rhino itself, up to version 8) write a class.
 const ALIASES: &[(Uuid, Uuid)] = &[

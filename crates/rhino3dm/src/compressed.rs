@@ -1,65 +1,111 @@
 //! Compressed buffers (section 4): a size, a CRC of the plain bytes, then either those bytes or a chunk that
 //! holds them as a zlib stream.
 
-use std::io::{Read, Write};
+use flate2::{Decompress, FlushDecompress, Status};
 
-use flate2::Compression;
-use flate2::read::ZlibDecoder;
-use flate2::write::ZlibEncoder;
-
-use crate::chunk::{Reader, Writer};
-use crate::{Error, Result, typecode};
+use crate::chunk::{Context, Reader, Writer};
+use crate::{Error, Result, deflate, typecode};
 
 /// Deflate cannot make a stream shorter than about a 1032nd of its content.
 const MOST_INFLATION: u64 = 1040;
 /// Buffers up to this size are stored plain.
 const PLAIN: usize = 128;
 
-impl Reader<'_> {
-    /// The plain bytes of a compressed buffer, bounded by the limits on inflated data.
-    pub(crate) fn compressed(&mut self, what: &'static str) -> Result<Vec<u8>> {
+/// A compressed buffer that is found but not inflated: its size is one that its bytes can hold and the limits
+/// allow.
+#[derive(Debug)]
+pub(crate) struct CompressedBuffer<'a> {
+    what: &'static str,
+    offset: usize,
+    size: usize,
+    crc: u32,
+    content: Content<'a>,
+}
+
+#[derive(Debug)]
+enum Content<'a> {
+    Plain(&'a [u8]),
+    Deflated(&'a [u8]),
+}
+
+impl<'a> Reader<'a> {
+    /// The compressed buffer that comes next.
+    pub(crate) fn compressed_buffer(&mut self, what: &'static str) -> Result<CompressedBuffer<'a>> {
         let offset = self.offset();
-        let size = self.u32(what)?;
+        let stated = self.u32(what)?;
+        let size = usize::try_from(stated).unwrap_or(usize::MAX);
         if size == 0 {
-            return Ok(Vec::new());
+            return Ok(CompressedBuffer { what, offset, size, crc: 0, content: Content::Plain(&[]) });
         }
-        let stored = self.u32(what)?;
-        let size = u64::from(size);
-        let plain = match self.u8(what)? {
-            0 => self.take(usize::try_from(size).unwrap_or(usize::MAX), what)?.to_vec(),
+        let crc = self.u32(what)?;
+        let content = match self.u8(what)? {
+            0 => Content::Plain(self.take(size, what)?),
             1 => {
                 let mut chunk = self.expect(typecode::ANONYMOUS, what)?;
                 let stream = chunk.rest();
                 chunk.finish();
-                if size > (stream.len() as u64).saturating_mul(MOST_INFLATION) {
-                    return Err(Error::malformed(
-                        offset,
-                        what,
-                        format!("{} compressed bytes cannot hold {size}", stream.len()),
-                    ));
+                if u64::from(stated) > (stream.len() as u64).saturating_mul(MOST_INFLATION) {
+                    let why = format!("{} compressed bytes cannot hold {size}", stream.len());
+                    return Err(Error::malformed(offset, what, why));
                 }
-                self.context().spend_inflated(offset, size)?;
-                inflate(stream, size).map_err(|why| Error::malformed(offset, what, why))?
+                self.context().spend_inflated(offset, u64::from(stated))?;
+                Content::Deflated(stream)
             }
             method => {
                 return Err(Error::malformed(offset, what, format!("unknown compression method {method}")));
             }
         };
-        if crc32fast::hash(&plain) != stored {
-            self.context().bad_crc(offset, format!("CRC mismatch in the compressed {what}"));
-        }
+        Ok(CompressedBuffer { what, offset, size, crc, content })
+    }
+
+    /// The plain bytes of a compressed buffer, bounded by the limits on inflated data.
+    pub(crate) fn compressed(&mut self, what: &'static str) -> Result<Vec<u8>> {
+        let buffer = self.compressed_buffer(what)?;
+        let mut plain = vec![0; buffer.size()];
+        buffer.inflate_into(self.context(), &mut plain)?;
         Ok(plain)
     }
 }
 
-/// Inflates a zlib stream that must give exactly `size` bytes.
-fn inflate(stream: &[u8], size: u64) -> std::result::Result<Vec<u8>, String> {
-    let mut plain = Vec::new();
-    ZlibDecoder::new(stream).take(size + 1).read_to_end(&mut plain).map_err(|e| e.to_string())?;
-    if plain.len() as u64 != size {
+impl CompressedBuffer<'_> {
+    /// Bytes it holds once inflated.
+    pub(crate) fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Fills `room`, which must have [`CompressedBuffer::size`] bytes. Bytes that differ from their CRC are a
+    /// warning.
+    pub(crate) fn inflate_into(self, context: &Context, room: &mut [u8]) -> Result<()> {
+        let malformed = |why: String| Error::malformed(self.offset, self.what, why);
+        match self.content {
+            Content::Plain(bytes) if bytes.len() == room.len() => room.copy_from_slice(bytes),
+            Content::Plain(_) => return Err(malformed("it is read into room of another size".into())),
+            Content::Deflated(stream) => inflate(stream, room).map_err(malformed)?,
+        }
+        if self.size > 0 && crc32fast::hash(room) != self.crc {
+            context.bad_crc(self.offset, format!("CRC mismatch in the compressed {}", self.what));
+        }
+        Ok(())
+    }
+}
+
+/// Inflates a zlib stream that must fill `room` exactly.
+fn inflate(stream: &[u8], room: &mut [u8]) -> std::result::Result<(), String> {
+    let size = room.len() as u64;
+    let mut state = Decompress::new(true);
+    let status = state.decompress(stream, room, FlushDecompress::Finish).map_err(|e| e.to_string())?;
+    if state.total_out() != size {
         return Err(format!("{size} bytes are promised, but its stream does not hold that many"));
     }
-    Ok(plain)
+    if status != Status::StreamEnd {
+        let left = usize::try_from(state.total_in()).ok().and_then(|read| stream.get(read..));
+        let more = state.decompress(left.unwrap_or_default(), &mut [0], FlushDecompress::Finish);
+        more.map_err(|e| e.to_string())?;
+        if state.total_out() != size {
+            return Err(format!("{size} bytes are promised, but its stream holds more"));
+        }
+    }
+    Ok(())
 }
 
 impl Writer {
@@ -81,9 +127,7 @@ impl Writer {
             return Ok(());
         }
         self.u8(1);
-        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
-        encoder.write_all(plain)?;
-        let stream = encoder.finish()?;
+        let stream = deflate::zlib(plain);
         self.chunk(typecode::ANONYMOUS, |w| {
             w.bytes(&stream);
             Ok(())

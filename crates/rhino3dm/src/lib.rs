@@ -30,7 +30,9 @@ mod class_ids;
 mod colour;
 mod compressed;
 mod crc;
+mod deflate;
 mod error;
+mod items;
 mod limits;
 mod loss;
 mod model;
@@ -58,9 +60,10 @@ pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
-    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurveForm, CurveOnSurface,
-    Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, NurbsCage, NurbsForm, NurbsSurfaceForm, Object,
-    OnData, Participants, PointCloud, RawObject, Solidity, StyleOverrides, SurfaceForm, TextContent, TextDot,
+    BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
+    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
+    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
+    PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
     UserData,
 };
 pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};

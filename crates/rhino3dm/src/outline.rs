@@ -132,7 +132,7 @@ mod tests {
         let mut model = Model::default();
         let points = (0..40).map(|i| Point3::new(f64::from(i), f64::from(i * i), 0.5)).collect();
         let mesh = Mesh::new(points, vec![MeshFace::Triangle([0, 1, 2]); 30]).unwrap();
-        model.objects.push(Object::Mesh(mesh).into());
+        model.objects.push(Object::from(mesh).into());
         model.objects.push(Object::Point(Point3::ORIGIN).into());
         model.write(version).unwrap()
     }

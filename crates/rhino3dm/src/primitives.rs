@@ -11,6 +11,16 @@ use crate::{Error, Result};
 /// The corners of the box that openNURBS calls empty.
 const EMPTY_BOX: [Point3; 2] = [Point3::new(1.0, 0.0, 0.0), Point3::new(-1.0, 0.0, 0.0)];
 
+/// The d of a plane's equation n·p + d = 0, which is −n·origin.
+fn plane_offset(plane: &Plane) -> f64 {
+    let (n, o) = (plane.z_axis, plane.origin);
+    let d = -(n.x * o.x + n.y * o.y + n.z * o.z);
+    // The plane of the world's x and y is a constant there, with a d of 0 and not −0.
+    let is_world = [plane.x_axis, plane.y_axis, n] == [Vector3::X, Vector3::Y, Vector3::Z]
+        && [n.x, n.y].iter().all(|x| x.is_sign_positive());
+    if is_world && d == 0.0 { 0.0 } else { d }
+}
+
 /// Read side. Every `what` names the thing for the error message.
 impl Reader<'_> {
     pub(crate) fn u8(&mut self, what: &'static str) -> Result<u8> {
@@ -71,12 +81,23 @@ impl Reader<'_> {
         Ok(plane)
     }
 
-    /// A circle, its three stored points passed over (they are redundant), and an angle range.
-    pub(crate) fn arc(&mut self, what: &'static str) -> Result<Arc> {
+    /// A plane, and the last number of its equation where it is not the one that is written for the plane: it was
+    /// computed another way, down to the sign of zero.
+    pub(crate) fn plane_and_offset(&mut self, what: &'static str) -> Result<(Plane, Option<f64>)> {
         let plane = self.plane(what)?;
+        let end = self.offset();
+        let stored = self.between(end.saturating_sub(8), end).first_chunk();
+        let offset = stored.map(|bytes| f64::from_le_bytes(*bytes));
+        Ok((plane, offset.filter(|d| d.to_bits() != plane_offset(&plane).to_bits())))
+    }
+
+    /// A circle, its three stored points passed over (they are redundant), and an angle range; with the offset of
+    /// the circle's plane.
+    pub(crate) fn arc(&mut self, what: &'static str) -> Result<(Arc, Option<f64>)> {
+        let (plane, offset) = self.plane_and_offset(what)?;
         let radius = self.f64(what)?;
         self.take(72, what)?;
-        Ok(Arc { circle: Circle { plane, radius }, angle: self.interval(what)? })
+        Ok((Arc { circle: Circle { plane, radius }, angle: self.interval(what)? }, offset))
     }
 
     /// A box; nothing for the one that openNURBS calls empty.
@@ -185,21 +206,23 @@ impl Writer {
         self.point(line.to);
     }
 
-    /// The equation is n·p + d = 0 with d = −n·origin.
     pub(crate) fn plane(&mut self, plane: &Plane) {
+        self.plane_and_offset(plane, None);
+    }
+
+    /// A plane, with another last number in its equation than the one that follows from it.
+    pub(crate) fn plane_and_offset(&mut self, plane: &Plane, offset: Option<f64>) {
         self.point(plane.origin);
         self.vector(plane.x_axis);
         self.vector(plane.y_axis);
         self.vector(plane.z_axis);
         self.vector(plane.z_axis);
-        let (n, o) = (plane.z_axis, plane.origin);
-        // Subtracted from 0 so that a plane through the origin gets 0, not −0.
-        self.f64(0.0 - (n.x * o.x + n.y * o.y + n.z * o.z));
+        self.f64(offset.unwrap_or_else(|| plane_offset(plane)));
     }
 
     /// A circle with its three redundant points at 0, π/2 and π, then the angle range.
-    pub(crate) fn arc(&mut self, arc: &Arc) {
-        self.plane(&arc.circle.plane);
+    pub(crate) fn arc(&mut self, arc: &Arc, offset: Option<f64>) {
+        self.plane_and_offset(&arc.circle.plane, offset);
         self.f64(arc.circle.radius);
         // At the rounded angles, as openNURBS computes them.
         for angle in [0.0, FRAC_PI_2, PI] {

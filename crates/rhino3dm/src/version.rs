@@ -31,8 +31,8 @@ impl Version {
     /// The version under which this crate writes an archive of the given number.
     pub(crate) fn for_writing(archive: i32) -> Result<Self> {
         let opennurbs = match archive {
-            4 | 50 => 202_410_098,
-            60 | 70 | 80 => opennurbs_number(8, 12, 2026, 202),
+            4 | 50 => 202_609_088,
+            60 | 70 | 80 => opennurbs_number(8, 35, 2026, 251),
             other => return Err(Error::UnsupportedVersion(other)),
         };
         Ok(Self { archive, opennurbs })

@@ -66,7 +66,7 @@ proptest! {
             vec![katydid_geometry::MeshFace::Triangle([0, 1, 299])],
         ).unwrap();
         for version in [50, 70] {
-            let written = Object::Mesh(mesh.clone()).to_on_data(version).unwrap();
+            let written = Object::from(mesh.clone()).to_on_data(version).unwrap();
             let mut bytes = written.data;
             for (place, value) in &flips {
                 let at = place.index(bytes.len());

@@ -127,7 +127,7 @@ fn object() -> impl Strategy<Value = Object> {
         prop::collection::vec(point(), 0..30).prop_map(|points| Object::PointCloud(PointCloud::from(points))),
         curve().prop_map(Object::Curve),
         surface().prop_map(Object::Surface),
-        mesh().prop_map(Object::Mesh),
+        mesh().prop_map(Object::from),
     ]
 }
 

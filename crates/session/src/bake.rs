@@ -111,9 +111,9 @@ fn archived(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Archived>) -> R
             }
         }
         Value::Surface(surface) => pieces.push(Archived::Surface((**surface).clone())),
-        Value::Mesh(mesh) => pieces.push(Archived::Mesh((**mesh).clone())),
+        Value::Mesh(mesh) => pieces.push(Archived::from((**mesh).clone())),
         Value::Box(_) | Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {
-            Some(Value::Mesh(mesh)) => pieces.push(Archived::Mesh((*mesh).clone())),
+            Some(Value::Mesh(mesh)) => pieces.push(Archived::from((*mesh).clone())),
             _ => return Err("a box without volume".to_owned()),
         },
         Value::Group(group) => {

@@ -81,7 +81,7 @@ fn face_mesh(object: &BrepObject, face: usize) -> Option<Mesh> {
 /// The kernel's mesh of an object that is one.
 fn mesh(object: &Object) -> Told<Mesh> {
     match object {
-        Object::Mesh(mesh) => Ok(mesh.clone()),
+        Object::Mesh(mesh) => mesh.to_mesh().map_err(|error| error.to_string()),
         _ => Err(UNKNOWN.into()),
     }
 }

@@ -41,7 +41,7 @@ fn geometry(shape: &Shape) -> Vec<Object> {
     match shape {
         Shape::Points(set) => vec![points(set)],
         Shape::Curve(curve) => vec![Object::Curve(curve.clone())],
-        Shape::Mesh(mesh) | Shape::Faces { facets: Some(mesh), .. } => vec![Object::Mesh(mesh.clone())],
+        Shape::Mesh(mesh) | Shape::Faces { facets: Some(mesh), .. } => vec![Object::from(mesh.clone())],
         Shape::Faces { facets: None, edges } => {
             edges.iter().map(|edge| Object::Curve(edge.clone())).collect()
         }

@@ -15,7 +15,7 @@ pub(crate) fn geometry(object: &Object) -> Value {
         Object::Point(p) => json!({"point": point(*p)}),
         Object::PointCloud(cloud) => {
             json!({"points": points(&cloud.points), "normals": vectors(&cloud.normals),
-                "colours": cloud.colours})
+                "colours": cloud.colours, "values": cloud.values})
         }
         Object::Curve(c) => curve(c),
         Object::Surface(s) => surface(s),

@@ -13,7 +13,7 @@ mod surface;
 mod tables;
 
 use base64::Engine;
-use katydid_3dm::{Limits, Model, Object};
+use katydid_3dm::{Limits, Model, ModelObject};
 use serde_json::{Value, json};
 
 use geometry::geometry;
@@ -63,15 +63,15 @@ fn encoded_object(form: &Value) -> Value {
     let Ok(data) = base64::engine::general_purpose::STANDARD.decode(data) else {
         return json!({"error": "the data is not base64"});
     };
-    match Object::from_on_data(number("archive3dm"), number("opennurbs"), &data) {
+    match ModelObject::from_on_data(number("archive3dm"), number("opennurbs"), &data) {
         Ok(object) => {
             let written = object.to_on_data(60).map(|w| {
-                let again = Object::from_on_data(w.archive3dm, w.opennurbs, &w.data);
+                let again = ModelObject::from_on_data(w.archive3dm, w.opennurbs, &w.data);
                 json!({"version": 10000, "archive3dm": w.archive3dm, "opennurbs": w.opennurbs,
                     "data": base64::engine::general_purpose::STANDARD.encode(&w.data),
                     "read_back_equal": again.is_ok_and(|back| back == object)})
             });
-            json!({"geometry": geometry(&object), "written": written.ok()})
+            json!({"geometry": geometry(&object.geometry), "written": written.ok()})
         }
         Err(error) => json!({"error": error.to_string()}),
     }

@@ -59,12 +59,12 @@ impl Context {
         self.note(offset, WarningKind::Odd, message.into());
     }
 
-    /// Notes that an object stays as bytes, which carry it as well. Bytes that end too soon are broken.
-    pub(crate) fn kept(&self, offset: usize, error: Error) {
+    /// Notes that something stays as bytes, which carry it as well. Bytes that end too soon are broken.
+    pub(crate) fn kept(&self, offset: usize, what: &str, error: Error) {
         if error.is_of_geometry() {
-            self.note(offset, WarningKind::Kept, format!("an object is kept as bytes: {error}"));
+            self.note(offset, WarningKind::Kept, format!("{what} is kept as bytes: {error}"));
         } else {
-            self.broken(offset, WarningKind::Kept, "an object is kept as bytes", error);
+            self.broken(offset, WarningKind::Kept, &format!("{what} is kept as bytes"), error);
         }
     }
 

@@ -10,6 +10,7 @@ mod clipping_plane;
 mod curve;
 mod extrusion;
 mod light;
+mod mapping_tag;
 mod mesh;
 mod nurbs_cage;
 mod on_data;
@@ -32,6 +33,8 @@ pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
 pub use extrusion::{Extrusion, ExtrusionMesh};
 pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
+pub use mapping_tag::MappingTag;
+pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
 pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
@@ -40,6 +43,7 @@ pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
+pub(crate) use brep::Reading as BrepReading;
 pub(crate) use class_object::{ClassObject, write_class};
 
 use class_object::write_null;
@@ -74,9 +78,6 @@ pub enum Object {
     Brep(Box<BrepObject>),
     /// Curves in a plane moved along a segment.
     Extrusion(Box<Extrusion>),
-    /// A mesh: vertices in double precision where the archive has them, faces, normals and colours. Texture
-    /// coordinates, curvatures and n-gons are not read.
-    Mesh(Mesh),
     /// Text at a point, turned to the viewer.
     TextDot(TextDot),
     /// A block placed in the model.
@@ -93,6 +94,8 @@ pub enum Object {
     Annotation5(Box<Annotation5>),
     /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
     Annotation2(Box<Annotation2>),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -176,6 +179,7 @@ impl Object {
         match self {
             Self::Brep(_) => data.class == class_ids::V5_REGIONS,
             Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
+            Self::Mesh(_) => mesh::owns(data),
             _ => false,
         }
     }
@@ -213,7 +217,7 @@ impl Object {
         let parsed = match class_ids::canonical(object.class) {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
-            class_ids::MESH => Self::Mesh(mesh::read(&mut body, &object.user_data)?),
+            class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
             class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
@@ -280,11 +284,16 @@ impl Object {
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
             Self::Mesh(m) => {
-                let own = mesh::double_vertices(m, w.version())?;
-                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))
             }
         }
+    }
+}
+
+impl From<Mesh> for Object {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Box::new(mesh.into()))
     }
 }
 

@@ -94,9 +94,10 @@ impl UserData {
                 w.i32(self.copy_count);
                 self.transform.iter().for_each(|x| w.f64(*x));
                 w.uuid(self.application);
-                // Whether the body follows other rules than the archive; readers look at its version only then.
+                // Whether it is passed on by a program that does not know it, or follows other rules than the archive:
+                // readers look at its version only then.
                 let own = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
-                w.bool(own != w.version());
+                w.bool(!class_ids::is_opennurbs(self.application) || own != w.version());
                 w.i32(self.archive_version);
                 w.u32(self.opennurbs_version);
                 Ok(())

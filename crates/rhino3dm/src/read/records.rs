@@ -36,7 +36,7 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
         if record.peek_typecode() == Some(typecode::CLASS) && found.is_none() {
             let class = ClassObject::read(&mut record)?;
             let geometry = Object::from_class(&class).unwrap_or_else(|error| {
-                context.kept(class.offset, error);
+                context.kept(class.offset, "an object", error);
                 Object::Kept(class.to_raw())
             });
             let mut user_data =

@@ -87,7 +87,7 @@ impl Stated {
                 if u32::from_le_bytes([red, green, blue, shine]) != NO_COLOUR {
                     let material = self.material();
                     material.diffuse = [red, green, blue, 255];
-                    material.shine = f64::from(shine) / 100.0 * MOST_SHINE;
+                    material.shine = (f64::from(shine) / 100.0 * MOST_SHINE).min(MOST_SHINE);
                 }
             }
             code::TRANSPARENCY => {

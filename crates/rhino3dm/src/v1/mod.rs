@@ -5,6 +5,7 @@
 
 mod annotation;
 mod attributes;
+mod brep;
 mod curve;
 mod light;
 mod mesh;
@@ -12,6 +13,7 @@ mod restate;
 mod settings;
 mod spline;
 mod text;
+mod toolkit;
 mod typecode;
 
 use katydid_geometry::Point3;
@@ -20,15 +22,13 @@ pub(crate) use self::typecode::may_precede_tables;
 
 use self::annotation::{Annotation, is_annotation};
 use self::attributes::{Extra, Stated};
-use self::curve::Curve;
 use self::light::Spotlight;
 use self::mesh::PackedMesh;
-use self::spline::{Spline, SplineSurface};
 use self::typecode as code;
 use crate::chunk::{Chunk, Context, Reader, Writer};
 use crate::model::{Model, ModelObject};
 use crate::object::Object;
-use crate::{Attributes, Error, Result, class_ids, typecode as common};
+use crate::{Attributes, Result, SurfaceForm, class_ids, typecode as common};
 
 /// What openNURBS writes where a number was never set.
 const UNSET: f64 = -1.234_321_012_343_21e308;
@@ -95,11 +95,17 @@ impl Reading {
         let context = body.context();
         let (geometry, stated) = match typecode {
             code::CURVE => {
-                let stated = Stated::read(body, Some(code::CURVE | code::SUBSTANCE))?;
-                let mut substance = spline::substance(body, code::CURVE, "curve of version 1")?;
-                let curve = Curve::read_substance(&mut substance)?;
-                substance.finish();
-                (restate::object(curve.class(), offset, context, |w| curve.write(w))?, stated)
+                let (stated, mut body) = with_substance(body, typecode)?;
+                let curve = curve::read_substance(&mut body)?;
+                body.finish();
+                (curve.into(), stated)
+            }
+            code::FACE | code::SHELL => {
+                let (stated, mut body) = with_substance(body, typecode)?;
+                let read = if typecode == code::FACE { brep::read_face } else { brep::read_shell };
+                let brep = read(&mut body)?;
+                body.finish();
+                (Object::Brep(Box::new(brep)), stated)
             }
             code::MESH => {
                 let mesh = PackedMesh::read(body)?;
@@ -107,17 +113,15 @@ impl Reading {
                 (restate::object(class_ids::MESH, offset, context, |w| mesh.write(w))?, stated)
             }
             code::TOOLKIT_CURVE => {
-                let curve = Spline::read_toolkit(body)?;
-                let stated = Stated::read(body, Some(code::TOOLKIT_END))?;
-                (restate::object(class_ids::NURBS_CURVE, offset, context, |w| curve.write(w))?, stated)
+                (spline::read_toolkit_curve(body)?.into(), Stated::read(body, Some(code::TOOLKIT_END))?)
             }
             code::TOOLKIT_SURFACE => {
-                let surface = SplineSurface::read_toolkit(body)?;
-                let stated = Stated::read(body, Some(code::TOOLKIT_END))?;
-                (restate::object(class_ids::NURBS_SURFACE, offset, context, |w| surface.write(w))?, stated)
+                let surface = SurfaceForm::Nurbs(spline::read_toolkit_surface(body)?);
+                (surface.into(), Stated::read(body, Some(code::TOOLKIT_END))?)
             }
-            code::FACE | code::SHELL | code::TOOLKIT_BREP => {
-                return Err(Error::malformed(offset, "brep of version 1", "it is not supported yet"));
+            code::TOOLKIT_BREP => {
+                let brep = Object::Brep(Box::new(toolkit::read_brep(body)?));
+                (brep, Stated::read(body, Some(code::TOOLKIT_END))?)
             }
             _ => return Ok(()),
         };
@@ -190,6 +194,12 @@ impl Reading {
     fn skip(&mut self, name: &str) {
         *self.model.skipped.entry(name.to_owned()).or_default() += 1;
     }
+}
+
+/// The attributes before the substance of an object, and the substance.
+fn with_substance<'a>(body: &mut Reader<'a>, kind: u32) -> Result<(Stated, Reader<'a>)> {
+    let stated = Stated::read(body, Some(kind | code::SUBSTANCE))?;
+    Ok((stated, spline::substance(body, kind, kind_name(kind))?))
 }
 
 fn with_attributes(geometry: Object, attributes: Attributes) -> ModelObject {

@@ -28,7 +28,7 @@ pub(super) fn object(
     let own = Context::new(&context.limits);
     let class = ClassObject::read(&mut Reader::new(&bytes, version, &own))?;
     Ok(Object::from_class(&class).unwrap_or_else(|error| {
-        context.kept(offset, error.moved_to(offset));
+        context.kept(offset, "an object", error.moved_to(offset));
         Object::Kept(class.to_raw())
     }))
 }

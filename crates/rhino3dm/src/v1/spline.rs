@@ -1,23 +1,13 @@
 //! NURBS curves and surfaces of version 1.
 
+use katydid_geometry::{Interval, Line, Point3};
+
 use super::typecode as code;
-use crate::chunk::{Reader, Writer};
-use crate::{Error, Result};
+use crate::chunk::Reader;
+use crate::{CurveForm, Error, NurbsForm, NurbsSurfaceForm, Result};
 
 const CURVE: &str = "NURBS curve of version 1";
 const SURFACE: &str = "NURBS surface of version 1";
-
-/// A NURBS curve as stored: control points homogeneous, one after the other.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spline {
-    pub(super) dimension: usize,
-    pub(super) rational: bool,
-    pub(super) order: usize,
-    pub(super) count: usize,
-    /// As openNURBS has them: order + count − 2.
-    pub(super) knots: Vec<f64>,
-    pub(super) points: Vec<f64>,
-}
 
 /// How rational control points are stored: whether coordinates are multiplied by the weight already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,73 +46,71 @@ fn dimension(body: &mut Reader<'_>, what: &'static str) -> Result<usize> {
     }
 }
 
-impl Spline {
-    /// Reads the spline chunk that comes next; its substance is a chunk in it.
-    pub(super) fn read(segments: &mut Reader<'_>) -> Result<Self> {
-        let mut chunk = segments.expect(code::SPLINE, CURVE)?;
-        let mut body = substance(&mut chunk, code::SPLINE, CURVE)?;
-        let spline = Self::read_substance(&mut body)?;
-        body.finish();
-        Ok(spline)
-    }
+/// A small number as archives have it.
+fn int(number: usize) -> i32 {
+    i32::try_from(number).unwrap_or(i32::MAX)
+}
 
-    fn read_substance(body: &mut Reader<'_>) -> Result<Self> {
-        let offset = body.offset();
-        let malformed = |why: String| Error::malformed(offset, CURVE, why);
-        let dimension = dimension(body, CURVE)?;
-        let weights = body.u8(CURVE)?;
-        let Some(weights) = Weights::from_code(weights) else {
-            return Err(malformed(format!("{weights} is no kind of weights")));
-        };
-        let order = usize::from(body.u8(CURVE)?);
-        let count = usize::from(body.u16(CURVE)?);
-        if !(2..=127).contains(&order) || count < order {
-            return Err(malformed(format!("order {order} does not go with {count} control points")));
-        }
-        // Whether it is closed, its form, and its box.
-        body.take(2 + 16 * dimension, CURVE)?;
-        let mut knots = read_knots(body, order, count)?;
-        let rational = weights != Weights::None;
-        let mut points = body.doubles_of(count * (dimension + usize::from(rational)), "control points")?;
-        // Both kinds of weights are stored apart in curves, whatever their mark says.
-        if rational {
-            multiply_weights(&mut points, dimension);
-        }
-        // Some lines run backwards in their knots.
-        if let [start, end] = knots.as_mut_slice()
-            && *start > *end
-        {
-            (*start, *end) = (-*start, -*end);
-        }
-        Ok(Self { dimension, rational, order, count, knots, points })
-    }
+/// Reads the spline chunk that comes next; its substance is a chunk in it. A spline that is a line is read as one.
+pub(super) fn read_spline(segments: &mut Reader<'_>) -> Result<CurveForm> {
+    let mut chunk = segments.expect(code::SPLINE, CURVE)?;
+    let mut body = substance(&mut chunk, code::SPLINE, CURVE)?;
+    let spline = read_curve_substance(&mut body)?;
+    body.finish();
+    Ok(as_line(&spline).unwrap_or(CurveForm::Nurbs(spline)))
+}
 
-    /// Whether it is a line.
-    pub(super) fn is_line(&self) -> bool {
-        self.order == 2 && self.count == 2 && !self.rational
+fn read_curve_substance(body: &mut Reader<'_>) -> Result<NurbsForm> {
+    let offset = body.offset();
+    let malformed = |why: String| Error::malformed(offset, CURVE, why);
+    let dimension = dimension(body, CURVE)?;
+    let weights = body.u8(CURVE)?;
+    let Some(weights) = Weights::from_code(weights) else {
+        return Err(malformed(format!("{weights} is no kind of weights")));
+    };
+    let order = usize::from(body.u8(CURVE)?);
+    let count = usize::from(body.u16(CURVE)?);
+    if !(2..=127).contains(&order) || count < order {
+        return Err(malformed(format!("order {order} does not go with {count} control points")));
     }
+    // Whether it is closed, its form, and its box.
+    body.take(2 + 16 * dimension, CURVE)?;
+    let mut knots = read_knots(body, order, count)?;
+    let rational = weights != Weights::None;
+    let mut numbers = body.doubles_of(count * (dimension + usize::from(rational)), "control points")?;
+    // Both kinds of weights are stored apart in curves, whatever their mark says.
+    if rational {
+        multiply_weights(&mut numbers, dimension);
+    }
+    // Some lines run backwards in their knots.
+    if let [start, end] = knots.as_mut_slice()
+        && *start > *end
+    {
+        (*start, *end) = (-*start, -*end);
+    }
+    Ok(NurbsForm {
+        dimension: int(dimension),
+        rational,
+        order: int(order),
+        knots,
+        numbers,
+        subd_friendly: false,
+    })
+}
 
-    /// Its first and last parameter.
-    pub(super) fn domain(&self) -> [f64; 2] {
-        let at = |i: usize| self.knots.get(i).copied().unwrap_or_default();
-        [at(self.order - 2), at(self.count - 1)]
+/// A spline of two control points as a line.
+fn as_line(spline: &NurbsForm) -> Option<CurveForm> {
+    let [start, end] = *spline.knots.as_slice() else { return None };
+    if spline.order != 2 || spline.rational {
+        return None;
     }
-
-    /// Writes the body of the class.
-    pub(super) fn write(&self, w: &mut Writer) -> Result<()> {
-        w.packed_version(1, 0);
-        w.count(self.dimension, "dimensions")?;
-        w.i32(i32::from(self.rational));
-        w.count(self.order, "orders")?;
-        w.count(self.count, "control points")?;
-        w.i32(0);
-        w.i32(0);
-        w.empty_box();
-        w.doubles(&self.knots)?;
-        w.count(self.count, "control points")?;
-        self.points.iter().for_each(|x| w.f64(*x));
-        Ok(())
-    }
+    let point = |numbers: &[f64]| {
+        let at = |i: usize| numbers.get(i).copied().unwrap_or(0.0);
+        Point3::new(at(0), at(1), at(2))
+    };
+    let (from, to) = spline.numbers.split_at_checked(spline.numbers.len() / 2)?;
+    let (line, domain) = (Line::new(point(from), point(to)), Interval::new(start, end));
+    Some(CurveForm::Line { line, domain, dimension: spline.dimension })
 }
 
 /// The knots of a curve; those that are equal at a clamped end are stored once.
@@ -166,90 +154,59 @@ pub(super) fn find<'a>(chunks: &mut Reader<'a>, typecode: u32, what: &'static st
     Err(Error::malformed(offset, what, format!("a chunk {typecode:08X} is missing")))
 }
 
-/// A NURBS surface as stored.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct SplineSurface {
-    pub(super) dimension: usize,
-    pub(super) rational: bool,
-    pub(super) orders: [usize; 2],
-    pub(super) counts: [usize; 2],
-    pub(super) knots: [Vec<f64>; 2],
-    pub(super) points: Vec<f64>,
+/// Reads the substance of a surface.
+pub(super) fn read_surface_substance(body: &mut Reader<'_>) -> Result<NurbsSurfaceForm> {
+    let offset = body.offset();
+    let malformed = |why: String| Error::malformed(offset, SURFACE, why);
+    let dimension = dimension(body, SURFACE)?;
+    // Its form.
+    body.u8(SURFACE)?;
+    let degrees = [usize::from(body.u8(SURFACE)?), usize::from(body.u8(SURFACE)?)];
+    let spans = [usize::from(body.u16(SURFACE)?), usize::from(body.u16(SURFACE)?)];
+    if !degrees.iter().all(|degree| (1..127).contains(degree)) || spans.contains(&0) {
+        return Err(malformed(format!("degrees {degrees:?} do not go with spans {spans:?}")));
+    }
+    let kinds = [body.u8(SURFACE)?, body.u8(SURFACE)?].map(Weights::from_code);
+    // The second direction decides where the two differ.
+    let weights = kinds.into_iter().flatten().rfind(|kind| *kind != Weights::None);
+    // Whether it is closed or singular, and its box.
+    body.take(4 + 16 * dimension, SURFACE)?;
+    let ([degree_u, degree_v], [spans_u, spans_v]) = (degrees, spans);
+    let counts = [degree_u + spans_u, degree_v + spans_v];
+    read_surface_numbers(body, dimension, weights, degrees.map(|degree| degree + 1), counts)
 }
 
-impl SplineSurface {
-    #[allow(dead_code, reason = "breps, which are read next, hold such surfaces")]
-    /// Reads the substance of a surface.
-    pub(super) fn read_substance(body: &mut Reader<'_>) -> Result<Self> {
-        let offset = body.offset();
-        let malformed = |why: String| Error::malformed(offset, SURFACE, why);
-        let dimension = dimension(body, SURFACE)?;
-        // Its form.
-        body.u8(SURFACE)?;
-        let degrees = [usize::from(body.u8(SURFACE)?), usize::from(body.u8(SURFACE)?)];
-        let spans = [usize::from(body.u16(SURFACE)?), usize::from(body.u16(SURFACE)?)];
-        if !degrees.iter().all(|degree| (1..127).contains(degree)) || spans.contains(&0) {
-            return Err(malformed(format!("degrees {degrees:?} do not go with spans {spans:?}")));
-        }
-        let kinds = [body.u8(SURFACE)?, body.u8(SURFACE)?].map(Weights::from_code);
-        // The second direction decides where the two differ.
-        let weights = kinds.into_iter().flatten().rfind(|kind| *kind != Weights::None);
-        // Whether it is closed or singular, and its box.
-        body.take(4 + 16 * dimension, SURFACE)?;
-        let orders = degrees.map(|degree| degree + 1);
-        let counts = [0, 1].map(|i: usize| {
-            let at = |list: [usize; 2]| list.get(i).copied().unwrap_or_default();
-            at(degrees) + at(spans)
-        });
-        Self::read_numbers(body, dimension, weights, orders, counts)
+fn read_surface_numbers(
+    body: &mut Reader<'_>,
+    dimension: usize,
+    weights: Option<Weights>,
+    orders: [usize; 2],
+    counts: [usize; 2],
+) -> Result<NurbsSurfaceForm> {
+    let ([order_u, order_v], [count_u, count_v]) = (orders, counts);
+    let knots = [
+        body.doubles_of((order_u - 2).saturating_add(count_u), "knots")?,
+        body.doubles_of((order_v - 2).saturating_add(count_v), "knots")?,
+    ];
+    let width = dimension + usize::from(weights.is_some());
+    let total = count_u.saturating_mul(count_v).saturating_mul(width);
+    let mut numbers = body.doubles_of(total, "control points")?;
+    if weights == Some(Weights::Apart) {
+        multiply_weights(&mut numbers, dimension);
     }
-
-    fn read_numbers(
-        body: &mut Reader<'_>,
-        dimension: usize,
-        weights: Option<Weights>,
-        orders: [usize; 2],
-        counts: [usize; 2],
-    ) -> Result<Self> {
-        let ([order_u, order_v], [count_u, count_v]) = (orders, counts);
-        let knots = [
-            body.doubles_of(order_u + count_u - 2, "knots")?,
-            body.doubles_of(order_v + count_v - 2, "knots")?,
-        ];
-        let width = dimension + usize::from(weights.is_some());
-        let total = count_u.saturating_mul(count_v).saturating_mul(width);
-        let mut points = body.doubles_of(total, "control points")?;
-        if weights == Some(Weights::Apart) {
-            multiply_weights(&mut points, dimension);
-        }
-        Ok(Self { dimension, rational: weights.is_some(), orders, counts, knots, points })
-    }
-
-    /// Writes the body of the class.
-    pub(super) fn write(&self, w: &mut Writer) -> Result<()> {
-        w.packed_version(1, 0);
-        w.count(self.dimension, "dimensions")?;
-        w.i32(i32::from(self.rational));
-        for order in self.orders {
-            w.count(order, "orders")?;
-        }
-        for count in self.counts {
-            w.count(count, "control points")?;
-        }
-        w.i32(0);
-        w.i32(0);
-        w.empty_box();
-        for knots in &self.knots {
-            w.doubles(knots)?;
-        }
-        w.count(self.points.len() / (self.dimension + usize::from(self.rational)), "control points")?;
-        self.points.iter().for_each(|x| w.f64(*x));
-        Ok(())
-    }
+    let (orders, counts) = (orders.map(int), counts.map(int));
+    Ok(NurbsSurfaceForm {
+        dimension: int(dimension),
+        rational: weights.is_some(),
+        orders,
+        counts,
+        knots,
+        numbers,
+    })
 }
 
 /// The toolkit's mark of a layout, with a bit that says nothing.
-fn toolkit_version(body: &mut Reader<'_>, what: &'static str) -> Result<()> {
+pub(super) fn toolkit_version(body: &mut Reader<'_>, what: &'static str) -> Result<()> {
     let offset = body.offset();
     match body.i32(what)? & !0x100 {
         100 | 101 => Ok(()),
@@ -277,37 +234,32 @@ fn toolkit_rational(body: &mut Reader<'_>, what: &'static str) -> Result<bool> {
     }
 }
 
-impl Spline {
-    /// Reads the data of a curve of the toolkit.
-    pub(super) fn read_toolkit(chunks: &mut Reader<'_>) -> Result<Self> {
-        let mut body = chunks.expect(code::TOOLKIT_DATA, CURVE)?;
-        toolkit_version(&mut body, CURVE)?;
-        let dimension = at_least(&mut body, 1, CURVE)?;
-        let rational = toolkit_rational(&mut body, CURVE)?;
-        let order = at_least(&mut body, 2, CURVE)?;
-        let count = at_least(&mut body, order, CURVE)?;
-        body.i32(CURVE)?;
-        let knots = body.doubles_of((order - 2).saturating_add(count), "knots")?;
-        let numbers = count.saturating_mul(dimension.saturating_add(usize::from(rational)));
-        let points = body.doubles_of(numbers, "control points")?;
-        Ok(Self { dimension, rational, order, count, knots, points })
-    }
+/// Reads the data of a curve of the toolkit.
+pub(super) fn read_toolkit_curve(chunks: &mut Reader<'_>) -> Result<CurveForm> {
+    let mut body = chunks.expect(code::TOOLKIT_DATA, CURVE)?;
+    toolkit_version(&mut body, CURVE)?;
+    let dimension = at_least(&mut body, 1, CURVE)?;
+    let rational = toolkit_rational(&mut body, CURVE)?;
+    let order = at_least(&mut body, 2, CURVE)?;
+    let count = at_least(&mut body, order, CURVE)?;
+    body.i32(CURVE)?;
+    let knots = body.doubles_of((order - 2).saturating_add(count), "knots")?;
+    let width = dimension.saturating_add(usize::from(rational));
+    let numbers = body.doubles_of(count.saturating_mul(width), "control points")?;
+    let (dimension, order) = (int(dimension), int(order));
+    Ok(CurveForm::Nurbs(NurbsForm { dimension, rational, order, knots, numbers, subd_friendly: false }))
 }
 
-impl SplineSurface {
-    /// Reads the data of a surface of the toolkit.
-    pub(super) fn read_toolkit(chunks: &mut Reader<'_>) -> Result<Self> {
-        let mut body = chunks.expect(code::TOOLKIT_DATA, SURFACE)?;
-        toolkit_version(&mut body, SURFACE)?;
-        let dimension = at_least(&mut body, 1, SURFACE)?;
-        let rational = toolkit_rational(&mut body, SURFACE)?;
-        let orders = [at_least(&mut body, 2, SURFACE)?, at_least(&mut body, 2, SURFACE)?];
-        let [order_u, order_v] = orders;
-        let counts = [at_least(&mut body, order_u, SURFACE)?, at_least(&mut body, order_v, SURFACE)?];
-        body.i32(SURFACE)?;
-        let width = dimension.saturating_add(usize::from(rational));
-        body.check_count(width, 8, "control points")?;
-        let weights = rational.then_some(Weights::Multiplied);
-        Self::read_numbers(&mut body, dimension, weights, orders, counts)
-    }
+/// Reads the data of a surface of the toolkit.
+pub(super) fn read_toolkit_surface(chunks: &mut Reader<'_>) -> Result<NurbsSurfaceForm> {
+    let mut body = chunks.expect(code::TOOLKIT_DATA, SURFACE)?;
+    toolkit_version(&mut body, SURFACE)?;
+    let dimension = at_least(&mut body, 1, SURFACE)?;
+    let rational = toolkit_rational(&mut body, SURFACE)?;
+    let orders = [at_least(&mut body, 2, SURFACE)?, at_least(&mut body, 2, SURFACE)?];
+    let [order_u, order_v] = orders;
+    let counts = [at_least(&mut body, order_u, SURFACE)?, at_least(&mut body, order_v, SURFACE)?];
+    body.i32(SURFACE)?;
+    body.check_count(dimension, 8, "control points")?;
+    read_surface_numbers(&mut body, dimension, rational.then_some(Weights::Multiplied), orders, counts)
 }

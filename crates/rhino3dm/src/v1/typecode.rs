@@ -28,6 +28,9 @@ pub(super) const RADIAL_DIMENSION: u32 = 0x0020_0008;
 /// substance.
 pub(super) const SHELL: u32 = 0x0001_0003;
 pub(super) const FACE: u32 = 0x0001_0004;
+pub(super) const LOOP: u32 = 0x0001_0005;
+pub(super) const TRIM: u32 = 0x0001_0006;
+pub(super) const SURFACE: u32 = 0x0001_0007;
 pub(super) const CURVE: u32 = 0x0001_0008;
 pub(super) const SPLINE: u32 = 0x0001_0009;
 /// The bit by which a substance differs from its kind.

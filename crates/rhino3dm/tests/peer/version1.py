@@ -36,9 +36,10 @@ def check_head(head, file, path):
     assert len(materials) == len(file.Materials)
     for ours, theirs in zip(materials, file.Materials):
         assert ours["name"] == theirs.Name and ours["diffuse"][:3] == list(theirs.DiffuseColor[:3]), ours
-        close([ours["shine"], ours["transparency"]], [theirs.Shine, theirs.Transparency], "material")
+        close([ours["shine"], ours["transparency"]], [theirs.Shine, theirs.Transparency], "material", 1e-7)
         theirs = [texture.FileName for texture in (theirs.GetBitmapTexture(), theirs.GetBumpTexture()) if texture]
-        assert ours["textures"] == theirs, ours
+        # rhino3dm turns paths of Windows into such of the system it runs on.
+        assert [path.removeprefix("D:").replace("\\", "/") for path in ours["textures"]] == theirs, ours
 
 
 def check_version_1(path):
@@ -61,7 +62,8 @@ def check_version_1(path):
         assert ours["material"] == attributes.MaterialIndex, what
         assert ours["wire_density"] == attributes.WireDensity, what
         assert ours["colour"] is None and attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromLayer, what
-        check_geometry(ours["geometry"], geometry, what)
+        if name != "Brep":  # these are compared as they are encoded, below
+            check_geometry(ours["geometry"], geometry, what)
         counts[name] = counts.get(name, 0) + 1
     return counts
 
@@ -103,4 +105,5 @@ def check_all(paths):
     for version in VERSIONS:
         results = [check_converted_1(path, version) for path in paths]
         objects, carried, same = (sum(column) for column in zip(*results)) if results else (0, 0, 0)
+        assert carried == objects, f"{objects - carried} objects of version 1 are not written as {version}"
         print(f"version 1 as {version}: {carried} of {objects} objects carried over, {same} of them encoded alike")

@@ -4,7 +4,7 @@ use katydid_geometry::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, PolyCurv
 use katydid_geometry::{Error as Refusal, Point3};
 
 use super::{CurveOnSurface, NurbsForm};
-use crate::object::is_frame;
+use crate::object::{UserData, is_frame};
 
 type Kernel<T> = katydid_geometry::Result<T>;
 
@@ -25,6 +25,9 @@ pub enum CurveForm {
     Arc {
         /// Circle and angles.
         arc: Arc,
+        /// The last number of the equation of the circle's plane, where it is not the one that follows from the
+        /// plane.
+        offset: Option<f64>,
         /// The parameters of its ends.
         domain: Interval,
         /// 2 or 3.
@@ -50,6 +53,13 @@ pub enum CurveForm {
     },
     /// A curve in the parameter plane of a surface, seen in space.
     OnSurface(Box<CurveOnSurface>),
+    /// A curve inside another object with user data of its own.
+    Tagged {
+        /// The curve.
+        curve: Box<CurveForm>,
+        /// The user data.
+        user_data: Vec<UserData>,
+    },
 }
 
 impl CurveForm {
@@ -57,7 +67,7 @@ impl CurveForm {
     pub fn of(curve: &Curve, dimension: i32) -> Self {
         match curve {
             Curve::Line(c) => Self::Line { line: c.line, domain: c.domain, dimension },
-            Curve::Arc(c) => Self::Arc { arc: c.arc, domain: c.domain, dimension },
+            Curve::Arc(c) => Self::Arc { arc: c.arc, offset: None, domain: c.domain, dimension },
             Curve::Polyline(c) => {
                 Self::Polyline { points: c.points().to_vec(), parameters: c.parameters().to_vec(), dimension }
             }
@@ -93,6 +103,7 @@ impl CurveForm {
                 PolyCurve::with_parameters(segments, parameters.clone())?.into()
             }
             Self::OnSurface(_) => return Err(Refusal::Unsupported("curves on surfaces")),
+            Self::Tagged { curve, .. } => curve.to_curve()?,
         })
     }
 
@@ -114,6 +125,7 @@ impl CurveForm {
             Self::Polyline { parameters, .. } | Self::Poly { parameters, .. } => ends(parameters),
             Self::Nurbs(form) => form.domain(),
             Self::OnSurface(curve) => curve.flat.domain(),
+            Self::Tagged { curve, .. } => curve.domain(),
         }
     }
 }

@@ -15,7 +15,7 @@ pub use on_surface::CurveOnSurface;
 use katydid_geometry::Curve;
 use uuid::Uuid;
 
-use super::{ClassObject, major_1, write_class};
+use super::{ClassObject, UserData, major_1, write_class};
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result, class_ids};
 
@@ -57,6 +57,7 @@ pub(super) fn class_of_form(form: &CurveForm) -> Uuid {
         CurveForm::Poly { .. } => class_ids::POLY_CURVE,
         CurveForm::Nurbs(_) => class_ids::NURBS_CURVE,
         CurveForm::OnSurface(_) => class_ids::CURVE_ON_SURFACE,
+        CurveForm::Tagged { curve, .. } => class_of_form(curve),
     }
 }
 
@@ -102,7 +103,10 @@ pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<CurveForm> {
         Some(mut body) if is_curve(class) => {
             let form = read(class, &mut body)?;
             body.finish();
-            Ok(form)
+            if object.user_data.is_empty() {
+                return Ok(form);
+            }
+            Ok(CurveForm::Tagged { curve: Box::new(form), user_data: object.user_data })
         }
         _ => {
             let name = class_ids::name(class).map_or_else(|| class.to_string(), str::to_owned);
@@ -115,18 +119,22 @@ pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<CurveForm> {
 pub(super) fn write(form: &CurveForm, w: &mut Writer) -> Result<()> {
     match form {
         CurveForm::Line { line, domain, dimension } => line::write(line, *domain, *dimension, w),
-        CurveForm::Arc { arc, domain, dimension } => arc::write(arc, *domain, *dimension, w),
+        CurveForm::Arc { arc, offset, domain, dimension } => {
+            arc::write(arc, *offset, *domain, *dimension, w);
+        }
         CurveForm::Polyline { points, parameters, dimension } => {
             return polyline::write(points, parameters, *dimension, w);
         }
         CurveForm::Nurbs(form) => return nurbs::write(form, w),
         CurveForm::Poly { segments, parameters } => return poly::write(segments, parameters, w),
         CurveForm::OnSurface(curve) => return on_surface::write(curve, w),
+        CurveForm::Tagged { curve, .. } => return write(curve, w),
     }
     Ok(())
 }
 
 /// Writes a whole class object.
 pub(super) fn write_object(form: &CurveForm, w: &mut Writer) -> Result<()> {
-    write_class(w, class_of_form(form), &[], |w| write(form, w))
+    let user_data: &[UserData] = if let CurveForm::Tagged { user_data, .. } = form { user_data } else { &[] };
+    write_class(w, class_of_form(form), user_data, |w| write(form, w))
 }

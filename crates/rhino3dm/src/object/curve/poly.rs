@@ -1,5 +1,7 @@
 //! Class PolyCurve: class objects end to end.
 
+use katydid_geometry::Interval;
+
 use super::{CurveForm, major_1, read_object};
 use crate::Result;
 use crate::chunk::{Reader, Writer};
@@ -7,6 +9,9 @@ use crate::chunk::{Reader, Writer};
 const WHAT: &str = "polycurve";
 /// Files written before this openNURBS version nest polycurves where later ones hold the segments in a row.
 const NESTED_BEFORE: u32 = 200_304_080;
+/// How far joints may be from the ends of segments to be taken for them, as a fraction of the shorter segment: the
+/// square root of the machine epsilon.
+const FUZZ: f64 = 1.490_116_119_385e-8;
 /// A class chunk's header in its shorter form.
 const LEAST_SEGMENT: usize = 8;
 
@@ -18,10 +23,37 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<CurveForm> {
     let mut parameters = body.doubles(WHAT)?;
     body.check_count(count, LEAST_SEGMENT, WHAT)?;
     let mut segments = (0..count).map(|_| read_object(body)).collect::<Result<Vec<CurveForm>>>()?;
+    settle(&segments, &mut parameters);
     if body.version().opennurbs < NESTED_BEFORE && parameters.len() == segments.len() + 1 {
         (segments, parameters) = flattened(segments, &parameters);
     }
     Ok(CurveForm::Poly { segments, parameters })
+}
+
+/// Joints that are the ends of segments but for rounding are those ends: some programs stored them inexactly, and
+/// openNURBS mends that when it reads.
+fn settle(segments: &[CurveForm], parameters: &mut [f64]) {
+    if parameters.len() != segments.len() + 1 {
+        return;
+    }
+    let domains: Vec<Interval> = segments.iter().map(CurveForm::domain).collect();
+    let near = |a: f64, b: f64, length: f64| a != b && (a - b).abs() <= length * FUZZ;
+    for (pair, joint) in domains.windows(2).zip(parameters.iter_mut().skip(1)) {
+        let &[before, after] = pair else { continue };
+        let inside = *joint > before.start && *joint < after.end;
+        if inside
+            && before.end == after.start
+            && near(before.end, *joint, before.length().min(after.length()))
+        {
+            *joint = before.end;
+        }
+    }
+    if let (Some(domain), Some(last)) = (domains.last(), parameters.last_mut())
+        && *last > domain.start
+        && near(domain.end, *last, domain.length())
+    {
+        *last = domain.end;
+    }
 }
 
 /// The segments of nested polycurves in place of those, their joints mapped into the outer parameters. One level

@@ -7,7 +7,7 @@ use katydid_geometry::{
 
 use super::NurbsSurfaceForm;
 use crate::object::curve::SPACE;
-use crate::object::{CurveForm, is_frame};
+use crate::object::{CurveForm, UserData, is_frame};
 
 type Kernel<T> = katydid_geometry::Result<T>;
 
@@ -18,6 +18,8 @@ pub enum SurfaceForm {
     Plane {
         /// The plane.
         plane: Plane,
+        /// The last number of its equation, where it is not the one that follows from the plane.
+        offset: Option<f64>,
         /// The parameters in u and v.
         domains: [Interval; 2],
         /// The ranges of the plane's coordinates that they stand for.
@@ -49,6 +51,13 @@ pub enum SurfaceForm {
     },
     /// A NURBS surface.
     Nurbs(NurbsSurfaceForm),
+    /// A surface inside another object with user data of its own.
+    Tagged {
+        /// The surface.
+        surface: Box<SurfaceForm>,
+        /// The user data.
+        user_data: Vec<UserData>,
+    },
 }
 
 impl SurfaceForm {
@@ -57,6 +66,7 @@ impl SurfaceForm {
         match surface {
             Surface::Plane(s) => Self::Plane {
                 plane: *s.plane(),
+                offset: None,
                 domains: Direction::BOTH.map(|d| s.domain(d)),
                 extents: s.extents(),
             },
@@ -85,7 +95,7 @@ impl SurfaceForm {
     /// The kernel refuses its numbers.
     pub fn to_surface(&self) -> Kernel<Surface> {
         Ok(match self {
-            Self::Plane { plane, domains, extents } => {
+            Self::Plane { plane, domains, extents, .. } => {
                 if !is_frame(plane) {
                     return Err(Refusal::Degenerate {
                         what: "plane of the surface",
@@ -106,6 +116,7 @@ impl SurfaceForm {
                 if *transposed { surface.transposed() } else { surface }.into()
             }
             Self::Nurbs(form) => form.to_surface()?.into(),
+            Self::Tagged { surface, .. } => surface.to_surface()?,
         })
     }
 

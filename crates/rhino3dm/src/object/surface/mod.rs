@@ -12,7 +12,7 @@ pub use nurbs::NurbsSurfaceForm;
 use katydid_geometry::Surface;
 use uuid::Uuid;
 
-use super::{ClassObject, curve, major_1, write_class};
+use super::{ClassObject, UserData, curve, major_1, write_class};
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result, class_ids};
 
@@ -44,6 +44,7 @@ pub(super) fn class_of_form(form: &SurfaceForm) -> Uuid {
         SurfaceForm::Sum { .. } => class_ids::SUM_SURFACE,
         SurfaceForm::Revolution { .. } => class_ids::REVOLUTION_SURFACE,
         SurfaceForm::Nurbs(_) => class_ids::NURBS_SURFACE,
+        SurfaceForm::Tagged { surface, .. } => class_of_form(surface),
     }
 }
 
@@ -77,7 +78,10 @@ pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<SurfaceForm> {
         Some(mut body) if is_surface(class) => {
             let form = read(class, &mut body)?;
             body.finish();
-            Ok(form)
+            if object.user_data.is_empty() {
+                return Ok(form);
+            }
+            Ok(SurfaceForm::Tagged { surface: Box::new(form), user_data: object.user_data })
         }
         _ => {
             let name = class_ids::name(class).map_or_else(|| class.to_string(), str::to_owned);
@@ -89,17 +93,20 @@ pub(super) fn form_of_object(object: ClassObject<'_>) -> Result<SurfaceForm> {
 /// Writes the body of a surface class.
 pub(super) fn write(form: &SurfaceForm, w: &mut Writer) -> Result<()> {
     match form {
-        SurfaceForm::Plane { plane, domains, extents } => {
-            plane::write(plane, *domains, *extents, w);
+        SurfaceForm::Plane { plane, offset, domains, extents } => {
+            plane::write(plane, *offset, *domains, *extents, w);
             Ok(())
         }
         SurfaceForm::Sum { .. } => sum::write(form, w),
         SurfaceForm::Revolution { .. } => revolution::write(form, w),
         SurfaceForm::Nurbs(form) => nurbs::write(form, w),
+        SurfaceForm::Tagged { surface, .. } => write(surface, w),
     }
 }
 
 /// Writes a whole class object.
 pub(super) fn write_object(form: &SurfaceForm, w: &mut Writer) -> Result<()> {
-    write_class(w, class_of_form(form), &[], |w| write(form, w))
+    let user_data: &[UserData] =
+        if let SurfaceForm::Tagged { user_data, .. } = form { user_data } else { &[] };
+    write_class(w, class_of_form(form), user_data, |w| write(form, w))
 }
