@@ -206,10 +206,6 @@ impl Writer {
         self.point(line.to);
     }
 
-    pub(crate) fn plane(&mut self, plane: &Plane) {
-        self.plane_and_offset(plane, None);
-    }
-
     /// A plane, with another last number in its equation than the one that follows from it.
     pub(crate) fn plane_and_offset(&mut self, plane: &Plane, offset: Option<f64>) {
         self.point(plane.origin);
