@@ -98,7 +98,7 @@ pub fn outline(bytes: &[u8], depth: usize, mut visit: impl FnMut(OutlineChunk)) 
     let (first, version) = find_header(bytes, &Context::new(&Limits::default()))?;
     let depth = depth.min(DEEPEST);
     let mut outline = Outline { start: first.saturating_sub(HEADER), version, ..Outline::default() };
-    let walker = Walker { bytes, is_wide: version >= 50, depth };
+    let walker = Walker { bytes, is_wide: version >= 50, has_crc: version >= 2, depth };
     walker.walk(Extent { from: first, to: bytes.len() }, 0, &mut |found| match found {
         Found::Chunk(chunk) => {
             outline.ended |= chunk.depth == 0 && chunk.typecode == crate::typecode::END_OF_FILE;

@@ -21,6 +21,8 @@ pub(super) struct Walker<'a> {
     pub(super) bytes: &'a [u8],
     /// Whether lengths take 8 bytes.
     pub(super) is_wide: bool,
+    /// Whether chunks marked so end in a CRC-32: from version 2 on.
+    pub(super) has_crc: bool,
     pub(super) depth: usize,
 }
 
@@ -69,12 +71,11 @@ impl Walker<'_> {
     }
 
     fn chunk(&self, header: &Header, depth: usize, found: &mut dyn FnMut(Found)) {
-        let checked = header.checked(self.bytes);
+        let checked = header.checked(self.bytes).filter(|_| self.has_crc);
         let body = checked.map_or(header.body, |(body, _)| body);
         let all_chunks = holds_chunks(header.typecode);
         let (crc, nested) = match checked {
-            _ if all_chunks => (self.own_crc(header, checked, &self.chunks_of(body)), Vec::new()),
-            // In version 1 the bit means something else.
+            _ if all_chunks => (self.own_crc(checked, &self.chunks_of(body)), Vec::new()),
             Some((body, stored)) => self.look_inside(header, body, stored),
             None => (OutlineCrc::Absent, Vec::new()),
         };
@@ -111,7 +112,7 @@ impl Walker<'_> {
         std::iter::from_fn(next).collect()
     }
 
-    fn own_crc(&self, _: &Header, checked: Option<(Extent, u32)>, nested: &[Header]) -> OutlineCrc {
+    fn own_crc(&self, checked: Option<(Extent, u32)>, nested: &[Header]) -> OutlineCrc {
         let Some((body, stored)) = checked else { return OutlineCrc::Absent };
         if self.crc_but(body, nested) == stored { OutlineCrc::Right } else { OutlineCrc::Wrong }
     }

@@ -109,7 +109,7 @@ impl Annotation {
             Kind::Leader => 6,
             Kind::Text { .. } => 7,
         });
-        w.plane(&self.plane);
+        w.plane_and_offset(&self.plane, None);
         w.count(self.points.len(), "points")?;
         self.points.iter().flatten().for_each(|x| w.f64(*x));
         w.string(&self.user_text)?;
