@@ -8,14 +8,16 @@ use katydid_session::{BakeOptions, Items, Session, bake};
 use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
-use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
+use crate::convert_model::model_extensions;
+use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file, write_file_with};
 use crate::{open, progress};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
         let known = extension(path) == "3dm" || Format::from_extension(&extension(path)).is_some();
         if !known {
-            return Err(format!("{}: the geometry can be saved as .3dm, .obj or .stl", path.display()));
+            let known = model_extensions();
+            return Err(format!("{}: the geometry can be saved as {known}", path.display()));
         }
     }
     if let Some(threads) = args.threads {
@@ -104,19 +106,20 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
     let is_model = extension(path) == "3dm";
     let baked = bake(session.engine(), BakeOptions { blocks: args.blocks && is_model });
     let mut left_out = baked.left_out;
-    let bytes = if is_model {
-        let written = baked.model.write_what_fits(70);
-        let (bytes, losses) = written.map_err(|error| format!("{}: {error}", path.display()))?;
+    let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    if is_model {
+        let (bytes, losses) = baked.model.write_what_fits(70).map_err(|error| failed(&error))?;
         left_out.extend(losses.iter().map(ToString::to_string));
-        bytes
+        write_file(path, &bytes)?;
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
         let scene = katydid_exchange::Scene::from_model(&baked.model);
-        let written = katydid_exchange::write(&scene, format);
-        left_out.extend(written.left_out);
-        written.bytes
-    };
-    write_file(path, &bytes)?;
+        write_file_with(path, |out| {
+            let lost = katydid_exchange::write(&scene, format, &katydid_exchange::Options::default(), out);
+            left_out.extend(lost.map_err(|error| failed(&error))?.iter().map(ToString::to_string));
+            Ok(())
+        })?;
+    }
     let n = baked.model.objects.len();
     note(&format!("{GREEN}{n}{GREEN:#} objects written to {}", path.display()));
     for reason in left_out {

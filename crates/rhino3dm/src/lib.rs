@@ -40,6 +40,7 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod outline;
 mod overlay;
 mod planar;
 mod primitives;
@@ -70,6 +71,7 @@ pub use object::{
     Solidity, StoredEdge, StoredFace, StoredPart, StoredVertex, StyleOverrides, SubDLevel, SubDMeshing,
     SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent, TextDot, UserData,
 };
+pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};
 pub use overlay::{
     ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,
 };

@@ -10,7 +10,7 @@ pub(crate) const SIGNATURE: &[u8; 24] = b"3D Geometry File Format ";
 const SEARCH: usize = 32 << 20;
 
 /// The offset of the first chunk and the archive version.
-pub(super) fn find(bytes: &[u8], context: &Context) -> Result<(usize, i32)> {
+pub(crate) fn find(bytes: &[u8], context: &Context) -> Result<(usize, i32)> {
     let window = bytes.get(..SEARCH).unwrap_or(bytes);
     // The common case first: a search over megabytes is for the rare one.
     let start = if window.starts_with(SIGNATURE) {

@@ -12,7 +12,7 @@ use crate::user_table::UserTable;
 use crate::version::Version;
 use crate::{Error, Limits, Result, properties, settings, typecode, v1};
 
-pub(crate) use header::SIGNATURE;
+pub(crate) use header::{SIGNATURE, find as find_header};
 pub(crate) use places::{Numbers, Places};
 pub(crate) use records::RecordCodes;
 use records::read_record;
