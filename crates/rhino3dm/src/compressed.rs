@@ -1,10 +1,13 @@
 //! Compressed buffers (section 4): a size, a CRC of the plain bytes, then either those bytes or a chunk that
 //! holds them as a zlib stream.
 
-use flate2::{Decompress, FlushDecompress, Status};
+use std::io::Write;
+
+use flate2::write::ZlibEncoder;
+use flate2::{Compression, Decompress, FlushDecompress, Status};
 
 use crate::chunk::{Context, Reader, Writer};
-use crate::{Error, Result, deflate, typecode};
+use crate::{Error, Result, typecode};
 
 /// Deflate cannot make a stream shorter than about a 1032nd of its content.
 const MOST_INFLATION: u64 = 1040;
@@ -127,7 +130,9 @@ impl Writer {
             return Ok(());
         }
         self.u8(1);
-        let stream = deflate::zlib(plain);
+        let mut stream = ZlibEncoder::new(Vec::new(), Compression::default());
+        stream.write_all(plain)?;
+        let stream = stream.finish()?;
         self.chunk(typecode::ANONYMOUS, |w| {
             w.bytes(&stream);
             Ok(())

@@ -33,7 +33,6 @@ mod class_ids;
 mod colour;
 mod compressed;
 mod crc;
-mod deflate;
 mod error;
 mod items;
 mod limits;
