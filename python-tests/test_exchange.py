@@ -108,7 +108,7 @@ def test_obj_has_objects_groups_lines_and_normals(model):
     path = converted(model, "obj")
     text = path.read_text()
     assert "g outer::inner\no bäll_\"<&>\"_1\n" in text
-    scene = trimesh.load(path)
+    scene = trimesh.load_scene(path)
     meshes = [g for g in scene.geometry.values() if isinstance(g, trimesh.Trimesh)]
     assert sum(m.volume for m in meshes) == pytest.approx(expected_volume(), rel=1e-6)
     lines = [line.split()[1:] for line in text.splitlines() if line.startswith("l ")]
@@ -168,7 +168,8 @@ def test_svg_is_exact_and_in_true_size(model):
     assert np.allclose([x0, y0, x1, y1], [-5, -5, 5, 5], atol=1e-9)
     cubic = next(p for p in paths if any(isinstance(s, svgelements.CubicBezier) for s in p))
     source = rhino3dm.File3dm.Read(str(model))
-    curve = next(o.Geometry for o in source.Objects if isinstance(o.Geometry, rhino3dm.NurbsCurve))
+    curves = [o.Geometry for o in source.Objects if isinstance(o.Geometry, rhino3dm.NurbsCurve)]
+    curve = next(curve for curve in curves if curve.Degree == 3)
     segments = [s for s in cubic if isinstance(s, svgelements.CubicBezier)]
     assert len(segments) == 2
     for i, segment in enumerate(segments):
