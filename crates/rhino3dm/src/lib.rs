@@ -4,10 +4,11 @@
 //! they refer to: layers, materials, linetypes, groups, hatch patterns, block definitions. What is not taken apart
 //! (styles, views, history, embedded files) is kept and written back, in other versions too where that can be done;
 //! [`Model::losses`] names beforehand what a version cannot carry.
-//! Points, point clouds, curves and meshes come as types of [`katydid_geometry`]; every other class is kept byte
-//! for byte as a [`RawObject`] and written back as it was where the archive version allows. Archives of version
-//! 1 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
-//! files and rhino3dm's JSON carry.
+//! Points, point clouds, curves, surfaces, Breps, meshes and SubD nets come as types of [`katydid_geometry`], with
+//! what the format says beyond them beside them; hatches, annotations, blocks, lights and the like as plain data. A
+//! class that is not known is kept byte for byte as a [`RawObject`] and written back as it was where the archive
+//! version allows. Archives of version 1 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single
+//! objects that Grasshopper files and rhino3dm's JSON carry.
 //!
 //! What belongs here: the layout of the format, and nothing that computes geometry. Every length is checked
 //! before anything is allocated, nesting and inflation are bounded by [`Limits`], and broken bytes give an
