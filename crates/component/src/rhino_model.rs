@@ -18,6 +18,26 @@ pub struct RhinoModel {
     objects: Vec<RhinoObject>,
     /// Where each identifier stands.
     places: HashMap<Uuid, usize>,
+    /// Where the object stands that a piece of geometry is of.
+    marks: HashMap<Mark, usize>,
+}
+
+/// By what geometry is known again.
+#[derive(Debug, PartialEq, Eq, Hash)]
+enum Mark {
+    /// Where it lies in memory.
+    Address(usize),
+    /// The bits of the coordinates of a point, which has no address.
+    Point([u64; 3]),
+}
+
+impl Mark {
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Point(p) => Some(Self::Point([p.x, p.y, p.z].map(f64::to_bits))),
+            other => other.address().map(Self::Address),
+        }
+    }
 }
 
 /// One object of a model.
@@ -31,6 +51,8 @@ pub struct RhinoObject {
     pub layer: String,
     /// The place of its layer in the model.
     pub layer_index: usize,
+    /// The colour it is seen in as red, green, blue, alpha: its own, else its layer's.
+    pub colour: [u8; 4],
     /// The names of its groups.
     pub groups: Vec<String>,
     /// Whether it or its layer is hidden.
@@ -61,6 +83,7 @@ impl RhinoModel {
                     name: attributes.name,
                     layer: layer.map_or_else(String::new, |layer| layer.path.clone()),
                     layer_index: attributes.layer.unwrap_or_default(),
+                    colour: attributes.colour.or(layer.map(|layer| layer.colour)).unwrap_or([0, 0, 0, 255]),
                     groups: attributes
                         .groups
                         .iter()
@@ -80,7 +103,10 @@ impl RhinoModel {
             .collect();
         // Of objects that share an identifier the first counts.
         let places = objects.iter().enumerate().rev().map(|(place, object)| (object.id, place)).collect();
-        Self { units: model.units, tolerance: model.tolerance, objects, places }
+        let mark = |object: &RhinoObject| object.geometry.as_ref().and_then(Mark::of);
+        let backwards = objects.iter().enumerate().rev();
+        let marks = backwards.filter_map(|(place, object)| Some((mark(object)?, place))).collect();
+        Self { units: model.units, tolerance: model.tolerance, objects, places, marks }
     }
 
     /// The bytes of an archive as such a model.
@@ -99,6 +125,12 @@ impl RhinoModel {
     /// The object of an identifier.
     pub fn object(&self, id: Uuid) -> Option<&RhinoObject> {
         self.places.get(&id).and_then(|place| self.objects.get(*place))
+    }
+
+    /// The object that a value is the geometry of, as it came out of this model: a copy that was changed on the way is
+    /// no object any more. Points have no address; the first point object at the same place is taken for theirs.
+    pub fn object_of(&self, value: &Value) -> Option<&RhinoObject> {
+        self.objects.get(*self.marks.get(&Mark::of(value)?)?)
     }
 }
 
@@ -127,6 +159,7 @@ fn edge(raw: &RawObject, index: usize) -> Option<Value> {
 /// What objects take from their layer.
 struct LayerState {
     path: String,
+    colour: [u8; 4],
     is_hidden: bool,
     is_locked: bool,
 }
@@ -144,6 +177,7 @@ impl Layers {
             let layers: Vec<_> = chain.filter_map(|place| model.layers.get(place)).collect();
             LayerState {
                 path: model.layer_path(place).unwrap_or_default(),
+                colour: model.layers.get(place).map_or([0, 0, 0, 255], |layer| layer.colour),
                 is_hidden: layers.iter().any(|layer| !layer.visible),
                 is_locked: layers.iter().any(|layer| layer.locked),
             }

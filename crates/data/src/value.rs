@@ -148,6 +148,18 @@ impl Value {
         })
     }
 
+    /// Where shared geometry lies in memory: the same for clones of one value, and for nothing else while they live.
+    /// None for values that are not shared.
+    pub fn address(&self) -> Option<usize> {
+        Some(match self {
+            Self::Curve(c) => Shared::as_ptr(c).addr(),
+            Self::Surface(s) => Shared::as_ptr(s).addr(),
+            Self::Mesh(m) => Shared::as_ptr(m).addr(),
+            Self::Kept(k) => Shared::as_ptr(k).addr(),
+            _ => return None,
+        })
+    }
+
     /// A text value.
     pub fn text(text: impl Into<Shared<str>>) -> Self {
         Self::Text(text.into())
