@@ -13,6 +13,8 @@ Examples:
   katydid run facade.gh --set height=3.2 --json the results with another slider value
   katydid check projects/                       what is missing to run each file
   katydid convert facade.gh facade.kd           the same as text, to be read, written and compared
+  katydid convert model.3dm model.glb           a model for other programs
+  katydid info model.3dm                        what is in a model, and whether it is valid
   katydid diff old.gh new.gh                    what changed, in words
   katydid components 'Divide Curve'             help for a component
   katydid view facade.gh -o facade.png          a picture of what it makes")]
@@ -27,8 +29,10 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Tell which objects a file needs, and whether each is supported
     Check(CheckArgs),
-    /// Convert a definition between .gh, .ghx and .kd
+    /// Convert a definition between .gh, .ghx and .kd, or a model between .3dm and other programs' files
     Convert(ConvertArgs),
+    /// Tell what is in a .3dm model, and what is wrong with it
+    Info(InfoArgs),
     /// Tell what changed between two definitions, in words
     Diff(DiffArgs),
     /// Set .kd files the usual way
@@ -70,9 +74,13 @@ pub(crate) struct RunArgs {
     #[command(flatten)]
     pub(crate) definition: DefinitionArgs,
 
-    /// Save the geometry: .3dm, .obj or .stl. What is previewed, or what Context Bake or an RH_OUT group marks
+    /// Save the geometry: .3dm, .obj, .stl, .ply, .glb, .gltf or .svg. What is previewed, or what Context Bake or an RH_OUT group marks
     #[arg(short, long = "output", value_name = "OUT")]
     pub(crate) output: Vec<PathBuf>,
+
+    /// In .3dm files, write geometry that repeats at other places as a block and references to it
+    #[arg(long)]
+    pub(crate) blocks: bool,
 
     /// Print the results as one JSON object: items as a panel shows them, or with =values in full precision
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "texts", require_equals = true)]
@@ -147,11 +155,82 @@ pub(crate) struct CheckArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Models: .3dm (any version), .obj, .stl, .ply, .glb and .gltf are read; .3dm, .obj, .stl, .ply, .glb, .gltf and .svg are
+written. What the new file cannot hold is told by class and count on standard error.
+
+The exit code is 0 when the file was written, 2 when a file could not be opened or written or the call was wrong.")]
 pub(crate) struct ConvertArgs {
-    /// The definition to read: .gh, .ghx, .kd or .ghuser
+    /// The file to read: a definition (.gh, .ghx, .kd, .ghuser) or a model (.3dm, .obj, .stl, .ply, .glb, .gltf)
     pub(crate) from: PathBuf,
-    /// The file to write: .gh, .ghx or .kd
+    /// The file to write: .gh, .ghx or .kd for a definition, .3dm, .obj, .stl, .ply, .glb, .gltf or .svg for a model
     pub(crate) to: PathBuf,
+
+    /// The version of a .3dm file: 4 to 8, or 40 to 80; as it was when not given
+    #[arg(long, value_name = "VERSION", value_parser = archive_version)]
+    pub(crate) version: Option<i32>,
+
+    /// How far facets and polylines may be from surfaces and curves, in the model's unit
+    #[arg(long, value_name = "DISTANCE", value_parser = distance)]
+    pub(crate) tolerance: Option<f64>,
+
+    /// Write .stl and .ply as text
+    #[arg(long)]
+    pub(crate) ascii: bool,
+
+    /// Where an .svg drawing is seen from; from above when not given
+    #[arg(long, value_name = "VIEW")]
+    pub(crate) view: Option<DrawingView>,
+
+    /// Take hidden objects along
+    #[arg(long)]
+    pub(crate) hidden: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DrawingView {
+    Top,
+    Bottom,
+    Front,
+    Back,
+    Right,
+    Left,
+    Isometric,
+}
+
+impl From<DrawingView> for katydid_exchange::View {
+    fn from(view: DrawingView) -> Self {
+        match view {
+            DrawingView::Top => Self::Top,
+            DrawingView::Bottom => Self::Bottom,
+            DrawingView::Front => Self::Front,
+            DrawingView::Back => Self::Back,
+            DrawingView::Right => Self::Right,
+            DrawingView::Left => Self::Left,
+            DrawingView::Isometric => Self::Isometric,
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The exit code is 0 when all is well, 1 when an object is not valid or something in the file is broken, 2 when the file
+cannot be opened or is no .3dm file.")]
+pub(crate) struct InfoArgs {
+    /// The model: .3dm
+    pub(crate) file: PathBuf,
+
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Show what the file is made of instead: every chunk with its offset, name, class, length and checksum
+    #[arg(long)]
+    pub(crate) tree: bool,
+
+    /// How deep the tree is shown, 0 for the tables alone; 2 when not given
+    #[arg(long, value_name = "N", requires = "tree")]
+    pub(crate) depth: Option<usize>,
 }
 
 #[derive(Debug, Args)]
@@ -233,9 +312,23 @@ pub(crate) struct ViewArgs {
     #[arg(long, conflicts_with = "canvas")]
     pub(crate) legend: bool,
 
+    /// What becomes of lines behind faces; when not given, they shine through clear faces and opaque ones hide them
+    #[arg(long, value_name = "CHOICE", conflicts_with = "canvas")]
+    pub(crate) hidden_lines: Option<HiddenLinesName>,
+
     /// The colour of the ground: white, black, none, #rrggbb, or three numbers to 255
     #[arg(long, value_name = "COLOUR", default_value = "white")]
     pub(crate) background: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum HiddenLinesName {
+    /// Leave them out
+    Hide,
+    /// Dash them
+    Dash,
+    /// Draw them as if there were no faces
+    Show,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -251,6 +344,22 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |side: &str| side.trim().parse().ok().filter(|n| (1..=16_384).contains(n));
     let sizes = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
     sizes.ok_or_else(|| "expected WIDTHxHEIGHT, each from 1 to 16384".to_owned())
+}
+
+fn archive_version(text: &str) -> Result<i32, String> {
+    match text {
+        "4" | "40" => Ok(4),
+        "5" | "50" => Ok(50),
+        "6" | "60" => Ok(60),
+        "7" | "70" => Ok(70),
+        "8" | "80" => Ok(80),
+        _ => Err("expected 4, 5, 6, 7 or 8, or ten times that".to_owned()),
+    }
+}
+
+fn distance(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.parse().ok();
+    number.filter(|x| *x > 0.0 && x.is_finite()).ok_or_else(|| "expected a number above 0".to_owned())
 }
 
 fn assignment(text: &str) -> Result<(String, String), String> {

@@ -8,11 +8,19 @@ use katydid_definition::kd;
 
 use crate::args::ConvertArgs;
 use crate::catalogue::Registry;
+use crate::convert_model::{self, is_model};
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::source;
 
 pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     let (from, to) = (extension(&args.from), extension(&args.to));
+    if is_model(&from) || is_model(&to) {
+        return convert_model::convert(args);
+    }
+    if args.version.is_some() || args.tolerance.is_some() || args.ascii || args.view.is_some() || args.hidden
+    {
+        return Err("--version, --tolerance, --ascii, --view and --hidden are for models".to_owned());
+    }
     if !["gh", "ghx", "ghuser", "kd"].contains(&to.as_str()) {
         return Err(format!(".{to} is not a form of a definition: use .gh, .ghx or .kd"));
     }

@@ -5,8 +5,10 @@ mod catalogue;
 mod check;
 mod components;
 mod convert;
+mod convert_model;
 mod diff;
 mod fmt;
+mod info;
 mod open;
 mod output;
 mod progress;
@@ -30,6 +32,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::check(args),
         Command::Convert(args) => convert::convert(args),
+        Command::Info(args) => info::info(args),
         Command::Diff(args) => diff::diff(args),
         Command::Fmt(args) => fmt::fmt(args),
         Command::Components(args) => components::components(args),

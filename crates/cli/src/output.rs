@@ -30,13 +30,23 @@ pub(crate) fn complain(error: &str) {
 /// Writes a file whole or not at all: beside it first, then in its place.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), String> {
     let failed = |error: std::io::Error| format!("{}: {}", path.display(), super::source::plain(&error));
+    write_file_with(path, |out| out.write_all(bytes).map_err(failed))
+}
+
+/// The same for a file that is written piece by piece.
+pub(crate) fn write_file_with(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), String>,
+) -> Result<(), String> {
+    let failed = |error: std::io::Error| format!("{}: {}", path.display(), super::source::plain(&error));
     let mut beside = path.as_os_str().to_owned();
     beside.push(".part");
     let beside = Path::new(&beside);
-    fs::write(beside, bytes).map_err(failed)?;
-    fs::rename(beside, path).map_err(|error| {
+    let mut file = fs::File::create(beside).map_err(failed)?;
+    let written = write(&mut file);
+    drop(file);
+    written.and_then(|()| fs::rename(beside, path).map_err(failed)).inspect_err(|_| {
         let _ = fs::remove_file(beside);
-        failed(error)
     })
 }
 

@@ -4,18 +4,20 @@ use std::path::Path;
 
 use katydid_component::Level;
 use katydid_exchange::Format;
-use katydid_session::{Items, Session, bake};
+use katydid_session::{BakeOptions, Items, Session, bake};
 use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
-use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
+use crate::convert_model::model_extensions;
+use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file, write_file_with};
 use crate::{open, progress};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
         let known = extension(path) == "3dm" || Format::from_extension(&extension(path)).is_some();
         if !known {
-            return Err(format!("{}: the geometry can be saved as .3dm, .obj or .stl", path.display()));
+            let known = model_extensions();
+            return Err(format!("{}: the geometry can be saved as {known}", path.display()));
         }
     }
     if let Some(threads) = args.threads {
@@ -36,7 +38,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
 
     let failed = complain(&session);
     for path in &args.output {
-        save(&session, path)?;
+        save(&session, args, path)?;
     }
     match args.json {
         Some(form) => {
@@ -100,19 +102,24 @@ fn summarise(session: &Session, args: &RunArgs) {
     }
 }
 
-fn save(session: &Session, path: &Path) -> Result<(), String> {
-    let baked = bake(session.engine());
+fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
+    let is_model = extension(path) == "3dm";
+    let baked = bake(session.engine(), BakeOptions { blocks: args.blocks && is_model });
     let mut left_out = baked.left_out;
-    let bytes = if extension(path) == "3dm" {
-        baked.model.write(70).map_err(|error| format!("{}: {error}", path.display()))?
+    let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    if is_model {
+        let (bytes, losses) = baked.model.write_what_fits(70).map_err(|error| failed(&error))?;
+        left_out.extend(losses.iter().map(ToString::to_string));
+        write_file(path, &bytes)?;
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
         let scene = katydid_exchange::Scene::from_model(&baked.model);
-        let written = katydid_exchange::write(&scene, format);
-        left_out.extend(written.left_out);
-        written.bytes
-    };
-    write_file(path, &bytes)?;
+        write_file_with(path, |out| {
+            let lost = katydid_exchange::write(&scene, format, &katydid_exchange::Options::default(), out);
+            left_out.extend(lost.map_err(|error| failed(&error))?.iter().map(ToString::to_string));
+            Ok(())
+        })?;
+    }
     let n = baked.model.objects.len();
     note(&format!("{GREEN}{n}{GREEN:#} objects written to {}", path.display()));
     for reason in left_out {

@@ -17,7 +17,10 @@ const LARGEST: u64 = 1 << 30;
 pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, String> {
     let size = fs::metadata(path).map_err(|error| format!("{}: {}", path.display(), plain(&error)))?.len();
     if size > LARGEST {
-        return Err(format!("{}: {size} bytes are more than any definition has", path.display()));
+        return Err(format!(
+            "{}: {size} bytes are more than any definition or model that can be read has",
+            path.display()
+        ));
     }
     fs::read(path).map_err(|error| format!("{}: {}", path.display(), plain(&error)))
 }

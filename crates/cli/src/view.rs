@@ -2,9 +2,9 @@
 
 use katydid_data::Colour;
 use katydid_data::cast::parse_colour;
-use katydid_picture::{Drawing, View, canvas, result};
+use katydid_picture::{Drawing, HiddenLines, View, canvas, result};
 
-use crate::args::{ViewArgs, ViewName};
+use crate::args::{HiddenLinesName, ViewArgs, ViewName};
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::{open, progress, run};
 
@@ -35,6 +35,7 @@ pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
         axes: args.axes,
         grid: args.grid,
         legend: args.legend,
+        hidden_lines: args.hidden_lines.map(HiddenLines::from).unwrap_or_default(),
         background,
         title,
     };
@@ -96,6 +97,16 @@ fn background(text: &str) -> Result<Option<Colour>, String> {
                 "--background {text}: expected white, black, none, #rrggbb, or three numbers to 255"
             )),
         },
+    }
+}
+
+impl From<HiddenLinesName> for HiddenLines {
+    fn from(name: HiddenLinesName) -> Self {
+        match name {
+            HiddenLinesName::Hide => Self::Hide,
+            HiddenLinesName::Dash => Self::Dash,
+            HiddenLinesName::Show => Self::Show,
+        }
     }
 }
 

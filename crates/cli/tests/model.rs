@@ -70,3 +70,48 @@ fn a_model_that_cannot_be_read_is_exit_code_2() {
         assert!(said(&output).contains(model), "{}", said(&output));
     }
 }
+
+const REPEATED: &str = "katydid 1
+
+x       = Series(0, 3, 4)
+circles = Circle(Construct Point(x, 0, 0), 1)
+both    = Group(circles)
+seen    = Custom Preview(circles, rgb(255, 0, 0))
+";
+
+#[test]
+fn baked_geometry_has_layers_colours_groups_user_text_and_blocks() {
+    let folder = tempfile::tempdir().unwrap();
+    let definition = folder.path().join("d.kd");
+    std::fs::write(&definition, REPEATED).unwrap();
+    let baked = |name: &str, words: &[&str]| {
+        let out = folder.path().join(name);
+        let all = [&["run", text(&definition), "-o", text(&out)], words].concat();
+        assert_eq!(katydid(&all).status.code(), Some(0));
+        Model::read(&std::fs::read(&out).unwrap(), &Default::default()).unwrap()
+    };
+    let plain = baked("plain.3dm", &[]);
+    let on = |name: &str| {
+        let layer = plain.layers.iter().position(|layer| layer.name == name);
+        plain.objects.iter().filter(move |object| object.attributes.layer == layer)
+    };
+    assert!(plain.blocks.is_empty());
+    assert_eq!((on("circles").count(), on("both").count(), on("seen").count()), (4, 4, 4));
+    assert!(on("seen").all(|object| object.attributes.colour == Some([255, 0, 0, 255])));
+    assert!(on("both").all(|object| object.attributes.groups == [0]) && plain.groups.len() == 1);
+    let third = &on("circles").nth(2).unwrap().attributes.user_strings;
+    assert!(
+        third.contains(&("Path".into(), "{0;0}".into())) && third.contains(&("Index".into(), "2".into()))
+    );
+
+    let blocks = baked("blocks.3dm", &["--blocks"]);
+    assert_eq!(blocks.blocks.len(), 3);
+    let shifts: Vec<f64> = (blocks.objects.iter())
+        .filter(|object| object.attributes.name == "circles")
+        .filter_map(|object| match &object.geometry {
+            Object::BlockReference(reference) => Some(reference.transform.translation_part().x),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(shifts, [1.0, 4.0, 7.0, 10.0]);
+}

@@ -108,6 +108,8 @@ fn a_wrong_call_is_told() {
         (vec!["-o", text(&svg), "--background", "pale"], "--background pale"),
         (vec!["-o", text(&svg), "--set", "nobody=1"], "no input is called 'nobody'"),
         (vec!["-o", text(&svg), "--canvas", "--grid"], "--grid"),
+        (vec!["-o", text(&svg), "--hidden-lines", "often"], "hide, dash, show"),
+        (vec!["-o", text(&svg), "--canvas", "--hidden-lines", "dash"], "--hidden-lines"),
     ] {
         let mut call = vec!["view", text(&file)];
         call.extend(words);
@@ -135,4 +137,22 @@ fn what_is_set_is_seen() {
     assert_ne!(plain, draw("d.svg", &["--view", "iso", "--grid", "--axes"]));
     let clear = String::from_utf8(draw("e.svg", &["--background", "none"])).unwrap();
     assert!(!clear.contains("<rect"));
+}
+
+#[test]
+fn lines_behind_faces_are_drawn_as_asked() {
+    let file = Path::new(BOOK).join("V12/definition.kd");
+    let folder = tempfile::tempdir().unwrap();
+    let svg = folder.path().join("a.svg");
+    let drawn = |words: &[&str]| {
+        let mut call = vec!["view", text(&file), "-o", text(&svg)];
+        call.extend(words);
+        assert_eq!(katydid(&call).status.code(), Some(0));
+        fs::read_to_string(&svg).unwrap()
+    };
+    let has = |written: &str| (written.contains("Hidden lines"), written.contains("stroke-dasharray"));
+    assert_eq!(has(&drawn(&[])), (false, false));
+    assert_eq!(has(&drawn(&["--hidden-lines", "hide"])), (false, false));
+    assert_eq!(has(&drawn(&["--hidden-lines", "show"])), (true, false));
+    assert_eq!(has(&drawn(&["--hidden-lines", "dash"])), (true, true));
 }

@@ -45,6 +45,7 @@ pub use context::Context;
 pub use files::Files;
 pub use input::{List, ManyItems, ManyLists, ManyTrees};
 pub use katydid_component_macros::component;
+pub use matching::Matching;
 pub use message::{Level, Message, Notes};
 pub use output::Each;
 pub use port::{Access, Component, Port};

@@ -27,7 +27,7 @@ pub struct Matching {
 impl Matching {
     /// Matches the inputs that do not take whole trees. An input without any data is left out: the caller has
     /// made sure that it is optional. `principal` overrides the choice of the input that gives the paths.
-    pub(crate) fn new(inputs: &[Tree], access: &[Access], principal: Option<usize>) -> Self {
+    pub fn new(inputs: &[Tree], access: &[Access], principal: Option<usize>) -> Self {
         let takes_part = |k: usize| access.get(k).is_some_and(|a| *a != Access::Tree);
         let takes_items = |k: usize| access.get(k) == Some(&Access::Item);
         let matched: Vec<usize> =
@@ -76,24 +76,29 @@ impl Matching {
         best
     }
 
+    /// The path of each branch set.
+    pub fn paths(&self) -> &[Path] {
+        &self.paths
+    }
+
     /// The number of iterations over all branch sets.
-    pub(crate) fn iterations(&self) -> usize {
+    pub fn iterations(&self) -> usize {
         self.ends.last().copied().unwrap_or(0)
     }
 
     /// Where the branches of branch set `set` lie, one for each input.
-    pub(crate) fn ranges(&self, set: usize) -> &[Range<usize>] {
+    pub fn ranges(&self, set: usize) -> &[Range<usize>] {
         self.ranges.get(set * self.inputs..(set + 1) * self.inputs).unwrap_or(&[])
     }
 
     /// Where iterations of branch set `set` lie among all.
-    pub(crate) fn set_range(&self, set: usize) -> Range<usize> {
+    pub fn set_range(&self, set: usize) -> Range<usize> {
         let start = if set == 0 { 0 } else { self.ends.get(set - 1).copied().unwrap_or(0) };
         start..self.ends.get(set).copied().unwrap_or(start)
     }
 
     /// The branch set that iteration `i` belongs to.
-    pub(crate) fn set_of(&self, i: usize) -> usize {
+    pub fn set_of(&self, i: usize) -> usize {
         self.ends.partition_point(|&end| end <= i)
     }
 }

@@ -186,7 +186,11 @@ static LIST: [Unsupported; 54] = [
     row(uuid!("b57bf805-046a-4360-ad76-51aeddfe9720"), "Boundary Volume", "there are no computed solids yet"),
     row(uuid!("2d3b6ef3-5c26-4e2f-bcb3-8ffb9fb0f7c3"), "Box Slits", "there are no computed solids yet"),
     row(uuid!("904e4b56-484a-4814-b35f-aa4baf362117"), "Brep | Brep", "there are no computed solids yet"),
-    row(uuid!("0feeeaca-8f1f-4d7c-a24a-8e7dd68604a2"), "Region Slits", "there are no computed solids yet"),
+    row(
+        uuid!("0feeeaca-8f1f-4d7c-a24a-8e7dd68604a2"),
+        "Region Slits",
+        "which of two crossing regions is slit from which side, and in what order, is not known",
+    ),
     row(
         uuid!("fab11c30-2d9c-4d15-ab3c-2289f1ae5c21"),
         "Solid Difference",
@@ -214,16 +218,24 @@ static LIST: [Unsupported; 54] = [
     row(uuid!("f0b70e8e-7337-4ce4-a7bb-317fc971f918"), "Trim Solid", "there are no computed solids yet"),
     row(uuid!("3eba04bc-00e8-416d-b58f-a3dc8b3e22e2"), "Trim with Brep", "there are no computed solids yet"),
     row(uuid!("916e7ebc-524c-47ce-8936-e50a09a7b43c"), "Trim with Breps", "there are no computed solids yet"),
-    row(uuid!("1a17d3f0-c8f8-4ee9-8dab-ea1c29db6a49"), "Quad Remesh", "there is no remeshing with quads yet"),
+    row(
+        uuid!("1a17d3f0-c8f8-4ee9-8dab-ea1c29db6a49"),
+        "Quad Remesh",
+        "there is no remeshing with quads that follow the curvature yet",
+    ),
     row(
         uuid!("f562505b-4c49-49d1-932d-c8804b3fcec6"),
         "Quad Remesh Settings",
-        "there is no remeshing with quads yet",
+        "there is no remeshing with quads that follow the curvature yet",
     ),
     row(
         uuid!("b7cbe6eb-0608-4038-88e0-50495a559a41"),
         "Quadmesh Settings",
-        "there is no remeshing with quads yet",
+        "there is no remeshing with quads that follow the curvature yet",
     ),
-    row(uuid!("07a3b2a0-c4d0-4638-9044-39ac4681e782"), "Mesh Depth", "what it computes is not known"),
+    row(
+        uuid!("07a3b2a0-c4d0-4638-9044-39ac4681e782"),
+        "Mesh Depth",
+        "along which direction depth is measured, and when it is valid, is not known",
+    ),
 ];

@@ -115,6 +115,17 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
 }
 
 #[test]
+fn a_floating_parameter_is_one_port() {
+    for (behind, before) in [
+        ("n = Number(3) -> Number |graft", "n = Number(3 |graft)"),
+        ("n = Number(3 |reverse) -> Number |{x+1} |flatten", "n = Number(3 |reverse |{x+1} |flatten)"),
+        ("n = Number() -> N |simplify", "n = Number(_ |simplify)"),
+    ] {
+        assert_eq!(read(behind).to_archive().root, read(before).to_archive().root, "{behind}");
+    }
+}
+
+#[test]
 fn a_panel_tells_components_of_the_same_name_apart() {
     let document = read("a = Grid/Square(Size = 3)\nb = Move(grid/square().Points)\n");
     assert_eq!(document.objects[0].name, "Square");
@@ -322,6 +333,8 @@ fn faults_point_to_their_place() {
         ("A = Number(\"x)", 1, 12, "this text does not end on its line", ""),
         ("A = Number(1 |flaten)", 1, 15, "there is no such modifier", "did you mean flatten?"),
         ("A = Number(1 |graft |flatten)", 1, 21, "this modifier goes against one before it", ""),
+        ("A = Number(1 |graft) -> Number |flatten", 1, 32, "given before the arrow too", ""),
+        ("A = Number(1) -> Number, Text |graft", 1, 26, "Number has one output", ""),
         ("A = Number(1)\nA = Number(2)", 2, 1, "A stands for another object already", ""),
         ("A = Number([B, 2])\nB = Number(1)", 1, 16, "wires and values cannot stand in one list", ""),
         ("katydid 2", 1, 9, "only version 1 of the format is known", ""),
@@ -445,4 +458,20 @@ fn what_has_no_place_gets_one() {
     assert!(x[0] < x[1] && x[1] < x[2]);
     assert_eq!(kd::arrange(&mut document), 0);
     assert!(document.objects.iter().all(|object| object.component != ids::GROUP));
+}
+
+#[test]
+fn what_gets_a_place_covers_nothing() {
+    let text = "a = Panel(\"a rather long line that wants to be read without being cut\")\nb = Number(a)\n\
+        a slider with a long name = Number Slider(3, 0..10)\nc = Construct Point(b, a slider with a long name)\n";
+    let mut document = read(text);
+    kd::arrange(&mut document);
+    let places: Vec<[f32; 4]> = document.objects.iter().filter_map(|object| object.bounds).collect();
+    assert_eq!(places.len(), 4);
+    for (k, a) in places.iter().enumerate() {
+        for b in places.iter().skip(k + 1) {
+            let apart = |i: usize| a[i] + a[i + 2] + 10.0 <= b[i] || b[i] + b[i + 2] + 10.0 <= a[i];
+            assert!(apart(0) || apart(1), "{a:?} {b:?}");
+        }
+    }
 }

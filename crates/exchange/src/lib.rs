@@ -1,56 +1,40 @@
-//! Geometry in other programs' files: OBJ and STL for now.
+//! Geometry in other programs' files: OBJ, STL, PLY, glTF and GLB to read and write, SVG to write.
 //!
-//! A [`Scene`] is what is to be written; [`write()`] gives the bytes, and says what the format cannot hold.
+//! A [`Scene`] is what is to be written: points, curves and meshes with names, colours and layers, most often made of a
+//! [`Model`](katydid_3dm::Model). [`write()`] sends it to any destination piece by piece, and tells what the format
+//! could not hold. [`read()`] gives the scene that a file holds.
+//!
+//! What belongs here: file formats and the way from a model to a scene. Shapes and their computation are
+//! [`katydid_geometry`]'s. Files that nobody vouches for give an [`Error`], never a panic, and no count in them makes
+//! room for more than their bytes can fill.
 //!
 //! ```
-//! use katydid_exchange::{Format, Scene, Shape, Thing, write};
+//! use katydid_exchange::{Format, Options, Scene, Shape, Thing, read, write};
 //! use katydid_geometry::Point3;
 //!
 //! let mut scene = Scene::default();
-//! scene.things.push(Thing { name: "anchor".into(), shape: Shape::Point(Point3::new(1.0, 2.0, 3.0)) });
-//! assert!(String::from_utf8(write(&scene, Format::Obj).bytes).unwrap().contains("v 1 2 3"));
+//! scene.things.push(Thing::named("anchor", Shape::Points(vec![Point3::new(1.0, 2.0, 3.0)].into())));
+//! let mut file = Vec::new();
+//! let left_out = write(&scene, Format::Obj, &Options::default(), &mut file)?;
+//! assert!(left_out.is_empty());
+//! assert!(String::from_utf8_lossy(&file).contains("o anchor\nv 1 2 3\np 1\n"));
+//! assert_eq!(read(&file, Format::Obj)?.things.len(), 1);
+//! # Ok::<(), katydid_exchange::Error>(())
 //! ```
 
+mod error;
+mod format;
+mod gltf;
 mod obj;
+mod piece;
+mod ply;
 mod scene;
 mod stl;
+mod svg;
+mod text;
+mod view;
 
-pub use scene::{Scene, Shape, Thing};
-
-/// A file format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Format {
-    /// Wavefront OBJ: points, polylines, meshes.
-    #[default]
-    Obj,
-    /// STL, binary: meshes as triangles.
-    Stl,
-}
-
-impl Format {
-    /// The format of files with that extension, without the dot and in lower case.
-    pub fn from_extension(extension: &str) -> Option<Self> {
-        match extension {
-            "obj" => Some(Self::Obj),
-            "stl" => Some(Self::Stl),
-            _ => None,
-        }
-    }
-}
-
-/// A file, and what is not in it.
-#[derive(Debug, Clone, Default)]
-pub struct Written {
-    /// The bytes.
-    pub bytes: Vec<u8>,
-    /// What the format cannot hold, in words.
-    pub left_out: Vec<String>,
-}
-
-/// The scene in that format.
-pub fn write(scene: &Scene, format: Format) -> Written {
-    match format {
-        Format::Obj => obj::write(scene),
-        Format::Stl => stl::write(scene),
-    }
-}
+pub use error::{Error, Result};
+pub use format::{Format, Options, read, read_with, write};
+pub use scene::{Conversion, Layer, LeftOut, PointSet, Scene, Shape, Thing};
+pub use view::View;

@@ -24,6 +24,30 @@ pub(crate) fn halves<const N: usize>(coefficients: &[[f64; N]]) -> (Vec<[f64; N]
     (left, row)
 }
 
+/// The value at x in 0…1 and the first two derivatives there, by de Casteljau's algorithm, whose last two levels hold
+/// them. For up to M coefficients; more are left out.
+#[inline]
+pub(crate) fn jet<const M: usize>(coefficients: &[[f64; 4]], x: f64) -> [[f64; 4]; 3] {
+    let n = coefficients.len().min(M);
+    let p = n as f64 - 1.0;
+    let mut d = [[0.0; 4]; M];
+    d[..n].copy_from_slice(&coefficients[..n]);
+    let mut out = [[0.0; 4]; 3];
+    let y = 1.0 - x;
+    for level in 1..n {
+        if level + 2 == n {
+            out[2] = std::array::from_fn(|c| p * (p - 1.0) * (d[2][c] - 2.0 * d[1][c] + d[0][c]));
+        } else if level + 1 == n {
+            out[1] = std::array::from_fn(|c| p * (d[1][c] - d[0][c]));
+        }
+        for i in 0..n - level {
+            d[i] = std::array::from_fn(|c| y * d[i][c] + x * d[i + 1][c]);
+        }
+    }
+    out[0] = d[0];
+    out
+}
+
 /// The value at x in 0…1, by de Casteljau's algorithm.
 pub(crate) fn value<const N: usize>(coefficients: &[[f64; N]], x: f64) -> [f64; N] {
     let mut row = coefficients.to_vec();

@@ -68,6 +68,7 @@ mod rectangle;
 pub mod region;
 #[cfg(feature = "serde")]
 mod serde_forms;
+pub mod subd;
 pub mod substrate;
 mod surface;
 mod swing;

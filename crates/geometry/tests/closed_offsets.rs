@@ -389,6 +389,15 @@ fn examine(seed: u64, tally: &Mutex<Tally>) {
     }
 }
 
+/// A case of a long run that went wrong once: a corner at the foot of a perpendicular.
+#[test]
+fn offsets_that_failed() {
+    let tally = Mutex::new(Tally::default());
+    examine(60_110, &tally);
+    let tally = tally.into_inner().unwrap();
+    assert_eq!((tally.cases, tally.bad), (1, 0), "{:?}", tally.lines);
+}
+
 /// `KATYDID_CASES=10000 cargo test --release --test closed_offsets -- --nocapture` for a long run, `KATYDID_CASE=7`
 /// for one case alone.
 #[test]

@@ -2,28 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
+mod common;
+
 use std::f64::consts::TAU;
 
+use common::Numbers;
 use katydid_geometry::{
     ClosestOnSurface, Cone, Cylinder, Direction, Interval, NurbsSurface, Plane, PlaneSurface, Point3, Sphere,
     Surface, SurfaceMinima, Torus, clamped_uniform_knots,
 };
-
-/// Numbers in −1…1 that look random (xorshift).
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self, size: f64) -> Point3 {
-        Point3::new(size * self.next(), size * self.next(), size * self.next())
-    }
-}
 
 #[track_caller]
 fn distances(found: &SurfaceMinima, want: &[f64]) {

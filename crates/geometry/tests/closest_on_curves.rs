@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{curve, number, oracle, point};
+use common::{Numbers, curve, number, oracle, point};
 use katydid_geometry::{
     Arc, Circle, ClosestOnCurve, Curve, Interval, KnotSpacing, Line, NurbsCurve, Plane, Point3, PolyCurve,
     PolylineCurve, Vector3,
@@ -12,22 +12,6 @@ use katydid_geometry::{
 
 fn p(x: f64, y: f64) -> Point3 {
     Point3::new(x, y, 0.0)
-}
-
-/// Numbers in −1…1 that look random (xorshift).
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self, size: f64) -> Point3 {
-        Point3::new(size * self.next(), size * self.next(), size * self.next())
-    }
 }
 
 /// The least distance by 4,000 samples and golden sections around the best of them.
@@ -328,5 +312,27 @@ fn ends_with_a_speed_of_zero_are_not_taken_for_nearest() {
                 .fold(f64::INFINITY, f64::min);
             assert!(found.distance <= best + 1e-12, "case {case}: {q:?}: {} > {best}", found.distance);
         }
+    }
+}
+
+/// A corner to which one side falls, and from which the other starts at a right angle, is nearest among its neighbours.
+#[test]
+fn corners_at_the_foot_of_a_perpendicular() {
+    let bent: Curve = PolylineCurve::new(vec![p(-3.0, 2.0), p(-1.0, 3.0), p(-1.0, 0.0)]).unwrap().into();
+    for c in [&bent, &bent.reversed()] {
+        let found = c.local_closest_points(p(1.0, 3.0)).unwrap();
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!((found[0].distance - 2.0).abs() < 1e-12 && found[0].point.distance_to(p(-1.0, 3.0)) < 1e-12);
+    }
+    // An arc that starts nearest, and one that starts farthest.
+    let half = Interval::new(0.0, std::f64::consts::PI);
+    let arc: Curve = Arc::new(Circle::new(Plane::XY, 1.0).unwrap(), half).unwrap().into();
+    let hook = PolyCurve::new(vec![Line::new(p(2.0, -1.0), p(1.0, 0.0)).into(), arc]).unwrap();
+    for c in [Curve::from(hook.clone()), Curve::from(hook).reversed()] {
+        let near = c.local_closest_points(p(0.3, 0.0)).unwrap();
+        assert!(near.iter().any(|f| f.point.distance_to(p(1.0, 0.0)) < 1e-12), "{near:?}");
+        let far = c.local_closest_points(p(-3.0, 0.0)).unwrap();
+        assert_eq!(far.len(), 1, "{far:?}");
+        assert!((far[0].distance - 2.0).abs() < 1e-12);
     }
 }

@@ -6,24 +6,8 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::{number, numbers, oracle, point, surface};
+use common::{Numbers, number, numbers, oracle, point, surface};
 use katydid_geometry::{ClosestOnSurface, Direction, NurbsSurface, Plane, Point3, Sphere, Surface, Torus};
-
-/// Numbers in −1…1 that look random (xorshift).
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self, size: f64) -> Point3 {
-        Point3::new(size * self.next(), size * self.next(), size * self.next())
-    }
-}
 
 /// The least distance by a grid of samples and a shrinking search around the best of them.
 fn sampled(s: &NurbsSurface, samples: &[(f64, f64, Point3)], steps: usize, q: Point3) -> f64 {

@@ -364,6 +364,15 @@ fn faults(seed: u64) -> (String, Vec<String>) {
     (label, out)
 }
 
+/// Cases of long runs that went wrong once: a seam just beside a crossing, and a line that misses an arc by a hair.
+#[test]
+fn laws_on_cases_that_failed() {
+    for seed in [1_013_211, 1_028_208] {
+        let (label, faults) = faults(seed);
+        assert!(faults.is_empty(), "{label}: {faults:?}");
+    }
+}
+
 #[test]
 fn laws_on_random_curves() {
     let cases: u64 = std::env::var("KATYDID_CASES").ok().and_then(|s| s.parse().ok()).unwrap_or(300);

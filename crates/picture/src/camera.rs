@@ -176,6 +176,12 @@ impl Camera {
         }
     }
 
+    /// Points of the model that are seen `pixels` beside a point, to the right, left, above and below.
+    pub(crate) fn around(&self, p: Point3, pixels: f64) -> [Point3; 4] {
+        let r = pixels * self.unit(p);
+        [self.right, -self.right, self.up, -self.up].map(|v| p + v * r)
+    }
+
     /// Where a direction points on the picture, for a parallel look at the middle: right, down, towards the viewer.
     pub(crate) fn direction(&self, v: Vector3) -> [f64; 3] {
         [self.right.dot(v), -self.up.dot(v), self.back.dot(v)]

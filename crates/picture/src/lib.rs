@@ -30,6 +30,7 @@ mod clip;
 pub mod drawing;
 mod error;
 mod font;
+mod hidden;
 mod order;
 mod project;
 mod raster;
@@ -59,10 +60,26 @@ pub struct Options {
     pub grid: bool,
     /// Whether the colours of gradients are explained.
     pub legend: bool,
+    /// What becomes of the stretches of lines that lie behind faces.
+    pub hidden_lines: HiddenLines,
     /// The colour of the ground; none for a clear one.
     pub background: Option<Colour>,
     /// The title; the definition's own name when it is empty.
     pub title: String,
+}
+
+/// What becomes of the stretches of lines that lie behind faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum HiddenLines {
+    /// They shine through clear faces, and opaque ones hide them.
+    #[default]
+    Natural,
+    /// They are left out, behind clear faces too.
+    Hide,
+    /// They are dashed, behind opaque faces too.
+    Dash,
+    /// They are drawn as if there were no faces.
+    Show,
 }
 
 impl Default for Options {
@@ -73,6 +90,7 @@ impl Default for Options {
             axes: false,
             grid: false,
             legend: false,
+            hidden_lines: HiddenLines::default(),
             background: Some(Colour::rgb(255, 255, 255)),
             title: String::new(),
         }

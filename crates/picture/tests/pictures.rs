@@ -9,7 +9,7 @@ use katydid_data::Colour;
 use katydid_definition::document::Document;
 use katydid_definition::kd::{self, Catalogue, Facts, PortFacts};
 use katydid_picture::drawing::{Anchor, Drawing, Face, Item, Label, Path, Shape, Solids, SpaceLine};
-use katydid_picture::{Options, View, canvas, result};
+use katydid_picture::{HiddenLines, Options, View, canvas, result};
 use katydid_solver::Engine;
 use uuid::Uuid;
 
@@ -209,4 +209,94 @@ fn broken_numbers_do_not_break_a_file() {
     }
     elements(&drawing.to_svg());
     assert!(drawing.to_png().is_ok());
+}
+
+/// The lines and faces of a picture.
+fn solids(drawing: &Drawing) -> &Solids {
+    let found = drawing.items.iter().find_map(|item| if let Item::Solids(s) = item { Some(s) } else { None });
+    found.unwrap()
+}
+
+#[test]
+fn lines_behind_faces_are_left_out_dashed_or_drawn() {
+    let engine =
+        solved("b = Box 2Pt((0, 0, 0), (6, 4, 3)) -> Box |hidden\np = Custom Preview(b, rgb(90, 150, 210))");
+    let drawn = |hidden_lines| {
+        result(&engine, &Options { hidden_lines, size: [320, 200], ..Options::default() }).drawing
+    };
+    let over = |drawing: &Drawing| {
+        let group = drawing.items.iter().find_map(|item| match item {
+            Item::Group(name, items) if name == "Hidden lines" => Some(items.clone()),
+            _ => None,
+        });
+        group.unwrap_or_default()
+    };
+    // Of the twelve edges of a box three are hidden, those that meet at the corner in the back.
+    let natural = drawn(HiddenLines::Natural);
+    assert_eq!((solids(&natural).lines.len(), over(&natural).len()), (12, 0));
+    let hide = drawn(HiddenLines::Hide);
+    assert_eq!((solids(&hide).lines.len(), over(&hide).len()), (9, 0));
+    for (choice, is_dashed) in [(HiddenLines::Dash, true), (HiddenLines::Show, false)] {
+        let drawing = drawn(choice);
+        let behind = over(&drawing);
+        assert_eq!((solids(&drawing).lines.len(), behind.len()), (9, 3));
+        assert_eq!(drawing.to_svg().contains("stroke-dasharray"), is_dashed);
+    }
+}
+
+#[test]
+fn dots_on_one_height_are_seen_from_above() {
+    let picture =
+        result(&solved("d = Dot Display([(0, 0, 0), (5, 3, 0)], rgb(200, 30, 60), 0.6)"), &options());
+    assert!(picture.drawing.description.contains("top view"), "{}", picture.drawing.description);
+}
+
+#[test]
+fn planes_at_the_border_are_seen_whole() {
+    let text = "p = XY Plane([(0, 0, 0), (9, 0, 0)])\nq = XZ Plane((4, 3, 0))";
+    let plain = Options { size: [320, 200], ..Options::default() };
+    let drawing = result(&solved(text), &plain).drawing;
+    for p in solids(&drawing).lines.iter().flat_map(|line| &line.points) {
+        assert!((0.0..=320.0).contains(&p[0]) && (0.0..=200.0).contains(&p[1]), "{p:?}");
+    }
+}
+
+#[test]
+fn arrows_too_short_for_a_head_get_no_ring() {
+    let text = "c = Circle((0, 0, 0), 50)\na = Vector Display((1, 0, 0), (0.001, 0, 0))\n\
+        d = Angular Dimension((0, 0, 0), (3, 0, 0), (3, 0.2, 0), false, _, 0.5)";
+    let drawing = result(&solved(text), &Options { size: [320, 200], ..Options::default() }).drawing;
+    // A ring is a closed line of 25 points.
+    assert!(solids(&drawing).lines.iter().all(|line| line.points.len() != 25));
+}
+
+#[test]
+fn a_legend_with_a_rectangle_stands_in_the_model() {
+    let text = "l = Legend([rgb(90, 150, 210), rgb(240, 180, 60)], [\"box\", \"ball\"], \
+        rectangle(plane((0, 0, 0)), 0..8, 0..4))";
+    let drawing = result(&solved(text), &Options { size: [320, 200], ..Options::default() }).drawing;
+    let faces: Vec<Colour> = solids(&drawing).faces.iter().map(Face::colour).collect();
+    assert_eq!(faces, [Colour::rgb(90, 150, 210), Colour::rgb(240, 180, 60)]);
+    let svg = drawing.to_svg();
+    assert!(svg.contains(">box<") && svg.contains(">ball<"));
+}
+
+#[test]
+fn sides_that_boxes_share_are_drawn_once() {
+    let text = "b = Domain Box([plane((0, 0, 0)), plane((2, 0, 0))], 0..2, 0..2, 0..2)";
+    let drawing = result(&solved(text), &Options { size: [320, 200], ..Options::default() }).drawing;
+    assert_eq!(solids(&drawing).faces.len(), 11);
+}
+
+#[test]
+fn a_panel_shows_geometry_as_text_only() {
+    let engine = solved("p = Construct Point(1, 2, 3) hidden\nt = Panel(p)");
+    assert!(result(&engine, &options()).is_empty);
+}
+
+#[test]
+fn a_panel_shows_the_numbers_of_a_matrix() {
+    let engine = solved("m = Construct Matrix(2, 2, [1, 2, 3, 4.5])\nt = Panel(m)");
+    let svg = canvas(&engine, &options()).to_svg();
+    assert!(svg.contains(">1   2<") && svg.contains(">3   4.5<"), "{svg}");
 }

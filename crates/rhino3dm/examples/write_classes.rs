@@ -10,22 +10,23 @@ use katydid_3dm::{
 use katydid_geometry::{Interval, Plane, Point2, Point3, Vector2, Vector3, Xform};
 use uuid::Uuid;
 
-/// The identifier of openNURBS's own default style, which every reader has.
-const STYLE: Uuid = Uuid::from_u128(0x25B6_83C2_B7D5_4E85_93EF_3C61_B3F7_5AD5);
-
 fn frame() -> Plane {
     let (x, y) = (Vector3::new(0.8, 0.6, 0.0), Vector3::new(-0.6, 0.8, 0.0));
     Plane { origin: Point3::new(1.0, 2.0, 3.0), x_axis: x, y_axis: y, z_axis: Vector3::new(0.0, 0.0, 1.0) }
 }
 
 fn annotation(kind: AnnotationKind) -> Object {
+    let is_mark = matches!(kind, AnnotationKind::CentreMark { .. });
     let mut text =
         TextContent::new("{\\rtf1\\deff0{\\fonttbl{\\f0 Arial;}}\\f0 Text \\u197? \\b bold\\b0\\par second}");
     text.width = 12.5;
+    if is_mark {
+        text.rich_text.clear();
+    }
     Object::Annotation(Box::new(Annotation {
         kind,
         text,
-        style: STYLE,
+        style: Uuid::nil(),
         overrides: None,
         plane: frame().into(),
         horizontal: Vector2::X,

@@ -26,6 +26,9 @@ pub(crate) const TEXT_DOT: Uuid = uuid!("74198302-CDF4-4F95-9609-6D684F22AB37");
 pub(crate) const BLOCK_REFERENCE: Uuid = uuid!("F9CFB638-B9D4-4340-87E3-C56E7865D96A");
 pub(crate) const LIGHT: Uuid = uuid!("85A08513-F383-11D3-BFE7-0010830122F0");
 pub(crate) const CLIPPING_PLANE: Uuid = uuid!("DBC5A584-CE3F-4170-98A8-497069CA5C36");
+pub(crate) const HATCH: Uuid = uuid!("0559733B-5332-49D1-A936-0532AC76ADE5");
+pub(crate) const DETAIL_VIEW: Uuid = uuid!("C8C66EFA-B3CB-4E00-9440-2AD66203379E");
+pub(crate) const MORPH_CONTROL: Uuid = uuid!("D379E6D8-7C31-4407-A913-E3B7040D034A");
 pub(crate) const NURBS_CAGE: Uuid = uuid!("06936AFB-3D3C-41AC-BF70-C9319FA480A1");
 /// The dots and arrows of version 2.
 pub(crate) const TEXT_DOT_2: Uuid = uuid!("8BD94E19-59E1-11D4-8018-0010830122F0");
@@ -61,6 +64,8 @@ pub(crate) const MESH_NGONS: Uuid = uuid!("31F55AA3-71FB-49F5-A975-757584D937FF"
 pub(crate) const V5_REGIONS: Uuid = uuid!("7FE23D63-E536-43F1-98E2-C807A2625AFF");
 /// User data: the meshes of an extrusion in version 5 archives.
 pub(crate) const V5_EXTRUSION_MESHES: Uuid = uuid!("A8130A3E-E4F3-4CB0-BB8A-F10A473912D0");
+/// User data: the base point of a hatch in version 5 archives.
+pub(crate) const V5_HATCH_BASE: Uuid = uuid!("3FF7007C-3D04-463F-84E3-132ACEB91062");
 /// The application that core openNURBS user data of version 5 names as its owner.
 pub(crate) const OPENNURBS_5_APPLICATION: Uuid = uuid!("C8CDA597-D957-4625-A4B3-A0B510FC30D4");
 /// The application that core openNURBS user data names as its owner.
@@ -115,12 +120,12 @@ const CLASSES: &[(Uuid, &str, u32)] = &[
     (EXTRUSION, "Extrusion", 0x4000_0000),
     (SUBD, "SubD", 0x4_0000),
     (BLOCK_REFERENCE, "InstanceReference", 0x1000),
-    (uuid!("0559733B-5332-49D1-A936-0532AC76ADE5"), "Hatch", 0x1_0000),
+    (HATCH, "Hatch", 0x1_0000),
     (TEXT_DOT, "TextDot", 0x2000),
     (LIGHT, "Light", 0x100),
-    (uuid!("C8C66EFA-B3CB-4E00-9440-2AD66203379E"), "DetailView", 0x8000),
+    (DETAIL_VIEW, "DetailView", 0x8000),
     (NURBS_CAGE, "NurbsCage", 0x0800_0000),
-    (uuid!("D379E6D8-7C31-4407-A913-E3B7040D034A"), "MorphControl", 0x2_0000),
+    (MORPH_CONTROL, "MorphControl", 0x2_0000),
     (TEXT, "Text", 0x200),
     (LEADER, "Leader", 0x200),
     (LINEAR_DIMENSION, "LinearDimension", 0x200),

@@ -83,7 +83,7 @@ impl CompressedBuffer<'_> {
             Content::Deflated(stream) => inflate(stream, room).map_err(malformed)?,
         }
         if self.size > 0 && crc32fast::hash(room) != self.crc {
-            context.warn(self.offset, format!("CRC mismatch in the compressed {}", self.what));
+            context.bad_crc(self.offset, format!("CRC mismatch in the compressed {}", self.what));
         }
         Ok(())
     }

@@ -5,6 +5,49 @@
 
 use crc32fast::Hasher;
 
+/// The CRC-16 that ends chunks of version 1: the remainder modulo the polynomial 0x1021 of the bytes as they are,
+/// begun at 1. The writer takes in two zeros before it writes the CRC, so that over a chunk with its CRC it is 0.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Crc16(u16);
+
+/// What the byte that leaves the register does to it.
+const CRC16_TABLE: [u16; 256] = {
+    let mut table = [0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        let mut remainder = (byte as u16) << 8;
+        let mut bit = 0;
+        while bit < 8 {
+            let carry = remainder & 0x8000 != 0;
+            remainder <<= 1;
+            if carry {
+                remainder ^= 0x1021;
+            }
+            bit += 1;
+        }
+        table[byte] = remainder;
+        byte += 1;
+    }
+    table
+};
+
+impl Crc16 {
+    pub(crate) const START: Self = Self(1);
+
+    /// The CRC with more bytes taken in.
+    pub(crate) fn and(self, bytes: &[u8]) -> Self {
+        let take = |crc: u16, byte: &u8| {
+            let [leaving, _] = crc.to_be_bytes();
+            (crc << 8 | u16::from(*byte)) ^ CRC16_TABLE.get(usize::from(leaving)).copied().unwrap_or_default()
+        };
+        Self(bytes.iter().fold(self.0, take))
+    }
+
+    pub(crate) fn is_right(self) -> bool {
+        self.0 == 0
+    }
+}
+
 /// The CRC of a chunk's own bytes, fed lazily in stretches between nested chunks.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RunningCrc {

@@ -1,9 +1,12 @@
 //! .3dm archives, read and written in safe Rust.
 //!
-//! A [`Model`] is what an archive holds: units, tolerances, notes, layers, and objects with their attributes.
+//! A [`Model`] is what an archive holds: units, tolerances, notes, objects with their attributes, and the tables
+//! they refer to: layers, materials, linetypes, groups, hatch patterns, block definitions. What is not taken apart
+//! (styles, views, history, embedded files) is kept and written back, in other versions too where that can be done;
+//! [`Model::losses`] names beforehand what a version cannot carry.
 //! Points, point clouds, curves and meshes come as types of [`katydid_geometry`]; every other class is kept byte
 //! for byte as a [`RawObject`] and written back as it was where the archive version allows. Archives of version
-//! 2 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
+//! 1 to 80 are read, 4 to 80 written. [`Object::from_on_data`] reads the single objects that Grasshopper
 //! files and rhino3dm's JSON carry.
 //!
 //! What belongs here: the layout of the format, and nothing that computes geometry. Every length is checked
@@ -37,6 +40,8 @@ mod limits;
 mod loss;
 mod model;
 mod object;
+mod outline;
+mod overlay;
 mod planar;
 mod primitives;
 mod properties;
@@ -47,21 +52,28 @@ mod settings;
 mod tables;
 mod typecode;
 mod user_table;
+mod v1;
 mod version;
 mod write;
 
 pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
-pub use error::{Error, Result, Warning};
+pub use chunk::ChunkPath;
+pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;
 pub use loss::Loss;
 pub use model::{Model, ModelObject, UnitScale};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
     BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
-    CurveForm, CurveOnSurface, Dimension, Extrusion, ExtrusionMesh, Light, LightStyle, MappingTag,
-    MeshObject, MeshParameters, Ngon, NurbsCage, NurbsForm, NurbsSurfaceForm, Object, OnData, Participants,
-    PointCloud, RawObject, Solidity, StyleOverrides, SubDMeshing, SurfaceForm, TextContent, TextDot,
-    UserData,
+    CurveForm, CurveOnSurface, DetailView, Dimension, Extrusion, ExtrusionMesh, Hatch, HatchLoop, Light,
+    LightStyle, Localizer, MappingTag, MeshObject, MeshParameters, MorphControl, MorphShape, Ngon, NurbsCage,
+    NurbsForm, NurbsSurfaceForm, Object, OnData, PackRectangle, Participants, PointCloud, RawObject,
+    Solidity, StoredEdge, StoredFace, StoredPart, StoredVertex, StyleOverrides, SubDLevel, SubDMeshing,
+    SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent, TextDot, UserData,
+};
+pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};
+pub use overlay::{
+    ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};

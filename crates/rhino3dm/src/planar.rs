@@ -1,7 +1,7 @@
-//! Points of a plane, matrices, boxes and lists, as the classes beyond curves, surfaces and meshes store them
+//! Points of a plane, matrices and lists, as the classes beyond curves, surfaces and meshes store them
 //! (section 3).
 
-use katydid_geometry::{BoundingBox, Plane, Point2, Xform};
+use katydid_geometry::{Plane, Point2, Xform};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
@@ -63,11 +63,6 @@ impl Reader<'_> {
         Ok(matrix)
     }
 
-    /// Two corners, whatever their order: an empty box has its corners swapped.
-    pub(crate) fn corners(&mut self, what: &'static str) -> Result<BoundingBox> {
-        Ok(BoundingBox { min: self.point(what)?, max: self.point(what)? })
-    }
-
     /// A list of identifiers, as openNURBS stores it: in a chunk of its own.
     pub(crate) fn id_list(&mut self, what: &'static str) -> Result<Vec<Uuid>> {
         let (mut list, _) = self.versioned_1(what)?;
@@ -108,11 +103,6 @@ impl Writer {
 
     pub(crate) fn matrix(&mut self, matrix: &Xform) {
         matrix.rows.iter().flatten().for_each(|x| self.f64(*x));
-    }
-
-    pub(crate) fn corners(&mut self, corners: &BoundingBox) {
-        self.point(corners.min);
-        self.point(corners.max);
     }
 
     pub(crate) fn id_list(&mut self, ids: &[Uuid]) -> Result<()> {

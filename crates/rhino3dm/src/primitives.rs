@@ -31,6 +31,10 @@ impl Reader<'_> {
         Ok(self.u8(what)? != 0)
     }
 
+    pub(crate) fn u16(&mut self, what: &'static str) -> Result<u16> {
+        Ok(u16::from_le_bytes(self.array(what)?))
+    }
+
     pub(crate) fn i32(&mut self, what: &'static str) -> Result<i32> {
         Ok(i32::from_le_bytes(self.array(what)?))
     }
@@ -126,7 +130,12 @@ impl Reader<'_> {
 
     pub(crate) fn points(&mut self, what: &'static str) -> Result<Vec<Point3>> {
         let count = self.count(24, what)?;
-        (0..count).map(|_| self.point(what)).collect()
+        let bytes = self.take(count.saturating_mul(24), what)?;
+        let point = |bytes: &[u8; 24]| {
+            let [x, y, z] = bytes.as_chunks::<8>().0 else { return Point3::ORIGIN };
+            Point3::new(f64::from_le_bytes(*x), f64::from_le_bytes(*y), f64::from_le_bytes(*z))
+        };
+        Ok(bytes.as_chunks::<24>().0.iter().map(point).collect())
     }
 
     pub(crate) fn doubles(&mut self, what: &'static str) -> Result<Vec<f64>> {
@@ -136,13 +145,14 @@ impl Reader<'_> {
 
     /// `count` numbers without a count of their own.
     pub(crate) fn doubles_of(&mut self, count: usize, what: &'static str) -> Result<Vec<f64>> {
-        self.check_count(count, 8, what)?;
-        (0..count).map(|_| self.f64(what)).collect()
+        let bytes = self.take(count.saturating_mul(8), what)?;
+        Ok(bytes.as_chunks::<8>().0.iter().map(|eight| f64::from_le_bytes(*eight)).collect())
     }
 
     pub(crate) fn ints(&mut self, what: &'static str) -> Result<Vec<i32>> {
         let count = self.count(4, what)?;
-        (0..count).map(|_| self.i32(what)).collect()
+        let bytes = self.take(count.saturating_mul(4), what)?;
+        Ok(bytes.as_chunks::<4>().0.iter().map(|four| i32::from_le_bytes(*four)).collect())
     }
 }
 

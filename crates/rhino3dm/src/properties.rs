@@ -81,7 +81,7 @@ pub struct Preview {
 }
 
 impl Time {
-    fn read(body: &mut Reader<'_>) -> Result<Self> {
+    pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         let mut time = Self::default();
         for field in &mut time.fields {
             *field = body.i32("time")?;

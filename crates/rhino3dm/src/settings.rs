@@ -154,11 +154,34 @@ pub(crate) struct StoredUnits {
 
 /// Reads the body of a units record.
 pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
+    let stored = read_stored_units(&mut body)?;
+    body.finish();
+    Ok(stored)
+}
+
+/// Reads units and tolerances inside of something else.
+pub(crate) fn read_stored_units(body: &mut Reader<'_>) -> Result<StoredUnits> {
     let version = body.i32(WHAT)?;
     let number = body.i32(WHAT)?;
+    let tolerances = [body.f64(WHAT)?, body.f64(WHAT)?, body.f64(WHAT)?];
+    let mut display = [0, 3];
+    if version >= 101 {
+        display = [body.i32("length display")?, body.i32("length digits")?];
+    }
+    let mut custom = None;
+    if version >= 102 {
+        custom = Some((body.f64(WHAT)?, body.string("unit name")?));
+    }
+    Ok(StoredUnits { display, ..stored_units(number, tolerances, custom) })
+}
+
+/// Units by their number, absolute, angle and relative tolerance, and what a custom unit is in metres and called.
+pub(crate) fn stored_units(
+    number: i32,
+    [absolute, angle, relative_tolerance]: [f64; 3],
+    custom: Option<(f64, String)>,
+) -> StoredUnits {
     let mut tolerance = Tolerance::default();
-    let (absolute, angle) = (body.f64(WHAT)?, body.f64(WHAT)?);
-    let relative_tolerance = body.f64(WHAT)?;
     // Tolerances that cannot be any are left at the default.
     if absolute.is_finite() && absolute > 0.0 {
         tolerance.absolute = absolute;
@@ -166,27 +189,19 @@ pub(crate) fn read_units(mut body: Reader<'_>) -> Result<StoredUnits> {
     if angle.is_finite() && angle > 0.0 {
         tolerance.angle = angle;
     }
-    let mut display = [0, 3];
-    if version >= 101 {
-        display = [body.i32("length display")?, body.i32("length digits")?];
-    }
-    let mut custom = (1.0, String::new());
-    if version >= 102 {
-        custom = (body.f64(WHAT)?, body.string("unit name")?);
-    }
-    body.finish();
     let (units, scale) = match UNITS.iter().find(|(known, ..)| *known == number) {
         Some((_, units, _)) => (*units, None),
         None => {
             let other = OTHER_UNITS.iter().find(|(known, ..)| *known == number);
             let (name, metres) = other.map_or(("an unknown unit", 1.0), |(_, name, metres)| (*name, *metres));
-            let is_custom = number == CUSTOM && custom.0.is_finite() && custom.0 > 0.0;
-            let metres = if is_custom { custom.0 } else { metres };
-            let name = if is_custom && !custom.1.is_empty() { custom.1 } else { name.to_owned() };
+            let custom = custom.filter(|(metres, _)| number == CUSTOM && metres.is_finite() && *metres > 0.0);
+            let (metres, name) = custom.map_or((metres, name.to_owned()), |(metres, own)| {
+                (metres, if own.is_empty() { name.to_owned() } else { own })
+            });
             (Units::None, Some(UnitScale { number, name, metres }))
         }
     };
-    Ok(StoredUnits { units, scale, tolerance, relative_tolerance, display })
+    StoredUnits { units, scale, tolerance, relative_tolerance, display: [0, 3] }
 }
 
 /// The number of a unit in archives, and its length in metres.

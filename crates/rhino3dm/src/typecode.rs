@@ -84,9 +84,66 @@ pub(crate) const USER_DATA_HEADER: u32 = 0x0002_FFF9;
 pub(crate) const CLASS_END: u32 = 0x8002_7FFF;
 pub(crate) const ANONYMOUS: u32 = 0x4000_8000;
 
+/// Whether a chunk of a version 1 archive can end in a CRC-16: geometry of the old modeller, the summary, and the
+/// identifier of an object.
+pub(crate) fn has_crc16(typecode: u32) -> bool {
+    const LEGACY_GEOMETRY: u32 = 0x0001_0000;
+    const SUMMARY: u32 = 0x0200_0013;
+    const OBJECT_UUID: u32 = 0x0002_FFFD;
+    typecode & LEGACY_GEOMETRY != 0 || matches!(typecode, SUMMARY | OBJECT_UUID)
+}
+
 /// Whether the value of this short chunk counts as unsigned when it takes 4 bytes.
 pub(crate) fn is_unsigned_short(typecode: u32) -> bool {
     matches!(typecode, OPENNURBS_VERSION | OBJECT_RECORD_TYPE | 0x8040_0001 | 0x8040_0006)
+}
+
+/// A chunk that is no table in words, for messages.
+pub(crate) fn name(typecode: u32) -> Option<&'static str> {
+    Some(match typecode {
+        COMMENT => "comment",
+        END_OF_FILE => "end of file",
+        NOTES => "notes",
+        APPLICATION => "application",
+        UNITS => "units",
+        LAYER_RECORD => "layer record",
+        LIGHT_RECORD => "light record",
+        OBJECT_RECORD => "object record",
+        MATERIAL_RECORD => "material record",
+        GROUP_RECORD => "group record",
+        0x2000_8074 => "text style record",
+        0x2000_8075 => "dimension style record",
+        INSTANCE_DEFINITION_RECORD => "block definition record",
+        HATCH_PATTERN_RECORD => "hatch pattern record",
+        LINETYPE_RECORD => "linetype record",
+        0x2000_807A => "texture mapping record",
+        0x2000_807B => "history record",
+        0x2000_8090 => "bitmap record",
+        0x2000_003B..=0x2000_FFFF if typecode & 0xFF == 0x3B => "view",
+        LIGHT_ATTRIBUTES | OBJECT_ATTRIBUTES => "attributes",
+        LIGHT_USER_DATA | OBJECT_USER_DATA => "attribute user data",
+        CLASS => "class",
+        CLASS_UUID => "class identifier",
+        CLASS_DATA => "class data",
+        CLASS_USER_DATA => "user data",
+        USER_DATA_HEADER => "user data header",
+        ANONYMOUS => "part",
+        // Version 1.
+        0x0001_0003 => "shell",
+        0x0001_0004 => "face",
+        0x0001_0005 => "loop",
+        0x0001_0006 => "trim",
+        0x0001_0007 => "surface",
+        0x0001_0008 => "curve",
+        0x0001_0009 => "spline",
+        0x0001_0103..=0x0001_0109 => "substance",
+        0x0010_0001 => "point",
+        0x0010_0015 => "mesh",
+        0x0010_0017 => "mesh geometry",
+        0x0040_0010 => "layer",
+        0x0080_0001 => "spotlight",
+        _ => return None,
+    })
 }
 
 /// The table in words, for counts and messages; nothing for a typecode that is no table.

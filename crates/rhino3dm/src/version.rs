@@ -17,6 +17,17 @@ impl Version {
         self.archive >= 50
     }
 
+    /// The version of an archive that does not say by which openNURBS it was written: the first in those of
+    /// versions 1 and 2, which need not say it, the newest in others.
+    pub(crate) fn unstated(archive: i32) -> Self {
+        let opennurbs = match archive {
+            ..=2 => 200_012_210,
+            3..60 => 202_410_098,
+            _ => opennurbs_number(8, 12, 2026, 202),
+        };
+        Self { archive, opennurbs }
+    }
+
     /// The version under which this crate writes an archive of the given number.
     pub(crate) fn for_writing(archive: i32) -> Result<Self> {
         let opennurbs = match archive {

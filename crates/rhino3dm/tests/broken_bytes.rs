@@ -24,8 +24,10 @@ fn exercise(bytes: &[u8]) {
             let _ = BrepSummary::read(raw);
         }
     }
+    let _ = (model.views(), model.named_views(), model.named_construction_planes(), model.page_settings());
+    let _ = (model.dimension_styles(), model.text_styles());
     for version in [4, 50, 70] {
-        let _ = model.write(version);
+        let _ = model.write_what_fits(version);
     }
 }
 

@@ -19,7 +19,7 @@ mod input;
 mod report;
 mod session;
 
-pub use bake::{Baked, bake};
+pub use bake::{BakeOptions, Baked, bake};
 pub use check::{Check, Unsupported, check};
 pub use input::{InputError, inputs};
 pub use report::{Items, Report};

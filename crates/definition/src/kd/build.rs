@@ -213,8 +213,24 @@ impl<'a> Builder<'a, '_> {
                 let message = format!("{} has one input, and this is one too many", node.name);
                 self.faults.push(Fault::new(extra.span.at, extra.span.len, message));
             }
+            // Input and output are one port: what is written behind the arrow is said of both.
+            let written = node.written_outputs.unwrap_or_default();
+            if let [_, .., last] = written {
+                let message = format!("{} has one output, and this is one too many", node.name);
+                self.faults.push(Fault::new(last.name.span.at, last.name.span.len, message));
+            }
+            let behind = written.first().map_or(&[][..], |output| &output.modifiers);
+            let before = arguments.first().map_or(&[][..], |argument| &argument.given.modifiers);
+            for modifier in behind {
+                let item = modifier.kind.item().0;
+                if before.iter().any(|other| other.kind.item().0 == item) {
+                    let message = "this modifier is given before the arrow too, and there is one port only";
+                    self.faults.push(Fault::new(modifier.span.at, modifier.span.len, message));
+                }
+            }
             let facts = node.facts.as_ref().and_then(|facts| facts.inputs.first());
             let port = Slot {
+                modifiers: behind,
                 expect: facts.map(|facts| facts.expect).unwrap_or_default(),
                 type_id: Some(node.component),
                 default: facts.and_then(|facts| facts.default.clone()),

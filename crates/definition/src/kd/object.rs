@@ -198,8 +198,8 @@ fn fill(
         let several = slot.type_id.is_some_and(|id| [ids::DATA, ids::GEOMETRY].contains(&id));
         chunk.set_child(kept.to_chunk(several));
     }
-    let modifiers: &[Modifier] = slot.given.map_or(slot.modifiers, |given| &given.modifiers);
-    for modifier in modifiers {
+    let given: &[Modifier] = slot.given.map_or(&[], |given| &given.modifiers);
+    for modifier in given.iter().chain(slot.modifiers) {
         let (name, value) = modifier.kind.item();
         chunk.set(name, value);
     }

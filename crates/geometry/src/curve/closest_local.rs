@@ -29,7 +29,12 @@ fn along_segment(a: Point3, b: Point3, q: Point3) -> Course {
     if !x.is_finite() {
         return Course { inside: Vec::new(), start: 0.0, end: 0.0 };
     }
-    Course { inside, start: sign(-x, noise), end: sign(1.0 - x, noise) }
+    // A foot at an end is a minimum there: the distance rises from it.
+    Course {
+        inside,
+        start: if x <= noise { 1.0 } else { -1.0 },
+        end: if x >= 1.0 - noise { -1.0 } else { 1.0 },
+    }
 }
 
 /// Arcs: the angle of q, once for each turn that reaches it.
@@ -45,8 +50,17 @@ fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
     let first = direction + ((low - direction) / turn).ceil() * turn;
     let inside = (first > low && first < high).then_some(first);
     let forward = if arc.angle.start <= arc.angle.end { 1.0 } else { -1.0 };
-    let slope = |angle: f64| forward * sign((angle - direction).sin(), 1e-14);
-    Course { inside: inside.into_iter().collect(), start: slope(arc.angle.start), end: slope(arc.angle.end) }
+    // At an end that is nearest or farthest itself, as just inside.
+    let slope = |angle: f64, inward: f64| {
+        let (sine, cosine) = (angle - direction).sin_cos();
+        match forward * sign(sine, 1e-14) {
+            0.0 if cosine > 0.0 => inward,
+            0.0 => -inward,
+            slope => slope,
+        }
+    };
+    let (start, end) = (slope(arc.angle.start, 1.0), slope(arc.angle.end, -1.0));
+    Course { inside: inside.into_iter().collect(), start, end }
 }
 
 /// Spans: the zeros of the derivative from negative to positive, isolated by sign changes of its Bernstein

@@ -6,7 +6,7 @@
 //! (the variation diminishing property; G. Farin, *Curves and Surfaces for CAGD*, ch. 5).
 
 use crate::MAX_DEGREE;
-use crate::bernstein::binomial;
+use crate::bernstein::{binomial, jet};
 use crate::box_tree::{Bounds, bounds_of};
 
 /// A part of a Bézier curve of degree p, as a range of tables.
@@ -354,25 +354,7 @@ impl Search<'_> {
     }
 
     fn jet_sized<const M: usize>(&self, x: f64) -> [[f64; 3]; 3] {
-        let n = self.points.len();
-        let p = n as f64 - 1.0;
-        let mut d = [[0.0; 4]; M];
-        for (slot, point) in d.iter_mut().zip(self.points) {
-            *slot = *point;
-        }
-        let mut out = [[0.0; 4]; 3];
-        let y = 1.0 - x;
-        for level in 1..n {
-            if level + 2 == n {
-                out[2] = std::array::from_fn(|c| p * (p - 1.0) * (d[2][c] - 2.0 * d[1][c] + d[0][c]));
-            } else if level + 1 == n {
-                out[1] = std::array::from_fn(|c| p * (d[1][c] - d[0][c]));
-            }
-            for i in 0..n - level {
-                d[i] = std::array::from_fn(|c| y * d[i][c] + x * d[i + 1][c]);
-            }
-        }
-        out[0] = d[0];
+        let out = jet::<M>(self.points, x);
         let [w0, w1, w2] = out.map(|o| o[3]);
         if !self.part.rational {
             return std::array::from_fn(|k| {

@@ -20,13 +20,7 @@ impl Curve {
     /// # Errors
     /// As the map's; the map tears the curve apart; or the image is a point.
     pub fn morphed(&self, morph: &dyn Morph, tolerance: &Tolerance) -> Result<Self> {
-        if !(tolerance.absolute > 0.0) {
-            return Err(Error::OutOfRange {
-                what: "tolerance",
-                value: tolerance.absolute,
-                must: "greater than 0",
-            });
-        }
+        tolerance.positive_distance()?;
         let domain = self.domain();
         let mut cuts = vec![domain.start, domain.end];
         cuts.extend(self.discontinuities(Continuity::G1, tolerance));

@@ -1,7 +1,7 @@
 //! Surfaces under a map.
 
 use super::Morph;
-use crate::{Direction, Error, NurbsSurface, Point3, Result, Surface, Tolerance};
+use crate::{Direction, NurbsSurface, Point3, Result, Surface, Tolerance};
 
 /// No image has more control points than this.
 const MOST: usize = 40_000;
@@ -28,13 +28,7 @@ impl Surface {
     /// # Errors
     /// As the map's, and when the surface has no NURBS form.
     pub fn morphed(&self, morph: &dyn Morph, tolerance: &Tolerance) -> Result<Self> {
-        if !(tolerance.absolute > 0.0) {
-            return Err(Error::OutOfRange {
-                what: "tolerance",
-                value: tolerance.absolute,
-                must: "greater than 0",
-            });
-        }
+        tolerance.positive_distance()?;
         let mut source = self.to_nurbs()?;
         let plain = by_controls(&source, morph)?;
         let size = source.hull_box().min.distance_to(source.hull_box().max);

@@ -1,12 +1,15 @@
 //! Loops of strands as curves.
 
 use super::loops::Step;
-use super::nodes::Nodes;
+use super::nodes::{Nodes, excursion};
 use super::sources::Sources;
 use super::strands::{Member, Strand};
 use crate::curve::{chained, coincident};
-use crate::intersect::{Crossing, curve_curve};
+use crate::intersect::{ContactKind, Crossing, curve_curve, curve_self};
 use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result};
+
+/// How many tolerances before their joint two pieces side by side may cross and be cut there.
+const MOST_BESIDE: f64 = 64.0;
 
 /// A stretch of a part, over the seam where the range decreases.
 #[derive(Debug, Clone, Copy)]
@@ -119,6 +122,12 @@ fn closed_up(mut pieces: Vec<Curve>, scale: f64, tolerance: f64) -> Result<Vec<C
         if coincident(end, start) {
             continue;
         }
+        if i == j
+            && let Some(range) = crossing_of_ends(&pieces[i], scale, tolerance)?
+        {
+            pieces[i] = pieces[i].trimmed(range)?;
+            continue;
+        }
         if i != j
             && let Some((a, b)) = crossing_near_ends(&pieces[i], &pieces[j], scale, tolerance)?
         {
@@ -135,7 +144,7 @@ fn closed_up(mut pieces: Vec<Curve>, scale: f64, tolerance: f64) -> Result<Vec<C
         let first = with_end(&pieces[i], true, target)?;
         let second = if i == j { None } else { with_end(&pieces[j], false, target)? };
         if let (Some(first), Some(second)) = (first, second) {
-            (pieces[i], pieces[j]) = (first, second);
+            (pieces[i], pieces[j]) = uncrossed(first, second, scale, tolerance)?;
         } else {
             links[i] = Some(Line::new(end, start).into());
         }
@@ -159,6 +168,41 @@ fn crossing_near_ends(
     };
     let best = found.crossings.iter().filter(inside).min_by(|x, y| away(x.point).total_cmp(&away(y.point)));
     Ok(best.map(|c| (c.a, c.b)))
+}
+
+/// Two pieces that meet end to start, cut where they cross shortly before: an end that was moved may tilt one over the
+/// other where they run side by side.
+fn uncrossed(first: Curve, second: Curve, scale: f64, tolerance: f64) -> Result<(Curve, Curve)> {
+    let (joint, d, e) = (first.end(), first.domain(), second.domain());
+    let found = curve_curve(&first, &second, 1e-12 * scale)?;
+    let mut best: Option<(f64, &Crossing)> = None;
+    for c in found.crossings.iter().filter(|c| c.kind == ContactKind::Transversal) {
+        let away = c.point.distance_to(joint);
+        let within = 1e-9 * scale < away && away <= MOST_BESIDE * tolerance && d.start < c.a && c.b < e.end;
+        if within && best.is_none_or(|b| b.0 < away) {
+            let middle = first.point_at(0.5 * (c.a + d.end));
+            if second.closest_point_within(middle, tolerance)?.is_some() {
+                best = Some((away, c));
+            }
+        }
+    }
+    let Some((_, c)) = best else { return Ok((first, second)) };
+    Ok((first.trimmed(Interval::new(d.start, c.a))?, second.trimmed(Interval::new(c.b, e.end))?))
+}
+
+/// The part of a piece up to where its end crosses its start, next to both.
+fn crossing_of_ends(piece: &Curve, scale: f64, tolerance: f64) -> Result<Option<Interval>> {
+    let (start, end) = (piece.start(), piece.end());
+    let found = curve_self(piece, 1e-12 * scale)?;
+    let away = |c: &Crossing| {
+        let [p, q] = [c.a, c.b].map(|t| piece.point_at(t));
+        let before = excursion(piece, Interval::new(piece.domain().start, c.a));
+        let after = excursion(piece, Interval::new(c.b, piece.domain().end));
+        p.distance_to(start).max(q.distance_to(end)).max(before).max(after)
+    };
+    let near = found.crossings.iter().map(|c| (c, away(c))).filter(|(_, d)| *d <= 8.0 * tolerance);
+    let best = near.min_by(|x, y| x.1.total_cmp(&y.1));
+    Ok(best.map(|(c, _)| Interval::new(c.a, c.b)).filter(|range| range.start < range.end))
 }
 
 /// The curve with one end moved. Lines stay lines and arcs arcs. `None` when more than the end would move by more.

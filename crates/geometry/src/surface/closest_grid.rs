@@ -105,29 +105,6 @@ pub(super) fn halve_grid(grid: &mut [f64], [p, q]: [usize; 2], d: usize) -> Vec<
     other
 }
 
-/// A point and two derivatives of a Bézier curve by de Casteljau's algorithm.
-#[inline]
-pub(super) fn line_jet<const M: usize>(points: &[[f64; 4]], x: f64) -> [[f64; 4]; 3] {
-    let n = points.len().min(M);
-    let p = n as f64 - 1.0;
-    let mut d = [[0.0; 4]; M];
-    d[..n].copy_from_slice(&points[..n]);
-    let mut out = [[0.0; 4]; 3];
-    let y = 1.0 - x;
-    for level in 1..n {
-        if level + 2 == n {
-            out[2] = std::array::from_fn(|c| p * (p - 1.0) * (d[2][c] - 2.0 * d[1][c] + d[0][c]));
-        } else if level + 1 == n {
-            out[1] = std::array::from_fn(|c| p * (d[1][c] - d[0][c]));
-        }
-        for i in 0..n - level {
-            d[i] = std::array::from_fn(|c| y * d[i][c] + x * d[i + 1][c]);
-        }
-    }
-    out[0] = d[0];
-    out
-}
-
 /// Whether coefficients less `bar` times those of the weight prove a convex function: both second derivatives are
 /// positive and their least product is above the greatest square of the mixed one.
 pub(super) fn convex<const C: usize>(c: &[[f64; C]], [m, n]: [usize; 2], bar: f64) -> bool {

@@ -4,8 +4,9 @@
 //! polynomial whose Bernstein coefficients are linear in 1, r and r·r, where r is the point asked about from the
 //! centre. Coefficients bound it; second differences of them bound its second derivatives.
 
-use super::closest_grid::{convex, halve, line_jet, multiply};
+use super::closest_grid::{convex, halve, multiply};
 use crate::MAX_DEGREE;
+use crate::bernstein::jet;
 use crate::box_tree::{Bounds, bounds_of};
 use crate::nurbs::span_to_bezier;
 use crate::{Direction, NurbsSurface};
@@ -427,13 +428,13 @@ impl Search<'_> {
         let width = self.n[1] + 1;
         let mut rows = [[[0.0; 4]; M]; 3];
         for (i, row) in self.points.chunks_exact(width).enumerate().take(M) {
-            let d = line_jet::<M>(row, x[1]);
+            let d = jet::<M>(row, x[1]);
             (0..3).for_each(|k| rows[k][i] = d[k]);
         }
         let count = self.n[0] + 1;
-        let [s, su, suu] = line_jet::<M>(&rows[0][..count], x[0]);
-        let [sv, suv, _] = line_jet::<M>(&rows[1][..count], x[0]);
-        let [svv, ..] = line_jet::<M>(&rows[2][..count], x[0]);
+        let [s, su, suu] = jet::<M>(&rows[0][..count], x[0]);
+        let [sv, suv, _] = jet::<M>(&rows[1][..count], x[0]);
+        let [svv, ..] = jet::<M>(&rows[2][..count], x[0]);
         let all = [s, su, sv, suu, suv, svv];
         let mut out = [[0.0; 3]; 6];
         if self.patch.rational {

@@ -170,3 +170,19 @@ impl Bench {
         panic!("no curve {name}")
     }
 }
+
+/// Numbers in −1…1 that look random (xorshift).
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    pub fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    pub fn point(&mut self, size: f64) -> Point3 {
+        Point3::new(size * self.next(), size * self.next(), size * self.next())
+    }
+}

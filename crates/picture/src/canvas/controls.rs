@@ -53,9 +53,9 @@ pub(super) fn shown(one: &Placed<'_>) -> Option<Vec<Item>> {
 }
 
 /// A number with a slider's digits.
-fn slider_text(slider: &Slider) -> String {
+fn slider_text(slider: &Slider, x: f64) -> String {
     let digits = if slider.rounding == Rounding::Real { slider.digits as usize } else { 0 };
-    format!("{:.digits$}", slider.value)
+    format!("{x:.digits$}")
 }
 
 fn slider(one: &Placed<'_>, slider: &Slider) -> Vec<Item> {
@@ -64,7 +64,12 @@ fn slider(one: &Placed<'_>, slider: &Slider) -> Vec<Item> {
     let t = if range.abs() > 0.0 { ((slider.value - slider.min) / range).clamp(0.0, 1.0) } else { 0.5 };
     let t = if t.is_finite() { t } else { 0.5 };
     items.push(Shape::filled(Path::rounded([x, y + 1.0, w - 1.0, h - 2.0], 3.0), theme::PAPER).into());
-    let (from, to, cy) = (x + 8.0, x + w - 8.0, y + 0.5 * h);
+    // The number stands behind the track, with room for the longest there can be.
+    let text = slider_text(slider, slider.value);
+    let ends = [slider.min, slider.max].map(|x| font::width(&slider_text(slider, x), theme::NAME));
+    let wide = ends[0].max(ends[1]).max(font::width(&text, theme::NAME));
+    let room = (wide + 8.0).min(0.6 * w);
+    let (from, to, cy) = (x + 8.0, x + w - 8.0 - room, y + 0.5 * h);
     let at = from + (to - from) * t;
     items
         .push(Shape::stroked(Path::polyline([[from, cy], [to, cy]]), Colour::rgb(190, 192, 198), 1.2).into());
@@ -72,13 +77,9 @@ fn slider(one: &Placed<'_>, slider: &Slider) -> Vec<Item> {
     let r = 0.28 * h.min(24.0);
     let knob = Path::polygon([[at, cy - r], [at + r, cy], [at, cy + r], [at - r, cy]]);
     items.push(Shape::filled(knob, theme::BAND).into());
-    // The number stands on the longer side of the knob.
-    let text = slider_text(slider);
-    let wide = font::width(&text, theme::NAME);
-    let start = if t < 0.5 { at + r + 5.0 } else { at - r - 5.0 - wide };
-    let behind = Path::rectangle([start - 2.0, cy - 5.0, wide + 4.0, 10.0]);
-    items.push(Shape::filled(behind, theme::PAPER).into());
-    items.push(Label::new([start, cy + 3.5], text, theme::NAME, theme::INK).into());
+    let text = font::fitted(&text, theme::NAME, room);
+    let label = Label::new([x + w - 6.0, cy + 3.5], text, theme::NAME, theme::INK);
+    items.push(label.anchored(Anchor::End).into());
     items
 }
 

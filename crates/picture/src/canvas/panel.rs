@@ -1,7 +1,8 @@
 //! Panels: a text, or the data that comes in, with its paths and indices.
 
-use katydid_data::{Tree, text};
+use katydid_data::{Tree, Value, text};
 use katydid_definition::document::special::Panel;
+use katydid_geometry::Matrix;
 
 use super::capsule::{grips, wrapped};
 use super::{Placed, theme};
@@ -119,13 +120,23 @@ fn data(one: &Placed<'_>, tree: &Tree, panel: &Panel, room: f64, most: usize) ->
             if rows.len() > most {
                 break;
             }
-            let whole = text::item(item.as_ref(), &one.style);
+            let mut whole = text::item(item.as_ref(), &one.style);
+            if let Some(Value::Matrix(matrix)) = &item {
+                whole.push_str(&numbers(matrix, most));
+            }
             let lines = whole.lines().flat_map(|line| folded(line, panel.wrap, room)).enumerate();
             let index = |line: usize| Some(k).filter(|_| line == 0 && panel.draw_indices);
             rows.extend(lines.take(most + 1).map(|(line, text)| Row::Item(index(line), text)));
         }
     }
     (rows, tree.item_count())
+}
+
+/// The numbers of a matrix, a line a row.
+fn numbers(matrix: &Matrix, most: usize) -> String {
+    let rows = matrix.values().chunks(matrix.columns().max(1)).take(most);
+    let line = |row: &[f64]| row.iter().map(|x| text::number(*x)).collect::<Vec<_>>().join("   ");
+    rows.map(|row| format!("\n{}", line(row))).collect()
 }
 
 /// A line in the panel's width: in several rows where it wraps, else cut.

@@ -14,6 +14,12 @@ const AMBIENT: f64 = 0.42;
 const AMBIENT_FALSE_COLOUR: f64 = 0.8;
 /// Edges of a mesh are drawn while they are longer than this on average, in pixels.
 const SHORTEST_EDGES: f64 = 5.0;
+/// The same for faces that let light through: several behind one another must not grow black.
+const AMBIENT_CLEAR: f64 = 0.62;
+/// Facets of a surface stray from it by this part of a pixel at most.
+const SMOOTH: f64 = 0.3;
+/// Corners of clear faces nearer to each other than this, in pixels, are in one place.
+const SAME: f64 = 0.02;
 /// A quad whose corners are no farther from a plane than this, in pixels of depth, is drawn as one face.
 const FLAT: f64 = 0.5;
 
@@ -40,6 +46,10 @@ impl Canvas {
     }
 
     pub(super) fn surface(&mut self, facets: &Facets, look: &Look) {
+        let units = facets.mesh.vertices().iter().map(|p| self.camera.unit(*p));
+        let unit = units.fold(f64::INFINITY, f64::min);
+        let finer = facets.within(SMOOTH * unit);
+        let facets = finer.as_ref().unwrap_or(facets);
         self.shaded(&facets.mesh, facets.mesh.normals(), look);
         let dark = blend(opaque(look.fill), Colour::rgb(0, 0, 0), 0.4);
         for line in &facets.isocurves {
@@ -53,18 +63,18 @@ impl Canvas {
     fn shaded(&mut self, mesh: &Mesh, normals: &[Vector3], look: &Look) {
         let flat = if normals.is_empty() { mesh.face_normals() } else { Vec::new() };
         let colours = mesh.colours();
-        let ambient = if colours.is_empty() { AMBIENT } else { AMBIENT_FALSE_COLOUR };
+        let ambient = match (colours.is_empty(), look.fill.a) {
+            (false, _) => AMBIENT_FALSE_COLOUR,
+            (true, 255) => AMBIENT,
+            (true, _) => AMBIENT_CLEAR,
+        };
         for (k, face) in mesh.faces().iter().enumerate() {
             let corner = |&i: &u32| {
                 let i = i as usize;
                 let p = *mesh.vertices().get(i)?;
                 let normal = normals.get(i).or_else(|| flat.get(k)).copied().unwrap_or(Vector3::Z);
-                let own = colours.get(i).map_or(look.fill, |[r, g, b, _]| Colour {
-                    r: *r,
-                    g: *g,
-                    b: *b,
-                    ..look.fill
-                });
+                // Colours that mean something let nothing through, as they would be others.
+                let own = colours.get(i).map_or(look.fill, |&[r, g, b, _]| Colour::rgb(r, g, b));
                 Some((p, lit(own, normal, self.camera.towards_lamp(p), ambient)))
             };
             let corners: Option<Vec<(Point3, Colour)>> = face.indices().iter().map(corner).collect();
@@ -84,6 +94,9 @@ impl Canvas {
         let place =
             |(p, colour): &(Point3, Colour)| Some(Corner { at: self.camera.project(*p)?, colour: *colour });
         let Some(corners) = corners.iter().map(place).collect::<Option<Vec<Corner>>>() else { return };
+        if !sign && self.is_twice(&corners) {
+            return;
+        }
         if let [a, b, c, d] = corners[..]
             && !is_flat_and_convex([a.at, b.at, c.at, d.at])
         {
@@ -92,6 +105,18 @@ impl Canvas {
         } else if corners.len() > 2 {
             self.solids.faces.push(Face { corners, sign });
         }
+    }
+
+    /// Whether a clear face lies where one is already, as where two boxes share a side: both would look like one of
+    /// half the clearness.
+    fn is_twice(&mut self, corners: &[Corner]) -> bool {
+        if corners.iter().all(|corner| corner.colour.a == 255) {
+            return false;
+        }
+        let mut key: Vec<[i64; 3]> =
+            corners.iter().map(|corner| corner.at.map(|x| (x / SAME).round() as i64)).collect();
+        key.sort_unstable();
+        !self.clear.insert(key)
     }
 
     pub(super) fn tile(&mut self, corners: &[Point3; 4], colours: &[Colour; 4]) {

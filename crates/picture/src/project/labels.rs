@@ -63,8 +63,12 @@ impl Labels {
                 };
                 let chosen = sides.iter().find(|side| free(&extent(side))).or_else(|| sides.first());
                 if let Some(side) = chosen {
-                    taken.push(extent(side));
-                    line.at = [p[0] + side.0[0], p[1] + side.0[1] + down];
+                    let extent = extent(side);
+                    // With no room on any side it is moved onto the picture, if its point is there.
+                    let seen = (0.0..=width).contains(&p[0]) && (0.0..=height).contains(&p[1]);
+                    let by = if seen { inwards(extent, [width, height]) } else { [0.0; 2] };
+                    taken.push([extent[0] + by[0], extent[1] + by[1], extent[2] + by[0], extent[3] + by[1]]);
+                    line.at = [p[0] + side.0[0] + by[0], p[1] + side.0[1] + down + by[1]];
                     line.anchor = side.1;
                 }
                 out.push(Item::Label(line));
@@ -72,6 +76,15 @@ impl Labels {
         }
         out
     }
+}
+
+/// How far a rectangle must be moved to lie on the picture; one that is too large keeps its left upper corner on it.
+fn inwards(e: Extent, [width, height]: [f64; 2]) -> [f64; 2] {
+    let by = |low: f64, high: f64, most: f64| {
+        let back = (most - 1.0 - high).min(0.0);
+        if low + back < 1.0 { 1.0 - low } else { back }
+    };
+    [by(e[0], e[2], width), by(e[1], e[3], height)]
 }
 
 fn meet(a: &Extent, b: &Extent) -> bool {

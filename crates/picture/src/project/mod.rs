@@ -5,13 +5,15 @@ mod furniture;
 mod labels;
 mod signs;
 
+use std::collections::HashSet;
+
 use katydid_data::Colour;
 use katydid_geometry::{Point3, Vector3};
 
 use crate::camera::{Camera, View};
-use crate::drawing::{Drawing, Item, Solids, SpaceLine, blend, opaque};
-use crate::scene::{Form, Place, Scene, Thing, tessellated};
-use crate::{Options, font};
+use crate::drawing::{Drawing, Item, Path, Shape, Solids, SpaceLine, Stroke, blend, opaque};
+use crate::scene::{Block, Form, Place, Scene, Thing, tessellated};
+use crate::{HiddenLines, Options, hidden};
 pub(crate) use furniture::gradient;
 use labels::Labels;
 
@@ -24,6 +26,8 @@ const BEFORE: f64 = 2.0;
 const PLANE: f64 = 20.0;
 /// Signs are smaller on pictures whose smaller side is less than this, in pixels, but by no more than that factor.
 const FULL_SIGNS: (f64, f64) = (500.0, 0.55);
+/// A dash and a gap of hidden lines, in pixels.
+const DASHES: [f64; 2] = [4.0, 3.0];
 /// Curves are drawn to this part of a pixel.
 const SMOOTH: f64 = 0.15;
 
@@ -34,6 +38,8 @@ pub(crate) struct Canvas {
     pub(crate) solids: Solids,
     pub(crate) labels: Labels,
     pub(crate) above: Vec<Item>,
+    /// Where clear faces are already.
+    clear: HashSet<Vec<[i64; 3]>>,
     /// How large signs are, over their full size.
     pub(crate) sign_size: f64,
     /// The colour of the ground, or what a clear ground is taken for.
@@ -48,18 +54,16 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
     let points = scene.extents();
     let side = size[0].min(size[1]);
     let sign_size = (side / FULL_SIGNS.0).clamp(FULL_SIGNS.1, 1.0);
-    // Planes are seen whole at the border too.
-    let planes = scene.things.iter().any(|thing| matches!(thing.form, Form::Plane(_)));
-    let least = if planes { 1.5 * PLANE * sign_size } else { MARGIN.1 };
-    let margin = (MARGIN.0 * side).max(least);
+    let margin = (MARGIN.0 * side).max(MARGIN.1);
     let ground = options.background.unwrap_or(Colour::rgb(255, 255, 255));
     let bright = 0.3 * f64::from(ground.r) + 0.59 * f64::from(ground.g) + 0.11 * f64::from(ground.b) > 110.0;
     let mut canvas = Canvas {
-        camera: Camera::fit(view, &points, size, margin),
+        camera: camera(scene, view, &points, size, margin, sign_size),
         size,
         solids: Solids::default(),
         labels: Labels::default(),
         above: Vec::new(),
+        clear: HashSet::new(),
         sign_size,
         ground,
         ink: if bright { Colour::rgb(34, 38, 46) } else { Colour::rgb(236, 238, 242) },
@@ -80,10 +84,68 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
     if !grid.is_empty() {
         drawing.items.push(Item::Group("Grid".to_owned(), grid));
     }
+    let over = behind(&mut canvas, options.hidden_lines);
     drawing.items.push(Item::Solids(canvas.solids));
+    if !over.is_empty() {
+        drawing.items.push(Item::Group("Hidden lines".to_owned(), over));
+    }
     drawing.items.extend(canvas.labels.placed(size, ground));
     drawing.items.extend(canvas.above);
     drawing
+}
+
+/// Takes the stretches behind faces out of the lines, and gives what is drawn of them over the faces.
+fn behind(canvas: &mut Canvas, choice: HiddenLines) -> Vec<Item> {
+    if choice == HiddenLines::Natural {
+        return Vec::new();
+    }
+    let [seen, hidden] = hidden::part(&canvas.solids, BEFORE);
+    canvas.solids.lines = seen;
+    let stroke = |line: &SpaceLine| match choice {
+        HiddenLines::Natural | HiddenLines::Hide => None,
+        // What is too short for a dash and a gap.
+        HiddenLines::Dash if hidden::is_short(line) => Some(Stroke::solid(line.colour, line.width)),
+        HiddenLines::Show => Some(Stroke::solid(line.colour, line.width)),
+        HiddenLines::Dash => {
+            let width = (0.7 * line.width).max(0.5);
+            Some(Stroke { colour: line.colour, width, dashes: DASHES.to_vec() })
+        }
+    };
+    let shape = |line: &SpaceLine| {
+        let path = Path::polyline(line.points.iter().map(|p| [p[0], p[1]]));
+        Some(Shape { path, fill: None, stroke: Some(stroke(line)?) }.into())
+    };
+    hidden.iter().filter_map(shape).collect()
+}
+
+/// How often the camera steps back until signs of one size on the picture are seen whole.
+const STEPS_BACK: usize = 4;
+
+/// The camera that sees everything, and planes and symbols at the border whole too.
+fn camera(
+    scene: &Scene,
+    view: View,
+    points: &[Point3],
+    size: [f64; 2],
+    margin: f64,
+    sign_size: f64,
+) -> Camera {
+    let mut camera = Camera::fit(view, points, size, margin);
+    let has_size = points.iter().any(|p| points.first().is_some_and(|first| p != first));
+    if !has_size {
+        return camera;
+    }
+    for _ in 0..STEPS_BACK {
+        let mut all = points.to_vec();
+        for thing in &scene.things {
+            signs::reach(&camera, &thing.form, sign_size, &mut all);
+        }
+        if all.len() == points.len() {
+            break;
+        }
+        camera = Camera::fit(view, &all, size, margin);
+    }
+    camera
 }
 
 impl Canvas {
@@ -104,6 +166,7 @@ impl Canvas {
             Form::Mesh(mesh) => self.mesh(mesh, &look),
             Form::Surface(facets) => self.surface(facets, &look),
             Form::Plane(plane) => self.plane(plane, &look),
+            Form::Tip(at, way) => self.tip(*at, *way, look.line, look.width),
             Form::Arrow(from, along) => self.arrow(*from, *along, look.line, look.width),
             Form::Tag { at, text, size, place } => {
                 if let Some([x, y, _]) = self.camera.project(*at) {
@@ -137,7 +200,8 @@ impl Canvas {
     fn plane(&mut self, plane: &katydid_geometry::Plane, look: &crate::scene::Look) {
         let r = PLANE * self.sign_size * self.camera.unit(plane.origin);
         let at = |u: f64, v: f64| plane.at(u * r, v * r, 0.0);
-        let corners = [at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0), at(-1.0, -1.0)];
+        let [a, b, c, d] = signs::corners(&self.camera, plane, self.sign_size);
+        let corners = [a, b, c, d, a];
         let faint = blend(self.ground, opaque(look.line), 0.5);
         self.line(&corners, faint, 1.0, BEFORE);
         for k in [-0.5, 0.5] {
@@ -168,20 +232,10 @@ impl Canvas {
         if !(pixels.is_finite() && pixels > 0.5) {
             return;
         }
-        let lines: Vec<&str> = text.lines().collect();
-        let count = lines.len().max(1) as f64;
-        // 1 to 9 as on a telephone: 1 top left, 5 in the middle, 9 bottom right.
-        let place = justification.clamp(1, 9) - 1;
-        let first = match place / 3 {
-            0 => 0.75,
-            1 => 0.75 - 0.6 * count,
-            _ => -1.2 * (count - 1.0),
-        };
-        for (k, line) in lines.iter().enumerate() {
-            let down = (first + 1.2 * k as f64) * pixels;
-            let wide = font::width(line, pixels) * f64::from(place % 3) * 0.5;
-            let at = [o[0] + turn[2] * down - turn[0] * wide, o[1] + turn[3] * down - turn[1] * wide];
-            let mut label = crate::drawing::Label::new(at, *line, pixels, colour);
+        for ([along, up], line) in Block::new(text, justification).lines() {
+            let [along, down] = [along * pixels, -up * pixels];
+            let at = [o[0] + turn[0] * along + turn[2] * down, o[1] + turn[1] * along + turn[3] * down];
+            let mut label = crate::drawing::Label::new(at, line, pixels, colour);
             label.turn = turn;
             self.above.push(label.into());
         }

@@ -1,10 +1,12 @@
 //! Signs of one size on the picture: crosses, dots, symbols, heads of arrows. They have the depth of their place.
 
 use katydid_data::{Colour, Symbol};
-use katydid_geometry::{Point3, Vector3};
+use katydid_geometry::{Plane, Point3, Vector3};
 
-use super::{BEFORE, Canvas};
+use super::{BEFORE, Canvas, PLANE};
+use crate::camera::Camera;
 use crate::drawing::{Corner, Face, SpaceLine};
+use crate::scene::Form;
 
 /// The arms of a cross, in pixels.
 const ARM: f64 = 4.0;
@@ -12,6 +14,31 @@ const ARM: f64 = 4.0;
 const HEAD: [f64; 2] = [11.0, 4.0];
 /// No dot is smaller or larger on the picture than this, in pixels.
 const DOT: [f64; 2] = [1.5, 400.0];
+/// An arrow shorter than this in space, in pixels, has no direction that could be seen.
+const SHORT: f64 = 3.0;
+/// No symbol has a larger radius on the picture, in pixels.
+const SYMBOL: f64 = 500.0;
+
+/// The corners of a plane's square.
+pub(super) fn corners(camera: &Camera, plane: &Plane, sign_size: f64) -> [Point3; 4] {
+    let r = PLANE * sign_size * camera.unit(plane.origin);
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(u, v)| plane.at(u * r, v * r, 0.0))
+}
+
+/// Adds how far a sign of one size on the picture reaches, as points of the model.
+pub(super) fn reach(camera: &Camera, form: &Form, sign_size: f64, out: &mut Vec<Point3>) {
+    match form {
+        Form::Plane(plane) => out.extend(corners(camera, plane, sign_size).iter().filter(|p| p.is_finite())),
+        Form::Symbol(p, symbol) => {
+            let r = 0.5 * symbol.size[0];
+            // A symbol that fills the picture leaves no room to step back to.
+            if p.is_finite() && r.is_finite() && r > 0.0 {
+                out.extend(camera.around(*p, r.min(0.2 * SYMBOL)));
+            }
+        }
+        _ => {}
+    }
+}
 
 impl Canvas {
     pub(super) fn cross(&mut self, p: Point3, colour: Colour, width: f64) {
@@ -58,6 +85,10 @@ impl Canvas {
         let [a, b] = [*a, *b].map(|p| [p[0], p[1], p[2] + BEFORE]);
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = dx.hypot(dy);
+        if along.length() < SHORT * self.camera.unit(tip) {
+            self.stroke(vec![a, b], colour, width);
+            return;
+        }
         if length < 1.0 {
             // Seen along its direction: a dot in a ring comes to the viewer, a ring with a cross goes away.
             let z = end[2] + 2.0 * BEFORE;
@@ -78,7 +109,7 @@ impl Canvas {
             }
             return;
         }
-        let scale = (self.sign_size.max(0.75) * width / 1.5).clamp(0.6, 4.0).min(0.6 * length / HEAD[0]);
+        let scale = self.head_size(width).min(0.6 * length / HEAD[0]);
         let (ux, uy) = (dx / length, dy / length);
         let back = (HEAD[0] * scale / length).min(1.0);
         let base = [0, 1, 2].map(|k| b[k] - (b[k] - a[k]) * back);
@@ -90,6 +121,27 @@ impl Canvas {
         self.sign([[b[0], b[1], b[2] + 0.5], side(1.0), side(-1.0)], colour);
     }
 
+    /// How large the head of an arrow is, over its full size.
+    fn head_size(&self, width: f64) -> f64 {
+        (self.sign_size.max(0.75) * width / 1.5).clamp(0.6, 4.0)
+    }
+
+    /// The head of an arrow alone; none where there is no room for one.
+    pub(super) fn tip(&mut self, at: Point3, way: Vector3, colour: Colour, width: f64) {
+        let (Some(a), Some(b)) = (self.camera.project(at - way), self.camera.project(at)) else { return };
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let scale = self.head_size(width).min(length / HEAD[0]);
+        if !(scale > 0.2) {
+            return;
+        }
+        let [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+        let (long, wide) = (HEAD[0] * scale, HEAD[1] * scale);
+        let z = b[2] + BEFORE + 0.5;
+        let side = |s: f64| [b[0] - ux * long - s * uy * wide, b[1] - uy * long + s * ux * wide, z];
+        let colour = self.solid(colour);
+        self.sign([[b[0], b[1], z], side(1.0), side(-1.0)], colour);
+    }
+
     pub(super) fn symbol(&mut self, p: Point3, symbol: &Symbol) {
         let Some([x, y, z]) = self.camera.project(p) else { return };
         let z = z + 2.0 * BEFORE;
@@ -97,11 +149,30 @@ impl Canvas {
         if !(r.is_finite() && r > 0.0) {
             return;
         }
-        let r = r.min(500.0);
+        let r = r.min(SYMBOL);
         let turned = |u: f64, v: f64| {
             let (sin, cos) = symbol.rotation.sin_cos();
             [x + r * (u * cos - v * sin), y + r * (u * sin + v * cos), z]
         };
+        let square = |r: f64, nearer: f64| {
+            [[-r, -r], [r, -r], [r, r], [-r, r]].map(|[u, v]| {
+                let [x, y, z] = turned(u, v);
+                [x, y, z + nearer]
+            })
+        };
+        match symbol.style {
+            // Rhino's points: plain, of a border, and of a border with a core.
+            0 => return self.sign(square(1.0, 0.0), symbol.fill),
+            1 | 2 => {
+                self.sign(square(1.0, 0.0), symbol.edge);
+                self.sign(square(0.7, 0.2), self.ground);
+                if symbol.style == 2 {
+                    self.sign(square(0.4, 0.4), symbol.fill);
+                }
+                return;
+            }
+            _ => {}
+        }
         let outline: Vec<[f64; 3]> = match symbol.style {
             // Crosses of two kinds have no inside.
             3 | 6 => {

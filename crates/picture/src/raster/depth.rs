@@ -97,10 +97,32 @@ fn triangles(face: &Face, out: &mut Vec<Triangle>) {
     let first = face.corners.first().map(|corner| corner.colour);
     let same = face.corners.iter().all(|corner| Some(corner.colour) == first);
     let plain = first.filter(|_| same).map(|c| [c.r, c.g, c.b, c.a]);
+    // The colours of a quad run into one another alike along both diagonals.
+    if plain.is_none() && spots.len() == 4 {
+        let middle = middle(&spots);
+        for (k, &a) in spots.iter().enumerate() {
+            if let Some(&b) = spots.get((k + 1) % spots.len()) {
+                out.push(Triangle { spots: [middle, a, b], plain });
+            }
+        }
+        return;
+    }
     let Some(&a) = spots.first() else { return };
     for pair in spots.get(1..).unwrap_or(&[]).windows(2) {
         let [b, c] = *pair else { continue };
         out.push(Triangle { spots: [a, b, c], plain });
+    }
+}
+
+/// The mean of some places and their colours.
+fn middle(spots: &[Spot]) -> Spot {
+    let n = spots.len().max(1) as f64;
+    let mean = |of: &dyn Fn(&Spot) -> f64| spots.iter().map(of).sum::<f64>() / n;
+    Spot {
+        x: mean(&|s| s.x),
+        y: mean(&|s| s.y),
+        depth: mean(&|s| s.depth),
+        colour: [0, 1, 2, 3].map(|k| mean(&|s| s.colour.get(k).copied().unwrap_or(0.0))),
     }
 }
 

@@ -9,7 +9,7 @@ use katydid_component::registry;
 use katydid_data::cast::Rules;
 use katydid_data::{Colour, Kind};
 use katydid_definition::archive;
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::{Document, Object, ids};
 use katydid_geometry::BoundingBox;
 use katydid_solver::{Engine, Inputs};
 
@@ -48,13 +48,16 @@ pub(crate) struct Painter<'a> {
 /// preview colour or the material of a Custom Preview, and what display components draw.
 pub fn result(engine: &Engine, options: &Options) -> Picture {
     let document = engine.document();
-    let mut painter = Painter::new(engine, options);
+    let mut painter = Painter::new(engine);
     let inputs = Inputs::new(engine);
     for (index, object) in document.objects.iter().enumerate() {
         if object.hidden || object.locked || object.is_annotation() {
             continue;
         }
-        painter.outputs(engine, index, object);
+        // A panel hands geometry on, but shows it as text.
+        if object.component != ids::PANEL {
+            painter.outputs(engine, index, object);
+        }
         if let Some(draw) = display::of(object) {
             let trees = inputs.of(index);
             let access = registry::by_guid(object.component).map_or(&[][..], |component| component.inputs);
@@ -77,12 +80,11 @@ pub fn result(engine: &Engine, options: &Options) -> Picture {
 }
 
 impl<'a> Painter<'a> {
-    fn new(engine: &'a Engine, options: &Options) -> Self {
+    fn new(engine: &'a Engine) -> Self {
         let fill = engine.document().header.preview_normal.map_or(PREVIEW, colour);
-        let fineness = (options.size.iter().copied().max().unwrap_or(0) / 20).clamp(24, 64) as usize;
         Self {
             scene: Scene::default(),
-            values: Values::new(fineness),
+            values: Values::new(),
             rules: &engine.options().rules,
             look: Look { line: opaque(fill), fill, width: WIDTH },
         }
@@ -109,7 +111,7 @@ pub(crate) fn colour(c: archive::Colour) -> Colour {
 
 /// From above where everything is on one height, else in perspective.
 fn own_view(scene: &Scene) -> View {
-    let Some(bounds) = BoundingBox::from_points(scene.extents()) else { return View::Perspective };
+    let Some(bounds) = BoundingBox::from_points(scene.places()) else { return View::Perspective };
     let size = bounds.diagonal();
     let flat = size.z <= 1e-6 * size.length();
     // Planes and solids stand up even where their middles do not.
@@ -138,7 +140,7 @@ fn description(scene: &Scene, view: View) -> String {
             Form::Plane(_) => 4,
             Form::Arrow(..) => 5,
             Form::Tag { .. } | Form::Writing { .. } => 6,
-            Form::Tile(..) => continue,
+            Form::Tile(..) | Form::Tip(..) => continue,
         };
         counts[place] += 1;
     }

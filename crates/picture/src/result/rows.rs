@@ -3,34 +3,24 @@
 
 use std::ops::Range;
 
-use katydid_component::Access;
+use katydid_component::{Access, Matching};
 use katydid_data::{Column, Item, Tree};
 
 /// The data of one iteration.
 pub(crate) struct Row<'a> {
     inputs: &'a [Tree],
-    ranges: Vec<Range<usize>>,
+    ranges: &'a [Range<usize>],
     i: usize,
 }
 
 /// Calls `each` for every iteration that a component with these inputs makes.
 pub(crate) fn for_each(inputs: &[Tree], access: &[Access], mut each: impl FnMut(&Row<'_>)) {
     let of = |k: usize| access.get(k).copied().unwrap_or(Access::Item);
-    let matched = || inputs.iter().enumerate().filter(|(k, tree)| of(*k) != Access::Tree && !tree.is_empty());
-    let sets = matched().map(|(_, tree)| tree.branch_count()).max().unwrap_or(1);
-    for set in 0..sets {
-        let range = |tree: &Tree| match tree.branch_count() {
-            0 => 0..0,
-            count => tree.range(set.min(count - 1)),
-        };
-        let ranges: Vec<Range<usize>> = inputs.iter().map(range).collect();
-        let items = || matched().filter(|(k, _)| of(*k) == Access::Item).filter_map(|(k, _)| ranges.get(k));
-        let count = if items().any(Range::is_empty) { 0 } else { items().map(Range::len).max().unwrap_or(1) };
-        let mut row = Row { inputs, ranges, i: 0 };
-        for i in 0..count {
-            row.i = i;
-            each(&row);
-        }
+    let access: Vec<Access> = (0..inputs.len()).map(of).collect();
+    let matching = Matching::new(inputs, &access, None);
+    for i in 0..matching.iterations() {
+        let set = matching.set_of(i);
+        each(&Row { inputs, ranges: matching.ranges(set), i: i - matching.set_range(set).start });
     }
 }
 

@@ -12,7 +12,6 @@ use crate::scene::{Facets, Form, Look, Scene};
 /// Turns values into things, each only once: a point that goes through five parameters is one cross.
 #[derive(Debug)]
 pub(crate) struct Values {
-    fineness: usize,
     /// What has been seen, with its colour. The values are kept, so that no address is used twice.
     seen: HashSet<(Key, Colour)>,
     kept: Vec<Value>,
@@ -28,9 +27,8 @@ enum Key {
 }
 
 impl Values {
-    /// Surfaces get about `fineness` rows of facets where they are curved.
-    pub(crate) fn new(fineness: usize) -> Self {
-        Self { fineness, seen: HashSet::new(), kept: Vec::new(), left_out: Vec::new() }
+    pub(crate) fn new() -> Self {
+        Self { seen: HashSet::new(), kept: Vec::new(), left_out: Vec::new() }
     }
 
     /// Adds what a value of the object `of` looks like. What has no look, such as a number or a vector, adds nothing.
@@ -57,7 +55,7 @@ impl Values {
                     _ => return self.leave_out(of, "a box without volume"),
                 }
             }
-            Value::Surface(surface) => match Facets::new(surface, self.fineness) {
+            Value::Surface(surface) => match Facets::new(surface) {
                 Some(facets) => Form::Surface(Shared::new(facets)),
                 None => return self.leave_out(of, "a surface without a NURBS form"),
             },

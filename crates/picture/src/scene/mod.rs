@@ -1,5 +1,6 @@
 //! What a definition shows, in the model's own space.
 
+mod block;
 mod surface;
 
 use std::sync::Arc as Shared;
@@ -7,6 +8,7 @@ use std::sync::Arc as Shared;
 use katydid_data::{Colour, Symbol};
 use katydid_geometry::{Curve, Mesh, Plane, Point3, PolylineLimits, Vector3};
 
+pub(crate) use block::Block;
 pub(crate) use surface::Facets;
 
 /// Everything that is to be seen.
@@ -54,6 +56,8 @@ pub(crate) enum Form {
     Plane(Plane),
     /// An arrow from a point.
     Arrow(Point3, Vector3),
+    /// The head of an arrow alone: its tip, and the way to it with as much room as there is.
+    Tip(Point3, Vector3),
     /// A text that faces the viewer, of this height in pixels.
     Tag { at: Point3, text: String, size: f64, place: Place },
     /// A text on a plane, of this height in units of the model; 1 to 9: which part of it is at the origin.
@@ -95,6 +99,19 @@ impl Scene {
         points.retain(|p| p.is_finite());
         points
     }
+
+    /// Points that say whether everything lies on one height: dots count where they are, not as balls.
+    pub(crate) fn places(&self) -> Vec<Point3> {
+        let mut points = Vec::new();
+        for thing in &self.things {
+            match thing.form {
+                Form::Dot(p, _) => points.push(p),
+                _ => extents(&thing.form, &mut points),
+            }
+        }
+        points.retain(|p| p.is_finite());
+        points
+    }
 }
 
 fn extents(form: &Form, out: &mut Vec<Point3>) {
@@ -115,10 +132,10 @@ fn extents(form: &Form, out: &mut Vec<Point3>) {
         Form::Surface(facets) => out.extend(facets.mesh.vertices()),
         Form::Plane(plane) => out.push(plane.origin),
         Form::Arrow(p, v) => out.extend([*p, *p + *v]),
-        Form::Writing { plane, text, size, .. } => {
-            let wide = crate::font::width(text, *size);
-            let corner = |u: f64, v: f64| plane.at(u * wide, v * size, 0.0);
-            out.extend([corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)]);
+        Form::Tip(p, _) => out.push(*p),
+        Form::Writing { plane, text, size, justification } => {
+            let [u0, v0, u1, v1] = Block::new(text, *justification).extent().map(|x| x * size);
+            out.extend([(u0, v0), (u1, v0), (u1, v1), (u0, v1)].map(|(u, v)| plane.at(u, v, 0.0)));
         }
         Form::Tile(corners, _) => out.extend(corners),
     }

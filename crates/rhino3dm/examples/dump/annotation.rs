@@ -1,8 +1,8 @@
 //! Annotations of all generations, text dots, lights, blocks and clipping planes.
 
 use katydid_3dm::{
-    Annotation, Annotation2, Annotation5, AnnotationKind, BlockReference, ClippingPlane, Dimension, Light,
-    TextDot,
+    Annotation, Annotation2, Annotation5, AnnotationKind, BlockReference, ClippingPlane, Dimension, Hatch,
+    Light, TextDot,
 };
 use katydid_geometry::{Plane, Point2};
 use serde_json::{Value, json};
@@ -49,13 +49,17 @@ pub(crate) fn annotation(a: &Annotation) -> Value {
 }
 
 pub(crate) fn annotation_5(a: &Annotation5) -> Value {
-    json!({"plain_text": a.text, "formula": a.text_formula, "plane": plane(&a.plane.frame),
+    // Text of archives before version 5 stands on its point; newer readers let it hang from one above.
+    let stands = a.number == 7 && a.justification == 0;
+    let frame = a.plane.frame;
+    let hung = if stands { frame.with_origin(frame.at(0.0, a.text_height, 0.0)) } else { frame };
+    json!({"plain_text": a.text, "formula": a.text_formula, "plane": plane(&hung),
         "flat_points": a.points.iter().map(|p| on(&a.plane.frame, *p)).collect::<Vec<_>>(),
         "height": a.text_height, "justification": a.justification})
 }
 
 pub(crate) fn annotation_2(a: &Annotation2) -> Value {
-    json!({"plain_text": a.text(), "plane": plane(&a.plane.frame),
+    json!({"plain_text": a.text(), "stored_plane": plane(&a.plane.frame),
         "flat_points": a.points.iter().map(|p| on(&a.plane.frame, *p)).collect::<Vec<_>>()})
 }
 
@@ -81,4 +85,9 @@ pub(crate) fn clipping_plane(clipping: &ClippingPlane) -> Value {
     let surface = clipping.surface().map(|s| surface(&s.into()));
     json!({"plane": plane(&clipping.plane.frame), "enabled": clipping.enabled, "depth": clipping.depth,
         "views": clipping.viewports.len(), "surface": surface.ok()})
+}
+
+pub(crate) fn hatch(hatch: &Hatch) -> Value {
+    json!({"plane": plane(&hatch.plane.frame), "scale": hatch.scale, "rotation": hatch.rotation,
+        "pattern": hatch.pattern, "loops": hatch.loops.len(), "base_point": on(&hatch.plane.frame, hatch.base_point)})
 }

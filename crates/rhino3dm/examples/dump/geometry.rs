@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::annotation;
 use crate::brep::brep;
 use crate::curve::curve;
-use crate::mesh::mesh;
+use crate::mesh::{mesh, subd};
 use crate::numbers::{point, points, vectors};
 use crate::surface::surface;
 
@@ -27,9 +27,11 @@ pub(crate) fn geometry(object: &Object) -> Value {
             json!({"start": point(e.path.at(e.part.start)), "end": point(e.path.at(e.part.end)),
             "profiles": e.profile_count, "caps": e.caps, "mitred": e.is_mitred})
         }
+        Object::SubD(s) => subd(s),
         Object::Annotation(a) => annotation::annotation(a),
         Object::Annotation5(a) => annotation::annotation_5(a),
         Object::Annotation2(a) => annotation::annotation_2(a),
+        Object::Hatch(hatch) => annotation::hatch(hatch),
         Object::TextDot(dot) => annotation::text_dot(dot),
         Object::Light(light) => annotation::light(light),
         Object::BlockReference(block) => annotation::block_reference(block),

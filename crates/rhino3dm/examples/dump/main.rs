@@ -44,6 +44,7 @@ fn archive(path: &str) -> Result<(), Box<dyn std::error::Error>> {
     println!(
         "{}",
         json!({"file": path, "version": model.archive_version, "units": model.units.name(), "notes": model.notes,
+            "application": model.application,
             "absolute": model.tolerance.absolute, "angle": model.tolerance.angle, "tables": tables(&model),
             "objects": model.objects.len(), "lights": model.lights.len(), "skipped": model.skipped,
             "warnings": warnings})

@@ -1,7 +1,7 @@
-//! Meshes.
+//! Meshes and SubDs.
 
 use base64::Engine;
-use katydid_3dm::{MeshObject, MeshParameters};
+use katydid_3dm::{MeshObject, MeshParameters, SubDObject};
 use katydid_geometry::Interval;
 use serde_json::{Value, json};
 
@@ -50,4 +50,19 @@ fn singles(numbers: &[f32]) -> String {
 
 fn doubles(numbers: &[f64]) -> String {
     packed(numbers.iter().flat_map(|x| x.to_le_bytes()))
+}
+
+pub(crate) fn subd(subd: &SubDObject) -> Value {
+    let levels: Vec<Value> = (subd.levels.iter())
+        .map(|level| {
+            json!({"counts": [level.vertices.len(), level.edges.len(), level.faces.len()],
+                "vertex_ids": level.vertices.iter().map(|v| v.part.id).collect::<Vec<_>>(),
+                "edge_ids": level.edges.iter().map(|e| e.part.id).collect::<Vec<_>>(),
+                "points": level.vertices.iter().map(|v| v.point).collect::<Vec<_>>(),
+                "vertex_tags": level.vertices.iter().map(|v| v.tag).collect::<Vec<_>>(),
+                "edge_tags": level.edges.iter().map(|e| e.tag).collect::<Vec<_>>(),
+                "sharpness": level.edges.iter().map(|e| e.sharpness).collect::<Vec<_>>()})
+        })
+        .collect();
+    json!({"levels": levels, "kernel": subd.to_subd().err().map(|e| e.to_string())})
 }

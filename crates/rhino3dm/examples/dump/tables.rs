@@ -1,7 +1,9 @@
 //! Tables: layers, materials, linetypes, groups, blocks and the attributes that refer to them.
 
-use katydid_3dm::{Attributes, LinetypeChoice, Model, Source};
+use katydid_3dm::{Attributes, LinetypeChoice, Model, Source, View, ViewProjection};
 use serde_json::{Value, json};
+
+use crate::numbers::{point, vector};
 
 /// The tables of a model.
 pub(crate) fn tables(model: &Model) -> Value {
@@ -36,7 +38,34 @@ pub(crate) fn tables(model: &Model) -> Value {
                 "members": members, "file": block.link().map_or("", |link| link.file.path())})
         })
         .collect();
-    json!({"layers": layers, "materials": materials, "linetypes": linetypes, "groups": groups, "blocks": blocks})
+    let styles: Vec<Value> = (model.dimension_styles().iter())
+        .map(|s| {
+            json!({"name": s.name, "id": s.id.to_string(), "arrow": s.arrow_length, "text": s.text_height,
+                "extension": s.extension_line_extension, "offset": s.extension_line_offset,
+                "centermark": s.centermark_size, "gap": s.text_gap})
+        })
+        .collect();
+    let patterns: Vec<Value> = (model.hatch_patterns.iter())
+        .map(|p| json!({"name": p.name, "description": p.description, "number": p.number}))
+        .collect();
+    let page = model.page_settings().map(|page| {
+        let earth = page.earth.as_ref();
+        json!({"units": page.units.name(), "absolute": page.tolerance.absolute, "angle": page.tolerance.angle,
+            "base": point(page.base_point), "position": earth.and_then(|earth| earth.position),
+            "elevation": earth.map(|earth| earth.elevation)})
+    });
+    json!({"views": views(&model.views()), "named_views": views(&model.named_views()),
+        "dimension_styles": styles, "hatch_patterns": patterns, "page": page, "layers": layers, "materials": materials, "linetypes": linetypes, "groups": groups, "blocks": blocks})
+}
+
+fn views(views: &[View]) -> Vec<Value> {
+    let perspective = |view: &View| view.projection == ViewProjection::Perspective;
+    (views.iter())
+        .map(|v| {
+            json!({"name": v.name, "camera": point(v.camera), "direction": vector(v.direction),
+                "up": vector(v.up), "frustum": v.frustum, "perspective": perspective(v)})
+        })
+        .collect()
 }
 
 /// The parts of attributes that rhino3dm shows, too.

@@ -165,7 +165,7 @@ impl Attributes {
                 typecode::CLASS_USER_DATA => {
                     let added = UserData::read(chunk.body).and_then(|data| self.add_user_data(data));
                     if let Err(error) = added {
-                        context.warn(chunk.offset, format!("attribute user data left out: {error}"));
+                        context.left_out(chunk.offset, "attribute user data", error);
                     }
                 }
                 typecode::CLASS_END => break,

@@ -1,45 +1,7 @@
-use std::cell::{Cell, RefCell};
-
-use crate::crc::RunningCrc;
+use super::context::{Context, OpenChunk};
+use crate::crc::{Crc16, RunningCrc};
 use crate::version::Version;
-use crate::{Error, Limits, Result, Warning, typecode};
-
-/// What all readers of one archive share: the limits, what they have used of them, and the warnings.
-#[derive(Debug)]
-pub(crate) struct Context {
-    pub(crate) limits: Limits,
-    inflated: Cell<u64>,
-    warnings: RefCell<Vec<Warning>>,
-}
-
-impl Context {
-    pub(crate) fn new(limits: &Limits) -> Self {
-        Self { limits: limits.clone(), inflated: Cell::new(0), warnings: RefCell::default() }
-    }
-
-    /// Notes something odd, up to the number of warnings the limits allow.
-    pub(crate) fn warn(&self, offset: usize, message: impl Into<String>) {
-        let mut warnings = self.warnings.borrow_mut();
-        if warnings.len() < self.limits.warnings {
-            warnings.push(Warning { offset, message: message.into() });
-        }
-    }
-
-    /// Takes `size` bytes out of the budget for inflated data.
-    pub(crate) fn spend_inflated(&self, offset: usize, size: u64) -> Result<()> {
-        let limit = self.limits.inflated.saturating_sub(self.inflated.get());
-        if size > limit {
-            return Err(Error::TooLarge { offset, size, limit });
-        }
-        self.inflated.set(self.inflated.get().saturating_add(size));
-        Ok(())
-    }
-
-    /// The warnings so far, in the order they came.
-    pub(crate) fn into_warnings(self) -> Vec<Warning> {
-        self.warnings.into_inner()
-    }
-}
+use crate::{Error, Result, typecode};
 
 /// One chunk, its header read and its extent known to lie within the bytes.
 #[derive(Debug)]
@@ -67,6 +29,10 @@ pub(crate) struct Reader<'a> {
     depth: usize,
     crc: RunningCrc,
     stored_crc: Option<u32>,
+    /// In version 1: the CRC of the chunk's own bytes so far, and up to where it goes.
+    crc16: Option<(Crc16, usize)>,
+    /// The chunk that this is the body of, for messages.
+    chunk: Option<OpenChunk>,
     version: Version,
     context: &'a Context,
 }
@@ -81,6 +47,8 @@ impl<'a> Reader<'a> {
             depth: 0,
             crc: RunningCrc::default(),
             stored_crc: None,
+            crc16: None,
+            chunk: None,
             version,
             context,
         }
@@ -160,19 +128,69 @@ impl<'a> Reader<'a> {
         Some(u32::from_le_bytes(bytes.try_into().ok()?))
     }
 
+    /// Passes over one chunk without opening it; gives its typecode. Nothing when its extent passes the end.
+    pub(crate) fn hop(&mut self) -> Option<u32> {
+        let typecode = u32::from_le_bytes(self.array("chunk typecode").ok()?);
+        let value = if self.version.is_wide() {
+            i64::from_le_bytes(self.array("chunk length").ok()?)
+        } else {
+            i64::from(u32::from_le_bytes(self.array("chunk length").ok()?))
+        };
+        if typecode & typecode::SHORT == 0 {
+            self.take(usize::try_from(value).ok()?, "chunk body").ok()?;
+        }
+        Some(typecode)
+    }
+
+    /// The same reader over other bytes that begin where its own do.
+    pub(crate) fn over(&self, data: &'a [u8]) -> Self {
+        Self { data, stored_crc: None, ..self.clone() }
+    }
+
+    /// Goes to an offset that this reader has passed or not, if it lies in its bytes.
+    pub(crate) fn go_to(&mut self, offset: usize) {
+        self.position = offset.saturating_sub(self.base).min(self.data.len());
+        self.crc.skip_to(self.position);
+    }
+
+    /// The next chunk although its body is cut short: its body is all there is. Nothing when even its header is
+    /// not there, or when it is a short chunk.
+    pub(crate) fn cut_chunk(&mut self) -> Option<Chunk<'a>> {
+        let offset = self.offset();
+        let typecode = self.peek_typecode().filter(|typecode| typecode & typecode::SHORT == 0)?;
+        self.take(if self.version.is_wide() { 12 } else { 8 }, "chunk header").ok()?;
+        let base = self.offset();
+        let whole = self.rest();
+        let chunk = self.context.open(typecode, offset, self.offset(), self.chunk);
+        let body = Reader {
+            data: whole,
+            position: 0,
+            base,
+            depth: self.depth + 1,
+            stored_crc: None,
+            chunk,
+            ..self.clone()
+        };
+        Some(Chunk { typecode, value: i64::try_from(whole.len()).unwrap_or(i64::MAX), offset, body, whole })
+    }
+
     /// The next chunk; this reader goes on behind it.
     pub(crate) fn chunk(&mut self) -> Result<Chunk<'a>> {
         let offset = self.offset();
         // The bytes up to here are this chunk's own; those of the nested one are not.
-        self.crc.feed(self.data, self.position);
+        self.take_in();
         let typecode = u32::from_le_bytes(self.array("chunk typecode")?);
-        let short = typecode & typecode::SHORT != 0;
+        let first = self.version.archive == 1;
+        let mut short = typecode & typecode::SHORT != 0;
         let value = if self.version.is_wide() {
             i64::from_le_bytes(self.array("chunk length")?)
         } else {
             let bytes = self.array("chunk length")?;
+            let signed = i32::from_le_bytes(bytes);
+            // In version 1 a length below zero, or the typecode zero, make a short chunk.
+            short |= first && (typecode == 0 || signed < 0);
             if short && !typecode::is_unsigned_short(typecode) {
-                i64::from(i32::from_le_bytes(bytes))
+                i64::from(signed)
             } else {
                 i64::from(u32::from_le_bytes(bytes))
             }
@@ -190,8 +208,7 @@ impl<'a> Reader<'a> {
                 .map_err(|_| Error::malformed(offset, "chunk length", format!("{value} is no length")))?;
             data = self.take(length, "chunk body")?;
             whole = data;
-            // Version 1 marks its CRCs otherwise; it is not read.
-            if typecode & typecode::CRC != 0 {
+            if !first && typecode & typecode::CRC != 0 {
                 let Some((body, crc)) = data.split_last_chunk::<4>() else {
                     return Err(Error::malformed(offset, "chunk", "it is too short for its CRC"));
                 };
@@ -199,7 +216,8 @@ impl<'a> Reader<'a> {
                 stored_crc = Some(u32::from_le_bytes(*crc));
             }
         }
-        self.crc.skip_to(self.position);
+        self.leave_out();
+        let crc16 = (first && typecode::has_crc16(typecode)).then_some((Crc16::START, 0));
         let body = Reader {
             data,
             position: 0,
@@ -207,10 +225,29 @@ impl<'a> Reader<'a> {
             depth,
             crc: RunningCrc::default(),
             stored_crc,
+            crc16,
+            chunk: self.context.open(typecode, offset, self.offset(), self.chunk),
             version: self.version,
             context: self.context,
         };
         Ok(Chunk { typecode, value, offset, body, whole })
+    }
+
+    /// Takes the chunk's own bytes read so far into its CRC.
+    fn take_in(&mut self) {
+        self.crc.feed(self.data, self.position);
+        if let Some((crc, fed)) = &mut self.crc16 {
+            *crc = crc.and(self.data.get(*fed..self.position).unwrap_or_default());
+            *fed = self.position;
+        }
+    }
+
+    /// Leaves a nested chunk out of the CRC.
+    fn leave_out(&mut self) {
+        self.crc.skip_to(self.position);
+        if let Some((_, fed)) = &mut self.crc16 {
+            *fed = self.position;
+        }
     }
 
     /// The body of the next chunk, which must have the given typecode.
@@ -247,6 +284,9 @@ impl<'a> Reader<'a> {
     /// Ends the reading of a chunk: when all of it was read, its CRC is compared and a difference noted.
     /// A chunk left half read cannot be checked, since its nested chunks are not known.
     pub(crate) fn finish(mut self) {
+        if self.crc16.is_some() {
+            self.finish_crc16();
+        }
         let Some(stored) = self.stored_crc else { return };
         if !self.is_at_end() {
             return;
@@ -254,10 +294,22 @@ impl<'a> Reader<'a> {
         self.crc.feed(self.data, self.position);
         let found = self.crc.value();
         if found != stored {
-            self.context.warn(
+            self.context.bad_crc(
                 self.base,
                 format!("CRC mismatch: the chunk stores {stored:08X}, its bytes give {found:08X}"),
             );
+        }
+    }
+
+    /// Chunks of version 1 have a CRC when two bytes are left of them.
+    fn finish_crc16(&mut self) {
+        if self.left() != 2 {
+            return;
+        }
+        self.take_in();
+        let rest = self.rest();
+        if self.crc16.is_some_and(|(crc, _)| !crc.and(rest).is_right()) {
+            self.context.bad_crc(self.base, "CRC mismatch in a chunk of version 1");
         }
     }
 

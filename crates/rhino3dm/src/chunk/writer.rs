@@ -65,8 +65,8 @@ impl Writer {
     pub(crate) fn foreign_chunk(&mut self, typecode: u32, body: &[u8]) -> Result<()> {
         self.suspend();
         self.out.extend_from_slice(&typecode.to_le_bytes());
-        let length = self.length(body.len())?;
-        self.out.extend_from_slice(&length);
+        let (length, width) = self.length(body.len())?;
+        self.out.extend_from_slice(length.get(..width).unwrap_or_default());
         self.out.extend_from_slice(body);
         self.resume();
         Ok(())
@@ -87,7 +87,7 @@ impl Writer {
         self.suspend();
         self.out.extend_from_slice(&typecode.to_le_bytes());
         let place = self.out.len();
-        let width = self.length(0)?.len();
+        let (_, width) = self.length(0)?;
         self.out.resize(place + width, 0);
         let start = self.out.len();
         self.open.push(RunningCrc::starting_at(start));
@@ -98,9 +98,9 @@ impl Writer {
             crc.feed(&self.out, self.out.len());
             self.out.extend_from_slice(&crc.value().to_le_bytes());
         }
-        let length = self.length(self.out.len() - start)?;
-        if let Some(field) = self.out.get_mut(place..start) {
-            field.copy_from_slice(&length);
+        let (length, width) = self.length(self.out.len() - start)?;
+        if let (Some(field), Some(length)) = (self.out.get_mut(place..start), length.get(..width)) {
+            field.copy_from_slice(length);
         }
         self.resume();
         Ok(())
@@ -120,17 +120,17 @@ impl Writer {
         })
     }
 
-    /// A body length in the width of this archive.
-    fn length(&self, length: usize) -> Result<Vec<u8>> {
+    /// A body length, and how many of its bytes this archive stores.
+    fn length(&self, length: usize) -> Result<([u8; 8], usize)> {
+        let bytes = (length as u64).to_le_bytes();
         if self.version.is_wide() {
-            return Ok((length as u64).to_le_bytes().to_vec());
+            return Ok((bytes, 8));
         }
-        let length = u32::try_from(length).map_err(|_| Error::CannotWrite {
+        u32::try_from(length).map(|_| (bytes, 4)).map_err(|_| Error::CannotWrite {
             what: format!("a chunk of {length} bytes"),
             version: self.version.archive,
             why: "chunks of this version end at 4 GiB".into(),
-        })?;
-        Ok(length.to_le_bytes().to_vec())
+        })
     }
 
     /// A count of items, stored as a signed 32-bit number.

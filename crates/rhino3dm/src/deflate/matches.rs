@@ -61,16 +61,17 @@ impl<'a> Chains<'a> {
         if best.length >= most {
             return Match { length: best.length.min(left), start: best.start };
         }
+        // A longer match ends in these two bytes; most candidates fail here, so they are looked at first.
+        let mut last_two = pair(scan, best.length - 1);
         loop {
-            let there = &self.plain[candidate..candidate + most];
-            let end = best.length;
-            if there[end] == scan[end] && there[end - 1] == scan[end - 1] && there[..2] == scan[..2] {
-                let length = common_length(scan, there);
+            if pair(self.plain, candidate + best.length - 1) == last_two {
+                let length = common_length(scan, &self.plain[candidate..candidate + most]);
                 if length > best.length {
                     best = Match { length, start: candidate };
                     if length >= most {
                         break;
                     }
+                    last_two = pair(scan, length - 1);
                 }
             }
             candidate = self.before[candidate % WINDOW] as usize;
@@ -81,6 +82,11 @@ impl<'a> Chains<'a> {
         }
         best
     }
+}
+
+/// The two bytes at a place.
+fn pair(bytes: &[u8], place: usize) -> Option<[u8; 2]> {
+    bytes.get(place..place + 2).and_then(|two| two.try_into().ok())
 }
 
 /// How many bytes from the first on are the same.

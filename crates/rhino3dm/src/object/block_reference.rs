@@ -1,6 +1,6 @@
 //! Class InstanceReference (section 8): a block placed in the model.
 
-use katydid_geometry::{BoundingBox, Point3, Xform};
+use katydid_geometry::{BoundingBox, Xform};
 use uuid::Uuid;
 
 use super::major_1;
@@ -26,21 +26,18 @@ impl BlockReference {
 }
 
 const WHAT: &str = "block reference";
-/// The box openNURBS calls empty.
-const EMPTY: BoundingBox = BoundingBox { min: Point3::new(1.0, 0.0, 0.0), max: Point3::new(-1.0, 0.0, 0.0) };
 
 pub(super) fn read(body: &mut Reader<'_>) -> Result<BlockReference> {
     major_1(body, WHAT)?;
     let definition = body.uuid(WHAT)?;
     let transform = body.matrix(WHAT)?;
-    let bounds = body.corners(WHAT)?;
-    Ok(BlockReference { definition, transform, bounds: (bounds != EMPTY).then_some(bounds) })
+    Ok(BlockReference { definition, transform, bounds: body.bounds(WHAT)? })
 }
 
 pub(super) fn write(reference: &BlockReference, w: &mut Writer) -> Result<()> {
     w.packed_version(1, 0);
     w.uuid(reference.definition);
     w.matrix(&reference.transform);
-    w.corners(reference.bounds.as_ref().unwrap_or(&EMPTY));
+    w.bounds(reference.bounds);
     Ok(())
 }

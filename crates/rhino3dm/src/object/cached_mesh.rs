@@ -22,7 +22,7 @@ impl CachedMesh {
         }
         let context = reader.context();
         let mesh = Object::from_class(&object).unwrap_or_else(|error| {
-            context.warn(object.offset, format!("a mesh beside an object is kept as bytes: {error}"));
+            context.kept(object.offset, "a mesh beside an object", error);
             Object::Kept(object.to_raw())
         });
         let mut user_data = if matches!(mesh, Object::Kept(_)) { Vec::new() } else { object.user_data };

@@ -40,7 +40,7 @@ impl<'a> ClassObject<'a> {
                     let at = chunk.offset;
                     match UserData::read(chunk.body) {
                         Ok(data) => object.user_data.push(data),
-                        Err(error) => context.warn(at, format!("user data left out: {error}")),
+                        Err(error) => context.left_out(at, "user data", error),
                     }
                 }
                 typecode::CLASS_END => break,

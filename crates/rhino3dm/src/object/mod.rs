@@ -8,15 +8,19 @@ mod cached_mesh;
 mod class_object;
 mod clipping_plane;
 mod curve;
+mod detail_view;
 mod extrusion;
+mod hatch;
 mod light;
 mod mapping_tag;
 mod mesh;
+mod morph_control;
 mod nurbs_cage;
 mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod subd;
 mod surface;
 mod text_dot;
 mod user_data;
@@ -30,19 +34,27 @@ pub use brep::{BareSurface, BrepEdge, BrepObject, BrepSummary};
 pub use cached_mesh::CachedMesh;
 pub use clipping_plane::{ClippingPlane, Participants};
 pub use curve::{CurveForm, CurveOnSurface, NurbsForm};
+pub use detail_view::DetailView;
 pub use extrusion::{Extrusion, ExtrusionMesh};
+pub use hatch::{Hatch, HatchLoop};
 pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
 pub use mapping_tag::MappingTag;
 pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
+pub use morph_control::{Localizer, MorphControl, MorphShape};
 pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub use subd::{
+    PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
+    SubDObject, SubDPacking,
+};
 pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
+pub(crate) use brep::Reading as BrepReading;
 pub(crate) use class_object::{ClassObject, write_class};
 
 use class_object::write_null;
@@ -77,6 +89,10 @@ pub enum Object {
     Brep(Box<BrepObject>),
     /// Curves in a plane moved along a segment.
     Extrusion(Box<Extrusion>),
+    /// A mesh with everything that archives keep of one.
+    Mesh(Box<MeshObject>),
+    /// A subdivision surface with everything that archives keep of one.
+    SubD(Box<SubDObject>),
     /// Text at a point, turned to the viewer.
     TextDot(TextDot),
     /// A block placed in the model.
@@ -85,16 +101,20 @@ pub enum Object {
     Light(Box<Light>),
     /// A rectangle that cuts the views.
     ClippingPlane(Box<ClippingPlane>),
+    /// A region of a plane filled with a pattern.
+    Hatch(Box<Hatch>),
+    /// A window of a page into the model.
+    DetailView(Box<DetailView>),
     /// A NURBS volume.
     NurbsCage(Box<NurbsCage>),
+    /// A curve, surface or volume that bends other objects along with it.
+    MorphControl(Box<MorphControl>),
     /// Text, a leader or a dimension of version 6 and later.
     Annotation(Box<Annotation>),
     /// Text, a leader or a dimension as versions 4 and 5 have it. The official reader takes it for one of version 6.
     Annotation5(Box<Annotation5>),
     /// Text, a leader or a dimension as version 2 has it. The official reader takes it for one of version 6.
     Annotation2(Box<Annotation2>),
-    /// A mesh with everything that archives keep of one.
-    Mesh(Box<MeshObject>),
     /// A class this crate does not take apart, or an object the kernel refused: its bytes as they were.
     Kept(RawObject),
 }
@@ -124,7 +144,9 @@ impl Object {
         match self {
             Self::Kept(raw) => raw.check_writable(version),
             Self::Extrusion(_) => extrusion::check_writable(version),
+            Self::SubD(_) => subd::check_writable(version),
             Self::Annotation(annotation) => annotation.check_writable(version),
+            Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),
         }
     }
@@ -178,6 +200,7 @@ impl Object {
         match self {
             Self::Brep(_) => data.class == class_ids::V5_REGIONS,
             Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
+            Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
             Self::Mesh(_) => mesh::owns(data),
             _ => false,
         }
@@ -195,11 +218,15 @@ impl Object {
             Self::Brep(_) => class_ids::BREP,
             Self::Extrusion(_) => class_ids::EXTRUSION,
             Self::Mesh(_) => class_ids::MESH,
+            Self::SubD(_) => class_ids::SUBD,
             Self::TextDot(_) => class_ids::TEXT_DOT,
             Self::BlockReference(_) => class_ids::BLOCK_REFERENCE,
             Self::Light(_) => class_ids::LIGHT,
             Self::ClippingPlane(_) => class_ids::CLIPPING_PLANE,
+            Self::Hatch(_) => class_ids::HATCH,
+            Self::DetailView(_) => class_ids::DETAIL_VIEW,
             Self::NurbsCage(_) => class_ids::NURBS_CAGE,
+            Self::MorphControl(_) => class_ids::MORPH_CONTROL,
             Self::Annotation(a) => annotation::class_of(a),
             Self::Annotation5(a) => annotation::class_of_5(a),
             Self::Annotation2(a) => annotation::class_of_2(a),
@@ -217,6 +244,7 @@ impl Object {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
             class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
+            class_ids::SUBD => Self::SubD(Box::new(subd::read(&mut body)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),
             class if curve::is_curve(class) => Self::from(curve::read(class, &mut body)?),
@@ -227,6 +255,9 @@ impl Object {
             class_ids::BLOCK_REFERENCE => Self::BlockReference(block_reference::read(&mut body)?.into()),
             class_ids::LIGHT => Self::Light(light::read(&mut body)?.into()),
             class_ids::CLIPPING_PLANE => Self::ClippingPlane(clipping_plane::read(&mut body)?.into()),
+            class_ids::HATCH => Self::Hatch(hatch::read(&mut body, &object.user_data)?.into()),
+            class_ids::DETAIL_VIEW => Self::DetailView(detail_view::read(&mut body)?.into()),
+            class_ids::MORPH_CONTROL => Self::MorphControl(morph_control::read(&mut body)?.into()),
             class_ids::NURBS_CAGE => Self::NurbsCage(nurbs_cage::read(&mut body)?.into()),
             class if annotation::is_annotation(class) => {
                 Self::Annotation(annotation::read(class, &mut body)?.into())
@@ -278,10 +309,18 @@ impl Object {
             Self::ClippingPlane(c) => {
                 write_class(w, self.class(), user_data, |w| clipping_plane::write(c, w))
             }
+            Self::Hatch(h) => {
+                let own = hatch::own_user_data(h, w.version())?;
+                let all: Vec<UserData> = own.into_iter().chain(user_data.iter().cloned()).collect();
+                write_class(w, self.class(), &all, |w| hatch::write(h, w))
+            }
+            Self::DetailView(d) => write_class(w, self.class(), user_data, |w| detail_view::write(d, w)),
+            Self::MorphControl(c) => write_class(w, self.class(), user_data, |w| morph_control::write(c, w)),
             Self::NurbsCage(c) => write_class(w, self.class(), user_data, |w| nurbs_cage::write(c, w)),
             Self::Annotation(a) => write_class(w, self.class(), user_data, |w| annotation::write(a, w)),
             Self::Annotation5(a) => write_class(w, self.class(), user_data, |w| annotation::write_5(a, w)),
             Self::Annotation2(a) => write_class(w, self.class(), user_data, |w| annotation::write_2(a, w)),
+            Self::SubD(s) => write_class(w, self.class(), user_data, |w| subd::write(s, w)),
             Self::Mesh(m) => {
                 let all = mesh::all_user_data(m, user_data, w.version())?;
                 write_class(w, self.class(), &all, |w| mesh::write(m, w))

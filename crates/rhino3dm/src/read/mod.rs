@@ -4,28 +4,30 @@ mod header;
 mod places;
 mod records;
 mod tables;
+mod top;
 
 use crate::chunk::{Chunk, Context, Reader};
 use crate::model::Model;
 use crate::user_table::UserTable;
 use crate::version::Version;
-use crate::{Error, Limits, Result, properties, settings, typecode};
+use crate::{Error, Limits, Result, properties, settings, typecode, v1};
 
-pub(crate) use header::SIGNATURE;
+pub(crate) use header::{SIGNATURE, find as find_header};
 pub(crate) use places::{Numbers, Places};
 pub(crate) use records::RecordCodes;
 use records::read_record;
+use top::TopChunks;
 
 impl Model {
-    /// Reads an archive of version 2, 3, 4, 5, 50, 60, 70 or 80, and of later versions as far as they keep to the
+    /// Reads an archive of version 1, 2, 3, 4, 5, 50, 60, 70 or 80, and of later versions as far as they keep to the
     /// same layout.
     ///
-    /// A record that is broken is left out with a warning, an object that the kernel refuses is kept as bytes with
-    /// a warning, and so is everything whose checksum does not fit. Only an archive whose tables cannot be told
-    /// apart is an error.
+    /// What is broken is left out: [`Model::warnings`] says what and where, [`Model::skipped`] how much of it. An
+    /// object that the kernel refuses is kept as bytes with a warning, and so is everything whose checksum does not
+    /// fit. [`Model::read_strict`] ends at the first of these instead.
     ///
     /// # Errors
-    /// No header, a version that is not read (1 among them), or chunks that pass the end of the bytes or a limit.
+    /// No header, or a version that is not known.
     ///
     /// ```
     /// use katydid_3dm::{Layer, Limits, Model, Object};
@@ -40,22 +42,41 @@ impl Model {
     /// # Ok::<(), katydid_3dm::Error>(())
     /// ```
     pub fn read(bytes: &[u8], limits: &Limits) -> Result<Self> {
-        let context = Context::new(limits);
-        let mut model = read_archive(bytes, &context)?;
-        model.warnings = context.into_warnings();
-        Ok(model)
+        read_whole(bytes, Context::of_archive(limits, bytes.len(), false))
     }
+
+    /// Reads an archive of which nothing is broken. Objects that the kernel refuses although their bytes are whole
+    /// are kept as bytes with a warning here, too.
+    ///
+    /// # Errors
+    /// The first broken thing, with its offset, the chunks around it and the reason: no header, an unknown version,
+    /// chunks that pass the end of the bytes or a limit, a checksum that does not fit, a record that does not make
+    /// sense, no end mark.
+    pub fn read_strict(bytes: &[u8], limits: &Limits) -> Result<Self> {
+        read_whole(bytes, Context::of_archive(limits, bytes.len(), true))
+    }
+}
+
+fn read_whole(bytes: &[u8], context: Context) -> Result<Model> {
+    let read = read_archive(bytes, &context).and_then(|model| context.check().map(|()| model));
+    let mut model = read.map_err(|error| context.with_path(0, error))?;
+    model.warnings = context.into_warnings();
+    Ok(model)
 }
 
 fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
     let (start, archive) = header::find(bytes, context)?;
-    let version = Version { archive, opennurbs: 0 };
-    let mut file = Reader::new_at(bytes.get(start..).unwrap_or_default(), start, version, context);
+    context.forget(0);
+    let version = Version::unstated(archive);
+    let file = Reader::new_at(bytes.get(start..).unwrap_or_default(), start, version, context);
+    if archive == 1 {
+        return v1::read_archive(file, context);
+    }
     let mut reading =
         Reading { model: Model { archive_version: archive, ..Model::default() }, ..Reading::default() };
     let mut ended = false;
-    while !file.is_at_end() {
-        let chunk = file.chunk()?;
+    let mut chunks = TopChunks::new(file);
+    while let Some(chunk) = chunks.next()? {
         match chunk.typecode {
             typecode::END_OF_FILE => {
                 ended = true;
@@ -64,13 +85,14 @@ fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
             typecode::COMMENT => {}
             typecode::PROPERTIES_TABLE => {
                 let version = reading.read_properties(chunk)?;
-                file.set_version(version);
+                chunks.set_version(version);
             }
             _ => reading.read_table(chunk)?,
         }
     }
     if !ended {
-        context.warn(file.offset(), "the archive has no end mark");
+        let why = "the archive ends without an end mark";
+        context.left_out(bytes.len(), "what stood behind is", Error::malformed(bytes.len(), "archive", why));
     }
     reading.place();
     Ok(reading.model)
@@ -91,7 +113,13 @@ impl Reading {
         let mut version = body.version();
         while !body.is_at_end() {
             let context = body.context();
-            let record = body.chunk()?;
+            let record = match body.chunk() {
+                Ok(record) => record,
+                Err(error) => {
+                    context.left_out(body.offset(), "the rest of the properties table is", error);
+                    break;
+                }
+            };
             let read = match record.typecode {
                 typecode::OPENNURBS_VERSION => {
                     // The low 32 bits, whether the value was stored in 4 bytes or 8.
@@ -107,7 +135,7 @@ impl Reading {
                 }),
             };
             if let Err(error) = read {
-                context.warn(record.offset, format!("a property left out: {error}"));
+                context.left_out(record.offset, "a property", error);
             }
         }
         Ok(version)
@@ -125,7 +153,7 @@ impl Reading {
                 Ok(read) => self.model.user_tables.push(read),
                 Err(error) => {
                     self.skip(name);
-                    context.warn(table.offset, format!("a user table is left out: {error}"));
+                    context.left_out(table.offset, "a user table is", error);
                 }
             }
             return Ok(());
@@ -133,12 +161,13 @@ impl Reading {
         let mut body = table.body;
         while !body.is_at_end() {
             let context = body.context();
+            let opened = context.opened();
             // Each table's extent is known, so a broken record costs the rest of its table and no more.
             let record = match body.chunk() {
                 Ok(record) => record,
-                Err(error @ Error::TooDeep { .. }) => return Err(error),
                 Err(error) => {
-                    context.warn(body.offset(), format!("the rest of the {name} table is left out: {error}"));
+                    self.skip(name);
+                    context.left_out(body.offset(), &format!("the rest of the {name} table is"), error);
                     break;
                 }
             };
@@ -148,8 +177,10 @@ impl Reading {
             let offset = record.offset;
             if let Err(error) = self.read_record(table.typecode, &record) {
                 self.skip(name);
-                context.warn(offset, format!("a record of the {name} table is left out: {error}"));
+                context.left_out(offset, &format!("a record of the {name} table is"), error);
             }
+            context.check()?;
+            context.forget(opened);
         }
         Ok(())
     }

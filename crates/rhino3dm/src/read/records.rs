@@ -36,7 +36,7 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
         if record.peek_typecode() == Some(typecode::CLASS) && found.is_none() {
             let class = ClassObject::read(&mut record)?;
             let geometry = Object::from_class(&class).unwrap_or_else(|error| {
-                context.warn(class.offset, format!("an object is kept as bytes: {error}"));
+                context.kept(class.offset, "an object", error);
                 Object::Kept(class.to_raw())
             });
             let mut user_data =
@@ -57,7 +57,7 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
             Ok(())
         };
         if let Err(error) = read {
-            context.warn(at, format!("attributes left out: {error}"));
+            context.left_out(at, "attributes", error);
         }
     }
     let Some((geometry, user_data)) = found else {

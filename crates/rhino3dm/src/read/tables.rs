@@ -50,7 +50,7 @@ impl Reading {
                 return Err(error);
             }
             let context = record.body.context();
-            context.warn(record.offset, format!("a record is kept as bytes: {error}"));
+            context.kept(record.offset, "a record", error);
             self.keep(table, record);
         }
         Ok(())

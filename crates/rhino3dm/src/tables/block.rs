@@ -61,8 +61,8 @@ pub struct LinkedBlock {
     pub appearance: u32,
     /// Size, time and check sums of the file in archives before version 60.
     pub checksum: Checksum,
-    /// States of the file's layers and the like: the bytes of a chunk of version 60 and later.
-    pub(crate) reference_settings: Option<Vec<u8>>,
+    /// States of the file's layers and the like: the bytes of an anonymous chunk, written from version 60 on.
+    pub reference_settings: Option<Vec<u8>>,
 }
 
 /// The 48 bytes of a check sum.

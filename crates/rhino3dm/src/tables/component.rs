@@ -124,7 +124,9 @@ impl Component {
     /// The chunk whose bits say which fields follow: those that are set.
     pub(crate) fn write_bits(&self, w: &mut Writer) -> Result<()> {
         let bit = |set: bool, bit: u32| if set { bit } else { 0 };
-        let bits = bit(!self.id.is_nil(), ID) | bit(self.number != NO_NUMBER, NUMBER) | NAME;
+        let bits = bit(!self.id.is_nil(), ID)
+            | bit(self.number != NO_NUMBER, NUMBER)
+            | bit(self.states_empty_name || !self.name.is_empty(), NAME);
         w.versioned(1, 0, |w| {
             w.u32(bits);
             if bits & ID != 0 {

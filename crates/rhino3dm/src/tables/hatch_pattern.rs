@@ -13,7 +13,7 @@ use crate::{Error, Result, typecode};
 pub struct HatchPattern {
     /// The identifier. A nil one gets a value of its own when written.
     pub id: Uuid,
-    /// The number by which hatches refer to the pattern; nothing for its place in the table.
+    /// The number by which hatches refer to the pattern; nothing for one that is still free.
     pub number: Option<i32>,
     /// The name.
     pub name: String,

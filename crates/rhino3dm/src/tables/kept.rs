@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::chunk::Writer;
+use crate::overlay::say_unset;
 use crate::recode::recode;
 use crate::version::Version;
 use crate::{Result, typecode};
@@ -83,6 +84,9 @@ pub struct KeptRecord {
     pub opennurbs_version: u32,
 }
 
+/// Why a record is left out whose chunks could not be told.
+const WIDTH: &str = "its chunk lengths are of another width";
+
 impl KeptRecord {
     /// What the record is, in words.
     pub fn name(&self) -> String {
@@ -110,11 +114,16 @@ impl KeptRecord {
             return Err("its layout belongs to another version");
         }
         let own = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
+        if self.typecode == typecode::SETTINGS_ATTRIBUTES && !new(own.archive) && new(version.archive) {
+            let mut body = recode(self.typecode, &self.body, own, version).ok_or(WIDTH)?;
+            say_unset(&mut body, version);
+            return Ok(Cow::Owned(body));
+        }
         if own.is_wide() == version.is_wide() {
             return Ok(Cow::Borrowed(&self.body));
         }
         let recoded = recode(self.typecode, &self.body, own, version);
-        recoded.map(Cow::Owned).ok_or("its chunk lengths are of another width")
+        recoded.map(Cow::Owned).ok_or(WIDTH)
     }
 
     /// Writes the record if it can stand in the archive.

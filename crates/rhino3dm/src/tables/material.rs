@@ -4,7 +4,7 @@ use uuid::{Uuid, uuid};
 
 use super::texture::{Texture, TextureKind};
 use super::values::{read_colour, write_colour};
-use super::{Component, Entry};
+use super::{Component, Entry, FileReference};
 use crate::chunk::{Reader, Writer};
 use crate::object::UserData;
 use crate::{Error, Result, typecode};
@@ -251,7 +251,9 @@ impl Material {
             if path.is_empty() {
                 continue;
             }
-            let mut texture = Texture::new(&path, kind);
+            // These versions call every path a full one.
+            let file = FileReference { full_path: path, ..FileReference::default() };
+            let mut texture = Texture { file, kind, ..Texture::default() };
             texture.mode = if mode == OLD_DECAL { DECAL } else { MODULATE };
             texture.bump_scale[1] = height;
             material.textures.push(texture);

@@ -1,6 +1,7 @@
 //! The tables of an archive in their order: typed entries first, then the records that are kept.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use super::ids::Ids;
 use crate::chunk::Writer;
@@ -75,12 +76,15 @@ impl Model {
         self.settings.write(w)
     }
 
-    /// Hatch patterns keep their numbers, by which hatches refer to them.
+    /// Hatch patterns keep their numbers, by which hatches refer to them; those without get the first that is free.
     fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
         let mut ids = Ids::default();
+        let mut stated: HashSet<i32> =
+            self.hatch_patterns.iter().filter_map(|pattern| pattern.number).collect();
         for (place, pattern) in self.hatch_patterns.iter().enumerate() {
-            let number =
-                pattern.number.map_or_else(|| i32::try_from(place).unwrap_or(i32::MAX), |number| number);
+            let free = || (0..i32::MAX).find(|number| !stated.contains(number)).unwrap_or(i32::MAX);
+            let number = pattern.number.unwrap_or_else(free);
+            stated.insert(number);
             let id = ids.take(pattern.id, place, pattern.name.as_bytes());
             w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
         }

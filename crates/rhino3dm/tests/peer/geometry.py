@@ -4,9 +4,11 @@ import rhino3dm
 
 from .breps import check_brep, check_extrusion
 from .classes import check_class
+from .clouds import check_cloud
 from .common import close, xyz
 from .curves import check_curve
 from .meshes import check_mesh
+from .subd import check_subd
 from .surfaces import check_surface
 
 
@@ -18,11 +20,9 @@ def check_geometry(ours, theirs, what):
     if isinstance(theirs, rhino3dm.Mesh) and not ours["kept"]:
         check_mesh(detail, theirs, what)
     elif isinstance(theirs, rhino3dm.PointCloud):
-        close(detail["points"], [xyz(p) for p in theirs.GetPoints()], f"{what} points")
-        normals = theirs.GetNormals() if theirs.ContainsNormals else []
-        close(detail["normals"], [xyz(n) for n in normals], f"{what} normals")
-        colours = theirs.GetColors() if theirs.ContainsColors else []
-        assert [c[:3] for c in detail["colours"]] == [list(c[:3]) for c in colours], f"{what} colours"
+        check_cloud(detail, theirs, what)
+    elif isinstance(theirs, rhino3dm.SubD) and not ours["kept"]:
+        check_subd(detail, theirs, what)
     elif isinstance(theirs, rhino3dm.Point):
         close(detail["point"], xyz(theirs.Location), what)
     elif isinstance(theirs, rhino3dm.Surface) and not isinstance(theirs, rhino3dm.Extrusion):

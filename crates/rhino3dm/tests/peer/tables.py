@@ -9,7 +9,7 @@ import tempfile
 
 import rhino3dm
 
-from .common import SHARED, close, dumped, example
+from .common import SHARED, close, dumped, example, xyz
 
 # rhino3dm frees what its objects still point into; so files are held until the end.
 HELD = []
@@ -78,6 +78,39 @@ def check_attributes(ours, theirs, what):
     assert sorted(a["groups"]) == sorted(b.GetGroupList()), what
 
 
+def check_views(ours, theirs, what):
+    assert len(ours) == len(theirs), what
+    for a, b in zip(ours, theirs):
+        port = b.Viewport
+        assert a["name"] == b.Name and a["perspective"] == port.IsPerspectiveProjection, f"{what}, view {b.Name}"
+        close(a["camera"], xyz(port.CameraLocation), what)
+        close(a["direction"], xyz(port.CameraDirection), what)
+        close(a["up"], xyz(port.CameraUp), what)
+        frustum = port.GetFrustum()
+        close(a["frustum"], [frustum[k] for k in ("left", "right", "bottom", "top", "near", "far")], what)
+
+
+def check_styles(ours, file, what):
+    # Of archives without any, rhino3dm makes one.
+    for a, b in zip(ours, file.DimStyles):
+        assert a["name"] == b.Name, f"{what}: {a['name']} {b.Name}"
+        sizes = [b.ArrowLength, b.TextHeight, b.ExtensionLineExtension, b.ExtensionLineOffset, b.CentermarkSize, b.TextGap]
+        close([a[k] for k in ("arrow", "text", "extension", "offset", "centermark", "gap")], sizes, f"{what}, {b.Name}")
+
+
+def check_page(ours, file, what):
+    if ours is None:
+        return
+    settings, anchor = file.Settings, file.Settings.EarthAnchorPoint
+    close([ours["absolute"], ours["angle"]], [settings.PageAbsoluteTolerance, settings.PageAngleToleranceRadians], what)
+    close(ours["base"], xyz(settings.ModelBasePoint), what)
+    position = [anchor.EarthBasepointLatitude, anchor.EarthBasepointLongitude]
+    if ours["position"] is None:
+        assert abs(position[0]) > 1e300, f"{what}: {position}"
+    else:
+        close(ours["position"], position, what)
+
+
 def check_reading(path):
     head, *objects = dumped(path)
     if "error" in head:
@@ -88,6 +121,10 @@ def check_reading(path):
     check_linetypes(tables["linetypes"], file, what)
     assert [group["name"] for group in tables["groups"]] == [group.Name for group in file.Groups], what
     check_blocks(tables["blocks"], file, what)
+    check_views(tables["views"], file.Views, what)
+    check_views(tables["named_views"], file.NamedViews, what)
+    check_styles(tables["dimension_styles"], file, what)
+    check_page(tables.pop("page"), file, what)
     for i, (ours, theirs) in enumerate(zip(objects, file.Objects)):
         # Lights have a colour, a name and the like of their own there.
         if not isinstance(theirs.Geometry, rhino3dm.Light):

@@ -188,7 +188,8 @@ fn negative(
     x: Value,
 ) -> Result<Value, Message> {
     match x {
-        Value::Number(x) => Ok(Value::Number(-x)),
+        // The opposite of 0 is 0, without a sign.
+        Value::Number(x) => Ok(Value::Number(0.0 - x)),
         other => arithmetic::negate(&other),
     }
 }
@@ -290,7 +291,7 @@ mod tests {
 
     #[test]
     fn signs() {
-        assert_eq!(Trial::of("Negative").list([2.5, -1.0]).texts(0), ["{0}: -2.5, 1"]);
+        assert_eq!(Trial::of("Negative").list([2.5, -1.0, 0.0]).texts(0), ["{0}: -2.5, 1, 0"]);
         assert_eq!(Trial::of("Absolute").item(-3).texts(0), ["{0}: 3"]);
         assert_eq!(Trial::of("Negative").item(i32::MIN).texts(0), ["{0}: 2.147484e+9"]);
     }

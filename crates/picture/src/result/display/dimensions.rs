@@ -77,9 +77,11 @@ fn swept(
     let points: Vec<Point3> =
         (0..=ROUND).map(|k| at(from + (to - from) * f64::from(k) / f64::from(ROUND))).collect();
     let look = thin(painter);
-    if let (Some([a, b]), Some([c, d])) = (points.first_chunk::<2>(), points.last_chunk::<2>()) {
-        painter.scene.add(Form::Arrow(*b, *a - *b), look);
-        painter.scene.add(Form::Arrow(*c, *d - *c), look);
+    // Heads of their full size, but that both have room on the arc.
+    let room = 0.4 * radius * (to - from).abs();
+    for (angle, sense) in [(from, -1.0), (to, 1.0)] {
+        let way = plane.z_axis.cross(at(angle) - plane.origin).unitized().unwrap_or(Vector3::ZERO);
+        painter.scene.add(Form::Tip(at(angle), way * (sense * room * (to - from).signum())), look);
     }
     painter.scene.add(Form::Lines(points), look);
     let middle = 0.5 * (from + to);

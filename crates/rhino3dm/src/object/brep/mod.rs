@@ -55,36 +55,36 @@ impl From<Brep> for BrepObject {
 
 /// What is read before the brep can be put together.
 #[derive(Default)]
-struct Reading {
-    parts: Parts,
+pub(crate) struct Reading {
+    pub(crate) parts: Parts,
     odd_curves_2d: BTreeMap<usize, CurveForm>,
     odd_curves_3d: BTreeMap<usize, CurveForm>,
     odd_surfaces: BTreeMap<usize, SurfaceForm>,
 }
 
 impl Reading {
-    fn add_curve_2d(&mut self, form: Option<CurveForm>) {
+    pub(crate) fn add_curve_2d(&mut self, form: Option<CurveForm>) {
         let place = self.parts.curves_2d.len();
         let (curve, odd) = form.map_or((None, None), |form| form.split(FLAT));
         self.parts.curves_2d.push(curve);
         self.odd_curves_2d.extend(odd.map(|odd| (place, odd)));
     }
 
-    fn add_curve_3d(&mut self, form: Option<CurveForm>) {
+    pub(crate) fn add_curve_3d(&mut self, form: Option<CurveForm>) {
         let place = self.parts.curves_3d.len();
         let (curve, odd) = form.map_or((None, None), |form| form.split(SPACE));
         self.parts.curves_3d.push(curve);
         self.odd_curves_3d.extend(odd.map(|odd| (place, odd)));
     }
 
-    fn add_surface(&mut self, form: Option<SurfaceForm>) {
+    pub(crate) fn add_surface(&mut self, form: Option<SurfaceForm>) {
         let place = self.parts.surfaces.len();
         let (surface, odd) = form.map_or((None, None), SurfaceForm::split);
         self.parts.surfaces.push(surface);
         self.odd_surfaces.extend(odd.map(|odd| (place, odd)));
     }
 
-    fn finish(self, offset: usize) -> Result<BrepObject> {
+    pub(crate) fn finish(self, offset: usize) -> Result<BrepObject> {
         let brep = Brep::from_parts(self.parts).map_err(|e| Error::geometry(offset, WHAT, e))?;
         Ok(BrepObject {
             brep,

@@ -1,0 +1,129 @@
+//! Files that nobody vouches for: an error or a part of what they say, never a panic, and quickly.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+mod common;
+
+use common::sample;
+use katydid_exchange::{Format, Options, read, write};
+use proptest::prelude::*;
+
+const READ: [Format; 5] = [Format::Obj, Format::Stl, Format::Ply, Format::Glb, Format::Gltf];
+
+fn whole(format: Format, ascii: bool) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write(&sample(), format, &Options { ascii, ..Options::default() }, &mut bytes).unwrap();
+    bytes
+}
+
+#[test]
+fn every_beginning_of_a_file_ends_well() {
+    for format in READ {
+        for ascii in [false, true] {
+            let bytes = whole(format, ascii);
+            for length in 0..bytes.len() {
+                let _ = read(&bytes[..length], format);
+            }
+        }
+    }
+}
+
+#[test]
+fn counts_that_lie_are_refused_before_room_is_made() {
+    let binary = "format binary_little_endian 1.0";
+    for header in [
+        "element vertex 18446744073709551615\nproperty double x\n",
+        "element vertex 4000000000\nproperty char x\n",
+        "element face 1\nproperty list uint double vertex_indices\n",
+        "element nothing 18446744073709551615\n",
+        "element vertex -1\nproperty char x\n",
+        "element vertex 99999999999999999999999\nproperty char x\n",
+    ] {
+        let mut bytes = format!("ply\n{binary}\n{header}end_header\n").into_bytes();
+        bytes.extend_from_slice(&[255; 16]);
+        let result = read(&bytes, Format::Ply);
+        assert!(result.is_err() || header.contains("nothing"), "{header}");
+    }
+    let mut stl = vec![b' '; 80];
+    stl.extend_from_slice(&u32::MAX.to_le_bytes());
+    stl.extend_from_slice(&[0; 50]);
+    let scene = read(&stl, Format::Stl).unwrap();
+    assert_eq!((scene.things.len(), scene.left_out[0].count), (1, u32::MAX as usize - 1));
+    for (json, reason) in [
+        (r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}"#, "no tree"),
+        (r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[7]}]}"#, "not there"),
+        (r#"{"asset":{"version":"1.0"}}"#, "version '1.0'"),
+        (r#"{"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]}"#, "KHR_draco"),
+        (
+            r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+               "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+               "accessors":[{"componentType":5126,"count":18446744073709551615,"type":"VEC3"}]}"#,
+            "no numbers",
+        ),
+        (
+            r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+               "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+               "accessors":[{"bufferView":0,"componentType":5126,"count":4611686018427387905,"type":"VEC3"}],
+               "bufferViews":[{"buffer":0,"byteLength":12}],
+               "buffers":[{"byteLength":12,"uri":"data:;base64,AAAAAAAAAAAAAAAA"}]}"#,
+            "do not fit",
+        ),
+        (
+            r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"../secret"}]}"#,
+            "another file, ../secret",
+        ),
+    ] {
+        let error = read(json.as_bytes(), Format::Gltf).unwrap_err();
+        assert!(error.to_string().contains(reason), "{reason}: {error}");
+    }
+}
+
+#[test]
+fn odd_but_lawful_files_are_read() {
+    let obj = "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 0.5 2 0\r\nf -5 -4 \\\n -3 -1 -2\r\nl 1 1 2/7 \n# note\nusemtl x\n";
+    let scene = read(obj.as_bytes(), Format::Obj).unwrap();
+    assert_eq!(scene.things.len(), 2);
+    let ply = "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\nproperty float z\r\n\
+               property list uchar int near\r\nelement tristrips 1\r\nproperty list int int vertex_indices\r\nend_header\r\n\
+               0 0 0 2 1 2\r\n1 0 0 0\r\n0 1 0 1 0\r\n4 0 1 2 -1\r\n";
+    assert_eq!(read(ply.as_bytes(), Format::Ply).unwrap().things.len(), 1);
+    // A binary file whose header begins with the word of the text form.
+    let mut stl = b"solid but binary".to_vec();
+    stl.resize(80, 0);
+    stl.extend_from_slice(&1_u32.to_le_bytes());
+    let corners = [0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    stl.extend(corners.iter().flat_map(|x| x.to_le_bytes()));
+    stl.extend_from_slice(&[0, 0]);
+    assert_eq!(read(&stl, Format::Stl).unwrap().things.len(), 1);
+    for (line, reason) in
+        [("f 1 2 3", "none of the 0"), ("v 1 2", "3 numbers"), ("v 1 nan 2", "'nan' is no number")]
+    {
+        let error = read(line.as_bytes(), Format::Obj).unwrap_err();
+        assert!(error.to_string().contains("line 1") && error.to_string().contains(reason), "{error}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn changed_bytes_end_well(
+        format in prop::sample::select(READ.to_vec()),
+        ascii in any::<bool>(),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..12),
+    ) {
+        let mut bytes = whole(format, ascii);
+        for (place, value) in changes {
+            let place = place.index(bytes.len());
+            bytes[place] = value;
+        }
+        let _ = read(&bytes, format);
+    }
+
+    #[test]
+    fn any_text_ends_well(text in "(v|vn|f|l|p|o|g|solid|vertex|endloop| |-|/|[0-9]|\n|\\\\|e|\\.){0,200}") {
+        let _ = read(text.as_bytes(), Format::Obj);
+        let _ = read(format!("solid {text}").as_bytes(), Format::Stl);
+        let _ = read(format!("ply\nformat ascii 1.0\n{text}").as_bytes(), Format::Ply);
+    }
+}

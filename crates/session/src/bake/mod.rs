@@ -1,0 +1,183 @@
+//! What a definition shows, as a model that Rhino opens.
+
+mod blocks;
+mod pieces;
+
+use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
+use katydid_component::{Access, Matching};
+use katydid_data::{Colour, Column, Item, Kind, Material, Path, Tree, Value};
+use katydid_definition::document::{Document, Object, Special};
+use katydid_solver::{Engine, Inputs};
+use uuid::{Uuid, uuid};
+
+/// Context Bake: what goes in is meant to come out.
+const CONTEXT_BAKE: Uuid = uuid!("ae2531b4-bab2-4bb1-b5bf-f2143d10c132");
+/// Custom Preview: geometry, and the material that it is seen in.
+const CUSTOM_PREVIEW: Uuid = uuid!("537b0419-bbc2-4ff4-bf08-afe526367b2c");
+/// The label of groups that mark an output for Rhino.Compute.
+const MARK: &str = "RH_OUT";
+
+/// How geometry is put into a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct BakeOptions {
+    /// Geometry that repeats at other places becomes a block and references to it.
+    pub blocks: bool,
+}
+
+/// A model, and what of the results it does not hold.
+#[derive(Debug)]
+pub struct Baked {
+    /// The geometry, a layer an object.
+    pub model: Model,
+    /// What could not be put in, in words.
+    pub left_out: Vec<String>,
+}
+
+/// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`),
+/// or, where nothing is, all that is previewed.
+///
+/// Each object of the definition has a layer of its name. What comes out of a Custom Preview has the colour of its
+/// material, members of a group of geometry are a group, and user text tells where each piece comes from: `Object`
+/// is the id of the object, `Path` and `Index` its place in the data.
+pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
+    let document = engine.document();
+    let rules = engine.options().rules;
+    let model = Model { units: rules.units, tolerance: rules.tolerance, ..Model::default() };
+    let mut baking = Baking { engine, baked: Baked { model, left_out: Vec::new() } };
+    let inputs = Inputs::new(engine);
+    let marked = marked(document);
+    for (index, object) in document.objects.iter().enumerate() {
+        let shown = match &marked {
+            Some(marked) => marked.contains(&index),
+            None => !object.hidden && !object.locked && !object.is_annotation(),
+        };
+        let Some(report) = engine.report(index).filter(|_| shown) else { continue };
+        for tree in &report.outputs {
+            baking.add_tree(object, tree);
+        }
+        if object.component == CUSTOM_PREVIEW {
+            baking.add_previews(object, &inputs.of(index));
+        }
+    }
+    let mut baked = baking.baked;
+    if baked.model.layers.is_empty() {
+        baked.model.layer_at("Default");
+    }
+    if options.blocks {
+        blocks::gather(&mut baked.model);
+    }
+    baked
+}
+
+/// The objects whose data is marked as output, or none when no object is.
+fn marked(document: &Document) -> Option<Vec<usize>> {
+    let lookup = document.lookup();
+    let mut marked = Vec::new();
+    for object in &document.objects {
+        if object.component == CONTEXT_BAKE {
+            let sources = object.inputs.iter().flat_map(|port| &port.sources);
+            marked.extend(sources.filter_map(|id| lookup.output(*id)).map(|port| port.object));
+        }
+        if let Some(Special::Group(group)) = object.special()
+            && group.label.trim().starts_with(MARK)
+        {
+            marked.extend(group.members.iter().filter_map(|id| lookup.object(*id)));
+        }
+    }
+    (!marked.is_empty()).then_some(marked)
+}
+
+/// Where a piece comes from.
+struct Source<'a> {
+    object: &'a Object,
+    path: &'a Path,
+    index: usize,
+}
+
+/// A model being filled.
+struct Baking<'a> {
+    engine: &'a Engine,
+    baked: Baked,
+}
+
+impl Baking<'_> {
+    fn add_tree(&mut self, object: &Object, tree: &Tree) {
+        let kind = tree.column().kind();
+        if !kind.is_geometry() && kind != Kind::Generic {
+            return;
+        }
+        for (branch, path) in tree.paths().iter().enumerate() {
+            for (index, place) in tree.range(branch).enumerate() {
+                if let Some(value) = tree.column().get(place) {
+                    self.add(&value, None, &Source { object, path, index });
+                }
+            }
+        }
+    }
+
+    /// The geometry of a Custom Preview in the colours of its materials, matched as the component matches them.
+    fn add_previews(&mut self, object: &Object, inputs: &[Tree]) {
+        let matching = Matching::new(inputs, &[Access::Item; 2], None);
+        for (set, path) in matching.paths().iter().enumerate() {
+            let [geometry, materials, ..] = matching.ranges(set) else { continue };
+            let count = matching.set_range(set).len();
+            let column = |k: usize| inputs.get(k).map(Tree::column);
+            let (Some(things), Some(colours)) = (column(0), column(1)) else { continue };
+            for index in 0..count {
+                let value = repeated(geometry, index).and_then(|place| things.get(place));
+                let colour = repeated(materials, index).and_then(|place| material(colours, place));
+                if let Some(value) = value {
+                    self.add(&value, colour, &Source { object, path, index });
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, value: &Value, colour: Option<Colour>, source: &Source<'_>) {
+        let rules = &self.engine.options().rules;
+        let title = source.object.title();
+        let mut pieces = Vec::new();
+        if let Err(reason) = pieces::of(value, rules, &mut pieces) {
+            let text = format!("{title}: {reason}");
+            if !self.baked.left_out.contains(&text) {
+                self.baked.left_out.push(text);
+            }
+        }
+        if pieces.is_empty() {
+            return;
+        }
+        let model = &mut self.baked.model;
+        let mut attributes = Attributes {
+            // Colons between names would make a layer inside another.
+            layer: Some(model.layer_at(&title.replace("::", ":"))),
+            name: title.to_owned(),
+            colour: colour.map(|c| [c.r, c.g, c.b, 255]),
+            user_strings: vec![
+                ("Object".to_owned(), source.object.id.to_string()),
+                ("Path".to_owned(), source.path.to_string()),
+                ("Index".to_owned(), source.index.to_string()),
+            ],
+            ..Attributes::default()
+        };
+        if matches!(value, Value::Group(_)) {
+            attributes.groups.push(model.groups.len());
+            model.groups.push(Group::new(format!("{title} {} {}", source.path, source.index)));
+        }
+        let with_attributes = |geometry: Archived| ModelObject {
+            attributes: attributes.clone(),
+            ..ModelObject::from(geometry)
+        };
+        model.objects.extend(pieces.into_iter().map(with_attributes));
+    }
+}
+
+/// The place of item `index` of a branch whose last item repeats.
+fn repeated(range: &std::ops::Range<usize>, index: usize) -> Option<usize> {
+    let last = range.len().checked_sub(1)?;
+    Some(range.start + index.min(last))
+}
+
+fn material(column: &Column, place: usize) -> Option<Colour> {
+    let material = <Material as Item>::get(column, place).map(|material| material.diffuse);
+    material.or_else(|| Colour::get(column, place))
+}

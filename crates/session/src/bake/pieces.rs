@@ -1,0 +1,30 @@
+//! Values as objects of a model.
+
+use katydid_3dm::Object;
+use katydid_data::{Kind, Value, cast};
+
+/// The objects of a model that a value becomes. Types that Rhino does not draw become none.
+pub(super) fn of(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Object>) -> Result<(), String> {
+    match value {
+        Value::Point(p) => pieces.push(Object::Point(*p)),
+        Value::Line(_) | Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) | Value::Curve(_) => {
+            if let Some(Value::Curve(curve)) = cast::value(value, Kind::Curve, rules) {
+                pieces.push(Object::Curve((*curve).clone()));
+            }
+        }
+        Value::Surface(surface) => pieces.push(Object::Surface((**surface).clone())),
+        Value::Mesh(mesh) => pieces.push(Object::from((**mesh).clone())),
+        Value::Box(_) | Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {
+            Some(Value::Mesh(mesh)) => pieces.push(Object::from((*mesh).clone())),
+            _ => return Err("a box without volume".to_owned()),
+        },
+        Value::Group(group) => {
+            for member in group.members.iter().flatten() {
+                of(member, rules, pieces)?;
+            }
+        }
+        Value::Kept(raw) => pieces.push(Object::Kept((**raw).clone())),
+        _ => {}
+    }
+    Ok(())
+}
