@@ -143,14 +143,18 @@ def check_conversion(path, version):
         assert type(old.Geometry) is type(new.Geometry), what
         was_valid, is_valid = old.Geometry.IsValid, new.Geometry.IsValid
         assert is_valid or not was_valid, f"{what}: {new.Geometry.IsValidWithLog[1]}"
-        if isinstance(old.Geometry, rhino3dm.Mesh):
+        # Asked first: rhino3dm keeps the boxes that it computes, and encodes them.
+        same += encoded(old.Geometry) == encoded(new.Geometry)
+        if isinstance(old.Geometry, rhino3dm.Brep) and before.ArchiveVersion == 2:
+            # It believes the boxes of faces in such archives, whatever they are.
+            pass
+        elif isinstance(old.Geometry, rhino3dm.Mesh):
             # Boxes of meshes come from the single-precision vertices, which may be rounded another way.
             close(vertices(new.Geometry), vertices(old.Geometry), what)
         elif not isinstance(old.Geometry, rhino3dm.AnnotationBase):
             boxes = [geometry.GetBoundingBox() for geometry in (new.Geometry, old.Geometry)]
             close(*([xyz(box.Min), xyz(box.Max)] for box in boxes), what, 1e-9)
         assert old.Attributes.Name == new.Attributes.Name, what
-        same += encoded(old.Geometry) == encoded(new.Geometry)
     return len(carried), same
 
 

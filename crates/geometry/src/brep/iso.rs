@@ -133,13 +133,22 @@ pub(super) fn is_straight(curve: &Curve, tolerance: f64) -> bool {
         return false;
     }
     let tolerance = if tolerance > 0.0 { tolerance } else { ZERO };
+    // In the order of operations of openNURBS: files hold curves that its rounding decides about.
+    let per_length = direction * (1.0 / square);
     let mut reached = 0.0_f64;
-    points.iter().all(|p| {
-        let t = (*p - from).dot(direction) / square;
+    points.get(1..points.len() - 1).unwrap_or_default().iter().all(|p| {
+        let (before, after) = (*p - from, *p - to);
+        let t = if before.dot(before) <= after.dot(after) {
+            before.dot(per_length)
+        } else {
+            1.0 + after.dot(per_length)
+        };
         let foot = line.at(t);
-        let on_line = (-OVERHANG..=1.0 + OVERHANG).contains(&t) && p.distance_to(foot) <= tolerance;
+        let apart = *p - foot;
+        let left = tolerance * tolerance - apart.x * apart.x - apart.y * apart.y - apart.z * apart.z;
+        let on_line = (-OVERHANG..=1.0 + OVERHANG).contains(&t) && left >= 0.0;
         reached = reached.max(t.min(1.0));
-        let back = (t < reached || t > 1.0) && foot.distance_to(line.at(reached)) > tolerance;
+        let back = (t < reached || t > 1.0) && !(foot.distance_to(line.at(reached)) <= tolerance);
         on_line && !back
     })
 }

@@ -20,8 +20,14 @@ pub(crate) fn geometry(object: &Object) -> Value {
         Object::Curve(c) => curve(c),
         Object::Surface(s) => surface(s),
         Object::Mesh(m) => mesh(m),
+        Object::CurveForm(form) => form.to_curve().map_or(json!({}), |c| curve(&c)),
+        Object::SurfaceForm(form) => form.to_surface().map_or(json!({}), |s| surface(&s)),
+        Object::Brep(b) => brep(b),
+        Object::Extrusion(e) => {
+            json!({"start": point(e.path.at(e.part.start)), "end": point(e.path.at(e.part.end)),
+            "profiles": e.profile_count, "caps": e.caps, "mitred": e.is_mitred})
+        }
         Object::SubD(s) => subd(s),
-        Object::Kept(raw) if raw.class_name() == "Brep" => brep(raw),
         Object::Annotation(a) => annotation::annotation(a),
         Object::Annotation5(a) => annotation::annotation_5(a),
         Object::Annotation2(a) => annotation::annotation_2(a),

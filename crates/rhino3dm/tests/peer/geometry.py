@@ -2,7 +2,7 @@
 
 import rhino3dm
 
-from .breps import check_brep
+from .breps import check_brep, check_extrusion
 from .classes import check_class
 from .clouds import check_cloud
 from .common import close, xyz
@@ -34,7 +34,8 @@ def check_geometry(ours, theirs, what):
         assert not ours["kept"], f"{what}: a curve is kept as bytes"
         check_curve(detail, theirs, what)
     elif isinstance(theirs, rhino3dm.Brep) and ours["class"] == "Brep":
-        # Layouts of version 2 files are not summarised.
-        if "major version 2" not in detail.get("brep_error", ""):
-            check_brep(detail, theirs, what)
+        assert not ours["kept"], f"{what}: a brep is kept as bytes"
+        check_brep(detail, theirs, what)
+    elif isinstance(theirs, rhino3dm.Extrusion):
+        check_extrusion(detail, theirs, what)
     return not ours["kept"]
