@@ -89,6 +89,8 @@ pub struct Attributes {
     pub clipping_label: u8,
     /// Key and value pairs.
     pub user_strings: Vec<(String, String)>,
+    /// How often the pairs were copied, as the writer counted; nothing where it did not, then they count themselves.
+    pub user_strings_copied: Option<i32>,
     /// Other user data, carried along as it is.
     pub user_data: Vec<UserData>,
 }
@@ -131,6 +133,7 @@ impl Default for Attributes {
             frame: None,
             clipping_label: 0,
             user_strings: Vec::new(),
+            user_strings_copied: None,
             user_data: Vec::new(),
         }
     }
@@ -177,7 +180,10 @@ impl Attributes {
 
     fn add_user_data(&mut self, data: UserData) -> Result<()> {
         match data.strings()? {
-            Some(strings) => self.user_strings.extend(strings),
+            Some(strings) => {
+                self.user_strings.extend(strings);
+                self.user_strings_copied = Some(data.copy_count);
+            }
             None => self.user_data.push(data),
         }
         Ok(())
@@ -230,7 +236,9 @@ impl Attributes {
     fn all_user_data(&self, version: Version) -> Result<Vec<UserData>> {
         let mut all = Vec::new();
         if !self.user_strings.is_empty() {
-            all.push(UserData::from_strings(&self.user_strings, version)?);
+            let mut strings = UserData::from_strings(&self.user_strings, version)?;
+            strings.copy_count = self.user_strings_copied.unwrap_or(strings.copy_count);
+            all.push(strings);
         }
         all.extend(self.user_data.iter().filter(|data| data.class != class_ids::USER_STRINGS).cloned());
         Ok(all)
