@@ -89,10 +89,19 @@ pub struct Attributes {
     pub clipping_label: u8,
     /// Key and value pairs.
     pub user_strings: Vec<(String, String)>,
-    /// How often the pairs were copied, as the writer counted; nothing where it did not, then they count themselves.
-    pub user_strings_copied: Option<i32>,
+    /// What the writer says of the pairs beside them; nothing for new ones.
+    pub user_strings_history: Option<StringsHistory>,
     /// Other user data, carried along as it is.
     pub user_data: Vec<UserData>,
+}
+
+/// What became of user strings since an object got them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StringsHistory {
+    /// How often they were copied, as the writer counted.
+    pub copies: i32,
+    /// The transform applied to the object since, row after row.
+    pub transform: [f64; 16],
 }
 
 impl Default for Attributes {
@@ -133,7 +142,7 @@ impl Default for Attributes {
             frame: None,
             clipping_label: 0,
             user_strings: Vec::new(),
-            user_strings_copied: None,
+            user_strings_history: None,
             user_data: Vec::new(),
         }
     }
@@ -182,7 +191,8 @@ impl Attributes {
         match data.strings()? {
             Some(strings) => {
                 self.user_strings.extend(strings);
-                self.user_strings_copied = Some(data.copy_count);
+                let history = StringsHistory { copies: data.copy_count, transform: data.transform };
+                self.user_strings_history = Some(history);
             }
             None => self.user_data.push(data),
         }
@@ -237,7 +247,9 @@ impl Attributes {
         let mut all = Vec::new();
         if !self.user_strings.is_empty() {
             let mut strings = UserData::from_strings(&self.user_strings, version)?;
-            strings.copy_count = self.user_strings_copied.unwrap_or(strings.copy_count);
+            if let Some(history) = &self.user_strings_history {
+                (strings.copy_count, strings.transform) = (history.copies, history.transform);
+            }
             all.push(strings);
         }
         all.extend(self.user_data.iter().filter(|data| data.class != class_ids::USER_STRINGS).cloned());
