@@ -10,7 +10,7 @@ use katydid_data::Value;
 use katydid_geometry::{Circle, Curve, Plane, Point2, Point3, Vector2, Xform};
 use uuid::Uuid;
 
-const PLANE: StoredPlane = StoredPlane { frame: Plane::YZ, equation: Some([1.0, 0.0, 0.0, 0.0]) };
+const PLANE: StoredPlane = StoredPlane { frame: Plane::YZ, equation: None };
 
 fn objects() -> Vec<Object> {
     let points = || vec![Point2::new(0.0, 0.0), Point2::new(1.0, 2.0)];
