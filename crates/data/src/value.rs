@@ -140,11 +140,14 @@ impl Value {
     /// The bytes are broken, or hold numbers that no curve, surface or mesh has.
     pub fn from_raw(raw: RawObject) -> Result<Option<Self>, katydid_3dm::Error> {
         Ok(match raw.parse(&Limits::default())? {
-            // What is not computed with stays as it came, user data and all.
             object @ (Object::Brep(_) | Object::Extrusion(_)) => {
                 Some(object.surface().map_or_else(|| Self::from(raw), |s| Self::from(s.into_owned())))
             }
-            object => Self::from_object(object, &raw.user_data),
+            object => match Self::from_object(object, &raw.user_data) {
+                // What is not computed with stays as it came, user data and all.
+                Some(Self::Kept(_)) | None => Some(Self::from(raw)),
+                value => value,
+            },
         })
     }
 

@@ -21,6 +21,7 @@ pub(crate) const EXTRUSION: Uuid = uuid!("36F53175-72B8-4D47-BF1F-B4E6FC24F4B9")
 pub(crate) const FACE_SIDE: Uuid = uuid!("30930370-0D5B-4EE4-8083-BD635C7398A4");
 pub(crate) const REGION: Uuid = uuid!("CA7A0092-7EE6-4F99-B9D2-E1D6AA798AA1");
 pub(crate) const MESH: Uuid = uuid!("4ED7D4E4-E947-11D3-BFE5-0010830122F0");
+pub(crate) const SUBD_PROXY: Uuid = uuid!("2868B9CD-28AE-4EA7-8073-BD390B3E97C8");
 pub(crate) const SUBD: Uuid = uuid!("F09BA4D9-455B-42C3-BA3B-E6CCACEF853B");
 pub(crate) const TEXT_DOT: Uuid = uuid!("74198302-CDF4-4F95-9609-6D684F22AB37");
 pub(crate) const BLOCK_REFERENCE: Uuid = uuid!("F9CFB638-B9D4-4340-87E3-C56E7865D96A");

@@ -56,7 +56,9 @@ mod v1;
 mod version;
 mod write;
 
-pub use attributes::{ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source};
+pub use attributes::{
+    ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source, StringsHistory,
+};
 pub use chunk::ChunkPath;
 pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;

@@ -37,6 +37,10 @@ impl Model {
                 losses.push(Loss { what, why: why.into() });
             }
         }
+        for table in self.user_tables.iter().filter(|table| table.body_for(target).is_none()) {
+            let what = format!("the document strings of a version {} archive", table.archive_version);
+            losses.push(Loss { what, why: "their chunks cannot be told".into() });
+        }
         losses.extend(self.simplified(version));
         losses.extend(self.lights.iter().filter_map(|light| object_loss(light, "light", version)));
         losses.extend(self.objects.iter().filter_map(|object| object_loss(object, "object", version)));

@@ -1,8 +1,11 @@
 //! User tables (section 5): what plug-ins store beside the model.
 
-use uuid::Uuid;
+use std::borrow::Cow;
+
+use uuid::{Uuid, uuid};
 
 use crate::chunk::{Chunk, Reader, Writer};
+use crate::recode::recode;
 use crate::version::Version;
 use crate::{Error, Result, typecode};
 
@@ -22,6 +25,9 @@ pub struct UserTable {
 }
 
 const WHAT: &str = "user table";
+/// The table of the document's user strings. Readers take it apart as part of the archive around it, whatever
+/// version the table states; bodies of plug-ins they read by the version that is stated.
+const DOCUMENT_STRINGS: Uuid = uuid!("06F3218E-F5EC-4F6C-B74C-14583F0ED7BC");
 
 impl UserTable {
     /// Reads the table.
@@ -65,21 +71,32 @@ impl UserTable {
         Ok(())
     }
 
-    /// Writes the table; its body keeps its own version.
+    /// The body for an archive of the given version, and the version it follows; nothing when it cannot be had.
+    pub(crate) fn body_for(&self, version: Version) -> Option<(Cow<'_, [u8]>, Version)> {
+        let own = self.version();
+        if self.plug_in != DOCUMENT_STRINGS || own.is_wide() == version.is_wide() {
+            return Some((Cow::Borrowed(&self.body), own));
+        }
+        let body = recode(typecode::USER_TABLE_BODY, &self.body, own, version)?;
+        Some((Cow::Owned(body), version))
+    }
+
+    /// Writes the table if it can stand in the archive; the body of a plug-in keeps its own version.
     pub(crate) fn write(&self, w: &mut Writer) -> Result<()> {
+        let Some((body, own)) = self.body_for(w.version()) else { return Ok(()) };
         w.chunk(typecode::USER_TABLE, |w| {
             w.chunk(typecode::USER_TABLE_HEADER, |w| {
                 w.uuid(self.plug_in);
                 w.chunk(typecode::USER_TABLE_VERSION, |w| {
                     w.i32(1);
                     w.i32(0);
-                    w.bool(self.carried || self.version() != w.version());
-                    w.i32(self.archive_version);
-                    w.u32(self.opennurbs_version);
+                    w.bool(self.carried || own != w.version());
+                    w.i32(own.archive);
+                    w.u32(own.opennurbs);
                     Ok(())
                 })
             })?;
-            w.foreign_chunk(typecode::USER_TABLE_BODY, &self.body)?;
+            w.foreign_chunk(typecode::USER_TABLE_BODY, &body)?;
             w.short(typecode::END_OF_TABLE, 0);
             Ok(())
         })

@@ -16,7 +16,7 @@ import rhino3dm
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from peer.classes import check_bytes_of_real_objects, check_written_classes
-from peer import version1
+from peer import generated, object_bytes, version1
 from peer.common import SHARED, VERSIONS, close, dumped, encoded, ends, example, xyz
 from peer.curves import check_curve, homogeneous
 from peer.geometry import check_geometry
@@ -166,6 +166,18 @@ def test_converted_archives_hold_the_same_objects():
             print(f"version {version}: {objects} objects carried over and valid, {same} of them encoded alike")
 
 
+def test_single_objects_have_the_bytes_of_rhino3dm():
+    object_bytes.check_oracle()
+    object_bytes.check_generated()
+
+
+def test_generated_models_of_every_version():
+    found, counts = generated.differences(sources=(2, 4, 7), targets=(4, 60, 80))
+    assert not found, "\n".join(found)
+    print(f"generated: {counts['files']} files, {counts['encoded alike']} of {counts['objects']} objects and "
+          f"{counts['entries alike']} of {counts['entries']} entries of tables alike after reading and writing")
+
+
 if __name__ == "__main__":
     test_the_comparison_notices_small_differences()
     test_what_we_write_is_read_by_rhino3dm()
@@ -174,5 +186,7 @@ if __name__ == "__main__":
     test_real_archives_are_read_as_rhino3dm_reads_them()
     test_objects_of_small_classes_have_the_bytes_of_rhino3dm()
     test_converted_archives_hold_the_same_objects()
+    test_single_objects_have_the_bytes_of_rhino3dm()
+    test_generated_models_of_every_version()
     for extra in sys.argv[1:]:
         check_encoded(extra, strict=False)

@@ -1,4 +1,5 @@
 //! Version 1 where the official reader cannot be asked: what it gives up on, and what it does not check.
+#![allow(clippy::unwrap_used, reason = "helpers of tests only")]
 
 mod common;
 

@@ -89,8 +89,19 @@ pub struct Attributes {
     pub clipping_label: u8,
     /// Key and value pairs.
     pub user_strings: Vec<(String, String)>,
+    /// What the writer says of the pairs beside them; nothing for new ones.
+    pub user_strings_history: Option<StringsHistory>,
     /// Other user data, carried along as it is.
     pub user_data: Vec<UserData>,
+}
+
+/// What became of user strings since an object got them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StringsHistory {
+    /// How often they were copied, as the writer counted.
+    pub copies: i32,
+    /// The transform applied to the object since, row after row.
+    pub transform: [f64; 16],
 }
 
 impl Default for Attributes {
@@ -131,6 +142,7 @@ impl Default for Attributes {
             frame: None,
             clipping_label: 0,
             user_strings: Vec::new(),
+            user_strings_history: None,
             user_data: Vec::new(),
         }
     }
@@ -177,7 +189,11 @@ impl Attributes {
 
     fn add_user_data(&mut self, data: UserData) -> Result<()> {
         match data.strings()? {
-            Some(strings) => self.user_strings.extend(strings),
+            Some(strings) => {
+                self.user_strings.extend(strings);
+                let history = StringsHistory { copies: data.copy_count, transform: data.transform };
+                self.user_strings_history = Some(history);
+            }
             None => self.user_data.push(data),
         }
         Ok(())
@@ -230,7 +246,11 @@ impl Attributes {
     fn all_user_data(&self, version: Version) -> Result<Vec<UserData>> {
         let mut all = Vec::new();
         if !self.user_strings.is_empty() {
-            all.push(UserData::from_strings(&self.user_strings, version)?);
+            let mut strings = UserData::from_strings(&self.user_strings, version)?;
+            if let Some(history) = &self.user_strings_history {
+                (strings.copy_count, strings.transform) = (history.copies, history.transform);
+            }
+            all.push(strings);
         }
         all.extend(self.user_data.iter().filter(|data| data.class != class_ids::USER_STRINGS).cloned());
         Ok(all)

@@ -46,6 +46,7 @@ pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub(crate) use subd::restated;
 pub use subd::{
     PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
     SubDObject, SubDPacking,

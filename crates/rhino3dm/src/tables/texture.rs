@@ -146,7 +146,8 @@ impl Texture {
         let mut texture = Self {
             id,
             channel,
-            file: FileReference::from_path(&path),
+            // Readers take the one path of before as the full one, whatever it looks like.
+            file: FileReference { full_path: path, ..FileReference::default() },
             enabled,
             kind: TextureKind::from_number(r.u32(WHAT)?),
             mode: r.u32(WHAT)?,

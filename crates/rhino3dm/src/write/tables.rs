@@ -6,6 +6,7 @@ use std::collections::HashSet;
 use super::ids::Ids;
 use crate::chunk::Writer;
 use crate::model::{Model, ModelObject};
+use crate::object::restated;
 use crate::read::RecordCodes;
 use crate::settings::{self, StoredUnits};
 use crate::tables::{Entry, Table, write_entry};
@@ -129,13 +130,14 @@ fn write_record(
     }
     let is_object = typecode == typecode::OBJECT_RECORD;
     let codes = if is_object { RecordCodes::OBJECT } else { RecordCodes::LIGHT };
+    let (geometry, user_data) = restated(&object.geometry, &object.user_data, w.version());
     w.chunk(typecode, |w| {
         if is_object {
-            let kind = class_ids::object_type(object.geometry.class());
+            let kind = class_ids::object_type(geometry.class());
             w.short(typecode::OBJECT_RECORD_TYPE, i64::from(kind));
         }
         let start = w.len();
-        object.geometry.write(w, &object.user_data)?;
+        geometry.write(w, &user_data)?;
         let id = ids.take(attributes.id, place, w.since(start));
         attributes.write(w, id, codes.attributes, codes.user_data)?;
         w.short(codes.end, 0);

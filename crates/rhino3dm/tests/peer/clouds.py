@@ -4,7 +4,7 @@ from .common import close, xyz
 
 
 def check_cloud(ours, theirs, what):
-    close(ours["points"], [xyz(p) for p in theirs.GetPoints()], f"{what} points", 0)
+    close(ours["points"], [xyz(p) for p in (theirs.GetPoints() if theirs.Count else ())], f"{what} points", 0)
     normals = theirs.GetNormals() if theirs.ContainsNormals else []
     close(ours["normals"], [xyz(n) for n in normals], f"{what} normals", 0)
     colours = theirs.GetColors() if theirs.ContainsColors else []

@@ -3,9 +3,11 @@
 
 mod additions;
 mod kernel;
+mod proxy;
 mod read;
 mod write;
 
+pub(crate) use proxy::restated;
 pub(super) use read::read;
 pub(super) use write::write;
 
