@@ -13,6 +13,12 @@ use crate::{Error, Result, typecode};
 const MOST_INFLATION: u64 = 1040;
 /// Buffers up to this size are stored plain.
 const PLAIN: usize = 128;
+/// Streams are some three hundredths longer at this level than at the highest, which openNURBS uses, and take a quarter
+/// of its time.
+const LEVEL: u32 = 6;
+/// Buffers of fewer bytes together are not worth the start of other threads.
+#[cfg(feature = "parallel")]
+const PARALLEL: usize = 1 << 15;
 
 /// A compressed buffer that is found but not inflated: its size is one that its bytes can hold and the limits
 /// allow.
@@ -111,11 +117,57 @@ fn inflate(stream: &[u8], room: &mut [u8]) -> std::result::Result<(), String> {
     Ok(())
 }
 
+/// A buffer compressed already.
+#[derive(Debug, Default)]
+pub(crate) struct Packed {
+    /// Bytes it holds once inflated.
+    size: usize,
+    crc: u32,
+    /// The zlib stream, or the plain bytes of a small buffer.
+    content: Vec<u8>,
+}
+
+impl Packed {
+    /// Plain up to 128 bytes, deflated beyond.
+    fn new(plain: &[u8]) -> Result<Self> {
+        let content = if plain.len() <= PLAIN { plain.to_vec() } else { deflate(plain)? };
+        Ok(Self { size: plain.len(), crc: crc32fast::hash(plain), content })
+    }
+}
+
+fn deflate(plain: &[u8]) -> Result<Vec<u8>> {
+    let mut stream = ZlibEncoder::new(Vec::new(), Compression::new(LEVEL));
+    stream.write_all(plain)?;
+    Ok(stream.finish()?)
+}
+
+/// Buffers, each compressed on a thread of its own when they are large. The bytes do not depend on the threads.
+pub(crate) fn pack_all<const N: usize>(plain: [&[u8]; N]) -> Result<[Packed; N]> {
+    let mut packed: [Packed; N] = std::array::from_fn(|_| Packed::default());
+    let pack = |(slot, plain): (&mut Packed, &[u8])| -> Result<()> {
+        *slot = Packed::new(plain)?;
+        Ok(())
+    };
+    #[cfg(feature = "parallel")]
+    if plain.iter().map(|plain| plain.len()).sum::<usize>() >= PARALLEL {
+        use rayon::prelude::*;
+        packed.par_iter_mut().zip(plain).try_for_each(pack)?;
+        return Ok(packed);
+    }
+    packed.iter_mut().zip(plain).try_for_each(pack)?;
+    Ok(packed)
+}
+
 impl Writer {
     /// A compressed buffer: plain up to 128 bytes, deflated beyond.
     pub(crate) fn compressed(&mut self, plain: &[u8]) -> Result<()> {
-        let size = u32::try_from(plain.len()).map_err(|_| Error::CannotWrite {
-            what: format!("a buffer of {} bytes", plain.len()),
+        self.packed(&Packed::new(plain)?)
+    }
+
+    /// A buffer compressed before.
+    pub(crate) fn packed(&mut self, buffer: &Packed) -> Result<()> {
+        let size = u32::try_from(buffer.size).map_err(|_| Error::CannotWrite {
+            what: format!("a buffer of {} bytes", buffer.size),
             version: self.version().archive,
             why: "buffers end at 4 GiB".into(),
         })?;
@@ -123,18 +175,15 @@ impl Writer {
         if size == 0 {
             return Ok(());
         }
-        self.u32(crc32fast::hash(plain));
-        if plain.len() <= PLAIN {
+        self.u32(buffer.crc);
+        if buffer.size <= PLAIN {
             self.u8(0);
-            self.bytes(plain);
+            self.bytes(&buffer.content);
             return Ok(());
         }
         self.u8(1);
-        let mut stream = ZlibEncoder::new(Vec::new(), Compression::default());
-        stream.write_all(plain)?;
-        let stream = stream.finish()?;
         self.chunk(typecode::ANONYMOUS, |w| {
-            w.bytes(&stream);
+            w.bytes(&buffer.content);
             Ok(())
         })
     }

@@ -1,5 +1,7 @@
 //! Arrays of numbers of one width, read from bytes and written to them without a copy an item.
 
+use std::borrow::Cow;
+
 use bytemuck::{Pod, Zeroable};
 
 use crate::chunk::{Reader, Writer};
@@ -85,22 +87,17 @@ impl Writer {
 
     /// The items without a count.
     pub(crate) fn items_of<T: Item>(&mut self, items: &[T]) {
-        with_bytes(items, |bytes| self.bytes(bytes));
-    }
-
-    /// A compressed buffer of items.
-    pub(crate) fn compressed_items<T: Item>(&mut self, items: &[T]) -> Result<()> {
-        with_bytes(items, |bytes| self.compressed(bytes))
+        self.bytes(&bytes_of(items));
     }
 }
 
 /// The bytes of items as archives have them.
-pub(crate) fn with_bytes<T: Item, R>(items: &[T], use_bytes: impl FnOnce(&[u8]) -> R) -> R {
+pub(crate) fn bytes_of<T: Item>(items: &[T]) -> Cow<'_, [u8]> {
     let bytes = bytemuck::cast_slice::<T, u8>(items);
     if cfg!(target_endian = "big") {
         let mut swapped = bytes.to_vec();
         swap_bytes(&mut swapped, T::WIDTH);
-        return use_bytes(&swapped);
+        return Cow::Owned(swapped);
     }
-    use_bytes(bytes)
+    Cow::Borrowed(bytes)
 }

@@ -28,8 +28,8 @@ fn chunks(bytes: &[u8]) -> Vec<(u32, Vec<u8>)> {
     let mut all = Vec::new();
     let mut rest = &bytes[FIRST..];
     while !rest.is_empty() {
-        let typecode = u32::from_le_bytes(rest[..4].try_into().unwrap());
-        let length = 12 + usize::try_from(u64::from_le_bytes(rest[4..12].try_into().unwrap())).unwrap();
+        let number = |bytes: &[u8]| bytes.iter().rev().fold(0_u32, |n, byte| n << 8 | u32::from(*byte));
+        let (typecode, length) = (number(&rest[..4]), 12 + number(&rest[4..12]) as usize);
         let (chunk, after) = rest.split_at(length);
         all.push((typecode, chunk.to_vec()));
         rest = after;

@@ -7,7 +7,7 @@ use katydid_3dm::{Limits, Model, Object, WarningKind};
 use katydid_geometry::{Curve, Point3};
 
 fn chunk(typecode: u32, body: &[u8]) -> Vec<u8> {
-    let length = u32::try_from(body.len()).unwrap();
+    let length = u32::try_from(body.len()).unwrap_or(u32::MAX);
     [&typecode.to_le_bytes()[..], &length.to_le_bytes(), body].concat()
 }
 

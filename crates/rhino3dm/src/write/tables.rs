@@ -3,14 +3,15 @@
 use std::borrow::Cow;
 use std::collections::HashSet;
 
+use uuid::Uuid;
+
 use super::ids::Ids;
+use super::records::Records;
 use crate::chunk::Writer;
-use crate::model::{Model, ModelObject};
-use crate::object::restated;
-use crate::read::RecordCodes;
+use crate::model::Model;
 use crate::settings::{self, StoredUnits};
 use crate::tables::{Entry, Table, write_entry};
-use crate::{Error, Layer, Result, class_ids, properties, typecode};
+use crate::{Error, Layer, Result, properties, typecode};
 
 impl Model {
     pub(super) fn write_tables(&self, w: &mut Writer) -> Result<()> {
@@ -29,20 +30,15 @@ impl Model {
         // Without this table, empty as it may be, readers pass over the dimension styles behind it.
         self.table(w, Table::TextStyles, |_| Ok(()))?;
         self.table(w, Table::DimensionStyles, |_| Ok(()))?;
-        let mut ids = Ids::default();
         // Identifiers are unique over lights and objects together.
-        self.table(w, Table::Lights, |w| {
-            self.lights.iter().enumerate().try_for_each(|(place, light)| {
-                write_record(light, place, layers.len(), &mut ids, typecode::LIGHT_RECORD, w)
-            })
-        })?;
+        let all: Vec<Uuid> = self.lights.iter().chain(&self.objects).map(|o| o.attributes.id).collect();
+        let ids = Ids::of(all.into_iter());
+        let records = |typecode, first| Records { typecode, layers: layers.len(), ids: &ids, first };
+        self.table(w, Table::Lights, |w| records(typecode::LIGHT_RECORD, 0).write(&self.lights, w))?;
         self.table(w, Table::HatchPatterns, |w| self.write_hatch_patterns(w))?;
         self.table(w, Table::Blocks, |w| entries(&self.blocks, typecode::INSTANCE_DEFINITION_RECORD, w))?;
-        self.table(w, Table::Objects, |w| {
-            self.objects.iter().enumerate().try_for_each(|(place, object)| {
-                write_record(object, place, layers.len(), &mut ids, typecode::OBJECT_RECORD, w)
-            })
-        })?;
+        let objects = records(typecode::OBJECT_RECORD, self.lights.len());
+        self.table(w, Table::Objects, |w| objects.write(&self.objects, w))?;
         self.table(w, Table::History, |_| Ok(()))?;
         self.user_tables.iter().try_for_each(|table| table.write(w))
     }
@@ -79,14 +75,14 @@ impl Model {
 
     /// Hatch patterns keep their numbers, by which hatches refer to them; those without get the first that is free.
     fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
-        let mut ids = Ids::default();
+        let ids = Ids::of(self.hatch_patterns.iter().map(|pattern| pattern.id));
         let mut stated: HashSet<i32> =
             self.hatch_patterns.iter().filter_map(|pattern| pattern.number).collect();
         for (place, pattern) in self.hatch_patterns.iter().enumerate() {
             let free = || (0..i32::MAX).find(|number| !stated.contains(number)).unwrap_or(i32::MAX);
             let number = pattern.number.unwrap_or_else(free);
             stated.insert(number);
-            let id = ids.take(pattern.id, place, pattern.name.as_bytes());
+            let id = ids.get(place, pattern.name.as_bytes());
             w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
         }
         Ok(())
@@ -99,48 +95,15 @@ impl Model {
 
 /// The records of entries, each numbered by its place.
 fn entries<T: Entry>(entries: &[T], record: u32, w: &mut Writer) -> Result<()> {
-    let mut ids = Ids::default();
+    let ids = Ids::of(entries.iter().map(Entry::id));
     for (place, entry) in entries.iter().enumerate() {
         let number = i32::try_from(place).map_err(|_| Error::CannotWrite {
             what: format!("a table with {} entries", entries.len()),
             version: w.version().archive,
             why: "counts end at 2147483647".into(),
         })?;
-        let id = ids.take(entry.id(), place, entry.name().as_bytes());
+        let id = ids.get(place, entry.name().as_bytes());
         w.chunk(record, |w| write_entry(entry, number, id, w))?;
     }
     Ok(())
-}
-
-fn write_record(
-    object: &ModelObject,
-    place: usize,
-    layers: usize,
-    ids: &mut Ids,
-    typecode: u32,
-    w: &mut Writer,
-) -> Result<()> {
-    let attributes = &object.attributes;
-    if let Some(layer) = attributes.layer.filter(|layer| *layer >= layers) {
-        return Err(Error::CannotWrite {
-            what: format!("object {place}"),
-            version: w.version().archive,
-            why: format!("it lies on layer {layer}, but there are {layers} layers"),
-        });
-    }
-    let is_object = typecode == typecode::OBJECT_RECORD;
-    let codes = if is_object { RecordCodes::OBJECT } else { RecordCodes::LIGHT };
-    let (geometry, user_data) = restated(&object.geometry, &object.user_data, w.version());
-    w.chunk(typecode, |w| {
-        if is_object {
-            let kind = class_ids::object_type(geometry.class());
-            w.short(typecode::OBJECT_RECORD_TYPE, i64::from(kind));
-        }
-        let start = w.len();
-        geometry.write(w, &user_data)?;
-        let id = ids.take(attributes.id, place, w.since(start));
-        attributes.write(w, id, codes.attributes, codes.user_data)?;
-        w.short(codes.end, 0);
-        Ok(())
-    })
 }

@@ -2,7 +2,8 @@
 
 use super::{MeshObject, single};
 use crate::chunk::{Reader, Writer};
-use crate::items::with_bytes;
+use crate::compressed::Packed;
+use crate::items::bytes_of;
 use crate::object::UserData;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
@@ -28,11 +29,11 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<Vec<[f64; 3]>> {
     Ok(points)
 }
 
-/// Writes the chunk of a body.
-pub(super) fn write(points: &[[f64; 3]], w: &mut Writer) -> Result<()> {
+/// Writes the chunk of a body: so many points, compressed already.
+pub(super) fn write(count: usize, packed: &Packed, w: &mut Writer) -> Result<()> {
     w.versioned(1, 0, |w| {
-        w.count(points.len(), WHAT)?;
-        w.compressed_items(points)
+        w.count(count, WHAT)?;
+        w.packed(packed)
     })
 }
 
@@ -76,8 +77,8 @@ pub(super) fn to_user_data(mesh: &MeshObject, version: Version) -> Result<Option
         w.versioned(1, 0, |w| {
             w.count(mesh.vertices.len(), "vertices")?;
             w.count(mesh.double_vertices.len(), "vertices")?;
-            w.u32(with_bytes(&mesh.vertices, crc32fast::hash));
-            w.u32(with_bytes(&mesh.double_vertices, crc32fast::hash));
+            w.u32(crc32fast::hash(&bytes_of(&mesh.vertices)));
+            w.u32(crc32fast::hash(&bytes_of(&mesh.double_vertices)));
             w.items(&mesh.double_vertices, "vertices")
         })
     })?;

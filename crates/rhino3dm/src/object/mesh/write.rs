@@ -1,5 +1,7 @@
 use super::{MeshObject, double_vertices, ngons, parameters, single, statistics};
 use crate::chunk::Writer;
+use crate::compressed::{Packed, pack_all};
+use crate::items::bytes_of;
 use crate::version::Version;
 use crate::{Error, Result, colour};
 
@@ -12,11 +14,14 @@ pub(in crate::object) fn write(mesh: &MeshObject, w: &mut Writer) -> Result<()> 
     w.count(mesh.faces.len(), "faces")?;
     write_head(mesh, w)?;
     write_faces(mesh, w);
-    write_buffers(mesh, w)?;
+    let buffers = pack_buffers(mesh, newer)?;
+    if !mesh.vertices.is_empty() {
+        buffers.a_vertex.iter().try_for_each(|buffer| w.packed(buffer))?;
+    }
     w.i32(i32::from(mesh.packed_texture_rotated));
     w.uuid(mesh.mapping.mapping);
     if !mesh.vertices.is_empty() {
-        w.compressed_items(one_a_vertex(&mesh.surface_parameters, mesh))?;
+        w.packed(&buffers.surface_parameters)?;
     }
     mesh.mapping.write(w)?;
     w.bytes(&[mesh.manifold, mesh.oriented, mesh.solid]);
@@ -27,7 +32,7 @@ pub(in crate::object) fn write(mesh: &MeshObject, w: &mut Writer) -> Result<()> 
         }
         w.bool(mesh.has_double_vertices());
         if mesh.has_double_vertices() {
-            double_vertices::write(&mesh.double_vertices, w)?;
+            double_vertices::write(mesh.double_vertices.len(), &buffers.double_vertices, w)?;
         }
         mesh.vertex_box.as_flattened().iter().for_each(|x| w.f64(*x));
     }
@@ -113,15 +118,30 @@ fn write_faces(mesh: &MeshObject, w: &mut Writer) {
     }
 }
 
-fn write_buffers(mesh: &MeshObject, w: &mut Writer) -> Result<()> {
-    if mesh.vertices.is_empty() {
-        return Ok(());
-    }
-    w.compressed_items(&mesh.vertices)?;
-    w.compressed_items(one_a_vertex(&mesh.normals, mesh))?;
-    w.compressed_items(one_a_vertex(&mesh.texture_coordinates, mesh))?;
-    w.compressed_items(one_a_vertex(&mesh.curvatures, mesh))?;
+/// The compressed buffers of a mesh.
+struct Buffers {
+    /// Vertices, normals, texture coordinates, curvatures and colours.
+    a_vertex: [Packed; 5],
+    surface_parameters: Packed,
+    double_vertices: Packed,
+}
+
+/// Compresses all buffers at once.
+fn pack_buffers(mesh: &MeshObject, has_doubles: bool) -> Result<Buffers> {
     let colours: Vec<[u8; 4]> =
         one_a_vertex(&mesh.colours, mesh).iter().map(|c| colour::to_archive(*c)).collect();
-    w.compressed_items(&colours)
+    let doubles: &[_] = if has_doubles { one_a_vertex(&mesh.double_vertices, mesh) } else { &[] };
+    let packed = pack_all([
+        &bytes_of(&mesh.vertices),
+        &bytes_of(one_a_vertex(&mesh.normals, mesh)),
+        &bytes_of(one_a_vertex(&mesh.texture_coordinates, mesh)),
+        &bytes_of(one_a_vertex(&mesh.curvatures, mesh)),
+        &bytes_of(&colours),
+        &bytes_of(one_a_vertex(&mesh.surface_parameters, mesh)),
+        &bytes_of(doubles),
+    ])?;
+    let [vertices, normals, texture_coordinates, curvatures, colours, surface_parameters, double_vertices] =
+        packed;
+    let a_vertex = [vertices, normals, texture_coordinates, curvatures, colours];
+    Ok(Buffers { a_vertex, surface_parameters, double_vertices })
 }
