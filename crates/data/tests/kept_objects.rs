@@ -27,7 +27,7 @@ fn objects() -> Vec<Object> {
             loops: vec![HatchLoop { outer: true, curve: CurveForm::of(&circle, 2) }],
             base_point: Point2::new(1.0, 2.0),
         })),
-        Object::SubD(Box::new(SubDObject::default())),
+        Object::SubD(Box::<SubDObject>::default()),
         Object::PointCloud(PointCloud { points: vec![Point3::ORIGIN], ..PointCloud::default() }),
         Object::Annotation(Box::new(Annotation {
             kind: AnnotationKind::Leader { points: points() },

@@ -172,7 +172,8 @@ def test_single_objects_have_the_bytes_of_rhino3dm():
 
 
 def test_generated_models_of_every_version():
-    found, counts = generated.differences(sources=(2, 4, 7), targets=(4, 60, 80))
+    found, counts = generated.differences(sources=(2, 5, 7), targets=(50, 60, 80))
+    found = [difference for difference in found if not generated.is_known(difference)]
     assert not found, "\n".join(found)
     print(f"generated: {counts['files']} files, {counts['encoded alike']} of {counts['objects']} objects and "
           f"{counts['entries alike']} of {counts['entries']} entries of tables alike after reading and writing")

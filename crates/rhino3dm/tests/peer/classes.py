@@ -13,7 +13,7 @@ from .common import SHARED, close, dumped, example, xyz
 CLASSES = (rhino3dm.TextDot, rhino3dm.Light, rhino3dm.InstanceReference, rhino3dm.Hatch, rhino3dm.AnnotationBase)
 LIGHTS = {"CameraDirectional": "CameraDirectional", "CameraPoint": "CameraPoint", "CameraSpot": "CameraSpot",
           "Directional": "WorldDirectional", "Point": "WorldPoint", "Spot": "WorldSpot", "Ambient": "Ambient",
-          "Linear": "WorldLinear", "Rectangular": "WorldRectangular", "Unknown(0)": "None"}
+          "Linear": "WorldLinear", "Rectangular": "WorldRectangular", "Unknown(0)": "Unknown"}
 
 
 def axes(plane):

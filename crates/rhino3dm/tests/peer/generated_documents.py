@@ -169,11 +169,11 @@ def add_blocks(file, maker):
         file.Objects.AddInstanceObject(r.InstanceReference(inner, form), attributes(file, maker))
 
 
-def seeds(maker, limit=24):
+def seeds(maker, limit=3):
     """Objects of classes that the interface cannot make from nothing, out of real files, moved and named anew."""
     found, held = {}, []
     for path in sorted(SHARED.glob("*.3dm")):
-        if path.stat().st_size > 2_000_000:
+        if path.stat().st_size > 100_000:
             continue
         file = r.File3dm.Read(str(path))
         held.append(file)
