@@ -1,4 +1,5 @@
 //! Archives whose tables are not where they should be, or not at all.
+#![allow(clippy::unwrap_used, reason = "helpers of tests only")]
 
 mod common;
 
