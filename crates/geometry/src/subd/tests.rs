@@ -31,7 +31,8 @@ fn a_boundary_is_a_crease() {
 #[test]
 fn an_inconsistent_net_is_refused() {
     type Parts = (Vec<SubDVertex>, Vec<SubDEdge>, Vec<SubDFace>);
-    let cases: [(&str, fn(&mut Parts)); 12] = [
+    type Spoil = fn(&mut Parts);
+    let cases: [(&str, Spoil); 12] = [
         ("vertex 3 has the identifier 1", |p| p.0[3].id = 1),
         ("edge 0 has the identifier 0", |p| p.1[0].id = 0),
         ("vertex 2 is not finite", |p| p.0[2].point.y = f64::NAN),

@@ -1,6 +1,6 @@
 //! Breps.
 
-use katydid_3dm::{BrepObject, BrepSummary};
+use katydid_3dm::BrepObject;
 use katydid_geometry::brep::{CurvePart, Iso, LoopKind, TrimKind};
 use katydid_geometry::{Interval, Side};
 use serde_json::{Value, json};
@@ -50,7 +50,7 @@ pub(crate) fn brep(object: &BrepObject) -> Value {
         "surfaces": parts.surfaces.iter().map(|s| s.as_ref().map(surface)).collect::<Vec<_>>(),
         "render_meshes": meshes(&object.render_meshes), "analysis_meshes": meshes(&object.analysis_meshes),
         "bare": object.bare_surface().map(|b| surface(&b.surface)),
-        "closed": BrepSummary::of(object).is_closed(), "solidity": format!("{:?}", parts.solidity),
+        "solid": object.brep.is_solid(), "solidity": format!("{:?}", parts.solidity),
         "faults": brep.faults().iter().map(ToString::to_string).collect::<Vec<_>>()})
 }
 

@@ -44,8 +44,8 @@ def check_brep(ours, theirs, what):
     if ours["bare"]:
         assert len(theirs.Faces) == 1 and theirs.IsSurface, f"{what}: a bare surface here"
         check_surface(ours["bare"], theirs.Faces[0].UnderlyingSurface(), f"{what} surface")
-    if ours["solidity"] != "Unknown" or ours["closed"]:
-        assert ours["closed"] == theirs.IsSolid, f"{what}: closed {ours['closed']} here, {theirs.IsSolid} there"
+    solid = ours["solidity"] != "Unknown" or ours["solid"]
+    assert solid == theirs.IsSolid, f"{what}: solid {solid} here, {theirs.IsSolid} there"
     if theirs.IsValid:
         assert not ours["faults"], f"{what}: {ours['faults']}"
 

@@ -110,7 +110,7 @@ def check_sample(version):
     assert objects["arc"].Attributes.Mode == rhino3dm.ObjectMode.Locked
     assert objects["arc"].Attributes.ColorSource == rhino3dm.ObjectColorSource.ColorFromLayer
     close([0.1, -2.5, 1e6], xyz(objects["point"].Geometry.Location))
-    cloud = {"points": [[i, 0.5, -1 / 3] for i in range(5)], "normals": [[0, 0, 1]] * 5, "colours": [[10 * i, 20, 30, 255] for i in range(5)]}
+    cloud = {"points": [[i, 0.5, -1 / 3] for i in range(5)], "normals": [[0, 0, 1]] * 5, "values": [], "colours": [[10 * i, 20, 30, 255] for i in range(5)]}
     check_geometry({"detail": cloud, "kept": False, "class": "PointCloud"}, objects["cloud"].Geometry, "cloud")
     for name, curve in sample_curves().items():
         check_curve(curve, objects[name].Geometry, name)
