@@ -39,3 +39,14 @@ def check_mesh(ours, theirs, what):
     same(unpacked(ours["colours"], "B", 4), colours, f"{what} colours")
     if ours["closed"] is not None:
         assert ours["closed"] == theirs.IsClosed, f"{what} closed"
+
+
+def check_stated_mesh(stated, theirs, what):
+    """A mesh against numbers that were stated apart from any archive."""
+    close(stated["vertices"], vertices(theirs), f"{what} vertices")
+    faces = [theirs.Faces[i] for i in range(len(theirs.Faces))]
+    assert stated["faces"] == [list(f[:3] if f[2] == f[3] else f) for f in faces], f"{what} faces"
+    normals = [theirs.Normals[i] for i in range(len(theirs.Normals))]
+    close(stated["normals"], [xyz(n) for n in normals], f"{what} normals", 1e-7)
+    colours = [theirs.VertexColors[i] for i in range(len(theirs.VertexColors))]
+    assert [c[:3] for c in stated["colours"]] == [list(c[:3]) for c in colours], f"{what} colours"

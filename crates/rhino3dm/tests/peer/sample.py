@@ -9,7 +9,7 @@ import rhino3dm
 from .common import close, example, xyz
 from .curves import check_curve
 from .geometry import check_geometry
-from .meshes import check_mesh
+from .meshes import check_stated_mesh
 from .surfaces import check_surface
 
 
@@ -116,8 +116,8 @@ def check_sample(version):
         check_curve(curve, objects[name].Geometry, name)
     check_surface(sample_plane_surface(), objects["plane surface"].Geometry, "plane surface")
     check_sphere(objects["sphere"].Geometry)
-    check_mesh(sample_mesh(), objects["mesh"].Geometry, "mesh")
+    check_stated_mesh(sample_mesh(), objects["mesh"].Geometry, "mesh")
     plain = {"vertices": [[x, y, 0.25] for x, y in ((0, 0), (2, 0), (2, 1), (0, 1), (3, 0.5))],
              "faces": [[0, 1, 2, 3], [1, 4, 2]], "normals": [], "colours": []}
-    check_mesh(plain, objects["plain mesh"].Geometry, "plain mesh")
+    check_stated_mesh(plain, objects["plain mesh"].Geometry, "plain mesh")
     return {name: o.Geometry for name, o in objects.items()}
