@@ -16,7 +16,8 @@ test-rust:
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed
 	cargo build --release -p katydid
-	$(VENV)/bin/python -m pytest -q python-tests crates/rhino3dm/tests/rhino3dm_peer.py
+	$(VENV)/bin/python -m pytest -q python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
+		crates/rhino3dm/tests/tables_peer.py
 
 $(VENV)/installed: python-tests/requirements.txt
 	$(PYTHON) -m venv $(VENV)

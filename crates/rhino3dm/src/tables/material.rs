@@ -274,7 +274,7 @@ impl Material {
 }
 
 /// The number in single precision, in which programs of old kept it.
-fn single(x: f64) -> f64 {
+pub(crate) fn single(x: f64) -> f64 {
     #[allow(clippy::cast_possible_truncation, reason = "the loss of digits is what is wanted")]
     let single = x as f32;
     f64::from(single)

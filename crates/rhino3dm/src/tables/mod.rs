@@ -30,6 +30,7 @@ pub use section_style::SectionStyle;
 pub use texture::{Texture, TextureKind};
 
 pub(crate) use component::Component;
+pub(crate) use material::single;
 
 use uuid::Uuid;
 

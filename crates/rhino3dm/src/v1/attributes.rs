@@ -4,6 +4,7 @@ use katydid_geometry::Vector3;
 
 use super::{text, typecode as code};
 use crate::chunk::Reader;
+use crate::tables::single;
 use crate::{Attributes, FileReference, Material, Result, Texture, TextureKind, typecode};
 
 const WHAT: &str = "attributes";
@@ -87,7 +88,7 @@ impl Stated {
                 if u32::from_le_bytes([red, green, blue, shine]) != NO_COLOUR {
                     let material = self.material();
                     material.diffuse = [red, green, blue, 255];
-                    material.shine = (f64::from(shine) / 100.0 * MOST_SHINE).min(MOST_SHINE);
+                    material.shine = single((f64::from(shine) / 100.0 * MOST_SHINE).min(MOST_SHINE));
                 }
             }
             code::TRANSPARENCY => {
