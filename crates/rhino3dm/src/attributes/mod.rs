@@ -11,6 +11,7 @@ use uuid::Uuid;
 use crate::chunk::{Reader, Writer};
 use crate::object::UserData;
 use crate::read::Places;
+use crate::tables::values::IDENTITY;
 use crate::tables::{Linetype, Rendering, SectionStyle};
 use crate::version::Version;
 use crate::{Result, class_ids, typecode};
@@ -89,7 +90,7 @@ pub struct Attributes {
     pub clipping_label: u8,
     /// Key and value pairs.
     pub user_strings: Vec<(String, String)>,
-    /// What the writer says of the pairs beside them; nothing for new ones.
+    /// What the writer says of the pairs beside them; nothing for what new ones say.
     pub user_strings_history: Option<StringsHistory>,
     /// Other user data, carried along as it is.
     pub user_data: Vec<UserData>,
@@ -190,9 +191,12 @@ impl Attributes {
     fn add_user_data(&mut self, data: UserData) -> Result<()> {
         match data.strings()? {
             Some(strings) => {
-                self.user_strings.extend(strings);
+                // New pairs are written with their number as the count, and no transform.
+                let is_fresh =
+                    usize::try_from(data.copy_count) == Ok(strings.len()) && data.transform == IDENTITY;
                 let history = StringsHistory { copies: data.copy_count, transform: data.transform };
-                self.user_strings_history = Some(history);
+                self.user_strings_history = (!is_fresh).then_some(history);
+                self.user_strings.extend(strings);
             }
             None => self.user_data.push(data),
         }
