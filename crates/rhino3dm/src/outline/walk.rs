@@ -122,7 +122,9 @@ impl Walker<'_> {
         if self.crc_but(body, &[]) == stored {
             return (OutlineCrc::Right, Vec::new());
         }
-        let is_leaf = matches!(header.typecode, 0x0002_FFFB | 0x2000_8021..=0x2000_8027 | 0x2000_8031);
+        // The preview image (0x20008025) holds a compressed buffer, the other properties no chunks.
+        let is_leaf =
+            matches!(header.typecode, 0x0002_FFFB | 0x2000_8021..=0x2000_8024 | 0x2000_8027 | 0x2000_8031);
         if is_leaf || is_opaque(header.typecode) {
             return (OutlineCrc::Wrong, Vec::new());
         }
