@@ -4,7 +4,10 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use katydid_3dm::{BrepObject, Extrusion, Limits, MeshObject, Model, Object, StoredFace, SubDObject};
+use katydid_3dm::{
+    BrepObject, Extrusion, Limits, MeshObject, Model, Object, OutlineContent, OutlineCrc, StoredFace,
+    SubDObject, outline,
+};
 
 #[test]
 fn every_archive_is_read() {
@@ -199,4 +202,18 @@ fn breps_of_real_archives_have_few_faults() {
     }
     println!("{breps} breps, {faulty} of them with faults");
     assert!(faulty * 20 <= breps, "{faulty} of {breps}");
+}
+
+#[test]
+fn no_checksum_of_a_real_archive_is_called_wrong() {
+    for (path, bytes) in common::archives() {
+        let mut wrong = Vec::new();
+        let seen = outline(&bytes, 20, |chunk| {
+            if matches!(chunk.content, OutlineContent::Body { crc: OutlineCrc::Wrong, .. }) {
+                wrong.push((chunk.offset, chunk.typecode));
+            }
+        });
+        seen.unwrap();
+        assert!(wrong.is_empty(), "{}: {wrong:X?}", path.display());
+    }
 }

@@ -111,9 +111,9 @@ pub(super) fn holds_chunks(typecode: u32) -> bool {
 
 /// Whether a body is another program's business, in a version of its own.
 pub(super) fn is_opaque(typecode: u32) -> bool {
-    matches!(typecode, 0x0000_0001 | 0x0002_7FFD | 0x2000_0081 | 0x2000_8080)
+    matches!(typecode, 0x0000_0001 | 0x0002_7FFD | 0x2000_0081)
 }
 
 /// The typecodes that are looked for in bodies which hold other bytes as well.
-pub(super) const NESTED: [u32; 6] =
-    [0x4000_8000, 0x4000_8002, 0x0002_7FFA, 0x2000_803B, 0x2000_813B, 0x4000_8010];
+pub(super) const NESTED: [u32; 7] =
+    [0x4000_8000, 0x4000_8002, 0x0002_7FFA, 0x2000_803B, 0x2000_813B, 0x2000_8082, 0x4000_8010];
