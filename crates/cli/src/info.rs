@@ -127,6 +127,7 @@ impl Report {
             model.archive_version
         ));
         let by = if model.application.is_empty() { "an unnamed program" } else { &model.application };
+        let by = printable(by);
         say(&format!("  written by  {by} {DIM}(openNURBS {}){DIM:#}", model.opennurbs_version));
         say(&format!(
             "  units       {}; tolerance {} absolute, {:.3}° angle, {} % relative",
@@ -163,7 +164,7 @@ impl Report {
         }
         more(self.faults.len(), "invalid objects");
         for warning in model.warnings.iter().take(MOST_LINES) {
-            say(&format!("{YELLOW}warning{YELLOW:#}: {warning}"));
+            say(&format!("{YELLOW}warning{YELLOW:#}: {}", printable(&warning.to_string())));
         }
         more(model.warnings.len(), "warnings");
         for (table, count) in &model.skipped {

@@ -200,13 +200,16 @@ def alike(before, again, after):
 
 
 def check_conversion(path, version, counts, differences):
+    """What differs before and after; what rhino3dm itself makes of the file in that version is right as well."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.3dm"
+        rewritten = pathlib.Path(folder) / "rewritten.3dm"
+        assert read(path).Write(str(rewritten), version // 10), path.name
         carried = json.loads(example("convert", path, out, version))
         if carried is None:
             return
-        before, again, after = (contents(read(p)) for p in (path, path, out))
-    for tables in (before, again):
+        before, again, after, theirs = (contents(read(p)) for p in (path, path, out, rewritten))
+    for tables in (before, again, theirs):
         tables["attributes"] = [tables["attributes"][i] for i in carried]
     # Views and the settings of pages of version 1 are passed over.
     passed_over = ("views", "named views", "page") if "_v1_" in path.name else ()
@@ -218,7 +221,7 @@ def check_conversion(path, version, counts, differences):
         if len(entries) != len(others):
             differences.append(f"{path.name} as {version}: {len(entries)} {table} before, {len(others)} after")
         for i, (a, b, c) in enumerate(zip(entries, again[table], others)):
-            if alike(a, b, c):
+            if alike(a, b, c) or c in theirs[table]:
                 counts[table, "alike"] += 1
             else:
                 differences.append(f"{path.name} as {version}: {table} {i}")
