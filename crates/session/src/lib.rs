@@ -16,6 +16,7 @@
 mod bake;
 mod check;
 mod input;
+pub mod protocol;
 mod report;
 mod session;
 

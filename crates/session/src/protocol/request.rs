@@ -1,0 +1,77 @@
+use serde::{Deserialize, Serialize};
+use uuid::Uuid;
+
+use super::Edit;
+
+/// What a face asks of the session.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct Request {
+    /// The face's own number of this request; answers name it.
+    pub seq: u64,
+    /// What is asked.
+    pub ask: Ask,
+}
+
+/// What can be asked.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(tag = "ask", rename_all = "camelCase", rename_all_fields = "camelCase")]
+pub enum Ask {
+    /// A change. Those of one gesture (a drag, a scroll) have the same number and are one step for Undo. `within`
+    /// names the clusters, from the outermost, in which the objects are; empty for the document itself.
+    Edit {
+        edit: Edit,
+        gesture: Option<u64>,
+        #[serde(default)]
+        within: Vec<Uuid>,
+    },
+    /// Takes the steps of a gesture back that is still going on: Escape during a drag.
+    Abandon { gesture: u64 },
+    /// Takes the last step back.
+    Undo,
+    /// Makes the last step that was taken back again.
+    Redo,
+    /// Solves everything again.
+    Recompute,
+    /// Stops the solve that is running.
+    Cancel,
+    /// Whether edits wait for `Recompute`.
+    Lock { on: bool },
+    /// Shows the inside of a cluster: its objects and results come as those of `within`.
+    Enter { within: Vec<Uuid> },
+    /// Part of the data of a port, as a panel shows it, from row `from`; a path counts as a row.
+    Rows {
+        port: Uuid,
+        from: u32,
+        count: u32,
+        #[serde(default)]
+        within: Vec<Uuid>,
+    },
+    /// Objects with the wires between them, as Grasshopper's clipboard has them.
+    Copy {
+        objects: Vec<Uuid>,
+        #[serde(default)]
+        within: Vec<Uuid>,
+    },
+    /// Saves the document where it is kept, or at a path on this machine.
+    Save { path: Option<String> },
+    /// Says whether what was restored from the journal shall stay (`keep`) or make way for the file as it was saved.
+    Settle { keep: bool },
+    /// The preview as coarse as it may be while a slider is dragged, or as fine as the document says.
+    Draft { on: bool },
+}
+
+/// The formats that a document is saved in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub enum SaveFormat {
+    /// Grasshopper's binary archive.
+    Gh,
+    /// Grasshopper's XML archive.
+    Ghx,
+    /// Katydid's text.
+    Kd,
+}

@@ -1,0 +1,67 @@
+/** The one connection of this page, and the short ways to ask for something over it. */
+
+import { Connection, Refusal, type Answer, type ConnectionState } from "../core/connection";
+import type { Ask } from "../core/protocol/Ask";
+import type { Edit } from "../core/protocol/Edit";
+import { createStore } from "zustand/vanilla";
+
+import { documentStore, takeDocument } from "./document";
+import { takeRun } from "./run";
+import { takeGeometry, takePreview } from "./preview";
+
+export interface Line {
+  state: ConnectionState;
+  /** What went wrong last, for the line at the bottom; it goes when the next request succeeds. */
+  complaint: string | undefined;
+}
+
+export const lineStore = createStore<Line>(() => ({ state: "closed", complaint: undefined }));
+
+let connection: Connection | undefined;
+
+/** Joins a document of the server. */
+export function join(document: string, token: string): void {
+  connection?.close();
+  const url = new URL("socket", location.href);
+  url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
+  url.search = new URLSearchParams({ document, token }).toString();
+  connection = new Connection(url.toString(), {
+    event(event) {
+      takeDocument(event);
+      takeRun(event);
+      takePreview(event);
+    },
+    geometry: takeGeometry,
+    state: (state) => lineStore.setState({ state }),
+  });
+}
+
+/** Asks; a refusal is shown and thrown. */
+export async function ask(what: Ask): Promise<Answer> {
+  if (!connection) throw new Refusal("No document is open");
+  try {
+    const answer = await connection.ask(what);
+    lineStore.setState({ complaint: undefined });
+    return answer;
+  } catch (error) {
+    if (error instanceof Refusal) lineStore.setState({ complaint: error.message });
+    throw error;
+  }
+}
+
+/** Edits what is shown. Edits with the same gesture are one step for Undo. A refusal is shown, not thrown. */
+export async function edit(change: Edit, gesture: number | null = null): Promise<Answer | undefined> {
+  try {
+    return await ask({ ask: "edit", edit: change, gesture, within: documentStore.getState().within });
+  } catch (error) {
+    if (error instanceof Refusal) return undefined;
+    throw error;
+  }
+}
+
+let lastGesture = 0;
+
+/** A number for the edits of one drag. */
+export function newGesture(): number {
+  return ++lastGesture;
+}
