@@ -60,6 +60,7 @@ pub use attributes::{
     ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source, StringsHistory,
 };
 pub use chunk::ChunkPath;
+pub use compressed::StoredBuffer;
 pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;
 pub use loss::Loss;
