@@ -2,7 +2,7 @@
 
 import {
   DataTexture, DoubleSide, GLSL3, LessEqualDepth, LinearFilter, NormalBlending, RawShaderMaterial, RGBAFormat, UnsignedByteType,
-  Vector2, Vector3, type IUniform, type Side,
+  Vector2, Vector3, type IUniform
 } from "three";
 
 import { colourRamp } from "../../core/falseColour";
@@ -22,6 +22,7 @@ export interface SharedUniforms {
   uStripes: IUniform<number>;
   uStripesAcross: IUniform<number>;
   uPaper: IUniform<Vector3>;
+  uInk: IUniform<Vector3>;
   [name: string]: IUniform;
 }
 
@@ -43,6 +44,7 @@ export function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
     uStripes: { value: 12 },
     uStripesAcross: { value: 0 },
     uPaper: { value: new Vector3(1, 1, 1) },
+    uInk: { value: new Vector3() },
   };
 }
 
@@ -76,6 +78,7 @@ export class Materials {
     const line = (vertex: string, fragment: string) => {
       const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 } });
       material.transparent = true;
+      material.depthWrite = false;
       return material;
     };
     this.thin = line(THIN_VERTEX, LINE_FRAGMENT);
@@ -87,12 +90,7 @@ export class Materials {
       uShape: { value: 0 },
     });
     this.points.transparent = true;
-  }
-
-  /** Sees through surfaces to all that is behind (`ghosted`), or only to what is not of a surface itself. */
-  setGhosted(ghosted: boolean, side: Side): void {
-    this.translucent.depthWrite = !ghosted;
-    this.translucent.side = side;
+    this.points.depthWrite = false;
   }
 
   dispose(): void {
