@@ -332,7 +332,8 @@ export class Viewport {
   #look(): void {
     this.#areLooksStale = false;
     const { normal, selected, selection, hovered, isHidden } = this.#around;
-    const palette = { normal, selected, ink: this.#theme.ink, plaster: this.#theme.plaster };
+    const { ink, plaster, ground } = this.#theme;
+    const palette = { normal, selected, ink, plaster, background: ground };
     for (const { id, parts } of this.model.objects.values()) {
       if (id.startsWith(TOOL)) continue;
       const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(id) };

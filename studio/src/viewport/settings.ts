@@ -52,7 +52,7 @@ export const settingsStore = createStore<ViewportSettings>(() => ({
   shown: { grid: true, edges: true, isocurves: true, points: true, controlPoints: true, texts: true },
   analysis: "none",
   range: undefined,
-  stripes: 10,
+  stripes: 6,
   across: false,
   comb: false,
   combScale: 20,

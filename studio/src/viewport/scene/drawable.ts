@@ -110,9 +110,8 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
   setValues(merged.values);
   const make = (material: RawShaderMaterial) => {
     const mesh = new Mesh(geometry, material);
-    const slot = slotOf(slots);
     mesh.onBeforeRender = () => {
-      uniform(material, "uSlot", slot);
+      materials.setLook(material, slots);
       uniform(material, "uHas", has);
     };
     return still(mesh);
@@ -128,9 +127,8 @@ function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials
   const points = new Points(geometry, materials.points);
   const isControl = merged.kind === "controlPoints";
   const size = merged.width || (isControl ? CONTROL_POINT : POINT);
-  const slot = slotOf(merged.slots);
   points.onBeforeRender = () => {
-    uniform(materials.points, "uSlot", slot);
+    materials.setLook(materials.points, merged.slots);
     uniform(materials.points, "uWidth", Math.round(size * pixels()));
     uniform(materials.points, "uStroke", Math.max(1, Math.round((isControl ? 1.2 : 1.5) * pixels())));
     uniform(materials.points, "uShape", isControl ? 1 : 0);
@@ -159,8 +157,7 @@ function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) 
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const lines = new LineSegments(geometry, materials.thin);
-  const slot = slotOf(merged.slots);
-  lines.onBeforeRender = () => uniform(materials.thin, "uSlot", slot);
+  lines.onBeforeRender = () => materials.setLook(materials.thin, merged.slots);
   return still(lines);
 }
 
@@ -187,9 +184,8 @@ function wideLines(
     geometry.setAttribute("slot", new InstancedBufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
   }
   const lines = new Mesh(geometry, materials.wide);
-  const slot = slotOf(merged.slots);
   lines.onBeforeRender = () => {
-    uniform(materials.wide, "uSlot", slot);
+    materials.setLook(materials.wide, merged.slots);
     uniform(materials.wide, "uWidth", width * pixels());
   };
   return still(lines);
@@ -212,16 +208,11 @@ function heads(
     geometry.setAttribute("slot", new BufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
   }
   const points = new Points(geometry, materials.head);
-  const slot = slotOf(merged.slots);
   points.onBeforeRender = () => {
-    uniform(materials.head, "uSlot", slot);
+    materials.setLook(materials.head, merged.slots);
     uniform(materials.head, "uWidth", HEAD * pixels());
   };
   return still(points);
-}
-
-function slotOf(slots: Merged["slots"]): number {
-  return typeof slots === "number" ? slots : -1;
 }
 
 function uniform(material: RawShaderMaterial, name: string, value: number): void {

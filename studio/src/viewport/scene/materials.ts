@@ -2,10 +2,11 @@
 
 import {
   DataTexture, DoubleSide, GLSL3, LessEqualDepth, LinearFilter, NormalBlending, RawShaderMaterial, RGBAFormat, UnsignedByteType,
-  Vector2, Vector3, type IUniform
+  Vector2, Vector3, Vector4, type IUniform
 } from "three";
 
 import { colourRamp } from "../../core/falseColour";
+import type { ColourTable } from "./colourTable";
 import { HEAD_FRAGMENT, HEAD_VERTEX, LINE_FRAGMENT, THIN_VERTEX, WIDE_FRAGMENT, WIDE_VERTEX } from "../shaders/line";
 import { MESH_FRAGMENT, MESH_VERTEX } from "../shaders/mesh";
 import { POINT_FRAGMENT, POINT_VERTEX } from "../shaders/point";
@@ -28,7 +29,7 @@ export interface SharedUniforms {
 
 const RAMP = 256;
 
-export function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
+function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
   const ramp = new DataTexture(colourRamp(RAMP), RAMP, 1, RGBAFormat, UnsignedByteType);
   ramp.minFilter = LinearFilter;
   ramp.magFilter = LinearFilter;
@@ -50,6 +51,7 @@ export function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
 
 export class Materials {
   readonly shared: SharedUniforms;
+  readonly #table: ColourTable;
   /** Surfaces that hide what is behind them. */
   readonly opaque: RawShaderMaterial;
   /** Only the depth of surfaces that shine through: after it only the nearest of them are seen. */
@@ -60,8 +62,9 @@ export class Materials {
   readonly head: RawShaderMaterial;
   readonly points: RawShaderMaterial;
 
-  constructor(shared: SharedUniforms) {
-    this.shared = shared;
+  constructor(table: ColourTable) {
+    this.#table = table;
+    this.shared = sharedUniforms(table.uniform);
     const mesh = (pass: number) => this.#make(MESH_VERTEX, MESH_FRAGMENT, pass, { uHas: { value: 0 } });
     this.opaque = mesh(0);
     this.depth = mesh(1);
@@ -93,6 +96,18 @@ export class Materials {
     this.points.depthWrite = false;
   }
 
+  /** Sets the colour of what is drawn next: that of one place in the table, or of each position's own. */
+  setLook(material: RawShaderMaterial, slots: number | Uint16Array): void {
+    const { uLook, uIsBatch } = material.uniforms;
+    if (!uLook || !uIsBatch) return;
+    uIsBatch.value = typeof slots !== "number";
+    if (typeof slots === "number") {
+      const [red, green, blue, alpha] = this.#table.get(slots);
+      (uLook.value as Vector4).set(red, green, blue, alpha).divideScalar(255);
+    }
+    material.uniformsNeedUpdate = true;
+  }
+
   dispose(): void {
     for (const material of [this.opaque, this.depth, this.translucent, this.thin, this.wide, this.head, this.points]) {
       material.dispose();
@@ -101,7 +116,7 @@ export class Materials {
   }
 
   #make(vertexShader: string, fragmentShader: string, pass: number, own: Record<string, IUniform>): RawShaderMaterial {
-    const uniforms = { ...this.shared, uSlot: { value: 0 }, uPass: { value: pass }, ...own };
+    const uniforms = { ...this.shared, uLook: { value: new Vector4() }, uIsBatch: { value: false }, uPass: { value: pass }, ...own };
     const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: DoubleSide });
     material.blending = NormalBlending;
     return material;

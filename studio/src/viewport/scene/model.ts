@@ -7,7 +7,7 @@ import type { Bounds, Point3, Preview, PreviewPart, Rgba } from "../../core/prev
 import { ALONE, Batch, batchKey } from "./batch";
 import { ColourTable } from "./colourTable";
 import { makeDrawable, ORDER, type Drawable, type LineBudget } from "./drawable";
-import { Materials, sharedUniforms } from "./materials";
+import { Materials } from "./materials";
 import { alone, type Member } from "./merge";
 
 export interface ModelPart {
@@ -50,7 +50,7 @@ export class Model {
     this.#budget = budget;
     this.#pixels = pixels;
     this.scene.matrixAutoUpdate = false;
-    this.materials = new Materials(sharedUniforms(this.table.uniform));
+    this.materials = new Materials(this.table);
   }
 
   put(id: string, preview: Preview): ModelObject {
