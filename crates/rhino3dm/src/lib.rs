@@ -49,6 +49,7 @@ mod read;
 mod recode;
 mod render_settings;
 mod settings;
+mod styles;
 mod tables;
 mod typecode;
 mod user_table;

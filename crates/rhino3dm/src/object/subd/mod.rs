@@ -7,7 +7,7 @@ mod proxy;
 mod read;
 mod write;
 
-pub(crate) use proxy::restated;
+pub(super) use proxy::stood_for;
 pub(super) use read::read;
 pub(super) use write::write;
 
