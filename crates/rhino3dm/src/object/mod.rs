@@ -146,8 +146,8 @@ impl Object {
         Version::for_writing(version)?;
         match self {
             Self::Kept(raw) => raw.check_writable(version),
-            Self::Extrusion(_) => extrusion::check_writable(version),
-            Self::SubD(_) => subd::check_writable(version),
+            Self::Extrusion(extrusion) => extrusion::check_writable(extrusion, version),
+            Self::SubD(subd) => subd::check_writable(subd, version),
             Self::Annotation(annotation) => annotation.check_writable(version),
             Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),

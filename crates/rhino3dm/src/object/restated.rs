@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Object, UserData, annotation, subd};
+use super::{Object, UserData, annotation, extrusion, subd};
 use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Result, class_ids};
@@ -52,6 +52,13 @@ fn restate(
             let others =
                 || user_data.iter().filter(|data| data.class != class_ids::SUBD_PROXY).cloned().collect();
             subd.map(|subd| (Object::SubD(Box::new(subd)), others()))
+        }
+        Object::SubD(subd) => subd::mesh_of(subd, version)?.map(|(mesh, data)| {
+            let all = user_data.iter().cloned().chain([data]);
+            (Object::Mesh(Box::new(mesh)), all.collect())
+        }),
+        Object::Extrusion(extrusion) if archive < extrusion::FIRST => {
+            extrusion.to_brep().map(|brep| (Object::Brep(Box::new(brep)), user_data.to_vec()))
         }
         Object::Annotation(newer) if archive < ANNOTATIONS => {
             annotation::to_older(newer, around.styles, around.in_model, version)?.map(

@@ -22,8 +22,6 @@ pub(crate) struct Styles {
     entries: Vec<Entry>,
     /// The places among the entries by identifier.
     by_id: HashMap<Uuid, usize>,
-    /// The entry that counts where an annotation names none.
-    current: Option<usize>,
     /// The number of the model's unit.
     unit: i32,
     /// Whether the records are written anew: they are of the other form.
@@ -73,26 +71,17 @@ impl Styles {
         }
         // Those that cannot be read keep their form where that can be, and so do all the others then.
         styles.converts &= all_read;
-        styles.current = styles.find_current(model);
         styles
     }
 
-    /// The style that the settings name, else the first without a parent.
-    fn find_current(&self, model: &Model) -> Option<usize> {
-        let number = model.kept.iter().find(|record| record.typecode == typecode::CURRENT_DIMENSION_STYLE);
-        let named = number
-            .and_then(|record| self.entries.iter().position(|entry| i64::from(entry.place) == record.value));
-        named.or_else(|| self.entries.iter().position(|entry| entry.style.parent.is_nil()))
-    }
-
-    /// The place in the table, and the style, that count for an annotation which names a style by its identifier.
+    /// A style by its identifier, with its place in the table.
     fn find(&self, id: Uuid) -> Option<(i32, &Style)> {
-        let place = self.by_id.get(&id).copied().or(self.current)?;
-        self.entries.get(place).map(|entry| (entry.place, &entry.style))
+        let entry = self.entries.get(*self.by_id.get(&id)?)?;
+        Some((entry.place, &entry.style))
     }
 
     /// The place in the table of the style of an annotation, and the numbers that count for it: those of the style,
-    /// but for some of its own.
+    /// but for some of its own. Readers give annotations without a style that is there the current one.
     pub(crate) fn of_annotation(&self, annotation: &Annotation) -> (i32, Style) {
         let (place, style) = self.find(annotation.style).unzip();
         let style = style.cloned().unwrap_or_default();
