@@ -49,6 +49,8 @@ mod read;
 mod recode;
 mod render_settings;
 mod settings;
+mod sha1;
+mod styles;
 mod tables;
 mod typecode;
 mod user_table;
