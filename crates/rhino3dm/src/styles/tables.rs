@@ -49,7 +49,7 @@ impl Styles {
         let unit = model.unit_scale.as_ref().map_or_else(|| unit_number(model.units).0, |scale| scale.number);
         let mut styles = Self { unit, ..Self::default() };
         let fonts: Vec<Option<Font>> = records(model, Table::TextStyles)
-            .map(|record| record.with_class(|object| Font::read_style(object)).ok().flatten())
+            .map(|record| record.with_class(Font::read_style).ok().flatten())
             .collect();
         let mut all_read = true;
         for (record, place) in records(model, Table::DimensionStyles).zip(0..) {
