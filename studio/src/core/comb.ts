@@ -49,6 +49,9 @@ export function circleThrough(before: Point3, at: Point3, after: Point3): Circle
   return { centre: plus(at, toCentre), x, y, radius };
 }
 
+/** Where a drawn curve turns by more than this, it is a corner and has no curvature there. */
+const CORNER = Math.cos(Math.PI / 5);
+
 /** The teeth of a comb: from each point outwards, away from the centre, as long as the curvature times the scale. */
 export function combOf(run: readonly Point3[], factor: number): { teeth: [Point3, Point3][]; tips: Point3[] } {
   const closed = run.length > 3 && same(run[0] as Point3, run.at(-1) as Point3);
@@ -58,10 +61,15 @@ export function combOf(run: readonly Point3[], factor: number): { teeth: [Point3
     const point = run[at] as Point3;
     const before = (at === 0 ? run[last - 1] : run[at - 1]) as Point3;
     const after = (at === last ? run[1] : run[at + 1]) as Point3;
-    const circle = circleThrough(before, point, after);
+    const circle = isCorner(before, point, after) ? undefined : circleThrough(before, point, after);
     teeth.push([point, circle ? plus(point, scale(circle.x, factor / circle.radius)) : point]);
   }
   return { teeth, tips: teeth.map(([, tip]) => tip) };
+}
+
+function isCorner(before: Point3, at: Point3, after: Point3): boolean {
+  const [a, b] = [minus(at, before), minus(after, at)];
+  return dot(a, b) < CORNER * Math.sqrt(dot(a, a) * dot(b, b));
 }
 
 /** The circle as segments. */

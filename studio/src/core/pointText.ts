@@ -17,13 +17,12 @@ export function pointText([x, y, z]: Point3): string {
   return `{${x}, ${y}, ${z}}`;
 }
 
-/** The text to keep for rows of which item number `which` (of all branches) is another point now. */
-export function withPoint(rows: readonly Row[], which: number, point: Point3): string {
-  let item = 0;
-  return rows
-    .map((row) => {
-      if (row.is === "path") return row.path;
-      return item++ === which ? pointText(point) : row.text;
-    })
-    .join("\n");
+/** The rows with another point in one of them. */
+export function withPoint(rows: readonly Row[], which: number, point: Point3): Row[] {
+  return rows.map((row, at) => (at === which && row.is === "item" ? { ...row, text: pointText(point) } : row));
+}
+
+/** Rows as the text to keep. */
+export function rowsText(rows: readonly Row[]): string {
+  return rows.map((row) => (row.is === "path" ? row.path : row.text)).join("\n");
 }

@@ -32,8 +32,9 @@ export interface PreviewPart {
   positions: Float32Array;
   normals: Float32Array | Int8Array | null;
   colours: Uint8Array | null;
+  /** The Gaussian curvature at each position, and the mean curvature. */
   values: Float32Array | null;
-  range: readonly [number, number] | null;
+  mean: Float32Array | null;
   indices: Uint16Array | Uint32Array | null;
   texts: string[];
   textHeight: number;
@@ -113,6 +114,7 @@ function readPart(part: Fields, arrays: Arrays): PreviewPart {
   const normals = arrays.readOptional(part, "normals", ["f32", "i8"], positions.length);
   const colours = arrays.readOptional(part, "colours", ["u8"], count * 4);
   const values = arrays.readOptional(part, "values", ["f32"], count);
+  const mean = arrays.readOptional(part, "mean", ["f32"], count);
   const indices = arrays.readOptional(part, "indices", ["u16", "u32"]);
   if (indices) checkIndices(indices as Uint16Array | Uint32Array, count, part.name);
   const used = indices ? indices.length : count;
@@ -127,7 +129,7 @@ function readPart(part: Fields, arrays: Arrays): PreviewPart {
     normals: normals as Float32Array | Int8Array | null,
     colours: colours as Uint8Array | null,
     values: values as Float32Array | null,
-    range: part.pair("range"),
+    mean: mean as Float32Array | null,
     indices: indices as Uint16Array | Uint32Array | null,
     texts,
     textHeight: part.atLeastZero("textHeight"),

@@ -70,12 +70,6 @@ export class Fields {
     return [x, y, z];
   }
 
-  pair(key: string): [number, number] | null {
-    if (this.isNull(key)) return null;
-    const [least = 0, greatest = 0] = this.numbers(key, 2);
-    return [least, greatest];
-  }
-
   colour(key: string): Rgba | null {
     if (this.isNull(key)) return null;
     const numbers = this.numbers(key, 4);

@@ -35,7 +35,8 @@ export function colourSurfaces(model: Model, analysis: Analysis): Coloured | und
 
 function numbersOf(part: PreviewPart, analysis: Analysis): { values: Float32Array; exact: boolean } | undefined {
   if (analysis !== "gaussian" && analysis !== "mean") return undefined;
-  if (analysis === "gaussian" && part.values) return { values: part.values, exact: true };
+  const own = analysis === "gaussian" ? part.values : part.mean;
+  if (own) return { values: own, exact: true };
   if (!part.normals) return undefined;
   let curvatures = estimated.get(part);
   if (!curvatures) {

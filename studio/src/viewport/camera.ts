@@ -5,7 +5,7 @@
 
 import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from "three";
 
-import { centre, cornersOf, radius } from "../core/bounds";
+import { centre, cornersOf, radius, union } from "../core/bounds";
 import type { Bounds, Point3 } from "../core/preview";
 
 export type Projection = "perspective" | "parallel";
@@ -92,22 +92,25 @@ export class CameraRig {
     this.pose = { ...this.pose, target: target.toArray(), height };
   }
 
-  /** Shows all of a box. */
-  fit(bounds: Bounds, aspect: number): void {
-    const target = centre(bounds);
-    const size = Math.max(radius(bounds), SMALLEST);
-    const middle = new Vector3(...target);
+  /**
+   * Shows all of some boxes, as large as the view takes them. In perspective each side of the view is pushed against
+   * the corner that reaches it first; where the eye must then be follows from the four sides.
+   */
+  fit(boxes: readonly Bounds[], aspect: number): void {
+    const all = boxes.reduce<Bounds | null>(union, null);
+    if (!all) return;
+    const middle = new Vector3(...centre(all));
     const [right, up, backward] = [this.right(), this.up(), this.backward()];
-    const slope = Math.tan(FIELD / 2);
-    let height = size * 2e-3;
-    for (const corner of cornersOf(bounds)) {
-      const offset = new Vector3(...corner).sub(middle);
-      const needed = Math.max(Math.abs(offset.dot(up)), Math.abs(offset.dot(right)) / aspect);
-      // What is nearer than the target looks greater: the eye goes back by as much.
-      const nearer = this.pose.projection === "perspective" ? offset.dot(backward) * slope : 0;
-      height = Math.max(height, 2 * (needed + nearer));
-    }
-    this.pose = { ...this.pose, target, height: MathUtils.clamp(height * MARGIN, SMALLEST, GREATEST) };
+    const slope = this.pose.projection === "perspective" ? Math.tan(FIELD / 2) : 0;
+    const across = side(boxes, middle, right, backward, slope * aspect);
+    const along = side(boxes, middle, up, backward, slope);
+    const least = Math.max(radius(all) * 2e-3, SMALLEST);
+    let half = Math.max(across.half / aspect, along.half, least);
+    // For a perspective the halves are those at the middle's depth: the eye's distance times the slope.
+    half = Math.max(half, slope > 0 ? radius(all) * 0.05 : 0);
+    const target = middle.addScaledVector(right, across.shift).addScaledVector(up, along.shift);
+    const height = MathUtils.clamp(2 * half * MARGIN, SMALLEST, GREATEST);
+    this.pose = { ...this.pose, target: target.toArray(), height };
   }
 
   /** Where a ray through a place in the view (−1 to 1, y up) starts and goes, in model coordinates. */
@@ -170,6 +173,23 @@ export class CameraRig {
     const nearest = Math.max(near, Math.min(least, distance * 0.05));
     return [nearest, Math.max(far, nearest * 2)];
   }
+}
+
+/**
+ * How far the middle of the view must be shifted along a direction, and half of how much it must show there. The sides
+ * of the view lean outwards by `slope` (0: parallel), so what is nearer to the eye than the middle counts for more.
+ */
+function side(boxes: readonly Bounds[], middle: Vector3, direction: Vector3, backward: Vector3, slope: number) {
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const box of boxes) {
+    for (const corner of cornersOf(box)) {
+      const offset = new Vector3(...corner).sub(middle);
+      const [place, nearer] = [offset.dot(direction), offset.dot(backward) * slope];
+      greatest = Math.max(greatest, place + nearer);
+      least = Math.min(least, place - nearer);
+    }
+  }
+  return { shift: (greatest + least) / 2, half: (greatest - least) / 2 };
 }
 
 /** An angle between −π and π. */

@@ -1,3 +1,4 @@
-export function ViewportPane() {
-  return null;
-}
+import "./geometry";
+
+export { ViewportPane } from "./ViewportPane";
+export { currentViewport } from "./current";

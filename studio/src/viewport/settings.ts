@@ -42,6 +42,8 @@ export interface ViewportState {
   pointed: { object: string; path: string; index: number; x: number; y: number } | undefined;
   /** Why there is less to see than there is. */
   notice: string | undefined;
+  /** How many texts there are in view, and how many of them are shown. */
+  texts: { all: number; shown: number };
 }
 
 export const settingsStore = createStore<ViewportSettings>(() => ({
@@ -50,7 +52,7 @@ export const settingsStore = createStore<ViewportSettings>(() => ({
   shown: { grid: true, edges: true, isocurves: true, points: true, controlPoints: true, texts: true },
   analysis: "none",
   range: undefined,
-  stripes: 10,
+  stripes: 6,
   across: false,
   comb: false,
   combScale: 20,
@@ -65,4 +67,5 @@ export const viewportStore = createStore<ViewportState>(() => ({
   legend: undefined,
   pointed: undefined,
   notice: undefined,
+  texts: { all: 0, shown: 0 },
 }));

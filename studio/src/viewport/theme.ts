@@ -7,6 +7,7 @@ import type { GridColours } from "./scene/grid";
 
 export interface Theme {
   background: Vector3;
+  ground: Rgba;
   paper: Vector3;
   grid: GridColours;
   ink: Rgba;
@@ -28,6 +29,7 @@ export function readTheme(element: HTMLElement): Theme {
   };
   const theme: Theme = {
     background: vector("background"),
+    ground: colour("background"),
     paper: vector("paper"),
     grid: {
       minor: vector("grid-minor"),

@@ -6,6 +6,7 @@ export interface TestPart {
   normals?: number[] | Float32Array;
   indices?: number[] | Uint32Array;
   values?: number[] | Float32Array;
+  mean?: number[] | Float32Array;
   range?: [number, number];
   colours?: number[];
   colour?: [number, number, number, number];
@@ -45,6 +46,8 @@ export function writePreview(preview: TestPreview): ArrayBuffer {
     colours: put("u8", part.colours ? Uint8Array.from(part.colours) : undefined),
     values: put("f32", floats(part.values)),
     range: part.range ?? null,
+    mean: put("f32", floats(part.mean)),
+    meanRange: null,
     indices: put("u32", part.indices ? Uint32Array.from(part.indices) : undefined),
     texts: part.texts ?? [],
     textHeight: part.textHeight ?? 0,

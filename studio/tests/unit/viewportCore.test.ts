@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { boundsOfPositions, centre, radius, union } from "../../src/core/bounds";
 import { colourAt, colourRamp, shortNumber, usefulRange } from "../../src/core/falseColour";
 import { gridSteps, snap } from "../../src/core/gridSteps";
-import { parsePoint, pointText, withPoint } from "../../src/core/pointText";
+import { parsePoint, pointText, rowsText, withPoint } from "../../src/core/pointText";
 import { nearestOnSegment, rectangle, segmentTouches, triangleTouches } from "../../src/core/screen";
 
 describe("boxes", () => {
@@ -86,7 +86,7 @@ describe("points as text", () => {
       { is: "path", path: "{1}", items: 1 } as const,
       { is: "item", index: 0, text: "{2, 2, 2}" } as const,
     ];
-    expect(withPoint(rows, 2, [9, 9, 9])).toBe("{0}\n{0, 0, 0}\n{1, 1, 1}\n{1}\n{9, 9, 9}");
+    expect(rowsText(withPoint(rows, 4, [9, 9, 9]))).toBe("{0}\n{0, 0, 0}\n{1, 1, 1}\n{1}\n{9, 9, 9}");
   });
 });
 

@@ -32,6 +32,7 @@ export interface PlacedText {
 export class TextLayer {
   readonly element: HTMLElement;
   #spans: HTMLElement[] = [];
+  #shown: PlacedText[] = [];
 
   constructor(parent: HTMLElement) {
     this.element = document.createElement("div");
@@ -39,8 +40,8 @@ export class TextLayer {
     parent.append(this.element);
   }
 
-  /** Shows the texts of all panes; gives how many there would be. */
-  show(model: Model, views: readonly TextView[]): number {
+  /** Shows the texts of all panes; gives how many there are, and how many are shown. */
+  show(model: Model, views: readonly TextView[]): { all: number; shown: number } {
     const placed = views.flatMap((view) => placeTexts(model, view));
     const shown = placed.length > MOST ? placed.sort((a, b) => a.depth - b.depth).slice(0, MOST) : placed;
     while (this.#spans.length < shown.length) {
@@ -54,9 +55,21 @@ export class TextLayer {
       if (span.textContent !== text.text) span.textContent = text.text;
       span.style.transform = `translate(${text.x.toFixed(1)}px, ${text.y.toFixed(1)}px) translateY(-100%)`;
       span.style.fontSize = `${text.size.toFixed(1)}px`;
-      span.style.color = `rgb(${text.colour.slice(0, 3).join(" ")} / ${text.colour[3] / 255})`;
+      span.style.color = cssColour(text.colour);
     });
-    return placed.length;
+    this.#shown = shown;
+    return { all: placed.length, shown: shown.length };
+  }
+
+  /** Writes the texts that are shown on a picture. */
+  paint(picture: CanvasRenderingContext2D): void {
+    const { fontFamily } = getComputedStyle(this.element);
+    picture.textBaseline = "bottom";
+    for (const { text, x, y, size, colour } of this.#shown) {
+      picture.font = `${size}px ${fontFamily}`;
+      picture.fillStyle = cssColour(colour);
+      picture.fillText(text, x, y);
+    }
   }
 
   dispose(): void {
@@ -101,4 +114,8 @@ export function placeTexts(model: Model, { camera, left, top, width, height }: T
 function pixelsAUnit(camera: Camera, depth: number, height: number): number {
   const [scale, isParallel] = [camera.projectionMatrix.elements[5] ?? 1, camera.projectionMatrix.elements[15] === 1];
   return (scale * height * 0.5) / (isParallel ? 1 : Math.max(-depth, 1e-9));
+}
+
+function cssColour([red, green, blue, alpha]: Rgba): string {
+  return `rgb(${red} ${green} ${blue} / ${alpha / 255})`;
 }

@@ -11,8 +11,12 @@ import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import type { Materials } from "./materials";
 
-/** The order in which things are drawn; surfaces that shine through come last and are sorted by depth. */
-export const ORDER = { grid: -3, lines: -2, points: -1, surfaces: 10 } as const;
+/**
+ * The order in which things are drawn. Lines and points come twice: before the surfaces that shine through, which then
+ * tint what is behind them, and after them, where they are in front. Else a surface would leave out what lies below
+ * the soft borders of lines.
+ */
+export const ORDER = { grid: -3, behind: -2, surfaces: 10, front: 1e6 } as const;
 
 /** Bits of `uHas`. */
 const HAS = { normals: 1, colours: 2, values: 4 } as const;
@@ -28,6 +32,8 @@ export interface Drawable {
   kind: Merged["kind"];
   origin: Point3;
   objects: Object3D[];
+  /** Those that are only seen through surfaces. */
+  behind: Object3D[];
   /** The pair that draws a surface that shines through: its depth, and its colour. */
   surface: { solid: Mesh; depth: Mesh; colour: Mesh } | undefined;
   /** The middle, offset from the origin, by which surfaces are sorted. */
@@ -62,15 +68,30 @@ export function makeDrawable(merged: Merged, materials: Materials, budget: LineB
     triangles: kind === "mesh" ? used / 3 : 0,
     segments: 0,
     surface: undefined,
+    behind: [],
     setValues() {},
     dispose: () => geometries.forEach((geometry) => geometry.dispose()),
   };
   if (kind === "mesh") return { ...base, ...surfaceOf(merged, own(new BufferGeometry()), materials) };
   if (kind === "points" || kind === "controlPoints") {
-    return { ...base, objects: [pointsOf(merged, own(new BufferGeometry()), materials, pixels)] };
+    return { ...base, ...twice([pointsOf(merged, own(new BufferGeometry()), materials, pixels)]) };
   }
   const lines = linesOf(merged, own, materials, budget, pixels);
-  return { ...base, objects: lines, segments: used / 2 };
+  return { ...base, ...twice(lines), segments: used / 2 };
+}
+
+type Drawn = Mesh | Points | LineSegments;
+
+/** Each in front of surfaces, and behind them. */
+function twice(front: Drawn[]): { objects: Drawn[]; behind: Drawn[] } {
+  const behind = front.map((object) => {
+    const copy = still(object.clone());
+    copy.onBeforeRender = object.onBeforeRender;
+    copy.renderOrder = ORDER.behind;
+    object.renderOrder += ORDER.front;
+    return copy;
+  });
+  return { objects: [...front, ...behind], behind };
 }
 
 function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Materials) {
@@ -89,9 +110,8 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
   setValues(merged.values);
   const make = (material: RawShaderMaterial) => {
     const mesh = new Mesh(geometry, material);
-    const slot = slotOf(slots);
     mesh.onBeforeRender = () => {
-      uniform(material, "uSlot", slot);
+      materials.setLook(material, slots);
       uniform(material, "uHas", has);
     };
     return still(mesh);
@@ -107,14 +127,13 @@ function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials
   const points = new Points(geometry, materials.points);
   const isControl = merged.kind === "controlPoints";
   const size = merged.width || (isControl ? CONTROL_POINT : POINT);
-  const slot = slotOf(merged.slots);
   points.onBeforeRender = () => {
-    uniform(materials.points, "uSlot", slot);
+    materials.setLook(materials.points, merged.slots);
     uniform(materials.points, "uWidth", Math.round(size * pixels()));
     uniform(materials.points, "uStroke", Math.max(1, Math.round((isControl ? 1.2 : 1.5) * pixels())));
     uniform(materials.points, "uShape", isControl ? 1 : 0);
   };
-  points.renderOrder = ORDER.points;
+  points.renderOrder = 1;
   return still(points);
 }
 
@@ -124,23 +143,21 @@ function linesOf(
   materials: Materials,
   budget: LineBudget,
   pixels: () => number,
-): Object3D[] {
+): Drawn[] {
   const used = merged.indices?.length ?? merged.positions.length / 3;
   const width = merged.width || (THINNER[merged.kind] ?? LINE);
-  const objects: Object3D[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, width, pixels) : thinLines(merged, own, materials)];
+  const objects: Drawn[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, width, pixels) : thinLines(merged, own, materials)];
   if (merged.kind === "arrows") objects.push(heads(merged, own, materials, pixels));
   return objects;
 }
 
-function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Object3D {
+function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Drawn {
   const geometry = own(new BufferGeometry());
   geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const lines = new LineSegments(geometry, materials.thin);
-  const slot = slotOf(merged.slots);
-  lines.onBeforeRender = () => uniform(materials.thin, "uSlot", slot);
-  lines.renderOrder = ORDER.lines;
+  lines.onBeforeRender = () => materials.setLook(materials.thin, merged.slots);
   return still(lines);
 }
 
@@ -154,7 +171,7 @@ function wideLines(
   materials: Materials,
   width: number,
   pixels: () => number,
-): Object3D {
+): Drawn {
   const segments = segmentsOf(merged);
   const geometry = own(new InstancedBufferGeometry());
   const buffer = new InstancedInterleavedBuffer(segments, 6, 1);
@@ -167,12 +184,10 @@ function wideLines(
     geometry.setAttribute("slot", new InstancedBufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
   }
   const lines = new Mesh(geometry, materials.wide);
-  const slot = slotOf(merged.slots);
   lines.onBeforeRender = () => {
-    uniform(materials.wide, "uSlot", slot);
+    materials.setLook(materials.wide, merged.slots);
     uniform(materials.wide, "uWidth", width * pixels());
   };
-  lines.renderOrder = ORDER.lines;
   return still(lines);
 }
 
@@ -181,7 +196,7 @@ function heads(
   own: <G extends BufferGeometry>(geometry: G) => G,
   materials: Materials,
   pixels: () => number,
-): Object3D {
+): Drawn {
   const segments = segmentsOf(merged);
   const geometry = own(new BufferGeometry());
   const buffer = new InterleavedBuffer(segments, 6);
@@ -193,17 +208,11 @@ function heads(
     geometry.setAttribute("slot", new BufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
   }
   const points = new Points(geometry, materials.head);
-  const slot = slotOf(merged.slots);
   points.onBeforeRender = () => {
-    uniform(materials.head, "uSlot", slot);
+    materials.setLook(materials.head, merged.slots);
     uniform(materials.head, "uWidth", HEAD * pixels());
   };
-  points.renderOrder = ORDER.lines;
   return still(points);
-}
-
-function slotOf(slots: Merged["slots"]): number {
-  return typeof slots === "number" ? slots : -1;
 }
 
 function uniform(material: RawShaderMaterial, name: string, value: number): void {

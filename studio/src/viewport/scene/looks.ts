@@ -20,6 +20,8 @@ export interface Palette {
   ink: Rgba;
   /** Surfaces of the rendered mode that have no colour of their own. */
   plaster: Rgba;
+  /** What it is all drawn on. */
+  background: Rgba;
 }
 
 /** What is shown at all. */
@@ -80,7 +82,32 @@ function line(kind: PartKind, own: Rgba | null, { selected }: ObjectState, mode:
   const alpha = kind === "isocurves" || (mode === "rendered" && kind === "edges") ? FAINT : 255;
   // The edges of a coloured surface are a darker shade of it.
   const shade = ofSurface && own && !selected ? 0.55 : 1;
-  return [Math.round(red * shade), Math.round(green * shade), Math.round(blue * shade), alpha];
+  return readable([Math.round(red * shade), Math.round(green * shade), Math.round(blue * shade), alpha], palette.background);
+}
+
+/** How much lines and texts differ from the background at least, as WCAG 2.2 (1.4.11) has it. */
+const LEAST_CONTRAST = 3;
+
+/** A colour moved towards white or black until it is seen on the background. Exported for tests. */
+export function readable(colour: Rgba, background: Rgba): Rgba {
+  const ground = luminance(background);
+  const towards = ground > 0.18 ? 0 : 255;
+  for (let step = 0; step <= 10; step++) {
+    const [red, green, blue] = colour.map((value) => Math.round(value + ((towards - value) * step) / 10));
+    const moved: Rgba = [red ?? 0, green ?? 0, blue ?? 0, colour[3]];
+    const own = luminance(moved);
+    if ((Math.max(own, ground) + 0.05) / (Math.min(own, ground) + 0.05) >= LEAST_CONTRAST) return moved;
+  }
+  return colour;
+}
+
+/** The relative luminance of a colour, by WCAG. */
+function luminance(colour: Rgba): number {
+  const [red = 0, green = 0, blue = 0] = colour.map((value) => {
+    const part = value / 255;
+    return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
 function brighter([red, green, blue, alpha]: Rgba): Rgba {

@@ -2,10 +2,11 @@
 
 import {
   DataTexture, DoubleSide, GLSL3, LessEqualDepth, LinearFilter, NormalBlending, RawShaderMaterial, RGBAFormat, UnsignedByteType,
-  Vector2, Vector3, type IUniform, type Side,
+  Vector2, Vector3, Vector4, type IUniform
 } from "three";
 
 import { colourRamp } from "../../core/falseColour";
+import type { ColourTable } from "./colourTable";
 import { HEAD_FRAGMENT, HEAD_VERTEX, LINE_FRAGMENT, THIN_VERTEX, WIDE_FRAGMENT, WIDE_VERTEX } from "../shaders/line";
 import { MESH_FRAGMENT, MESH_VERTEX } from "../shaders/mesh";
 import { POINT_FRAGMENT, POINT_VERTEX } from "../shaders/point";
@@ -22,12 +23,13 @@ export interface SharedUniforms {
   uStripes: IUniform<number>;
   uStripesAcross: IUniform<number>;
   uPaper: IUniform<Vector3>;
+  uInk: IUniform<Vector3>;
   [name: string]: IUniform;
 }
 
 const RAMP = 256;
 
-export function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
+function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
   const ramp = new DataTexture(colourRamp(RAMP), RAMP, 1, RGBAFormat, UnsignedByteType);
   ramp.minFilter = LinearFilter;
   ramp.magFilter = LinearFilter;
@@ -43,11 +45,13 @@ export function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
     uStripes: { value: 12 },
     uStripesAcross: { value: 0 },
     uPaper: { value: new Vector3(1, 1, 1) },
+    uInk: { value: new Vector3() },
   };
 }
 
 export class Materials {
   readonly shared: SharedUniforms;
+  readonly #table: ColourTable;
   /** Surfaces that hide what is behind them. */
   readonly opaque: RawShaderMaterial;
   /** Only the depth of surfaces that shine through: after it only the nearest of them are seen. */
@@ -58,8 +62,9 @@ export class Materials {
   readonly head: RawShaderMaterial;
   readonly points: RawShaderMaterial;
 
-  constructor(shared: SharedUniforms) {
-    this.shared = shared;
+  constructor(table: ColourTable) {
+    this.#table = table;
+    this.shared = sharedUniforms(table.uniform);
     const mesh = (pass: number) => this.#make(MESH_VERTEX, MESH_FRAGMENT, pass, { uHas: { value: 0 } });
     this.opaque = mesh(0);
     this.depth = mesh(1);
@@ -76,6 +81,7 @@ export class Materials {
     const line = (vertex: string, fragment: string) => {
       const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 } });
       material.transparent = true;
+      material.depthWrite = false;
       return material;
     };
     this.thin = line(THIN_VERTEX, LINE_FRAGMENT);
@@ -87,12 +93,19 @@ export class Materials {
       uShape: { value: 0 },
     });
     this.points.transparent = true;
+    this.points.depthWrite = false;
   }
 
-  /** Sees through surfaces to all that is behind (`ghosted`), or only to what is not of a surface itself. */
-  setGhosted(ghosted: boolean, side: Side): void {
-    this.translucent.depthWrite = !ghosted;
-    this.translucent.side = side;
+  /** Sets the colour of what is drawn next: that of one place in the table, or of each position's own. */
+  setLook(material: RawShaderMaterial, slots: number | Uint16Array): void {
+    const { uLook, uIsBatch } = material.uniforms;
+    if (!uLook || !uIsBatch) return;
+    uIsBatch.value = typeof slots !== "number";
+    if (typeof slots === "number") {
+      const [red, green, blue, alpha] = this.#table.get(slots);
+      (uLook.value as Vector4).set(red, green, blue, alpha).divideScalar(255);
+    }
+    material.uniformsNeedUpdate = true;
   }
 
   dispose(): void {
@@ -103,7 +116,7 @@ export class Materials {
   }
 
   #make(vertexShader: string, fragmentShader: string, pass: number, own: Record<string, IUniform>): RawShaderMaterial {
-    const uniforms = { ...this.shared, uSlot: { value: 0 }, uPass: { value: pass }, ...own };
+    const uniforms = { ...this.shared, uLook: { value: new Vector4() }, uIsBatch: { value: false }, uPass: { value: pass }, ...own };
     const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: DoubleSide });
     material.blending = NormalBlending;
     return material;

@@ -7,7 +7,7 @@ import type { Bounds, Point3, Preview, PreviewPart, Rgba } from "../../core/prev
 import { ALONE, Batch, batchKey } from "./batch";
 import { ColourTable } from "./colourTable";
 import { makeDrawable, ORDER, type Drawable, type LineBudget } from "./drawable";
-import { Materials, sharedUniforms } from "./materials";
+import { Materials } from "./materials";
 import { alone, type Member } from "./merge";
 
 export interface ModelPart {
@@ -50,7 +50,7 @@ export class Model {
     this.#budget = budget;
     this.#pixels = pixels;
     this.scene.matrixAutoUpdate = false;
-    this.materials = new Materials(sharedUniforms(this.table.uniform));
+    this.materials = new Materials(this.table);
   }
 
   put(id: string, preview: Preview): ModelObject {
@@ -134,9 +134,10 @@ export class Model {
 
   /**
    * Shows the passes that are needed: most documents have nothing opaque, or nothing that shines through. Surfaces are
-   * drawn as their colours say (`own`), or all of them as if solid or translucent.
+   * drawn as their colours say (`own`), or all of them as if solid or translucent. A picture that is not fine does
+   * without sorting out what is behind what in one surface.
    */
-  choosePasses(how: Passes): void {
+  choosePasses(how: Passes, isFine: boolean): void {
     this.materials.opaque.uniforms["uPass"]!.value = how === "solid" ? 2 : 0;
     this.materials.translucent.uniforms["uPass"]!.value = how === "through" ? 2 : 1;
     const solid = new Set<Drawable>();
@@ -151,10 +152,11 @@ export class Model {
       }
     }
     for (const drawable of this.#drawables) {
+      for (const object of drawable.behind) object.visible = through.size > 0;
       if (!drawable.surface) continue;
       drawable.surface.solid.visible = solid.has(drawable);
       drawable.surface.colour.visible = through.has(drawable);
-      drawable.surface.depth.visible = through.has(drawable) && how === "own";
+      drawable.surface.depth.visible = through.has(drawable) && how === "own" && isFine;
     }
   }
 

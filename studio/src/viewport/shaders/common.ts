@@ -9,14 +9,17 @@ precision highp int;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform sampler2D uTable;
-uniform float uSlot;
+uniform vec4 uLook;
+uniform bool uIsBatch;
 uniform int uPass;
 uniform float uNear;
 in float slot;
 out vec4 vLook;
 
+// The colour: one for all that is drawn, or that of each position's place in the table.
 vec4 look() {
-  int at = int((uSlot < 0.0 ? slot : uSlot) + 0.5);
+  if (!uIsBatch) return uLook;
+  int at = int(slot + 0.5);
   return texelFetch(uTable, ivec2(at % ${TABLE_WIDTH}, at / ${TABLE_WIDTH}), 0);
 }
 

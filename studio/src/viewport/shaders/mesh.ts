@@ -45,6 +45,7 @@ uniform sampler2D uRamp;
 uniform float uStripes;
 uniform int uStripesAcross;
 uniform vec3 uPaper;
+uniform vec3 uInk;
 in vec4 vLook;
 in vec3 vView;
 in vec3 vNormal;
@@ -93,11 +94,19 @@ vec3 rendered(vec3 colour, vec3 normal, vec3 eye) {
   vec3 up = toWorld * normal;
   vec3 away = toWorld * reflect(-eye, normal);
   vec3 base = pow(colour, vec3(2.2));
+  vec3 around = mix(vec3(0.20, 0.19, 0.18), vec3(0.50, 0.53, 0.58), up.z * 0.5 + 0.5);
+  float lamp = max(dot(up, normalize(vec3(-0.45, -0.55, 0.80))), 0.0);
   float edge = pow(1.0 - max(dot(normal, eye), 0.0), 5.0);
-  vec3 light = base * studio(up, 0.9) * 0.92 + studio(away, 0.12) * (0.04 + 0.5 * edge) * 0.8;
-  // The shoulder of a film: whites stay whites, and nothing burns out.
-  light = light * (1.0 + light * 0.12) / (1.0 + light * 0.32);
+  vec3 light = base * (around + vec3(0.46, 0.45, 0.43) * lamp) + studio(away, 0.12) * (0.03 + 0.25 * edge);
   return pow(light, vec3(1.0 / 2.2));
+}
+
+// A contour where a surface turns away from the eye, about as wide as a line.
+float contour(vec3 eye) {
+  if (dot(vNormal, vNormal) < 0.01) return 0.0;
+  float turn = abs(dot(normalize(vNormal), eye));
+  float pixels = turn / max(fwidth(turn), 1e-6);
+  return 1.0 - smoothstep(0.9, 1.9, pixels);
 }
 
 void main() {
@@ -107,7 +116,7 @@ void main() {
   if (uShade == ${SHADE.rendered}) {
     colour.rgb = rendered(colour.rgb, normal, eye);
   } else if (uShade == ${SHADE.technical}) {
-    colour = vec4(uPaper * (0.90 + 0.10 * headlight(normal)), 1.0);
+    colour = vec4(mix(uPaper * (0.90 + 0.10 * headlight(normal)), uInk, contour(eye)), 1.0);
   } else if (uShade == ${SHADE.falseColour} && (uHas & 4) != 0) {
     float place = clamp((vValue - uRange.x) / max(uRange.y - uRange.x, 1e-30), 0.0, 1.0);
     colour = vec4(lit(texture(uRamp, vec2(place * 0.99609375 + 0.001953125, 0.5)).rgb, 0.45 + 0.55 * headlight(normal)), 1.0);

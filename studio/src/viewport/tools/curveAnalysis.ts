@@ -73,7 +73,7 @@ export function showCircle(model: Model, pick: Pick | undefined, colour: Rgba): 
 function put(model: Model, id: string, segments: number[], origin: Point3, colour: Rgba): void {
   const part: PreviewPart = {
     kind: "curves", colour, width: 1, positions: Float32Array.from(segments), normals: null, colours: null,
-    values: null, range: null, indices: null, texts: [], textHeight: 0, pieces: [],
+    values: null, mean: null, indices: null, texts: [], textHeight: 0, pieces: [],
   };
   const preview: Preview = { object: id, origin, bounds: null, draft: false, parts: [part], size: 0 };
   model.put(id, preview).parts.forEach((entry: ModelPart) => model.setColour(entry, colour));

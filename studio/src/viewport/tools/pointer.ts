@@ -8,6 +8,8 @@ import type { Pane } from "../views";
 export interface PointerTarget {
   element: HTMLElement;
   paneAt(x: number, y: number): Pane;
+  /** A button goes down in a pane. */
+  begin(pane: Pane): void;
   orbit(pane: Pane, dx: number, dy: number): void;
   pan(pane: Pane, dx: number, dy: number): void;
   zoom(pane: Pane, x: number, y: number, factor: number): void;
@@ -80,6 +82,7 @@ export class PointerControls {
     }
     if (this.#gesture !== "none") return;
     this.#pane = this.#target.paneAt(x, y);
+    this.#target.begin(this.#pane);
     [this.#start, this.#last] = [[x, y], [x, y]];
     this.#gesture = this.#begin(event);
   }
