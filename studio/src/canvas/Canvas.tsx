@@ -26,7 +26,7 @@ import { Control } from "./nodes/Control";
 import { Group, Scribble, Sketch } from "./nodes/Notes";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
-import { setFlow, setPane, takeLens, zoomExtents } from "./view";
+import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
 import { Wire } from "./wires/Wire";
 
 /** Names of our own: xyflow has types such as `group` with a look that nobody asked for. */
@@ -208,7 +208,10 @@ function useFirstLook(): void {
     if (!here || looked === within) return;
     setLooked(within);
     // The window has its size only after the first drawing.
-    requestAnimationFrame(() => zoomExtents(undefined, false));
+    requestAnimationFrame(() => {
+      zoomExtents(undefined, false);
+      takeLens(lens());
+    });
   }, [here, within, looked]);
 }
 

@@ -47,8 +47,17 @@ export function look(to: Lens, smoothly = false): void {
   flow?.setViewport(to, duration > 0 ? { duration } : {});
 }
 
+/** The grid's squares on the canvas; from afar each holds several. */
+const SQUARE = 120;
+
 /** Called when the lens has changed. */
-export function takeLens({ zoom }: Lens): void {
+export function takeLens({ x, y, zoom }: Lens): void {
+  const square = SQUARE * zoom * 2 ** Math.max(0, Math.ceil(Math.log2(60 / (SQUARE * zoom))));
+  const ground = pane?.querySelector<HTMLElement>(".react-flow");
+  if (ground) {
+    ground.style.backgroundPosition = `${x}px ${y}px`;
+    ground.style.backgroundSize = `${square}px ${square}px`;
+  }
   const distance = zoom < FAR_BELOW ? "far" : zoom > NEAR_ABOVE ? "near" : "usual";
   if (canvasStore.getState().distance !== distance) canvasStore.setState({ distance });
 }

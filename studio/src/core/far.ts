@@ -14,6 +14,9 @@ import { wireLook, type WireLook } from "./wires";
 /** Below this zoom the canvas is drawn in the far way. */
 export const FAR_BELOW = 0.5;
 
+/** Rows of a panel's data that can be made out from afar, at most. */
+const MOST_ROWS = 40;
+
 export interface FarBox {
   id: string;
   rect: Rect;
@@ -66,7 +69,8 @@ export function farList(input: FarInput): FarList {
   for (const id of order) {
     const object = objects.get(id);
     if (!object) continue;
-    const box = farBox(object, rect(object), lookOf(object, input.results.get(id)), selection.has(id));
+    const result = input.results.get(id);
+    const box = farBox(object, rect(object), lookOf(object, result), selection.has(id), result);
     (isGroup(object) ? list.groups : list.boxes).push(box);
   }
   const depth = depths(objects);
@@ -80,7 +84,13 @@ export function farList(input: FarInput): FarList {
   return list;
 }
 
-function farBox(object: ObjectView, rect: Rect, look: Look, selected: boolean): FarBox {
+function farBox(
+  object: ObjectView,
+  rect: Rect,
+  look: Look,
+  selected: boolean,
+  result: ResultView | undefined,
+): FarBox {
   const box: FarBox = {
     id: object.id,
     rect,
@@ -96,7 +106,7 @@ function farBox(object: ObjectView, rect: Rect, look: Look, selected: boolean): 
     case "group":
       return { ...box, kind: "group", colour: css(control.colour), label: label(control.label, 12, "left", true) };
     case "panel":
-      return { ...box, colour: css(control.colour), label: label(control.text, 11, across(control.alignment)) };
+      return { ...box, colour: css(control.colour), label: label(shown(object, control.text, result), 11, across(control.alignment)) };
     case "swatch":
       return { ...box, colour: css(control.colour) };
     case "scribble":
@@ -107,6 +117,16 @@ function farBox(object: ObjectView, rect: Rect, look: Look, selected: boolean): 
       if (object.kind === "relay") return { ...box, kind: "dot" };
       return { ...box, label: label(object.nickname || object.name, 11, "centre") };
   }
+}
+
+/** What a panel shows: its own text, or the first of what comes in. */
+function shown(object: ObjectView, text: string, result: ResultView | undefined): string {
+  if ((object.inputs[0]?.sources.length ?? 0) === 0) return text;
+  const rows = result?.panel?.rows ?? [];
+  return rows
+    .slice(0, MOST_ROWS)
+    .map((row) => (row.is === "path" ? row.path : row.text))
+    .join("\n");
 }
 
 function across(alignment: number): "left" | "centre" | "right" {
