@@ -229,3 +229,14 @@ pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
     w.f64(metres);
     w.string(name)
 }
+
+/// The length in metres of a unit by its number in archives, when it has one.
+pub(crate) fn unit_metres(number: i32) -> Option<f64> {
+    // No unit at all and one of somebody's own have none.
+    if number == 0 || number == CUSTOM {
+        return None;
+    }
+    let known = UNITS.iter().map(|(known, _, metres)| (*known, *metres));
+    let all = known.chain(OTHER_UNITS.iter().map(|(known, _, metres)| (*known, *metres)));
+    all.into_iter().find(|(known, _)| *known == number).map(|(_, metres)| metres)
+}

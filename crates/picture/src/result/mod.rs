@@ -94,7 +94,7 @@ impl<'a> Painter<'a> {
         let Some(report) = engine.report(index) else { return };
         for (tree, port) in report.outputs.iter().zip(&object.outputs) {
             let kind = tree.column().kind();
-            if port.hidden || !(kind.is_geometry() || kind == Kind::Generic) {
+            if port.hidden || !(kind.is_geometry() || matches!(kind, Kind::Generic | Kind::Content)) {
                 continue;
             }
             for value in tree.column().iter().flatten() {

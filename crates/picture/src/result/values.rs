@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc as Shared;
 
 use katydid_data::cast::{self, Rules};
-use katydid_data::{Colour, Kind, Material, Value};
+use katydid_data::{Colour, Content, Kind, Material, ModelObject, Value};
 
 use crate::drawing::{channel, opaque};
 use crate::scene::{Facets, Form, Look, Scene};
@@ -65,6 +65,13 @@ impl Values {
                 }
                 return;
             }
+            Value::Content(content) => match &**content {
+                Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                    return self.add(scene, geometry, look, rules, of);
+                }
+                Content::Instance(_) => return self.leave_out(of, "a block instance cannot be drawn yet"),
+                _ => return,
+            },
             Value::Kept(raw) => {
                 let class = raw.class_name();
                 return self.leave_out(of, &format!("a {class} is kept whole, but cannot be drawn yet"));

@@ -20,6 +20,7 @@ mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod restated;
 mod subd;
 mod surface;
 mod text_dot;
@@ -46,7 +47,7 @@ pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
-pub(crate) use subd::restated;
+pub(crate) use restated::{Surroundings, restated};
 pub use subd::{
     PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
     SubDObject, SubDPacking,
@@ -66,6 +67,7 @@ use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
+use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
 
@@ -144,8 +146,8 @@ impl Object {
         Version::for_writing(version)?;
         match self {
             Self::Kept(raw) => raw.check_writable(version),
-            Self::Extrusion(_) => extrusion::check_writable(version),
-            Self::SubD(_) => subd::check_writable(version),
+            Self::Extrusion(extrusion) => extrusion::check_writable(extrusion, version),
+            Self::SubD(subd) => subd::check_writable(subd, version),
             Self::Annotation(annotation) => annotation.check_writable(version),
             Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),
@@ -186,13 +188,15 @@ impl Object {
         }
         let version = Version::for_writing(version)?;
         let mut w = Writer::new(version);
-        self.write(&mut w, user_data)?;
+        let around = Surroundings { styles: &Styles::default(), in_model: true };
+        let (object, user_data) = restated(self, user_data, around, version)?;
+        object.write(&mut w, &user_data)?;
         Ok(RawObject {
-            class: self.class(),
+            class: object.class(),
             archive_version: version.archive,
             opennurbs_version: version.opennurbs,
             bytes: w.into_bytes(),
-            user_data: user_data.to_vec(),
+            user_data: user_data.into_owned(),
         })
     }
 

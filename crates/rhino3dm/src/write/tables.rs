@@ -10,11 +10,13 @@ use super::records::Records;
 use crate::chunk::Writer;
 use crate::model::Model;
 use crate::settings::{self, StoredUnits};
+use crate::styles::Styles;
 use crate::tables::{Entry, Table, write_entry};
 use crate::{Error, Layer, Result, properties, typecode};
 
 impl Model {
     pub(super) fn write_tables(&self, w: &mut Writer) -> Result<()> {
+        let styles = Styles::of(self, w.version());
         self.table(w, Table::Properties, |w| {
             w.short(typecode::OPENNURBS_VERSION, i64::from(w.version().opennurbs));
             properties::write(self, w)
@@ -28,12 +30,18 @@ impl Model {
         self.table(w, Table::Layers, |w| entries(&layers, typecode::LAYER_RECORD, w))?;
         self.table(w, Table::Groups, |w| entries(&self.groups, typecode::GROUP_RECORD, w))?;
         // Without this table, empty as it may be, readers pass over the dimension styles behind it.
-        self.table(w, Table::TextStyles, |_| Ok(()))?;
-        self.table(w, Table::DimensionStyles, |_| Ok(()))?;
+        if styles.replaces(Table::DimensionStyles) {
+            only(w, Table::TextStyles, |w| styles.write_text_styles(w))?;
+            only(w, Table::DimensionStyles, |w| styles.write_dimension_styles(w))?;
+        } else {
+            self.table(w, Table::TextStyles, |_| Ok(()))?;
+            self.table(w, Table::DimensionStyles, |_| Ok(()))?;
+        }
         // Identifiers are unique over lights and objects together.
         let all: Vec<Uuid> = self.lights.iter().chain(&self.objects).map(|o| o.attributes.id).collect();
         let ids = Ids::of(all.into_iter());
-        let records = |typecode, first| Records { typecode, layers: layers.len(), ids: &ids, first };
+        let records =
+            |typecode, first| Records { typecode, styles: &styles, layers: layers.len(), ids: &ids, first };
         self.table(w, Table::Lights, |w| records(typecode::LIGHT_RECORD, 0).write(&self.lights, w))?;
         self.table(w, Table::HatchPatterns, |w| self.write_hatch_patterns(w))?;
         self.table(w, Table::Blocks, |w| entries(&self.blocks, typecode::INSTANCE_DEFINITION_RECORD, w))?;
@@ -50,12 +58,10 @@ impl Model {
         table: Table,
         records: impl FnOnce(&mut Writer) -> Result<()>,
     ) -> Result<()> {
-        w.chunk(table.typecode(), |w| {
+        only(w, table, |w| {
             records(w)?;
             let mut kept = self.kept.iter().filter(|record| record.table == table);
-            kept.try_for_each(|record| record.write(w))?;
-            w.short(typecode::END_OF_TABLE, 0);
-            Ok(())
+            kept.try_for_each(|record| record.write(w))
         })
     }
 
@@ -91,6 +97,15 @@ impl Model {
     fn layers_to_write(&self) -> Cow<'_, [Layer]> {
         if self.layers.is_empty() { vec![Layer::new("Default")].into() } else { (&self.layers).into() }
     }
+}
+
+/// A table: what `records` writes, and its end mark.
+fn only(w: &mut Writer, table: Table, records: impl FnOnce(&mut Writer) -> Result<()>) -> Result<()> {
+    w.chunk(table.typecode(), |w| {
+        records(w)?;
+        w.short(typecode::END_OF_TABLE, 0);
+        Ok(())
+    })
 }
 
 /// The records of entries, each numbered by its place.

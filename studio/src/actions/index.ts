@@ -1,0 +1,5 @@
+/** Registers every action; order here is order in menus. */
+import "./file";
+import "./solution";
+import "./view";
+import "./help";

@@ -1,0 +1,3 @@
+export function ViewportPane() {
+  return null;
+}

@@ -1,0 +1,89 @@
+/** Which colour a part is drawn in: by the document, its own, whether it is selected, and the display mode. */
+
+import type { Rgba } from "../../core/preview";
+import type { PartKind } from "../../core/protocol/PartKind";
+
+export type DisplayMode = "wireframe" | "shaded" | "ghosted" | "rendered" | "technical";
+export const DISPLAY_MODES: readonly DisplayMode[] = ["wireframe", "shaded", "ghosted", "rendered", "technical"];
+
+export interface ObjectState {
+  selected: boolean;
+  hovered: boolean;
+  hidden: boolean;
+}
+
+export interface Palette {
+  /** The document's colours of previews. */
+  normal: Rgba;
+  selected: Rgba;
+  /** Lines and points where the mode has no colours. */
+  ink: Rgba;
+  /** Surfaces of the rendered mode that have no colour of their own. */
+  plaster: Rgba;
+}
+
+/** What is shown at all. */
+export interface Layers {
+  edges: boolean;
+  isocurves: boolean;
+  points: boolean;
+  controlPoints: boolean;
+  texts: boolean;
+}
+
+const NONE: Rgba = [0, 0, 0, 0];
+const HOVER = 0.35;
+const FAINT = 150;
+
+export function lookOf(
+  kind: PartKind,
+  own: Rgba | null,
+  state: ObjectState,
+  mode: DisplayMode,
+  palette: Palette,
+  layers: Layers,
+): Rgba {
+  if (state.hidden || !isShown(kind, mode, layers)) return NONE;
+  const colour = kind === "mesh" ? surface(own, state, mode, palette) : line(kind, own, state, mode, palette);
+  return state.hovered ? brighter(colour) : colour;
+}
+
+function isShown(kind: PartKind, mode: DisplayMode, layers: Layers): boolean {
+  switch (kind) {
+    case "mesh":
+      return mode !== "wireframe";
+    case "edges":
+      return layers.edges || mode === "wireframe";
+    case "isocurves":
+      return mode === "wireframe" || (layers.isocurves && mode !== "rendered" && mode !== "technical");
+    case "points":
+      return layers.points;
+    case "controlPoints":
+      return layers.controlPoints;
+    case "texts":
+      return layers.texts;
+    default:
+      return true;
+  }
+}
+
+function surface(own: Rgba | null, { selected }: ObjectState, mode: DisplayMode, palette: Palette): Rgba {
+  if (selected) return palette.selected;
+  if (own) return own;
+  return mode === "rendered" ? palette.plaster : palette.normal;
+}
+
+function line(kind: PartKind, own: Rgba | null, { selected }: ObjectState, mode: DisplayMode, palette: Palette): Rgba {
+  const ofSurface = kind === "edges" || kind === "isocurves";
+  const plain = mode === "technical" || (mode === "rendered" && ofSurface);
+  const [red, green, blue] = selected ? palette.selected : (own ?? (plain ? palette.ink : palette.normal));
+  const alpha = kind === "isocurves" || (mode === "rendered" && kind === "edges") ? FAINT : 255;
+  // The edges of a coloured surface are a darker shade of it.
+  const shade = ofSurface && own && !selected ? 0.55 : 1;
+  return [Math.round(red * shade), Math.round(green * shade), Math.round(blue * shade), alpha];
+}
+
+function brighter([red, green, blue, alpha]: Rgba): Rgba {
+  const up = (value: number) => Math.round(value + (255 - value) * HOVER);
+  return [up(red), up(green), up(blue), alpha];
+}

@@ -1,0 +1,51 @@
+/** The colours of the viewport, from the page's CSS variables. */
+
+import { Vector3 } from "three";
+
+import type { Rgba } from "../core/preview";
+import type { GridColours } from "./scene/grid";
+
+export interface Theme {
+  background: Vector3;
+  paper: Vector3;
+  grid: GridColours;
+  ink: Rgba;
+  plaster: Rgba;
+}
+
+/** Reads the variables as an element has them; the browser resolves whatever notation they are in. */
+export function readTheme(element: HTMLElement): Theme {
+  const probe = document.createElement("span");
+  probe.style.display = "none";
+  element.append(probe);
+  const colour = (name: string): Rgba => {
+    probe.style.color = `var(--viewport-${name})`;
+    return parseColour(getComputedStyle(probe).color);
+  };
+  const vector = (name: string) => {
+    const [red, green, blue] = colour(name);
+    return new Vector3(red / 255, green / 255, blue / 255);
+  };
+  const theme: Theme = {
+    background: vector("background"),
+    paper: vector("paper"),
+    grid: {
+      minor: vector("grid-minor"),
+      major: vector("grid-major"),
+      x: vector("axis-x"),
+      y: vector("axis-y"),
+      z: vector("axis-z"),
+    },
+    ink: colour("ink"),
+    plaster: colour("plaster"),
+  };
+  probe.remove();
+  return theme;
+}
+
+/** `rgb(1, 2, 3)`, `rgba(1, 2, 3, 0.5)` or `rgb(1 2 3 / 50%)`: what browsers compute colours to. Exported for tests. */
+export function parseColour(text: string): Rgba {
+  const numbers = [...text.matchAll(/([\d.]+)(%?)/g)].map(([, number, percent]) => Number(number) / (percent ? 100 : 1));
+  const [red = 0, green = 0, blue = 0, alpha = 1] = numbers;
+  return [Math.round(red), Math.round(green), Math.round(blue), Math.round(alpha * 255)];
+}
