@@ -30,7 +30,8 @@ impl Model {
     pub fn losses(&self, version: i32) -> Result<Vec<Loss>> {
         let target = Version::for_writing(version)?;
         let mut losses: Vec<Loss> = Vec::new();
-        for record in &self.kept {
+        let objects = self.lights.iter().chain(&self.objects);
+        for record in self.kept.iter().chain(objects.filter_map(|object| object.history.as_deref())) {
             if let Err(why) = record.body_for(target) {
                 let name = record.name();
                 let what = format!("{name} of a version {} archive", record.archive_version);
