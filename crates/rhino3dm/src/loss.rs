@@ -32,7 +32,9 @@ impl Model {
         let target = Version::for_writing(version)?;
         let mut losses: Vec<Loss> = Vec::new();
         let styles = Styles::of(self, target);
-        for record in self.kept.iter().filter(|record| !styles.replaces(record.table)) {
+        let kept = self.kept.iter().filter(|record| !styles.replaces(record.table));
+        let objects = self.lights.iter().chain(&self.objects);
+        for record in kept.chain(objects.filter_map(|object| object.history.as_deref())) {
             if let Err(why) = record.body_for(target) {
                 let name = record.name();
                 let what = format!("{name} of a version {} archive", record.archive_version);

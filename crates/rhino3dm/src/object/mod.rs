@@ -56,10 +56,8 @@ pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
-pub(crate) use brep::Reading as BrepReading;
-pub(crate) use class_object::{ClassObject, write_class};
-
-use class_object::write_null;
+pub(crate) use brep::{Reading as BrepReading, read_trim as brep_trim};
+pub(crate) use class_object::{ClassObject, write_class, write_null};
 
 use std::borrow::Cow;
 
@@ -67,6 +65,7 @@ use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
+use crate::read::Places;
 use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
@@ -208,6 +207,19 @@ impl Object {
             Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
             Self::Mesh(_) => mesh::owns(data),
             _ => false,
+        }
+    }
+
+    /// Turns the numbers of hatch patterns and layers into places in their tables.
+    pub(crate) fn place(&mut self, places: &Places) {
+        match self {
+            Self::Hatch(hatch) => hatch.pattern = places.hatch_patterns.place(hatch.pattern),
+            Self::ClippingPlane(clipping) => {
+                let layers = &mut clipping.participants.layers;
+                layers.iter_mut().for_each(|layer| *layer = places.layers.place(*layer));
+                layers.retain(|layer| *layer >= 0);
+            }
+            _ => {}
         }
     }
 

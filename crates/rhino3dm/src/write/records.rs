@@ -69,6 +69,7 @@ impl Records<'_> {
             geometry.write(w, &user_data)?;
             let id = self.ids.get(self.first + place, w.since(start));
             attributes.write(w, id, codes.attributes, codes.user_data)?;
+            object.history.iter().try_for_each(|history| history.write(w))?;
             w.short(codes.end, 0);
             Ok(())
         })

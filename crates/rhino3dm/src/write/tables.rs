@@ -1,7 +1,6 @@
 //! The tables of an archive in their order: typed entries first, then the records that are kept.
 
 use std::borrow::Cow;
-use std::collections::HashSet;
 
 use uuid::Uuid;
 
@@ -11,7 +10,7 @@ use crate::chunk::Writer;
 use crate::model::Model;
 use crate::settings::{self, StoredUnits};
 use crate::styles::Styles;
-use crate::tables::{Entry, Table, write_entry};
+use crate::tables::{Entry, Named, Table, write_entry};
 use crate::{Error, Layer, Result, properties, typecode};
 
 impl Model {
@@ -43,7 +42,9 @@ impl Model {
         let records =
             |typecode, first| Records { typecode, styles: &styles, layers: layers.len(), ids: &ids, first };
         self.table(w, Table::Lights, |w| records(typecode::LIGHT_RECORD, 0).write(&self.lights, w))?;
-        self.table(w, Table::HatchPatterns, |w| self.write_hatch_patterns(w))?;
+        self.table(w, Table::HatchPatterns, |w| {
+            entries(&self.hatch_patterns, typecode::HATCH_PATTERN_RECORD, w)
+        })?;
         self.table(w, Table::Blocks, |w| entries(&self.blocks, typecode::INSTANCE_DEFINITION_RECORD, w))?;
         let objects = records(typecode::OBJECT_RECORD, self.lights.len());
         self.table(w, Table::Objects, |w| objects.write(&self.objects, w))?;
@@ -73,25 +74,11 @@ impl Model {
                 tolerance: self.tolerance,
                 relative_tolerance: self.relative_tolerance,
                 display: [self.settings.length_display, self.settings.length_digits],
+                impossible: self.settings.impossible_tolerances,
             };
             settings::write_units(&stored, w)
         })?;
         self.settings.write(w)
-    }
-
-    /// Hatch patterns keep their numbers, by which hatches refer to them; those without get the first that is free.
-    fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
-        let ids = Ids::of(self.hatch_patterns.iter().map(|pattern| pattern.id));
-        let mut stated: HashSet<i32> =
-            self.hatch_patterns.iter().filter_map(|pattern| pattern.number).collect();
-        for (place, pattern) in self.hatch_patterns.iter().enumerate() {
-            let free = || (0..i32::MAX).find(|number| !stated.contains(number)).unwrap_or(i32::MAX);
-            let number = pattern.number.unwrap_or_else(free);
-            stated.insert(number);
-            let id = ids.get(place, pattern.name.as_bytes());
-            w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
-        }
-        Ok(())
     }
 
     fn layers_to_write(&self) -> Cow<'_, [Layer]> {
@@ -110,7 +97,7 @@ fn only(w: &mut Writer, table: Table, records: impl FnOnce(&mut Writer) -> Resul
 
 /// The records of entries, each numbered by its place.
 fn entries<T: Entry>(entries: &[T], record: u32, w: &mut Writer) -> Result<()> {
-    let ids = Ids::of(entries.iter().map(Entry::id));
+    let ids = Ids::of(entries.iter().map(Named::id));
     for (place, entry) in entries.iter().enumerate() {
         let number = i32::try_from(place).map_err(|_| Error::CannotWrite {
             what: format!("a table with {} entries", entries.len()),
