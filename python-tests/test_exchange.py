@@ -216,25 +216,18 @@ def test_dots_are_text_in_drawings_and_told_of_elsewhere(tmp_path):
     assert "1 × text: only drawings show text" in told
 
 
-def parts(source, objects, outer):
-    """The points of the meshes of objects, where blocks put them."""
+def corners(source, objects, outer):
+    """The corners of the solids among objects, where blocks put them."""
     for member in objects:
         geometry = member.Geometry
         if isinstance(geometry, rhino3dm.InstanceReference):
             block = source.InstanceDefinitions.FindId(geometry.ParentIdefId)
             inside = [source.Objects.FindId(str(id)) for id in block.GetObjectIds()]
-            yield from parts(source, inside, rhino3dm.Transform.Multiply(outer, geometry.Xform))
-            continue
-        meshes = []
-        if isinstance(geometry, rhino3dm.Mesh):
-            meshes = [geometry]
-        elif isinstance(geometry, rhino3dm.Brep):
-            meshes = [geometry.Faces[i].GetMesh(rhino3dm.MeshType.Render) for i in range(len(geometry.Faces))]
+            yield from corners(source, inside, rhino3dm.Transform.Multiply(outer, geometry.Xform))
         elif isinstance(geometry, rhino3dm.Extrusion):
-            meshes = [geometry.GetMesh(rhino3dm.MeshType.Render)]
-        for mesh in filter(None, meshes):
-            for v in mesh.Vertices:
-                p = outer.TransformPoint(rhino3dm.Point3d(v.X, v.Y, v.Z)) if hasattr(outer, "TransformPoint") else rhino3dm.Point3d(v.X, v.Y, v.Z).Transform(outer)
+            brep = geometry.ToBrep(False)
+            for i in range(len(brep.Vertices)):
+                p = brep.Vertices[i].Location.Transform(outer)
                 yield [p.X, p.Y, p.Z]
 
 
@@ -245,7 +238,7 @@ NESTED = ROOT.parent / "shared" / "data" / "3dm" / "jesterKing+import_3dm__39929
 def test_blocks_in_blocks_stand_where_rhino3dm_puts_them(tmp_path):
     source = rhino3dm.File3dm.Read(str(NESTED))
     top = [o for o in source.Objects if not o.Attributes.IsInstanceDefinitionObject]
-    expected = np.array(list(parts(source, top, rhino3dm.Transform.Identity())))
+    expected = np.array(list(corners(source, top, rhino3dm.Transform.Identity())))
     out = tmp_path / "nested.ply"
     katydid("convert", NESTED, out)
     vertices = plyfile.PlyData.read(out)["vertex"]
@@ -262,6 +255,7 @@ SUBDS = ROOT.parent / "shared" / "data" / "3dm" / "mcneel+rhino-developer-sample
 def test_subds_are_the_surface_that_rhino3dm_has(tmp_path):
     source = rhino3dm.File3dm.Read(str(SUBDS))
     [subd] = [o.Geometry for o in source.Objects if isinstance(o.Geometry, rhino3dm.SubD)]
+    subd.ClearEvaluationCache()
     out = tmp_path / "subd.ply"
     katydid("convert", SUBDS, out, "--hidden")
     vertices = plyfile.PlyData.read(out)["vertex"]

@@ -126,7 +126,7 @@ impl Cage {
                 let weight = if is_plain {
                     EVEN
                 } else if stored > 0.0 && stored < 1.0 {
-                    stored
+                    1.0 - stored
                 } else {
                     0.5 - self.angle(at, vertex, side.index).cos() / 3.0
                 };
