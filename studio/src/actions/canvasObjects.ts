@@ -100,7 +100,7 @@ register(
   {
     id: "canvas.leave",
     label: "canvas.action.leave",
-    keys: ["Mod+Up"],
+    keys: ["Mod+ArrowUp"],
     group: "canvas",
     scope: "canvas",
     isEnabled: () => documentStore.getState().within.length > 0,

@@ -44,7 +44,7 @@ register(
   {
     id: "view.zoomIn",
     label: "canvas.action.zoomIn",
-    keys: ["Mod+Plus", "Mod+="],
+    keys: ["Mod++", "Mod+="],
     group: "view",
     scope: "canvas",
     run: () => zoomBy(1.25),

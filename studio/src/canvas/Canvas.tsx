@@ -24,6 +24,7 @@ import { hoverOver, hoverOut } from "./tips/hover";
 import { Capsule, Parameter, Relay } from "./nodes/Capsule";
 import { Control } from "./nodes/Control";
 import { Group, Scribble, Sketch } from "./nodes/Notes";
+import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
 import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
@@ -48,7 +49,7 @@ const NO_WIRES: WireEdge[] = [];
 export function Canvas() {
   useEffect(() => void loadCatalogue(), []);
   return (
-    <section className="canvas-pane" aria-label={t("canvas.title")}>
+    <div className="canvas-pane">
       <Ribbon />
       <Crumbs />
       <ReactFlowProvider>
@@ -57,7 +58,7 @@ export function Canvas() {
         </Ground>
       </ReactFlowProvider>
       <Said />
-    </section>
+    </div>
   );
 }
 
@@ -79,7 +80,14 @@ function Ground({ children }: { children: ReactNode }) {
     window.addEventListener("pointermove", pointerMove);
     window.addEventListener("pointerup", pointerUp);
     window.addEventListener("pointercancel", pointerUp);
+    // Who goes to the room that the canvas is in goes to the canvas.
+    const room = element.closest('[data-scope="canvas"]');
+    const enter = (event: FocusEvent) => {
+      if (event.target === room) focusCanvas();
+    };
+    window.addEventListener("focusin", enter);
     return () => {
+      window.removeEventListener("focusin", enter);
       window.removeEventListener("pointermove", pointerMove);
       window.removeEventListener("pointerup", pointerUp);
       window.removeEventListener("pointercancel", pointerUp);
@@ -101,7 +109,7 @@ function Ground({ children }: { children: ReactNode }) {
     <div
       ref={ground}
       className={`ground ${placing ? "placing" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
-      role="application"
+      role="group"
       aria-label={t("canvas.title")}
       aria-describedby="canvas-help"
       tabIndex={0}

@@ -1,4 +1,4 @@
-import { useEffect, useRef, type RefObject } from "react";
+import { useEffect, useRef, useSyncExternalStore, type RefObject } from "react";
 import { useStore as useFlowStore } from "@xyflow/react";
 import { useStore } from "zustand";
 
@@ -18,7 +18,7 @@ export function FarLayer() {
   const [x, y, zoom] = useFlowStore((flow) => flow.transform);
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);
-  const theme = useStore(uiStore, (ui) => ui.theme);
+  const theme = useTheme();
   const colours = useRef<FarColours | undefined>(undefined);
 
   useEffect(() => {
@@ -27,6 +27,23 @@ export function FarLayer() {
   useEffect(() => paint(sheet, list, { x, y, zoom }, [width, height], colours), [list, x, y, zoom, width, height, theme]);
 
   return <canvas ref={sheet} className="far" aria-hidden="true" />;
+}
+
+/** A word that changes when the page's colours do: the theme that was chosen, and what the system wants. */
+function useTheme(): string {
+  return useSyncExternalStore(watchTheme, () => `${document.documentElement.dataset.theme ?? ""} ${DARK.matches}`);
+}
+
+const DARK = matchMedia("(prefers-color-scheme: dark)");
+
+function watchTheme(changed: () => void): () => void {
+  const watcher = new MutationObserver(changed);
+  watcher.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  DARK.addEventListener("change", changed);
+  return () => {
+    watcher.disconnect();
+    DARK.removeEventListener("change", changed);
+  };
 }
 
 function useFarList(): FarList {

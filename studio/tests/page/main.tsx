@@ -1,5 +1,6 @@
 import { createRoot } from "react-dom/client";
 
+import { followKeys } from "../../src/actions/keys";
 import { Canvas } from "../../src/canvas/Canvas";
 import type { DocumentState } from "../../src/core/protocol/DocumentState";
 import type { CatalogueEntry } from "../../src/core/catalogue";
@@ -36,4 +37,11 @@ join("page", "");
 Object.assign(window, { page: { session, documentStore, runStore, uiStore, canvasStore, lens, look } });
 
 const root = document.getElementById("root");
-if (root) createRoot(root).render(<Canvas />);
+followKeys();
+if (root) {
+  createRoot(root).render(
+    <div data-scope="canvas" style={{ height: "100%" }}>
+      <Canvas />
+    </div>,
+  );
+}

@@ -2,11 +2,9 @@
 
 import type { KeyboardEvent as ReactKeyboardEvent, PointerEvent as ReactPointerEvent } from "react";
 
-import { allActions } from "../../actions/registry";
 import { grownAlong } from "../../core/selection";
 import { middle, type Point, type Rect } from "../../core/geometry";
 import { isGroup } from "../../core/groups";
-import { isPressed } from "../../core/keys";
 import { lookOf } from "../../core/look";
 import { neighbour, readingOrder, type Direction } from "../../core/order";
 import { wiresOf } from "../../core/places";
@@ -67,23 +65,14 @@ export function drop(event: DragEvent): void {
   void place({ component: entry.guid, with: null }, canvasPoint(pixelOf(event)));
 }
 
+/** Keys that are no action: what is one is found by its shortcut, as everywhere on the page. */
 export function keyDown(event: ReactKeyboardEvent): void {
   if (event.defaultPrevented || event.nativeEvent.isComposing) return;
   const element = event.target instanceof Element ? event.target : null;
   if (element?.matches("input, textarea, select") || element?.closest(".box")) return;
-  if (!ownKey(event, element) && !shortcut(event)) return;
+  if (!ownKey(event, element)) return;
   event.preventDefault();
   event.stopPropagation();
-}
-
-/** The shortcuts of all actions that work here. */
-function shortcut(event: ReactKeyboardEvent): boolean {
-  const action = allActions().find(
-    (one) => one.scope !== "viewport" && one.keys?.some((keys) => isPressed(keys, event)),
-  );
-  if (!action || action.isEnabled?.() === false) return false;
-  void action.run();
-  return true;
 }
 
 const ARROWS: Record<string, Direction> = {

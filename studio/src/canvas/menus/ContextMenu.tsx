@@ -19,7 +19,7 @@ export function ContextMenu() {
     const { target } = at;
     if (target.is === "wire") canvasStore.setState({ hotWire: { from: target.from, to: target.to } });
     const close = (event: PointerEvent) => {
-      if (event.target instanceof Element && event.target.closest(".menu")) return;
+      if (event.target instanceof Element && event.target.closest(".pop-menu")) return;
       canvasStore.setState({ menu: undefined, hotWire: undefined });
     };
     window.addEventListener("pointerdown", close);

@@ -51,7 +51,7 @@ export function Menu({ items, pixel, label, onClose, onBack }: MenuProps) {
   return (
     <div
       ref={box}
-      className={beside ? "box menu beside" : "box menu"}
+      className={beside ? "box pop-menu beside" : "box pop-menu"}
       role="menu"
       aria-label={label}
       style={beside ? {} : { left: place[0], top: place[1] }}

@@ -1,5 +1,6 @@
 /** The menu of an object's centre. */
 
+import { shownKeys } from "../../actions/keys";
 import { action } from "../../actions/registry";
 import { hex, fromHex } from "../../core/colours";
 import type { Control } from "../../core/protocol/Control";
@@ -38,14 +39,14 @@ export function objectMenu(object: ObjectView): Item[] {
       is: "do",
       label: t("canvas.menu.preview"),
       on: !object.hidden,
-      keys: "Ctrl+Q",
+      keys: shownKeys("Mod+Q"),
       run: () => change(ids, { is: "hidden", on: !object.hidden }),
     },
     {
       is: "do",
       label: t("canvas.menu.enabled"),
       on: !object.disabled,
-      keys: "Ctrl+E",
+      keys: shownKeys("Mod+E"),
       run: () => change(ids, { is: "disabled", on: !object.disabled }),
     },
     messages(object),
@@ -92,7 +93,7 @@ function joins(object: ObjectView): boolean {
 export function registered(id: string): Item | undefined {
   const found = action(id);
   if (!found) return undefined;
-  const keys = found.keys?.[0]?.replace("Mod", "Ctrl");
+  const keys = found.keys?.[0] && shownKeys(found.keys[0]);
   const on = found.isOn?.();
   return {
     is: "do",

@@ -1,6 +1,6 @@
 /** What the canvas says. */
 export const canvas = {
-  "canvas.title": "Canvas",
+  "canvas.title": "Definition",
   "canvas.help":
     "Arrow keys go from object to object, Alt with them moves the selection, Ctrl with left or right grows it along wires. Enter opens, C connects, Space searches for something to place, Shift+F10 opens the menu.",
   "canvas.object": "component",
