@@ -7,9 +7,22 @@ import { canvasStore, type EditorAt } from "./store";
 import { enter } from "./edits";
 import { canvasPoint, paneElement, paneSize, windowPoint } from "./view";
 
-export function openSearch(pixel?: Point, from?: Grip): void {
+/** Room between an object and one that the keyboard places beside it. */
+const BESIDE = 150;
+
+/** Where the keyboard places something: to the right of what it is at, else in the middle of what is seen. */
+function keyboardPlace(): Point {
   const [w, h] = paneSize();
-  const where: Point = pixel ?? [w / 2, h / 3];
+  const { active } = canvasStore.getState();
+  const bounds = active === undefined ? undefined : documentStore.getState().objects.get(active)?.bounds;
+  if (!bounds) return [w / 2, h / 3];
+  const [x, y] = windowPoint([bounds[0] + bounds[2] + BESIDE, bounds[1] + bounds[3] / 2]);
+  return [Math.min(Math.max(x, 40), w - 40), Math.min(Math.max(y, 40), h - 40)];
+}
+
+/** Opens the search box: at a pixel, or where the keyboard is. What was found goes there. */
+export function openSearch(pixel?: Point, from?: Grip): void {
+  const where = pixel ?? keyboardPlace();
   const at = canvasPoint(where);
   canvasStore.setState({ search: { pixel: where, at, from }, menu: undefined, tip: undefined });
 }

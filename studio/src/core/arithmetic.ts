@@ -81,7 +81,9 @@ class Reader {
   #power(): number | undefined {
     const base = this.#atom();
     if (base === undefined || !this.#take("^")) return base;
+    if (++this.#depth > DEEPEST) return undefined;
     const exponent = this.#signed();
+    this.#depth--;
     return exponent === undefined ? undefined : base ** exponent;
   }
 

@@ -100,7 +100,7 @@ function ownKey(event: ReactKeyboardEvent, element: Element | null): boolean {
       return active === undefined ? false : into(active);
     case "c":
     case "C":
-      return connect(active);
+      return connect(active, event.shiftKey);
     case " ":
       openSearch();
       return true;
@@ -181,14 +181,15 @@ function into(id: string): boolean {
   return true;
 }
 
-/** Begins a wire by keyboard: from the first output, or the first input where there is none. */
-function connect(id: string | undefined): boolean {
+/** Begins a wire by keyboard: from the first output, with Shift from the first input; from the other where it lacks. */
+function connect(id: string | undefined, backwards: boolean): boolean {
   const object = id === undefined ? undefined : documentStore.getState().objects.get(id);
-  const [output, input] = [object?.outputs[0], object?.inputs[0]];
-  const grip = output ? gripOf(output.id, "output") : input ? gripOf(input.id, "input") : undefined;
-  if (!grip) return false;
-  canvasStore.setState({ connecting: grip });
-  return true;
+  if (!object) return false;
+  const output = object.outputs[0] && gripOf(object.outputs[0].id, "output");
+  const input = object.inputs[0] && gripOf(object.inputs[0].id, "input");
+  const grip = backwards ? (input ?? output) : (output ?? input);
+  if (grip) canvasStore.setState({ connecting: grip });
+  return grip !== undefined;
 }
 
 function menu(id: string | undefined): boolean {

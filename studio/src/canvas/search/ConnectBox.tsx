@@ -36,6 +36,7 @@ export function ConnectBox() {
       label={t("canvas.connect.label", { name: nameOf(from) })}
       prompt={t(from.side === "output" ? "canvas.connect.input" : "canvas.connect.output")}
       none={t("canvas.connect.none")}
+      always
       picks={(query) => all.filter(({ words }) => words.includes(query.trim().toLowerCase())).slice(0, 60)}
       onHighlight={show}
     />

@@ -18,6 +18,8 @@ interface PickListProps {
   /** What stands in the field while it is empty. */
   prompt: string;
   none: string;
+  /** Whether that nothing is found is said before anything is typed. */
+  always?: boolean;
   picks(query: string): Pick[];
   onHighlight?(key: string | undefined): void;
 }
@@ -26,7 +28,7 @@ const WIDTH = 320;
 const HEIGHT = 380;
 
 /** A field to type in and a list to choose from: arrows go through it, Enter takes, Escape closes. */
-export function PickList({ pixel, label, prompt, none, picks, onHighlight }: PickListProps) {
+export function PickList({ pixel, label, prompt, none, always = false, picks, onHighlight }: PickListProps) {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState(0);
   const field = useRef<HTMLInputElement>(null);
@@ -105,7 +107,7 @@ export function PickList({ pixel, label, prompt, none, picks, onHighlight }: Pic
           </li>
         ))}
       </ul>
-      {found.length === 0 && query !== "" ? <p className="none">{none}</p> : null}
+      {found.length === 0 && (query !== "" || always) ? <p className="none">{none}</p> : null}
     </div>
   );
 }

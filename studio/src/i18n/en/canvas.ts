@@ -2,7 +2,7 @@
 export const canvas = {
   "canvas.title": "Definition",
   "canvas.help":
-    "Arrow keys go from object to object, Alt with them moves the selection, Ctrl with left or right grows it along wires. Enter opens, C connects, Space searches for something to place, Shift+F10 opens the menu.",
+    "Arrow keys go from object to object, Alt with them moves the selection, Ctrl with left or right grows it along wires. Enter opens, C connects an output and Shift+C an input, Space searches for something to place, Shift+F10 opens the menu.",
   "canvas.object": "component",
   "canvas.selected": "selected",
   "canvas.cluster": "Cluster",
