@@ -1,25 +1,22 @@
 /** The picture of the model: draws when something changed, and never else. */
 
-import { SRGBColorSpace, Color, DoubleSide, Vector3, WebGLRenderer, type Camera } from "three";
+import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 
 import { centre, radius } from "../core/bounds";
 import type { Bounds, Preview, Rgba } from "../core/preview";
 import { rectangle } from "../core/screen";
-import type { Fetcher } from "./geometryStore";
 import { colourSurfaces } from "./analysis";
+import { isSoftware } from "./graphics";
 import { Panes, type PlacedPane } from "./panes";
 import { lookOf, type ObjectState } from "./scene/looks";
-import { Grid } from "./scene/grid";
 import { Model } from "./scene/model";
+import { Painter } from "./scene/painter";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
-import { SHADE } from "./shaders/mesh";
 import { readTheme, type Theme } from "./theme";
 import { TOOL, showCircle, showComb } from "./tools/curveAnalysis";
 import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
 import { TextLayer } from "./overlay/texts";
-
-export type { Fetcher };
 
 /** What the document says of objects and colours. */
 export interface Surroundings {
@@ -36,8 +33,6 @@ export interface Options {
   pixelRatio?: number;
 }
 
-/** What is drawn by software takes as long as it has pixels and lines. */
-const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 /** From this many triangles on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 200_000;
 const REST = 200;
@@ -54,7 +49,7 @@ export class Viewport {
   frames = 0;
   #renderer: WebGLRenderer;
   #host: HTMLElement;
-  #grid = new Grid();
+  #painter: Painter;
   #texts: TextLayer;
   #theme: Theme;
   #picker: Picker;
@@ -67,7 +62,6 @@ export class Viewport {
   #areLooksStale = true;
   #areColoursStale = true;
   #isFitted = false;
-  #cameras = new Map<PlacedPane["pane"], Camera>();
   #stop: (() => void)[] = [];
   /** Called after each picture, for what is drawn over it. */
   afterDraw: (placed: readonly PlacedPane[]) => void = () => {};
@@ -86,7 +80,7 @@ export class Viewport {
     this.#renderer.sortObjects = true;
     this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
     this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000 }, () => this.#renderer.getPixelRatio());
-    this.model.scene.add(this.#grid.mesh);
+    this.#painter = new Painter(this.#renderer, this.model);
     this.panes = new Panes(() => this.invalidate());
     this.#picker = new Picker(this.model);
     this.#texts = new TextLayer(host);
@@ -227,7 +221,7 @@ export class Viewport {
     clearTimeout(this.#rest);
     this.#texts.dispose();
     this.model.dispose();
-    this.#grid.dispose();
+    this.#painter.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
     this.canvas.remove();
@@ -309,8 +303,7 @@ export class Viewport {
     if (this.panes.advance(now)) this.#schedule();
     this.#frame();
     clearTimeout(this.#rest);
-    const isDraft = !this.#isFine && this.#isHeavy();
-    if (isDraft) this.#rest = setTimeout(() => this.draw(), REST);
+    if (!this.#isFine && this.#isHeavy()) this.#rest = setTimeout(() => this.draw(), REST);
   }
 
   #isHeavy(): boolean {
@@ -353,57 +346,17 @@ export class Viewport {
   #frame(): void {
     if (this.#isLost) return;
     this.#settle();
-    const { analysis, mode, range, stripes, across, shown } = this.#settings;
-    const { shared, translucent } = this.model.materials;
-    const isCurvature = analysis === "gaussian" || analysis === "mean";
-    const isPaper = mode === "technical" && analysis === "none";
-    shared.uShade.value = isCurvature ? SHADE.falseColour : analysis === "zebra" ? SHADE.zebra
-      : mode === "rendered" ? SHADE.rendered : isPaper ? SHADE.technical : SHADE.shaded;
-    const legend = range ?? viewportStore.getState().legend?.range;
-    shared.uRange.value.set(legend?.[0] ?? 0, legend?.[1] ?? 1);
-    shared.uStripes.value = stripes;
-    shared.uStripesAcross.value = across ? 1 : 0;
-    shared.uPaper.value.copy(this.#theme.paper);
-    shared.uInk.value.set(...this.#theme.ink.slice(0, 3) as [number, number, number]).divideScalar(255);
-    const isGhosted = mode === "ghosted" && analysis === "none";
-    shared.uAlpha.value = isGhosted ? 0.55 : 1;
-    translucent.depthWrite = !isGhosted;
-    translucent.side = DoubleSide;
-    const isSolid = isPaper || analysis !== "none";
-    this.model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", this.#isFine || !this.#isHeavy());
-    this.#grid.mesh.visible = shown.grid;
+    const range = this.#settings.range ?? viewportStore.getState().legend?.range;
+    const isQuick = !this.#isFine && this.#isHeavy();
+    this.#painter.prepare(this.#settings, this.#theme, range, isQuick);
     const placed = this.panes.placed();
-    this.#renderer.setScissorTest(true);
-    for (const pane of placed) this.#drawPane(pane, isPaper);
+    for (const pane of placed) this.#painter.paint(pane, this.#view(pane).camera, this.panes.height);
     this.frames++;
     this.#overlay(placed);
   }
 
-  #drawPane(placed: PlacedPane, isPaper: boolean): void {
-    const { left, top, width, height, pane } = placed;
-    const bottom = this.panes.height - top - height;
-    this.#renderer.setViewport(left, bottom, width, height);
-    this.#renderer.setScissor(left, bottom, width, height);
-    const { x, y, z } = isPaper ? this.#theme.paper : this.#theme.background;
-    this.#renderer.setClearColor(new Color().setRGB(x, y, z, SRGBColorSpace), 1);
-    this.#renderer.clear();
-    const { camera } = this.#view(placed);
-    const ratio = this.#renderer.getPixelRatio();
-    this.model.materials.shared.uView.value.set(width * ratio, height * ratio);
-    this.#grid.prepare(pane.rig, camera, this.model.origin, height, this.#theme.grid);
-    this.model.sortSurfaces(camera.matrixWorldInverse);
-    this.#renderer.render(this.model.scene, camera);
-  }
-
   #view({ pane, width, height }: PlacedPane): PickView {
-    const camera = pane.rig.camera(this.model.origin, this.#drawnBounds(), width / height);
-    this.#cameras.set(pane, camera);
-    return { camera, width, height };
-  }
-
-  /** Where something is drawn: the model, or else about the origin. */
-  #drawnBounds(): Bounds | null {
-    return this.model.bounds;
+    return { camera: pane.rig.camera(this.model.origin, this.model.bounds, width / height), width, height };
   }
 
   /** What one unit about the target is for the wheel: where a ray through a pixel meets the model, else its target plane. */
@@ -429,13 +382,4 @@ export class Viewport {
     viewportStore.setState({ view: this.panes.viewName(), projection: this.panes.projection(), texts: shown, pointed });
     this.afterDraw(placed);
   }
-}
-
-function isSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) throw new Error("no WebGL 2");
-  const names = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return SOFTWARE.test(name);
 }

@@ -19,8 +19,8 @@ export interface GeometryListener {
 
 /** How long bytes of the socket may follow the event that announces them, in milliseconds, before they are fetched. */
 const PATIENCE = 40;
-/** Bytes that came before they were announced are kept up to this many objects. */
-const MOST_EARLY = 256;
+/** Geometry that came before it was announced is kept up to this many bytes; the rest is fetched then. */
+const MOST_EARLY = 256e6;
 
 interface Entry {
   /** The hash of what is shown, and the geometry itself. */
@@ -46,6 +46,7 @@ export class GeometryStore implements PreviewSink {
   #fetch: Fetcher;
   #entries = new Map<string, Entry>();
   #early = new Map<string, Preview>();
+  #earlySize = 0;
 
   constructor(fetcher: Fetcher = fetchGeometry) {
     this.#fetch = fetcher;
@@ -68,7 +69,7 @@ export class GeometryStore implements PreviewSink {
       else this.#want(object, hash);
     }
     // Nobody announces these any more: what comes over the socket comes just before its event, or just after.
-    this.#early.clear();
+    this.#forgetEarly();
   }
 
   bytes(bytes: ArrayBuffer): void {
@@ -77,7 +78,8 @@ export class GeometryStore implements PreviewSink {
     const entry = this.#entries.get(preview.object);
     if (entry?.wanted !== undefined) {
       this.#show(preview.object, entry, entry.wanted, preview);
-    } else if (this.#early.size < MOST_EARLY) {
+    } else if (this.#earlySize + preview.size <= MOST_EARLY) {
+      this.#earlySize += preview.size;
       this.#early.set(preview.object, preview);
     }
   }
@@ -85,8 +87,13 @@ export class GeometryStore implements PreviewSink {
   clear(): void {
     for (const { stop } of this.#entries.values()) stop?.abort();
     this.#entries.clear();
-    this.#early.clear();
+    this.#forgetEarly();
     this.#tell((listener) => listener.clear());
+  }
+
+  #forgetEarly(): void {
+    this.#early.clear();
+    this.#earlySize = 0;
   }
 
   #drop(object: string): void {

@@ -11,6 +11,7 @@ export interface Theme {
   paper: Vector3;
   grid: GridColours;
   ink: Rgba;
+  inkVector: Vector3;
   plaster: Rgba;
 }
 
@@ -39,6 +40,7 @@ export function readTheme(element: HTMLElement): Theme {
       z: vector("axis-z"),
     },
     ink: colour("ink"),
+    inkVector: vector("ink"),
     plaster: colour("plaster"),
   };
   probe.remove();
