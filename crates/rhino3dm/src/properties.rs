@@ -128,7 +128,8 @@ impl Preview {
         (number(4), number(8))
     }
 
-    fn read(body: &mut Reader<'_>) -> Result<Self> {
+    /// Reads a header and the pieces behind it up to the end.
+    pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         let mut preview = Self { header: body.array("preview")?, pieces: Vec::new() };
         while !body.is_at_end() {
             preview.pieces.push(body.stored_buffer("preview")?);

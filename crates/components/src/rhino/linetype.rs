@@ -58,6 +58,7 @@ fn linetype(
 #[output("Join Style", "Js", "The corners: 0 round, 1 mitred, 2 bevelled.")]
 #[output("Width", "W", "The width.")]
 #[output("Width Units", "Wu", "The unit of the width, as Rhino numbers units; 0 for pixels.")]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn model_linetype(
     context: &Context<'_>,
     /// The linetype, or the name of one.

@@ -27,6 +27,7 @@ use super::{layer_of, object_of};
 #[output("Display", "Ds", "Its own colour.")]
 #[output("Drafting", "Dr", "Not supported: null.", kind = Generic)]
 #[output("Render", "R", "Not supported: null.", kind = Generic)]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn model_object(
     context: &Context<'_>,
     /// The object, or geometry.

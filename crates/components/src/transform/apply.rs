@@ -6,6 +6,8 @@ use katydid_component::Message;
 use katydid_data::{Content, Group, ModelObject, Value};
 use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
 
+use super::kept;
+
 /// Groups in groups beyond this depth are refused.
 const DEEPEST: usize = 100;
 
@@ -59,9 +61,7 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
             }
             other => return Err(Message::error(format!("A {} cannot be transformed", other.type_name()))),
         },
-        Value::Kept(object) => {
-            return Err(Message::error(format!("A {} cannot be transformed yet", object.class_name())));
-        }
+        Value::Kept(object) => kept::transformed(object, xform)?,
         other => return Err(Message::error(format!("A {} cannot be transformed", other.kind()))),
     })
 }

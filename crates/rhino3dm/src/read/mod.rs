@@ -224,6 +224,7 @@ impl Reading {
         let stored = settings::read_units(record.body.clone())?;
         let settings = &mut self.model.settings;
         [settings.length_display, settings.length_digits] = stored.display;
+        settings.impossible_tolerances = stored.impossible;
         self.model.units = stored.units;
         self.model.tolerance = stored.tolerance;
         self.model.relative_tolerance = stored.relative_tolerance;

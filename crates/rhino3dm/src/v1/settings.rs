@@ -102,6 +102,7 @@ pub(super) fn read_units(mut body: Reader<'_>, model: &mut Model) -> Result<()> 
     model.unit_scale = stored.scale;
     model.tolerance = stored.tolerance;
     model.relative_tolerance = stored.relative_tolerance;
+    model.settings.impossible_tolerances = stored.impossible;
     Ok(())
 }
 

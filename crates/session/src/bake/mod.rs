@@ -154,13 +154,15 @@ impl Baking<'_> {
         if pieces.is_empty() {
             return;
         }
-        let mut attributes = match value {
+        let own = match value {
             Value::Content(content) => match &**content {
-                Content::Object(object) => content::attributes(model, object),
-                _ => Attributes::default(),
+                Content::Object(object) => Some(content::attributes(model, object)),
+                _ => None,
             },
-            _ => Attributes::default(),
+            _ => None,
         };
+        // New attributes stand on the first layer.
+        let mut attributes = own.unwrap_or_else(|| Attributes { layer: None, ..Attributes::default() });
         // What an object has of its own goes before where it comes from.
         if attributes.layer.is_none() {
             // Colons between names would make a layer inside another.

@@ -87,7 +87,7 @@ mod tests {
             let attributes =
                 Attributes { layer: Some(layer), name: name.to_owned(), ..Attributes::default() };
             let geometry = Object::Point(Point3::new(x, 0.0, 0.0));
-            model.objects.push(ModelObject { geometry, attributes, user_data: Vec::new() });
+            model.objects.push(ModelObject { attributes, ..geometry.into() });
         }
         let folder = std::env::temp_dir().join(format!("katydid-model-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
