@@ -11,6 +11,7 @@ import { select, uiStore } from "../../src/state/ui";
 import { ViewportPane } from "../../src/viewport";
 import { settingsStore } from "../../src/viewport/settings";
 import { writePreview, type TestPreview } from "../unit/previewBytes";
+import { floor, million, timePick } from "./million";
 import { scenes } from "./scenes";
 
 const query = new URLSearchParams(location.search);
@@ -24,7 +25,7 @@ function feed(...previews: TestPreview[]): void {
   takePreview({ event: "preview", solution, draft: false, objects: previews.map(({ object }) => [object, `${object}${solution}`]) });
 }
 
-const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, writePreview };
+const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, writePreview, million, floor, timePick };
 declare global {
   interface Window {
     test: typeof test;
