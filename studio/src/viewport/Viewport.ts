@@ -249,6 +249,7 @@ export class Viewport {
     };
     const restored = () => {
       this.#isLost = false;
+      this.#painter.forget();
       viewportStore.setState({ notice: undefined });
       this.invalidate();
     };

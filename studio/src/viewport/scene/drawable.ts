@@ -11,6 +11,9 @@ import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import type { Materials } from "./materials";
 
+/** The layer that only the camera of the ground's shadow sees. */
+export const SHADOW_LAYER = 1;
+
 /**
  * The order in which things are drawn. Lines and points come twice: before the surfaces that shine through, which then
  * tint what is behind them, and after them, where they are in front. Else a surface would leave out what lies below
@@ -117,7 +120,9 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
     return still(mesh);
   };
   const surface = { solid: make(materials.opaque), depth: make(materials.depth), colour: make(materials.translucent) };
-  return { objects: Object.values(surface), surface, setValues };
+  const shadow = make(materials.shadow);
+  shadow.layers.set(SHADOW_LAYER);
+  return { objects: [...Object.values(surface), shadow], surface, setValues };
 }
 
 function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials, pixels: () => number): Points {

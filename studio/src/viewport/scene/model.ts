@@ -40,6 +40,8 @@ export class Model {
   /** What is drawn is moved by −origin, so that single precision is enough. */
   origin: Point3 = [0, 0, 0];
   bounds: Bounds | null = null;
+  /** Another number after each change of geometry. */
+  version = 0;
   #batches = new Map<string, Batch[]>();
   #drawables = new Set<Drawable>();
   #budget: LineBudget;
@@ -103,6 +105,7 @@ export class Model {
   settle(): void {
     if (!this.#isChanged && ![...this.#batches.values()].flat().some((batch) => batch.isStale())) return;
     this.#isChanged = false;
+    this.version++;
     this.bounds = null;
     for (const { bounds } of this.objects.values()) this.bounds = union(this.bounds, bounds);
     this.#rebase();
