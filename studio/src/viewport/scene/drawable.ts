@@ -97,8 +97,17 @@ function twice(front: Drawn[]): { objects: Drawn[]; behind: Drawn[] } {
   return { objects: [...front, ...behind], behind };
 }
 
+const attributes = new WeakMap<Float32Array, BufferAttribute>();
+
+/** Parts of one object that share positions send them to the graphics card once; they come and go together. */
+function positionsOf(positions: Float32Array): BufferAttribute {
+  const known = attributes.get(positions) ?? new BufferAttribute(positions, 3);
+  attributes.set(positions, known);
+  return known;
+}
+
 function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Materials) {
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   const { normals, colours, indices, slots } = merged;
   if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3, normals instanceof Int8Array));
   if (colours) geometry.setAttribute("colour", new BufferAttribute(colours, 4, true));
@@ -126,7 +135,7 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
 }
 
 function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials, pixels: () => number): Points {
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const points = new Points(geometry, materials.points);
@@ -158,7 +167,7 @@ function linesOf(
 
 function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Drawn {
   const geometry = own(new BufferGeometry());
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const lines = new LineSegments(geometry, materials.thin);
