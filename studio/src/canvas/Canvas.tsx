@@ -9,6 +9,7 @@ import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode
 import { useStore } from "zustand";
 
 import "../actions/canvas";
+import { paste } from "../actions/canvasEdit";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -119,6 +120,11 @@ function Ground({ children }: { children: ReactNode }) {
       onDoubleClick={(event) => doubleClick(event.nativeEvent)}
       onContextMenu={(event) => event.preventDefault()}
       onKeyDown={(event) => keyDown(event)}
+      onPaste={(event) => {
+        if (event.target instanceof Element && event.target.matches("input, textarea")) return;
+        event.preventDefault();
+        void paste(event.clipboardData.getData("text/plain"));
+      }}
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => drop(event.nativeEvent)}
     >
