@@ -2,6 +2,9 @@ import "@xyflow/react/dist/base.css";
 import "./tokens.css";
 import "./canvas.css";
 import "./nodes.css";
+import "./notes.css";
+import "./faces.css";
+import "./fields.css";
 import "./boxes.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
