@@ -5,7 +5,7 @@ import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { centre, radius } from "../core/bounds";
 import type { Bounds, Preview, Rgba } from "../core/preview";
 import { rectangle } from "../core/screen";
-import { colourSurfaces } from "./analysis";
+import { FalseColours } from "./analysis";
 import { isSoftware } from "./graphics";
 import { Panes, type PlacedPane } from "./panes";
 import { lookOf, type ObjectState } from "./scene/looks";
@@ -35,7 +35,7 @@ export interface Options {
 
 /** From this many triangles on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 200_000;
-const REST = 200;
+const REST = 350;
 /** Comb and circle: of their own colour, which no theme changes. */
 const COMB_COLOUR: Rgba = [196, 92, 16, 255];
 const CIRCLE_COLOUR: Rgba = [112, 60, 190, 255];
@@ -53,6 +53,10 @@ export class Viewport {
   #texts: TextLayer;
   #theme: Theme;
   #picker: Picker;
+  #falseColours = new FalseColours(() => {
+    this.#areColoursStale = true;
+    this.invalidate();
+  });
   #around: Surroundings;
   #settings: ViewportSettings = settingsStore.getState();
   #request = 0;
@@ -220,6 +224,7 @@ export class Viewport {
     cancelAnimationFrame(this.#request);
     clearTimeout(this.#rest);
     this.#texts.dispose();
+    this.#falseColours.dispose();
     this.model.dispose();
     this.#painter.dispose();
     this.#renderer.dispose();
@@ -339,8 +344,7 @@ export class Viewport {
 
   #colour(): void {
     this.#areColoursStale = false;
-    const found = colourSurfaces(this.model, this.#settings.analysis);
-    viewportStore.setState({ legend: found });
+    viewportStore.setState({ legend: this.#falseColours.colour(this.model, this.#settings.analysis) });
   }
 
   #frame(): void {

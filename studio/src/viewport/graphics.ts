@@ -5,6 +5,13 @@ const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 /** Whether pictures are made by software. Throws where there is no WebGL 2. */
 export function isSoftware(): boolean {
+  known ??= look();
+  return known;
+}
+
+let known: boolean | undefined;
+
+function look(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) throw new Error("no WebGL 2");
   const names = gl.getExtension("WEBGL_debug_renderer_info");

@@ -47,9 +47,13 @@ export function readTheme(element: HTMLElement): Theme {
   return theme;
 }
 
-/** `rgb(1, 2, 3)`, `rgba(1, 2, 3, 0.5)` or `rgb(1 2 3 / 50%)`: what browsers compute colours to. Exported for tests. */
+/**
+ * What browsers compute colours to: `rgb(1, 2, 3)`, `rgba(1, 2, 3, 0.5)`, `rgb(1 2 3 / 50%)`, `color(srgb 1 0.5 0)`.
+ * Exported for tests.
+ */
 export function parseColour(text: string): Rgba {
-  const numbers = [...text.matchAll(/([\d.]+)(%?)/g)].map(([, number, percent]) => Number(number) / (percent ? 100 : 1));
+  const scale = text.startsWith("color(") ? 255 : 1;
+  const numbers = [...text.matchAll(/(?<![a-z])([\d.]+)(%?)/g)].map(([, number, percent]) => Number(number) / (percent ? 100 : 1));
   const [red = 0, green = 0, blue = 0, alpha = 1] = numbers;
-  return [Math.round(red), Math.round(green), Math.round(blue), Math.round(alpha * 255)];
+  return [Math.round(red * scale), Math.round(green * scale), Math.round(blue * scale), Math.round(alpha * 255)];
 }

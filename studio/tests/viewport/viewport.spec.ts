@@ -108,6 +108,65 @@ test.describe("what is drawn", () => {
     expect(await pixel(page, x, y)).toEqual(before);
   });
 
+  test("is here again when the pane comes and goes, many times", async ({ page }) => {
+    await open(page, "scene=box&bare");
+    for (let round = 0; round < 20; round++) {
+      await page.evaluate(() => window.test.show(false));
+      await page.waitForFunction(() => window.__studio?.viewport?.stats() === undefined);
+      await page.evaluate(() => window.test.show(true));
+      await page.waitForFunction(() => (window.__studio?.viewport?.stats()?.frames ?? 0) > 0);
+    }
+    expect(await stats(page)).toMatchObject({ objects: 1, triangles: 12, isLost: false });
+    expect(isRed(await pixel(page, ...(await place(page, [-3, -5, 2]))))).toBe(true);
+  });
+
+  test("may be anything that fits the layout", async ({ page }) => {
+    await open(page, "bare");
+    const kinds = ["mesh", "edges", "isocurves", "curves", "arrows", "points", "controlPoints", "planes", "texts"];
+    for (const size of [0, 1e-30, 1e-6, 1e12, 1e30, 3e38]) {
+      await page.evaluate(
+        ([kinds, size]) => {
+          const { feed, select, settingsStore } = window.test;
+          const numbers = (count: number) => Array.from({ length: count }, (_, at) => Math.sin(at * 7) * size);
+          feed(
+            ...kinds.map((kind) => ({
+              object: kind,
+              origin: [size, -size, size * 2] as [number, number, number],
+              bounds: null,
+              parts: [
+                { kind, positions: [] },
+                { kind, positions: numbers(18), indices: kind === "texts" ? undefined : [0, 0, 0, 0, 1, 1], texts: Array(6).fill("x") },
+                { kind, positions: numbers(18), normals: numbers(18), values: numbers(6), texts: Array(6).fill("y"), width: 1e9, textHeight: size },
+              ].map(({ indices, ...part }) => (indices ? { ...part, indices } : part)),
+            })),
+          );
+          select(kinds);
+          for (const analysis of ["gaussian", "zebra", "none"] as const) {
+            settingsStore.setState({ analysis, comb: true, circle: true });
+            window.__studio!.viewport!.draw();
+          }
+        },
+        [kinds, size] as const,
+      );
+      await page.mouse.move(300 + Math.log10(size + 1), 240);
+      await page.mouse.wheel(0, -300);
+      await drag(page, [300, 200], [340, 260], "right");
+      await drag(page, [100, 100], [500, 400], "left");
+      await page.keyboard.press("Home");
+      expect((await stats(page)).isLost).toBe(false);
+    }
+    // And something usual is seen again after all that.
+    await page.evaluate((kinds) => {
+      window.test.takePreview({ event: "preview", solution: 999, draft: false, objects: kinds.map((kind) => [kind, null]) });
+      window.test.select([]);
+      window.test.feed(...window.test.scenes["box"]!());
+    }, kinds);
+    await page.locator(".viewport-canvas").focus();
+    await page.keyboard.press("Home");
+    await page.waitForTimeout(600);
+    expect(isRed(await pixel(page, ...(await place(page, [-3, -5, 2]))))).toBe(true);
+  });
+
   test("bytes that are no preview change nothing", async ({ page }) => {
     await open(page, "scene=box&bare");
     await page.evaluate(() => {

@@ -122,7 +122,7 @@ void main() {
     colour = vec4(lit(texture(uRamp, vec2(place * 0.99609375 + 0.001953125, 0.5)).rgb, 0.45 + 0.55 * headlight(normal)), 1.0);
   } else if (uShade == ${SHADE.zebra}) {
     vec3 away = reflect(-eye, normal);
-    float angle = uStripesAcross == 1 ? atan(away.x, away.z) : atan(away.y, away.z);
+    float angle = asin(clamp(uStripesAcross == 1 ? away.x : away.y, -1.0, 1.0)) * 2.0;
     float wave = angle * uStripes * 0.31830989;
     float soft = max(fwidth(wave), 1e-4);
     float stripe = clamp((abs(fract(wave) - 0.5) - 0.25) / soft + 0.5, 0.0, 1.0);
