@@ -14,13 +14,16 @@
 //! ```
 
 mod bake;
+mod catalogue;
 mod check;
+pub mod display;
 mod input;
 pub mod protocol;
 mod report;
 mod session;
 
 pub use bake::{BakeOptions, Baked, bake};
+pub use catalogue::Registry;
 pub use check::{Check, Unsupported, check};
 pub use input::{InputError, inputs};
 pub use report::{Items, Report};

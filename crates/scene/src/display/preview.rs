@@ -8,10 +8,10 @@ use katydid_geometry::{Curve, Point3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
-use crate::result::Painter;
-use crate::result::rows::Row;
-use crate::result::values;
-use crate::scene::{Form, Look};
+use crate::Painter;
+use crate::rows::Row;
+use crate::values;
+use crate::{Form, Look};
 
 pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("537b0419-bbc2-4ff4-bf08-afe526367b2c"), custom_preview),

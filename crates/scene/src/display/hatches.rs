@@ -8,11 +8,11 @@ use katydid_geometry::{Curve, Line, Plane, Point3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
+use crate::Painter;
 use crate::clip;
-use crate::drawing::blend;
-use crate::result::Painter;
-use crate::result::rows::Row;
-use crate::scene::{Form, Look, tessellated};
+use crate::colour::blend;
+use crate::rows::Row;
+use crate::{Form, Look, tessellated};
 
 pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("6ce90407-9eac-4a1a-a81a-949b601f18f3"), gradient),

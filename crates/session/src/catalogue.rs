@@ -11,7 +11,8 @@ use katydid_definition::kd::{Catalogue, Expect, Facts, PortFacts};
 use uuid::Uuid;
 
 /// The registry as a catalogue for the text form.
-pub(crate) struct Registry;
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Registry;
 
 /// What is known of each component, by its address in the registry.
 static FACTS: LazyLock<HashMap<Uuid, Arc<Facts>>> = LazyLock::new(|| {

@@ -4,14 +4,14 @@ use katydid_data::{Tree, text};
 use katydid_definition::document::{Document, Special};
 use katydid_solver::Inputs;
 
-use super::colour;
-use crate::scene::Legend;
+use crate::Legend;
+use crate::colour::of_archive as colour;
 
 /// A picture explains so many gradients at most.
 const MOST: usize = 4;
 
 /// A legend for each Gradient: its colours, and the numbers at both ends.
-pub(super) fn legends(document: &Document, inputs: &Inputs<'_>) -> Vec<Legend> {
+pub fn legends(document: &Document, inputs: &Inputs<'_>) -> Vec<Legend> {
     let legend = |(index, object): (usize, &katydid_definition::document::Object)| {
         let Some(Special::Gradient(gradient)) = object.special() else { return None };
         // The first two inputs are the ends.

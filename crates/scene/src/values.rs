@@ -6,15 +6,17 @@ use std::sync::Arc as Shared;
 use katydid_data::cast::{self, Rules};
 use katydid_data::{Colour, Content, Kind, Material, ModelObject, Value};
 
-use crate::drawing::{channel, opaque};
-use crate::scene::{Facets, Form, Look, Scene};
+use crate::colour::{channel, opaque};
+use crate::{Facets, Form, Look, Scene, solids};
 
-/// Turns values into things, each only once: a point that goes through five parameters is one cross.
+/// Turns values into things; on pictures each only once: a point that goes through five parameters is one cross.
 #[derive(Debug)]
 pub(crate) struct Values {
     /// What has been seen, with its colour. The values are kept, so that no address is used twice.
     seen: HashSet<(Key, Colour)>,
     kept: Vec<Value>,
+    /// Whether a thing that was seen already is left out.
+    once: bool,
     /// What could not be drawn, in words.
     pub(crate) left_out: Vec<String>,
 }
@@ -27,13 +29,13 @@ enum Key {
 }
 
 impl Values {
-    pub(crate) fn new() -> Self {
-        Self { seen: HashSet::new(), kept: Vec::new(), left_out: Vec::new() }
+    pub(crate) fn new(once: bool) -> Self {
+        Self { seen: HashSet::new(), kept: Vec::new(), once, left_out: Vec::new() }
     }
 
     /// Adds what a value of the object `of` looks like. What has no look, such as a number or a vector, adds nothing.
     pub(crate) fn add(&mut self, scene: &mut Scene, value: &Value, look: Look, rules: &Rules, of: &str) {
-        if let Some(key) = key(value) {
+        if let Some(key) = key(value).filter(|_| self.once) {
             if !self.seen.insert((key, look.fill)) {
                 return;
             }
@@ -72,16 +74,16 @@ impl Values {
                 Content::Instance(_) => return self.leave_out(of, "a block instance cannot be drawn yet"),
                 _ => return,
             },
-            Value::Kept(raw) => {
-                let class = raw.class_name();
-                return self.leave_out(of, &format!("a {class} is kept whole, but cannot be drawn yet"));
-            }
+            Value::Kept(raw) => match solids::of(raw) {
+                Ok(forms) => return forms.into_iter().for_each(|form| scene.add(form, look)),
+                Err(why) => return self.leave_out(of, &why),
+            },
             _ => return,
         };
         scene.add(form, look);
     }
 
-    fn leave_out(&mut self, of: &str, why: &str) {
+    pub(crate) fn leave_out(&mut self, of: &str, why: &str) {
         let text = format!("{of}: {why}");
         if !self.left_out.contains(&text) {
             self.left_out.push(text);

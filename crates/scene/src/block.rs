@@ -10,7 +10,7 @@ const LINE: f64 = 1.2;
 const BELOW: f64 = 0.25;
 
 /// A text of some lines, in units of the type's size: x to the right and y up from the point.
-pub(crate) struct Block<'a> {
+pub struct Block<'a> {
     lines: Vec<&'a str>,
     /// 0 for the left, 1 for the middle, 2 for the right at the point.
     across: f64,
@@ -20,7 +20,7 @@ pub(crate) struct Block<'a> {
 
 impl<'a> Block<'a> {
     /// `justification` is 1 to 9 as on a telephone: 1 top left, 5 in the middle, 9 bottom right.
-    pub(crate) fn new(text: &'a str, justification: i32) -> Self {
+    pub fn new(text: &'a str, justification: i32) -> Self {
         let lines: Vec<&str> = text.lines().collect();
         let count = lines.len().max(1) as f64;
         let place = justification.clamp(1, 9) - 1;
@@ -33,7 +33,7 @@ impl<'a> Block<'a> {
     }
 
     /// The lines with where each starts, on its base line.
-    pub(crate) fn lines(&self) -> impl Iterator<Item = ([f64; 2], &'a str)> {
+    pub fn lines(&self) -> impl Iterator<Item = ([f64; 2], &'a str)> {
         self.lines.iter().enumerate().map(|(k, line)| {
             let left = -0.5 * self.across * font::width(line, 1.0);
             ([left, -(self.first + LINE * k as f64)], *line)
@@ -41,7 +41,7 @@ impl<'a> Block<'a> {
     }
 
     /// The rectangle around it: the least and the greatest x and y.
-    pub(crate) fn extent(&self) -> [f64; 4] {
+    pub fn extent(&self) -> [f64; 4] {
         let wide = self.lines.iter().map(|line| font::width(line, 1.0)).fold(0.0, f64::max);
         let left = -0.5 * self.across * wide;
         let last = self.lines.len().saturating_sub(1) as f64;

@@ -8,10 +8,10 @@ use katydid_geometry::{Plane, Point3, Rectangle};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
+use crate::Painter;
 use crate::font;
-use crate::result::Painter;
-use crate::result::rows::Row;
-use crate::scene::{Form, Legend, Look, Place};
+use crate::rows::Row;
+use crate::{Form, Legend, Look, Place};
 
 pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("3b220754-4114-4170-b6c3-b286b86ed524"), text_tag),

@@ -1,23 +1,15 @@
 //! What a solved definition shows: the geometry of every object whose preview is on, and what display components draw.
 
-mod display;
-mod gradients;
-mod rows;
-mod values;
-
-use katydid_component::registry;
-use katydid_data::cast::Rules;
-use katydid_data::{Colour, Kind};
-use katydid_definition::archive;
-use katydid_definition::document::{Document, Object, ids};
+use katydid_data::Colour;
+use katydid_definition::document::Document;
 use katydid_geometry::BoundingBox;
+use katydid_scene::colour::of_archive;
+use katydid_scene::{Form, Look, Painter, Scene, legends};
 use katydid_solver::{Engine, Inputs};
 
 use crate::camera::View;
-use crate::drawing::{Anchor, Drawing, Label, opaque};
-use crate::scene::{Form, Look, Scene};
+use crate::drawing::{Anchor, Drawing, Label};
 use crate::{Options, project};
-use values::Values;
 
 /// A picture of a result.
 #[derive(Debug, Clone)]
@@ -32,41 +24,20 @@ pub struct Picture {
 
 /// What Grasshopper gives previews in a new document: a clear dark red.
 const PREVIEW: Colour = Colour::argb(100, 150, 0, 0);
-/// The width of curves and arrows, in pixels.
-const WIDTH: f64 = 1.6;
-
-/// Collects what objects show.
-pub(crate) struct Painter<'a> {
-    pub(crate) scene: Scene,
-    pub(crate) values: Values,
-    pub(crate) rules: &'a Rules,
-    /// The document's preview colours.
-    pub(crate) look: Look,
-}
-
 /// The picture of what a solved definition makes: the geometry of all objects with their preview on, in the document's
 /// preview colour or the material of a Custom Preview, and what display components draw.
 pub fn result(engine: &Engine, options: &Options) -> Picture {
     let document = engine.document();
-    let mut painter = Painter::new(engine);
+    let look = Look::of(document.header.preview_normal.map_or(PREVIEW, of_archive));
+    let mut painter = Painter::for_picture(&engine.options().rules, look);
     let inputs = Inputs::new(engine);
     for (index, object) in document.objects.iter().enumerate() {
-        if object.hidden || object.locked || object.is_annotation() {
-            continue;
-        }
-        // A panel hands geometry on, but shows it as text.
-        if object.component != ids::PANEL {
-            painter.outputs(engine, index, object);
-        }
-        if let Some(draw) = display::of(object) {
-            let trees = inputs.of(index);
-            let access = registry::by_guid(object.component).map_or(&[][..], |component| component.inputs);
-            let access: Vec<_> = access.iter().map(|port| port.access).collect();
-            rows::for_each(&trees, &access, |row| draw(&mut painter, object, row));
+        if let Some(report) = engine.report(index) {
+            painter.object(object, &report.outputs, || inputs.of(index));
         }
     }
     if options.legend {
-        painter.scene.legends.extend(gradients::legends(document, &inputs));
+        painter.scene.legends.extend(legends(document, &inputs));
     }
     let is_empty = painter.scene.things.is_empty();
     let view = options.view.unwrap_or_else(|| own_view(&painter.scene));
@@ -76,37 +47,7 @@ pub fn result(engine: &Engine, options: &Options) -> Picture {
     }
     drawing.title = title(document, options);
     drawing.description = description(&painter.scene, view);
-    Picture { drawing, left_out: painter.values.left_out, is_empty }
-}
-
-impl<'a> Painter<'a> {
-    fn new(engine: &'a Engine) -> Self {
-        let fill = engine.document().header.preview_normal.map_or(PREVIEW, colour);
-        Self {
-            scene: Scene::default(),
-            values: Values::new(),
-            rules: &engine.options().rules,
-            look: Look { line: opaque(fill), fill, width: WIDTH },
-        }
-    }
-
-    fn outputs(&mut self, engine: &Engine, index: usize, object: &Object) {
-        let Some(report) = engine.report(index) else { return };
-        for (tree, port) in report.outputs.iter().zip(&object.outputs) {
-            let kind = tree.column().kind();
-            if port.hidden || !(kind.is_geometry() || matches!(kind, Kind::Generic | Kind::Content)) {
-                continue;
-            }
-            for value in tree.column().iter().flatten() {
-                self.values.add(&mut self.scene, &value, self.look, self.rules, object.title());
-            }
-        }
-    }
-}
-
-/// A colour of the archive as one of data.
-pub(crate) fn colour(c: archive::Colour) -> Colour {
-    Colour::argb(c.a, c.r, c.g, c.b)
+    Picture { drawing, left_out: painter.left_out().to_vec(), is_empty }
 }
 
 /// From above where everything is on one height, else in perspective.

@@ -4,13 +4,16 @@
 use std::ops::Range;
 
 use katydid_component::{Access, Matching};
-use katydid_data::{Column, Item, Tree};
+use katydid_data::{Column, Item, Path, Tree};
 
 /// The data of one iteration.
 pub(crate) struct Row<'a> {
     inputs: &'a [Tree],
     ranges: &'a [Range<usize>],
-    i: usize,
+    /// The path that the component's results have in this iteration.
+    pub(crate) path: &'a Path,
+    /// The place of the iteration among those of its branch set.
+    pub(crate) index: usize,
 }
 
 /// Calls `each` for every iteration that a component with these inputs makes.
@@ -20,7 +23,9 @@ pub(crate) fn for_each(inputs: &[Tree], access: &[Access], mut each: impl FnMut(
     let matching = Matching::new(inputs, &access, None);
     for i in 0..matching.iterations() {
         let set = matching.set_of(i);
-        each(&Row { inputs, ranges: matching.ranges(set), i: i - matching.set_range(set).start });
+        let Some(path) = matching.paths().get(set) else { continue };
+        let index = i - matching.set_range(set).start;
+        each(&Row { inputs, ranges: matching.ranges(set), path, index });
     }
 }
 
@@ -29,7 +34,7 @@ impl Row<'_> {
     pub(crate) fn item<T: Item>(&self, k: usize) -> Option<T> {
         let range = self.ranges.get(k)?;
         let last = range.len().checked_sub(1)?;
-        T::get(self.inputs.get(k)?.column(), range.start + self.i.min(last))
+        T::get(self.inputs.get(k)?.column(), range.start + self.index.min(last))
     }
 
     /// The items of input `k`'s branch that are not null.

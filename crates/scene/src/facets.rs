@@ -1,23 +1,37 @@
 //! Surfaces as facets, with the lines that are drawn on them.
 
-use katydid_geometry::{BoundingBox, Direction, Mesh, MeshFace, NurbsSurface, Point3, Surface};
+use katydid_geometry::{
+    BoundingBox, Direction, Mesh, MeshFace, NurbsSurface, Point3, Surface, SurfaceCurvature, Vector3,
+};
 
 /// A surface ready to be drawn.
 #[derive(Debug, Clone)]
-pub(crate) struct Facets {
+pub struct Facets {
     /// Quads between rows of equal parameters, with normals.
-    pub(crate) mesh: Mesh,
+    pub mesh: Mesh,
     /// The sides; one that is only a point is left out, and one that is the same as the opposite is there once.
-    pub(crate) borders: Vec<Vec<Point3>>,
+    pub borders: Vec<Vec<Point3>>,
     /// Isocurves at the knots; in the middle where there is no knot inside.
-    pub(crate) isocurves: Vec<Vec<Point3>>,
-    nurbs: NurbsSurface,
+    pub isocurves: Vec<Vec<Point3>>,
+    /// What the facets are of; nothing where a program made them.
+    nurbs: Option<NurbsSurface>,
+    /// The parameters of the rows: vertices of the mesh go through `v` first.
+    rows: [Vec<f64>; 2],
     /// Rows between knots, along u and v.
     inner: [usize; 2],
     /// How far the surface strays from the facets along u and v, about.
     bend: [f64; 2],
     /// How far the middle of a facet is from both its diagonals at most: 0 where all are flat.
     twist: f64,
+}
+
+/// How a surface lies and bends at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bend {
+    /// The unit normal; none at a place that has none.
+    pub normal: Option<Vector3>,
+    /// The curvature; none at poles and where the surface has a kink.
+    pub curvature: Option<SurfaceCurvature>,
 }
 
 /// Isocurves of one direction; of more knots than this, some are left out evenly.
@@ -31,7 +45,7 @@ const MOST_INNER: usize = 96;
 
 impl Facets {
     /// Some facets of a surface: enough to know how large it is. `None` when it has no NURBS form.
-    pub(crate) fn new(surface: &Surface) -> Option<Self> {
+    pub fn new(surface: &Surface) -> Option<Self> {
         let nurbs = surface.to_nurbs().ok()?;
         let inner = Direction::BOTH.map(|d| {
             let spans = nurbs.span_parameters(d).len().saturating_sub(1).max(1);
@@ -41,7 +55,8 @@ impl Facets {
     }
 
     /// The same surface in facets that stray from it by `distance` at most, and are no more than that needs.
-    pub(crate) fn within(&self, distance: f64) -> Option<Self> {
+    pub fn within(&self, distance: f64) -> Option<Self> {
+        let Some(nurbs) = &self.nurbs else { return Some(self.clone()) };
         if !(distance > 0.0) {
             return None;
         }
@@ -65,7 +80,7 @@ impl Facets {
         };
         let inner = [u, v].map(|rows| (rows.ceil() as usize).clamp(1, MOST_INNER));
         let inner = [0, 1].map(|k| if self.inner[k] > 1 { even(inner[k]) } else { inner[k] });
-        if inner == self.inner { Some(self.clone()) } else { Self::with_rows(self.nurbs.clone(), inner) }
+        if inner == self.inner { Some(self.clone()) } else { Self::with_rows(nurbs.clone(), inner) }
     }
 
     fn with_rows(nurbs: NurbsSurface, inner: [usize; 2]) -> Option<Self> {
@@ -99,7 +114,61 @@ impl Facets {
         ];
         let twist = twist(&points, n, m);
         let mesh = Mesh::new(points, faces).ok()?.with_normals();
-        Some(Self { mesh, borders, isocurves, nurbs, inner, bend, twist })
+        Some(Self {
+            mesh,
+            borders,
+            isocurves,
+            nurbs: Some(nurbs),
+            rows: [us.all, vs.all],
+            inner,
+            bend,
+            twist,
+        })
+    }
+
+    /// Facets that a program made, with the edges between faces.
+    pub(crate) fn made(mesh: Mesh, borders: Vec<Vec<Point3>>) -> Self {
+        let mesh = if mesh.normals().is_empty() { mesh.with_normals() } else { mesh };
+        Self {
+            mesh,
+            borders,
+            isocurves: Vec::new(),
+            nurbs: None,
+            rows: [Vec::new(), Vec::new()],
+            inner: [1, 1],
+            bend: [0.0; 2],
+            twist: 0.0,
+        }
+    }
+
+    /// Whether the facets have the surface with them, so that finer ones can be made.
+    pub fn is_exact(&self) -> bool {
+        self.nurbs.is_some()
+    }
+
+    /// Whether the surface bends in any direction.
+    pub fn is_curved(&self) -> bool {
+        self.nurbs.as_ref().is_some_and(|nurbs| {
+            Direction::BOTH.iter().any(|d| is_curved(nurbs, *d)) || self.twist > 1e-12 * self.size()
+        })
+    }
+
+    /// The diagonal of the box around the facets.
+    pub fn size(&self) -> f64 {
+        self.mesh.bounding_box().map_or(0.0, |bounds| bounds.diagonal().length())
+    }
+
+    /// How the surface lies and bends at each vertex of the mesh, in their order. Nothing where a program made the
+    /// facets.
+    pub fn bends(&self) -> Vec<Bend> {
+        let Some(nurbs) = &self.nurbs else { return Vec::new() };
+        let [us, vs] = &self.rows;
+        let at = |u: f64, v: f64| {
+            let curvature = nurbs.curvature_at(u, v).ok();
+            let normal = curvature.map(|curvature| curvature.normal).or_else(|| nurbs.normal_at(u, v));
+            Bend { normal, curvature }
+        };
+        us.iter().flat_map(|u| vs.iter().map(move |v| at(*u, *v))).collect()
     }
 }
 

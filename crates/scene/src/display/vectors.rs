@@ -8,9 +8,9 @@ use katydid_geometry::{Curve, Field, Point3, Rectangle, Vector3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
-use crate::result::Painter;
-use crate::result::rows::Row;
-use crate::scene::{Form, Look, Place};
+use crate::Painter;
+use crate::rows::Row;
+use crate::{Form, Look, Place};
 
 pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("2a3f7078-2e25-4dd4-96f7-0efb491bd61c"), vector),

@@ -8,9 +8,9 @@ use katydid_geometry::{Arc, Circle, Line, Mesh, Plane, Point3, Vector3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
-use crate::result::Painter;
-use crate::result::rows::Row;
-use crate::scene::{Form, Look};
+use crate::Painter;
+use crate::rows::Row;
+use crate::{Form, Look};
 
 pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("3de3d3a0-1a1b-488c-b3d9-3fba0fdf07a8"), aligned),
