@@ -109,7 +109,7 @@ fn colour(c: katydid_data::Colour) -> Colour {
     Colour::new(c.a, c.r, c.g, c.b)
 }
 
-fn stored(value: &Value) -> Option<Stored> {
+pub(crate) fn stored(value: &Value) -> Option<Stored> {
     Some(match value {
         Value::Boolean(b) => Stored::Boolean(*b),
         Value::Integer(n) => Stored::Integer(*n),
