@@ -240,3 +240,40 @@ test("a tip tells what a port holds", async ({ page }) => {
   await expect(page.getByRole("tooltip")).toContainText("{0}");
   await expect(page.getByRole("tooltip")).toContainText("2");
 });
+
+test("F3 finds what is written on the canvas and goes there", async ({ page }) => {
+  const panel = await place(page, '"needle in a haystack', [300, 200]);
+  await place(page, "addition", [500, 120]);
+  await page.keyboard.press("F3");
+  await page.keyboard.type("haystack");
+  await expect(page.getByRole("option")).toHaveCount(1);
+  await page.keyboard.press("Enter");
+  await expect(panel).toHaveClass(/selected/);
+});
+
+test("Ctrl and Alt with a click show where a component lives in the tabs", async ({ page }) => {
+  const one = await place(page, "addition", [300, 200]);
+  const at = await centre(one);
+  await page.keyboard.down("Control");
+  await page.keyboard.down("Alt");
+  await page.mouse.click(at.x, at.y);
+  await page.keyboard.up("Alt");
+  await page.keyboard.up("Control");
+  await expect(page.getByRole("tab", { name: "Maths" })).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByRole("button", { name: "Addition" }).first()).toBeVisible();
+});
+
+test("a component of the tabs is placed with two clicks", async ({ page }) => {
+  await page.getByRole("tab", { name: "Maths" }).click();
+  await page.getByRole("button", { name: /^Operators/ }).click();
+  await page.getByRole("button", { name: "Addition" }).last().click();
+  const { x, y } = await spot(page, [300, 220]);
+  await page.mouse.click(x, y);
+  await expect(page.locator("[data-object]")).toHaveCount(1);
+});
+
+test("a script in a text stays a text", async ({ page }) => {
+  const panel = await place(page, '"<img src=x onerror="window.bad=1">', [300, 200]);
+  await expect(panel).toContainText("<img");
+  expect(await page.evaluate(() => "bad" in window)).toBe(false);
+});

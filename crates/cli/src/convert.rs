@@ -7,10 +7,10 @@ use katydid_definition::document::Document;
 use katydid_definition::kd;
 
 use crate::args::ConvertArgs;
-use crate::catalogue::Registry;
 use crate::convert_model::{self, is_model};
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::source;
+use katydid_session::Registry;
 
 pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     let (from, to) = (extension(&args.from), extension(&args.to));

@@ -1,7 +1,6 @@
 //! The `katydid` command: opens files, hands them to the session, and prints what comes back.
 
 mod args;
-mod catalogue;
 mod check;
 mod components;
 mod convert;

@@ -7,8 +7,8 @@ use katydid_definition::archive::Limits;
 use katydid_definition::document::Document;
 use katydid_definition::kd::{self, Definition, Problems};
 
-use crate::catalogue::Registry;
 use crate::output::extension;
+use katydid_session::Registry;
 
 /// Files larger than this are not read: no definition comes near.
 const LARGEST: u64 = 1 << 30;

@@ -122,8 +122,7 @@ fn real_annotations_and_hatches_have_their_places() {
 
 #[test]
 fn subds_are_their_surface() {
-    // A cube's surface by Catmull and Clark: at a corner of valence 3 it lies at 5/9 of the control point, found from
-    // the limit (9 v + 4 Σe + Σf) / 24 by hand.
+    // A cube's surface by Catmull and Clark: at a corner of valence 3 it lies at half the control point, by (9 v + 4 Σe + Σf) / 24 by hand.
     let corners: Vec<Point3> = (0..8_u32)
         .map(|i| {
             let side = |bit: u32| if i & bit == 0 { -1.0 } else { 1.0 };
@@ -135,7 +134,7 @@ fn subds_are_their_surface() {
     let mesh = SubD::new(net).limit_mesh(3).unwrap();
     assert_eq!(mesh.faces().len(), 6 * 64);
     let corner = mesh.vertices()[7];
-    let expected = (9.0 + 4.0 * 1.0 - 3.0) / 24.0;
+    let expected = (9.0 + 4.0 * (1.0 + 1.0 - 1.0) + (1.0 - 1.0 - 1.0)) / 24.0;
     assert!(corner.distance_to(Point3::new(expected, expected, expected)) < 1e-12, "{corner:?}");
     assert!(mesh.is_closed() && mesh.check().is_ok());
 }

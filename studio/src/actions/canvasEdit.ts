@@ -47,7 +47,9 @@ function pastePlace(): Point {
 }
 
 /** Pastes what Grasshopper or Katydid copied. */
-export async function pasteText(text: string, at: Point): Promise<void> {
+export async function paste(told?: string): Promise<void> {
+  const at = pastePlace();
+  const text = await readClipboard(told);
   if (text.trim() === "") return;
   const done = await edit({ do: "paste", text, at: [...at], seed: crypto.randomUUID() });
   if (done?.event !== "done" || done.made.length === 0) return;
@@ -105,10 +107,7 @@ register(
     keys: ["Mod+V"],
     group: "edit",
     scope: "canvas",
-    async run() {
-      const at = pastePlace();
-      await pasteText(await readClipboard(), at);
-    },
+    run: () => paste(),
   },
   {
     id: "edit.duplicate",

@@ -17,6 +17,13 @@ register(
     run: () => openSearch(),
   },
   {
+    id: "edit.find",
+    label: "canvas.action.find",
+    keys: ["F3", "Mod+F"],
+    group: "edit",
+    run: () => canvasStore.setState({ finding: true, search: undefined, menu: undefined }),
+  },
+  {
     id: "view.zoomExtents",
     label: "canvas.action.zoomExtents",
     keys: ["Mod+0"],

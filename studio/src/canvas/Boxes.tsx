@@ -1,4 +1,5 @@
 import { ConnectBox } from "./search/ConnectBox";
+import { FindBox } from "./search/FindBox";
 import { SearchBox } from "./search/SearchBox";
 import { ContextMenu } from "./menus/ContextMenu";
 import { Editor } from "./editors/Editor";
@@ -12,6 +13,7 @@ export function Boxes() {
       <ContextMenu />
       <SearchBox />
       <ConnectBox />
+      <FindBox />
       <Editor />
     </>
   );

@@ -2,6 +2,9 @@ import "@xyflow/react/dist/base.css";
 import "./tokens.css";
 import "./canvas.css";
 import "./nodes.css";
+import "./notes.css";
+import "./faces.css";
+import "./fields.css";
 import "./boxes.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
@@ -9,6 +12,7 @@ import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode
 import { useStore } from "zustand";
 
 import "../actions/canvas";
+import { paste } from "../actions/canvasEdit";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -119,6 +123,11 @@ function Ground({ children }: { children: ReactNode }) {
       onDoubleClick={(event) => doubleClick(event.nativeEvent)}
       onContextMenu={(event) => event.preventDefault()}
       onKeyDown={(event) => keyDown(event)}
+      onPaste={(event) => {
+        if (event.target instanceof Element && event.target.matches("input, textarea")) return;
+        event.preventDefault();
+        void paste(event.clipboardData.getData("text/plain"));
+      }}
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => drop(event.nativeEvent)}
     >

@@ -77,8 +77,16 @@ export async function duplicate(ids: readonly string[], by: Point): Promise<void
   if (done?.event === "done" && done.made.length > 0) select(done.made);
 }
 
+/** Takes objects out. A relay that goes alone leaves its wires joined. */
 export async function remove(ids: readonly string[]): Promise<void> {
-  if (ids.length > 0) await edit({ do: "remove", objects: [...ids] });
+  const { objects } = documentStore.getState();
+  const relays = ids.every((id) => objects.get(id)?.kind === "relay");
+  if (!relays) {
+    await edit({ do: "remove", objects: [...ids] });
+    return;
+  }
+  const gesture = newGesture();
+  for (const object of ids) await edit({ do: "removeAndJoin", object }, gesture);
 }
 
 /** Carries out what a wire was drawn for, from whichever end it was drawn. */

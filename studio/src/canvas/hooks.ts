@@ -29,6 +29,11 @@ export function useSelected(id: string): boolean {
   return useStore(uiStore, (ui) => ui.selection.has(id));
 }
 
+/** Whether the pointer is on an object, here or in the viewport. */
+export function useHovered(id: string): boolean {
+  return useStore(uiStore, (ui) => ui.hovered === id);
+}
+
 export function useFullNames(): boolean {
   return useStore(uiStore, (ui) => ui.fullNames);
 }

@@ -4,7 +4,7 @@ import type { Point } from "../core/geometry";
 import type { Grip } from "../core/hit";
 import { documentStore } from "../state/document";
 import { canvasStore, type EditorAt } from "./store";
-import { enter } from "./edits";
+import { enter, reshape, set } from "./edits";
 import { canvasPoint, paneElement, paneSize, windowPoint } from "./view";
 
 /** Room between an object and one that the keyboard places beside it. */
@@ -39,6 +39,7 @@ export function closeBoxes(): void {
     editor: undefined,
     writing: undefined,
     connecting: undefined,
+    finding: false,
     tip: undefined,
     hotWire: undefined,
   });
@@ -65,6 +66,12 @@ export function activate(id: string): void {
     case "panel":
     case "scribble":
       canvasStore.setState({ writing: id });
+      return;
+    case "toggle":
+      set(id, { is: "switch", on: !object.control.on });
+      return;
+    case "viewer":
+      reshape(id, { ...object.control, text: !object.control.text });
       return;
     case "script":
     case "formula":

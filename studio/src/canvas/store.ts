@@ -60,6 +60,8 @@ export interface CanvasState {
   pointedAt: string | undefined;
   /** The grip that the keyboard connects. */
   connecting: Grip | undefined;
+  /** Whether the box that finds objects of the document is open. */
+  finding: boolean;
   /** A wire that a menu speaks of. */
   hotWire: { from: string; to: string } | undefined;
   /** The object that the keyboard is at. */
@@ -113,6 +115,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   placing: undefined,
   pointedAt: undefined,
   connecting: undefined,
+  finding: false,
   hotWire: undefined,
   active: undefined,
   distance: "usual",

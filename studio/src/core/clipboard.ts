@@ -7,11 +7,27 @@ export async function writeClipboard(text: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    // No permission: `own` has it.
+    writeByCommand(text);
   }
 }
 
-export async function readClipboard(): Promise<string> {
+/** The old way, which pages that are not served from this machine or over TLS still have. */
+function writeByCommand(text: string): void {
+  const focused = document.activeElement;
+  const field = document.createElement("textarea");
+  field.value = text;
+  field.style.position = "fixed";
+  field.style.opacity = "0";
+  document.body.append(field);
+  field.select();
+  document.execCommand("copy");
+  field.remove();
+  if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+}
+
+/** What was copied: told by the browser with a paste, asked for where nothing was told. */
+export async function readClipboard(told?: string): Promise<string> {
+  if (told) return told;
   try {
     const text = await navigator.clipboard.readText();
     return text === "" ? own : text;

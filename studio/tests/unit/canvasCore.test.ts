@@ -5,6 +5,7 @@ import { capsuleLayout, growth, tornPath } from "../../src/core/capsule";
 import { tabs } from "../../src/core/catalogue";
 import { fromHex, gradientCss, hex, inkOn } from "../../src/core/colours";
 import { farList } from "../../src/core/far";
+import { found } from "../../src/core/find";
 import { fitted, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
 import { withHandle, GRAPHS } from "../../src/core/graph";
 import { blobPath, depths, groupFrame, hull, leaves } from "../../src/core/groups";
@@ -256,4 +257,13 @@ test("of many values the newest is sent, one at a time", async () => {
   line.send(7);
   await line.settled();
   expect(sent).toEqual([0, 49, 7]);
+});
+
+test("objects are found by their names and by what is written on them", () => {
+  const { objects } = sampleState();
+  const names = (query: string) => found(objects, query).map((one) => one.name);
+  expect(names("this is a panel")).toEqual(["Panel"]);
+  expect(names("inputs")).toEqual(["Group"]);
+  expect(names("  DIVIDE ")).toEqual(["Divide Curve"]);
+  expect(names("")).toEqual([]);
 });

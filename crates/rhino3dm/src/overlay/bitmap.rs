@@ -153,7 +153,10 @@ impl<'a> EmbeddedFile<'a> {
             } else {
                 body.string(WHAT)?;
             }
-            body.compressed(WHAT).map(Some)
+            let buffer = body.compressed_buffer(WHAT)?;
+            let mut bytes = vec![0; buffer.size()];
+            buffer.inflate_into(body.context(), &mut bytes)?;
+            Ok(Some(bytes))
         })
     }
 

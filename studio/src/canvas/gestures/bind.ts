@@ -3,7 +3,7 @@
 import { NO_KEYS, type Keys } from "../../core/selection";
 import { wheelMeans } from "../../core/wheel";
 import { canvasStore } from "../store";
-import { canvasPoint, look, lens, panBy, pixelOf, zoomAt } from "../view";
+import { canvasPoint, look, lens, paneSize, panBy, pixelOf, zoomAt } from "../view";
 import { IDLE, step, type Gesture, type Pointer, type State } from "./chart";
 import { carryOut, forgetDrag } from "./effects";
 import { namedAt, targetAt, world } from "./world";
@@ -76,7 +76,28 @@ export function pointerMove(event: Mouse): void {
     return;
   }
   last = pointerOf(event);
-  if (state.is !== "idle") take({ on: "move", ...last });
+  if (state.is === "idle") return;
+  take({ on: "move", ...last });
+  creeping ??= requestAnimationFrame(creep);
+}
+
+/** From here to the edge of the window the canvas goes along with what is dragged. */
+const EDGE = 28;
+let creeping: number | undefined;
+
+/** While something is dragged at the edge, the canvas creeps under it. */
+function creep(): void {
+  creeping = undefined;
+  if (state.is !== "dragging" && state.is !== "wiring" && state.is !== "window") return;
+  const [w, h] = paneSize();
+  const pull = (at: number, room: number) => (at < EDGE ? EDGE - at : at > room - EDGE ? room - EDGE - at : 0);
+  const limit = (by: number) => Math.max(-24, Math.min(24, by * 0.5));
+  const by = [limit(pull(last.pixel[0], w)), limit(pull(last.pixel[1], h))] as const;
+  if (by[0] === 0 && by[1] === 0) return;
+  panBy(by);
+  last = { ...last, at: canvasPoint(last.pixel) };
+  take({ on: "move", ...last });
+  creeping = requestAnimationFrame(creep);
 }
 
 export function pointerUp(event: Mouse): void {

@@ -52,8 +52,15 @@ export function carryOut(effect: Effect): void {
       canvasStore.setState({ menu: { pixel: effect.pixel, at: effect.at, target: effect.target }, tip: undefined });
       return;
     case "pick":
+      if (effect.target.is === "object" && effect.keys.ctrl && effect.keys.alt) pointAt(effect.target.id);
       return;
   }
+}
+
+/** Shows in the tabs where an object's component lives. */
+function pointAt(id: string): void {
+  const object = documentStore.getState().objects.get(id);
+  if (object) canvasStore.setState({ pointedAt: object.component, ribbon: true });
 }
 
 /** What a window takes. A group is taken only when it lies inside whole: else its area would always come along. */

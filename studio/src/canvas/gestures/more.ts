@@ -70,6 +70,11 @@ export function keyDown(event: ReactKeyboardEvent): void {
   if (event.defaultPrevented || event.nativeEvent.isComposing) return;
   const element = event.target instanceof Element ? event.target : null;
   if (element?.matches("input, textarea, select") || element?.closest(".box")) return;
+  // The browser tells what is pasted without asking for leave, if the key is left to it.
+  if ((event.ctrlKey || event.metaKey) && !event.shiftKey && event.key.toLowerCase() === "v") {
+    event.stopPropagation();
+    return;
+  }
   if (!ownKey(event, element)) return;
   event.preventDefault();
   event.stopPropagation();

@@ -48,28 +48,54 @@ export function Menu({ items, pixel, label, onClose, onBack }: MenuProps) {
     event.preventDefault();
   };
 
+  const runs = runsOf(items);
   return (
     <div
       ref={box}
       className={beside ? "box pop-menu beside" : "box pop-menu"}
-      role="menu"
+      role="group"
       aria-label={label}
       style={beside ? {} : { left: place[0], top: place[1] }}
       onKeyDown={key}
       onPointerDown={(event) => event.stopPropagation()}
       onContextMenu={(event) => event.preventDefault()}
     >
-      {items.map((item, k) => (
-        <Entry key={k} item={item} open={open === k} onOpen={(on) => setOpen(on ? k : undefined)} onClose={onClose} />
+      {runs.map((run) => (
+        <div key={run.from} {...(run.entries ? { role: "menu", "aria-label": label } : {})}>
+          {run.items.map((item, k) => {
+            const at = run.from + k;
+            const onOpen = (on: boolean) => setOpen(on ? at : undefined);
+            return <Entry key={at} item={item} open={open === at} onOpen={onOpen} onClose={onClose} />;
+          })}
+        </div>
       ))}
     </div>
   );
 }
 
+interface Run {
+  from: number;
+  /** Whether they are entries of a menu; fields and messages are not. */
+  entries: boolean;
+  items: Item[];
+}
+
+/** Entries that follow each other, apart from fields: a menu may hold nothing but entries. */
+function runsOf(items: readonly Item[]): Run[] {
+  const runs: Run[] = [];
+  items.forEach((item, from) => {
+    const entries = item.is === "do" || item.is === "more" || (item.is === "line" && runs.at(-1)?.entries === true);
+    const last = runs.at(-1);
+    if (last && (last.entries === entries || item.is === "line")) last.items.push(item);
+    else runs.push({ from, entries, items: [item] });
+  });
+  return runs;
+}
+
 /** The entries of this menu itself, without those of menus beside it. */
 function focusables(box: HTMLElement | null): HTMLElement[] {
   const all = box?.querySelectorAll<HTMLElement>("[role^=menuitem]:not([aria-disabled=true]), input") ?? [];
-  return [...all].filter((element) => element.closest("[role=menu]") === box);
+  return [...all].filter((element) => element.closest(".pop-menu") === box);
 }
 
 interface EntryProps {
@@ -139,7 +165,7 @@ function Do({ item, onOpen, onClose }: Omit<EntryProps, "item" | "open"> & { ite
 function More({ item, open, onOpen, onClose }: EntryProps & { item: Extract<Item, { is: "more" }> }) {
   const entry = useRef<HTMLDivElement>(null);
   return (
-    <div className="more-entry" onPointerEnter={() => onOpen(true)}>
+    <div className="more-entry" role="none" onPointerEnter={() => onOpen(true)}>
       <div
         ref={entry}
         className="item"

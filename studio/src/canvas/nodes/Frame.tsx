@@ -7,7 +7,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import type { ResultView } from "../../core/protocol/ResultView";
 import { t } from "../../i18n";
-import { useCanvas, useFullNames, useProfiler, useResult, useSelected } from "../hooks";
+import { useCanvas, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
 import { portName } from "../../core/ports";
 
 interface FrameProps {
@@ -25,8 +25,10 @@ export function Frame({ object, kind, style, filled = true, children }: FramePro
   const result = useResult(object.id);
   const selected = useSelected(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
+  const hovered = useHovered(object.id);
   const look = lookOf(object, result);
-  const classes = ["object", kind, `look-${look}`, selected ? "selected" : "", filled ? "filled" : ""];
+  const states = [selected ? "selected" : "", filled ? "filled" : "", hovered ? "hovered" : ""];
+  const classes = ["object", kind, `look-${look}`, ...states];
   return (
     <div
       className={classes.filter(Boolean).join(" ")}
@@ -42,7 +44,7 @@ export function Frame({ object, kind, style, filled = true, children }: FramePro
       <Grips object={object} />
       <Sign look={look} result={result} />
       {object.strip ? <div className="strip">{object.strip}</div> : null}
-      <Profile result={result} below={object.strip ? 14 : 0} />
+      <Profile result={result} below={(object.strip ? 14 : 0) + (object.support.is === "no" ? 14 : 0)} />
     </div>
   );
 }

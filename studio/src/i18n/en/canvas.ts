@@ -63,6 +63,10 @@ export const canvas = {
   "canvas.connect.none": "No such port",
   "canvas.connect.done": "{from} is connected with {to}",
 
+  "canvas.find.label": "Find on the canvas",
+  "canvas.find.prompt": "Name, text of a panel, label of a group …",
+  "canvas.find.none": "Nothing like that on the canvas",
+
   "canvas.group": "Group",
   "canvas.group.spoken": "{label}, {count} objects",
   "canvas.group.unnamed": "without a label",
@@ -208,6 +212,7 @@ export const canvas = {
   "canvas.action.back": "Send to back",
   "canvas.action.leave": "Leave the cluster",
   "canvas.action.search": "Search for a component",
+  "canvas.action.find": "Find on the canvas",
   "canvas.action.zoomExtents": "Zoom extents",
   "canvas.action.zoomSelected": "Zoom to the selection",
   "canvas.action.zoom100": "Zoom to 100 %",
