@@ -8,7 +8,7 @@ export type At = readonly [number, number];
 /** An empty canvas: of the real studio, or of the page without a server when `CANVAS_PAGE` says where that is. */
 export async function openCanvas(page: Page): Promise<void> {
   const alone = process.env.CANVAS_PAGE;
-  if (alone) await page.goto(`${alone}?state=empty`);
+  if (alone) await page.goto(`${alone}${alone.includes("?") ? "&" : "?"}state=empty`);
   else await openNew(page);
   await expect(ground(page)).toBeVisible();
 }
