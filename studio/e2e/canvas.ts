@@ -30,7 +30,7 @@ export async function place(page: Page, words: string, at: At): Promise<Locator>
   await page.mouse.dblclick(x, y);
   const field = page.getByRole("combobox", { name: "Search for a component" });
   await field.fill(words);
-  await expect(page.getByRole("option").first()).toBeVisible();
+  await expect(page.getByRole("listbox").getByRole("option").first()).toBeVisible();
   await page.keyboard.press("Enter");
   await expect(field).toHaveCount(0);
   return newest(page, before);
