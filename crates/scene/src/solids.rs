@@ -3,10 +3,10 @@
 use std::sync::Arc as Shared;
 
 use katydid_3dm::{Limits, Model, ModelObject, RawObject};
-use katydid_exchange::{Scene as Exchanged, Shape};
-use katydid_geometry::{Curve, Point3};
+use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
+use katydid_geometry::{Curve, Plane, Point3};
 
-use crate::{Facets, Form, tessellated};
+use crate::{Facets, Form, Place, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
 const SMOOTH: f64 = 5e-4;
@@ -30,6 +30,10 @@ fn forms(shape: Shape) -> Vec<Form> {
         Shape::Points(set) => set.points.into_iter().map(Form::Point).collect(),
         Shape::Curve(curve) => vec![Form::Curve(Shared::new(curve))],
         Shape::Mesh(mesh) => vec![Form::Mesh(Shared::new(mesh))],
+        Shape::Region(region) => {
+            region.boundaries.into_iter().map(|curve| Form::Curve(Shared::new(curve))).collect()
+        }
+        Shape::Text(label) => writing(label).into_iter().collect(),
         Shape::Faces { facets: Some(mesh), edges } => {
             let borders = edges.iter().map(line).collect();
             vec![Form::Surface(Shared::new(Facets::made(mesh, borders)))]
@@ -37,6 +41,22 @@ fn forms(shape: Shape) -> Vec<Form> {
         Shape::Faces { facets: None, edges } => {
             edges.into_iter().map(|edge| Form::Curve(Shared::new(edge))).collect()
         }
+    }
+}
+
+/// A text where it stands; none whose directions make no plane.
+fn writing(label: Label) -> Option<Form> {
+    let Label { text, point: at, axes: [right, up], .. } = label;
+    let third = |share: f64| (share * 2.0).round().clamp(0.0, 2.0) as i32;
+    match label.size {
+        LabelSize::Screen(size) => Some(Form::Tag { at, text, size, place: Place::Beside }),
+        LabelSize::Units(size) => Some(Form::Writing {
+            plane: Plane::from_points(at, at + right, at + up).ok()?,
+            text,
+            size,
+            // Rows of three from the top left.
+            justification: 1 + third(label.across) + 3 * (2 - third(label.upward)),
+        }),
     }
 }
 
