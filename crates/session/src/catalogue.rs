@@ -10,7 +10,7 @@ use katydid_definition::document::{self, Branch, Material, Persistent, Stored, i
 use katydid_definition::kd::{Catalogue, Expect, Facts, PortFacts};
 use uuid::Uuid;
 
-/// The registry as a catalogue for the text form.
+/// The registry of components as a catalogue for the text form.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Registry;
 
@@ -109,7 +109,7 @@ fn colour(c: katydid_data::Colour) -> Colour {
     Colour::new(c.a, c.r, c.g, c.b)
 }
 
-fn stored(value: &Value) -> Option<Stored> {
+pub(crate) fn stored(value: &Value) -> Option<Stored> {
     Some(match value {
         Value::Boolean(b) => Stored::Boolean(*b),
         Value::Integer(n) => Stored::Integer(*n),

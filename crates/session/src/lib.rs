@@ -15,16 +15,27 @@
 
 mod bake;
 mod catalogue;
+mod change;
 mod check;
 pub mod display;
+mod editor;
+mod edits;
 mod input;
+pub mod journal;
 pub mod protocol;
 mod report;
+mod results;
 mod session;
+mod solution;
+mod view;
 
 pub use bake::{BakeOptions, Baked, bake};
 pub use catalogue::Registry;
+pub use change::{Change, Refusal};
 pub use check::{Check, Unsupported, check};
+pub use editor::{About, Editor, NoResults, Results};
 pub use input::{InputError, inputs};
 pub use report::{Items, Report};
+pub use results::{result_view, rows, structure};
 pub use session::Session;
+pub use solution::{Reports, Solution};

@@ -1,24 +1,16 @@
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::Document;
 use katydid_solver::{Engine, Options, Summary};
 use uuid::Uuid;
 
 use crate::input::{self, InputError};
 use crate::report::{Items, Report};
+use crate::{Change, Editor};
 
-/// One change that can be taken back: an object before and after.
-#[derive(Debug, Clone)]
-struct Change {
-    index: usize,
-    before: Box<Object>,
-    after: Box<Object>,
-}
-
-/// A document with its solution and its history.
+/// A document with its solution and its history: an [`Editor`] and an [`Engine`] that follows it.
 #[derive(Debug)]
 pub struct Session {
+    editor: Editor,
     engine: Engine,
-    undo: Vec<Change>,
-    redo: Vec<Change>,
     last: Summary,
 }
 
@@ -26,9 +18,8 @@ impl Session {
     /// A session on a document; nothing is solved yet.
     pub fn new(document: Document, options: Options) -> Self {
         Self {
+            editor: Editor::new(document.clone(), options.rules),
             engine: Engine::new(document, options),
-            undo: Vec::new(),
-            redo: Vec::new(),
             last: Summary::default(),
         }
     }
@@ -55,37 +46,34 @@ impl Session {
     /// When there is no such input, or several, or it does not take that value.
     pub fn set(&mut self, name: &str, value: &str) -> Result<Uuid, InputError> {
         let index = input::find(self.document(), name)?;
-        let before = self.document().objects.get(index).cloned().map(Box::new);
-        let Some(before) = before else {
+        let Some(mut object) = self.document().objects.get(index).cloned() else {
             return Err(InputError::NotFound { name: name.to_owned(), near: None });
         };
-        let mut after = before.clone();
-        input::assign(&mut after, value)?;
-        let id = after.id;
-        self.put(index, &after);
-        self.undo.push(Change { index, before, after });
-        self.redo.clear();
+        input::assign(&mut object, value)?;
+        let id = object.id;
+        let change = self.editor.replace(index, object, format!("Set {name}"));
+        self.follow(&change);
         Ok(id)
     }
 
-    fn put(&mut self, index: usize, object: &Object) {
-        self.engine.edit(index, |slot| *slot = object.clone());
+    /// Brings the engine to where the editor is.
+    fn follow(&mut self, change: &Change) {
+        if change.bring_to(&mut self.engine).is_err() {
+            let options = self.engine.options().clone();
+            self.engine = Engine::new(Document::clone(&change.after), options);
+        }
     }
 
     /// Takes the last change back; `false` when there is none.
     pub fn undo(&mut self) -> bool {
-        let Some(change) = self.undo.pop() else { return false };
-        self.put(change.index, &change.before);
-        self.redo.push(change);
-        true
+        let change = self.editor.undo();
+        change.inspect(|change| self.follow(change)).is_some()
     }
 
     /// Makes the last change that was taken back again; `false` when there is none.
     pub fn redo(&mut self) -> bool {
-        let Some(change) = self.redo.pop() else { return false };
-        self.put(change.index, &change.after);
-        self.undo.push(change);
-        true
+        let change = self.editor.redo();
+        change.inspect(|change| self.follow(change)).is_some()
     }
 
     /// Solves what has changed since the last time.

@@ -60,7 +60,7 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
                 .collect();
             let status = ObjectReport::status_of(&messages);
             messages.truncate(20);
-            ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) }
+            ObjectReport { outputs, inside: Some(reports.into()), ..ObjectReport::idle(status, messages, 0) }
         }
         ClusterContent::Locked => {
             failed(object, Status::Unsupported, "The cluster is locked by a password".to_owned())

@@ -11,17 +11,17 @@ use crate::graph::Graph;
 use crate::object::{Turn, solve};
 use crate::report::{ObjectReport, Status};
 use crate::schedule::Todo;
-use crate::{Options, Progress, schedule};
+use crate::{Finished, Options, Progress, schedule};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
 #[derive(Debug)]
 pub struct Engine {
-    document: Document,
-    options: Options,
-    graph: Graph,
-    reports: Vec<Option<ObjectReport>>,
+    pub(crate) document: Document,
+    pub(crate) options: Options,
+    pub(crate) graph: Graph,
+    pub(crate) reports: Vec<Option<ObjectReport>>,
     /// The objects without a report: a solve looks at these and at no others.
-    dirty: Vec<usize>,
+    pub(crate) dirty: Vec<usize>,
 }
 
 /// What one solve did.
@@ -29,6 +29,8 @@ pub struct Engine {
 pub struct Summary {
     /// How many objects were solved.
     pub solved: usize,
+    /// How many are dirty still: those that were not done when somebody cancelled, and all that hangs on them.
+    pub unfinished: usize,
     /// How long it took; zero where there is no clock.
     pub time: Duration,
 }
@@ -36,10 +38,14 @@ pub struct Summary {
 impl Engine {
     /// An engine for a document; nothing is solved yet.
     pub fn new(document: Document, options: Options) -> Self {
-        let mut engine =
-            Self { document, options, graph: Graph::default(), reports: Vec::new(), dirty: Vec::new() };
-        engine.rebuild();
-        engine
+        let count = document.objects.len();
+        Self {
+            graph: Graph::new(&document),
+            document,
+            options,
+            reports: vec![None; count],
+            dirty: (0..count).collect(),
+        }
     }
 
     /// The document.
@@ -71,20 +77,8 @@ impl Engine {
         }
     }
 
-    /// Changes the document in any way. Everything is dirty then.
-    pub fn replace(&mut self, change: impl FnOnce(&mut Document)) {
-        change(&mut self.document);
-        self.rebuild();
-    }
-
-    fn rebuild(&mut self) {
-        self.graph = Graph::new(&self.document);
-        self.reports = vec![None; self.document.objects.len()];
-        self.dirty = (0..self.reports.len()).collect();
-    }
-
     /// Marks an object and all that hangs on it as dirty.
-    fn touch(&mut self, index: usize) {
+    pub(crate) fn touch(&mut self, index: usize) {
         let mut stack = vec![index];
         while let Some(object) = stack.pop() {
             // What is dirty already has dirty readers.
@@ -95,7 +89,13 @@ impl Engine {
         }
     }
 
-    /// Solves what is dirty.
+    /// The places of the objects that a solve would look at.
+    pub fn dirty(&self) -> &[usize] {
+        &self.dirty
+    }
+
+    /// Solves what is dirty. When somebody cancels, what is not done by then stays dirty, and keeps so until a solve
+    /// with another [`Cancel`](katydid_component::Cancel).
     pub fn solve(&mut self) -> Summary {
         let watch = Watch::start();
         let turn = Turn {
@@ -107,8 +107,9 @@ impl Engine {
             wanted: &[],
         };
         let solved = solve_graph(&turn, &self.graph, &mut self.reports, &self.dirty);
-        self.dirty.clear();
-        Summary { solved, time: watch.elapsed() }
+        let reports = &self.reports;
+        self.dirty.retain(|at| reports.get(*at).is_some_and(Option::is_none));
+        Summary { solved, unfinished: self.dirty.len(), time: watch.elapsed() }
     }
 }
 
@@ -121,7 +122,7 @@ pub(crate) fn solve_nested(
     let graph = Graph::new(document);
     let mut reports = vec![None; document.objects.len()];
     // Progress counts the objects of the outermost document.
-    let options = Options { progress: None, ..outer.options.clone() };
+    let options = Options { progress: None, finished: None, ..outer.options.clone() };
     let turn = Turn {
         document,
         options: &options,
@@ -148,17 +149,23 @@ fn solve_graph(
     // Objects in a loop are never run, they only say so.
     for object in looped {
         let members = graph.loops.iter().find(|members| members.contains(&object));
-        reports[object] = Some(in_loop(turn.document, members.map_or(&[], Vec::as_slice), object));
+        let report = in_loop(turn.document, members.map_or(&[], Vec::as_slice), object);
+        tell(turn, object, &report);
+        reports[object] = Some(report);
     }
-    let results: Vec<OnceLock<ObjectReport>> = todo.iter().map(|_| OnceLock::new()).collect();
+    let results: Vec<OnceLock<Option<ObjectReport>>> = todo.iter().map(|_| OnceLock::new()).collect();
     let total = results.len();
     let done = AtomicUsize::new(0);
     let kept: &[Option<ObjectReport>] = reports;
+    let cancelled = || turn.options.cancel.is_cancelled();
     schedule::run(graph, &todo, &results, |object| {
+        if cancelled() {
+            return None;
+        }
         let watch = Watch::start();
         let tree = |source: &crate::graph::Source| -> Option<&Tree> {
             let report = match todo.place(source.object) {
-                Some(place) => results[place].get(),
+                Some(place) => results[place].get().and_then(Option::as_ref),
                 None => kept[source.object].as_ref(),
             };
             report?.outputs.get(source.output)
@@ -169,16 +176,30 @@ fn solve_graph(
         let turn = Turn { wanted, ..*turn };
         let mut report = solve(&turn, object, &wired);
         report.time = watch.elapsed();
+        // It may have noticed, and stopped half-way.
+        if cancelled() {
+            return None;
+        }
+        tell(&turn, object, &report);
         if let Some(progress) = &turn.options.progress {
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress(&Progress { done, total, name: objects[object].title().to_owned() });
         }
-        report
+        Some(report)
     });
+    let mut solved = 0;
     for (object, result) in todo.iter().zip(results) {
-        reports[object] = result.into_inner();
+        reports[object] = result.into_inner().flatten();
+        solved += usize::from(reports[object].is_some());
     }
-    total
+    solved
+}
+
+/// Gives a result out as soon as it is there.
+fn tell(turn: &Turn<'_>, index: usize, report: &ObjectReport) {
+    if let (Some(finished), Some(object)) = (&turn.options.finished, turn.document.objects.get(index)) {
+        finished(&Finished { index, object, report });
+    }
 }
 
 /// The report of an object in a loop: it names the objects on the way round.

@@ -22,8 +22,9 @@ mod options;
 mod report;
 mod schedule;
 mod stored;
+mod update;
 
 pub use engine::{Engine, Summary};
 pub use inputs::Inputs;
-pub use options::{Listener, Options, Progress};
+pub use options::{Finished, Listener, Options, Progress, ResultListener};
 pub use report::{ObjectReport, Status};

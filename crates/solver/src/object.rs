@@ -124,7 +124,7 @@ fn run(
         messages.push(Message::warning(text));
         status = Status::NoData;
     }
-    ObjectReport { status, messages, outputs, time: std::time::Duration::ZERO }
+    ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) }
 }
 
 /// What output `k` shows: its data after its own modifiers. A floating parameter is one port, whose modifiers stand

@@ -4,6 +4,9 @@ use std::time::Duration;
 
 use katydid_component::{Cancel, Files, Limits, RhinoModel};
 use katydid_data::cast::Rules;
+use katydid_definition::document::Object;
+
+use crate::ObjectReport;
 
 /// How far a solve has come.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,6 +21,20 @@ pub struct Progress {
 
 /// Called after each object, from whichever thread solved it.
 pub type Listener = Arc<dyn Fn(&Progress) + Send + Sync>;
+
+/// An object that is done.
+#[derive(Debug, Clone, Copy)]
+pub struct Finished<'a> {
+    /// Its place among the document's objects.
+    pub index: usize,
+    /// The object as it was solved.
+    pub object: &'a Object,
+    /// What it gave.
+    pub report: &'a ObjectReport,
+}
+
+/// Called with each object's report as soon as it is there, from whichever thread solved it.
+pub type ResultListener = Arc<dyn Fn(&Finished<'_>) + Send + Sync>;
 
 /// What a solve may use and how it reads the document.
 #[derive(Clone, Default)]
@@ -36,6 +53,8 @@ pub struct Options {
     pub skip_unread: bool,
     /// Told after each object.
     pub progress: Option<Listener>,
+    /// Given the report of each object of the document itself, not of those inside clusters.
+    pub finished: Option<ResultListener>,
 }
 
 impl Options {

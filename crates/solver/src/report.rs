@@ -1,3 +1,4 @@
+use std::sync::Arc;
 use std::time::Duration;
 
 use katydid_component::{Level, Message};
@@ -45,12 +46,14 @@ pub struct ObjectReport {
     pub time: Duration,
     /// The data of each output, after its modifiers.
     pub outputs: Vec<Tree>,
+    /// Of a cluster: the reports of the objects inside, in their order.
+    pub inside: Option<Arc<[ObjectReport]>>,
 }
 
 impl ObjectReport {
     /// A report of an object that did not run.
     pub(crate) fn idle(status: Status, messages: Vec<Message>, outputs: usize) -> Self {
-        Self { status, messages, time: Duration::ZERO, outputs: vec![Tree::empty(); outputs] }
+        Self { status, messages, time: Duration::ZERO, outputs: vec![Tree::empty(); outputs], inside: None }
     }
 
     /// The status that the messages speak of.

@@ -115,8 +115,9 @@ fn the_time_limit_and_a_cancel_stop_a_solve() {
     let cancel = Cancel::default();
     cancel.cancel();
     let mut engine = Engine::new(long(), Options { cancel, ..Options::default() });
-    engine.solve();
-    assert!(stopped(&engine, "cancelled"));
+    let summary = engine.solve();
+    assert_eq!((summary.solved, summary.unfinished), (0, 21));
+    assert!((0..21).all(|i| engine.report(i).is_none()));
 }
 
 #[test]

@@ -17,7 +17,7 @@ mod value;
 mod xml;
 
 pub(crate) use cursor::Cursor;
-pub(crate) use deflate::inflate;
+pub(crate) use deflate::{deflate, inflate};
 
 pub use chunk::{Chunk, Item};
 pub use decimal::Decimal;

@@ -20,6 +20,7 @@
 
 mod build;
 mod cluster;
+mod difference;
 mod edit;
 mod header;
 pub mod ids;
@@ -36,8 +37,9 @@ mod wires;
 
 pub use build::NewPort;
 pub use cluster::{ClusterContent, Hook, MOST_NESTED};
+pub use difference::{Difference, Misfit};
 pub use header::{Header, Library};
-pub use object::{Annotation, Object, ObjectKind};
+pub use object::{Annotation, Fields, Object, ObjectKind};
 pub use on_data::OnData;
 pub use persistent::{Branch, Persistent, format_path, parse_path};
 pub use port::{Access, Mapping, Modifiers, Port, PortPlace, Side, WireDisplay};
@@ -46,6 +48,8 @@ pub use special::Special;
 pub use stored::{LoftOptions, Material, MeshSettings, Stored, StoredGeometry};
 pub use user_object::UserObject;
 pub use wires::{Lookup, PortRef, Wire};
+
+use std::sync::Arc;
 
 use crate::archive::{self, Archive, Chunk, Encoding, ItemValue, Limits, Version};
 use crate::{Error, Result};
@@ -66,7 +70,7 @@ pub struct Document {
     /// How many clusters it is inside of.
     nesting: usize,
     /// The tree without the objects.
-    tree: Chunk,
+    tree: Arc<Chunk>,
     /// What else stood between the objects, and where.
     strangers: Vec<(usize, Chunk)>,
     /// How many objects the file said it had.
@@ -144,7 +148,7 @@ impl Document {
             encoding,
             notes,
             nesting,
-            tree: Chunk::default(),
+            tree: Arc::default(),
             strangers: Vec::new(),
             announced: None,
             numbers: Vec::new(),
@@ -162,14 +166,14 @@ impl Document {
             }
         }
         document.numbers = document.objects.iter().map(|object| object.chunk().index).collect();
-        document.tree = tree;
+        document.tree = Arc::new(tree);
         document
     }
 
     /// The archive with everything in its place. Objects are numbered anew when some came, went or moved.
     pub fn to_archive(&self) -> Archive {
         let mut chunks: Vec<Chunk> = self.objects.iter().map(|object| object.chunk().clone()).collect();
-        let mut root = self.tree.clone();
+        let mut root = Chunk::clone(&self.tree);
         let changed = !chunks.iter().map(|chunk| &chunk.index).eq(&self.numbers);
         if changed {
             for (index, chunk) in (0..).zip(&mut chunks) {
@@ -219,7 +223,7 @@ impl Document {
 
     /// The tree without the objects, to be looked up in or changed: thumbnail, author, settings of add-ons.
     pub fn tree_mut(&mut self) -> &mut Chunk {
-        &mut self.tree
+        Arc::make_mut(&mut self.tree)
     }
 
     /// The tree without the objects.

@@ -1,4 +1,6 @@
 use std::collections::HashMap;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
 
 use uuid::Uuid;
 
@@ -12,8 +14,14 @@ use crate::archive::{Chunk, Item};
 /// The fields are read from the object's chunk, which stays the truth: [`set_nickname`](Self::set_nickname) and
 /// its kin change both. After changing [`container_mut`](Self::container_mut) by hand call
 /// [`refresh`](Self::refresh).
+///
+/// A clone is cheap: it shares everything until one of the two is changed.
+#[derive(Debug, Clone)]
+pub struct Object(Arc<Fields>);
+
+/// What is read from an [`Object`]'s chunk, and the chunk.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Object {
+pub struct Fields {
     /// The component type.
     pub component: Uuid,
     /// The type's name when the file was saved; people may not change it, except of clusters.
@@ -74,10 +82,35 @@ pub enum Annotation {
 /// What a chunk without a container is read from.
 static NOTHING: Chunk = Chunk { name: String::new(), index: None, items: Vec::new(), chunks: Vec::new() };
 
+impl Deref for Object {
+    type Target = Fields;
+
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+impl DerefMut for Object {
+    fn deref_mut(&mut self) -> &mut Fields {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+impl PartialEq for Object {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_same(other) || self.0 == other.0
+    }
+}
+
 impl Object {
+    /// Whether both are clones of one, and neither was changed since.
+    pub fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
     /// Reads an object from its `Object` chunk. Whatever is missing reads as empty.
     pub fn from_chunk(chunk: Chunk) -> Self {
-        let mut object = Self {
+        let mut object = Self(Arc::new(Fields {
             component: Uuid::nil(),
             name: String::new(),
             lib: None,
@@ -95,7 +128,7 @@ impl Object {
             principal: None,
             nesting: 0,
             chunk,
-        };
+        }));
         object.refresh();
         object
     }
@@ -110,32 +143,7 @@ impl Object {
 
     /// Reads the fields from the chunk again.
     pub fn refresh(&mut self) {
-        let chunk = &self.chunk;
-        let container = chunk.child("Container").unwrap_or(&NOTHING);
-        let text = |name| container.str(name).unwrap_or_default().to_owned();
-        self.component = chunk.guid("GUID").unwrap_or_default();
-        self.name = chunk.str("Name").unwrap_or_default().to_owned();
-        // GhPython of Rhino 6 and 7 writes a zero id for itself.
-        self.lib = chunk.guid("Lib").filter(|lib| !lib.is_nil());
-        self.id = container.guid("InstanceGuid").unwrap_or_default();
-        self.nickname = text("NickName");
-        self.description = text("Description");
-        self.locked = container.bool("Locked").unwrap_or(false);
-        self.hidden = container.bool("Hidden").unwrap_or(false);
-        let attributes = container.child("Attributes").unwrap_or(&NOTHING);
-        self.bounds = attributes.canvas_rectangle("Bounds");
-        self.pivot = attributes.canvas_point("Pivot");
-        let parameters = container.child("ParameterData");
-        self.variable = parameters.is_some();
-        self.kind = kind(self.component, container);
-        (self.inputs, self.outputs) = if self.kind == ObjectKind::Parameter {
-            let port = Port::read(container, PortPlace::Own, None);
-            let output = port.as_output();
-            (vec![port], vec![output])
-        } else {
-            (ports(container, parameters, Side::Input), ports(container, parameters, Side::Output))
-        };
-        self.principal = container.i32("PrincipalIndex").and_then(|index| usize::try_from(index).ok());
+        Arc::make_mut(&mut self.0).refresh();
     }
 
     /// Whether the object is a parameter that stands on the canvas by itself: its own sources are its input,
@@ -186,6 +194,38 @@ impl Object {
     /// The values kept in an input, where there are any.
     pub fn persistent(&self, port: &Port) -> Option<Persistent> {
         if port.has_persistent { Persistent::read(port.chunk(self.container())?) } else { None }
+    }
+}
+
+impl Fields {
+    /// Reads the fields from the chunk again.
+    fn refresh(&mut self) {
+        let chunk = &self.chunk;
+        let container = chunk.child("Container").unwrap_or(&NOTHING);
+        let text = |name| container.str(name).unwrap_or_default().to_owned();
+        self.component = chunk.guid("GUID").unwrap_or_default();
+        self.name = chunk.str("Name").unwrap_or_default().to_owned();
+        // GhPython of Rhino 6 and 7 writes a zero id for itself.
+        self.lib = chunk.guid("Lib").filter(|lib| !lib.is_nil());
+        self.id = container.guid("InstanceGuid").unwrap_or_default();
+        self.nickname = text("NickName");
+        self.description = text("Description");
+        self.locked = container.bool("Locked").unwrap_or(false);
+        self.hidden = container.bool("Hidden").unwrap_or(false);
+        let attributes = container.child("Attributes").unwrap_or(&NOTHING);
+        self.bounds = attributes.canvas_rectangle("Bounds");
+        self.pivot = attributes.canvas_point("Pivot");
+        let parameters = container.child("ParameterData");
+        self.variable = parameters.is_some();
+        self.kind = kind(self.component, container);
+        (self.inputs, self.outputs) = if self.kind == ObjectKind::Parameter {
+            let port = Port::read(container, PortPlace::Own, None);
+            let output = port.as_output();
+            (vec![port], vec![output])
+        } else {
+            (ports(container, parameters, Side::Input), ports(container, parameters, Side::Output))
+        };
+        self.principal = container.i32("PrincipalIndex").and_then(|index| usize::try_from(index).ok());
     }
 }
 

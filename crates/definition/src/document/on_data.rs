@@ -31,6 +31,72 @@ impl OnData {
     }
 }
 
+/// The assembly that the class is of, as Rhino 7 writes it: readers take any version.
+const ASSEMBLY: &str =
+    "RhinoCommon, Version=7.38.24338.17001, Culture=neutral, PublicKeyToken=552281e97c755530";
+/// The first member says what layout the others have.
+const LAYOUT: i32 = 10_000;
+
+impl OnData {
+    /// The stream of an `ON_Data` item, deflated: the records that Grasshopper writes, in their order.
+    ///
+    /// # Errors
+    /// When the data is too long for the stream.
+    pub fn write(&self) -> Result<Vec<u8>> {
+        let mut out = Vec::with_capacity(self.data.len() + 400);
+        let int = |out: &mut Vec<u8>, n: i32| out.extend_from_slice(&n.to_le_bytes());
+        // SerializedStreamHeader.
+        out.push(0);
+        for n in [1, -1, 1, 0] {
+            int(&mut out, n);
+        }
+        // BinaryLibrary.
+        out.push(12);
+        int(&mut out, 2);
+        text(&mut out, ASSEMBLY);
+        // ClassWithMembersAndTypes: three primitive members and an array of primitives.
+        out.push(5);
+        int(&mut out, 1);
+        text(&mut out, &self.class_name);
+        int(&mut out, 4);
+        for member in ["version", "archive3dm", "opennurbs", "data"] {
+            text(&mut out, member);
+        }
+        // Their kinds; then what the primitives are: three times Int32, and Byte; then the library.
+        out.extend_from_slice(&[0, 0, 0, 7, 8, 8, 8, 2]);
+        int(&mut out, 2);
+        for n in [LAYOUT, self.archive3dm, self.opennurbs] {
+            int(&mut out, n);
+        }
+        // MemberReference, and the ArraySinglePrimitive that it refers to.
+        out.push(9);
+        int(&mut out, 3);
+        out.push(15);
+        int(&mut out, 3);
+        let length = i32::try_from(self.data.len()).map_err(|_| crate::Error::Document {
+            place: self.class_name.clone(),
+            reason: "it is too long to be kept".to_owned(),
+        })?;
+        int(&mut out, length);
+        out.push(2);
+        out.extend_from_slice(&self.data);
+        // MessageEnd.
+        out.push(11);
+        archive::deflate(&out)
+    }
+}
+
+/// A text behind its length, seven bits a byte.
+fn text(out: &mut Vec<u8>, text: &str) {
+    let mut length = text.len();
+    while length > 0x7f {
+        out.push((length & 0x7f) as u8 | 0x80);
+        length >>= 7;
+    }
+    out.push(length as u8);
+    out.extend_from_slice(text.as_bytes());
+}
+
 /// What a class record says of a member.
 struct Member {
     name: String,
@@ -212,5 +278,21 @@ impl<'a> Stream<'a> {
 
     fn text(&mut self, what: &str) -> Result<String> {
         Ok(self.at.text(what)?.0.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_reads_back() {
+        for length in [0, 1, 70_000] {
+            let data = (0..length).map(|k| (k % 251) as u8).collect();
+            let class_name = "Rhino.Geometry.NurbsCurve".to_owned();
+            let before = OnData { class_name, archive3dm: 50, opennurbs: 7, data };
+            let bytes = before.write().unwrap_or_default();
+            assert_eq!(OnData::read(&bytes, &Limits::default()).ok(), Some(before));
+        }
     }
 }

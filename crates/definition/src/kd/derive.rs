@@ -3,7 +3,7 @@ use uuid::Uuid;
 /// An id that follows from another id and a name: the same each time, so that a text needs no ids.
 ///
 /// Two FNV-1a hashes of 64 bits with different starts, marked as a GUID of version 8 (RFC 9562, 5.8: custom).
-pub(super) fn id(parent: Uuid, name: &str) -> Uuid {
+pub fn id(parent: Uuid, name: &str) -> Uuid {
     let hash = |start: u64| {
         let bytes = parent.as_bytes().iter().chain(name.as_bytes());
         bytes.fold(start, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))

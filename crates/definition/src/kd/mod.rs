@@ -51,7 +51,9 @@ use katydid_geometry::Units;
 
 pub use arrange::arrange;
 pub use catalogue::{Catalogue, Expect, Facts, NoCatalogue, PortFacts};
+pub use derive::id as derived_id;
 pub use problem::{Problem, Problems};
+pub use slot::counted;
 pub use write::{Written, write};
 
 use self::catalogue::Known;

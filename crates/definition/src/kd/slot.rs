@@ -72,7 +72,7 @@ pub(super) fn one_of_many<'a>(many: &PortFacts, k: usize, label: Option<&str>) -
 
 /// The name of the `k`-th port, counted from the first one's: its last number goes up, or else its last letter where
 /// that stands alone.
-fn counted(first: &str, k: usize) -> String {
+pub fn counted(first: &str, k: usize) -> String {
     let digits = |c: char| c.is_ascii_digit();
     if let Some(end) = first.rfind(digits) {
         let head = first.get(..=end).unwrap_or_default();

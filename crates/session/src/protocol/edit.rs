@@ -29,8 +29,14 @@ pub enum Edit {
     Arrange { objects: Vec<Uuid>, back: bool },
     /// Draws a wire from an output to an input, or takes it away.
     Connect { from: Uuid, to: Uuid, how: Connection },
-    /// Takes all wires of a grip to another grip of the same side.
-    Rewire { from: Uuid, to: Uuid },
+    /// Takes all wires of a grip to another grip of the same side. Parameters are inputs and outputs of one id: `input`
+    /// says which grips are meant; without it outputs, where both have some.
+    Rewire {
+        from: Uuid,
+        to: Uuid,
+        #[serde(default)]
+        input: Option<bool>,
+    },
     /// Puts a relay in the middle of a wire.
     InsertRelay { id: Uuid, from: Uuid, to: Uuid, at: [f32; 2] },
     /// Takes all wires into an input away.
@@ -52,8 +58,15 @@ pub enum Edit {
     Internalise { port: Uuid },
     /// Puts a floating parameter before an input, which takes over what the input keeps and reads.
     Extract { port: Uuid, id: Uuid },
-    /// Adds a port to an object that has any number of them, before the one at `index`.
-    AddPort { object: Uuid, input: bool, index: u32 },
+    /// Adds a port to an object that has any number of them, before the one at `index`. With an `id` for it the edit can
+    /// be sent twice.
+    AddPort {
+        object: Uuid,
+        input: bool,
+        index: u32,
+        #[serde(default)]
+        id: Option<Uuid>,
+    },
     /// Takes such a port away.
     RemovePort { port: Uuid },
     /// Puts objects in a new group.

@@ -1,0 +1,146 @@
+//! The functions of Graph Mappers, by their handles.
+
+use katydid_definition::archive::Chunk;
+use katydid_definition::document::Object;
+use uuid::{Uuid, uuid};
+
+use super::finite;
+use crate::Refusal;
+use crate::protocol::GraphView;
+
+/// The most waves of a sum.
+const MOST_WAVES: usize = 100;
+
+/// Gives a Graph Mapper its ranges and its function.
+pub(super) fn shape(object: &mut Object, x: [f64; 2], y: [f64; 2], graph: &GraphView) -> Result<(), Refusal> {
+    finite(&x)?;
+    finite(&y)?;
+    finite(graph.handles.as_flattened())?;
+    let unfit =
+        |reason: &str| Refusal::Unfit { object: object.title().to_owned(), reason: reason.to_owned() };
+    let mut local =
+        object.container().child("LocalGraph").cloned().unwrap_or_else(|| Chunk::new("LocalGraph"));
+    let mut domain = local.child("Domain").cloned().unwrap_or_else(|| Chunk::new("Domain"));
+    for (name, value) in [("x0", x[0]), ("x1", x[1]), ("y0", y[0]), ("y1", y[1])] {
+        if domain.f64(name) != Some(value) {
+            domain.set(name, value);
+        }
+    }
+    local.set_child(domain);
+    let name = local.child("Graph").and_then(|graph| graph.str("container_name")).unwrap_or_default();
+    if graph.name.is_empty() {
+        local.remove_children("Graph");
+    } else {
+        let mut chunk = match (local.child("Graph"), container(&graph.name)) {
+            (Some(same), _) if name == graph.name => same.clone(),
+            (_, Some(id)) => {
+                let mut chunk = Chunk::new("Graph");
+                chunk.set("container_id", id);
+                chunk.set("container_name", graph.name.as_str());
+                chunk
+            }
+            _ => return Err(unfit(&format!("how files name the function {} is not known", graph.name))),
+        };
+        let handles = if graph.handles.is_empty() { first(&graph.name) } else { graph.handles.clone() };
+        // A function of another kind is kept as it is.
+        if !handles.is_empty() {
+            fill(&mut chunk, &graph.name, &handles).ok_or_else(|| unfit("the function has other handles"))?;
+        }
+        local.set_child(chunk);
+    }
+    object.container_mut().set_child(local);
+    Ok(())
+}
+
+/// The id that Grasshopper has for a function: those that real files show.
+fn container(name: &str) -> Option<Uuid> {
+    Some(match name {
+        "Bezier" => uuid!("7026a6d2-9b94-4314-b6d3-6850eff942fe"),
+        "Sine" => uuid!("7d54f77a-a866-49ed-95eb-b1f9fb25a1f1"),
+        _ => return None,
+    })
+}
+
+/// The handles of a function that was just chosen.
+fn first(name: &str) -> Vec<[f64; 2]> {
+    match name {
+        "Bezier" => vec![[0.0, 0.0], [0.5, 0.0], [0.5, 1.0], [1.0, 1.0]],
+        "Sine" => vec![[0.25, 0.9], [0.75, 0.1]],
+        _ => Vec::new(),
+    }
+}
+
+/// Writes a function by its handles; none when it has other ones.
+fn fill(chunk: &mut Chunk, name: &str, handles: &[[f64; 2]]) -> Option<()> {
+    match (name, handles) {
+        ("Bezier", [_, _, _, _]) => {
+            for (k, [x, y]) in (0..).zip(handles) {
+                chunk.set_at("cpx", k, *x);
+                chunk.set_at("cpy", k, *y);
+            }
+        }
+        ("Linear", [[_, y0], [_, y1]]) => {
+            for (item, x) in [("A", y1 - y0), ("B", *y0), ("x0", 0.0), ("x1", 1.0), ("y0", *y0), ("y1", *y1)]
+            {
+                chunk.set(item, x);
+            }
+        }
+        ("Parabola", [[ox, oy], [px, py]]) => {
+            for (item, x) in [("Ox", ox), ("Oy", oy), ("Px", px), ("Py", py)] {
+                chunk.set(item, *x);
+            }
+        }
+        ("Sine", [_, _]) => {
+            let mut equation = chunk.child("Equation").cloned().unwrap_or_else(|| Chunk::new("Equation"));
+            wave(&mut equation, handles);
+            chunk.set_child(equation);
+        }
+        ("Sine Summation", _)
+            if !handles.is_empty() && handles.len() % 2 == 0 && handles.len() <= 2 * MOST_WAVES =>
+        {
+            chunk.remove_children("Equation");
+            for (k, pair) in (0..).zip(handles.chunks(2)) {
+                let mut equation = Chunk::indexed("Equation", k);
+                wave(&mut equation, pair);
+                chunk.set_child(equation);
+            }
+        }
+        ("Gaussian", [[mean, factor], [side, _]]) => {
+            for (item, x) in [("factor", *factor), ("mean", *mean), ("sdev", (side - mean).abs().max(1e-6))] {
+                chunk.set(item, x);
+            }
+        }
+        ("Perlin", [[frequency, amplitude], [decay, _], [x, y]]) => {
+            for (item, value) in [
+                ("amplitude", amplitude),
+                ("decay", decay),
+                ("frequency", frequency),
+                ("x_offset", x),
+                ("y_offset", y),
+            ] {
+                chunk.set(item, *value);
+            }
+        }
+        ("Power", [[x, y], ..]) => {
+            let power = power(*x, *y)?;
+            for (item, value) in [("Gx", *x), ("Gy", *y), ("power", power)] {
+                chunk.set(item, value);
+            }
+        }
+        _ => return None,
+    }
+    Some(())
+}
+
+/// The exponent of the power through a point of the unit square.
+fn power(x: f64, y: f64) -> Option<f64> {
+    let power = y.ln() / x.ln();
+    (x > 0.0 && x < 1.0 && y > 0.0 && y < 1.0 && power.is_finite()).then_some(power)
+}
+
+fn wave(equation: &mut Chunk, extremes: &[[f64; 2]]) {
+    for (k, [x, y]) in (0..).zip(extremes) {
+        equation.set_at("px", k, *x);
+        equation.set_at("py", k, *y);
+    }
+}
