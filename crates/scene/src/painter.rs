@@ -72,7 +72,7 @@ impl<'a> Painter<'a> {
     fn outputs(&mut self, object: &Object, outputs: &[Tree], most: usize) {
         for (k, (tree, port)) in outputs.iter().zip(&object.outputs).enumerate() {
             let kind = tree.column().kind();
-            if port.hidden || !(kind.is_geometry() || kind == Kind::Generic) {
+            if port.hidden || !(kind.is_geometry() || matches!(kind, Kind::Generic | Kind::Content)) {
                 continue;
             }
             for branch in tree.branches() {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc as Shared;
 
 use katydid_data::cast::{self, Rules};
-use katydid_data::{Colour, Kind, Material, Value};
+use katydid_data::{Colour, Content, Kind, Material, ModelObject, Value};
 
 use crate::colour::{channel, opaque};
 use crate::{Facets, Form, Look, Scene, solids};
@@ -67,6 +67,13 @@ impl Values {
                 }
                 return;
             }
+            Value::Content(content) => match &**content {
+                Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                    return self.add(scene, geometry, look, rules, of);
+                }
+                Content::Instance(_) => return self.leave_out(of, "a block instance cannot be drawn yet"),
+                _ => return,
+            },
             Value::Kept(raw) => match solids::of(raw) {
                 Ok(forms) => return forms.into_iter().for_each(|form| scene.add(form, look)),
                 Err(why) => return self.leave_out(of, &why),

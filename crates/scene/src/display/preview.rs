@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_data::{Colour, Geometry, Material, Symbol};
 use katydid_definition::document::Object;
-use katydid_geometry::Point3;
+use katydid_geometry::{Curve, Point3};
 use uuid::{Uuid, uuid};
 
 use super::Draw;
@@ -18,6 +18,7 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("6b1bd8b2-47a4-4aa6-a471-3fd91c62a486"), dot),
     (uuid!("059b72b0-9bb3-4542-a805-2dcd27493164"), cloud),
     (uuid!("62d5ead4-53c4-4d0b-b5ce-6bd6e0850ab8"), symbol),
+    (uuid!("eeb8f5d3-2c5e-46bd-a368-10f0f9576fe9"), custom_curve),
 ];
 
 fn custom_preview(painter: &mut Painter<'_>, object: &Object, row: &Row<'_>) {
@@ -49,6 +50,13 @@ fn cloud(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
         painter
             .scene
             .add(Form::Dot(at, size), Look { line: Colour { a: line.a / 2, ..line }, ..painter.look });
+    }
+}
+
+/// The curve in its colour; the gaps of its linetype are not drawn.
+fn custom_curve(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    if let (Some(curve), Some(line)) = (row.item::<Shared<Curve>>(0), row.item::<Colour>(2)) {
+        painter.scene.add(Form::Curve(curve), Look { line, ..painter.look });
     }
 }
 
