@@ -1,4 +1,5 @@
-# `make test` is all that a change must pass. It installs what it needs.
+# `make test` is all that a change must pass. It installs what it needs: Python and npm packages, Chromium, and Node
+# where the machine's own is missing or too old.
 
 SHELL := /bin/bash
 VENV := .venv
@@ -6,9 +7,9 @@ PYTHON ?= python3
 # Off by default, tested all the same.
 KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 
-.PHONY: test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
+.PHONY: studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
 
-test: test-rust test-python
+test: test-studio test-rust test-python test-browser
 
 test-rust:
 	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
@@ -18,6 +19,25 @@ test-python: $(VENV)/installed
 	cargo build --release -p katydid
 	$(VENV)/bin/python -m pytest -q python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
 		crates/rhino3dm/tests/tables_peer.py
+
+# The page's own parts, without a browser; then the page, which the binary takes in.
+test-studio: studio/node_modules/installed
+	studio/with-node npm test
+	studio/with-node npm run build
+
+# The page in Chromium, served by the binary.
+test-browser: studio/node_modules/installed
+	cargo build --release -p katydid
+	CHROMIUM=$$(studio/chromium) studio/with-node npx playwright test
+
+studio/node_modules/installed: studio/package-lock.json
+	studio/with-node npm ci --no-audit --no-fund
+	touch $@
+
+# Builds what is missing and opens the studio on the book's sum of vectors.
+studio: studio/node_modules/installed
+	studio/with-node npm run build
+	cargo run --release -p katydid -- studio book/V2/definition.kd
 
 $(VENV)/installed: python-tests/requirements.txt
 	$(PYTHON) -m venv $(VENV)

@@ -64,8 +64,9 @@ def ours(files):
     messages = subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
     built = [json.loads(line) for line in messages.splitlines()]
     program = next(m["executable"] for m in built if m.get("executable"))
-    command = [program, str(10 * VERSION), *map(str, files)]
-    return [json.loads(line) for line in subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()]
+    # A process for each file: memory that one gave back would count for the next as if it had been there before.
+    commands = [[program, str(10 * VERSION), str(file)] for file in files]
+    return [json.loads(subprocess.run(c, check=True, capture_output=True, text=True).stdout) for c in commands]
 
 
 def theirs(file, folder):

@@ -186,3 +186,81 @@ def test_info_counts_as_rhino3dm_does(model):
     assert sum(report["objects"].values()) == len(source.Objects)
     assert [layer["path"] for layer in report["layers"]] == [layer.FullPath for layer in source.Layers]
     assert report["units"] == "Inches" and report["invalid"] == []
+
+
+def test_obj_has_its_materials_beside_it(model):
+    path = converted(model, "obj")
+    assert path.with_suffix(".mtl").exists()
+    meshes = [g for g in trimesh.load_scene(path).geometry.values() if isinstance(g, trimesh.Trimesh)]
+    colours = {round(m.volume): list(m.visual.material.diffuse) for m in meshes}
+    small, large = sorted(colours)
+    assert colours[small] == [255, 0, 0, 255] and colours[large] == [10, 200, 30, 255]
+    back = path.with_name("back.3dm")
+    katydid("convert", path, back)
+    read = rhino3dm.File3dm.Read(str(back))
+    named = next(o for o in read.Objects if isinstance(o.Geometry, rhino3dm.Mesh) and o.Attributes.ObjectColor[:3] == (255, 0, 0))
+    assert named.Attributes.Name == 'bäll_"<&>"_1'
+
+
+def test_dots_are_text_in_drawings_and_told_of_elsewhere(tmp_path):
+    model = rhino3dm.File3dm()
+    model.Objects.AddTextDot("a < b", rhino3dm.Point3d(1, 2, 3))
+    model.Objects.AddLine(rhino3dm.Point3d(0, 0, 0), rhino3dm.Point3d(10, 5, 0))
+    path = tmp_path / "dots.3dm"
+    assert model.Write(str(path), 7)
+    tree = xml.parse(converted(path, "svg")).getroot()
+    [text] = list(tree.iter("{http://www.w3.org/2000/svg}text"))
+    assert "".join(text.itertext()) == "a < b"
+    assert text.get("transform").endswith(" 1 -2)")
+    told = katydid("convert", path, tmp_path / "dots.obj").stderr
+    assert "1 × text: only drawings show text" in told
+
+
+def corners(source, objects, outer):
+    """The corners of the solids among objects, where blocks put them."""
+    for member in objects:
+        geometry = member.Geometry
+        if isinstance(geometry, rhino3dm.InstanceReference):
+            block = source.InstanceDefinitions.FindId(geometry.ParentIdefId)
+            inside = [source.Objects.FindId(str(id)) for id in block.GetObjectIds()]
+            yield from corners(source, inside, rhino3dm.Transform.Multiply(outer, geometry.Xform))
+        elif isinstance(geometry, rhino3dm.Extrusion):
+            brep = geometry.ToBrep(False)
+            for i in range(len(brep.Vertices)):
+                p = brep.Vertices[i].Location.Transform(outer)
+                yield [p.X, p.Y, p.Z]
+
+
+NESTED = ROOT.parent / "shared" / "data" / "3dm" / "jesterKing+import_3dm__399290a6_nested_blocks.3dm"
+
+
+@pytest.mark.skipif(not NESTED.exists(), reason="the shared data is not there")
+def test_blocks_in_blocks_stand_where_rhino3dm_puts_them(tmp_path):
+    source = rhino3dm.File3dm.Read(str(NESTED))
+    top = [o for o in source.Objects if not o.Attributes.IsInstanceDefinitionObject]
+    expected = np.array(list(corners(source, top, rhino3dm.Transform.Identity())))
+    out = tmp_path / "nested.ply"
+    katydid("convert", NESTED, out)
+    vertices = plyfile.PlyData.read(out)["vertex"]
+    found = np.stack([vertices[axis] for axis in "xyz"], axis=1)
+    assert len(expected) > 0
+    assert np.allclose(found.min(axis=0), expected.min(axis=0), atol=1e-4)
+    assert np.allclose(found.max(axis=0), expected.max(axis=0), atol=1e-4)
+
+
+SUBDS = ROOT.parent / "shared" / "data" / "3dm" / "mcneel+rhino-developer-samples__d01029d9_input.3dm"
+
+
+@pytest.mark.skipif(not SUBDS.exists(), reason="the shared data is not there")
+def test_subds_are_the_surface_that_rhino3dm_has(tmp_path):
+    source = rhino3dm.File3dm.Read(str(SUBDS))
+    [subd] = [o.Geometry for o in source.Objects if isinstance(o.Geometry, rhino3dm.SubD)]
+    subd.ClearEvaluationCache()
+    out = tmp_path / "subd.ply"
+    katydid("convert", SUBDS, out, "--hidden")
+    vertices = plyfile.PlyData.read(out)["vertex"]
+    found = {tuple(round(float(vertices[axis][i]), 5) for axis in "xyz") for i in range(len(vertices))}
+    on = [subd.Vertices[i + 1] for i in range(subd.VertexCount)]
+    places = [tuple(round(x, 5) for x in (p.X, p.Y, p.Z)) for p in (v.SurfacePoint for v in on if v and not v.IsDart)]
+    missing = [p for p in places if p not in found]
+    assert len(missing) <= len(places) // 100, "rounding may part a few"

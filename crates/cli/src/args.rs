@@ -53,6 +53,10 @@ pub(crate) struct DefinitionArgs {
     #[arg(long, value_name = "MODEL")]
     pub(crate) model: Option<PathBuf>,
 
+    /// Read what can be read of a broken model, and tell what is skipped
+    #[arg(long, requires = "model")]
+    pub(crate) lenient: bool,
+
     /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) set: Vec<(String, String)>,
@@ -159,7 +163,10 @@ pub(crate) struct CheckArgs {
 Models: .3dm (any version), .obj, .stl, .ply, .glb and .gltf are read; .3dm, .obj, .stl, .ply, .glb, .gltf and .svg are
 written. What the new file cannot hold is told by class and count on standard error.
 
-The exit code is 0 when the file was written, 2 when a file could not be opened or written or the call was wrong.")]
+A .3dm file in which anything is broken is refused with the place and the reason, unless --lenient is given.
+
+The exit code is 0 when the file was written, 1 when it was written but --lenient had to skip something, 2 when a file
+could not be opened or written or the call was wrong.")]
 pub(crate) struct ConvertArgs {
     /// The file to read: a definition (.gh, .ghx, .kd, .ghuser) or a model (.3dm, .obj, .stl, .ply, .glb, .gltf)
     pub(crate) from: PathBuf,
@@ -185,6 +192,10 @@ pub(crate) struct ConvertArgs {
     /// Take hidden objects along
     #[arg(long)]
     pub(crate) hidden: bool,
+
+    /// Read what can be read of a broken .3dm file, and tell what is skipped
+    #[arg(long)]
+    pub(crate) lenient: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -214,8 +225,10 @@ impl From<DrawingView> for katydid_exchange::View {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The exit code is 0 when all is well, 1 when an object is not valid or something in the file is broken, 2 when the file
-cannot be opened or is no .3dm file.")]
+A file in which anything is broken is refused with the place and the reason, unless --lenient or --tree is given.
+
+The exit code is 0 when all is well, 1 when an object is not valid or something was odd or skipped, 2 when the file cannot
+be opened, is broken, or is no .3dm file.")]
 pub(crate) struct InfoArgs {
     /// The model: .3dm
     pub(crate) file: PathBuf,
@@ -224,8 +237,12 @@ pub(crate) struct InfoArgs {
     #[arg(long)]
     pub(crate) json: bool,
 
-    /// Show what the file is made of instead: every chunk with its offset, name, class, length and checksum
+    /// Read what can be read of a broken file, and tell what is skipped
     #[arg(long)]
+    pub(crate) lenient: bool,
+
+    /// Show what the file is made of instead: every chunk with its offset, name, class, length and checksum
+    #[arg(long, conflicts_with = "lenient")]
     pub(crate) tree: bool,
 
     /// How deep the tree is shown, 0 for the tables alone; 2 when not given

@@ -17,9 +17,11 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     if is_model(&from) || is_model(&to) {
         return convert_model::convert(args);
     }
-    if args.version.is_some() || args.tolerance.is_some() || args.ascii || args.view.is_some() || args.hidden
-    {
-        return Err("--version, --tolerance, --ascii, --view and --hidden are for models".to_owned());
+    let is_plain = !(args.ascii || args.hidden || args.lenient);
+    if args.version.is_some() || args.tolerance.is_some() || args.view.is_some() || !is_plain {
+        return Err(
+            "--version, --tolerance, --ascii, --view, --hidden and --lenient are for models".to_owned()
+        );
     }
     if !["gh", "ghx", "ghuser", "kd"].contains(&to.as_str()) {
         return Err(format!(".{to} is not a form of a definition: use .gh, .ghx or .kd"));

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use katydid_3dm::{Limits, Model};
+use katydid_3dm::Model;
 use katydid_exchange::{Conversion, Format, LeftOut, Options, Scene};
 
 use crate::args::ConvertArgs;
-use crate::output::{GREEN, YELLOW, extension, note, write_file, write_file_with};
-use crate::source;
+use crate::output::{GREEN, YELLOW, extension, note, write_file};
+use crate::{model_file, scene_file, source};
 
 /// The version that a model is written in when nobody says and its own is not written any more.
 const USUAL: i32 = 70;
@@ -31,29 +31,31 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     if args.version.is_some() && to != "3dm" {
         return Err("--version is for .3dm files".to_owned());
     }
+    if args.lenient && from != "3dm" {
+        return Err("--lenient is for .3dm files that are read".to_owned());
+    }
     let bytes = source::bytes(&args.from)?;
     let model = match Format::from_extension(&from) {
-        None => Model::read(&bytes, &Limits::default()).map_err(|error| failed(&args.from, &error))?,
+        None => model_file::read(&args.from, &bytes, args.lenient)?,
         Some(format) => {
             let scene = read_scene(args, format, &bytes)?;
             if let Some(format) = Format::from_extension(&to) {
-                return write_scene(args, &scene, format);
+                return write_scene(args, &scene, format).map(|()| 0);
             }
             scene.left_out.iter().for_each(left_out);
             scene.to_model()
         }
     };
     drop(bytes);
-    for warning in &model.warnings {
-        note(&format!("{YELLOW}warning{YELLOW:#}: {}: {warning}", args.from.display()));
-    }
+    let is_partial = model_file::tell(&args.from, &model);
     match Format::from_extension(&to) {
         Some(format) => {
             let conversion = Conversion { tolerance: args.tolerance, hidden: args.hidden };
-            write_scene(args, &Scene::from_model_with(&model, &conversion), format)
+            write_scene(args, &Scene::from_model_with(&model, &conversion), format)?;
         }
-        None => write_model(args, &model),
+        None => write_model(args, &model)?,
     }
+    Ok(u8::from(is_partial))
 }
 
 /// `.3dm, .obj, … or .svg`.
@@ -88,24 +90,20 @@ fn read_scene(args: &ConvertArgs, format: Format, bytes: &[u8]) -> Result<Scene,
     scene.map_err(|error| failed(&args.from, &error))
 }
 
-fn write_scene(args: &ConvertArgs, scene: &Scene, format: Format) -> Result<u8, String> {
+fn write_scene(args: &ConvertArgs, scene: &Scene, format: Format) -> Result<(), String> {
     let options = Options {
         tolerance: args.tolerance,
         ascii: args.ascii,
         view: args.view.map(Into::into).unwrap_or_default(),
+        materials: None,
     };
-    let mut lost = Vec::new();
-    write_file_with(&args.to, |out| {
-        lost = katydid_exchange::write(scene, format, &options, out)
-            .map_err(|error| failed(&args.to, &error))?;
-        Ok(())
-    })?;
+    let lost = scene_file::write(scene, format, options, &args.to)?;
     note(&format!("{GREEN}{}{GREEN:#} things written to {}", scene.things.len(), args.to.display()));
     lost.iter().for_each(left_out);
-    Ok(0)
+    Ok(())
 }
 
-fn write_model(args: &ConvertArgs, model: &Model) -> Result<u8, String> {
+fn write_model(args: &ConvertArgs, model: &Model) -> Result<(), String> {
     let own = model.archive_version;
     let version = args.version.unwrap_or(if [4, 50, 60, 70, 80].contains(&own) { own } else { USUAL });
     let (bytes, losses) = model.write_what_fits(version).map_err(|error| failed(&args.to, &error))?;
@@ -127,8 +125,5 @@ fn write_model(args: &ConvertArgs, model: &Model) -> Result<u8, String> {
     for (text, count) in counted {
         note(&format!("{YELLOW}left out{YELLOW:#}: {count} × {text}"));
     }
-    for (table, count) in &model.skipped {
-        note(&format!("{YELLOW}left out{YELLOW:#}: {count} × {table} record: it could not be read"));
-    }
-    Ok(0)
+    Ok(())
 }

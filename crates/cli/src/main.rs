@@ -8,10 +8,12 @@ mod convert_model;
 mod diff;
 mod fmt;
 mod info;
+mod model_file;
 mod open;
 mod output;
 mod progress;
 mod run;
+mod scene_file;
 mod source;
 mod view;
 

@@ -11,12 +11,12 @@ use katydid_session::Session;
 use katydid_solver::Options;
 
 use crate::args::DefinitionArgs;
-use crate::{progress, source};
+use crate::{model_file, progress, source};
 
 /// A session on the definition with its inputs set; nothing is solved yet.
 pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
     let source = source::definition(&args.file)?;
-    let model = args.model.as_deref().map(model).transpose()?;
+    let model = args.model.as_deref().map(|path| model(path, args.lenient)).transpose()?;
     let mut rules = Rules::default();
     if let Some(model) = &model {
         (rules.units, rules.tolerance) = (model.units, model.tolerance);
@@ -44,6 +44,8 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
     Ok(session)
 }
 
-fn model(path: &Path) -> Result<RhinoModel, String> {
-    RhinoModel::read(&source::bytes(path)?).map_err(|error| format!("{}: {error}", path.display()))
+fn model(path: &Path, lenient: bool) -> Result<RhinoModel, String> {
+    let model = model_file::read(path, &source::bytes(path)?, lenient)?;
+    model_file::tell(path, &model);
+    Ok(RhinoModel::new(model))
 }

@@ -54,3 +54,8 @@ pub(crate) fn write_file_with(
 pub(crate) fn extension(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
+
+/// A name without what a terminal would act upon.
+pub(crate) fn printable(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}

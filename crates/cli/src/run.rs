@@ -9,8 +9,8 @@ use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
 use crate::convert_model::model_extensions;
-use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file, write_file_with};
-use crate::{open, progress};
+use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
+use crate::{open, progress, scene_file};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
@@ -114,11 +114,8 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
         let scene = katydid_exchange::Scene::from_model(&baked.model);
-        write_file_with(path, |out| {
-            let lost = katydid_exchange::write(&scene, format, &katydid_exchange::Options::default(), out);
-            left_out.extend(lost.map_err(|error| failed(&error))?.iter().map(ToString::to_string));
-            Ok(())
-        })?;
+        let lost = scene_file::write(&scene, format, katydid_exchange::Options::default(), path)?;
+        left_out.extend(lost.iter().map(ToString::to_string));
     }
     let n = baked.model.objects.len();
     note(&format!("{GREEN}{n}{GREEN:#} objects written to {}", path.display()));

@@ -5,8 +5,8 @@
 mod common;
 
 use common::{katydid, said, text};
-use katydid_3dm::{Attributes, Layer, Model, ModelObject, Object};
-use katydid_geometry::{Line, Point3, Units};
+use katydid_3dm::{Attributes, BlockReference, Layer, Model, ModelObject, Object, ObjectMode};
+use katydid_geometry::{Line, Point3, Units, Vector3, Xform};
 use serde_json::Value;
 use uuid::Uuid;
 
@@ -47,7 +47,7 @@ fn referenced_objects_come_from_the_model() {
     assert_eq!(without.status.code(), Some(0));
     let words = said(&without);
     assert!(words.contains("wall") && words.contains("00000000-0000-0000-0000-0000000000a1"), "{words}");
-    assert!(words.contains("Needs the Rhino model"), "{words}");
+    assert!(words.contains("Needs the Rhino model") && words.contains("--model"), "{words}");
 
     let with = katydid(&["run", text(&definition), "--model", text(&rhino), "--json"]);
     assert_eq!(with.status.code(), Some(0), "{}", said(&with));
@@ -114,4 +114,57 @@ fn baked_geometry_has_layers_colours_groups_user_text_and_blocks() {
         })
         .collect();
     assert_eq!(shifts, [1.0, 4.0, 7.0, 10.0]);
+}
+
+const CONTENT: &str = "katydid 1
+
+walls = Query Model Objects(_, \"Walls\")
+changed = Model Object(walls, _, \"beam\", \"House::Roof\", \"locked\", rgb(1, 2, 3))
+noted = User Text(changed.Object, \"Floor\", \"3\")
+seats = Query Model Objects(\"seat\")
+_first = Context Bake(noted.0)
+_second = Context Bake(seats)
+names = Panel(changed.Name)
+layers = Panel(changed.Layer)
+";
+
+#[test]
+fn objects_of_the_model_are_changed_and_baked_with_their_attributes_and_blocks() {
+    let mut model = model();
+    model.objects[0].attributes.layer = Some(0);
+    model.objects[0].attributes.user_strings =
+        vec![("Floor".into(), "1".into()), ("Use".into(), "shop".into())];
+    let inside = ModelObject::from(Object::Point(Point3::new(0.0, 0.0, 1.0)));
+    let block = model.add_block("Chair", vec![inside]);
+    let by = Xform::translation(Vector3::new(4.0, 0.0, 0.0));
+    let attributes = Attributes { name: "seat".into(), ..Attributes::default() };
+    let reference = Object::BlockReference(Box::new(BlockReference::new(block, by)));
+    model.objects.push(ModelObject { attributes, ..ModelObject::from(reference) });
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("d.kd"), CONTENT).unwrap();
+    std::fs::write(path("m.3dm"), model.write(70).unwrap()).unwrap();
+    let (d, m, o) = (path("d.kd"), path("m.3dm"), path("o.3dm"));
+    let output = katydid(&["run", text(&d), "--model", text(&m), "-o", text(&o), "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(items(&report, "names", 0)[0], "beam");
+    assert_eq!(items(&report, "layers", 0)[0], "House::Roof");
+
+    let baked = Model::read(&std::fs::read(&o).unwrap(), &Default::default()).unwrap();
+    let free: Vec<&ModelObject> =
+        baked.objects.iter().filter(|object| object.attributes.mode != ObjectMode::InDefinition).collect();
+    let beam = &free.iter().find(|object| object.attributes.name == "beam").unwrap().attributes;
+    assert_eq!(baked.layer_path(beam.layer.unwrap()).unwrap(), "House::Roof");
+    assert_eq!((beam.colour, beam.mode), (Some([1, 2, 3, 255]), ObjectMode::Locked));
+    let strings = &beam.user_strings;
+    assert!(
+        strings.contains(&("Floor".into(), "3".into())) && strings.contains(&("Use".into(), "shop".into()))
+    );
+    let seat = free.iter().find(|object| object.attributes.name == "seat").unwrap();
+    let Object::BlockReference(reference) = &seat.geometry else { panic!("{:?}", seat.geometry) };
+    assert_eq!(reference.transform, by);
+    let chair = baked.block_by_id(reference.definition).unwrap();
+    assert_eq!((chair.name.as_str(), baked.members(chair).count()), ("Chair", 1));
 }

@@ -80,6 +80,8 @@ fn wrong_calls_say_why() {
         (vec!["convert", text(&model), text(&with("3dm")), "--version", "3"], "expected 4, 5, 6, 7 or 8"),
         (vec!["convert", text(&model), text(&with("svg")), "--tolerance", "0"], "above 0"),
         (vec!["convert", EXAMPLE, text(&with("kd")), "--ascii"], "are for models"),
+        (vec!["convert", EXAMPLE, text(&with("kd")), "--lenient"], "are for models"),
+        (vec!["convert", "scan.ply", text(&with("3dm")), "--lenient"], "for .3dm files that are read"),
         (vec!["convert", "nowhere.3dm", text(&with("obj"))], "no such file"),
         (vec!["info", EXAMPLE], "not a .3dm archive"),
     ] {
@@ -113,6 +115,70 @@ fn info_tells_what_is_there_and_what_is_wrong() {
         told.contains("version 80") && told.contains("walls::inner") && told.contains("invalid: Mesh 'bad'"),
         "{told}"
     );
+}
+
+/// A sample whose second object is broken.
+fn broken(path: &Path) {
+    sample(path, 70);
+    let mut bytes = std::fs::read(path).unwrap();
+    let records: Vec<usize> = {
+        let mut found = Vec::new();
+        katydid_3dm::outline(&bytes, 1, |chunk| {
+            if chunk.name == Some("object record") {
+                found.push(chunk.offset);
+            }
+        })
+        .unwrap();
+        found
+    };
+    // Behind the record's header and its kind stands the class object: its length passes the end of all.
+    let length = records[1] + 12 + 12 + 4;
+    bytes[length..length + 8].copy_from_slice(&(1_u64 << 40).to_le_bytes());
+    std::fs::write(path, &bytes).unwrap();
+}
+
+#[test]
+fn a_broken_model_is_refused_unless_lenient() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("model.3dm");
+    broken(&model);
+    let out = folder.path().join("out.obj");
+    let definition = ["run", EXAMPLE, "--model", text(&model)];
+    for words in [vec!["info", text(&model)], vec!["convert", text(&model), text(&out)], definition.to_vec()]
+    {
+        let output = katydid(&words);
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {}", said(&output));
+        let told = said(&output);
+        // Where, in which chunks, why, and what to do about it.
+        for part in ["at byte ", "object table › object record", "needs 1099511627776 bytes", "--lenient"] {
+            assert!(told.contains(part), "{words:?}: {part} is not in {told}");
+        }
+        assert!(!out.exists());
+    }
+    let output = katydid(&["convert", text(&model), text(&out), "--lenient"]);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(
+        said(&output).contains("skipped") && said(&output).contains("1 × object record"),
+        "{}",
+        said(&output)
+    );
+    assert!(std::fs::read_to_string(&out).unwrap().contains("o circle\n"));
+    let output = katydid(&["info", text(&model), "--lenient", "--json"]);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (&report["skipped"]["object"], &report["warnings"][0]["kind"]),
+        (&1.into(), &"skipped".into())
+    );
+    assert!(report["warnings"][0]["path"].as_str().unwrap().starts_with("object table"));
+    let output = katydid(&["info", text(&model), "--lenient"]);
+    assert!(String::from_utf8(output.stdout).unwrap().contains("skipped: at byte "));
+    let output = katydid(&[&definition[..], &["--lenient"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(said(&output).contains("1 × object record"), "{}", said(&output));
+    // What is no model at all is not broken.
+    let output = katydid(&["info", EXAMPLE]);
+    assert!(!said(&output).contains("--lenient"));
 }
 
 #[test]

@@ -35,6 +35,7 @@ mod message;
 mod output;
 mod port;
 pub mod registry;
+mod rhino_content;
 mod rhino_model;
 pub mod testing;
 pub mod whole;

@@ -1,11 +1,14 @@
 //! The Rhino model that a definition looks into: the objects that its parameters refer to.
 
 use std::collections::HashMap;
+use std::sync::Arc as Shared;
 
-use katydid_3dm::{BrepSummary, Limits, Model, ObjectMode, RawObject};
-use katydid_data::Value;
+use katydid_3dm::{Attributes, BrepSummary, Limits, Model, ObjectMode, RawObject};
+use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Value, Visibility};
 use katydid_geometry::{Tolerance, Units};
 use uuid::Uuid;
+
+use crate::rhino_content::{Blocks, Tables};
 
 /// A Rhino model by its objects. Grasshopper works beside an open one; here a file takes its place.
 #[derive(Debug, Default)]
@@ -20,6 +23,9 @@ pub struct RhinoModel {
     places: HashMap<Uuid, usize>,
     /// Where the object stands that a piece of geometry is of.
     marks: HashMap<Mark, usize>,
+    layers: Vec<Shared<ModelLayer>>,
+    linetypes: Vec<Shared<ModelLinetype>>,
+    blocks: Vec<Shared<BlockDefinition>>,
 }
 
 /// By what geometry is known again.
@@ -66,39 +72,27 @@ pub struct RhinoObject {
     pub class: String,
     /// The geometry; none when no value can hold it.
     pub geometry: Option<Value>,
+    /// The object with its attributes, as an item of data.
+    pub content: Value,
 }
 
 impl RhinoModel {
     /// The model with its geometry as values.
-    pub fn new(model: Model) -> Self {
-        let layers = Layers::new(&model);
-        let groups: Vec<String> = model.groups.into_iter().map(|group| group.name).collect();
-        let objects: Vec<RhinoObject> = (model.objects.into_iter())
-            .filter(|object| object.attributes.mode != ObjectMode::InDefinition)
+    pub fn new(mut model: Model) -> Self {
+        let tables = Tables::new(&model);
+        let (members, free): (Vec<_>, Vec<_>) = std::mem::take(&mut model.objects)
+            .into_iter()
+            .partition(|object| object.attributes.mode == ObjectMode::InDefinition);
+        let order: Vec<Uuid> = model.blocks.iter().map(|block| block.id).collect();
+        let mut made = Blocks::new(&tables, std::mem::take(&mut model.blocks), members);
+        let blocks = order.into_iter().filter_map(|id| made.definition(id)).collect();
+        let objects: Vec<RhinoObject> = free
+            .into_iter()
             .map(|object| {
-                let attributes = object.attributes;
-                let layer = attributes.layer.and_then(|place| layers.0.get(place));
-                RhinoObject {
-                    id: attributes.id,
-                    name: attributes.name,
-                    layer: layer.map_or_else(String::new, |layer| layer.path.clone()),
-                    layer_index: attributes.layer.unwrap_or_default(),
-                    colour: attributes.colour.or(layer.map(|layer| layer.colour)).unwrap_or([0, 0, 0, 255]),
-                    groups: attributes
-                        .groups
-                        .iter()
-                        .filter_map(|group| groups.get(*group))
-                        .cloned()
-                        .collect(),
-                    is_hidden: !attributes.visible
-                        || attributes.mode == ObjectMode::Hidden
-                        || layer.is_some_and(|layer| layer.is_hidden),
-                    is_locked: attributes.mode == ObjectMode::Locked
-                        || layer.is_some_and(|layer| layer.is_locked),
-                    type_flag: object.geometry.object_type(),
-                    class: object.geometry.class_name(),
-                    geometry: Value::from_object(object.geometry, &object.user_data),
-                }
+                let (type_flag, class) = (object.geometry.object_type(), object.geometry.class_name());
+                let geometry = made.geometry(object.geometry, &object.user_data);
+                let content = tables.object(&object.attributes, geometry.clone());
+                RhinoObject::new(&object.attributes, content, geometry, type_flag, class)
             })
             .collect();
         // Of objects that share an identifier the first counts.
@@ -106,7 +100,9 @@ impl RhinoModel {
         let mark = |object: &RhinoObject| object.geometry.as_ref().and_then(Mark::of);
         let backwards = objects.iter().enumerate().rev();
         let marks = backwards.filter_map(|(place, object)| Some((mark(object)?, place))).collect();
-        Self { units: model.units, tolerance: model.tolerance, objects, places, marks }
+        let Tables { layers, linetypes, .. } = tables;
+        let (units, tolerance) = (model.units, model.tolerance);
+        Self { units, tolerance, objects, places, marks, layers, linetypes, blocks }
     }
 
     /// The bytes of an archive as such a model.
@@ -122,6 +118,34 @@ impl RhinoModel {
         &self.objects
     }
 
+    /// The layers in the order of the table.
+    pub fn layers(&self) -> &[Shared<ModelLayer>] {
+        &self.layers
+    }
+
+    /// The layer of a path (`Outer::Inner`), whatever the case of letters.
+    pub fn layer(&self, path: &str) -> Option<&Shared<ModelLayer>> {
+        let path = path.to_lowercase();
+        self.layers.iter().find(|layer| layer.path.to_lowercase() == path)
+    }
+
+    /// The linetype of a name, whatever the case of letters.
+    pub fn linetype(&self, name: &str) -> Option<&Shared<ModelLinetype>> {
+        let name = name.to_lowercase();
+        self.linetypes.iter().find(|linetype| linetype.name.to_lowercase() == name)
+    }
+
+    /// The blocks in the order of the table.
+    pub fn blocks(&self) -> &[Shared<BlockDefinition>] {
+        &self.blocks
+    }
+
+    /// The block of a name, whatever the case of letters.
+    pub fn block(&self, name: &str) -> Option<&Shared<BlockDefinition>> {
+        let name = name.to_lowercase();
+        self.blocks.iter().find(|block| block.name.to_lowercase() == name)
+    }
+
     /// The object of an identifier.
     pub fn object(&self, id: Uuid) -> Option<&RhinoObject> {
         self.places.get(&id).and_then(|place| self.objects.get(*place))
@@ -135,6 +159,33 @@ impl RhinoModel {
 }
 
 impl RhinoObject {
+    fn new(
+        attributes: &Attributes,
+        content: ModelObject,
+        geometry: Option<Value>,
+        type_flag: u32,
+        class: String,
+    ) -> Self {
+        let layer = content.layer.as_deref();
+        let colour = content.colour.or_else(|| layer.and_then(|layer| layer.colour));
+        Self {
+            id: attributes.id,
+            name: attributes.name.clone(),
+            layer: layer.map_or_else(String::new, |layer| layer.path.to_string()),
+            layer_index: attributes.layer.unwrap_or_default(),
+            colour: colour.map_or([0, 0, 0, 255], |c| [c.r, c.g, c.b, c.a]),
+            groups: content.groups.iter().map(|group| group.to_string()).collect(),
+            is_hidden: content.visibility == Visibility::Hidden
+                || !attributes.visible
+                || layer.is_some_and(|layer| layer.hidden),
+            is_locked: content.visibility == Visibility::Locked || layer.is_some_and(|layer| layer.locked),
+            type_flag,
+            class,
+            geometry,
+            content: Value::from(content),
+        }
+    }
+
     /// Edge `index` of a brep as a curve.
     ///
     /// # Errors
@@ -154,34 +205,4 @@ fn edge(raw: &RawObject, index: usize) -> Option<Value> {
     let part = if edge.part == whole.domain() { whole.clone() } else { whole.trimmed(edge.part).ok()? };
     let part = if edge.reversed { part.reversed() } else { part };
     Some(Value::from(part))
-}
-
-/// What objects take from their layer.
-struct LayerState {
-    path: String,
-    colour: [u8; 4],
-    is_hidden: bool,
-    is_locked: bool,
-}
-
-struct Layers(Vec<LayerState>);
-
-impl Layers {
-    fn new(model: &Model) -> Self {
-        let places: HashMap<Uuid, usize> =
-            model.layers.iter().enumerate().map(|(place, layer)| (layer.id, place)).collect();
-        let state = |place| {
-            // Parents that run in a circle end after as many steps as there are layers.
-            let parent = |place: &usize| places.get(&model.layers.get(*place)?.parent?).copied();
-            let chain = std::iter::successors(Some(place), parent).take(model.layers.len());
-            let layers: Vec<_> = chain.filter_map(|place| model.layers.get(place)).collect();
-            LayerState {
-                path: model.layer_path(place).unwrap_or_default(),
-                colour: model.layers.get(place).map_or([0, 0, 0, 255], |layer| layer.colour),
-                is_hidden: layers.iter().any(|layer| !layer.visible),
-                is_locked: layers.iter().any(|layer| layer.locked),
-            }
-        };
-        Self((0..model.layers.len()).map(state).collect())
-    }
 }

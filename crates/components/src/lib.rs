@@ -15,6 +15,7 @@ mod intersect;
 mod maths;
 mod mesh;
 mod params;
+mod rhino;
 mod sets;
 mod surface;
 mod transform;

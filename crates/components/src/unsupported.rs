@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 54] = [
+static LIST: [Unsupported; 57] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -237,5 +237,20 @@ static LIST: [Unsupported; 54] = [
         uuid!("07a3b2a0-c4d0-4638-9044-39ac4681e782"),
         "Mesh Depth",
         "along which direction depth is measured, and when it is valid, is not known",
+    ),
+    row(
+        uuid!("c9b4ad52-1e01-4317-bbde-3ababcc31bea"),
+        "Leader",
+        "annotations are kept whole, but not made or taken apart yet",
+    ),
+    row(
+        uuid!("1fae4c7a-d84a-4f04-8400-179e13193381"),
+        "Content Cache",
+        "it changes the document that is open beside Grasshopper, and there is none",
+    ),
+    row(
+        uuid!("d2a31d0a-8a1c-4ffb-b3c7-96931fee6c34"),
+        "PersistentValues",
+        "no file at hand shows what it stores or does",
     ),
 ];

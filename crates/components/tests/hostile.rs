@@ -9,7 +9,10 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use katydid_component::{Budget, Call, Component, Limits, Port, registry};
-use katydid_data::{Column, Path, Tree, TreeBuilder, Value, cast};
+use katydid_data::{
+    BlockDefinition, BlockInstance, Column, Filter, ModelLayer, ModelLinetype, ModelObject, Path, Tree,
+    TreeBuilder, Value, cast,
+};
 use katydid_definition::archive::Chunk;
 use katydid_geometry::{
     Box3, Circle, Curve, Interval, Line, Matrix, Mesh, NurbsCurve, NurbsSurface, Plane, PlaneSurface, Point3,
@@ -43,6 +46,29 @@ fn nurbs() -> Curve {
     NurbsCurve::clamped_uniform(3, &points.map(Point3::from)).unwrap().into()
 }
 
+/// Content of a model, sound and unsound.
+fn contents() -> Vec<Value> {
+    let lost = Xform::translation(Vector3::new(f64::NAN, 0.0, f64::INFINITY));
+    let point = ModelObject::new(Value::from(Point3::ORIGIN));
+    let block = Arc::new(BlockDefinition::new("odd", vec![point.clone(), ModelObject::default()]));
+    let empty = Arc::new(BlockDefinition::default());
+    let placed = |definition: &Arc<BlockDefinition>, transform| BlockInstance {
+        definition: definition.clone(),
+        transform,
+    };
+    vec![
+        point.into(),
+        ModelObject::default().into(),
+        ModelObject::new(Value::from(placed(&block, Xform::IDENTITY))).into(),
+        placed(&block, lost).into(),
+        placed(&empty, Xform::IDENTITY).into(),
+        block.into(),
+        ModelLayer::at("::").into(),
+        ModelLinetype { width: f64::NAN, segments: vec![f64::NAN], ..ModelLinetype::default() }.into(),
+        Filter::all([]).into(),
+    ]
+}
+
 /// One of everything, sound and unsound.
 fn oddities() -> Vec<Value> {
     let far = Point3::new(1e300, -1e300, 1e300);
@@ -55,6 +81,7 @@ fn oddities() -> Vec<Value> {
         ["", " ", "{0;1}", "0 to 1", "1e999", "-", "a,b", "{", "(((((", "[[", "%", "\u{0}", "𝕂atydid", &long];
     all.extend(texts.map(|t| Value::from(t.to_owned())));
     all.extend([true.into(), false.into()]);
+    all.extend(contents());
     all.extend([Point3::ORIGIN, far, lost].map(Value::from));
     all.extend(
         [Vector3::ZERO, Vector3::new(1.0, 2.0, 3.0), Vector3::new(f64::NAN, 0.0, 0.0)].map(Value::from),

@@ -8,8 +8,8 @@ use katydid_geometry::{
 use uuid::Uuid;
 
 use crate::{
-    Colour, Complex, Compound, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions, Material,
-    MeshSettings, Path, Symbol, Value,
+    Colour, Complex, Compound, Content, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions,
+    Material, MeshSettings, Path, Symbol, Value,
 };
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
@@ -141,6 +141,7 @@ items! {
     MeshSettings, MeshSettings, MeshSettings, |x| Value::MeshSettings(Shared::new(*x)), Value::MeshSettings(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;
     Kept, Kept, Shared<RawObject>, |x| Value::Kept(x.clone()), Value::Kept(x) => x;
+    Contents, Content, Shared<Content>, |x| Value::Content(x.clone()), Value::Content(x) => x;
 }
 
 impl Items {

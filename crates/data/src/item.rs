@@ -9,8 +9,8 @@ use uuid::Uuid;
 
 use crate::run::{Run, ValueRun};
 use crate::{
-    Colour, Column, Complex, Compound, DateTime, Domain2, Group, Items, Kind, Location, LoftOptions,
-    Material, MeshSettings, Path, Symbol, Value,
+    Colour, Column, Complex, Compound, Content, DateTime, Domain2, Group, Items, Kind, Location, LoftOptions,
+    Material, MeshSettings, ModelLayer, Path, Symbol, Value,
 };
 
 /// A type that an item of data can have, and how it lies in a [`Column`].
@@ -117,6 +117,8 @@ item!(
         user_data: Vec::new(),
     })
 );
+
+item!(Shared<Content>, Content, Contents, Shared::new(Content::Layer(Shared::new(ModelLayer::default()))));
 
 impl Item for Xform {
     const KIND: Kind = Kind::Transform;

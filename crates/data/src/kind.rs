@@ -50,6 +50,8 @@ pub enum Kind {
     Group,
     /// Geometry of a class that Katydid keeps whole but does not compute with.
     Kept,
+    /// What a Rhino model holds: objects with attributes, layers, linetypes, blocks, and filters for them.
+    Content,
 }
 
 impl Kind {
@@ -96,6 +98,7 @@ impl Kind {
             Self::MeshSettings => "Mesh Settings",
             Self::Group => "Group",
             Self::Kept => "Geometry",
+            Self::Content => "Model Content",
         }
     }
 

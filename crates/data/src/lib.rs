@@ -19,6 +19,7 @@ mod colour;
 mod column;
 mod complex;
 mod compound;
+mod content;
 mod domain2;
 pub mod formula;
 mod group;
@@ -41,6 +42,9 @@ pub use colour::Colour;
 pub use column::{Column, Items};
 pub use complex::Complex;
 pub use compound::Compound;
+pub use content::{
+    BlockDefinition, BlockInstance, Content, Filter, ModelLayer, ModelLinetype, ModelObject, Visibility,
+};
 pub use domain2::Domain2;
 pub use group::Group;
 pub use item::{Geometry, Item};

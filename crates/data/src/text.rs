@@ -5,7 +5,7 @@
 use katydid_3dm::{BrepSummary, RawObject};
 use katydid_geometry::{Curve, MeshFace, Point3, Tolerance, Units};
 
-use crate::{Domain2, Location, Path, Value};
+use crate::{Content, Domain2, Location, Path, Value};
 
 /// What the text of some values depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -86,6 +86,7 @@ pub fn value(value: &Value, style: &Style) -> String {
             n => format!("Group with {n} objects"),
         },
         Value::Kept(object) => kept(object),
+        Value::Content(content) => self::content(content, style),
     }
 }
 
@@ -174,6 +175,23 @@ fn kept(object: &RawObject) -> String {
         ("Brep", Ok(brep)) if brep.is_closed() => "Closed Brep".to_owned(),
         ("Brep", Ok(_)) => "Open Brep".to_owned(),
         (class, _) => class.to_owned(),
+    }
+}
+
+/// Content goes by its path, an object without a name by its geometry. What Grasshopper shows is not known.
+fn content(content: &Content, style: &Style) -> String {
+    match (content, content.path()) {
+        (_, Some(path)) => path.to_owned(),
+        (Content::Object(object), None) => match &object.geometry {
+            Some(geometry) => value(geometry, style),
+            None => content.type_name().to_owned(),
+        },
+        (Content::Instance(instance), None) => match instance.definition.name.as_ref() {
+            "" => content.type_name().to_owned(),
+            name => format!("{} ({name})", content.type_name()),
+        },
+        (Content::Filter(filter), None) => filter.words(style),
+        _ => content.type_name().to_owned(),
     }
 }
 

@@ -8,8 +8,8 @@ use katydid_geometry::{
 use uuid::Uuid;
 
 use crate::{
-    Colour, Complex, Compound, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material, MeshSettings,
-    Path, Symbol,
+    Colour, Complex, Compound, Content, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material,
+    MeshSettings, Path, Symbol,
 };
 
 /// The archive version whose rules the bytes of kept objects follow.
@@ -56,6 +56,7 @@ pub enum Value {
     MeshSettings(Shared<MeshSettings>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
+    Content(Shared<Content>),
 }
 
 impl Value {
@@ -97,6 +98,7 @@ impl Value {
             Self::MeshSettings(_) => Kind::MeshSettings,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
+            Self::Content(_) => Kind::Content,
         }
     }
 
@@ -159,6 +161,7 @@ impl Value {
             Self::Surface(s) => Shared::as_ptr(s).addr(),
             Self::Mesh(m) => Shared::as_ptr(m).addr(),
             Self::Kept(k) => Shared::as_ptr(k).addr(),
+            Self::Content(c) => Shared::as_ptr(c).addr(),
             _ => return None,
         })
     }
@@ -226,6 +229,8 @@ from! {
     Shared<Group>, Group;
     RawObject, Kept;
     Shared<RawObject>, Kept;
+    Content, Content;
+    Shared<Content>, Content;
 }
 
 #[cfg(test)]

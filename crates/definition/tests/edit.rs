@@ -136,6 +136,7 @@ fn values_are_kept_and_taken_out() {
         Stored::Complex([1.0, -1.0]),
         Stored::MeshFace([0, 1, 2, -1]),
         Stored::Path(vec![0, 1]),
+        Stored::Content("Outer::Inner".to_owned()),
     ]);
     object.set_persistent(0, Some(&values)).unwrap();
     let mut document = Document::new();

@@ -92,6 +92,11 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
         "x = Mystery @01234567-89ab-cdef-0123-456789abcdef(A = n, B = 3) hidden -> R |graft, S\nn = Number(3)\n",
         "x = Mystery @01234567-89ab-cdef-0123-456789abcdef(4) parameter\n",
         "_scribble = Scribble(\"look here\", size = 20, bold = true)\n",
+        "p = Geometry Pipeline()\n",
+        "p = Geometry Pipeline(types = [point, extrusion], layer = \"Walls*\", group = both)\n",
+        "p = Geometry Pipeline(types = none, name = \"n?rth\", hidden = false, group = layer)\n",
+        "p = Geometry Pipeline(types = mesh, locked = false, sublayers = false, group = type)\n",
+        "p = Geometry Pipeline(layer = \"Walls\") {\n    TypeFilter = -7\n}\n",
         "a = Number(1)\ngroup _group(rgb(1, 2, 3), blob): a\ngroup outer: _group\n",
         "`a-b` = Number(1)\n`a-b`'2 = Number(`a-b`)\n",
         "title \"T\"\nabout \"\"\"\n    two\n    lines\n    \"\"\"\n\na = Number(1)\n",
@@ -111,6 +116,27 @@ fn what_is_written_by_hand_comes_back_as_it_is() {
         };
         let kept = written.split("\nlayout {").next().unwrap();
         assert_eq!(sorted(kept), sorted(&text), "{written}");
+    }
+}
+
+#[test]
+fn a_pipeline_says_what_it_lets_through() {
+    let text = "p = Geometry Pipeline(types = [curve, surface, brep, extrusion], layer = \"A::*\", hidden = false, group = type)";
+    let document = read(text);
+    let settings = document.objects[0].container();
+    // The bits are openNURBS': curve 4, surface 8, brep 16, extrusion 2^30.
+    assert_eq!(settings.i32("TypeFilter"), Some(0x4000_001c));
+    assert_eq!((settings.str("LayerFilter"), settings.str("NameFilter")), (Some("A::*"), Some("*")));
+    let flags = ["IncludeHidden", "IncludeLocked", "SublayerFiltering", "GroupByLayer", "GroupByType"];
+    assert_eq!(flags.map(|name| settings.bool(name)), [false, true, true, false, true].map(Some));
+    for (bad, why) in [
+        ("p = Geometry Pipeline(types = [point, wall])", "types should be"),
+        ("p = Geometry Pipeline(types = 4)", "types should be"),
+        ("p = Geometry Pipeline(group = name)", "group should be one of layer, type, both"),
+        ("p = Geometry Pipeline(layer = walls)", "layer should be a text"),
+    ] {
+        let problems = wrong(bad).to_string();
+        assert!(problems.contains(why), "{bad}: {problems}");
     }
 }
 

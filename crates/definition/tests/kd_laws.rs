@@ -46,6 +46,7 @@ fn value() -> impl Strategy<Value = Stored> {
         any::<[u8; 4]>().prop_map(|[a, r, g, b]| Stored::Colour(Colour { a, r, g, b })),
         any::<i64>().prop_map(Stored::Time),
         any::<u128>().prop_map(|id| Stored::Guid(Uuid::from_u128(id))),
+        words().prop_map(Stored::Content),
         (x(), x(), x()).prop_map(|(x, y, z)| Stored::Point(Point3::new(x, y, z))),
         (x(), x(), x()).prop_map(|(x, y, z)| Stored::Vector(Vector3::new(x, y, z))),
         (x(), x()).prop_map(|(a, b)| Stored::Domain(Interval::new(a, b))),

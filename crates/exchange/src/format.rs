@@ -45,7 +45,7 @@ impl Format {
 }
 
 /// How a file is written.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
     /// How far polylines may be from the curves they stand for, and Bézier curves from curves that are none, in the
     /// scene's units. When not given: the scene's tolerance, or a ten-thousandth of the curve's size if that is more.
@@ -54,6 +54,9 @@ pub struct Options {
     pub ascii: bool,
     /// Where a drawing is seen from.
     pub view: View,
+    /// The name of the file of materials that an OBJ points to, as [`write_materials`] writes it. Without it an OBJ has no
+    /// colours but those of vertices.
+    pub materials: Option<String>,
 }
 
 /// Writes a scene; gives what the format could not hold, with what the scene itself had to leave out.
@@ -79,6 +82,19 @@ pub fn write(scene: &Scene, format: Format, options: &Options, out: &mut dyn Wri
     Ok(left_out)
 }
 
+/// Whether a scene has colours that an OBJ needs a file of materials for.
+pub fn needs_materials(scene: &Scene) -> bool {
+    scene.things.iter().any(|thing| thing.colour.is_some())
+}
+
+/// Writes the file of materials (MTL) that an OBJ of the scene points to by [`Options::materials`].
+///
+/// # Errors
+/// The destination fails.
+pub fn write_materials(scene: &Scene, out: &mut dyn Write) -> Result<()> {
+    obj::write_materials(scene, out)
+}
+
 /// Reads a file: its points, polylines and meshes.
 ///
 /// # Errors
@@ -86,9 +102,7 @@ pub fn write(scene: &Scene, format: Format, options: &Options, out: &mut dyn Wri
 /// [`read_with`].
 pub fn read(bytes: &[u8], format: Format) -> Result<Scene> {
     read_with(bytes, format, &mut |name| {
-        Err(Error::Unsupported(format!(
-            "the data lies in another file, {name}, which may not be opened here"
-        )))
+        Err(Error::Unsupported(format!("it lies in another file, {name}, which may not be opened here")))
     })
 }
 
@@ -103,7 +117,7 @@ pub fn read_with(
     fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>>,
 ) -> Result<Scene> {
     match format {
-        Format::Obj => obj::read(bytes),
+        Format::Obj => obj::read(bytes, fetch),
         Format::Stl => stl::read(bytes),
         Format::Ply => ply::read(bytes),
         Format::Glb | Format::Gltf => gltf::read(bytes, fetch),

@@ -1,6 +1,6 @@
 //! Geometry in other programs' files: OBJ, STL, PLY, glTF and GLB to read and write, SVG to write.
 //!
-//! A [`Scene`] is what is to be written: points, curves and meshes with names, colours and layers, most often made of a
+//! A [`Scene`] is what is to be written: points, curves, meshes, areas and text with names, colours and layers, most often made of a
 //! [`Model`](katydid_3dm::Model). [`write()`] sends it to any destination piece by piece, and tells what the format
 //! could not hold. [`read()`] gives the scene that a file holds.
 //!
@@ -35,6 +35,6 @@ mod text;
 mod view;
 
 pub use error::{Error, Result};
-pub use format::{Format, Options, read, read_with, write};
-pub use scene::{Conversion, Layer, LeftOut, PointSet, Scene, Shape, Thing};
+pub use format::{Format, Options, needs_materials, read, read_with, write, write_materials};
+pub use scene::{Conversion, Fill, Label, LabelSize, Layer, LeftOut, PointSet, Region, Scene, Shape, Thing};
 pub use view::View;

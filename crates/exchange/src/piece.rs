@@ -1,6 +1,6 @@
 //! A scene as the three things that formats of meshes know: points, polylines, meshes.
 
-use katydid_geometry::{Curve, Mesh, Point3, PolylineLimits};
+use katydid_geometry::{Curve, Mesh, Point3, PolylineLimits, Vector3};
 
 use crate::{LeftOut, Options, PointSet, Scene, Shape, Thing};
 
@@ -27,6 +27,24 @@ impl Piece<'_> {
             Form::Mesh(mesh) => mesh.vertices(),
         }
     }
+
+    /// One normal a point, or none at all.
+    pub(crate) fn normals(&self) -> &[Vector3] {
+        match &self.form {
+            Form::Points(set) => &set.normals,
+            Form::Mesh(mesh) => mesh.normals(),
+            Form::Polyline(_) => &[],
+        }
+    }
+
+    /// One colour a point, or none at all.
+    pub(crate) fn colours(&self) -> &[[u8; 4]] {
+        match &self.form {
+            Form::Points(set) => &set.colours,
+            Form::Mesh(mesh) => mesh.colours(),
+            Form::Polyline(_) => &[],
+        }
+    }
 }
 
 /// The pieces of a scene. Faces come as their facets or, where they have none, as their edges.
@@ -44,7 +62,19 @@ pub(crate) fn pieces<'a>(scene: &'a Scene, options: &Options) -> (Vec<Piece<'a>>
         };
         match &thing.shape {
             Shape::Curve(curve) => polyline(curve),
-            Shape::Faces { facets: None, edges } => edges.iter().for_each(polyline),
+            Shape::Faces { facets: None, edges } => {
+                edges.iter().for_each(polyline);
+                let why = "solids are not meshed yet: its edges stand for it";
+                LeftOut::add(&mut left_out, LeftOut::new(thing.shape.kind(), 1, why));
+            }
+            Shape::Region(region) => {
+                region.boundaries.iter().for_each(polyline);
+                let why = "only drawings are filled: its boundaries stand for it";
+                LeftOut::add(&mut left_out, LeftOut::new("hatch", 1, why));
+            }
+            Shape::Text(_) => {
+                LeftOut::add(&mut left_out, LeftOut::new("text", 1, "only drawings show text"));
+            }
             Shape::Points(set) if set.points.is_empty() => {}
             Shape::Points(set) => add(Form::Points(set)),
             Shape::Mesh(mesh) | Shape::Faces { facets: Some(mesh), .. } if mesh.faces().is_empty() => {

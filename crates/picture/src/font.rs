@@ -1,36 +1,13 @@
 //! The typeface that pictures are measured in, and that PNG is drawn in: DejaVu Sans Condensed.
 
-use std::sync::LazyLock;
-
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
+pub(crate) use katydid_scene::font::width;
+use katydid_scene::font::{face, glyphs};
+use ttf_parser::OutlineBuilder;
 
 use crate::drawing::{Path, Segment};
 
 /// The names of the typeface in SVG, the nearest first: a viewer that has none of them takes its own.
 pub(crate) const FAMILY: &str = "DejaVu Sans Condensed, DejaVu Sans, Segoe UI, Helvetica, Arial, sans-serif";
-
-static FACE: LazyLock<Option<Face<'static>>> =
-    LazyLock::new(|| Face::parse(dejavu::sans_condensed::regular(), 0).ok());
-
-/// The glyphs of a text with where each starts, in units of the type's size.
-fn glyphs(text: &str) -> (Vec<(GlyphId, f64)>, f64) {
-    let Some(face) = FACE.as_ref() else { return (Vec::new(), 0.5 * text.chars().count() as f64) };
-    let scale = 1.0 / f64::from(face.units_per_em());
-    let mut x = 0.0;
-    let mut list = Vec::new();
-    for c in text.chars().map(|c| if c == '\t' { ' ' } else { c }) {
-        // A sign that the typeface does not have is drawn as its box for such signs.
-        let glyph = face.glyph_index(c).unwrap_or(GlyphId(0));
-        list.push((glyph, x));
-        x += f64::from(face.glyph_hor_advance(glyph).unwrap_or(0)) * scale;
-    }
-    (list, x)
-}
-
-/// How wide a text is, in pixels at a size in pixels.
-pub(crate) fn width(text: &str, size: f64) -> f64 {
-    glyphs(text).1 * size
-}
 
 /// The text cut to a width, with an ellipsis where something is cut off.
 pub(crate) fn fitted(text: &str, size: f64, room: f64) -> String {
@@ -54,7 +31,7 @@ pub(crate) fn fitted(text: &str, size: f64, room: f64) -> String {
 /// The outlines of a text whose base line starts at 0, 0, y down, at a size of 1.
 pub(crate) fn outlines(text: &str) -> Path {
     let mut path = Path::default();
-    let Some(face) = FACE.as_ref() else { return path };
+    let Some(face) = face() else { return path };
     let scale = 1.0 / f64::from(face.units_per_em());
     for (glyph, x) in glyphs(text).0 {
         let mut pen = Pen { path: &mut path, x, scale, at: [0.0; 2] };

@@ -35,7 +35,6 @@ mod order;
 mod project;
 mod raster;
 mod result;
-mod scene;
 mod svg;
 
 use katydid_data::Colour;

@@ -44,7 +44,7 @@ fn sample() -> Result<Model, katydid_geometry::Error> {
     let mut add = |name: &str, layer: usize, geometry: Object| {
         let id = uuid::Uuid::from_u128(0xABCD_0000 + model.objects.len() as u128 + 1);
         let attributes = Attributes { id, name: name.into(), layer: Some(layer), ..Attributes::default() };
-        model.objects.push(ModelObject { geometry, attributes, user_data: Vec::new() });
+        model.objects.push(ModelObject { attributes, ..geometry.into() });
     };
     add("point", 2, Object::Point(Point3::new(0.1, -2.5, 1e6)));
     add("cloud", 2, Object::PointCloud(cloud()));

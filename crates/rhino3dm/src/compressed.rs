@@ -1,7 +1,11 @@
 //! Compressed buffers (section 4): a size, a CRC of the plain bytes, then either those bytes or a chunk that
 //! holds them as a zlib stream.
 
+mod stored;
+
 use std::io::Write;
+
+pub use stored::StoredBuffer;
 
 use flate2::write::ZlibEncoder;
 use flate2::{Compression, Decompress, FlushDecompress, Status};
@@ -66,14 +70,6 @@ impl<'a> Reader<'a> {
         };
         Ok(CompressedBuffer { what, offset, size, crc, content })
     }
-
-    /// The plain bytes of a compressed buffer, bounded by the limits on inflated data.
-    pub(crate) fn compressed(&mut self, what: &'static str) -> Result<Vec<u8>> {
-        let buffer = self.compressed_buffer(what)?;
-        let mut plain = vec![0; buffer.size()];
-        buffer.inflate_into(self.context(), &mut plain)?;
-        Ok(plain)
-    }
 }
 
 impl CompressedBuffer<'_> {
@@ -84,7 +80,7 @@ impl CompressedBuffer<'_> {
 
     /// Fills `room`, which must have [`CompressedBuffer::size`] bytes. Bytes that differ from their CRC are a
     /// warning.
-    pub(crate) fn inflate_into(self, context: &Context, room: &mut [u8]) -> Result<()> {
+    pub(crate) fn inflate_into(&self, context: &Context, room: &mut [u8]) -> Result<()> {
         let malformed = |why: String| Error::malformed(self.offset, self.what, why);
         match self.content {
             Content::Plain(bytes) if bytes.len() == room.len() => room.copy_from_slice(bytes),
@@ -92,9 +88,13 @@ impl CompressedBuffer<'_> {
             Content::Deflated(stream) => inflate(stream, room).map_err(malformed)?,
         }
         if self.size > 0 && crc32fast::hash(room) != self.crc {
-            context.bad_crc(self.offset, format!("CRC mismatch in the compressed {}", self.what));
+            self.warn_of_crc(context);
         }
         Ok(())
+    }
+
+    fn warn_of_crc(&self, context: &Context) {
+        context.bad_crc(self.offset, format!("CRC mismatch in the compressed {}", self.what));
     }
 }
 
@@ -159,11 +159,6 @@ pub(crate) fn pack_all<const N: usize>(plain: [&[u8]; N]) -> Result<[Packed; N]>
 }
 
 impl Writer {
-    /// A compressed buffer: plain up to 128 bytes, deflated beyond.
-    pub(crate) fn compressed(&mut self, plain: &[u8]) -> Result<()> {
-        self.packed(&Packed::new(plain)?)
-    }
-
     /// A buffer compressed before.
     pub(crate) fn packed(&mut self, buffer: &Packed) -> Result<()> {
         let size = u32::try_from(buffer.size).map_err(|_| Error::CannotWrite {

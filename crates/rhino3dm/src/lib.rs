@@ -49,6 +49,8 @@ mod read;
 mod recode;
 mod render_settings;
 mod settings;
+mod sha1;
+mod styles;
 mod tables;
 mod typecode;
 mod user_table;
@@ -60,6 +62,7 @@ pub use attributes::{
     ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source, StringsHistory,
 };
 pub use chunk::ChunkPath;
+pub use compressed::StoredBuffer;
 pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;
 pub use loss::Loss;
@@ -75,7 +78,9 @@ pub use object::{
 };
 pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};
 pub use overlay::{
-    ConstructionPlane, DimensionStyle, EarthAnchor, PageSettings, TextStyle, View, ViewProjection,
+    ConstructionPlane, DimensionStyle, EarthAnchor, EmbeddedFile, EmbeddedForm, HistoryRecord, HistoryValue,
+    HistoryValues, MappingKind, ObjectReference, PageSettings, TextStyle, TextureMapping, View,
+    ViewProjection,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};

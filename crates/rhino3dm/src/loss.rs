@@ -2,6 +2,7 @@
 
 use crate::model::{Model, ModelObject};
 use crate::object::Object;
+use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Result, tables::HatchFill};
 
@@ -30,7 +31,10 @@ impl Model {
     pub fn losses(&self, version: i32) -> Result<Vec<Loss>> {
         let target = Version::for_writing(version)?;
         let mut losses: Vec<Loss> = Vec::new();
-        for record in &self.kept {
+        let styles = Styles::of(self, target);
+        let kept = self.kept.iter().filter(|record| !styles.replaces(record.table));
+        let objects = self.lights.iter().chain(&self.objects);
+        for record in kept.chain(objects.filter_map(|object| object.history.as_deref())) {
             if let Err(why) = record.body_for(target) {
                 let name = record.name();
                 let what = format!("{name} of a version {} archive", record.archive_version);

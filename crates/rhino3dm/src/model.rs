@@ -96,11 +96,13 @@ pub struct ModelObject {
     pub attributes: Attributes,
     /// User data on the geometry itself. Of a kept object it is in its bytes, and nothing is here.
     pub user_data: Vec<UserData>,
+    /// What its record says of its history, as it was; programs of today keep that in [`Model::history`].
+    pub history: Option<Box<KeptRecord>>,
 }
 
 impl From<Object> for ModelObject {
     fn from(geometry: Object) -> Self {
-        Self { geometry, attributes: Attributes::default(), user_data: Vec::new() }
+        Self { geometry, attributes: Attributes::default(), user_data: Vec::new(), history: None }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::chunk::{Chunk, Reader, Writer};
 use crate::model::Model;
-use crate::{Result, typecode};
+use crate::{Result, StoredBuffer, typecode};
 
 /// What an archive says of itself besides its notes and its application.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -76,8 +76,8 @@ impl Default for NotesWindow {
 pub struct Preview {
     /// The header of the bitmap: size, width, height and so on.
     pub header: [u8; 40],
-    /// Palette and pixels, in one piece or two.
-    pub pieces: Vec<Vec<u8>>,
+    /// Palette and pixels, in one piece or two, as they are stored: most who read a model never look at them.
+    pub pieces: Vec<StoredBuffer>,
 }
 
 impl Time {
@@ -128,17 +128,18 @@ impl Preview {
         (number(4), number(8))
     }
 
-    fn read(body: &mut Reader<'_>) -> Result<Self> {
+    /// Reads a header and the pieces behind it up to the end.
+    pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         let mut preview = Self { header: body.array("preview")?, pieces: Vec::new() };
         while !body.is_at_end() {
-            preview.pieces.push(body.compressed("preview")?);
+            preview.pieces.push(body.stored_buffer("preview")?);
         }
         Ok(preview)
     }
 
     fn write(&self, w: &mut Writer) -> Result<()> {
         w.bytes(&self.header);
-        self.pieces.iter().try_for_each(|piece| w.compressed(piece))
+        self.pieces.iter().try_for_each(|piece| w.stored_buffer(piece))
     }
 }
 

@@ -14,6 +14,9 @@ pub struct Settings {
     pub length_display: i32,
     /// How many digits are shown.
     pub length_digits: i32,
+    /// The absolute and the angle tolerance as the archive has them, where one of them cannot be any: it is written
+    /// back for as long as the model has the default in its place.
+    pub impossible_tolerances: Option<[f64; 2]>,
     /// The layer of new objects, an index into [`Model::layers`](crate::Model::layers).
     pub current_layer: Option<usize>,
     /// The material of new objects, an index into [`Model::materials`](crate::Model::materials), and where their
@@ -34,6 +37,7 @@ impl Default for Settings {
         Self {
             length_display: 0,
             length_digits: 3,
+            impossible_tolerances: None,
             current_layer: None,
             current_material: None,
             current_colour: None,
@@ -150,6 +154,8 @@ pub(crate) struct StoredUnits {
     pub(crate) relative_tolerance: f64,
     /// How lengths are shown, and with how many digits.
     pub(crate) display: [i32; 2],
+    /// The absolute and the angle tolerance, where one of them cannot be any.
+    pub(crate) impossible: Option<[f64; 2]>,
 }
 
 /// Reads the body of a units record.
@@ -201,7 +207,9 @@ pub(crate) fn stored_units(
             (Units::None, Some(UnitScale { number, name, metres }))
         }
     };
-    StoredUnits { units, scale, tolerance, relative_tolerance, display: [0, 3] }
+    let kept = [tolerance.absolute, tolerance.angle] == [absolute, angle];
+    let impossible = (!kept && absolute.is_finite() && angle.is_finite()).then_some([absolute, angle]);
+    StoredUnits { units, scale, tolerance, relative_tolerance, display: [0, 3], impossible }
 }
 
 /// The number of a unit in archives, and its length in metres.
@@ -222,10 +230,27 @@ pub(crate) fn write_units(stored: &StoredUnits, w: &mut Writer) -> Result<()> {
     }
     w.i32(102);
     w.i32(number);
-    w.f64(stored.tolerance.absolute);
-    w.f64(stored.tolerance.angle);
+    let default = Tolerance::default();
+    let [absolute, angle] = stored.impossible.unwrap_or([f64::NAN; 2]);
+    for (ours, theirs, default) in [
+        (stored.tolerance.absolute, absolute, default.absolute),
+        (stored.tolerance.angle, angle, default.angle),
+    ] {
+        w.f64(if ours == default && theirs.is_finite() { theirs } else { ours });
+    }
     w.f64(stored.relative_tolerance);
     stored.display.iter().for_each(|number| w.i32(*number));
     w.f64(metres);
     w.string(name)
+}
+
+/// The length in metres of a unit by its number in archives, when it has one.
+pub(crate) fn unit_metres(number: i32) -> Option<f64> {
+    // No unit at all and one of somebody's own have none.
+    if number == 0 || number == CUSTOM {
+        return None;
+    }
+    let known = UNITS.iter().map(|(known, _, metres)| (*known, *metres));
+    let all = known.chain(OTHER_UNITS.iter().map(|(known, _, metres)| (*known, *metres)));
+    all.into_iter().find(|(known, _)| *known == number).map(|(_, metres)| metres)
 }

@@ -74,6 +74,7 @@ pub(crate) const OBJECT_RECORD: u32 = 0x2000_8070;
 pub(crate) const OBJECT_RECORD_TYPE: u32 = 0x8200_0071;
 pub(crate) const OBJECT_ATTRIBUTES: u32 = 0x0200_8072;
 pub(crate) const OBJECT_USER_DATA: u32 = 0x0200_0073;
+pub(crate) const OBJECT_HISTORY: u32 = 0x0200_8074;
 pub(crate) const OBJECT_RECORD_END: u32 = 0x8200_007F;
 
 pub(crate) const CLASS: u32 = 0x0002_7FFA;
@@ -121,6 +122,7 @@ pub(crate) fn name(typecode: u32) -> Option<&'static str> {
         0x2000_8090 => "bitmap record",
         0x2000_003B..=0x2000_FFFF if typecode & 0xFF == 0x3B => "view",
         LIGHT_ATTRIBUTES | OBJECT_ATTRIBUTES => "attributes",
+        OBJECT_HISTORY => "history",
         LIGHT_USER_DATA | OBJECT_USER_DATA => "attribute user data",
         CLASS => "class",
         CLASS_UUID => "class identifier",
@@ -193,6 +195,7 @@ pub(crate) fn record_name(typecode: u32) -> Option<&'static str> {
         LINETYPE_RECORD => "linetype",
         TEXTURE_MAPPING_RECORD => "texture mapping",
         HISTORY_RECORD => "history record",
+        OBJECT_HISTORY => "history of an object",
         BITMAP_RECORD => "bitmap or embedded file",
         _ => return None,
     })

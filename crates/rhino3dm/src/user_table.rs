@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use uuid::{Uuid, uuid};
 
-use crate::chunk::{Chunk, Reader, Writer};
+use crate::chunk::{Chunk, Context, Reader, Writer};
 use crate::recode::recode;
 use crate::version::Version;
 use crate::{Error, Result, typecode};
@@ -100,6 +100,11 @@ impl UserTable {
             w.short(typecode::END_OF_TABLE, 0);
             Ok(())
         })
+    }
+
+    /// A reader of the body under the rules of its version.
+    pub(crate) fn reader<'a>(&'a self, context: &'a Context) -> Reader<'a> {
+        Reader::new(&self.body, self.version(), context)
     }
 
     fn version(&self) -> Version {

@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests only")]
 
 use katydid_3dm::{
-    Attributes, Error, Group, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud, UnitScale,
+    Attributes, Error, Group, KeptRecord, Layer, Limits, Model, ModelObject, Object, ObjectMode, PointCloud,
+    Table, UnitScale,
 };
 use katydid_geometry::{
     Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Mesh, MeshFace, NurbsCurve, NurbsSurface, Plane,
@@ -162,7 +163,7 @@ proptest! {
                 colour: marked.then_some([1, 2, 3, 200]),
                 ..Attributes::default()
             };
-            model.objects.push(ModelObject { geometry, attributes, user_data: vec![] });
+            model.objects.push(ModelObject { attributes, ..geometry.into() });
         }
         for version in VERSIONS {
             let back = Model::read(&model.write(version).unwrap(), &Limits::default()).unwrap();
@@ -281,4 +282,34 @@ fn numbers_the_kernel_refuses_are_an_error_alone_and_kept_bytes_in_an_archive() 
     let back = read(&model, 70);
     assert!(matches!(back.objects[0].geometry, Object::Kept(_)));
     assert!(back.warnings[0].message.contains("kept as bytes"));
+}
+
+#[test]
+fn what_a_record_says_of_the_history_of_its_object_is_carried() {
+    // A chunk inside: of a version 4 archive, with lengths of 4 bytes.
+    let inner = [&[0x00, 0x80, 0x00, 0x40, 8, 0, 0, 0][..], &[1, 2, 3, 4], &crc32(&[1, 2, 3, 4])].concat();
+    let own = [9, 8, 7];
+    let body = [&own[..], &inner, &crc32(&own)].concat();
+    let history = KeptRecord {
+        table: Table::Objects,
+        typecode: 0x0200_8074,
+        value: body.len() as i64,
+        body,
+        archive_version: 4,
+        opennurbs_version: 200_712_190,
+    };
+    let mut model = Model::default();
+    let point = Object::Point(Point3::ORIGIN);
+    model.objects.push(ModelObject { history: Some(Box::new(history.clone())), ..point.into() });
+    let back = |version| Model::read(&model.write(version).unwrap(), &Limits::default()).unwrap();
+    assert_eq!(back(4).objects[0].history.as_ref().unwrap().body, history.body);
+    let wide = back(50).objects.remove(0).history.unwrap();
+    assert_eq!((wide.body.len(), wide.archive_version), (history.body.len() + 4, 50));
+    assert!(model.losses(50).unwrap().is_empty());
+    assert_eq!(model.losses(70).unwrap()[0].what, "history of an object of a version 4 archive");
+    assert_eq!(back(70).objects[0].history, None);
+}
+
+fn crc32(bytes: &[u8]) -> [u8; 4] {
+    crc32fast::hash(bytes).to_le_bytes()
 }

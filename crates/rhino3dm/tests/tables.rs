@@ -31,7 +31,7 @@ fn point(attributes: Attributes) -> ModelObject {
 
 fn pattern(name: &str, number: i32, fill: HatchFill) -> HatchPattern {
     let name = name.to_owned();
-    HatchPattern { id: id(60 + number as u128), number: Some(number), name, fill, ..HatchPattern::default() }
+    HatchPattern { id: id(60 + number as u128), name, fill, ..HatchPattern::default() }
 }
 
 /// Every kind of entry, with what all versions can carry.
@@ -137,7 +137,7 @@ fn what_came_with_later_versions_comes_back_from_them() {
     let style = SectionStyle {
         background: Some(2),
         boundary_visible: Some(false),
-        hatch: Some(3),
+        hatch: Some(1),
         hatch_scale: Some(2.0),
         boundary_linetype: Some(Box::new(Linetype::new("own", &[1.0, 1.0]))),
         ..SectionStyle::default()

@@ -5,6 +5,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+from peer import links
 from peer.tables import check_tables
 
 
@@ -23,6 +24,11 @@ def test_tables_are_those_that_rhino3dm_has():
     assert not differences, "\n".join(differences)
 
 
+def test_what_refers_to_something_is_read_by_rhino3dm():
+    links.check_all()
+
+
 if __name__ == "__main__":
+    test_what_refers_to_something_is_read_by_rhino3dm()
     for difference in check_tables():
         print(difference)

@@ -10,7 +10,7 @@ use katydid_definition::document::{self, Branch, Material, Persistent, Stored, i
 use katydid_definition::kd::{Catalogue, Expect, Facts, PortFacts};
 use uuid::Uuid;
 
-/// The registry of components as a catalogue for the text form.
+/// The registry as a catalogue for the text form.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Registry;
 

@@ -17,6 +17,7 @@ mod bake;
 mod catalogue;
 mod change;
 mod check;
+pub mod display;
 mod editor;
 mod edits;
 mod input;

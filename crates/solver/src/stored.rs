@@ -5,6 +5,7 @@ use katydid_component::{Message, RhinoModel, RhinoObject};
 use katydid_data::{
     Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
 };
+use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
@@ -53,7 +54,10 @@ impl Missing<'_> {
         let (objects, are) = if self.referenced.len() == 1 { ("object", "is") } else { ("objects", "are") };
         let ids = ids.join(", ");
         match self.model {
-            None => format!("Needs the Rhino model: {objects} {ids} {are} referenced, and not in this file"),
+            None => format!(
+                "Needs the Rhino model: {objects} {ids} {are} referenced, and not in this file \
+                 (katydid run FILE --model MODEL.3dm)"
+            ),
             Some(_) => format!("Referenced {objects} {ids} {are} not in the Rhino model"),
         }
     }
@@ -69,6 +73,8 @@ fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
         Stored::Colour(c) => Value::Colour(colour(*c)),
         Stored::Time(ticks) => Value::Time(DateTime { ticks: *ticks }),
         Stored::Guid(id) => Value::Guid(*id),
+        // The component that takes it looks the path up.
+        Stored::Content(path) => Value::from(path.as_str()),
         Stored::Point(p) => Value::Point(*p),
         Stored::Vector(v) => Value::Vector(*v),
         Stored::Plane(p) => Value::from(**p),
@@ -121,6 +127,11 @@ fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
         Stored::Geometry(g) => return geometry(g, missing),
         // Which coordinates Points to Numbers takes; the meaning of other codes is not known.
         Stored::Unknown(chunk) if chunk.i32("CMask") == Some(4) => Value::text("XYZ"),
+        // A culture by its number, a unit by its own.
+        Stored::Unknown(chunk) if is_only(chunk, "LCID") => return chunk.i32("LCID").map(Value::Integer),
+        Stored::Unknown(chunk) if is_only(chunk, "BaseSystem") => {
+            return chunk.i32("BaseSystem").map(Value::Integer);
+        }
         Stored::Unknown(chunk) => {
             let names: Vec<&str> = chunk.items.iter().map(|i| i.name.as_str()).collect();
             missing.add(format!("A stored value is of an unknown form ({})", names.join(", ")));
@@ -131,6 +142,12 @@ fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
             return None;
         }
     })
+}
+
+/// Whether a stored value has this item and no other, but for the name of its type.
+fn is_only(chunk: &Chunk, name: &str) -> bool {
+    let mut others = chunk.items.iter().filter(|item| item.name != "TypeName");
+    chunk.chunks.is_empty() && others.next().is_some_and(|item| item.name == name) && others.next().is_none()
 }
 
 fn colour(c: katydid_definition::archive::Colour) -> Colour {

@@ -1,5 +1,18 @@
-import { t } from "../i18n";
+import { useEffect } from "react";
 
+import "./tokens.css";
+import "./app.css";
+import "../actions";
+import { Player } from "../player/Player";
+import { StartPage } from "../start/StartPage";
+import { place } from "./place";
+import { followTheme } from "./settings";
+import { Workbench } from "./Workbench";
+
+/** The page: the start, a document on the workbench, or a document in the player. */
 export function App() {
-  return <main>{t("app.title")}</main>;
+  useEffect(() => followTheme(), []);
+  const { document, player } = place(location.search);
+  if (!document) return <StartPage />;
+  return player ? <Player id={document} /> : <Workbench id={document} />;
 }

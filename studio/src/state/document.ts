@@ -69,9 +69,17 @@ export function patched(mirror: DocumentMirror, patch: Extract<Event, { event: "
     for (const object of patch.put) objects.set(object.id, object);
     for (const id of patch.removed) objects.delete(id);
   }
-  const order = patch.order ?? (objects.size === mirror.order.length ? mirror.order : [...objects.keys()]);
+  const order = patch.order ?? (touched ? reordered(mirror.order, objects) : mirror.order);
   const known = touched ? ports(objects) : { inputs: mirror.inputs, outputs: mirror.outputs };
   return { ...mirror, revision: patch.revision, document, objects, order, ...known };
+}
+
+/** The order without what is gone; what is new comes last. */
+function reordered(order: readonly string[], objects: ReadonlyMap<string, ObjectView>): readonly string[] {
+  const kept = order.filter((id) => objects.has(id));
+  if (kept.length === order.length && kept.length === objects.size) return order;
+  const known = new Set(kept);
+  return [...kept, ...[...objects.keys()].filter((id) => !known.has(id))];
 }
 
 function ports(objects: ReadonlyMap<string, ObjectView>): Pick<DocumentMirror, "inputs" | "outputs"> {

@@ -2,14 +2,11 @@
 
 import { createStore } from "zustand/vanilla";
 
-export type Theme = "system" | "light" | "dark";
-
 export interface Ui {
   /** The ids of the selected objects. */
   selection: ReadonlySet<string>;
   /** The object under the pointer, on the canvas or in the viewport. */
   hovered: string | undefined;
-  theme: Theme;
   /** Full names or nicknames on capsules. */
   fullNames: boolean;
   /** Milliseconds below each capsule. */
@@ -19,7 +16,6 @@ export interface Ui {
 export const uiStore = createStore<Ui>(() => ({
   selection: new Set(),
   hovered: undefined,
-  theme: "system",
   fullNames: false,
   profiler: false,
 }));

@@ -24,4 +24,4 @@ mod passive;
 mod primitive;
 mod rhino;
 mod util;
-mod wildcard;
+pub(crate) mod wildcard;

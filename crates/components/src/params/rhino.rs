@@ -1,19 +1,12 @@
-//! What looks into the Rhino model beside the definition.
+//! The pipeline that looks into the Rhino model beside the definition.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
-use katydid_component::{Context, Message, RhinoModel, RhinoObject, component};
-use katydid_data::{Geometry, Path, Tree, TreeBuilder, Value};
+use katydid_component::{Context, Message, RhinoObject, component};
+use katydid_data::{Path, Tree, TreeBuilder, Value};
 
 use super::wildcard::Wildcard;
-
-/// The model, or the warning that there is none.
-fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
-    context.model().ok_or_else(|| {
-        Message::warning("Needs the Rhino model: none is given (katydid run FILE --model MODEL.3dm)")
-    })
-}
+use crate::rhino::model;
 
 /// The geometry of the objects, and one warning for all whose class no value holds.
 fn geometry<'a>(
@@ -114,47 +107,6 @@ fn geometry_pipeline(
     Ok(builder.finish())
 }
 
-/// Finds objects in the Rhino model by name, layer and state.
-///
-/// `*` in a filter stands for any text, `?` for one character. An input without data asks for nothing. The model is the file given to `katydid run` with `--model`.
-#[component(
-    "3ed98048-ed09-41ef-b378-74c60c8d3e9a",
-    name = "Query Model Objects",
-    nick = "Objects",
-    at = "Rhino/Model"
-)]
-#[output("Objects", "O", "The geometry of the objects, in the order of the model.")]
-fn query_model_objects(
-    context: &Context<'_>,
-    /// The name.
-    #[port("Name", "N", optional)]
-    name: Option<Arc<str>>,
-    /// The layer, by its path (`Outer::Inner`) or its own name.
-    #[port("Layer", "L", optional)]
-    layer: Option<Arc<str>>,
-    /// The name of a group.
-    #[port("Group", "G", optional)]
-    group: Option<Arc<str>>,
-    /// Whether locked objects count.
-    #[port("Locked", "Lo", default = true)]
-    locked: bool,
-    /// Whether hidden objects count.
-    #[port("Hidden", "Ho", default = true)]
-    hidden: bool,
-) -> Result<Vec<Geometry>, Message> {
-    let names = name.as_deref().map(Wildcard::new).transpose()?;
-    let layers = layer.as_deref().map(Wildcard::new).transpose()?;
-    let groups = group.as_deref().map(Wildcard::new).transpose()?;
-    let objects = model(context)?.objects().iter().filter(|object| {
-        (hidden || !object.is_hidden)
-            && (locked || !object.is_locked)
-            && names.as_ref().is_none_or(|names| names.takes(&object.name))
-            && layers.as_ref().is_none_or(|layers| layers.takes_layer(&object.layer))
-            && groups.as_ref().is_none_or(|groups| object.groups.iter().any(|name| groups.takes(name)))
-    });
-    Ok(geometry(context, objects)?.into_iter().map(|(_, value)| Geometry(value)).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use katydid_3dm::{Attributes, Layer, Model, ModelObject, Object, ObjectMode};
@@ -199,16 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn objects_are_asked_for_by_name_layer_and_state() {
-        let query = || Trial::of("Query Model Objects").model(model());
-        assert_eq!(query().texts(0), ["{0;0}: {1, 0, 0}, {2, 0, 0}, Line-like Curve"]);
-        assert_eq!(query().item("north").item("Walls").texts(0), ["{0;0}: {2, 0, 0}"]);
-    }
-
-    #[test]
     fn without_a_model_it_says_so() {
-        for name in ["Geometry Pipeline", "Query Model Objects"] {
-            assert!(Trial::of(name).message().starts_with("Needs the Rhino model"), "{name}");
-        }
+        assert!(Trial::of("Geometry Pipeline").message().starts_with("Needs the Rhino model"));
     }
 }

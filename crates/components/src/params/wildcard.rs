@@ -5,15 +5,15 @@ use regex::{Regex, RegexBuilder};
 
 /// A filter in which `*` stands for any text and `?` for any character; case does not matter.
 #[derive(Debug)]
-pub(super) struct Wildcard(Regex);
+pub(crate) struct Wildcard(Regex);
 
 impl Wildcard {
-    pub(super) fn new(pattern: &str) -> Result<Self, Message> {
+    pub(crate) fn new(pattern: &str) -> Result<Self, Message> {
         Self::of(pattern, "")
     }
 
     /// The filter that also takes the layers inside those that `pattern` names.
-    pub(super) fn with_sublayers(pattern: &str) -> Result<Self, Message> {
+    pub(crate) fn with_sublayers(pattern: &str) -> Result<Self, Message> {
         Self::of(pattern, "(::.*)?")
     }
 
@@ -23,12 +23,12 @@ impl Wildcard {
         regex.map(Self).map_err(|error| Message::error(format!("The filter cannot be used: {error}")))
     }
 
-    pub(super) fn takes(&self, name: &str) -> bool {
+    pub(crate) fn takes(&self, name: &str) -> bool {
         self.0.is_match(name)
     }
 
     /// Whether it takes a layer, by its path from the outermost layer in or by its own name.
-    pub(super) fn takes_layer(&self, path: &str) -> bool {
+    pub(crate) fn takes_layer(&self, path: &str) -> bool {
         self.takes(path) || last_names(path).any(|name| self.takes(name))
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message};
-use katydid_data::{Path, Value};
+use katydid_data::{Content, Path, Value};
 use uuid::Uuid;
 
 /// The value of an item in a form that can be hashed: equal keys are equal items.
@@ -44,6 +44,17 @@ fn object<T: ?Sized>(shared: &Arc<T>) -> Key {
     Key::Object(Arc::as_ptr(shared).cast::<u8>() as usize)
 }
 
+/// Layers, linetypes and blocks are the same when their path is; other content when it is one object.
+fn content(shared: &Arc<Content>) -> Key {
+    match &**shared {
+        Content::Object(_) | Content::Instance(_) | Content::Filter(_) => object(shared),
+        named => match named.path() {
+            Some(path) => Key::Shape(format!("{} {path}", named.type_name())),
+            None => object(shared),
+        },
+    }
+}
+
 impl Key {
     /// The key of an item or of a null.
     pub(super) fn of(item: Option<&Value>) -> Self {
@@ -68,6 +79,7 @@ impl Key {
             Value::Material(shared) => object(shared),
             Value::Group(shared) => object(shared),
             Value::Kept(shared) => object(shared),
+            Value::Content(shared) => content(shared),
             Value::Time(_)
             | Value::Domain2(_)
             | Value::Plane(_)

@@ -3,8 +3,10 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::Message;
-use katydid_data::{Group, Value};
+use katydid_data::{Content, Group, ModelObject, Value};
 use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
+
+use super::kept;
 
 /// Groups in groups beyond this depth are refused.
 const DEEPEST: usize = 100;
@@ -52,9 +54,14 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
             let members = group.members.iter().map(member).collect::<Result<_, Message>>()?;
             Value::Group(Shared::new(Group { members }))
         }
-        Value::Kept(object) => {
-            return Err(Message::error(format!("A {} cannot be transformed yet", object.class_name())));
-        }
+        Value::Content(content) => match &**content {
+            Content::Instance(instance) => Value::from(instance.transformed(xform)),
+            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                at_depth(geometry, xform, depth + 1)?
+            }
+            other => return Err(Message::error(format!("A {} cannot be transformed", other.type_name()))),
+        },
+        Value::Kept(object) => kept::transformed(object, xform)?,
         other => return Err(Message::error(format!("A {} cannot be transformed", other.kind()))),
     })
 }

@@ -1,6 +1,6 @@
 //! How far geometry reaches along the axes of a plane.
 
-use katydid_data::{Kind, Value, cast};
+use katydid_data::{Content, Kind, ModelObject, Value, cast};
 use katydid_geometry::{Box3, Plane, Point3};
 
 /// Groups in groups beyond this depth are left out.
@@ -25,6 +25,14 @@ fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
         }
         Value::Circle(_) | Value::Arc(_) => match cast::value(value, Kind::Curve, &cast::Rules::default()) {
             Some(Value::Curve(curve)) => curve.bounding_box_in(plane).corners().to_vec(),
+            _ => Vec::new(),
+        },
+        Value::Content(content) => match &**content {
+            // Round the box of the block, not round each of its objects: blocks in blocks may show millions.
+            Content::Instance(instance) => instance.bounds().map_or_else(Vec::new, |b| b.corners().to_vec()),
+            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                corners(geometry, plane, depth + 1)
+            }
             _ => Vec::new(),
         },
         Value::Group(group) if depth < DEEPEST => {

@@ -5,6 +5,7 @@ mod apply;
 mod array;
 mod euclidean;
 mod extent;
+mod kept;
 mod morph;
 mod util;
 

@@ -12,7 +12,11 @@ use std::sync::Arc as Shared;
 
 use katydid_geometry::{Tolerance, Units};
 
-use crate::{Column, Compound, Gather, Geometry, Items, Kind, Material, Path, Value, text};
+use crate::{
+    Column, Compound, Content, Gather, Geometry, Items, Kind, Material, ModelObject, Path, Value, text,
+};
+
+pub(crate) use place::bounds;
 
 pub use parse::{
     colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point,
@@ -36,6 +40,9 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
     if let (Value::Kept(brep), Kind::Domain2 | Kind::Plane | Kind::Box) = (value, kind) {
         let bare = brep.bare_surface().ok().flatten()?;
         return self::value(&Value::from(bare.surface), kind, rules);
+    }
+    if let Value::Content(content) = value {
+        return self::content(value, content, kind, rules);
     }
     match kind {
         Kind::Generic => Some(value.clone()),
@@ -110,9 +117,29 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             _ => None,
         },
         Kind::Location => parse::location(value).map(Value::Location),
+        Kind::Content => geometry(value).map(|geometry| Value::from(ModelObject::new(geometry))),
         Kind::LoftOptions | Kind::MeshSettings | Kind::Field | Kind::Symbol | Kind::Group | Kind::Kept => {
             None
         }
+    }
+}
+
+/// Where geometry is asked for, an object is its geometry; a block placed in space stays one.
+fn content(value: &Value, content: &Content, kind: Kind, rules: &Rules) -> Option<Value> {
+    match (content, kind) {
+        (_, Kind::Generic | Kind::Content) => Some(value.clone()),
+        (_, Kind::Text) => {
+            let style = text::Style { units: rules.units, tolerance: rules.tolerance };
+            Some(Value::text(text::value(value, &style)))
+        }
+        (Content::Object(object), Kind::Guid) => object.id.map(Value::Guid),
+        // The geometry of an object is never an object, so that this goes no deeper.
+        (Content::Object(object), _) => self::value(object.geometry.as_ref()?, kind, rules),
+        (Content::Instance(_), Kind::Geometry) => Some(value.clone()),
+        (Content::Instance(instance), Kind::Transform) => Some(Value::from(instance.transform)),
+        (Content::Instance(_), Kind::Box) => place::bounding_box(value).map(|b| Value::Box(Shared::new(b))),
+        (Content::Layer(layer), Kind::Colour) => layer.colour.map(Value::Colour),
+        _ => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use katydid_geometry::{BoundingBox, Box3, Interval, Mesh, Plane, Point3, Vector3};
 
 use super::{Rules, curve, parse};
-use crate::Value;
+use crate::{Content, Value};
 
 /// The place of a value: a plane's origin, a circle's centre, the middle of a line, rectangle or box.
 pub(super) fn point(value: &Value, rules: &Rules) -> Option<Point3> {
@@ -69,13 +69,18 @@ pub(super) fn bounding_box(value: &Value) -> Option<Box3> {
 }
 
 /// The bounds of a value along the world axes.
-fn bounds(value: &Value) -> Option<BoundingBox> {
+pub(crate) fn bounds(value: &Value) -> Option<BoundingBox> {
     match value {
         Value::Point(p) => BoundingBox::from_points([*p]),
         Value::Mesh(mesh) => BoundingBox::from_points(mesh.vertices().iter().copied()),
         Value::Box(b) => BoundingBox::from_points(b.corners()),
         Value::TwistedBox(b) => BoundingBox::from_points(b.corners),
         Value::Surface(surface) => surface.bounding_box().ok(),
+        Value::Content(content) => match &**content {
+            Content::Object(object) => bounds(object.geometry.as_ref()?),
+            Content::Instance(instance) => instance.bounds(),
+            _ => None,
+        },
         Value::Group(group) => {
             let boxes = group.members.iter().flatten().filter_map(bounds);
             boxes.reduce(|a, b| a.union(&b))

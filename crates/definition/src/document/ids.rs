@@ -47,6 +47,8 @@ pub const DATA_RECORDER: Uuid = uuid!("401aa475-997a-4139-991d-f980ffdcf908");
 pub const CHERRY_PICKER: Uuid = uuid!("0ab6acbf-40a6-40e1-a14e-cf0c06268e68");
 /// Image Sampler.
 pub const IMAGE_SAMPLER: Uuid = uuid!("d69a3494-785b-4beb-969b-d2373f65abfd");
+/// Geometry Pipeline.
+pub const GEOMETRY_PIPELINE: Uuid = uuid!("b341e2e5-c4b3-49a3-b3a4-b4e6e2054516");
 /// Expression, with variable inputs.
 pub const EXPRESSION: Uuid = uuid!("9df5e896-552d-4c8c-b9ca-4fc147ffa022");
 /// Trigger, once called Timer.

@@ -59,6 +59,8 @@ pub enum Stored {
     LoftOptions(Box<LoftOptions>),
     /// The settings of a mesher.
     MeshSettings(Box<MeshSettings>),
+    /// Content of a Rhino model by its path, a linetype or layer say; the parameter tells which.
+    Content(String),
     /// A curve, surface, brep, mesh or the like.
     Geometry(Box<StoredGeometry>),
     /// An item of a shape that is not known here, as it is.
@@ -178,6 +180,10 @@ impl Stored {
         }
         let mut items = item.items.iter().filter(|item| item.name != "TypeName");
         let Some(first) = items.next() else { return Some(Self::Null) };
+        // The name of a type beside a path cannot be made anew from it.
+        if first.name == "Path" && item.item("TypeName").is_some() {
+            return None;
+        }
         if items.next().is_none() && first.name != "RefID" {
             return simple(&first.name, &first.value);
         }
@@ -211,6 +217,7 @@ impl Stored {
             Self::Material(_) => "material",
             Self::LoftOptions(_) => "loft options",
             Self::MeshSettings(_) => "mesh settings",
+            Self::Content(_) => "model content",
             Self::Geometry(_) => "geometry",
             Self::Unknown(_) => "unknown value",
         }
@@ -226,6 +233,7 @@ fn simple(name: &str, value: &ItemValue) -> Option<Stored> {
         ("boolean", ItemValue::Bool(b)) => Stored::Boolean(*b),
         ("string", ItemValue::String(text)) => Stored::Text(text.clone()),
         ("null_string", ItemValue::Bool(true)) => Stored::Null,
+        ("Path", ItemValue::String(path)) => Stored::Content(path.clone()),
         ("path", ItemValue::String(text)) => Stored::Path(super::parse_path(text)?),
         (_, ItemValue::Colour(colour)) => Stored::Colour(*colour),
         (_, ItemValue::Date(ticks)) => Stored::Time(*ticks),

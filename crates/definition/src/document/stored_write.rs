@@ -96,6 +96,7 @@ impl Stored {
                 Item::new("SimplePlanes", m.simple_planes),
                 Item::new("Tolerance", m.tolerance),
             ],
+            Self::Content(path) => vec![Item::new("Path", path.as_str())],
             Self::Geometry(geometry) => geometry_items(geometry),
         }
     }
@@ -103,7 +104,11 @@ impl Stored {
     /// The .NET type that Grasshopper gives the value; `None` where the value has none or brings its own.
     fn dot_net_type(&self) -> Option<String> {
         let kind = match self {
-            Self::Null | Self::Unknown(_) | Self::MeshSettings(_) | Self::LoftOptions(_) => return None,
+            Self::Null
+            | Self::Unknown(_)
+            | Self::Content(_)
+            | Self::MeshSettings(_)
+            | Self::LoftOptions(_) => return None,
             Self::Geometry(geometry) => return geometry.type_name.clone(),
             Self::Number(_) => "GH_Number",
             Self::Integer(_) => "GH_Integer",

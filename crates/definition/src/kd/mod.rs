@@ -38,6 +38,7 @@ mod object;
 mod own;
 mod parse_parts;
 mod parser;
+mod pipeline;
 mod problem;
 mod raw_value;
 mod residue;

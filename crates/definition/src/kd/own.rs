@@ -3,6 +3,7 @@
 use uuid::Uuid;
 
 use super::ast::{Argument, Lit, LitKind, Target, Values};
+use super::pipeline;
 use super::problem::Fault;
 use super::raw_value::{colour_form, string_form};
 use super::text;
@@ -42,12 +43,14 @@ pub(super) fn take<'a>(
             }
         }
         ids::SCRIBBLE => scribble(&mut own, container),
+        ids::GEOMETRY_PIPELINE => pipeline::take(&mut own, container),
         _ => {}
     }
     own.rest
 }
 
-struct Own<'a, 'f> {
+/// The arguments of an object that are not taken yet.
+pub(super) struct Own<'a, 'f> {
     rest: Vec<&'a Argument>,
     faults: &'f mut Vec<Fault>,
 }
@@ -77,7 +80,12 @@ impl Own<'_, '_> {
     }
 
     /// The argument of this name; a fault when it does not read as this.
-    fn named<T>(&mut self, name: &str, what: &str, read: impl Fn(&Argument) -> Option<T>) -> Option<T> {
+    pub(super) fn named<T>(
+        &mut self,
+        name: &str,
+        what: &str,
+        read: impl Fn(&Argument) -> Option<T>,
+    ) -> Option<T> {
         let is = |argument: &&Argument| argument.name.as_ref().is_some_and(|label| label.text == name);
         let k = self.rest.iter().position(is)?;
         let argument = self.rest.remove(k);
@@ -95,13 +103,13 @@ impl Own<'_, '_> {
         })
     }
 
-    fn boolean(&mut self, name: &str) -> Option<bool> {
+    pub(super) fn boolean(&mut self, name: &str) -> Option<bool> {
         self.named(name, "true or false", |argument| {
             if let LitKind::Boolean(b) = literal(argument)?.kind { Some(b) } else { None }
         })
     }
 
-    fn text(&mut self, name: &str) -> Option<String> {
+    pub(super) fn text(&mut self, name: &str) -> Option<String> {
         self.named(name, "a text in quotes", |argument| text_of(literal(argument)?))
     }
 
@@ -110,7 +118,7 @@ impl Own<'_, '_> {
     }
 
     /// One of a few words; gives its number.
-    fn word(&mut self, name: &str, words: &[&str]) -> Option<i32> {
+    pub(super) fn word(&mut self, name: &str, words: &[&str]) -> Option<i32> {
         let what = format!("one of {}", words.join(", "));
         self.named(name, &what, |argument| word_of(argument, words))
     }
@@ -242,6 +250,7 @@ pub(super) fn print(object: &Object) -> Vec<String> {
         ids::VALUE_LIST => print_value_list(c),
         ids::EXPRESSION => c.str("Expression").map(|text| string_form(text, 0)).into_iter().collect(),
         ids::SCRIBBLE => print_scribble(c),
+        ids::GEOMETRY_PIPELINE => pipeline::print(c),
         _ => Vec::new(),
     }
 }

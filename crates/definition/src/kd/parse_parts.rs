@@ -10,7 +10,7 @@ use super::problem::{Fault, nearest};
 use super::{raw_value, text};
 
 /// Values that are written like calls. Components have capitals, or quotes.
-pub(super) const MADE: [&str; 17] = [
+pub(super) const MADE: [&str; 18] = [
     "point",
     "vector",
     "plane",
@@ -25,6 +25,7 @@ pub(super) const MADE: [&str; 17] = [
     "material",
     "loft",
     "mesher",
+    "content",
     "geometry",
     "rgb",
     "int",

@@ -200,6 +200,7 @@ fn made(lit: &Lit, what: &str, list: &[(Option<String>, Lit)], data: &Data<'_>) 
         "plane" => return Ok(Stored::Plane(Box::new(plane(lit, list)?))),
         "rgb" => return Ok(Stored::Colour(colour(lit)?)),
         "int" => Stored::Integer(p.integer()?),
+        "content" => Stored::Content(p.text()?.to_owned()),
         "guid" => {
             let id = p.next("@ and a GUID")?;
             let LitKind::Guid(id) = id.kind else { return Err(wrong(id, "@ and a GUID")) };
@@ -351,6 +352,7 @@ fn print_one(value: &Stored, expect: Expect, keep: &mut dyn FnMut(&[u8]) -> u32)
         Stored::Colour(c) => colour_form(*c),
         Stored::Time(ticks) => format!("time(\"{ticks}\")"),
         Stored::Guid(id) => format!("guid(@{id})"),
+        Stored::Content(path) => format!("content({})", text::quote(path, '"')),
         Stored::Point(p) if expect == Expect::Vector => format!("point{}", xyz(*p)),
         Stored::Point(p) => xyz(*p),
         Stored::Vector(v) if expect == Expect::Vector => xyz(*v),

@@ -122,6 +122,7 @@ fn all() -> Vec<Facts> {
         ),
         parameter(uuid!("3e8ca6be-fda8-4aaf-b5c0-3c54c8bb7312"), "Number", Expect::Number),
         parameter(uuid!("fbac3e32-f100-4292-8692-77240a42fd1a"), "Point", Expect::Anything),
+        parameter(ids::GEOMETRY_PIPELINE, "Geometry Pipeline", Expect::Anything),
     ]
 }
 

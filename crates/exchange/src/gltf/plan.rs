@@ -255,10 +255,8 @@ impl Planner {
 pub(super) fn count(piece: &Piece<'_>, list: List) -> usize {
     match (list, &piece.form) {
         (List::Positions, _) => piece.points().len(),
-        (List::Normals, Form::Points(set)) => set.normals.len(),
-        (List::Normals, Form::Mesh(mesh)) => mesh.normals().len(),
-        (List::Colours, Form::Points(set)) => set.colours.len(),
-        (List::Colours, Form::Mesh(mesh)) => mesh.colours().len(),
+        (List::Normals, _) => piece.normals().len(),
+        (List::Colours, _) => piece.colours().len(),
         (List::Indices, Form::Mesh(mesh)) => 3 * triangles(mesh),
         _ => 0,
     }

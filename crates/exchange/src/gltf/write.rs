@@ -77,8 +77,8 @@ fn numbers(plan: &Plan, pieces: &[Piece<'_>], out: &mut dyn Write) -> Result<()>
                 List::Positions => {
                     piece.points().iter().try_for_each(|p| bytes.bytes(&little(frame.place(*p))))?;
                 }
-                List::Normals => normals(piece).iter().try_for_each(|n| bytes.bytes(&little(unit(*n))))?,
-                List::Colours => colours(piece).iter().try_for_each(|c| {
+                List::Normals => piece.normals().iter().try_for_each(|n| bytes.bytes(&little(unit(*n))))?,
+                List::Colours => piece.colours().iter().try_for_each(|c| {
                     let mut item = [0; 8];
                     for (place, part) in item.chunks_exact_mut(2).zip(colour::to_wide(*c)) {
                         place.copy_from_slice(&part.to_le_bytes());
@@ -95,22 +95,6 @@ fn numbers(plan: &Plan, pieces: &[Piece<'_>], out: &mut dyn Write) -> Result<()>
         }
     }
     bytes.flush()
-}
-
-fn normals<'a>(piece: &'a Piece<'_>) -> &'a [Vector3] {
-    match &piece.form {
-        Form::Points(set) => &set.normals,
-        Form::Mesh(mesh) => mesh.normals(),
-        Form::Polyline(_) => &[],
-    }
-}
-
-fn colours<'a>(piece: &'a Piece<'_>) -> &'a [[u8; 4]] {
-    match &piece.form {
-        Form::Points(set) => &set.colours,
-        Form::Mesh(mesh) => mesh.colours(),
-        Form::Polyline(_) => &[],
-    }
 }
 
 /// A normal of length 1, which glTF asks for; upward where it has no direction.

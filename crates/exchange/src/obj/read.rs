@@ -1,14 +1,20 @@
-//! Reading OBJ: vertices with colours and normals, points, lines, faces, and the names over them. Curves and surfaces
-//! in parameters, textures and materials are passed over and counted.
+//! Reading OBJ: vertices with colours and normals, points, lines, faces, and the names over them. Of materials
+//! the colours count. Curves and surfaces in parameters are passed over and counted, textures are passed over.
 
 use std::collections::HashMap;
 
 use katydid_geometry::{Curve, Line, Mesh, MeshFace, Point3, PolylineCurve, Vector3};
 
-use super::FORMAT;
+use super::{FORMAT, materials, rest};
 use crate::{Error, Layer, LeftOut, PointSet, Result, Scene, Shape, Thing};
 
-pub(crate) fn read(bytes: &[u8]) -> Result<Scene> {
+/// Files of materials that one OBJ may name.
+const MOST_LIBRARIES: usize = 64;
+
+/// Gives the bytes of a file by the name that stands in another.
+type Fetch<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>>;
+
+pub(crate) fn read(bytes: &[u8], fetch: Fetch<'_>) -> Result<Scene> {
     let text = String::from_utf8_lossy(bytes);
     let mut reader = Reader::default();
     let mut joined = String::new();
@@ -25,6 +31,9 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Scene> {
             joined.push_str(line);
             joined.as_str()
         };
+        if let Some(names) = whole.trim_start().strip_prefix("mtllib ") {
+            reader.materials(names.trim(), fetch);
+        }
         reader.line(whole).map_err(|why| Error::malformed(FORMAT, format!("line {}", number + 1), why))?;
         joined.clear();
     }
@@ -43,6 +52,11 @@ struct Reader {
     layers: HashMap<String, usize>,
     layer: Option<usize>,
     name: String,
+    /// The colours of materials, and that of the one in use.
+    materials: HashMap<String, Option<[u8; 4]>>,
+    /// How many files of materials were named.
+    libraries: usize,
+    colour: Option<[u8; 4]>,
     part: Part,
 }
 
@@ -86,6 +100,14 @@ impl Reader {
                 self.group(rest(line, word));
                 Ok(())
             }
+            "usemtl" => {
+                let colour = self.materials.get(rest(line, word)).copied().flatten();
+                if colour != self.colour {
+                    self.end_part()?;
+                    self.colour = colour;
+                }
+                Ok(())
+            }
             "curv" | "curv2" | "surf" => {
                 let class = if word == "surf" { "surface" } else { "curve" };
                 LeftOut::add(
@@ -94,8 +116,31 @@ impl Reader {
                 );
                 Ok(())
             }
-            // Textures, materials, smoothing groups, comments and what later programs added.
+            // Textures, smoothing groups, comments and what later programs added.
             _ => Ok(()),
+        }
+    }
+
+    /// Reads files of materials. Their name may have blanks, or be several.
+    fn materials(&mut self, names: &str, fetch: Fetch<'_>) {
+        self.libraries += 1;
+        if self.libraries > MOST_LIBRARIES {
+            let why = format!("more than {MOST_LIBRARIES} are not opened");
+            return LeftOut::add(&mut self.scene.left_out, LeftOut::new("file of materials", 1, why));
+        }
+        if let Ok(bytes) = fetch(names) {
+            return materials::read(&bytes, &mut self.materials);
+        }
+        for name in names.split_ascii_whitespace() {
+            match fetch(name) {
+                Ok(bytes) => materials::read(&bytes, &mut self.materials),
+                Err(error) => {
+                    LeftOut::add(
+                        &mut self.scene.left_out,
+                        LeftOut::new("file of materials", 1, error.to_string()),
+                    );
+                }
+            }
         }
     }
 
@@ -185,7 +230,12 @@ impl Reader {
     }
 
     fn add(&mut self, shape: Shape) {
-        self.scene.things.push(Thing { name: self.name.clone(), layer: self.layer, colour: None, shape });
+        self.scene.things.push(Thing {
+            name: self.name.clone(),
+            layer: self.layer,
+            colour: self.colour,
+            shape,
+        });
     }
 
     fn end_part(&mut self) -> Told<()> {
@@ -221,11 +271,6 @@ impl Reader {
         }
         self.scene
     }
-}
-
-/// What stands behind the first word of a line, without blanks around it.
-fn rest<'a>(line: &'a str, word: &str) -> &'a str {
-    line.trim_start().strip_prefix(word).unwrap_or_default().trim()
 }
 
 fn number(word: &str) -> Told<f64> {

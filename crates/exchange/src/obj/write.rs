@@ -5,19 +5,37 @@ use std::io::Write;
 
 use katydid_geometry::Mesh;
 
+use super::{materials, share};
 use crate::piece::{Form, Piece, pieces};
 use crate::text::Text;
-use crate::{LeftOut, Options, Result, Scene};
+use crate::{LeftOut, Options, Result, Scene, needs_materials};
 
 pub(crate) fn write(scene: &Scene, options: &Options, out: &mut dyn Write) -> Result<Vec<LeftOut>> {
     let (pieces, left_out) = pieces(scene, options);
-    let mut writer = Writer { text: Text::new(out), vertices: 0, normals: 0, layer: None, thing: None };
+    // Without a file for them, materials would only be names that lead nowhere.
+    let library = options.materials.as_deref().filter(|_| needs_materials(scene));
+    let mut writer = Writer {
+        text: Text::new(out),
+        vertices: 0,
+        normals: 0,
+        layer: None,
+        thing: None,
+        has_materials: library.is_some(),
+        material: None,
+    };
     writer.text.push("# Katydid, in ");
     writer.text.push(match scene.units.name() {
         "None" => "no unit",
         name => name,
     });
     writer.text.end_line()?;
+    if let Some(library) = library {
+        // A name ends with its line: blanks are part of it.
+        let name: String = library.chars().map(|c| if c.is_control() { '_' } else { c }).collect();
+        writer.text.push("mtllib ");
+        writer.text.push(&name);
+        writer.text.end_line()?;
+    }
     for piece in &pieces {
         writer.headings(scene, piece)?;
         writer.piece(piece)?;
@@ -34,6 +52,9 @@ struct Writer<'a> {
     /// The layer and the thing whose names were written last.
     layer: Option<usize>,
     thing: Option<usize>,
+    has_materials: bool,
+    /// The colour whose material was named last.
+    material: Option<Option<[u8; 4]>>,
 }
 
 impl Writer<'_> {
@@ -49,9 +70,16 @@ impl Writer<'_> {
         if piece.thing.name.is_empty() {
             // Without a heading it would belong to the thing before it.
             let title = piece.thing.title(piece.place);
-            return self.heading("o ", &title);
+            self.heading("o ", &title)?;
+        } else {
+            self.heading("o ", &piece.thing.name)?;
         }
-        self.heading("o ", &piece.thing.name)
+        let colour = piece.thing.colour;
+        if self.has_materials && self.material != Some(colour) {
+            self.material = Some(colour);
+            self.heading("usemtl ", &materials::name(colour))?;
+        }
+        Ok(())
     }
 
     fn heading(&mut self, word: &str, name: &str) -> Result<()> {
@@ -61,11 +89,7 @@ impl Writer<'_> {
     }
 
     fn piece(&mut self, piece: &Piece<'_>) -> Result<()> {
-        let colours: &[[u8; 4]] = match &piece.form {
-            Form::Points(set) => &set.colours,
-            Form::Mesh(mesh) => mesh.colours(),
-            Form::Polyline(_) => &[],
-        };
+        let colours = piece.colours();
         for (i, p) in piece.points().iter().enumerate() {
             self.text.push("v");
             self.text.reals([p.x, p.y, p.z]);
@@ -118,11 +142,6 @@ impl Writer<'_> {
         self.normals += mesh.normals().len();
         Ok(())
     }
-}
-
-/// A colour's part of 255 as a number to 1 that gives the part back when it is rounded.
-fn share(part: u8) -> f64 {
-    (f64::from(part) / 255.0 * 1e4).round() / 1e4
 }
 
 /// A name as one word: for most readers it ends at a blank, `#` begins a comment, and `\` joins lines.

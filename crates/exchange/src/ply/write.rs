@@ -50,30 +50,14 @@ impl Layout {
                 Form::Polyline(points) => layout.edges += points.len().saturating_sub(1),
                 Form::Points(_) => {}
             }
-            layout.normals |= !normals(piece).is_empty();
-            layout.colours |= !colours(piece).is_empty() || piece.thing.colour.is_some();
+            layout.normals |= !piece.normals().is_empty();
+            layout.colours |= !piece.colours().is_empty() || piece.thing.colour.is_some();
         }
         // Indices are written as int, which every reader takes.
         if i32::try_from(layout.vertices).is_err() {
             return Err(Error::TooLarge { format: FORMAT, what: format!("{} vertices", layout.vertices) });
         }
         Ok(layout)
-    }
-}
-
-fn normals<'a>(piece: &'a Piece<'_>) -> &'a [Vector3] {
-    match &piece.form {
-        Form::Points(set) => &set.normals,
-        Form::Mesh(mesh) => mesh.normals(),
-        Form::Polyline(_) => &[],
-    }
-}
-
-fn colours<'a>(piece: &'a Piece<'_>) -> &'a [[u8; 4]] {
-    match &piece.form {
-        Form::Points(set) => &set.colours,
-        Form::Mesh(mesh) => mesh.colours(),
-        Form::Polyline(_) => &[],
     }
 }
 
@@ -111,7 +95,7 @@ impl Writer<'_> {
     }
 
     fn vertices(&mut self, piece: &Piece<'_>) -> Result<()> {
-        let (normals, colours) = (normals(piece), colours(piece));
+        let (normals, colours) = (piece.normals(), piece.colours());
         let plain = piece.thing.colour.unwrap_or([255; 4]);
         for (i, p) in piece.points().iter().enumerate() {
             let normal = self.layout.normals.then(|| normals.get(i).copied().unwrap_or(Vector3::ZERO));

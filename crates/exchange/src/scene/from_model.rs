@@ -8,6 +8,7 @@ use katydid_3dm::{
 use katydid_geometry::{Units, Xform};
 use uuid::Uuid;
 
+use super::drawn::Styles;
 use super::shape::{Shapes, placed};
 use super::tree::rooted;
 use super::{Layer, LeftOut, Scene, Shape, Thing};
@@ -53,6 +54,7 @@ impl Scene {
             blocks: model.blocks.iter().enumerate().rev().map(|(place, block)| (block.id, place)).collect(),
             members: members.map(|object| (object.attributes.id, object)).collect(),
             known: HashMap::new(),
+            styles: Styles::of(model),
             scene,
         };
         for object in &model.objects {
@@ -89,6 +91,7 @@ struct Objects<'a> {
     members: HashMap<Uuid, &'a ModelObject>,
     /// Shapes of members that were needed before.
     known: HashMap<Uuid, std::result::Result<Shape, String>>,
+    styles: Styles,
     scene: Scene,
 }
 
@@ -157,7 +160,8 @@ impl<'a> Objects<'a> {
         object: &ModelObject,
         placement: &Placement<'_>,
     ) -> std::result::Result<Shape, String> {
-        let shapes = Shapes { scene: &self.scene, tolerance: self.conversion.tolerance };
+        let shapes =
+            Shapes { scene: &self.scene, styles: &self.styles, tolerance: self.conversion.tolerance };
         let mut left_out = Vec::new();
         let shape = match placement.motion {
             None => shapes.of(&object.geometry, &mut left_out),

@@ -1,7 +1,9 @@
 //! What is to be written: geometry with names, colours and layers.
 
+mod drawn;
 mod facets;
 mod from_model;
+mod label;
 mod left_out;
 mod shape;
 mod to_model;
@@ -10,6 +12,7 @@ mod tree;
 use katydid_geometry::{BoundingBox, Curve, Mesh, Point3, Units, Vector3};
 
 pub use from_model::Conversion;
+pub use label::{Fill, Label, LabelSize, Region};
 pub use left_out::LeftOut;
 
 use crate::{Error, Format, Result};
@@ -88,6 +91,10 @@ pub enum Shape {
     Curve(Curve),
     /// A mesh.
     Mesh(Mesh),
+    /// A filled region of a plane. Formats without areas take its boundaries.
+    Region(Region),
+    /// Text, which drawings show.
+    Text(Label),
     /// The faces of a surface or a solid: formats of meshes take the facets, drawings take the edges.
     Faces {
         /// The faces as a mesh; nothing where nobody made one.
@@ -105,6 +112,8 @@ impl Shape {
             Self::Points(_) => "point cloud",
             Self::Curve(_) => "curve",
             Self::Mesh(_) => "mesh",
+            Self::Region(_) => "hatch",
+            Self::Text(_) => "text",
             Self::Faces { facets: Some(_), .. } => "surface",
             Self::Faces { facets: None, .. } => "brep without a mesh",
         }
@@ -162,8 +171,12 @@ impl Scene {
     /// Refuses coordinates that are not finite: the kernel keeps them out of curves and meshes, points are anyone's.
     pub(crate) fn check_finite(&self, format: Format) -> Result<()> {
         for (place, thing) in self.things.iter().enumerate() {
-            let Shape::Points(set) = &thing.shape else { continue };
-            let numbers = set.points.iter().flat_map(|p| [p.x, p.y, p.z]);
+            let points: &[Point3] = match &thing.shape {
+                Shape::Points(set) => &set.points,
+                Shape::Text(label) => std::slice::from_ref(&label.point),
+                _ => continue,
+            };
+            let numbers = points.iter().flat_map(|p| [p.x, p.y, p.z]);
             if let Some(value) = numbers.into_iter().find(|x| !x.is_finite()) {
                 return Err(Error::Coordinate {
                     what: thing.title(place),

@@ -3,17 +3,21 @@
 use katydid_3dm::{BrepObject, CachedMesh, Extrusion, Object, PointCloud};
 use katydid_geometry::{Curve, Interval, Mesh, Plane, Surface, Vector3, Xform};
 
+use super::drawn::{self, Styles};
 use super::facets::{borders, facets};
-use super::{LeftOut, PointSet, Scene, Shape};
+use super::{LeftOut, PointSet, Region, Scene, Shape};
 
 type Told<T> = std::result::Result<T, String>;
 
 const UNKNOWN: &str = "not supported";
+/// Subdivisions of a SubD's net on its way to a mesh: each face of four sides becomes 64.
+const SUBDIVISIONS: u32 = 3;
 const NOT_FINITE: &str = "a coordinate is not a finite number";
 
 /// Makes shapes of objects.
 pub(super) struct Shapes<'a> {
     pub(super) scene: &'a Scene,
+    pub(super) styles: &'a Styles,
     /// How far facets may be from their surfaces, when somebody says.
     pub(super) tolerance: Option<f64>,
 }
@@ -34,6 +38,16 @@ impl Shapes<'_> {
             Object::Brep(brep) => self.brep(brep, left_out),
             Object::Extrusion(extrusion) => swept(extrusion),
             Object::Mesh(_) => mesh(geometry).map(Shape::Mesh),
+            Object::SubD(subd) => subd
+                .to_subd()
+                .and_then(|subd| subd.limit_mesh(SUBDIVISIONS))
+                .map(Shape::Mesh)
+                .map_err(|error| error.to_string()),
+            Object::Hatch(hatch) => self.styles.hatch(hatch),
+            Object::Annotation(annotation) => self.styles.text(annotation),
+            Object::Annotation5(annotation) => drawn::text_5(annotation),
+            Object::Annotation2(annotation) => drawn::text_2(annotation),
+            Object::TextDot(dot) => drawn::dot(dot),
             _ => Err(UNKNOWN.into()),
         }
     }
@@ -185,6 +199,11 @@ pub(super) fn placed(shape: &Shape, motion: &Xform) -> Told<Shape> {
         }
         Shape::Curve(curve) => Shape::Curve(curve.transformed(motion).map_err(told)?),
         Shape::Mesh(mesh) => Shape::Mesh(mesh.transformed(motion).map_err(told)?),
+        Shape::Region(region) => {
+            let moved = region.boundaries.iter().map(|curve| curve.transformed(motion).map_err(told));
+            Shape::Region(Region { boundaries: moved.collect::<Told<_>>()?, fill: region.fill })
+        }
+        Shape::Text(label) => Shape::Text(label.moved(motion).ok_or(NOT_FINITE)?),
         Shape::Faces { facets, edges } => Shape::Faces {
             facets: facets.as_ref().map(|mesh| mesh.transformed(motion)).transpose().map_err(told)?,
             edges: edges.iter().filter_map(|edge| edge.transformed(motion).ok()).collect(),

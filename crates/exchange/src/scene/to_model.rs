@@ -1,12 +1,12 @@
 //! A scene as a model.
 
-use katydid_3dm::{Attributes, Model, ModelObject, Object, PointCloud};
+use katydid_3dm::{Attributes, Model, ModelObject, Object, PointCloud, TextDot};
 
-use super::{PointSet, Scene, Shape, Thing};
+use super::{Label, LabelSize, PointSet, Region, Scene, Shape, Thing};
 
 impl Scene {
     /// The model that holds the things of the scene, with their names, layers and colours. Facets stand for faces, or
-    /// edges where there are none.
+    /// edges where there are none, boundaries for regions, and dots for text.
     pub fn to_model(&self) -> Model {
         let mut model = Model { units: self.units, ..Model::default() };
         model.tolerance.absolute =
@@ -42,10 +42,22 @@ fn geometry(shape: &Shape) -> Vec<Object> {
         Shape::Points(set) => vec![points(set)],
         Shape::Curve(curve) => vec![Object::Curve(curve.clone())],
         Shape::Mesh(mesh) | Shape::Faces { facets: Some(mesh), .. } => vec![Object::from(mesh.clone())],
-        Shape::Faces { facets: None, edges } => {
+        Shape::Text(label) => vec![dot(label)],
+        Shape::Region(Region { boundaries: edges, .. }) | Shape::Faces { facets: None, edges } => {
             edges.iter().map(|edge| Object::Curve(edge.clone())).collect()
         }
     }
+}
+
+fn dot(label: &Label) -> Object {
+    let mut dot = TextDot::new(label.point, label.text.clone());
+    if let LabelSize::Screen(height) = label.size {
+        dot.height = height.clamp(1.0, 1000.0).round() as i32;
+    }
+    if !label.font.is_empty() {
+        dot.font.clone_from(&label.font);
+    }
+    Object::TextDot(dot)
 }
 
 fn points(set: &PointSet) -> Object {

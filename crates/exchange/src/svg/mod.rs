@@ -1,10 +1,12 @@
 //! SVG 1.1, a drawing in true size: one unit of the model is one unit of the drawing.
 //!
 //! Lines, polylines, arcs, conics and polynomial curves to degree 3 are exact; other curves are cubic Béziers within the
-//! tolerance. Meshes are drawn by their borders, creases and outlines. Nothing is hidden behind anything.
+//! tolerance. Meshes are drawn by their borders, creases and outlines. Hatches
+//! are filled, those with a pattern by a tint. Nothing is hidden behind anything.
 
 mod cubic;
 mod ellipse;
+mod label;
 mod mesh;
 mod path;
 
@@ -13,11 +15,15 @@ use std::io::Write;
 use katydid_geometry::{BoundingBox, Curve, Mesh, Point3, Units, Xform};
 
 use crate::text::Text;
-use crate::{LeftOut, Options, Result, Scene, Shape, Thing};
+use crate::{Fill, LeftOut, Options, Region, Result, Scene, Shape, Thing};
+use label::Flat;
 use path::Path;
 
 /// White around the drawing, as a share of its larger side.
 const MARGIN: f64 = 0.02;
+const BLACK: [u8; 4] = [0, 0, 0, 255];
+/// How opaque the tint is that stands for a pattern.
+const TINT: f64 = 0.25;
 
 pub(crate) fn write(scene: &Scene, options: &Options, out: &mut dyn Write) -> Result<Vec<LeftOut>> {
     let mut left_out = Vec::new();
@@ -27,12 +33,20 @@ pub(crate) fn write(scene: &Scene, options: &Options, out: &mut dyn Write) -> Re
         let lines = Lines::of(&thing.shape, &page);
         if lines.is_empty() {
             let kind = thing.shape.kind();
-            LeftOut::add(&mut left_out, LeftOut::new(kind, 1, "it has no lines to draw"));
+            LeftOut::add(
+                &mut left_out,
+                LeftOut::new(kind, 1, "there is nothing of it to draw from this side"),
+            );
+        }
+        if let Shape::Region(Region { fill: Fill::Pattern, .. }) = &thing.shape {
+            LeftOut::add(&mut left_out, LeftOut::new("pattern of a hatch", 1, "a tint stands for it"));
         }
         drawn.push(Drawn { thing, place, lines });
     }
-    let mut drawing = Drawing { scene, options, text: Text::new(out) };
-    drawing.open(&bounds(&drawn))?;
+    let bounds = bounds(&drawn);
+    let size = bounds.diagonal();
+    let mut drawing = Drawing { scene, options, side: size.x.max(size.y), text: Text::new(out) };
+    drawing.open(&bounds)?;
     let parents = scene.parents();
     drawing.layer(None, &parents, &drawn)?;
     drawing.text.push("</g>\n</svg>\n");
@@ -44,17 +58,20 @@ pub(crate) fn write(scene: &Scene, options: &Options, out: &mut dyn Write) -> Re
 struct Drawn<'a> {
     thing: &'a Thing,
     place: usize,
-    lines: Lines,
+    lines: Lines<'a>,
 }
 
-enum Lines {
+/// What is drawn of a thing.
+enum Lines<'a> {
     Points(Vec<Point3>),
     Curves(Vec<Curve>),
     Segments(Vec<[Point3; 2]>),
+    Area(Vec<Curve>, Fill),
+    Text(Flat<'a>),
 }
 
-impl Lines {
-    fn of(shape: &Shape, page: &Xform) -> Self {
+impl<'a> Lines<'a> {
+    fn of(shape: &'a Shape, page: &Xform) -> Self {
         let edges = |mesh: &Mesh| {
             let flat = mesh.transformed(page).map(|mesh| mesh::edges_to_draw(&mesh));
             Self::Segments(flat.unwrap_or_default())
@@ -63,6 +80,11 @@ impl Lines {
             Shape::Points(set) => Self::Points(set.points.iter().map(|p| page.point(*p)).collect()),
             Shape::Curve(curve) => Self::Curves(curve.transformed(page).into_iter().collect()),
             Shape::Mesh(mesh) => edges(mesh),
+            Shape::Region(region) => {
+                let flat = region.boundaries.iter().filter_map(|c| c.transformed(page).ok());
+                Self::Area(flat.collect(), region.fill)
+            }
+            Shape::Text(label) => Self::Text(Flat::of(label, page)),
             Shape::Faces { facets: Some(mesh), edges: none } if none.is_empty() => edges(mesh),
             Shape::Faces { edges, .. } => {
                 Self::Curves(edges.iter().filter_map(|c| c.transformed(page).ok()).collect())
@@ -75,14 +97,19 @@ impl Lines {
             Self::Points(points) => points.is_empty(),
             Self::Curves(curves) => curves.is_empty(),
             Self::Segments(segments) => segments.is_empty(),
+            Self::Area(curves, _) => curves.is_empty(),
+            Self::Text(text) => !text.is_visible(),
         }
     }
 
     fn bounds(&self) -> Option<BoundingBox> {
         match self {
             Self::Points(points) => BoundingBox::from_points(points.iter().copied()),
-            Self::Curves(curves) => curves.iter().map(Curve::bounding_box).reduce(|a, b| a.union(&b)),
+            Self::Curves(curves) | Self::Area(curves, _) => {
+                curves.iter().map(Curve::bounding_box).reduce(|a, b| a.union(&b))
+            }
             Self::Segments(segments) => BoundingBox::from_points(segments.iter().flatten().copied()),
+            Self::Text(text) => text.bounds(),
         }
     }
 }
@@ -95,6 +122,8 @@ fn bounds(drawn: &[Drawn<'_>]) -> BoundingBox {
 struct Drawing<'a> {
     scene: &'a Scene,
     options: &'a Options,
+    /// The larger side of what is drawn.
+    side: f64,
     text: Text<'a>,
 }
 
@@ -151,14 +180,18 @@ impl Drawing<'_> {
     }
 
     fn thing(&mut self, drawn: &Drawn<'_>) -> Result<()> {
-        self.text.push("<path vector-effect=\"non-scaling-stroke\"");
-        if let Some([r, g, b, a]) = drawn.thing.colour {
-            self.text.push(&format!(" stroke=\"#{r:02x}{g:02x}{b:02x}\""));
-            if a < 255 {
-                self.text.push(" stroke-opacity=\"");
-                self.text.real((f64::from(a) / 255.0 * 1e3).round() / 1e3);
-                self.text.push("\"");
-            }
+        if let Lines::Text(text) = &drawn.lines {
+            let colour = drawn.thing.colour.unwrap_or(BLACK);
+            text.write(&mut self.text, &paint("fill", colour, 1.0), self.side)?;
+            return self.text.end_line();
+        }
+        if let Lines::Area(_, fill) = &drawn.lines {
+            let share = if *fill == Fill::Solid { 1.0 } else { TINT };
+            self.text.push("<path stroke=\"none\" fill-rule=\"evenodd\"");
+            self.text.push(&paint("fill", drawn.thing.colour.unwrap_or(BLACK), share));
+        } else {
+            self.text.push("<path vector-effect=\"non-scaling-stroke\"");
+            self.text.push(&drawn.thing.colour.map_or(String::new(), |colour| paint("stroke", colour, 1.0)));
         }
         if matches!(drawn.lines, Lines::Points(_)) {
             self.text.push(" stroke-width=\"4\"");
@@ -168,7 +201,8 @@ impl Drawing<'_> {
         match &drawn.lines {
             Lines::Points(points) => points.iter().try_for_each(|p| path.dot(*p))?,
             Lines::Segments(segments) => segments.iter().try_for_each(|[a, b]| path.segment(*a, *b))?,
-            Lines::Curves(curves) => {
+            Lines::Text(_) => {}
+            Lines::Curves(curves) | Lines::Area(curves, _) => {
                 for curve in curves {
                     let tolerance = self.scene.tolerance_for(self.options.tolerance, &curve.bounding_box());
                     path.curve(curve, tolerance)?;
@@ -183,6 +217,13 @@ impl Drawing<'_> {
         }
         self.text.end_line()
     }
+}
+
+/// The attributes of a colour as that of lines or areas, and of a share of its opacity.
+fn paint(of: &str, [r, g, b, a]: [u8; 4], share: f64) -> String {
+    let opacity = (f64::from(a) / 255.0 * share * 1e3).round() / 1e3;
+    let opacity = if opacity < 1.0 { format!(" {of}-opacity=\"{opacity}\"") } else { String::new() };
+    format!(" {of}=\"#{r:02x}{g:02x}{b:02x}\"{opacity}")
 }
 
 /// Whether anything is drawn on a layer or under it.

@@ -24,8 +24,8 @@ pub struct SubDEdge {
     /// How sharp a smooth edge is at each end: 0 for not at all, and more for so many subdivisions in which it is
     /// treated as a crease.
     pub sharpness: [f64; 2],
-    /// The weight of the opposite end in the rule for the midpoint, at each end that lies on a crease or corner; 0
-    /// where it has no meaning.
+    /// The weight of an end that lies on a crease, a corner or a dart in the rule for the midpoint, that of the opposite
+    /// end being the rest to 1; 0 where it has no meaning.
     pub sector_coefficients: [f64; 2],
     /// The vertices it joins.
     pub vertices: [usize; 2],

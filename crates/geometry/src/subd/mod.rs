@@ -1,9 +1,10 @@
 //! Subdivision surfaces of Catmull and Clark (1978) by their control nets, with the tags, creases and sharpness of
-//! Rhino's SubD. Evaluation is not here.
+//! Rhino's SubD, and their surface as a mesh.
 
 mod consistency;
 mod edge;
 mod face;
+mod limit;
 mod net;
 mod vertex;
 

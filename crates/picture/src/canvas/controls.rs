@@ -12,7 +12,7 @@ use super::{Placed, theme};
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
 use crate::font;
 use crate::project::gradient;
-use crate::result::colour;
+use katydid_scene::colour::of_archive as colour;
 
 const DISPLAY_MATRIX: Uuid = uuid!("b6d27aa4-a61f-4d08-b76e-1105fef0e9e4");
 const QUICK_GRAPH: Uuid = uuid!("2b69bf71-4e69-43aa-b7be-4f6ce7e45bef");

@@ -7,7 +7,7 @@ use uuid::Uuid;
 use super::frame::union;
 use super::{Placed, theme};
 use crate::drawing::{Item, Label, Path, Shape, blend, opaque};
-use crate::result::colour;
+use katydid_scene::colour::of_archive as colour;
 
 /// Free pixels inside a group's frame; more at the top, where its name stands.
 const PAD: f64 = 12.0;

@@ -8,7 +8,7 @@ use super::capsule::{grips, wrapped};
 use super::{Placed, theme};
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
 use crate::font;
-use crate::result::colour;
+use katydid_scene::colour::of_archive as colour;
 
 const SIZE: f64 = 9.5;
 const ROW: f64 = 12.5;

@@ -7,6 +7,7 @@ pub use path::{Path, Segment};
 pub use solids::{Corner, Face, Solids, SpaceLine};
 
 use katydid_data::Colour;
+pub(crate) use katydid_scene::colour::{blend, channel, opaque};
 
 /// A picture as a list of what is drawn, from the bottom up.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -212,21 +213,4 @@ impl Item {
             Self::Group(_, items) => items.iter_mut().for_each(|item| item.transform(factor, by)),
         }
     }
-}
-
-/// A colour between two, `t` of the way from the first; the alpha too.
-pub(crate) fn blend(a: Colour, b: Colour, t: f64) -> Colour {
-    let mix = |a: u8, b: u8| channel(f64::from(a) + (f64::from(b) - f64::from(a)) * t);
-    Colour { a: mix(a.a, b.a), r: mix(a.r, b.r), g: mix(a.g, b.g), b: mix(a.b, b.b) }
-}
-
-/// A number as a channel of a colour.
-pub(crate) fn channel(x: f64) -> u8 {
-    // `as` takes what is outside, and NaN, to the nearest value of the type.
-    x.round() as u8
-}
-
-/// A colour without transparency.
-pub(crate) fn opaque(colour: Colour) -> Colour {
-    Colour { a: 255, ..colour }
 }

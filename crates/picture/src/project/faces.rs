@@ -6,7 +6,7 @@ use katydid_geometry::{Mesh, Point3, Vector3};
 use super::{BEFORE, Canvas};
 use crate::clip;
 use crate::drawing::{Corner, Face, blend, channel, opaque};
-use crate::scene::{Facets, Look};
+use katydid_scene::{Facets, Look};
 
 /// The light that reaches what the lamp does not.
 const AMBIENT: f64 = 0.42;

@@ -6,8 +6,8 @@ use katydid_geometry::{BoundingBox, Point3, Vector3};
 use super::Canvas;
 use crate::camera::View;
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
-use crate::scene::Legend;
 use crate::{Options, font};
+use katydid_scene::Legend;
 
 pub(super) const RED: Colour = Colour::rgb(199, 48, 38);
 pub(super) const GREEN: Colour = Colour::rgb(44, 138, 58);

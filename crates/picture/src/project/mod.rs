@@ -12,9 +12,9 @@ use katydid_geometry::{Point3, Vector3};
 
 use crate::camera::{Camera, View};
 use crate::drawing::{Drawing, Item, Path, Shape, Solids, SpaceLine, Stroke, blend, opaque};
-use crate::scene::{Block, Form, Place, Scene, Thing, tessellated};
 use crate::{HiddenLines, Options, hidden};
 pub(crate) use furniture::gradient;
+use katydid_scene::{Block, Form, Place, Scene, Thing, tessellated};
 use labels::Labels;
 
 /// Free pixels around what is seen, as a part of the picture's smaller side; and at least so many.
@@ -77,7 +77,7 @@ pub(crate) fn draw(scene: &Scene, view: View, options: &Options) -> Drawing {
     if options.axes {
         furniture::triad(&mut canvas);
     }
-    if options.legend || scene.legends.iter().any(|legend| matches!(legend, crate::scene::Legend::List(_))) {
+    if options.legend || scene.legends.iter().any(|legend| matches!(legend, katydid_scene::Legend::List(_))) {
         furniture::legends(&mut canvas, &scene.legends, options.legend);
     }
     let mut drawing = Drawing { size, background: options.background, ..Drawing::default() };
@@ -197,7 +197,7 @@ impl Canvas {
         blend(self.ground, opaque(colour), f64::from(colour.a) / 255.0)
     }
 
-    fn plane(&mut self, plane: &katydid_geometry::Plane, look: &crate::scene::Look) {
+    fn plane(&mut self, plane: &katydid_geometry::Plane, look: &katydid_scene::Look) {
         let r = PLANE * self.sign_size * self.camera.unit(plane.origin);
         let at = |u: f64, v: f64| plane.at(u * r, v * r, 0.0);
         let [a, b, c, d] = signs::corners(&self.camera, plane, self.sign_size);

@@ -6,7 +6,7 @@ use katydid_geometry::{Plane, Point3, Vector3};
 use super::{BEFORE, Canvas, PLANE};
 use crate::camera::Camera;
 use crate::drawing::{Corner, Face, SpaceLine};
-use crate::scene::Form;
+use katydid_scene::Form;
 
 /// The arms of a cross, in pixels.
 const ARM: f64 = 4.0;

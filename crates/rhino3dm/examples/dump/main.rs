@@ -40,12 +40,14 @@ fn archive(path: &str) -> Result<(), Box<dyn std::error::Error>> {
             return Ok(());
         }
     };
+    let tolerances = [model.tolerance.absolute, model.tolerance.angle];
+    let [absolute, angle] = model.settings.impossible_tolerances.unwrap_or(tolerances);
     let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
     println!(
         "{}",
         json!({"file": path, "version": model.archive_version, "units": model.units.name(), "notes": model.notes,
             "application": model.application,
-            "absolute": model.tolerance.absolute, "angle": model.tolerance.angle, "tables": tables(&model),
+            "absolute": absolute, "angle": angle, "tables": tables(&model),
             "objects": model.objects.len(), "lights": model.lights.len(), "skipped": model.skipped,
             "warnings": warnings})
     );

@@ -61,8 +61,12 @@ pub(crate) fn subd(subd: &SubDObject) -> Value {
                 "points": level.vertices.iter().map(|v| v.point).collect::<Vec<_>>(),
                 "vertex_tags": level.vertices.iter().map(|v| v.tag).collect::<Vec<_>>(),
                 "edge_tags": level.edges.iter().map(|e| e.tag).collect::<Vec<_>>(),
+                "sectors": level.edges.iter().map(|e| e.sector_coefficients).collect::<Vec<_>>(),
                 "sharpness": level.edges.iter().map(|e| e.sharpness).collect::<Vec<_>>()})
         })
         .collect();
-    json!({"levels": levels, "kernel": subd.to_subd().err().map(|e| e.to_string())})
+    // Subdivided once: the vertices of the net first, then a point of each edge, all on the limit surface.
+    let limit = subd.to_subd().and_then(|subd| subd.limit_mesh(1)).ok();
+    json!({"levels": levels, "kernel": subd.to_subd().err().map(|e| e.to_string()),
+        "limit": limit.map(|mesh| crate::numbers::points(mesh.vertices()))})
 }

@@ -1,6 +1,8 @@
 //! Tables: layers, materials, linetypes, groups, blocks and the attributes that refer to them.
 
-use katydid_3dm::{Attributes, LinetypeChoice, Model, Source, View, ViewProjection};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use katydid_3dm::{Attributes, BlockSource, Limits, LinetypeChoice, Model, Source, View, ViewProjection};
 use serde_json::{Value, json};
 
 use crate::numbers::{point, vector};
@@ -34,8 +36,15 @@ pub(crate) fn tables(model: &Model) -> Value {
     let blocks: Vec<Value> = (model.blocks.iter())
         .map(|block| {
             let members: Vec<String> = block.members.iter().map(ToString::to_string).collect();
+            let link = block.link().cloned().unwrap_or_default();
+            let source = match &block.source {
+                BlockSource::Static | BlockSource::Unset => "static",
+                BlockSource::LinkedAndEmbedded(_) => "linked and embedded",
+                BlockSource::Linked(_) => "linked",
+            };
             json!({"name": block.name, "id": block.id.to_string(), "description": block.description,
-                "members": members, "file": block.link().map_or("", |link| link.file.path())})
+                "members": members, "source": source, "file": link.file.full_path,
+                "relative": link.file.relative_path, "skips": link.skip_nested, "appearance": link.appearance})
         })
         .collect();
     let styles: Vec<Value> = (model.dimension_styles().iter())
@@ -46,7 +55,7 @@ pub(crate) fn tables(model: &Model) -> Value {
         })
         .collect();
     let patterns: Vec<Value> = (model.hatch_patterns.iter())
-        .map(|p| json!({"name": p.name, "description": p.description, "number": p.number}))
+        .map(|p| json!({"name": p.name, "description": p.description}))
         .collect();
     let page = model.page_settings().map(|page| {
         let earth = page.earth.as_ref();
@@ -54,7 +63,16 @@ pub(crate) fn tables(model: &Model) -> Value {
             "base": point(page.base_point), "position": earth.and_then(|earth| earth.position),
             "elevation": earth.map(|earth| earth.elevation)})
     });
-    json!({"views": views(&model.views()), "named_views": views(&model.named_views()),
+    let commands: Vec<String> = model.history().iter().map(|record| record.command.to_string()).collect();
+    let mappings: Vec<String> = model.texture_mappings().iter().map(|m| m.id.to_string()).collect();
+    let embedded_files: Vec<Value> = (model.embedded_files().iter())
+        .map(|file| {
+            let content = file.content(&Limits::default()).ok().flatten().unwrap_or_default();
+            json!({"path": file.path, "content": STANDARD.encode(content)})
+        })
+        .collect();
+    json!({"embedded_files": embedded_files, "history": commands,
+        "texture_mappings": mappings, "views": views(&model.views()), "named_views": views(&model.named_views()),
         "dimension_styles": styles, "hatch_patterns": patterns, "page": page, "layers": layers, "materials": materials, "linetypes": linetypes, "groups": groups, "blocks": blocks})
 }
 

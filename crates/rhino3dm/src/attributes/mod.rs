@@ -203,11 +203,15 @@ impl Attributes {
         Ok(())
     }
 
-    /// Turns the numbers of layers, materials, linetypes and groups into places in their tables.
+    /// Turns the numbers of layers, materials, linetypes and groups into places in their tables. An object on a layer
+    /// that is not there lies on the first.
     pub(crate) fn place(&mut self, places: &Places) {
-        self.layer = self.layer.and_then(|number| places.layers.find(number));
+        self.layer = self.layer.and_then(|number| places.layers.find_or_first(number));
         self.material = self.material.and_then(|number| places.materials.find(number));
         self.linetype = self.linetype.placed(&places.linetypes);
+        if let Some(style) = &mut self.section_style {
+            style.place(places);
+        }
         self.groups = self.groups.iter().filter_map(|number| places.groups.find(*number)).collect();
     }
 

@@ -1,6 +1,6 @@
 use super::*;
 use crate::version::Version;
-use crate::{Error, Limits, typecode};
+use crate::{Error, Limits, StoredBuffer, typecode};
 
 const WIDE: Version = Version { archive: 70, opennurbs: 0x9000_0000 };
 const NARROW: Version = Version { archive: 4, opennurbs: 200_712_190 };
@@ -91,30 +91,58 @@ fn compressed_buffers_come_back() {
     for size in [0, 1, 128, 129, 100_000] {
         let plain: Vec<u8> = (0..size).map(|i: u32| (i % 7) as u8).collect();
         let mut w = Writer::new(WIDE);
-        w.compressed(&plain).unwrap();
+        w.stored_buffer(&StoredBuffer::new(plain.clone())).unwrap();
         let bytes = w.into_bytes();
         assert!(bytes.len() <= plain.len().max(128) + 16);
         let context = Context::new(&Limits::default());
         let mut reader = Reader::new(&bytes, WIDE, &context);
-        assert_eq!(reader.compressed("buffer").unwrap(), plain);
+        let stored = reader.stored_buffer("buffer").unwrap();
+        assert_eq!((stored.size(), stored.to_bytes().unwrap()), (plain.len(), plain));
         assert!(reader.is_at_end());
         assert_eq!(context.into_warnings(), []);
+        // As it is stored it is written again.
+        let mut w = Writer::new(WIDE);
+        w.stored_buffer(&stored).unwrap();
+        assert_eq!(w.into_bytes(), bytes);
     }
+}
+
+#[test]
+fn a_stored_buffer_holds_what_it_promises() {
+    let mut w = Writer::new(WIDE);
+    w.stored_buffer(&StoredBuffer::new((0..70_000_u32).map(|i| (i % 251) as u8).collect())).unwrap();
+    let bytes = w.into_bytes();
+    let read = |bytes: &[u8]| {
+        let context = Context::new(&Limits::default());
+        let read = Reader::new(bytes, WIDE, &context).stored_buffer("buffer");
+        (read, context.into_warnings().len())
+    };
+    for size in [69_999_u32, 70_001] {
+        let mut lie = bytes.clone();
+        lie[..4].copy_from_slice(&size.to_le_bytes());
+        assert!(matches!(read(&lie), (Err(Error::Malformed { .. }), 0)), "{size}");
+    }
+    let mut wrong = bytes;
+    wrong[4] ^= 1;
+    assert!(matches!(read(&wrong), (Ok(_), 1)), "a checksum that does not fit is a warning");
 }
 
 #[test]
 fn inflation_is_bounded() {
     let mut w = Writer::new(WIDE);
-    w.compressed(&vec![0; 1 << 20]).unwrap();
+    w.stored_buffer(&StoredBuffer::new(vec![0; 1 << 20])).unwrap();
     let bytes = w.into_bytes();
     let context = Context::new(&Limits { inflated: 1000, ..Limits::default() });
-    let error = Reader::new(&bytes, WIDE, &context).compressed("buffer").unwrap_err();
+    let error = Reader::new(&bytes, WIDE, &context).stored_buffer("buffer").unwrap_err();
     assert!(matches!(error, Error::TooLarge { limit: 1000, .. }));
     // A size that the stream cannot hold is refused whatever the limit.
     let mut lie = bytes;
     lie[..4].copy_from_slice(&u32::MAX.to_le_bytes());
     let context = Context::new(&Limits::default());
-    assert!(matches!(Reader::new(&lie, WIDE, &context).compressed("buffer"), Err(Error::Malformed { .. })));
+    assert!(matches!(
+        Reader::new(&lie, WIDE, &context).stored_buffer("buffer"),
+        Err(Error::Malformed { .. })
+    ));
 }
 
 #[test]

@@ -87,7 +87,7 @@ pub(crate) fn write_class(
 }
 
 /// Writes the object that is none.
-pub(super) fn write_null(w: &mut Writer) -> Result<()> {
+pub(crate) fn write_null(w: &mut Writer) -> Result<()> {
     w.chunk(typecode::CLASS, |w| {
         w.chunk(typecode::CLASS_UUID, |w| {
             w.uuid(Uuid::nil());

@@ -41,7 +41,7 @@ pub struct Participants {
     pub exclude: bool,
     /// Objects by their identifiers.
     pub objects: Vec<Uuid>,
-    /// Layers by their numbers.
+    /// Layers as indices into [`Model::layers`](crate::Model::layers).
     pub layers: Vec<i32>,
 }
 

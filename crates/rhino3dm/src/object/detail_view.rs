@@ -1,7 +1,10 @@
 //! Class DetailView (section 8): a window of a page into the model.
 
+use katydid_geometry::{Curve, Point3, PolylineCurve, Vector3};
+
 use super::curve::{self, CurveForm};
 use crate::chunk::{Reader, Writer};
+use crate::overlay::PlainView;
 use crate::recode::recode;
 use crate::version::Version;
 use crate::{Error, Result, class_ids, typecode};
@@ -20,8 +23,45 @@ pub struct DetailView {
 }
 
 const WHAT: &str = "detail view";
+/// Bytes of typecode and length before a body in archives from version 50 on.
+const WIDE_HEADER: usize = 12;
 
 impl DetailView {
+    /// A window onto the model from above. Its frame on the page has the given sides; `centre` of the model is seen
+    /// in the middle, and lengths on the page are `page_per_model` of those in the model.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, a side or a scale that is not above 0.
+    pub fn from_above(frame: [[f64; 2]; 2], centre: Point3, page_per_model: f64) -> Result<Self> {
+        let [[left, bottom], [right, top]] = frame;
+        let [half, upright] = [(right - left) / 2.0 / page_per_model, (top - bottom) / 2.0 / page_per_model];
+        let numbers = [left, bottom, right, top, centre.x, centre.y, centre.z, half, upright];
+        if !numbers.iter().all(|x| x.is_finite()) || half <= 0.0 || upright <= 0.0 || page_per_model <= 0.0 {
+            return Err(Error::malformed(0, WHAT, "its frame or its scale shows nothing"));
+        }
+        let away = half.max(upright) * 2.0;
+        let view = PlainView {
+            nested: true,
+            camera: Point3::new(centre.x, centre.y, centre.z + away),
+            direction: Vector3::new(0.0, 0.0, -away),
+            target: Some(centre),
+            frustum: [-half, half, -upright, upright, away / 1000.0, away * 4.0],
+            ..PlainView::default()
+        };
+        let mut w = Writer::new(Version::for_writing(50)?);
+        w.versioned(1, 0, |w| view.write(w))?;
+        let corners = [[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]];
+        let outline = PolylineCurve::new(corners.map(|[x, y]| Point3::new(x, y, 0.0)).to_vec());
+        let boundary = outline.and_then(|outline| Curve::from(outline).to_nurbs());
+        let boundary = boundary.map_err(|error| Error::geometry(0, WHAT, error))?;
+        Ok(Self {
+            boundary: CurveForm::of(&boundary.into(), curve::SPACE),
+            page_per_model,
+            view: w.into_bytes().split_off(WIDE_HEADER),
+            view_is_wide: true,
+        })
+    }
+
     /// Whether an archive of the given version can carry it.
     pub(super) fn check_writable(&self, version: i32) -> Result<()> {
         self.view_for(Version { archive: version, opennurbs: 0 }).map(|_| ())

@@ -18,7 +18,7 @@ pub struct Hatch {
     pub scale: f64,
     /// How far the pattern is turned, in radians.
     pub rotation: f64,
-    /// The number of the pattern in its table; −1 for none.
+    /// The pattern as an index into [`Model::hatch_patterns`](crate::Model::hatch_patterns); one that is not there is none.
     pub pattern: i32,
     /// The curves that bound it.
     pub loops: Vec<HatchLoop>,

@@ -20,6 +20,7 @@ mod on_data;
 mod point;
 mod point_cloud;
 mod raw;
+mod restated;
 mod subd;
 mod surface;
 mod text_dot;
@@ -46,7 +47,7 @@ pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
-pub(crate) use subd::restated;
+pub(crate) use restated::{Surroundings, restated};
 pub use subd::{
     PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
     SubDObject, SubDPacking,
@@ -55,10 +56,8 @@ pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
-pub(crate) use brep::Reading as BrepReading;
-pub(crate) use class_object::{ClassObject, write_class};
-
-use class_object::write_null;
+pub(crate) use brep::{Reading as BrepReading, read_trim as brep_trim};
+pub(crate) use class_object::{ClassObject, write_class, write_null};
 
 use std::borrow::Cow;
 
@@ -66,6 +65,8 @@ use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
+use crate::read::Places;
+use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
 
@@ -144,8 +145,8 @@ impl Object {
         Version::for_writing(version)?;
         match self {
             Self::Kept(raw) => raw.check_writable(version),
-            Self::Extrusion(_) => extrusion::check_writable(version),
-            Self::SubD(_) => subd::check_writable(version),
+            Self::Extrusion(extrusion) => extrusion::check_writable(extrusion, version),
+            Self::SubD(subd) => subd::check_writable(subd, version),
             Self::Annotation(annotation) => annotation.check_writable(version),
             Self::DetailView(detail) => detail.check_writable(version),
             _ => Ok(()),
@@ -186,13 +187,15 @@ impl Object {
         }
         let version = Version::for_writing(version)?;
         let mut w = Writer::new(version);
-        self.write(&mut w, user_data)?;
+        let around = Surroundings { styles: &Styles::default(), in_model: true };
+        let (object, user_data) = restated(self, user_data, around, version)?;
+        object.write(&mut w, &user_data)?;
         Ok(RawObject {
-            class: self.class(),
+            class: object.class(),
             archive_version: version.archive,
             opennurbs_version: version.opennurbs,
             bytes: w.into_bytes(),
-            user_data: user_data.to_vec(),
+            user_data: user_data.into_owned(),
         })
     }
 
@@ -204,6 +207,19 @@ impl Object {
             Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
             Self::Mesh(_) => mesh::owns(data),
             _ => false,
+        }
+    }
+
+    /// Turns the numbers of hatch patterns and layers into places in their tables.
+    pub(crate) fn place(&mut self, places: &Places) {
+        match self {
+            Self::Hatch(hatch) => hatch.pattern = places.hatch_patterns.place(hatch.pattern),
+            Self::ClippingPlane(clipping) => {
+                let layers = &mut clipping.participants.layers;
+                layers.iter_mut().for_each(|layer| *layer = places.layers.place(*layer));
+                layers.retain(|layer| *layer >= 0);
+            }
+            _ => {}
         }
     }
 

@@ -10,6 +10,9 @@ const UNSET: f64 = -1.234_321_012_343_21e308;
 /// Positions from this minor version on say by their value whether they are set; before, all zeros said it.
 pub(super) const SAYS_UNSET: i32 = 2;
 
+/// Settings records have a place on the Earth from this minor version on.
+pub(super) const EARTH_FROM: u8 = 3;
+
 /// The settings record of an archive before version 60 for one of later: there a place at zero is set, and what is
 /// not set is another number. Bytes of a layout that is not known stay as they are.
 pub(crate) fn say_unset(body: &mut [u8], version: Version) {
@@ -21,7 +24,7 @@ fn try_say_unset(body: &mut [u8], version: Version) -> Result<()> {
     let context = Context::new(&Limits::default());
     let mut reader = Reader::new(body, version, &context);
     let (_, minor) = reader.packed_version(WHAT)?;
-    if minor < 5 {
+    if minor < EARTH_FROM {
         return Ok(());
     }
     // Linetype scale, colour in print, linetype; page units; active view; base point.

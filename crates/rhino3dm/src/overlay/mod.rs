@@ -1,15 +1,25 @@
-//! What kept records say, read out of them: views, construction planes, page settings, dimension and text styles.
+//! What kept records say, read out of them: views, construction planes, page settings, dimension and text styles,
+//! texture mappings, history, embedded files.
 //! The records stay as they are and are what is written.
 
+mod bitmap;
 mod dimension_style;
 mod earth;
+mod history;
 mod page;
+mod plain;
+mod texture_mapping;
 mod view;
 
+pub use bitmap::{EmbeddedFile, EmbeddedForm};
 pub use dimension_style::{DimensionStyle, TextStyle};
 pub(crate) use earth::say_unset;
+pub use history::{HistoryRecord, HistoryValue, HistoryValues, ObjectReference};
 pub use page::{EarthAnchor, PageSettings};
+pub(crate) use plain::{PlainPlane, PlainView, plane_of, write_plain_page};
+pub use texture_mapping::{MappingKind, TextureMapping};
 pub use view::{ConstructionPlane, View, ViewProjection};
+pub(crate) use view::{PLANE, VIEW};
 
 use crate::chunk::{Context, Reader};
 use crate::model::Model;
@@ -37,7 +47,7 @@ impl Model {
     /// Units of pages, base point and place on the Earth, when the archive says them.
     pub fn page_settings(&self) -> Option<PageSettings> {
         let record = self.kept.iter().find(|record| record.typecode == typecode::SETTINGS_ATTRIBUTES)?;
-        record.with_body(PageSettings::read).ok()
+        record.with_body(|body| PageSettings::read(body, self)).ok()
     }
 
     /// The dimension styles, as far as they can be read.
@@ -49,6 +59,17 @@ impl Model {
     /// since.
     pub fn text_styles(&self) -> Vec<TextStyle> {
         self.class_objects(Table::TextStyles, TextStyle::read)
+    }
+
+    /// How objects came about, as far as it can be read: the records that programs follow when what an object was
+    /// made from changes.
+    pub fn history(&self) -> Vec<HistoryRecord> {
+        self.class_objects(Table::History, HistoryRecord::read)
+    }
+
+    /// How images lie on objects, as far as it can be read.
+    pub fn texture_mappings(&self) -> Vec<TextureMapping> {
+        self.class_objects(Table::TextureMappings, TextureMapping::read)
     }
 
     fn class_objects<T>(&self, table: Table, read: impl Fn(&ClassObject<'_>) -> Result<Option<T>>) -> Vec<T> {
@@ -81,9 +102,17 @@ impl Model {
 impl KeptRecord {
     /// Runs `read` over the body, its CRC left out.
     pub(crate) fn with_body<T>(&self, read: impl FnOnce(&mut Reader<'_>) -> Result<T>) -> Result<T> {
+        self.with_body_in(&Context::new(&Limits::default()), read)
+    }
+
+    /// The same with limits and warnings of the caller's.
+    fn with_body_in<T>(
+        &self,
+        context: &Context,
+        read: impl FnOnce(&mut Reader<'_>) -> Result<T>,
+    ) -> Result<T> {
         let version = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
-        let context = Context::new(&Limits::default());
         let body = self.body.split_last_chunk::<4>().map_or(&[] as &[u8], |(body, _)| body);
-        read(&mut Reader::new(body, version, &context))
+        read(&mut Reader::new(body, version, context))
     }
 }

@@ -2,10 +2,10 @@
 
 use katydid_geometry::{Point3, Tolerance, Units, Vector3};
 
-use super::earth::SAYS_UNSET;
+use super::earth::{EARTH_FROM, SAYS_UNSET};
 use crate::Result;
 use crate::chunk::Reader;
-use crate::model::UnitScale;
+use crate::model::{Model, UnitScale};
 use crate::settings::read_stored_units;
 
 /// What an archive says of its pages and of its place in the world.
@@ -49,27 +49,35 @@ const WHAT: &str = "page settings";
 const UNSET: f64 = 1e300;
 
 impl PageSettings {
-    pub(super) fn read(body: &mut Reader<'_>) -> Result<Self> {
-        let (_, minor) = body.packed_version(WHAT)?;
-        let linetype_scale = if minor >= 1 { body.f64(WHAT)? } else { 1.0 };
-        if minor >= 2 {
-            // The colour in print and the linetype of new objects, and where both come from.
-            body.take(16, WHAT)?;
-        }
-        let (mut units, _) = body.versioned_1(WHAT)?;
-        let stored = read_stored_units(&mut units)?;
-        let mut page = Self {
-            linetype_scale,
-            units: stored.units,
-            unit_scale: stored.scale,
-            tolerance: stored.tolerance,
+    /// Pages of an archive that says nothing of them: like the model.
+    fn of_model(model: &Model) -> Self {
+        Self {
+            linetype_scale: 1.0,
+            units: model.units,
+            unit_scale: model.unit_scale.clone(),
+            tolerance: model.tolerance,
             base_point: Point3::ORIGIN,
             earth: None,
-        };
-        if minor >= 4 {
+        }
+    }
+
+    pub(super) fn read(body: &mut Reader<'_>, model: &Model) -> Result<Self> {
+        let (_, minor) = body.packed_version(WHAT)?;
+        let linetype_scale = body.f64(WHAT)?;
+        // The colour in print and the linetype of new objects, and where both come from.
+        body.take(16, WHAT)?;
+        let mut page = Self { linetype_scale, ..Self::of_model(model) };
+        if minor >= 1 {
+            let (mut units, _) = body.versioned_1(WHAT)?;
+            let stored = read_stored_units(&mut units)?;
+            page.units = stored.units;
+            page.unit_scale = stored.scale;
+            page.tolerance = stored.tolerance;
+        }
+        if minor >= 2 {
             body.uuid("active view")?;
         }
-        if minor >= 5 {
+        if minor >= EARTH_FROM {
             page.base_point = body.point(WHAT)?;
             page.earth = Some(EarthAnchor::read(body)?);
         }
@@ -101,5 +109,60 @@ impl EarthAnchor {
             anchor.description = chunk.string(WHAT)?;
         }
         Ok(anchor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chunk::Writer;
+    use crate::tables::{KeptRecord, Table};
+    use crate::typecode;
+    use crate::version::Version;
+
+    /// Page settings as openNURBS has written them since 2005, each minor version with more fields.
+    fn record(minor: u8) -> KeptRecord {
+        let mut w = Writer::new(Version::for_writing(50).unwrap());
+        w.chunk(typecode::SETTINGS_ATTRIBUTES, |w| {
+            w.packed_version(1, minor);
+            w.f64(2.5);
+            w.bytes(&[0; 16]);
+            if minor >= 1 {
+                w.versioned(1, 0, |w| {
+                    [102, 8].iter().for_each(|number| w.i32(*number));
+                    [0.25, 0.5, 0.01].iter().for_each(|tolerance| w.f64(*tolerance));
+                    [0, 3].iter().for_each(|number| w.i32(*number));
+                    w.f64(0.0254);
+                    w.string("")
+                })?;
+            }
+            if minor >= 2 {
+                w.bytes(&[0; 16]);
+            }
+            if minor >= 3 {
+                w.point(Point3::new(1.0, 2.0, 3.0));
+                w.versioned(1, 0, |w| {
+                    [47.5, 8.5, 400.0].iter().for_each(|number| w.f64(*number));
+                    w.bytes(&[0; 72]);
+                    Ok(())
+                })?;
+            }
+            Ok(())
+        })
+        .unwrap();
+        KeptRecord::of_chunk(Table::Settings, typecode::SETTINGS_ATTRIBUTES, w)
+    }
+
+    #[test]
+    fn every_minor_version_is_read_as_far_as_it_goes() {
+        for minor in 0..=7 {
+            let model = Model { units: Units::Meters, kept: vec![record(minor)], ..Model::default() };
+            let page = model.page_settings().unwrap();
+            assert!((page.linetype_scale - 2.5).abs() < 1e-15);
+            assert_eq!(page.units, if minor >= 1 { Units::Inches } else { Units::Meters }, "1.{minor}");
+            assert_eq!(page.base_point == Point3::new(1.0, 2.0, 3.0), minor >= 3, "1.{minor}");
+            let position = page.earth.and_then(|earth| earth.position);
+            assert_eq!(position, (minor >= 3).then_some([47.5, 8.5]), "1.{minor}");
+        }
     }
 }

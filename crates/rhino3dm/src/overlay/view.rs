@@ -7,12 +7,12 @@ use crate::Result;
 use crate::chunk::Reader;
 
 /// The chunk of a view in a list of views.
-pub(super) const VIEW: u32 = 0x2000_803B;
+pub(crate) const VIEW: u32 = 0x2000_803B;
 /// The chunk of a construction plane in a list or a view.
-pub(super) const PLANE: u32 = 0x2000_813B;
-const VIEWPORT: u32 = 0x2000_823B;
-const TARGET: u32 = 0x2000_883B;
-const NAME: u32 = 0x2000_8A3B;
+pub(crate) const PLANE: u32 = 0x2000_813B;
+pub(super) const VIEWPORT: u32 = 0x2000_823B;
+pub(super) const TARGET: u32 = 0x2000_883B;
+pub(super) const NAME: u32 = 0x2000_8A3B;
 
 /// A view of the model.
 #[derive(Debug, Clone, PartialEq)]

@@ -98,6 +98,16 @@ fn read_archive(bytes: &[u8], context: &Context) -> Result<Model> {
     Ok(reading.model)
 }
 
+/// How many records a table has, by their headers alone, so that a list of them need not grow while it is read. Records
+/// too small for any object do not count: nobody shall pay for what they will not become.
+fn records(table: &Reader<'_>) -> usize {
+    const SMALLEST: usize = 128;
+    let most = table.left() / SMALLEST;
+    let mut ahead = table.clone();
+    let hops = std::iter::from_fn(|| ahead.hop()).take_while(|typecode| *typecode != typecode::END_OF_TABLE);
+    hops.take(most).count()
+}
+
 /// A model being read.
 #[derive(Default)]
 struct Reading {
@@ -159,6 +169,9 @@ impl Reading {
             return Ok(());
         }
         let mut body = table.body;
+        if table.typecode == typecode::OBJECT_TABLE {
+            self.model.objects.reserve_exact(records(&body));
+        }
         while !body.is_at_end() {
             let context = body.context();
             let opened = context.opened();
@@ -211,6 +224,7 @@ impl Reading {
         let stored = settings::read_units(record.body.clone())?;
         let settings = &mut self.model.settings;
         [settings.length_display, settings.length_digits] = stored.display;
+        settings.impossible_tolerances = stored.impossible;
         self.model.units = stored.units;
         self.model.tolerance = stored.tolerance;
         self.model.relative_tolerance = stored.relative_tolerance;

@@ -3,6 +3,7 @@
 use crate::chunk::Reader;
 use crate::model::ModelObject;
 use crate::object::{ClassObject, Object};
+use crate::tables::{KeptRecord, Table};
 use crate::{Attributes, Error, Result, typecode};
 
 /// The typecodes inside a record; objects and lights differ in them only.
@@ -32,6 +33,7 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
     let context = record.context();
     let mut found: Option<(Object, Vec<_>)> = None;
     let mut attributes = Attributes::default();
+    let mut history = None;
     while !record.is_at_end() {
         if record.peek_typecode() == Some(typecode::CLASS) && found.is_none() {
             let class = ClassObject::read(&mut record)?;
@@ -51,6 +53,9 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
             Attributes::read(chunk.body).map(|read| attributes = read)
         } else if chunk.typecode == codes.user_data {
             attributes.read_user_data(chunk.body)
+        } else if chunk.typecode == typecode::OBJECT_HISTORY {
+            history = Some(Box::new(KeptRecord::of(Table::Objects, &chunk)));
+            Ok(())
         } else if chunk.typecode == codes.end {
             break;
         } else {
@@ -63,5 +68,5 @@ pub(super) fn read_record(mut record: Reader<'_>, codes: RecordCodes) -> Result<
     let Some((geometry, user_data)) = found else {
         return Err(Error::malformed(offset, "object record", "it holds no object"));
     };
-    Ok(ModelObject { geometry, attributes, user_data })
+    Ok(ModelObject { geometry, attributes, user_data, history })
 }

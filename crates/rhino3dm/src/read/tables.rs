@@ -6,18 +6,25 @@ use crate::chunk::Chunk;
 use crate::tables::{Entry, KeptRecord, Table, read_entry};
 use crate::{Result, typecode};
 
-/// Reads an entry into its list and notes its number.
+/// Reads an entry into its list and notes it.
 fn push<T: Entry>(record: &Chunk<'_>, list: &mut Vec<T>, numbers: &mut Numbers) -> Result<()> {
-    let (entry, number) = read_entry(&mut record.body.clone())?;
-    list.push(entry);
-    numbers.push(number);
-    Ok(())
+    match read_entry(&mut record.body.clone()) {
+        Ok(entry) => {
+            list.push(entry);
+            numbers.push();
+            Ok(())
+        }
+        Err(error) => {
+            numbers.skip();
+            Err(error)
+        }
+    }
 }
 
 impl Reading {
     /// Takes a record of any table but those of objects and lights.
     pub(super) fn read_entry_record(&mut self, table: u32, record: &Chunk<'_>) -> Result<()> {
-        // Hatch patterns and blocks are referred to by their own numbers and identifiers.
+        // Blocks are referred to by their identifiers.
         let mut unused = Numbers::default();
         let (model, places) = (&mut self.model, &mut self.places);
         let read = match (table, record.typecode) {
@@ -34,7 +41,7 @@ impl Reading {
                 push(record, &mut model.groups, &mut places.groups)
             }
             (typecode::HATCH_PATTERN_TABLE, typecode::HATCH_PATTERN_RECORD) => {
-                push(record, &mut model.hatch_patterns, &mut unused)
+                push(record, &mut model.hatch_patterns, &mut places.hatch_patterns)
             }
             (typecode::INSTANCE_DEFINITION_TABLE, typecode::INSTANCE_DEFINITION_RECORD) => {
                 push(record, &mut model.blocks, &mut unused)
@@ -59,23 +66,16 @@ impl Reading {
     /// Keeps a record byte for byte.
     pub(super) fn keep(&mut self, table: u32, record: &Chunk<'_>) {
         let Some(table) = Table::from_typecode(table) else { return };
-        let version = record.body.version();
-        self.model.kept.push(KeptRecord {
-            table,
-            typecode: record.typecode,
-            value: record.value,
-            body: record.whole.to_vec(),
-            archive_version: version.archive,
-            opennurbs_version: version.opennurbs,
-        });
+        self.model.kept.push(KeptRecord::of(table, record));
     }
 
-    /// Turns the numbers that layers, objects and lights refer by into places.
+    /// Turns the numbers by which layers, objects and lights refer to entries of tables into places.
     pub(super) fn place(&mut self) {
         let (model, places) = (&mut self.model, &self.places);
         model.layers.iter_mut().for_each(|layer| layer.place(places));
         for object in model.objects.iter_mut().chain(&mut model.lights) {
             object.attributes.place(places);
+            object.geometry.place(places);
         }
         model.settings.place(places);
     }

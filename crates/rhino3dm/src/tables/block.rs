@@ -7,7 +7,8 @@ use super::{Component, Entry, FileReference};
 use crate::chunk::{Reader, Writer};
 use crate::model::UnitScale;
 use crate::object::UserData;
-use crate::{Error, Result, typecode};
+use crate::version::Version;
+use crate::{Error, Result, class_ids, typecode};
 
 /// A block definition. Its members are objects of the model whose mode is
 /// [`InDefinition`](crate::ObjectMode::InDefinition).
@@ -96,6 +97,9 @@ const WHAT: &str = "block definition";
 /// Archives of version 60 have the older layout up to this openNURBS version.
 const OLD_UNTIL: u32 = 2_348_834_153;
 
+/// User data: the relative path of the file in archives of version 5, which have the full one in the body.
+const RELATIVE_PATH: Uuid = uuid!("F42D9671-21EB-4692-9B9A-BC3507FF28F5");
+
 const STATIC: u32 = 1;
 const LINKED_AND_EMBEDDED: u32 = 2;
 const LINKED: u32 = 3;
@@ -123,7 +127,7 @@ impl Block {
         self.bounds.iter().flatten().for_each(|x| w.f64(*x));
     }
 
-    fn read_old(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_old(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (major, minor) = body.packed_version(WHAT)?;
         if major != 1 {
@@ -162,20 +166,23 @@ impl Block {
         if minor >= 7 && body.bool(WHAT)? {
             link.file = FileReference::read(body)?;
         }
-        // Old linked blocks looked like the model, later ones stood apart.
-        if kind == LINKED && !matches!(link.appearance, 1 | 2) {
-            link.appearance = if body.version().is_wide() { 2 } else { 1 };
-        }
+        // Old linked blocks looked like the model, later ones stood apart; of others nobody asks.
+        link.appearance = match link.appearance {
+            _ if kind != LINKED => 0,
+            known @ (1 | 2) => known,
+            _ if body.version().is_wide() => 2,
+            _ => 1,
+        };
         block.source = match kind {
             LINKED_AND_EMBEDDED if !path.is_empty() => BlockSource::LinkedAndEmbedded(link),
             LINKED if !path.is_empty() => BlockSource::Linked(link),
             0..=LINKED => BlockSource::Static,
             _ => BlockSource::Unset,
         };
-        Ok((block, super::values::NO_NUMBER))
+        Ok(block)
     }
 
-    fn read_new(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_new(body: &mut Reader<'_>) -> Result<Self> {
         let (mut chunk, _) = body.versioned_1(WHAT)?;
         let component = Component::read_fields(&mut chunk)?;
         let kind = chunk.u32(WHAT)?;
@@ -206,7 +213,7 @@ impl Block {
             _ => BlockSource::Unset,
         };
         chunk.finish();
-        Ok((block, component.number))
+        Ok(block)
     }
 
     fn write_old(&self, id: Uuid, w: &mut Writer) -> Result<()> {
@@ -290,7 +297,7 @@ impl Entry for Block {
     const CLASS: Uuid = uuid!("26F8BFF6-2618-417F-A158-153D64A94989");
     const WHAT: &'static str = WHAT;
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let version = body.version();
         let chunked = body.peek_typecode() == Some(typecode::ANONYMOUS);
         let old = version.archive < 60 || version.archive == 60 && version.opennurbs <= OLD_UNTIL || !chunked;
@@ -301,19 +308,36 @@ impl Entry for Block {
         if w.version().archive < 60 { self.write_old(id, w) } else { self.write_new(number, id, w) }
     }
 
-    fn id(&self) -> Uuid {
-        self.id
+    fn take_own_data(&mut self) {
+        let Some(place) = self.user_data.iter().position(|data| data.class == RELATIVE_PATH) else { return };
+        let (BlockSource::LinkedAndEmbedded(link) | BlockSource::Linked(link)) = &mut self.source else {
+            return;
+        };
+        let path = self.user_data.get(place).map(|data| data.with_body(read_relative_path));
+        if let Some(Ok(Some(path))) = path {
+            link.file.relative_path = path;
+            self.user_data.remove(place);
+        }
     }
 
-    fn name(&self) -> &str {
-        &self.name
+    fn own_data(&self, version: Version) -> Result<Option<UserData>> {
+        let file = self.link().map(|link| &link.file).filter(|_| version.archive == 50);
+        let both = file.filter(|file| !file.full_path.is_empty() && !file.relative_path.is_empty());
+        let Some(file) = both else { return Ok(None) };
+        let data = UserData::core(RELATIVE_PATH, 0, version, |w| {
+            w.versioned(1, 0, |w| {
+                w.string(&file.relative_path)?;
+                w.bool(true);
+                Ok(())
+            })
+        })?;
+        Ok(Some(UserData { application: class_ids::OPENNURBS_5_APPLICATION, ..data }))
     }
+}
 
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
-    }
+/// The path in the user data of version 5, if it is a relative one.
+fn read_relative_path(body: &mut Reader<'_>) -> Result<Option<String>> {
+    let (mut chunk, _) = body.versioned_1(WHAT)?;
+    let path = chunk.string("path")?;
+    Ok(chunk.bool(WHAT)?.then_some(path))
 }

@@ -29,16 +29,16 @@ impl Entry for Group {
     const CLASS: Uuid = uuid!("721D9F97-3645-44C4-8BE6-B2CF697D25CE");
     const WHAT: &'static str = "group";
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (major, minor) = body.packed_version(Self::WHAT)?;
         if major != 1 {
             return Err(Error::malformed(offset, Self::WHAT, format!("major version {major} is not known")));
         }
-        let number = body.i32(Self::WHAT)?;
+        body.i32("group number")?;
         let name = body.string("group name")?;
         let id = if minor >= 1 { body.uuid(Self::WHAT)? } else { Uuid::nil() };
-        Ok((Self { id, name, user_data: Vec::new() }, number))
+        Ok(Self { id, name, user_data: Vec::new() })
     }
 
     fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()> {
@@ -47,21 +47,5 @@ impl Entry for Group {
         w.string(&self.name)?;
         w.uuid(id);
         Ok(())
-    }
-
-    fn id(&self) -> Uuid {
-        self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
     }
 }

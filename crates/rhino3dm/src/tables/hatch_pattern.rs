@@ -13,8 +13,6 @@ use crate::{Error, Result, typecode};
 pub struct HatchPattern {
     /// The identifier. A nil one gets a value of its own when written.
     pub id: Uuid,
-    /// The number by which hatches refer to the pattern; nothing for one that is still free.
-    pub number: Option<i32>,
     /// The name.
     pub name: String,
     /// A description.
@@ -60,13 +58,13 @@ const OLD_UNTIL: u32 = 2_348_833_956;
 const WHAT: &str = "hatch pattern";
 
 impl HatchPattern {
-    fn read_old(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_old(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (major, minor) = body.packed_version(WHAT)?;
         if major != 1 {
             return Err(Error::malformed(offset, WHAT, format!("major version {major} is not known")));
         }
-        let number = body.i32(WHAT)?;
+        body.i32("hatch pattern number")?;
         let kind = body.i32(WHAT)?;
         let (name, description) = (body.string("hatch pattern name")?, body.string("description")?);
         let mut pattern = Self { name, description, ..Self::default() };
@@ -80,10 +78,10 @@ impl HatchPattern {
         if minor >= 2 {
             pattern.id = body.uuid(WHAT)?;
         }
-        Ok((pattern, number))
+        Ok(pattern)
     }
 
-    fn read_new(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_new(body: &mut Reader<'_>) -> Result<Self> {
         let (mut chunk, _) = body.versioned_1(WHAT)?;
         let component = Component::read_bits(&mut chunk)?;
         let kind = chunk.i32(WHAT)?;
@@ -101,7 +99,7 @@ impl HatchPattern {
             _ => {}
         }
         chunk.finish();
-        Ok((pattern, component.number))
+        Ok(pattern)
     }
 
     fn kind(&self) -> i32 {
@@ -166,15 +164,12 @@ impl Entry for HatchPattern {
     const CLASS: Uuid = uuid!("064E7C91-35F6-4734-A446-79FF7CD659E1");
     const WHAT: &'static str = WHAT;
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let version = body.version();
         let old = version.archive < 60 || version.archive == 60 && version.opennurbs <= OLD_UNTIL;
         // Between the two only a look tells.
         let chunked = body.peek_typecode() == Some(typecode::ANONYMOUS);
-        let (mut pattern, number) =
-            if old && !chunked { Self::read_old(body)? } else { Self::read_new(body)? };
-        pattern.number = Some(number);
-        Ok((pattern, number))
+        if old && !chunked { Self::read_old(body) } else { Self::read_new(body) }
     }
 
     fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()> {
@@ -197,21 +192,5 @@ impl Entry for HatchPattern {
             w.string(&self.description)?;
             w.chunk(typecode::ANONYMOUS, |w| self.write_lines(w))
         })
-    }
-
-    fn id(&self) -> Uuid {
-        self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
     }
 }

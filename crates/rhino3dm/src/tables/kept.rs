@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::chunk::Writer;
+use crate::chunk::{Chunk, Writer};
 use crate::overlay::say_unset;
 use crate::recode::recode;
 use crate::version::Version;
@@ -88,6 +88,33 @@ pub struct KeptRecord {
 const WIDTH: &str = "its chunk lengths are of another width";
 
 impl KeptRecord {
+    /// The record as it stands in an archive.
+    pub(crate) fn of(table: Table, record: &Chunk<'_>) -> Self {
+        let version = record.body.version();
+        Self {
+            table,
+            typecode: record.typecode,
+            value: record.value,
+            body: record.whole.to_vec(),
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+        }
+    }
+
+    /// The record that was written as the only chunk.
+    pub(crate) fn of_chunk(table: Table, typecode: u32, written: Writer) -> Self {
+        let version = written.version();
+        let body = written.into_bytes().split_off(if version.is_wide() { 12 } else { 8 });
+        Self {
+            table,
+            typecode,
+            value: i64::try_from(body.len()).unwrap_or(i64::MAX),
+            body,
+            archive_version: version.archive,
+            opennurbs_version: version.opennurbs,
+        }
+    }
+
     /// What the record is, in words.
     pub fn name(&self) -> String {
         typecode::record_name(self.typecode).map_or_else(
@@ -101,12 +128,12 @@ impl KeptRecord {
         if self.typecode & typecode::SHORT != 0 {
             return Ok(Cow::Borrowed(&[]));
         }
-        // Class objects changed their layouts with version 60. Settings and mappings say their versions themselves,
-        // styles of before are another class, which readers of today turn into that of today, and the layout of
-        // history has only grown.
+        // Class objects changed their layouts with version 60. Settings, images and mappings say their versions
+        // themselves, styles of before are another class, which readers of today turn into that of today, and the
+        // layout of history has only grown.
         let new = |archive: i32| archive >= 60;
         let says_itself = match self.table {
-            Table::Settings | Table::TextureMappings => true,
+            Table::Settings | Table::Bitmaps | Table::TextureMappings => true,
             Table::TextStyles | Table::DimensionStyles | Table::History => !new(self.archive_version),
             _ => false,
         };

@@ -64,6 +64,9 @@ impl Layer {
     pub(crate) fn place(&mut self, places: &Places) {
         self.material = self.material.and_then(|number| places.materials.find(number));
         self.linetype = self.linetype.placed(&places.linetypes);
+        if let Some(style) = &mut self.section_style {
+            style.place(places);
+        }
     }
 }
 
@@ -177,7 +180,7 @@ impl Entry for Layer {
     const CLASS: Uuid = class_ids::LAYER;
     const WHAT: &'static str = WHAT;
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let version = body.version();
         let (major, minor) = body.packed_version(WHAT)?;
@@ -185,7 +188,7 @@ impl Entry for Layer {
             return Err(Error::malformed(offset, WHAT, format!("major version {major} is not known")));
         }
         let mode = body.i32(WHAT)?;
-        let number = body.i32(WHAT)?;
+        body.i32("layer number")?;
         let mut layer = Self { iges_level: body.i32(WHAT)?, ..Self::default() };
         layer.material = usize::try_from(body.i32("material")?).ok();
         body.i32(WHAT)?;
@@ -230,7 +233,7 @@ impl Entry for Layer {
         if minor >= 10 {
             layer.read_items(body)?;
         }
-        Ok((layer, number))
+        Ok(layer)
     }
 
     fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()> {
@@ -255,21 +258,5 @@ impl Entry for Layer {
         w.versioned(1, 0, |w| write_materials(&self.rendering_materials, w))?;
         w.uuid(self.display_material);
         self.write_items(w)
-    }
-
-    fn id(&self) -> Uuid {
-        self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
     }
 }

@@ -96,7 +96,7 @@ impl Linetype {
 
     /// A linetype inside of something else.
     pub(crate) fn read_inside(body: &mut Reader<'_>) -> Result<Self> {
-        Ok(<Self as Entry>::read(body)?.0)
+        <Self as Entry>::read(body)
     }
 
     /// A linetype inside of something else, which keeps what identifier it has.
@@ -182,14 +182,13 @@ impl Entry for Linetype {
     const CLASS: Uuid = uuid!("26F10A24-7D13-4F05-8FDA-8E364DAF8EA6");
     const WHAT: &'static str = "linetype";
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (mut chunk, major, minor) = body.versioned(Self::WHAT)?;
         let mut linetype = Self::default();
-        let number;
         match major {
             1 => {
-                number = chunk.i32(Self::WHAT)?;
+                chunk.i32("linetype number")?;
                 linetype.name = chunk.string("linetype name")?;
                 linetype.read_segments(&mut chunk)?;
                 if minor >= 1 {
@@ -198,7 +197,7 @@ impl Entry for Linetype {
             }
             2 => {
                 let component = Component::read_fields(&mut chunk)?;
-                (linetype.id, linetype.name, number) = (component.id, component.name, component.number);
+                (linetype.id, linetype.name) = (component.id, component.name);
                 linetype.read_segments(&mut chunk)?;
                 if minor >= 1 {
                     linetype.read_items(&mut chunk)?;
@@ -210,7 +209,7 @@ impl Entry for Linetype {
             }
         }
         chunk.finish();
-        Ok((linetype, number))
+        Ok(linetype)
     }
 
     fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()> {
@@ -230,21 +229,5 @@ impl Entry for Linetype {
             self.write_segments(w)?;
             self.write_items(w)
         })
-    }
-
-    fn id(&self) -> Uuid {
-        self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
     }
 }

@@ -138,6 +138,20 @@ impl Material {
         Ok(())
     }
 
+    /// Colours have no transparency from version 60 on, whatever is stored.
+    fn forget_alphas(&mut self) {
+        for colour in [
+            &mut self.ambient,
+            &mut self.diffuse,
+            &mut self.emission,
+            &mut self.specular,
+            &mut self.reflection,
+            &mut self.transparent,
+        ] {
+            colour[3] = 255;
+        }
+    }
+
     fn write_looks(&self, w: &mut Writer) -> Result<()> {
         w.uuid(self.application);
         for colour in
@@ -178,12 +192,13 @@ impl Material {
     }
 
     /// Version 60 and later.
-    fn read_new(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_new(body: &mut Reader<'_>) -> Result<Self> {
         let (mut chunk, _) = body.versioned_1(WHAT)?;
         let component = Component::read_bits(&mut chunk)?;
         let mut material = Self { id: component.id, name: component.name, ..Self::default() };
         material.states_empty_name = component.states_empty_name;
         material.read_looks(&mut chunk)?;
+        material.forget_alphas();
         material.read_channels(&mut chunk)?;
         material.shareable = chunk.bool(WHAT)?;
         material.disable_lighting = chunk.bool(WHAT)?;
@@ -191,15 +206,15 @@ impl Material {
         material.render_content = chunk.uuid(WHAT)?;
         material.diffuse_alpha_is_transparency = chunk.bool(WHAT)?;
         chunk.finish();
-        Ok((material, component.number))
+        Ok(material)
     }
 
     /// Version 4 and 50.
-    fn read_middle(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read_middle(body: &mut Reader<'_>) -> Result<Self> {
         let version = body.version();
         let (mut chunk, minor) = body.versioned_1(WHAT)?;
         let id = chunk.uuid(WHAT)?;
-        let number = chunk.i32(WHAT)?;
+        chunk.i32("material number")?;
         let mut material = Self { id, name: chunk.string("material name")?, ..Self::default() };
         material.states_empty_name = material.name.is_empty();
         material.read_looks(&mut chunk)?;
@@ -227,11 +242,11 @@ impl Material {
             material.diffuse_alpha_is_transparency = chunk.bool(WHAT)?;
         }
         chunk.finish();
-        Ok((material, number))
+        Ok(material)
     }
 
     /// Version 2 and 3, behind the version byte.
-    fn read_old(body: &mut Reader<'_>, minor: u8) -> Result<(Self, i32)> {
+    fn read_old(body: &mut Reader<'_>, minor: u8) -> Result<Self> {
         let mut material = Self {
             ambient: read_colour(body, WHAT)?,
             diffuse: read_colour(body, WHAT)?,
@@ -258,7 +273,7 @@ impl Material {
             texture.bump_scale[1] = height;
             material.textures.push(texture);
         }
-        let number = body.i32(WHAT)?;
+        body.i32("material number")?;
         material.application = body.uuid(WHAT)?;
         body.string("material library")?;
         material.name = body.string("material name")?;
@@ -269,7 +284,7 @@ impl Material {
             material.transparent = read_colour(body, WHAT)?;
             material.refraction = body.f64(WHAT)?;
         }
-        Ok((material, number))
+        Ok(material)
     }
 }
 
@@ -284,7 +299,7 @@ impl Entry for Material {
     const CLASS: Uuid = uuid!("60B5DBBC-E660-11D3-BFE4-0010830122F0");
     const WHAT: &'static str = WHAT;
 
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)> {
+    fn read(body: &mut Reader<'_>) -> Result<Self> {
         let version = body.version();
         if version.archive >= 60 && version.opennurbs >= NEW_FROM {
             return Self::read_new(body);
@@ -329,21 +344,5 @@ impl Entry for Material {
             w.bool(self.diffuse_alpha_is_transparency);
             Ok(())
         })
-    }
-
-    fn id(&self) -> Uuid {
-        self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn user_data(&self) -> &[UserData] {
-        &self.user_data
-    }
-
-    fn set_user_data(&mut self, data: Vec<UserData>) {
-        self.user_data = data;
     }
 }

@@ -32,25 +32,17 @@ pub use texture::{Texture, TextureKind};
 pub(crate) use component::Component;
 pub(crate) use material::single;
 
+use std::borrow::Cow;
+
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
 use crate::object::{ClassObject, UserData, write_class};
+use crate::version::Version;
 use crate::{Error, Result};
 
-/// An entry of a table: one class object.
-pub(crate) trait Entry: Sized {
-    /// The class.
-    const CLASS: Uuid;
-    /// The class in words.
-    const WHAT: &'static str;
-
-    /// Reads the body; gives the number by which other parts of the archive refer to the entry, too.
-    fn read(body: &mut Reader<'_>) -> Result<(Self, i32)>;
-
-    /// Writes the body under a number and an identifier that no other entry of the table has.
-    fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()>;
-
+/// What every entry of a table has: an identifier, a name and user data.
+pub(crate) trait Named {
     /// The identifier; nil when there is none.
     fn id(&self) -> Uuid;
 
@@ -64,8 +56,54 @@ pub(crate) trait Entry: Sized {
     fn set_user_data(&mut self, data: Vec<UserData>);
 }
 
+macro_rules! named {
+    ($($entry:ty),*) => {
+        $(impl Named for $entry {
+            fn id(&self) -> Uuid {
+                self.id
+            }
+
+            fn name(&self) -> &str {
+                &self.name
+            }
+
+            fn user_data(&self) -> &[UserData] {
+                &self.user_data
+            }
+
+            fn set_user_data(&mut self, data: Vec<UserData>) {
+                self.user_data = data;
+            }
+        })*
+    };
+}
+
+named!(Block, Group, HatchPattern, Layer, Linetype, Material);
+
+/// An entry of a table: one class object.
+pub(crate) trait Entry: Named + Sized {
+    /// The class.
+    const CLASS: Uuid;
+    /// The class in words.
+    const WHAT: &'static str;
+
+    /// Reads the body. The number that it states says nothing: entries are referred to by their places.
+    fn read(body: &mut Reader<'_>) -> Result<Self>;
+
+    /// Writes the body under a number and an identifier that no other entry of the table has.
+    fn write(&self, number: i32, id: Uuid, w: &mut Writer) -> Result<()>;
+
+    /// Takes out of the user data what is the entry's own, put there by versions that had no other place for it.
+    fn take_own_data(&mut self) {}
+
+    /// The user data in which a version has to put what is the entry's own.
+    fn own_data(&self, _version: Version) -> Result<Option<UserData>> {
+        Ok(None)
+    }
+}
+
 /// Reads a record that holds one entry.
-pub(crate) fn read_entry<T: Entry>(record: &mut Reader<'_>) -> Result<(T, i32)> {
+pub(crate) fn read_entry<T: Entry>(record: &mut Reader<'_>) -> Result<T> {
     let offset = record.offset();
     // Betas of version 4 wrote some bodies without their wrapping.
     if record.peek_typecode() != Some(crate::typecode::CLASS) {
@@ -75,13 +113,18 @@ pub(crate) fn read_entry<T: Entry>(record: &mut Reader<'_>) -> Result<(T, i32)> 
     let Some(mut data) = object.data.filter(|_| object.class == T::CLASS) else {
         return Err(Error::malformed(offset, T::WHAT, "the record holds another class"));
     };
-    let (mut entry, number) = T::read(&mut data)?;
+    let mut entry = T::read(&mut data)?;
     data.finish();
     entry.set_user_data(object.user_data);
-    Ok((entry, number))
+    entry.take_own_data();
+    Ok(entry)
 }
 
 /// Writes an entry as a class object.
 pub(crate) fn write_entry<T: Entry>(entry: &T, number: i32, id: Uuid, w: &mut Writer) -> Result<()> {
-    write_class(w, T::CLASS, entry.user_data(), |w| entry.write(number, id, w))
+    let data: Cow<'_, [UserData]> = match entry.own_data(w.version())? {
+        Some(own) => std::iter::once(own).chain(entry.user_data().iter().cloned()).collect(),
+        None => Cow::Borrowed(entry.user_data()),
+    };
+    write_class(w, T::CLASS, &data, |w| entry.write(number, id, w))
 }

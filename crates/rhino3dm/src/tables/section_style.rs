@@ -6,6 +6,7 @@ use super::Component;
 use super::linetype::Linetype;
 use super::values::{NO_NUMBER, read_colours, write_colour};
 use crate::chunk::{Reader, Writer};
+use crate::read::Places;
 use crate::{Error, Result};
 
 /// How an object looks where it is cut. What is nothing is as a program's default has it. Pairs of colours are
@@ -28,7 +29,7 @@ pub struct SectionStyle {
     pub boundary_width_scale: Option<f64>,
     /// Which sections are filled, by its number in archives.
     pub fill_rule: Option<u8>,
-    /// The number of the hatch pattern.
+    /// The hatch pattern as an index into [`Model::hatch_patterns`](crate::Model::hatch_patterns); below 0 for none.
     pub hatch: Option<i32>,
     /// The scale of the hatch.
     pub hatch_scale: Option<f64>,
@@ -43,6 +44,11 @@ pub struct SectionStyle {
 const WHAT: &str = "section style";
 
 impl SectionStyle {
+    /// Turns the number of the hatch pattern into its place.
+    pub(crate) fn place(&mut self, places: &Places) {
+        self.hatch = self.hatch.map(|number| places.hatch_patterns.place(number));
+    }
+
     pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         let offset = body.offset();
         let (mut chunk, major, _) = body.versioned(WHAT)?;

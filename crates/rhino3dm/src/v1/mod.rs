@@ -15,6 +15,7 @@ mod spline;
 mod text;
 mod toolkit;
 mod typecode;
+mod view;
 
 use katydid_geometry::Point3;
 
@@ -25,6 +26,7 @@ use self::attributes::{Extra, Stated};
 use self::light::Spotlight;
 use self::mesh::PackedMesh;
 use self::typecode as code;
+use self::view::Views;
 use crate::chunk::{Chunk, Context, Reader, Writer};
 use crate::model::{Model, ModelObject};
 use crate::object::Object;
@@ -38,7 +40,8 @@ const DOT_FONT: &str = "Arial";
 
 /// Reads the chunks behind the header.
 pub(crate) fn read_archive(mut file: Reader<'_>, context: &Context) -> Result<Model> {
-    let mut reading = Reading { model: Model { archive_version: 1, ..Model::default() } };
+    let mut reading =
+        Reading { model: Model { archive_version: 1, ..Model::default() }, views: Views::default() };
     while file.left() >= 8 {
         let offset = file.offset();
         let chunk = match file.chunk() {
@@ -61,12 +64,14 @@ pub(crate) fn read_archive(mut file: Reader<'_>, context: &Context) -> Result<Mo
         context.forget(0);
     }
     reading.check_layers();
+    reading.model.kept = reading.views.into_records()?;
     Ok(reading.model)
 }
 
 /// A model being read.
 struct Reading {
     model: Model,
+    views: Views,
 }
 
 impl Reading {
@@ -78,6 +83,9 @@ impl Reading {
             code::PREVIEW => settings::read_preview(body, &mut self.model)?,
             code::NOTES => settings::read_notes(body, &mut self.model)?,
             code::UNITS => settings::read_units(body, &mut self.model)?,
+            code::VIEWPORT | code::NAMED_VIEW | code::NAMED_PLANE => {
+                self.views.take(chunk.typecode, &mut body)?
+            }
             code::LAYER => self.model.layers.push(settings::read_layer(body)?),
             // Some points with arrows state a length of zero: what belongs to them follows.
             code::POINT if chunk.value == 0 => self.read_point(chunk.offset, file)?,
@@ -237,6 +245,8 @@ fn kind_name(typecode: u32) -> &'static str {
         code::SUMMARY => "summary",
         code::PREVIEW => "preview",
         code::UNITS => "unit",
+        code::VIEWPORT | code::NAMED_VIEW => "view",
+        code::NAMED_PLANE => "construction plane",
         code::POINT => "point",
         code::MESH => "mesh",
         code::SPOTLIGHT => "light",

@@ -3,7 +3,7 @@
 use super::attributes::colour_bytes;
 use super::{text, typecode as code};
 use crate::chunk::Reader;
-use crate::{Layer, Model, Preview, Result, Revision, Time, colour, settings, typecode};
+use crate::{Layer, Model, Preview, Result, Revision, StoredBuffer, Time, colour, settings, typecode};
 
 const WHAT: &str = "units of version 1";
 /// The last unit that version 1 knows.
@@ -85,7 +85,8 @@ pub(super) fn read_summary(mut body: Reader<'_>, model: &mut Model) -> Result<()
 /// A small picture: a Windows bitmap without its file header.
 pub(super) fn read_preview(mut body: Reader<'_>, model: &mut Model) -> Result<()> {
     let header = body.array("preview")?;
-    model.properties.preview = Some(Preview { header, pieces: vec![body.rest().to_vec()] });
+    model.properties.preview =
+        Some(Preview { header, pieces: vec![StoredBuffer::new(body.rest().to_vec())] });
     Ok(())
 }
 
@@ -101,6 +102,7 @@ pub(super) fn read_units(mut body: Reader<'_>, model: &mut Model) -> Result<()> 
     model.unit_scale = stored.scale;
     model.tolerance = stored.tolerance;
     model.relative_tolerance = stored.relative_tolerance;
+    model.settings.impossible_tolerances = stored.impossible;
     Ok(())
 }
 

@@ -1,10 +1,10 @@
 //! Breps of the toolkit that came before openNURBS: lists of parts that name each other by their places.
 
-use katydid_geometry::brep::{CurvePart, Edge, Face, Iso, Loop, LoopKind, Trim, TrimKind, Vertex};
+use katydid_geometry::brep::{CurvePart, Edge, Face, Iso, Loop, LoopKind, Trim, Vertex};
 
 use super::{curve, spline, typecode as code};
 use crate::chunk::Reader;
-use crate::object::BrepReading;
+use crate::object::{BrepReading, brep_trim};
 use crate::{BrepObject, Error, Result, SurfaceForm};
 
 const WHAT: &str = "brep of the toolkit";
@@ -73,39 +73,10 @@ fn read_edge(body: &mut Reader<'_>) -> Result<Edge> {
     Ok(Edge { part, vertices, trims: places(body)?, tolerance: body.f64(WHAT)?, deleted: false })
 }
 
+/// A trim as version 2 has it; a flag that is computed anew is passed over.
 fn read_trim(body: &mut Reader<'_>) -> Result<Trim> {
     body.i32(WHAT)?;
-    let part = part(body)?;
-    let edge = place(body)?;
-    let vertices = [place(body)?, place(body)?];
-    let reversed = body.i32(WHAT)? != 0;
-    let kind = match body.i32(WHAT)? {
-        1 => TrimKind::Boundary,
-        2 => TrimKind::Mated,
-        3 => TrimKind::Seam,
-        4 => TrimKind::Singular,
-        _ => TrimKind::Unknown,
-    };
-    // A flag that is computed anew.
-    body.i32(WHAT)?;
-    let in_loop = place(body)?;
-    let tolerance = [body.f64(WHAT)?, body.f64(WHAT)?];
-    // Points at its ends.
-    body.take(48, WHAT)?;
-    let older_tolerances = [body.f64(WHAT)?, body.f64(WHAT)?];
-    let iso = Iso::None;
-    Ok(Trim {
-        part,
-        edge,
-        reversed,
-        vertices,
-        kind,
-        iso,
-        in_loop,
-        tolerance,
-        older_tolerances,
-        deleted: false,
-    })
+    Ok(Trim { iso: Iso::None, ..brep_trim(body, false)? })
 }
 
 fn read_loop(body: &mut Reader<'_>) -> Result<Loop> {

@@ -6,6 +6,21 @@ pub(super) const LAYER: u32 = 0x0040_0010;
 pub(super) const LAYER_NAME: u32 = 0x0040_0011;
 pub(super) const LAYER_STATE: u32 = SHORT | 0x0040_0033;
 pub(super) const NAME: u32 = 0x0200_0001;
+/// What a view shows, and its construction plane.
+pub(super) const VIEW: u32 = 0x0200_0002;
+pub(super) const PLANE: u32 = 0x0200_0003;
+pub(super) const NAMED_PLANE: u32 = 0x0200_0004;
+pub(super) const NAMED_VIEW: u32 = 0x0200_0005;
+pub(super) const VIEWPORT: u32 = 0x0200_0006;
+pub(super) const SHOWS_GRID: u32 = SHORT | 0x0200_0007;
+pub(super) const SHOWS_GRID_AXES: u32 = SHORT | 0x0200_0008;
+pub(super) const SHOWS_WORLD_AXES: u32 = SHORT | 0x0200_0009;
+pub(super) const VIEW_POSITION: u32 = 0x0200_000A;
+pub(super) const TRACE: u32 = 0x0200_000B;
+pub(super) const HIDE_TRACE: u32 = 0x0200_000E;
+pub(super) const MAXIMISED: u32 = SHORT | 0x0200_0011;
+pub(super) const WALLPAPER: u32 = 0x0200_0012;
+pub(super) const DISPLAY_MODE: u32 = SHORT | 0x0200_0015;
 pub(super) const NOTES: u32 = 0x0200_000F;
 pub(super) const UNITS: u32 = 0x0200_0010;
 pub(super) const SUMMARY: u32 = 0x0200_0013;
@@ -57,7 +72,7 @@ pub(super) const EXTRA: u32 = 0x4000_0001;
 /// Whether a chunk of version 1 can stand before the tables of version 2: summary, preview, units, viewports,
 /// layers, mesh parameters, the current layer, annotation settings, notes, named planes and views.
 pub(crate) fn may_precede_tables(typecode: u32) -> bool {
-    const OTHERS: [u32; 6] =
-        [0x0200_0006, 0x0040_0020, SHORT | 0x0040_0025, 0x0020_0001, 0x0200_0004, 0x0200_0005];
-    matches!(typecode, UNITS | LAYER | NOTES | SUMMARY | PREVIEW) || OTHERS.contains(&typecode)
+    const OTHERS: [u32; 3] = [0x0040_0020, SHORT | 0x0040_0025, 0x0020_0001];
+    matches!(typecode, UNITS | LAYER | NOTES | SUMMARY | PREVIEW | VIEWPORT | NAMED_VIEW | NAMED_PLANE)
+        || OTHERS.contains(&typecode)
 }

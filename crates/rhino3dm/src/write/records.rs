@@ -3,9 +3,10 @@
 use super::ids::Ids;
 use crate::chunk::Writer;
 use crate::model::ModelObject;
-use crate::object::restated;
+use crate::object::{Surroundings, restated};
 use crate::read::RecordCodes;
-use crate::{Error, Result, class_ids, typecode};
+use crate::styles::Styles;
+use crate::{ActiveSpace, Error, Result, class_ids, typecode};
 
 /// Fewer records are not worth the start of other threads.
 #[cfg(feature = "parallel")]
@@ -15,6 +16,8 @@ const PARALLEL: usize = 32;
 pub(super) struct Records<'a> {
     /// The typecode of a record.
     pub(super) typecode: u32,
+    /// The styles of annotations.
+    pub(super) styles: &'a Styles,
     /// How many layers there are.
     pub(super) layers: usize,
     /// The identifiers of lights and objects together.
@@ -55,7 +58,8 @@ impl Records<'_> {
         }
         let is_object = self.typecode == typecode::OBJECT_RECORD;
         let codes = if is_object { RecordCodes::OBJECT } else { RecordCodes::LIGHT };
-        let (geometry, user_data) = restated(&object.geometry, &object.user_data, w.version());
+        let around = Surroundings { styles: self.styles, in_model: attributes.space == ActiveSpace::Model };
+        let (geometry, user_data) = restated(&object.geometry, &object.user_data, around, w.version())?;
         w.chunk(self.typecode, |w| {
             if is_object {
                 let kind = class_ids::object_type(geometry.class());
@@ -65,6 +69,7 @@ impl Records<'_> {
             geometry.write(w, &user_data)?;
             let id = self.ids.get(self.first + place, w.since(start));
             attributes.write(w, id, codes.attributes, codes.user_data)?;
+            object.history.iter().try_for_each(|history| history.write(w))?;
             w.short(codes.end, 0);
             Ok(())
         })

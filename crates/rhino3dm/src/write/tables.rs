@@ -1,7 +1,6 @@
 //! The tables of an archive in their order: typed entries first, then the records that are kept.
 
 use std::borrow::Cow;
-use std::collections::HashSet;
 
 use uuid::Uuid;
 
@@ -10,11 +9,13 @@ use super::records::Records;
 use crate::chunk::Writer;
 use crate::model::Model;
 use crate::settings::{self, StoredUnits};
-use crate::tables::{Entry, Table, write_entry};
+use crate::styles::Styles;
+use crate::tables::{Entry, Named, Table, write_entry};
 use crate::{Error, Layer, Result, properties, typecode};
 
 impl Model {
     pub(super) fn write_tables(&self, w: &mut Writer) -> Result<()> {
+        let styles = Styles::of(self, w.version());
         self.table(w, Table::Properties, |w| {
             w.short(typecode::OPENNURBS_VERSION, i64::from(w.version().opennurbs));
             properties::write(self, w)
@@ -28,14 +29,22 @@ impl Model {
         self.table(w, Table::Layers, |w| entries(&layers, typecode::LAYER_RECORD, w))?;
         self.table(w, Table::Groups, |w| entries(&self.groups, typecode::GROUP_RECORD, w))?;
         // Without this table, empty as it may be, readers pass over the dimension styles behind it.
-        self.table(w, Table::TextStyles, |_| Ok(()))?;
-        self.table(w, Table::DimensionStyles, |_| Ok(()))?;
+        if styles.replaces(Table::DimensionStyles) {
+            only(w, Table::TextStyles, |w| styles.write_text_styles(w))?;
+            only(w, Table::DimensionStyles, |w| styles.write_dimension_styles(w))?;
+        } else {
+            self.table(w, Table::TextStyles, |_| Ok(()))?;
+            self.table(w, Table::DimensionStyles, |_| Ok(()))?;
+        }
         // Identifiers are unique over lights and objects together.
         let all: Vec<Uuid> = self.lights.iter().chain(&self.objects).map(|o| o.attributes.id).collect();
         let ids = Ids::of(all.into_iter());
-        let records = |typecode, first| Records { typecode, layers: layers.len(), ids: &ids, first };
+        let records =
+            |typecode, first| Records { typecode, styles: &styles, layers: layers.len(), ids: &ids, first };
         self.table(w, Table::Lights, |w| records(typecode::LIGHT_RECORD, 0).write(&self.lights, w))?;
-        self.table(w, Table::HatchPatterns, |w| self.write_hatch_patterns(w))?;
+        self.table(w, Table::HatchPatterns, |w| {
+            entries(&self.hatch_patterns, typecode::HATCH_PATTERN_RECORD, w)
+        })?;
         self.table(w, Table::Blocks, |w| entries(&self.blocks, typecode::INSTANCE_DEFINITION_RECORD, w))?;
         let objects = records(typecode::OBJECT_RECORD, self.lights.len());
         self.table(w, Table::Objects, |w| objects.write(&self.objects, w))?;
@@ -50,12 +59,10 @@ impl Model {
         table: Table,
         records: impl FnOnce(&mut Writer) -> Result<()>,
     ) -> Result<()> {
-        w.chunk(table.typecode(), |w| {
+        only(w, table, |w| {
             records(w)?;
             let mut kept = self.kept.iter().filter(|record| record.table == table);
-            kept.try_for_each(|record| record.write(w))?;
-            w.short(typecode::END_OF_TABLE, 0);
-            Ok(())
+            kept.try_for_each(|record| record.write(w))
         })
     }
 
@@ -67,25 +74,11 @@ impl Model {
                 tolerance: self.tolerance,
                 relative_tolerance: self.relative_tolerance,
                 display: [self.settings.length_display, self.settings.length_digits],
+                impossible: self.settings.impossible_tolerances,
             };
             settings::write_units(&stored, w)
         })?;
         self.settings.write(w)
-    }
-
-    /// Hatch patterns keep their numbers, by which hatches refer to them; those without get the first that is free.
-    fn write_hatch_patterns(&self, w: &mut Writer) -> Result<()> {
-        let ids = Ids::of(self.hatch_patterns.iter().map(|pattern| pattern.id));
-        let mut stated: HashSet<i32> =
-            self.hatch_patterns.iter().filter_map(|pattern| pattern.number).collect();
-        for (place, pattern) in self.hatch_patterns.iter().enumerate() {
-            let free = || (0..i32::MAX).find(|number| !stated.contains(number)).unwrap_or(i32::MAX);
-            let number = pattern.number.unwrap_or_else(free);
-            stated.insert(number);
-            let id = ids.get(place, pattern.name.as_bytes());
-            w.chunk(typecode::HATCH_PATTERN_RECORD, |w| write_entry(pattern, number, id, w))?;
-        }
-        Ok(())
     }
 
     fn layers_to_write(&self) -> Cow<'_, [Layer]> {
@@ -93,9 +86,18 @@ impl Model {
     }
 }
 
+/// A table: what `records` writes, and its end mark.
+fn only(w: &mut Writer, table: Table, records: impl FnOnce(&mut Writer) -> Result<()>) -> Result<()> {
+    w.chunk(table.typecode(), |w| {
+        records(w)?;
+        w.short(typecode::END_OF_TABLE, 0);
+        Ok(())
+    })
+}
+
 /// The records of entries, each numbered by its place.
 fn entries<T: Entry>(entries: &[T], record: u32, w: &mut Writer) -> Result<()> {
-    let ids = Ids::of(entries.iter().map(Entry::id));
+    let ids = Ids::of(entries.iter().map(Named::id));
     for (place, entry) in entries.iter().enumerate() {
         let number = i32::try_from(place).map_err(|_| Error::CannotWrite {
             what: format!("a table with {} entries", entries.len()),

@@ -21,3 +21,12 @@ def check_subd(ours, theirs, what):
     assert level["edge_tags"] == [EDGE_TAGS[e.Tag.name] for e in edges], f"{what} edge tags"
     assert [s[0] for s in level["sharpness"]] == [e.EndSharpness(False) for e in edges], f"{what} sharpness"
     assert not ours["kernel"] or not theirs.IsValid, f"{what}: {ours['kernel']}"
+    if ours["limit"]:
+        # Not what the file remembers of it; a copy, so that the object stays as it is.
+        fresh = theirs.Duplicate()
+        fresh.ClearEvaluationCache()
+        # The surface at the control points, where darts are only near it.
+        smooth = [i for i, v in enumerate(vertices) if not v.IsDart]
+        size = max(abs(x) for p in level["points"] for x in p)
+        found = [ours["limit"][i] for i in smooth]
+        close(found, [xyz(fresh.Vertices[level["vertex_ids"][i]].SurfacePoint) for i in smooth], f"{what} limit", 1e-9 * size)

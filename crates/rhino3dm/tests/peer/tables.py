@@ -121,10 +121,8 @@ def check_reading(path):
     check_linetypes(tables["linetypes"], file, what)
     assert [group["name"] for group in tables["groups"]] == [group.Name for group in file.Groups], what
     check_blocks(tables["blocks"], file, what)
-    # Views and the settings of pages of version 1 are passed over.
-    if head["version"] != 1:
-        check_views(tables["views"], file.Views, what)
-        check_views(tables["named_views"], file.NamedViews, what)
+    check_views(tables["views"], file.Views, what)
+    check_views(tables["named_views"], file.NamedViews, what)
     check_styles(tables["dimension_styles"], file, what)
     check_page(tables.pop("page"), file, what)
     for i, (ours, theirs) in enumerate(zip(objects, file.Objects)):
@@ -211,11 +209,7 @@ def check_conversion(path, version, counts, differences):
         before, again, after, theirs = (contents(read(p)) for p in (path, path, out, rewritten))
     for tables in (before, again, theirs):
         tables["attributes"] = [tables["attributes"][i] for i in carried]
-    # Views and the settings of pages of version 1 are passed over.
-    passed_over = ("views", "named views", "page") if "_v1_" in path.name else ()
     for table, entries in before.items():
-        if table in passed_over:
-            continue
         others = after[table]
         counts[table, "of"] += len(entries)
         if len(entries) != len(others):

@@ -82,6 +82,32 @@ def layer(name, colour, state):
     return chunk(0x00400010, chunk(0x00400011, text(name)) + short(0x80400001, colour) + short(0x80400033, state) + END)
 
 
+def camera(projection, target, angles, size, distance):
+    return chunk(0x02000002, ints(projection, 1) + doubles(*target, *angles, size, distance))
+
+
+def plane():
+    """A construction plane whose axes are neither of unit length nor at right angles."""
+    return chunk(0x02000003, doubles(1, 2, 3, 1, 1, 0, 0, 1, 1, 2.5) + ints(20, 4))
+
+
+def views():
+    """Views as far as they go: all they can have, nothing at all, and numbers that cannot be any."""
+    everything = camera(2, (1, 2, 3), (0.1, 0.7, -2.0), 0.33, 250) + plane()
+    everything += chunk(0x0200000A, doubles(0.1, 0.2, 0.6, 0.9))
+    everything += chunk(0x0200000B, PLANE + doubles(8, 5) + text("trace.bmp")) + chunk(0x02000012, text("wallpaper.bmp"))
+    # What early programs wrote: no length, but a short chunk.
+    everything += short(0x0200000E, 0)
+    everything += short(0x82000007, 0) + short(0x82000011, 1) + short(0x82000015, 1)
+    yield 0x02000006, chunk(0x02000001, text("everything")) + everything
+    yield 0x02000006, chunk(0x02000001, text("nothing"))
+    yield 0x02000006, chunk(0x02000001, text("impossible")) + camera(1, (0, 0, 0), (0, 0, 0), -1, 0)
+    yield 0x02000006, chunk(0x02000001, text("turned")) + camera(1, (4, 5, 6), (1.5707963267948966, -1.5707963267948966, 3.141592653589793), 2, 30)
+    yield 0x02000006, chunk(0x02000001, text("far")) + camera(2, (1e5, -1e-3, 7), (-0.4, 12.5, 1e-9), 1.5, 0.5)
+    yield 0x02000005, chunk(0x02000001, text("größe")) + camera(2, (0, 0, 1), (1, 2, 3), 0.5, 10) + plane()
+    yield 0x02000004, chunk(0x02000001, text("tilted")) + plane()
+
+
 def archive():
     spotlight = doubles(1, 2, 3, 0.8, 0.6, 0, -0.6, 0.8, 0, 2, 5, 0.5) + attributes("spot", 1, 0x00102030) + END
     chunks = [
@@ -91,6 +117,7 @@ def archive():
         layer("first", 0x00FF0000, 0),
         layer("second", 0x0000FF00, 2),
         layer("third", 0x000000FF, 1),
+        *[chunk(code, body + END) for code, body in views()],
         chunk(0x02000010, ints(1, 8) + doubles(0.002, 0.02, 0.05)),
         point((1, 2, 3), name="point", layer=1, density=3, transparency=51),
         point((0, 0, 0), data={"RhAnnotateArrow": doubles(1, 2, 2)}),

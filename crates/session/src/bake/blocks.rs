@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use katydid_3dm::{Attributes, BlockReference, Model, ModelObject, Object};
+use katydid_3dm::{Attributes, BlockReference, Model, ModelObject, Object, ObjectMode};
 use katydid_geometry::{Curve, Direction, Mesh, Point3, Surface, Vector3, Xform};
 use uuid::Uuid;
 
@@ -89,6 +89,9 @@ fn same(a: &Shape, b: &Shape) -> bool {
 }
 
 fn shape(object: &ModelObject) -> Option<Shape> {
+    if object.attributes.mode == ObjectMode::InDefinition {
+        return None;
+    }
     let mut exact = DefaultHasher::new();
     (object.attributes.layer, object.attributes.colour).hash(&mut exact);
     let points = match &object.geometry {

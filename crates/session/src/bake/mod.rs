@@ -1,11 +1,12 @@
 //! What a definition shows, as a model that Rhino opens.
 
 mod blocks;
+mod content;
 mod pieces;
 
 use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
 use katydid_component::{Access, Matching};
-use katydid_data::{Colour, Column, Item, Kind, Material, Path, Tree, Value};
+use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
 use katydid_definition::document::{Document, Object, Special};
 use katydid_solver::{Engine, Inputs};
 use uuid::{Uuid, uuid};
@@ -36,14 +37,16 @@ pub struct Baked {
 /// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`),
 /// or, where nothing is, all that is previewed.
 ///
-/// Each object of the definition has a layer of its name. What comes out of a Custom Preview has the colour of its
+/// Each object of the definition has a layer of its name, but model objects have what is said of them: name, layer,
+/// colour, groups, state and user text; blocks, layers and linetypes go into the tables. What comes out of a Custom Preview has the colour of its
 /// material, members of a group of geometry are a group, and user text tells where each piece comes from: `Object`
 /// is the id of the object, `Path` and `Index` its place in the data.
 pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     let document = engine.document();
     let rules = engine.options().rules;
     let model = Model { units: rules.units, tolerance: rules.tolerance, ..Model::default() };
-    let mut baking = Baking { engine, baked: Baked { model, left_out: Vec::new() } };
+    let mut baking =
+        Baking { engine, baked: Baked { model, left_out: Vec::new() }, blocks: content::Blocks::default() };
     let inputs = Inputs::new(engine);
     let marked = marked(document);
     for (index, object) in document.objects.iter().enumerate() {
@@ -98,12 +101,14 @@ struct Source<'a> {
 struct Baking<'a> {
     engine: &'a Engine,
     baked: Baked,
+    /// The blocks that objects bring along.
+    blocks: content::Blocks,
 }
 
 impl Baking<'_> {
     fn add_tree(&mut self, object: &Object, tree: &Tree) {
         let kind = tree.column().kind();
-        if !kind.is_geometry() && kind != Kind::Generic {
+        if !kind.is_geometry() && !matches!(kind, Kind::Generic | Kind::Content) {
             return;
         }
         for (branch, path) in tree.paths().iter().enumerate() {
@@ -137,7 +142,10 @@ impl Baking<'_> {
         let rules = &self.engine.options().rules;
         let title = source.object.title();
         let mut pieces = Vec::new();
-        if let Err(reason) = pieces::of(value, rules, &mut pieces) {
+        let model = &mut self.baked.model;
+        let put = pieces::of(value, rules, model, &mut self.blocks, &mut pieces);
+        let put = put.and_then(|()| put_table(value, rules, model, &mut self.blocks));
+        if let Err(reason) = put {
             let text = format!("{title}: {reason}");
             if !self.baked.left_out.contains(&text) {
                 self.baked.left_out.push(text);
@@ -146,19 +154,33 @@ impl Baking<'_> {
         if pieces.is_empty() {
             return;
         }
-        let model = &mut self.baked.model;
-        let mut attributes = Attributes {
-            // Colons between names would make a layer inside another.
-            layer: Some(model.layer_at(&title.replace("::", ":"))),
-            name: title.to_owned(),
-            colour: colour.map(|c| [c.r, c.g, c.b, 255]),
-            user_strings: vec![
-                ("Object".to_owned(), source.object.id.to_string()),
-                ("Path".to_owned(), source.path.to_string()),
-                ("Index".to_owned(), source.index.to_string()),
-            ],
-            ..Attributes::default()
+        let own = match value {
+            Value::Content(content) => match &**content {
+                Content::Object(object) => Some(content::attributes(model, object)),
+                _ => None,
+            },
+            _ => None,
         };
+        // New attributes stand on the first layer.
+        let mut attributes = own.unwrap_or_else(|| Attributes { layer: None, ..Attributes::default() });
+        // What an object has of its own goes before where it comes from.
+        if attributes.layer.is_none() {
+            // Colons between names would make a layer inside another.
+            attributes.layer = Some(model.layer_at(&title.replace("::", ":")));
+        }
+        if attributes.name.is_empty() {
+            title.clone_into(&mut attributes.name);
+        }
+        attributes.colour = colour.map(|c| [c.r, c.g, c.b, 255]).or(attributes.colour);
+        for (key, text) in [
+            ("Object", source.object.id.to_string()),
+            ("Path", source.path.to_string()),
+            ("Index", source.index.to_string()),
+        ] {
+            if attributes.user_strings.iter().all(|(known, _)| known != key) {
+                attributes.user_strings.push((key.to_owned(), text));
+            }
+        }
         if matches!(value, Value::Group(_)) {
             attributes.groups.push(model.groups.len());
             model.groups.push(Group::new(format!("{title} {} {}", source.path, source.index)));
@@ -169,6 +191,27 @@ impl Baking<'_> {
         };
         model.objects.extend(pieces.into_iter().map(with_attributes));
     }
+}
+
+/// Puts a block, layer or linetype on its own into the tables of the model.
+fn put_table(
+    value: &Value,
+    rules: &cast::Rules,
+    model: &mut Model,
+    blocks: &mut content::Blocks,
+) -> Result<(), String> {
+    let Value::Content(content) = value else { return Ok(()) };
+    match &**content {
+        Content::Block(block) => {
+            blocks.put(model, block, rules)?;
+        }
+        Content::Layer(layer) => {
+            content::put_layer(model, layer);
+        }
+        Content::Linetype(linetype) => content::put_linetype(model, linetype),
+        Content::Object(_) | Content::Instance(_) | Content::Filter(_) => {}
+    }
+    Ok(())
 }
 
 /// The place of item `index` of a branch whose last item repeats.

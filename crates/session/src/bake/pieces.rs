@@ -1,10 +1,19 @@
 //! Values as objects of a model.
 
-use katydid_3dm::Object;
-use katydid_data::{Kind, Value, cast};
+use katydid_3dm::{BlockReference, Model, Object};
+use katydid_data::{Content, Kind, ModelObject, Value, cast};
 
-/// The objects of a model that a value becomes. Types that Rhino does not draw become none.
-pub(super) fn of(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Object>) -> Result<(), String> {
+use super::content::Blocks;
+
+/// The objects of a model that a value becomes. Types that Rhino does not draw become none. A block that is placed is
+/// put into the model with `blocks`.
+pub(super) fn of(
+    value: &Value,
+    rules: &cast::Rules,
+    model: &mut Model,
+    blocks: &mut Blocks,
+    pieces: &mut Vec<Object>,
+) -> Result<(), String> {
     match value {
         Value::Point(p) => pieces.push(Object::Point(*p)),
         Value::Line(_) | Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) | Value::Curve(_) => {
@@ -20,10 +29,21 @@ pub(super) fn of(value: &Value, rules: &cast::Rules, pieces: &mut Vec<Object>) -
         },
         Value::Group(group) => {
             for member in group.members.iter().flatten() {
-                of(member, rules, pieces)?;
+                of(member, rules, model, blocks, pieces)?;
             }
         }
         Value::Kept(raw) => pieces.push(Object::Kept((**raw).clone())),
+        Value::Content(content) => match &**content {
+            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                of(geometry, rules, model, blocks, pieces)?;
+            }
+            Content::Instance(instance) => {
+                let definition = blocks.put(model, &instance.definition, rules)?;
+                let reference = BlockReference::new(definition, instance.transform);
+                pieces.push(Object::BlockReference(Box::new(reference)));
+            }
+            _ => {}
+        },
         _ => {}
     }
     Ok(())

@@ -45,10 +45,16 @@ pub struct Part {
     pub normals: Option<Slice>,
     /// The array of colours: red, green, blue, alpha of each position.
     pub colours: Option<Slice>,
-    /// The array of one number each position: a curvature. Its least and greatest values are in `range`.
+    /// The array of the Gaussian curvature at each position, of surfaces, in 1/units². Its least and greatest values
+    /// are in `range`.
     pub values: Option<Slice>,
     /// The least and the greatest of `values`.
     pub range: Option<[f64; 2]>,
+    /// The array of the mean curvature at each position, of surfaces, in 1/units. Its least and greatest values are in
+    /// `mean_range`.
+    pub mean: Option<Slice>,
+    /// The least and the greatest of `mean`.
+    pub mean_range: Option<[f64; 2]>,
     /// The array of indices: three a triangle, two a line segment; none when positions follow each other.
     pub indices: Option<Slice>,
     /// The texts, one a position.

@@ -32,13 +32,23 @@ normals: Slice | null,
  */
 colours: Slice | null, 
 /**
- * The array of one number each position: a curvature. Its least and greatest values are in `range`.
+ * The array of the Gaussian curvature at each position, of surfaces, in 1/units². Its least and greatest values
+ * are in `range`.
  */
 values: Slice | null, 
 /**
  * The least and the greatest of `values`.
  */
 range: [number, number] | null, 
+/**
+ * The array of the mean curvature at each position, of surfaces, in 1/units. Its least and greatest values are in
+ * `mean_range`.
+ */
+mean: Slice | null, 
+/**
+ * The least and the greatest of `mean`.
+ */
+meanRange: [number, number] | null, 
 /**
  * The array of indices: three a triangle, two a line segment; none when positions follow each other.
  */

@@ -2,32 +2,24 @@
 
 use std::sync::Arc;
 
-use katydid_3dm::{Limits, Model};
-use katydid_component::{Context, Message, component};
-use katydid_data::{Geometry, Value};
+use katydid_component::{Context, Message, RhinoModel, component};
+use katydid_data::Geometry;
 
 use crate::params::wildcard::Wildcard;
 
 fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<Vec<Geometry>, Message> {
     let (layers, names) = (Wildcard::new(layer)?, Wildcard::new(name)?);
     let bytes = context.read_file(file)?;
-    let model = Model::read(&bytes, &Limits::default())
+    let model = RhinoModel::read(&bytes)
         .map_err(|error| Message::error(format!("{file} cannot be read: {error}")))?;
-    let wanted: Vec<bool> = (0..model.layers.len())
-        .map(|i| model.layer_path(i).is_some_and(|path| layers.takes_layer(&path)))
-        .collect();
-    let any_layer = layers.takes("");
     let mut geometry = Vec::new();
     let mut unknown = 0;
-    for object in model.objects {
-        let on_layer =
-            object.attributes.layer.and_then(|layer| wanted.get(layer)).copied().unwrap_or(any_layer);
-        if !on_layer || !names.takes(&object.attributes.name) {
-            continue;
-        }
-        match Value::from_object(object.geometry, &object.user_data) {
-            Some(value) => geometry.push(Geometry(value)),
-            None => unknown += 1,
+    for object in model.objects() {
+        if layers.takes_layer(&object.layer) && names.takes(&object.name) {
+            match &object.geometry {
+                Some(value) => geometry.push(Geometry(value.clone())),
+                None => unknown += 1,
+            }
         }
     }
     if unknown > 0 {
@@ -39,7 +31,7 @@ fn import(context: &Context<'_>, file: &str, layer: &str, name: &str) -> Result<
 
 /// Reads the geometry of a Rhino model (.3dm), in the units of the model.
 ///
-/// Filters pick objects by layer and name: `*` stands for any text, `?` for one character.
+/// Filters pick objects by layer and name: `*` stands for any text, `?` for one character. A placed block is one object.
 #[component("317f1cb2-820d-4a8f-b5c8-5de3594ddfba", name = "Import 3DM", nick = "3DM", at = "Params/Input")]
 #[output("Geometry", "G", "The geometry, in the order of the file.")]
 fn import_3dm(
@@ -95,7 +87,7 @@ mod tests {
             let attributes =
                 Attributes { layer: Some(layer), name: name.to_owned(), ..Attributes::default() };
             let geometry = Object::Point(Point3::new(x, 0.0, 0.0));
-            model.objects.push(ModelObject { geometry, attributes, user_data: Vec::new() });
+            model.objects.push(ModelObject { attributes, ..geometry.into() });
         }
         let folder = std::env::temp_dir().join(format!("katydid-model-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();

@@ -1,18 +1,21 @@
 //! Annotations: text, leaders, dimensions and centre marks, in three generations of classes.
 //!
 //! The classes of version 6 and later are [`Annotation`]; those of versions 4 and 5 are [`Annotation5`], those of
-//! version 2 [`Annotation2`]. The older ones are kept in their own generation, whatever version is written: the
+//! version 2 [`Annotation2`]. Those of version 6 are written to archives before in the form of version 5, but for
+//! centre marks, which that has not. The older ones are kept in their own generation, whatever version is written: the
 //! official reader turns them into the newest wherever it meets them, by numbers of the dimension styles (and of
 //! the fonts of the machine) that an object does not have by itself.
 
 mod content;
 mod dimension;
+mod older;
 mod plain_text;
 mod version2;
 mod version5;
 
 pub use content::TextContent;
 pub use dimension::Dimension;
+pub(super) use older::to_older;
 pub use version2::{Annotation2, Annotation2Kind};
 pub use version5::{Annotation5, Annotation5Kind};
 
@@ -155,15 +158,15 @@ impl Annotation {
         }
     }
 
-    /// Whether an archive of the given version can carry it.
+    /// Whether an archive of the given version can carry it, in its older form if need be.
     pub(super) fn check_writable(&self, version: i32) -> Result<()> {
-        if version >= 60 {
+        if version >= 60 || !matches!(self.kind, AnnotationKind::CentreMark { .. }) {
             return Ok(());
         }
         Err(Error::CannotWrite {
-            what: format!("a {}", class_ids::name(class_of(self)).unwrap_or(WHAT)),
+            what: "a centre mark".into(),
             version,
-            why: "annotations of version 6 have no older form without the numbers of their style".into(),
+            why: "archives have them from version 60 on".into(),
         })
     }
 }
@@ -308,7 +311,6 @@ fn read_overrides(body: &mut Reader<'_>) -> Result<Option<StyleOverrides>> {
 
 /// Writes the body.
 pub(super) fn write(annotation: &Annotation, w: &mut Writer) -> Result<()> {
-    annotation.check_writable(w.version().archive)?;
     // Leaders count their content from 1, the others from 0.
     let content = i32::from(matches!(annotation.kind, AnnotationKind::Leader { .. }));
     w.versioned(1, content, |w| {

@@ -74,10 +74,20 @@ impl Annotation5 {
     }
 }
 
+/// How text stands from its point, as bits.
+pub(super) mod justify {
+    pub(in super::super) const LEFT: i32 = 1;
+    pub(in super::super) const CENTRE: i32 = 2;
+    pub(in super::super) const RIGHT: i32 = 4;
+    pub(in super::super) const BOTTOM: i32 = 1 << 16;
+    pub(in super::super) const MIDDLE: i32 = 1 << 17;
+    pub(in super::super) const TOP: i32 = 1 << 18;
+}
+
 const WHAT: &str = "annotation of version 5";
 const TEXT_NUMBER: i32 = 7;
 /// Text that hangs from its point, to the right of it.
-const TOP_LEFT: i32 = 1 << 18 | 1;
+const TOP_LEFT: i32 = justify::TOP | justify::LEFT;
 /// openNURBS wraps them in chunks since then.
 const WRAPPED_SINCE: u32 = 200_710_180;
 /// What stands for no bend.

@@ -134,38 +134,45 @@ pub(super) fn read_trims(body: &mut Reader<'_>) -> Result<Vec<Trim>> {
     for place in 0..count {
         // openNURBS does not take a trim for deleted.
         read_deleted(&mut list, place, WHAT)?;
-        let curve = read_place(&mut list, WHAT)?;
-        let range = list.interval(WHAT)?;
-        let edge = read_place(&mut list, WHAT)?;
-        let vertices = [read_place(&mut list, WHAT)?, read_place(&mut list, WHAT)?];
-        let reversed = list.i32(WHAT)? != 0;
-        let kind = trim_kind(list.i32(WHAT)?);
-        let iso = iso(list.i32(WHAT)?);
-        let in_loop = read_place(&mut list, WHAT)?;
-        let tolerance = [list.f64(WHAT)?, list.f64(WHAT)?];
-        let mut part = CurvePart { curve, range, reversed: false, domain: range };
-        if has_domain {
-            part.domain = list.interval(WHAT)?;
-            part.reversed = list.take(32, WHAT)?.first() == Some(&1);
-        } else {
-            list.take(48, WHAT)?;
-        }
-        let older_tolerances = [list.f64(WHAT)?, list.f64(WHAT)?];
-        trims.push(Trim {
-            part,
-            edge,
-            reversed,
-            vertices,
-            kind,
-            iso,
-            in_loop,
-            tolerance,
-            older_tolerances,
-            deleted: false,
-        });
+        trims.push(read_trim(&mut list, has_domain)?);
     }
     list.finish();
     Ok(trims)
+}
+
+/// A trim behind its own place.
+pub(crate) fn read_trim(list: &mut Reader<'_>, has_domain: bool) -> Result<Trim> {
+    const WHAT: &str = "brep trim";
+    let curve = read_place(list, WHAT)?;
+    let range = list.interval(WHAT)?;
+    let edge = read_place(list, WHAT)?;
+    let vertices = [read_place(list, WHAT)?, read_place(list, WHAT)?];
+    let reversed = list.i32(WHAT)? != 0;
+    let kind = trim_kind(list.i32(WHAT)?);
+    let iso = iso(list.i32(WHAT)?);
+    let in_loop = read_place(list, WHAT)?;
+    let tolerance = [list.f64(WHAT)?, list.f64(WHAT)?];
+    let mut part = CurvePart { curve, range, reversed: false, domain: range };
+    if has_domain {
+        part.domain = list.interval(WHAT)?;
+        part.reversed = list.take(32, WHAT)?.first() == Some(&1);
+    } else {
+        // Points at its ends.
+        list.take(48, WHAT)?;
+    }
+    let older_tolerances = [list.f64(WHAT)?, list.f64(WHAT)?];
+    Ok(Trim {
+        part,
+        edge,
+        reversed,
+        vertices,
+        kind,
+        iso,
+        in_loop,
+        tolerance,
+        older_tolerances,
+        deleted: false,
+    })
 }
 
 pub(super) fn write_trims(trims: &[Trim], w: &mut Writer) -> Result<()> {

@@ -8,6 +8,7 @@ mod regions;
 mod summary;
 
 pub use bare::BareSurface;
+pub(crate) use items::read_trim;
 pub use summary::{BrepEdge, BrepSummary};
 
 use std::collections::BTreeMap;

@@ -1,5 +1,6 @@
 //! Class Extrusion: curves in a plane moved along a segment, with flat or mitred ends and perhaps caps.
 
+mod brep_form;
 mod meshes;
 
 pub use meshes::ExtrusionMesh;
@@ -12,6 +13,8 @@ use crate::version::Version;
 use crate::{Error, Result, class_ids};
 
 const WHAT: &str = "extrusion";
+/// The first version whose archives have extrusions.
+pub(super) const FIRST: i32 = 50;
 
 /// Curves in a plane moved along a segment.
 ///
@@ -94,20 +97,20 @@ pub(super) fn own_user_data(extrusion: &Extrusion, version: Version) -> Result<O
     if version.archive == 50 { meshes::to_version_5(&extrusion.meshes, version) } else { Ok(None) }
 }
 
-pub(super) fn check_writable(version: i32) -> Result<()> {
-    if version >= 50 {
+/// Whether an archive of the given version can carry an extrusion, as a brep if need be.
+pub(super) fn check_writable(extrusion: &Extrusion, version: i32) -> Result<()> {
+    if version >= FIRST || extrusion.to_brep().is_some() {
         return Ok(());
     }
     Err(Error::CannotWrite {
         what: "an extrusion".into(),
         version,
-        why: "the class is not known there, and extrusions cannot be made breps yet".into(),
+        why: "the class is not known there, and this one cannot be made a brep".into(),
     })
 }
 
 pub(super) fn write(extrusion: &Extrusion, w: &mut Writer) -> Result<()> {
     let version = w.version().archive;
-    check_writable(version)?;
     let has_meshes = version >= 60;
     w.versioned(1, if has_meshes { 3 } else { 2 }, |w| {
         match &extrusion.profile {

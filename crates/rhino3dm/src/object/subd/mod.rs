@@ -1,5 +1,5 @@
 //! Class SubD (section 8): control nets whose parts name each other by numbers of the archive. Archives have the class
-//! from version 60 on.
+//! from version 60 on; before, a mesh stands for it.
 
 mod additions;
 mod kernel;
@@ -7,7 +7,7 @@ mod proxy;
 mod read;
 mod write;
 
-pub(crate) use proxy::restated;
+pub(super) use proxy::{check_writable, mesh_of, stood_for};
 pub(super) use read::read;
 pub(super) use write::write;
 
@@ -15,7 +15,6 @@ use katydid_geometry::subd::{SubDEdgeTag, SubDVertexTag};
 use uuid::Uuid;
 
 use super::MappingTag;
-use crate::{Error, Result};
 
 const WHAT: &str = "SubD";
 
@@ -169,15 +168,3 @@ const VERTEX_TAGS: [SubDVertexTag; 5] = [
 /// The tags of edges with the numbers that archives give them.
 const EDGE_TAGS: [(SubDEdgeTag, u8); 4] =
     [(SubDEdgeTag::Unset, 0), (SubDEdgeTag::Smooth, 1), (SubDEdgeTag::Crease, 2), (SubDEdgeTag::SmoothX, 4)];
-
-/// Refuses versions that have no SubDs.
-pub(super) fn check_writable(version: i32) -> Result<()> {
-    if version >= 60 {
-        return Ok(());
-    }
-    Err(Error::CannotWrite {
-        what: "a SubD".into(),
-        version,
-        why: "archives have the class from version 60 on".into(),
-    })
-}

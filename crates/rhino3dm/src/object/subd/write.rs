@@ -10,7 +10,6 @@ const NO_HASH: (i32, u8) = (1, 1);
 
 /// Writes the body of a SubD.
 pub(in crate::object) fn write(subd: &SubDObject, w: &mut Writer) -> Result<()> {
-    super::check_writable(w.version().archive)?;
     w.bool(!subd.levels.is_empty());
     if subd.levels.is_empty() {
         return Ok(());

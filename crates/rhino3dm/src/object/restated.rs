@@ -1,0 +1,73 @@
+//! Objects in the form that archives of another version have of them.
+
+use std::borrow::Cow;
+
+use super::{Object, UserData, annotation, extrusion, subd};
+use crate::styles::Styles;
+use crate::version::Version;
+use crate::{Result, class_ids};
+
+/// The first version whose archives have SubDs as objects; their readers take a mesh that stands for one for no more
+/// than a mesh.
+const SUBDS: i32 = 70;
+/// The first version with annotations of today.
+const ANNOTATIONS: i32 = 60;
+
+/// What annotations of before version 60 take from around them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Surroundings<'a> {
+    /// The styles of the model.
+    pub(crate) styles: &'a Styles,
+    /// Whether the object lies in the model, not on a page.
+    pub(crate) in_model: bool,
+}
+
+/// An object and its user data as an archive of the given version has them.
+type Restated<'a> = (Cow<'a, Object>, Cow<'a, [UserData]>);
+
+/// The object and its user data as an archive of the given version has them.
+pub(crate) fn restated<'a>(
+    object: &'a Object,
+    user_data: &'a [UserData],
+    around: Surroundings<'_>,
+    version: Version,
+) -> Result<Restated<'a>> {
+    Ok(restate(object, user_data, around, version)?
+        .map_or((Cow::Borrowed(object), Cow::Borrowed(user_data)), |(object, user_data)| {
+            (Cow::Owned(object), Cow::Owned(user_data))
+        }))
+}
+
+/// The other form, when the version has another.
+fn restate(
+    object: &Object,
+    user_data: &[UserData],
+    around: Surroundings<'_>,
+    version: Version,
+) -> Result<Option<(Object, Vec<UserData>)>> {
+    let archive = version.archive;
+    Ok(match object {
+        Object::Mesh(mesh) if archive >= SUBDS => {
+            let subd = user_data.iter().find_map(|data| subd::stood_for(mesh, data));
+            let others =
+                || user_data.iter().filter(|data| data.class != class_ids::SUBD_PROXY).cloned().collect();
+            subd.map(|subd| (Object::SubD(Box::new(subd)), others()))
+        }
+        Object::SubD(subd) => subd::mesh_of(subd, version)?.map(|(mesh, data)| {
+            let all = user_data.iter().cloned().chain([data]);
+            (Object::Mesh(Box::new(mesh)), all.collect())
+        }),
+        Object::Extrusion(extrusion) if archive < extrusion::FIRST => {
+            extrusion.to_brep().map(|brep| (Object::Brep(Box::new(brep)), user_data.to_vec()))
+        }
+        Object::Annotation(newer) if archive < ANNOTATIONS => {
+            annotation::to_older(newer, around.styles, around.in_model, version)?.map(
+                |(older, mut extras)| {
+                    extras.extend(user_data.iter().cloned());
+                    (Object::Annotation5(Box::new(older)), extras)
+                },
+            )
+        }
+        _ => None,
+    })
+}

@@ -1,0 +1,67 @@
+//! Display / Preview: geometry with a material, dots, symbols.
+
+use std::sync::Arc as Shared;
+
+use katydid_data::{Colour, Geometry, Material, Symbol};
+use katydid_definition::document::Object;
+use katydid_geometry::{Curve, Point3};
+use uuid::{Uuid, uuid};
+
+use super::Draw;
+use crate::Painter;
+use crate::rows::Row;
+use crate::values;
+use crate::{Form, Look};
+
+pub(super) const DRAWN: &[(Uuid, Draw)] = &[
+    (uuid!("537b0419-bbc2-4ff4-bf08-afe526367b2c"), custom_preview),
+    (uuid!("6b1bd8b2-47a4-4aa6-a471-3fd91c62a486"), dot),
+    (uuid!("059b72b0-9bb3-4542-a805-2dcd27493164"), cloud),
+    (uuid!("62d5ead4-53c4-4d0b-b5ce-6bd6e0850ab8"), symbol),
+    (uuid!("eeb8f5d3-2c5e-46bd-a368-10f0f9576fe9"), custom_curve),
+];
+
+fn custom_preview(painter: &mut Painter<'_>, object: &Object, row: &Row<'_>) {
+    let (Some(Geometry(value)), Some(material)) = (row.item::<Geometry>(0), row.item::<Material>(1)) else {
+        return;
+    };
+    let look = values::look(&material, painter.look);
+    painter.values.add(&mut painter.scene, &value, look, painter.rules, object.title());
+}
+
+fn dot(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let Some(at) = row.item::<Point3>(0) else { return };
+    let line = row.item::<Colour>(1).unwrap_or_default();
+    let size = row.item::<f64>(2).unwrap_or(1.0);
+    if size.is_finite() && size > 0.0 {
+        painter.scene.add(Form::Dot(at, size), Look { line, ..painter.look });
+    }
+}
+
+fn cloud(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let colours: Vec<Colour> = row.list(1);
+    let size = row.item::<f64>(2).unwrap_or(1.0);
+    if !(size.is_finite() && size > 0.0) {
+        return;
+    }
+    for (k, at) in row.list::<Point3>(0).into_iter().enumerate() {
+        let line = colours.get(k).or(colours.last()).copied().unwrap_or(Colour::rgb(255, 20, 147));
+        // Soft dots let half of what is behind them through.
+        painter
+            .scene
+            .add(Form::Dot(at, size), Look { line: Colour { a: line.a / 2, ..line }, ..painter.look });
+    }
+}
+
+/// The curve in its colour; the gaps of its linetype are not drawn.
+fn custom_curve(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    if let (Some(curve), Some(line)) = (row.item::<Shared<Curve>>(0), row.item::<Colour>(2)) {
+        painter.scene.add(Form::Curve(curve), Look { line, ..painter.look });
+    }
+}
+
+fn symbol(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    if let (Some(at), Some(symbol)) = (row.item::<Point3>(0), row.item::<Shared<Symbol>>(1)) {
+        painter.scene.add(Form::Symbol(at, symbol), painter.look);
+    }
+}

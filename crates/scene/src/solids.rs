@@ -1,0 +1,45 @@
+//! What is kept as a program wrote it, such as a brep: drawn by the meshes that it brought, and by its edges.
+
+use std::sync::Arc as Shared;
+
+use katydid_3dm::{Limits, Model, ModelObject, RawObject};
+use katydid_exchange::{Scene as Exchanged, Shape};
+use katydid_geometry::{Curve, Point3};
+
+use crate::{Facets, Form, tessellated};
+
+/// Edges stray from their curves by this part of their size at most.
+const SMOOTH: f64 = 5e-4;
+
+/// The forms of a kept object.
+pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
+    let class = raw.class_name();
+    let object =
+        raw.parse(&Limits::default()).map_err(|error| format!("a {class} cannot be read: {error}"))?;
+    let model = Model { objects: vec![ModelObject::from(object)], ..Model::default() };
+    let exchanged = Exchanged::from_model(&model);
+    if exchanged.things.is_empty() {
+        let why = exchanged.left_out.first().map(|left| format!(": {left}")).unwrap_or_default();
+        return Err(format!("a {class} is kept whole, but cannot be drawn yet{why}"));
+    }
+    Ok(exchanged.things.into_iter().flat_map(|thing| forms(thing.shape)).collect())
+}
+
+fn forms(shape: Shape) -> Vec<Form> {
+    match shape {
+        Shape::Points(set) => set.points.into_iter().map(Form::Point).collect(),
+        Shape::Curve(curve) => vec![Form::Curve(Shared::new(curve))],
+        Shape::Mesh(mesh) => vec![Form::Mesh(Shared::new(mesh))],
+        Shape::Faces { facets: Some(mesh), edges } => {
+            let borders = edges.iter().map(line).collect();
+            vec![Form::Surface(Shared::new(Facets::made(mesh, borders)))]
+        }
+        Shape::Faces { facets: None, edges } => {
+            edges.into_iter().map(|edge| Form::Curve(Shared::new(edge))).collect()
+        }
+    }
+}
+
+fn line(edge: &Curve) -> Vec<Point3> {
+    tessellated(edge, SMOOTH * edge.bounding_box().diagonal().length())
+}

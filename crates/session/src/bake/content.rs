@@ -1,0 +1,118 @@
+//! Content of a model as entries of its tables.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use katydid_3dm::{
+    Attributes, LineCap, LineJoin, Linetype, LinetypeSegment, Model, ModelObject as Archived, ObjectMode,
+};
+use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Visibility, cast};
+use uuid::Uuid;
+
+use super::pieces;
+
+/// The blocks that are in the model already.
+#[derive(Debug, Default)]
+pub(super) struct Blocks {
+    /// By where they lie; they are kept, so that no address is used twice.
+    known: HashMap<usize, (Arc<BlockDefinition>, Uuid)>,
+}
+
+impl Blocks {
+    /// Puts a block into the model, with the blocks inside it; gives its identifier there.
+    pub(super) fn put(
+        &mut self,
+        model: &mut Model,
+        block: &Arc<BlockDefinition>,
+        rules: &cast::Rules,
+    ) -> Result<Uuid, String> {
+        let address = Arc::as_ptr(block).addr();
+        if let Some((_, id)) = self.known.get(&address) {
+            return Ok(*id);
+        }
+        let mut members = Vec::new();
+        for object in block.objects() {
+            let mut objects = Vec::new();
+            if let Some(geometry) = &object.geometry {
+                pieces::of(geometry, rules, model, self, &mut objects)?;
+            }
+            let attributes = attributes(model, object);
+            let member = |geometry| Archived { attributes: attributes.clone(), ..Archived::from(geometry) };
+            members.extend(objects.into_iter().map(member));
+        }
+        let id = model.add_block(&block.name, members);
+        if let Some(entry) = model.blocks.last_mut() {
+            entry.description = block.description.to_string();
+            entry.url = block.url.to_string();
+            entry.url_tag = block.url_description.to_string();
+        }
+        self.known.insert(address, (block.clone(), id));
+        Ok(id)
+    }
+}
+
+/// The attributes of an object, with its layer and its groups in the tables of the model.
+pub(super) fn attributes(model: &mut Model, object: &ModelObject) -> Attributes {
+    let text = |(key, text): &(Arc<str>, Arc<str>)| (key.to_string(), text.to_string());
+    let mut groups: Vec<usize> = object.groups.iter().map(|name| model.group_named(name)).collect();
+    groups.dedup();
+    Attributes {
+        name: object.name.to_string(),
+        layer: object.layer.as_deref().and_then(|layer| put_layer(model, layer)),
+        colour: object.colour.map(|c| [c.r, c.g, c.b, c.a]),
+        mode: match object.visibility {
+            Visibility::Normal => ObjectMode::Normal,
+            Visibility::Hidden => ObjectMode::Hidden,
+            Visibility::Locked => ObjectMode::Locked,
+        },
+        visible: object.visibility != Visibility::Hidden,
+        groups,
+        user_strings: object.user_text.iter().map(text).collect(),
+        ..Attributes::default()
+    }
+}
+
+/// The place of a layer in the model, which gets it with those that it lies in; none for a layer without a name.
+pub(super) fn put_layer(model: &mut Model, layer: &ModelLayer) -> Option<usize> {
+    if layer.path.trim().is_empty() {
+        return None;
+    }
+    let before = model.layers.len();
+    let place = model.layer_at(&layer.path);
+    if place >= before
+        && let Some(entry) = model.layers.get_mut(place)
+    {
+        entry.colour = layer.colour.map_or(entry.colour, |c| [c.r, c.g, c.b, c.a]);
+        entry.visible = !layer.hidden;
+        entry.locked = layer.locked;
+    }
+    Some(place)
+}
+
+/// Puts a linetype into the model, unless it has one of that name.
+pub(super) fn put_linetype(model: &mut Model, linetype: &ModelLinetype) {
+    if model.linetypes.iter().any(|known| known.name.eq_ignore_ascii_case(&linetype.name)) {
+        return;
+    }
+    let segment = |length: &f64| LinetypeSegment { length: length.abs(), is_gap: *length < 0.0 };
+    let mut entry = Linetype {
+        name: linetype.name.to_string(),
+        cap: match linetype.cap {
+            1 => LineCap::Flat,
+            2 => LineCap::Square,
+            _ => LineCap::Round,
+        },
+        join: match linetype.join {
+            1 => LineJoin::Miter,
+            2 => LineJoin::Bevel,
+            _ => LineJoin::Round,
+        },
+        width: linetype.width,
+        width_units: u8::try_from(linetype.width_units).unwrap_or_default(),
+        ..Linetype::default()
+    };
+    if !linetype.segments.is_empty() {
+        entry.segments = linetype.segments.iter().map(segment).collect();
+    }
+    model.linetypes.push(entry);
+}

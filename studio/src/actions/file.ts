@@ -1,0 +1,62 @@
+import { goTo, open } from "../app/files";
+import { place } from "../app/place";
+import { showDialog } from "../dialogs/store";
+import { documentStore } from "../state/document";
+import { ask } from "../state/session";
+import { register } from "./registry";
+
+const isOpen = () => documentStore.getState().document !== undefined;
+
+register(
+  {
+    id: "file.new",
+    label: "action.new",
+    group: "file",
+    keys: ["Mod+Alt+N"],
+    run: async () => goTo(await open({ new: true })),
+  },
+  { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
+  {
+    id: "file.save",
+    label: "action.save",
+    group: "file",
+    keys: ["Mod+S"],
+    isEnabled: isOpen,
+    async run() {
+      if (!documentStore.getState().document?.path) return showDialog("saveAs");
+      // A refusal is shown in the line at the bottom.
+      await ask({ ask: "save", path: null }).catch(() => undefined);
+    },
+  },
+  {
+    id: "file.saveAs",
+    label: "action.saveAs",
+    group: "file",
+    keys: ["Mod+Shift+S"],
+    isEnabled: isOpen,
+    run: () => showDialog("saveAs"),
+  },
+  {
+    id: "file.export",
+    label: "action.export",
+    group: "file",
+    keys: ["Mod+Shift+E"],
+    isEnabled: isOpen,
+    run: () => showDialog("export"),
+  },
+  {
+    id: "file.player",
+    label: "action.player",
+    group: "file",
+    isEnabled: isOpen,
+    run: () => goTo(place(location.search).document, true),
+  },
+  {
+    id: "file.settings",
+    label: "action.settings",
+    group: "file",
+    keys: ["Mod+,"],
+    isEnabled: isOpen,
+    run: () => showDialog("settings"),
+  },
+);

@@ -1,0 +1,153 @@
+/** What can be done with the view of the model. */
+
+import { t } from "../i18n";
+import { uiStore } from "../state/ui";
+import { currentViewport } from "../viewport/current";
+import { DISPLAY_MODES } from "../viewport/scene/looks";
+import { ANALYSES, settingsStore, type Analysis } from "../viewport/settings";
+import { VIEW_NAMES, type ViewName } from "../viewport/views";
+import { register, type Action } from "./registry";
+
+const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+const VIEW_KEYS: Partial<Record<ViewName, string>> = { top: "Mod+F1", front: "Mod+F2", right: "Mod+F3", perspective: "Mod+F4" };
+const MODE_KEYS = { wireframe: "Mod+Alt+W", shaded: "Mod+Alt+S", ghosted: "Mod+Alt+G", rendered: "Mod+Alt+R", technical: "Mod+Alt+T" };
+
+const base = { group: "view", isEnabled: () => currentViewport() !== undefined } as const;
+
+const views = VIEW_NAMES.map((name): Action => {
+  const keys = VIEW_KEYS[name];
+  return {
+    ...base,
+    id: `viewport.view.${name}`,
+    label: `viewport.look.${name}`,
+    ...(keys && { keys: [keys] }),
+    run: () => currentViewport()?.panes.look(name, false, isStill()),
+  };
+});
+
+const modes = DISPLAY_MODES.map((mode): Action => ({
+  ...base,
+  id: `viewport.mode.${mode}`,
+  label: `viewport.display.${mode}`,
+  keys: [MODE_KEYS[mode]],
+  isOn: () => settingsStore.getState().mode === mode,
+  run: () => settingsStore.setState({ mode }),
+}));
+
+const analyses = ANALYSES.filter((name) => name !== "none").map((analysis): Action => ({
+  ...base,
+  id: `viewport.analysis.${analysis}`,
+  label: `viewport.analysis.${analysis}`,
+  isOn: () => settingsStore.getState().analysis === analysis,
+  run: () => settingsStore.setState((now) => ({ analysis: now.analysis === analysis ? ("none" as Analysis) : analysis, range: undefined })),
+}));
+
+const toggle = (name: "comb" | "circle"): Action => ({
+  ...base,
+  id: `viewport.analysis.${name}`,
+  label: `viewport.analysis.${name}`,
+  isOn: () => settingsStore.getState()[name],
+  run: () => settingsStore.setState((now) => ({ [name]: !now[name] })),
+});
+
+/** A sixteenth of half a turn, and as many pixels. */
+const TURN = 24;
+const MOVE = 40;
+
+const step = (id: string, label: Action["label"], key: string, run: () => void): Action => ({
+  ...base,
+  id: `viewport.${id}`,
+  label,
+  keys: [key],
+  scope: "viewport",
+  run,
+});
+
+const orbit = (dx: number, dy: number) => () => {
+  const panes = currentViewport()?.panes;
+  panes?.orbit(panes.active, dx * TURN, dy * TURN);
+};
+
+const pan = (dx: number, dy: number) => () => {
+  const panes = currentViewport()?.panes;
+  panes?.pan(panes.active, dx * MOVE, dy * MOVE);
+};
+
+const zoom = (factor: number) => () => {
+  const viewport = currentViewport();
+  if (!viewport) return;
+  const { left, top, width, height, pane } = viewport.panes.placedOf(viewport.panes.active);
+  viewport.panes.zoom(pane, viewport.aim(left + width / 2, top + height / 2), factor);
+};
+
+async function savePicture(): Promise<void> {
+  const picture = await currentViewport()?.picture();
+  if (!picture) return;
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(picture);
+  link.download = t("viewport.pictureName");
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+register(
+  {
+    ...base,
+    id: "viewport.zoomExtents",
+    label: "viewport.zoomExtents",
+    keys: ["Mod+Alt+E", "Home"],
+    run: () => currentViewport()?.zoomExtents(isStill()),
+  },
+  {
+    ...base,
+    id: "viewport.zoomSelected",
+    label: "viewport.zoomSelected",
+    keys: ["Mod+Alt+Z"],
+    isEnabled: () => currentViewport() !== undefined && uiStore.getState().selection.size > 0,
+    run: () => currentViewport()?.zoomSelected(isStill()),
+  },
+  ...views,
+  {
+    ...base,
+    id: "viewport.parallel",
+    label: "viewport.parallel",
+    keys: ["Mod+Alt+P"],
+    isOn: () => currentViewport()?.panes.projection() === "parallel",
+    run() {
+      const panes = currentViewport()?.panes;
+      panes?.setProjection(panes.projection() === "parallel" ? "perspective" : "parallel");
+    },
+  },
+  {
+    ...base,
+    id: "viewport.four",
+    label: "viewport.four",
+    keys: ["Mod+Alt+4"],
+    isOn: () => settingsStore.getState().layout === "four",
+    run: () => settingsStore.setState(({ layout }) => ({ layout: layout === "four" ? "one" : "four" })),
+  },
+  ...modes,
+  {
+    ...base,
+    id: "viewport.grid",
+    label: "viewport.show.grid",
+    keys: ["F7"],
+    isOn: () => settingsStore.getState().shown.grid,
+    run: () => settingsStore.setState(({ shown }) => ({ shown: { ...shown, grid: !shown.grid } })),
+  },
+  ...analyses,
+  toggle("comb"),
+  toggle("circle"),
+  { ...base, id: "viewport.save", label: "viewport.save", run: savePicture },
+  step("turnLeft", "viewport.turnLeft", "ArrowLeft", orbit(1, 0)),
+  step("turnRight", "viewport.turnRight", "ArrowRight", orbit(-1, 0)),
+  step("turnUp", "viewport.turnUp", "ArrowUp", orbit(0, 1)),
+  step("turnDown", "viewport.turnDown", "ArrowDown", orbit(0, -1)),
+  step("moveLeft", "viewport.moveLeft", "Shift+ArrowLeft", pan(1, 0)),
+  step("moveRight", "viewport.moveRight", "Shift+ArrowRight", pan(-1, 0)),
+  step("moveUp", "viewport.moveUp", "Shift+ArrowUp", pan(0, 1)),
+  step("moveDown", "viewport.moveDown", "Shift+ArrowDown", pan(0, -1)),
+  step("zoomIn", "viewport.zoomIn", "+", zoom(0.8)),
+  step("zoomOut", "viewport.zoomOut", "-", zoom(1.25)),
+);

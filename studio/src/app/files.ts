@@ -1,0 +1,94 @@
+/** Documents in and out over HTTP: opening, uploading, downloading. */
+
+import { t } from "../i18n";
+
+/** What the start page offers. */
+export interface Start {
+  recent: { path: string; name: string; modified: number }[];
+  gallery: { id: string; title: string; group: string; description: string }[];
+  open: { id: string; name: string; changed: boolean }[];
+  version: string;
+  /** Whether the server runs on this machine: paths are those of the person at the keyboard then. */
+  local: boolean;
+}
+
+export type Opening = { path: string } | { gallery: string } | { new: true };
+export type DownloadFormat = "gh" | "ghx" | "kd";
+export type ExportFormat = "3dm" | "glb" | "obj" | "stl" | "svg" | "png";
+
+/** The files that can be dropped on the page, by the ends of their names. */
+export const DEFINITIONS = [".gh", ".ghx", ".kd"];
+export const MODELS = [".3dm"];
+
+/** The token of a server that listens for others, as its address told it. */
+export function token(): string {
+  return new URLSearchParams(location.search).get("token") ?? "";
+}
+
+function address(path: string, query: Record<string, string> = {}): string {
+  const url = new URL(path, location.href);
+  const all = token() ? { ...query, token: token() } : query;
+  url.search = new URLSearchParams(all).toString();
+  return url.toString();
+}
+
+async function checked(response: Response): Promise<Response> {
+  if (response.ok) return response;
+  const said = (await response.json().catch(() => undefined)) as { error?: string } | undefined;
+  throw new Error(said?.error ?? t("files.failed", { status: response.status }));
+}
+
+export async function readStart(): Promise<Start> {
+  const response = await checked(await fetch(address("api/start")));
+  return (await response.json()) as Start;
+}
+
+/** Opens a document on the server; gives its id. */
+export async function open(what: Opening): Promise<string> {
+  const headers = { "content-type": "application/json" };
+  const response = await checked(await fetch(address("api/open"), { method: "POST", headers, body: JSON.stringify(what) }));
+  return ((await response.json()) as { document: string }).document;
+}
+
+/** Sends a file to the server; gives the id of the document that it is or belongs to. */
+export async function upload(file: File, document?: string): Promise<string> {
+  const query = document ? { name: file.name, document } : { name: file.name };
+  const response = await checked(await fetch(address("api/upload", query), { method: "POST", body: file }));
+  return ((await response.json()) as { document: string }).document;
+}
+
+/** Has the browser keep the document as a file. */
+export function download(document: string, format: DownloadFormat): Promise<void> {
+  return keep(address("api/save", { document, format }));
+}
+
+/** Has the browser keep what the definition makes as a file. */
+export function exportAs(document: string, format: ExportFormat): Promise<void> {
+  return keep(address("api/export", { document, format }));
+}
+
+async function keep(from: string): Promise<void> {
+  const response = await checked(await fetch(from));
+  const stated = /filename\*?="?([^";]+)"?/.exec(response.headers.get("content-disposition") ?? "")?.[1];
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(await response.blob());
+  link.download = stated ?? "katydid";
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Whether the name ends as one of those. */
+export function isNamed(name: string, ends: readonly string[]): boolean {
+  const lower = name.toLowerCase();
+  return ends.some((end) => lower.endsWith(end));
+}
+
+/** Shows another document: a page of its own, so that Back and bookmarks work. */
+export function goTo(document: string | undefined, player = false): void {
+  const query = new URLSearchParams(location.search);
+  query.delete("document");
+  query.delete("player");
+  if (document) query.set("document", document);
+  if (player) query.set("player", "");
+  location.search = query.toString();
+}

@@ -1,0 +1,20 @@
+import { ConnectBox } from "./search/ConnectBox";
+import { FindBox } from "./search/FindBox";
+import { SearchBox } from "./search/SearchBox";
+import { ContextMenu } from "./menus/ContextMenu";
+import { Editor } from "./editors/Editor";
+import { Tip } from "./tips/Tip";
+
+/** The boxes that open over the canvas. Each shows itself when its part of the store says so. */
+export function Boxes() {
+  return (
+    <>
+      <Tip />
+      <ContextMenu />
+      <SearchBox />
+      <ConnectBox />
+      <FindBox />
+      <Editor />
+    </>
+  );
+}

@@ -1,0 +1,243 @@
+import "@xyflow/react/dist/base.css";
+import "./tokens.css";
+import "./canvas.css";
+import "./nodes.css";
+import "./notes.css";
+import "./faces.css";
+import "./fields.css";
+import "./boxes.css";
+
+import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
+import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";
+import { useStore } from "zustand";
+
+import "../actions/canvas";
+import { paste } from "../actions/canvasEdit";
+import { t } from "../i18n";
+import { loadCatalogue } from "../state/catalogue";
+import { documentStore } from "../state/document";
+import { uiStore } from "../state/ui";
+import { Boxes } from "./Boxes";
+import { Crumbs } from "./Crumbs";
+import { FarLayer } from "./FarLayer";
+import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
+import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
+import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
+import { Near, useCanvas } from "./hooks";
+import { hoverOver, hoverOut } from "./tips/hover";
+import { Capsule, Parameter, Relay } from "./nodes/Capsule";
+import { Control } from "./nodes/Control";
+import { Group, Scribble, Sketch } from "./nodes/Notes";
+import { focusCanvas } from "./open";
+import { Overlay } from "./Overlay";
+import { Ribbon } from "./Ribbon";
+import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
+import { Wire } from "./wires/Wire";
+
+/** Names of our own: xyflow has types such as `group` with a look that nobody asked for. */
+const NODE_TYPES: NodeTypes = {
+  "k-component": Capsule,
+  "k-cluster": Capsule,
+  "k-parameter": Parameter,
+  "k-control": Control,
+  "k-group": Group,
+  "k-scribble": Scribble,
+  "k-sketch": Sketch,
+  "k-relay": Relay,
+};
+const EDGE_TYPES: EdgeTypes = { wire: Wire };
+const NO_NODES: CanvasNode[] = [];
+const NO_WIRES: WireEdge[] = [];
+
+/** The canvas: the definition, and everything that hands do with it. It needs the stores and nothing else. */
+export function Canvas() {
+  useEffect(() => void loadCatalogue(), []);
+  return (
+    <div className="canvas-pane">
+      <Ribbon />
+      <Crumbs />
+      <ReactFlowProvider>
+        <Ground>
+          <Flow />
+        </Ground>
+      </ReactFlowProvider>
+      <Said />
+    </div>
+  );
+}
+
+/** The ground of the canvas: it takes the pointer, the wheel and the keys of all that lies on it. */
+function Ground({ children }: { children: ReactNode }) {
+  const ground = useRef<HTMLDivElement>(null);
+  const placing = useCanvas((canvas) => canvas.placing !== undefined);
+  const wiring = useCanvas((canvas) => canvas.wire?.how);
+
+  useEffect(() => {
+    const element = ground.current;
+    if (!element) return;
+    setPane(element);
+    // React listens to wheels passively; here the page must not scroll.
+    element.addEventListener("wheel", wheel, { passive: false });
+    window.addEventListener("keydown", keysChanged);
+    window.addEventListener("keyup", keysChanged);
+    // Not captured by the ground: a double-click must reach the element that it is meant for.
+    window.addEventListener("pointermove", pointerMove);
+    window.addEventListener("pointerup", pointerUp);
+    window.addEventListener("pointercancel", pointerUp);
+    // Who goes to the room that the canvas is in goes to the canvas.
+    const room = element.closest('[data-scope="canvas"]');
+    const enter = (event: FocusEvent) => {
+      if (event.target === room) focusCanvas();
+    };
+    window.addEventListener("focusin", enter);
+    return () => {
+      window.removeEventListener("focusin", enter);
+      window.removeEventListener("pointermove", pointerMove);
+      window.removeEventListener("pointerup", pointerUp);
+      window.removeEventListener("pointercancel", pointerUp);
+      setPane(undefined);
+      element.removeEventListener("wheel", wheel);
+      window.removeEventListener("keydown", keysChanged);
+      window.removeEventListener("keyup", keysChanged);
+    };
+  }, []);
+
+  const press = (event: PointerEvent<HTMLDivElement>) => {
+    if (placeClick(event)) return;
+    const own = event.target instanceof Element && event.target.closest("[data-own], .box");
+    if (own) return;
+    event.currentTarget.focus({ preventScroll: true });
+    pointerDown(event.nativeEvent);
+  };
+  return (
+    <div
+      ref={ground}
+      className={`ground ${placing ? "placing" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
+      role="group"
+      aria-label={t("canvas.title")}
+      aria-describedby="canvas-help"
+      tabIndex={0}
+      onPointerDown={press}
+      onPointerMove={(event) => hoverOver(event.nativeEvent)}
+      onPointerLeave={hoverOut}
+      onDoubleClick={(event) => doubleClick(event.nativeEvent)}
+      onContextMenu={(event) => event.preventDefault()}
+      onKeyDown={(event) => keyDown(event)}
+      onPaste={(event) => {
+        if (event.target instanceof Element && event.target.matches("input, textarea")) return;
+        event.preventDefault();
+        void paste(event.clipboardData.getData("text/plain"));
+      }}
+      onDragOver={(event) => event.preventDefault()}
+      onDrop={(event) => drop(event.nativeEvent)}
+    >
+      <p id="canvas-help" className="unseen">
+        {t("canvas.help")}
+      </p>
+      {children}
+      <Boxes />
+    </div>
+  );
+}
+
+/**
+ * Sizes and grips are told by the document. xyflow would measure each element that it mounts all the same, find no
+ * handles of its own in it, and drop the wires; so it is kept from measuring.
+ */
+function useNoMeasuring(): void {
+  const store = useStoreApi();
+  useState(() => store.setState({ updateNodeInternals: () => {} }));
+}
+
+function Flow() {
+  useNoMeasuring();
+  const flow = useReactFlow();
+  const distance = useCanvas((canvas) => canvas.distance);
+  const objects = useStore(documentStore, (mirror) => mirror.objects);
+  const order = useStore(documentStore, (mirror) => mirror.order);
+  const outputs = useStore(documentStore, (mirror) => mirror.outputs);
+  const full = useStore(uiStore, (ui) => ui.fullNames);
+  const shifts = useCanvas((canvas) => canvas.shifts);
+  const [nodeMaker] = useState(() => new NodeMaker());
+  const [edgeMaker] = useState(() => new EdgeMaker());
+  const far = distance === "far";
+  const nodes = useMemo(
+    () => (far ? NO_NODES : nodeMaker.make(objects, order, shifts, full)),
+    [far, nodeMaker, objects, order, shifts, full],
+  );
+  const edges = useMemo(
+    () => (far ? NO_WIRES : edgeMaker.make(objects, outputs)),
+    [far, edgeMaker, objects, outputs],
+  );
+
+  useEffect(() => {
+    setFlow(flow);
+    return () => setFlow(undefined);
+  }, [flow]);
+  useFirstLook();
+
+  return (
+    <Near.Provider value={distance === "near"}>
+      <ReactFlow
+        nodes={nodes}
+        edges={edges}
+        nodeTypes={NODE_TYPES}
+        edgeTypes={EDGE_TYPES}
+        onMove={(_, lens) => takeLens(lens)}
+        onlyRenderVisibleElements
+        minZoom={0.02}
+        maxZoom={5}
+        panOnDrag={false}
+        panOnScroll={false}
+        zoomOnScroll={false}
+        zoomOnPinch={false}
+        zoomOnDoubleClick={false}
+        preventScrolling={false}
+        nodesDraggable={false}
+        nodesConnectable={false}
+        nodesFocusable={false}
+        edgesFocusable={false}
+        edgesReconnectable={false}
+        elementsSelectable={false}
+        selectionOnDrag={false}
+        selectionKeyCode={null}
+        deleteKeyCode={null}
+        multiSelectionKeyCode={null}
+        panActivationKeyCode={null}
+        zoomActivationKeyCode={null}
+        disableKeyboardA11y
+        zIndexMode="manual"
+        elevateNodesOnSelect={false}
+      >
+        {far ? <FarLayer /> : null}
+        <Overlay />
+      </ReactFlow>
+    </Near.Provider>
+  );
+}
+
+/** A document that is shown for the first time is shown whole; so is the inside of a cluster. */
+function useFirstLook(): void {
+  const within = useStore(documentStore, (mirror) => mirror.within.join());
+  const here = useStore(documentStore, (mirror) => mirror.document !== undefined);
+  const [looked, setLooked] = useState<string | undefined>(undefined);
+  useEffect(() => {
+    if (!here || looked === within) return;
+    setLooked(within);
+    // The window has its size only after the first drawing.
+    requestAnimationFrame(() => {
+      zoomExtents(undefined, false);
+      takeLens(lens());
+    });
+  }, [here, within, looked]);
+}
+
+/** What is said to screen readers while something is done. */
+function Said() {
+  const said = useCanvas((canvas) => canvas.said);
+  return (
+    <div className="unseen" role="status" aria-live="polite">
+      {said}
+    </div>
+  );
+}

@@ -1,0 +1,188 @@
+/** The edits that gestures, menus and controls of the canvas ask for. */
+
+import type { Point } from "../core/geometry";
+import { leaves } from "../core/groups";
+import type { Grip } from "../core/hit";
+import type { Placing } from "../core/initial";
+import { latest, type Latest } from "../core/latest";
+import { NO_SHIFTS } from "../core/places";
+import type { Control } from "../core/protocol/Control";
+import type { Initial } from "../core/protocol/Initial";
+import type { ObjectChange } from "../core/protocol/ObjectChange";
+import type { PortChange } from "../core/protocol/PortChange";
+import type { Setting } from "../core/protocol/Setting";
+import { documentStore } from "../state/document";
+import { ask, edit, newGesture } from "../state/session";
+import { select, uiStore } from "../state/ui";
+import type { Wiring } from "./gestures/chart";
+import { canvasStore } from "./store";
+
+/** The selected objects that are still there, in the order of drawing. */
+export function selection(): string[] {
+  const { order } = documentStore.getState();
+  const chosen = uiStore.getState().selection;
+  return order.filter((id) => chosen.has(id));
+}
+
+/** Places a component and selects it. */
+export async function place(what: Pick<Placing, "component" | "with">, at: Point): Promise<string | undefined> {
+  const id = crypto.randomUUID();
+  const done = await edit({ do: "place", id, component: what.component, at: [...at], with: what.with });
+  if (!done) return undefined;
+  select([id]);
+  canvasStore.setState({ active: id });
+  return id;
+}
+
+/** Places a component and draws a wire between it and a grip. */
+export async function placeWired(component: string, at: Point, from: Grip): Promise<string | undefined> {
+  const start: Initial = { is: "wire", port: from.port };
+  return await place({ component, with: start }, at);
+}
+
+/** Waits until the mirror shows what an edit made, so that nothing jumps back in between. */
+async function mirrored(revision: number): Promise<void> {
+  if (documentStore.getState().revision >= revision) return;
+  await new Promise<void>((resolve) => {
+    const stop = documentStore.subscribe((mirror) => {
+      if (mirror.revision >= revision) finish();
+    });
+    const timer = setTimeout(finish, 1500);
+    function finish() {
+      clearTimeout(timer);
+      stop();
+      resolve();
+    }
+  });
+}
+
+/** Moves objects by a step; groups take their members along. */
+export async function moveBy(ids: Iterable<string>, [dx, dy]: Point, gesture: number | null = null): Promise<void> {
+  const { objects } = documentStore.getState();
+  const places: [string, [number, number]][] = [];
+  for (const id of leaves(ids, objects)) {
+    const bounds = objects.get(id)?.bounds;
+    if (bounds) places.push([id, [bounds[0] + dx, bounds[1] + dy]]);
+  }
+  if (places.length === 0) return;
+  const done = await edit({ do: "move", objects: places }, gesture);
+  if (done?.event === "done") await mirrored(done.revision);
+  canvasStore.setState({ shifts: NO_SHIFTS });
+}
+
+/** Copies objects beside themselves and selects the copies. */
+export async function duplicate(ids: readonly string[], by: Point): Promise<void> {
+  if (ids.length === 0) return;
+  const done = await edit({ do: "duplicate", objects: [...ids], by: [...by], seed: crypto.randomUUID() });
+  if (done?.event === "done" && done.made.length > 0) select(done.made);
+}
+
+/** Takes objects out. A relay that goes alone leaves its wires joined. */
+export async function remove(ids: readonly string[]): Promise<void> {
+  const { objects } = documentStore.getState();
+  const relays = ids.every((id) => objects.get(id)?.kind === "relay");
+  if (!relays) {
+    await edit({ do: "remove", objects: [...ids] });
+    return;
+  }
+  const gesture = newGesture();
+  for (const object of ids) await edit({ do: "removeAndJoin", object }, gesture);
+}
+
+/** Carries out what a wire was drawn for, from whichever end it was drawn. */
+export function joinGrips(from: Grip, to: Grip, how: Wiring): void {
+  if (how === "move") {
+    void edit({ do: "rewire", from: from.port, to: to.port });
+    return;
+  }
+  const [output, input] = from.side === "output" ? [from, to] : [to, from];
+  void edit({ do: "connect", from: output.port, to: input.port, how });
+}
+
+export function unwire(from: string, to: string): void {
+  void edit({ do: "connect", from, to, how: "remove" });
+}
+
+export function change(objects: readonly string[], how: ObjectChange): void {
+  if (objects.length > 0) void edit({ do: "change", objects: [...objects], change: how });
+}
+
+export function changePort(port: string, how: PortChange): void {
+  void edit({ do: "changePort", port, change: how });
+}
+
+export function set(object: string, to: Setting): void {
+  void edit({ do: "set", object, to });
+}
+
+export function reshape(object: string, control: Control, gesture: number | null = null): void {
+  void edit({ do: "reshape", object, control }, gesture);
+}
+
+export function addPort(object: string, input: boolean, index: number): void {
+  void edit({ do: "addPort", object, input, index });
+}
+
+export function removePort(port: string): void {
+  void edit({ do: "removePort", port });
+}
+
+/** Values that are set while something is dragged: one step for Undo, the newest first, Escape takes all back. */
+export interface LiveSetting<T> {
+  send(value: T): void;
+  end(): void;
+  abandon(): void;
+}
+
+/** Begins a drag that sets values. The preview is as coarse as it may be meanwhile. */
+function live<T>(carry: (value: T, gesture: number) => Promise<unknown>): LiveSetting<T> {
+  const gesture = newGesture();
+  const line: Latest<T> = latest((value) => carry(value, gesture));
+  let coarse = false;
+  const finish = async (abandoned: boolean) => {
+    await line.settled();
+    if (abandoned) await quietly({ ask: "abandon", gesture });
+    if (coarse) await quietly({ ask: "draft", on: false });
+  };
+  return {
+    send(value) {
+      if (!coarse) {
+        coarse = true;
+        void quietly({ ask: "draft", on: true });
+      }
+      line.send(value);
+    },
+    end: () => void finish(false),
+    abandon: () => void finish(true),
+  };
+}
+
+async function quietly(what: Parameters<typeof ask>[0]): Promise<void> {
+  try {
+    await ask(what);
+  } catch {
+    // What was refused stands in the line below.
+  }
+}
+
+export function liveSetting(object: string): LiveSetting<Setting> {
+  return live((to, gesture) => edit({ do: "set", object, to }, gesture));
+}
+
+export function liveShape(object: string): LiveSetting<Control> {
+  return live((control, gesture) => edit({ do: "reshape", object, control }, gesture));
+}
+
+export function liveBounds(object: string): LiveSetting<[number, number, number, number]> {
+  return live((bounds, gesture) => edit({ do: "resize", object, bounds }, gesture));
+}
+
+/** Shows the inside of a cluster, or of what lies around it. */
+export async function enter(within: string[]): Promise<void> {
+  try {
+    await ask({ ask: "enter", within });
+    select([]);
+  } catch {
+    // What was refused stands in the line below.
+  }
+}

@@ -1,0 +1,58 @@
+/** Narrow reads of the stores: an element is drawn again for what it shows, and for nothing else. */
+
+import { createContext, useContext } from "react";
+import { useStore } from "zustand";
+
+import type { CatalogueEntry } from "../core/catalogue";
+import type { ObjectView } from "../core/protocol/ObjectView";
+import type { OutputView } from "../core/protocol/OutputView";
+import type { ResultView } from "../core/protocol/ResultView";
+import { catalogueStore } from "../state/catalogue";
+import { documentStore } from "../state/document";
+import { runStore } from "../state/run";
+import { uiStore } from "../state/ui";
+import { canvasStore, type CanvasState } from "./store";
+
+export function useResult(id: string): ResultView | undefined {
+  return useStore(runStore, (run) => run.results.get(id));
+}
+
+export function useOutput(port: string): OutputView | undefined {
+  return useStore(runStore, (run) => run.outputs.get(port));
+}
+
+export function useObject(id: string | undefined): ObjectView | undefined {
+  return useStore(documentStore, (mirror) => (id === undefined ? undefined : mirror.objects.get(id)));
+}
+
+export function useSelected(id: string): boolean {
+  return useStore(uiStore, (ui) => ui.selection.has(id));
+}
+
+/** Whether the pointer is on an object, here or in the viewport. */
+export function useHovered(id: string): boolean {
+  return useStore(uiStore, (ui) => ui.hovered === id);
+}
+
+export function useFullNames(): boolean {
+  return useStore(uiStore, (ui) => ui.fullNames);
+}
+
+export function useProfiler(): boolean {
+  return useStore(uiStore, (ui) => ui.profiler);
+}
+
+export function useCanvas<T>(read: (state: CanvasState) => T): T {
+  return useStore(canvasStore, read);
+}
+
+export function useEntry(component: string): CatalogueEntry | undefined {
+  return useStore(catalogueStore, (catalogue) => catalogue.byId.get(component));
+}
+
+/** Whether the canvas is near enough for (+) and (−). */
+export const Near = createContext(false);
+
+export function useNear(): boolean {
+  return useContext(Near);
+}

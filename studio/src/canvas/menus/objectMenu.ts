@@ -1,0 +1,217 @@
+/** The menu of an object's centre. */
+
+import { shownKeys } from "../../actions/keys";
+import { action } from "../../actions/registry";
+import { hex, fromHex } from "../../core/colours";
+import type { Control } from "../../core/protocol/Control";
+import type { ObjectView } from "../../core/protocol/ObjectView";
+import type { PanelChange } from "../../core/protocol/PanelChange";
+import { GRAPHS } from "../../core/graph";
+import { t, type Key } from "../../i18n";
+import { edit } from "../../state/session";
+import { runStore } from "../../state/run";
+import { uiStore } from "../../state/ui";
+import { change, enter, reshape, selection, set } from "../edits";
+import { documentStore } from "../../state/document";
+import { openEditor } from "../open";
+import { canvasStore } from "../store";
+import { LINE, menu, type Item } from "./items";
+import { portItems } from "./portMenu";
+
+/** What the menu is about: the whole selection when the object is in it. */
+function concerned(object: ObjectView): string[] {
+  return uiStore.getState().selection.has(object.id) ? selection() : [object.id];
+}
+
+export function objectMenu(object: ObjectView): Item[] {
+  const ids = concerned(object);
+  const own = object.inputs[0];
+  const isPort = object.kind === "parameter" && own !== undefined;
+  return menu(
+    {
+      is: "field",
+      label: t("canvas.menu.name"),
+      value: object.nickname,
+      take: (text) => change([object.id], { is: "nickname", text }),
+    },
+    LINE,
+    object.previews && {
+      is: "do",
+      label: t("canvas.menu.preview"),
+      on: !object.hidden,
+      keys: shownKeys("Mod+Q"),
+      run: () => change(ids, { is: "hidden", on: !object.hidden }),
+    },
+    {
+      is: "do",
+      label: t("canvas.menu.enabled"),
+      on: !object.disabled,
+      keys: shownKeys("Mod+E"),
+      run: () => change(ids, { is: "disabled", on: !object.disabled }),
+    },
+    messages(object),
+    LINE,
+    ...(object.control ? controlItems(object, object.control) : []),
+    ...(isPort ? [LINE, ...portItems(object, own, "input")] : []),
+    LINE,
+    object.kind === "cluster" && {
+      is: "do",
+      label: t("canvas.menu.enter"),
+      run: () => void enter([...documentStore.getState().within, object.id]),
+    },
+    object.kind === "cluster" && {
+      is: "do",
+      label: t("canvas.menu.explode"),
+      run: () => void edit({ do: "explodeCluster", cluster: object.id }),
+    },
+    registered("canvas.cluster"),
+    registered("canvas.group"),
+    object.kind !== "component" && object.kind !== "cluster"
+      ? undefined
+      : { is: "do", label: t("canvas.menu.find"), run: () => canvasStore.setState({ pointedAt: object.component }) },
+    LINE,
+    registered("edit.cut"),
+    registered("edit.copy"),
+    registered("edit.duplicate"),
+    registered("edit.delete"),
+    joins(object) && {
+      is: "do",
+      label: t("canvas.menu.deleteJoin"),
+      run: () => void edit({ do: "removeAndJoin", object: object.id }),
+    },
+    LINE,
+    registered("object.bake"),
+    registered("help.component"),
+  );
+}
+
+function joins(object: ObjectView): boolean {
+  return object.kind === "relay" || (object.inputs.length === 1 && object.outputs.length === 1);
+}
+
+/** An action of the registry as an entry; nothing where no such action is registered. */
+export function registered(id: string): Item | undefined {
+  const found = action(id);
+  if (!found) return undefined;
+  const keys = found.keys?.[0] && shownKeys(found.keys[0]);
+  const on = found.isOn?.();
+  return {
+    is: "do",
+    label: t(found.label),
+    run: () => void found.run(),
+    off: found.isEnabled?.() === false,
+    ...(keys === undefined ? {} : { keys }),
+    ...(on === undefined ? {} : { on }),
+  };
+}
+
+function messages(object: ObjectView): Item | undefined {
+  const told = runStore.getState().results.get(object.id)?.messages ?? [];
+  if (told.length === 0) return undefined;
+  const items = told.slice(0, 20).map(({ level, text }): Item => ({ is: "told", level, text }));
+  return { is: "more", label: t("canvas.menu.messages", { count: told.length }), items };
+}
+
+/** What is special about a control. */
+function controlItems(object: ObjectView, control: Control): Item[] {
+  const open: Item = { is: "do", label: t("canvas.menu.edit"), run: () => openEditor(object.id, "control") };
+  switch (control.is) {
+    case "panel":
+      return panelItems(object, control);
+    case "graph":
+      return [open, graphTypes(object, control)];
+    case "valueList":
+      return [open, listModes(object, control)];
+    case "toggle":
+      return [
+        { is: "do", label: t("canvas.true"), on: control.on, run: () => set(object.id, { is: "switch", on: true }) },
+        { is: "do", label: t("canvas.false"), on: !control.on, run: () => set(object.id, { is: "switch", on: false }) },
+      ];
+    case "swatch":
+      return [colour(control.colour, (next) => set(object.id, { is: "colour", colour: next }))];
+    case "script":
+    case "formula":
+      return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "script") }];
+    case "viewer": {
+      const flip = () => reshape(object.id, { ...control, text: !control.text });
+      return [{ is: "do", label: t("canvas.menu.viewerText"), on: control.text, run: flip }];
+    }
+    case "recorder": {
+      const flip = () => reshape(object.id, { ...control, recording: !control.recording });
+      return [{ is: "do", label: t("canvas.menu.recording"), on: control.recording, run: flip }];
+    }
+    case "image":
+    case "sketch":
+    case "contextual":
+    case "group":
+      return [];
+    default:
+      return [open];
+  }
+}
+
+function colour(value: readonly [number, number, number, number], take: (next: [number, number, number, number]) => void): Item {
+  return {
+    is: "colour",
+    label: t("canvas.menu.colour"),
+    value: hex(value),
+    take(next) {
+      if (next !== hex(value)) take(fromHex(next, value[3]));
+    },
+  };
+}
+
+type PanelControl = Extract<Control, { is: "panel" }>;
+
+const PANEL_SWITCHES: readonly (readonly [Key, (panel: PanelControl) => boolean, (on: boolean) => PanelChange])[] = [
+  ["canvas.panel.multiline", (panel) => panel.multiline, (on) => ({ is: "multiline", on })],
+  ["canvas.panel.paths", (panel) => panel.paths, (on) => ({ is: "paths", on })],
+  ["canvas.panel.indices", (panel) => panel.indices, (on) => ({ is: "indices", on })],
+  ["canvas.panel.wrap", (panel) => panel.wrap, (on) => ({ is: "wrap", on })],
+  ["canvas.panel.codes", (panel) => panel.specialCodes, (on) => ({ is: "specialCodes", on })],
+];
+
+function panelItems(object: ObjectView, panel: PanelControl): Item[] {
+  const changed = (how: PanelChange) => void edit({ do: "changePanel", object: object.id, change: how });
+  const switches = PANEL_SWITCHES.map(
+    ([label, read, make]): Item => ({ is: "do", label: t(label), on: read(panel), run: () => changed(make(!read(panel))) }),
+  );
+  const sides = (["left", "centre", "right"] as const).map(
+    (side, alignment): Item => ({
+      is: "do",
+      label: t(`canvas.side.${side}`),
+      on: panel.alignment === alignment,
+      run: () => changed({ is: "alignment", alignment }),
+    }),
+  );
+  return [
+    { is: "do", label: t("canvas.menu.write"), run: () => canvasStore.setState({ writing: object.id }) },
+    ...switches,
+    { is: "more", label: t("canvas.panel.alignment"), items: sides },
+    colour(panel.colour, (next) => changed({ is: "colour", colour: next })),
+  ];
+}
+
+function graphTypes(object: ObjectView, control: Extract<Control, { is: "graph" }>): Item {
+  const items = GRAPHS.map(
+    (graph): Item => ({
+      is: "do",
+      label: graph.name,
+      on: control.graph.name === graph.name,
+      run: () => reshape(object.id, { ...control, graph: { name: graph.name, handles: graph.handles } }),
+    }),
+  );
+  return { is: "more", label: t("canvas.menu.graph"), items };
+}
+
+function listModes(object: ObjectView, control: Extract<Control, { is: "valueList" }>): Item {
+  const items = (["check", "dropDown", "sequence", "cycle"] as const).map(
+    (mode): Item => ({
+      is: "do",
+      label: t(`canvas.list.${mode}`),
+      on: control.mode === mode,
+      run: () => reshape(object.id, { ...control, mode }),
+    }),
+  );
+  return { is: "more", label: t("canvas.menu.listMode"), items };
+}

@@ -1,0 +1,175 @@
+import type { NodeProps } from "@xyflow/react";
+import { memo } from "react";
+
+import { capsuleLayout, portSize, tornPath } from "../../core/capsule";
+import { modifiers, portName, sign } from "../../core/ports";
+import type { ObjectView } from "../../core/protocol/ObjectView";
+import type { PortView } from "../../core/protocol/PortView";
+import { t } from "../../i18n";
+import { addPort, removePort } from "../edits";
+import type { CanvasNode } from "../flow";
+import { useFullNames, useNear } from "../hooks";
+import { Frame } from "./Frame";
+
+/** A component or cluster: names of inputs on the left, the band with its name, names of outputs on the right. */
+export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
+  const { object, size } = data;
+  const [width, height] = size;
+  const full = useFullNames();
+  const layout = capsuleLayout(object, width, full);
+  const torn = layout.tornLeft || layout.tornRight;
+  const [from, to] = layout.band;
+  const name = (full ? object.name : object.nickname.trim()) || object.name;
+  const kind = `capsule ${torn ? "torn" : ""} ${object.kind === "cluster" ? "cluster" : ""}`;
+  return (
+    <Frame object={object} kind={kind} style={{ width, height }}>
+      {torn ? (
+        <svg className="outline" width={width} height={height} aria-hidden="true">
+          <path d={tornPath(width, height, layout.tornLeft, layout.tornRight)} />
+        </svg>
+      ) : null}
+      <Names side="input" object={object} ports={object.inputs} width={from - 3} full={full} />
+      <div className={layout.upright ? "band upright" : "band"} style={{ left: from, width: to - from, fontSize: layout.nameSize }}>
+        <span>{name}</span>
+      </div>
+      <Names side="output" object={object} ports={object.outputs} width={width - to - 3} full={full} />
+      {object.kind === "component" ? <MorePorts object={object} /> : null}
+      <Origin object={object} />
+    </Frame>
+  );
+});
+
+interface NamesProps {
+  side: "input" | "output";
+  object: ObjectView;
+  ports: readonly PortView[];
+  width: number;
+  full: boolean;
+}
+
+function Names({ side, object, ports, width, full }: NamesProps) {
+  const fontSize = portSize(object);
+  return ports.map((port) => (
+    <PortName key={port.id} port={port} side={side} style={{ top: port.at, width, fontSize }} full={full} />
+  ));
+}
+
+interface PortNameProps {
+  port: PortView;
+  side: "input" | "output";
+  style: { top: number; width: number; fontSize: number };
+  full: boolean;
+}
+
+const PortName = memo(
+  function PortName({ port, side, style, full }: PortNameProps) {
+    const marks = modifiers(port);
+    return (
+      <span className={`port ${side}`} style={style} data-name-of={port.id} data-side={side}>
+        {side === "output" ? <Marks marks={marks} /> : null}
+        {portName(port, full)}
+        {side === "input" ? <Marks marks={marks} /> : null}
+      </span>
+    );
+  },
+  (a, b) => a.port === b.port && a.full === b.full && a.style.width === b.style.width && a.style.top === b.style.top,
+);
+
+export function Marks({ marks }: { marks: ReturnType<typeof modifiers> }) {
+  if (marks.length === 0) return null;
+  return (
+    <span className="marks" aria-label={marks.map((mark) => t(`canvas.modifier.${mark}`)).join(", ")}>
+      {marks.map(sign).join("")}
+    </span>
+  );
+}
+
+/** The (+) and (−) of components that have any number of ports, when the canvas is near enough. */
+function MorePorts({ object }: { object: ObjectView }) {
+  const near = useNear();
+  if (!near || (!object.variableInputs && !object.variableOutputs)) return null;
+  return (
+    <>
+      {object.variableInputs ? <Side object={object} input /> : null}
+      {object.variableOutputs ? <Side object={object} input={false} /> : null}
+    </>
+  );
+}
+
+function Side({ object, input }: { object: ObjectView; input: boolean }) {
+  const ports = input ? object.inputs : object.outputs;
+  const height = object.bounds[3];
+  const between = (index: number) => {
+    const [above, below] = [ports[index - 1]?.at, ports[index]?.at];
+    if (above === undefined) return 2;
+    return below === undefined ? height - 2 : (above + below) / 2;
+  };
+  const where = input ? "input" : "output";
+  return (
+    <>
+      {Array.from({ length: ports.length + 1 }, (_, index) => (
+        <button
+          key={`add${index}`}
+          type="button"
+          tabIndex={-1}
+          className={`more ${where} nodrag`}
+          style={{ top: between(index) }}
+          aria-label={t("canvas.port.add")}
+          data-own
+          onClick={() => addPort(object.id, input, index)}
+        >
+          +
+        </button>
+      ))}
+      {ports
+        .filter((port) => port.removable)
+        .map((port) => (
+          <button
+            key={`remove${port.id}`}
+            type="button"
+            tabIndex={-1}
+            className={`more less ${where} nodrag`}
+            style={{ top: port.at }}
+            aria-label={t("canvas.port.remove", { name: port.nickname })}
+            data-own
+            onClick={() => removePort(port.id)}
+          >
+            −
+          </button>
+        ))}
+    </>
+  );
+}
+
+/** The add-on that an object comes from which cannot run here. */
+function Origin({ object }: { object: ObjectView }) {
+  if (object.support.is !== "no") return null;
+  return <div className="origin">{object.support.plugin ?? t("canvas.unsupported")}</div>;
+}
+
+/** A floating parameter: a small capsule that is its own port. */
+export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>) {
+  const { object, size } = data;
+  const full = useFullNames();
+  const own = object.inputs[0] ?? object.outputs[0];
+  const name = (full ? object.name : object.nickname.trim()) || object.name;
+  return (
+    <Frame object={object} kind="capsule parameter" style={{ width: size[0], height: size[1] }}>
+      <span className="title">
+        {name}
+        {own ? <Marks marks={modifiers(own)} /> : null}
+      </span>
+      <Origin object={object} />
+    </Frame>
+  );
+});
+
+/** A dot on a wire. */
+export const Relay = memo(function Relay({ data }: NodeProps<CanvasNode>) {
+  const { object, size } = data;
+  return (
+    <Frame object={object} kind="relay" style={{ width: size[0], height: size[1] }}>
+      <span className="dot" />
+    </Frame>
+  );
+});

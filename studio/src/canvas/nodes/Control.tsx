@@ -1,0 +1,66 @@
+import type { NodeProps } from "@xyflow/react";
+import { memo, type ReactNode } from "react";
+
+import type { ObjectView } from "../../core/protocol/ObjectView";
+import type { CanvasNode } from "../flow";
+import { ButtonFace, SwatchFace, ToggleFace } from "./SmallFaces";
+import { DigitsFace, GenesFace, KnobFace, MdSliderFace } from "./NumberFaces";
+import { Frame } from "./Frame";
+import { GradientFace } from "./GradientFace";
+import { GraphFace } from "./GraphFace";
+import { PanelNode } from "./PanelNode";
+import { SliderFace } from "./SliderFace";
+import { ValueListFace } from "./ValueListFace";
+import { ImageFace, ViewerFace } from "./ShowFaces";
+import { Capsule, Parameter } from "./Capsule";
+
+/** An object that its user sets, or that shows something: its control says which. */
+export const Control = memo(function Control(props: NodeProps<CanvasNode>) {
+  const { object, size } = props.data;
+  const { control } = object;
+  if (control?.is === "panel") return <PanelNode object={object} panel={control} size={size} />;
+  const inner = face(object, size);
+  if (inner === undefined) {
+    const plain = object.inputs.length + object.outputs.length > 2 || object.inputs[0]?.id !== object.outputs[0]?.id;
+    return plain ? <Capsule {...props} /> : <Parameter {...props} />;
+  }
+  return (
+    <Frame object={object} kind={`capsule control face-${control?.is ?? ""}`} style={{ width: size[0], height: size[1] }}>
+      {inner}
+    </Frame>
+  );
+});
+
+function face(object: ObjectView, [width, height]: readonly [number, number]): ReactNode | undefined {
+  const { control } = object;
+  switch (control?.is) {
+    case "slider":
+      return <SliderFace object={object} slider={control} width={width} />;
+    case "toggle":
+      return <ToggleFace object={object} on={control.on} width={width} />;
+    case "button":
+      return <ButtonFace object={object} width={width} />;
+    case "valueList":
+      return <ValueListFace object={object} list={control} size={[width, height]} />;
+    case "swatch":
+      return <SwatchFace object={object} colour={control.colour} width={width} />;
+    case "mdSlider":
+      return <MdSliderFace object={object} control={control} size={[width, height]} />;
+    case "knob":
+      return <KnobFace object={object} knob={control} size={[width, height]} />;
+    case "digits":
+      return <DigitsFace object={object} digits={control} width={width} />;
+    case "genes":
+      return <GenesFace object={object} genes={control} size={[width, height]} />;
+    case "graph":
+      return <GraphFace object={object} graph={control} size={[width, height]} />;
+    case "gradient":
+      return <GradientFace object={object} gradient={control} width={width} />;
+    case "image":
+      return <ImageFace object={object} file={control.file} hash={control.hash} />;
+    case "viewer":
+      return <ViewerFace object={object} text={control.text} size={[width, height]} />;
+    default:
+      return undefined;
+  }
+}

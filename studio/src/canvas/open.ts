@@ -1,0 +1,94 @@
+/** Opening and closing the boxes of the canvas. */
+
+import type { Point } from "../core/geometry";
+import type { Grip } from "../core/hit";
+import { documentStore } from "../state/document";
+import { canvasStore, type EditorAt } from "./store";
+import { enter, reshape, set } from "./edits";
+import { canvasPoint, paneElement, paneSize, windowPoint } from "./view";
+
+/** Room between an object and one that the keyboard places beside it. */
+const BESIDE = 150;
+
+/** Where the keyboard places something: to the right of what it is at, else in the middle of what is seen. */
+function keyboardPlace(): Point {
+  const [w, h] = paneSize();
+  const { active } = canvasStore.getState();
+  const bounds = active === undefined ? undefined : documentStore.getState().objects.get(active)?.bounds;
+  if (!bounds) return [w / 2, h / 3];
+  const [x, y] = windowPoint([bounds[0] + bounds[2] + BESIDE, bounds[1] + bounds[3] / 2]);
+  return [Math.min(Math.max(x, 40), w - 40), Math.min(Math.max(y, 40), h - 40)];
+}
+
+/** Opens the search box: at a pixel, or where the keyboard is. What was found goes there. */
+export function openSearch(pixel?: Point, from?: Grip): void {
+  const where = pixel ?? keyboardPlace();
+  const at = canvasPoint(where);
+  canvasStore.setState({ search: { pixel: where, at, from }, menu: undefined, tip: undefined });
+}
+
+export function openEditor(object: string, is: EditorAt["is"], more: Partial<EditorAt> = {}): void {
+  canvasStore.setState({ editor: { object, is, ...more }, menu: undefined, tip: undefined });
+}
+
+/** Closes whatever is open, and gives the focus back to the canvas. */
+export function closeBoxes(): void {
+  canvasStore.setState({
+    menu: undefined,
+    search: undefined,
+    editor: undefined,
+    writing: undefined,
+    connecting: undefined,
+    finding: false,
+    tip: undefined,
+    hotWire: undefined,
+  });
+  focusCanvas();
+}
+
+/** Gives the focus to the object that the keyboard is at, or to the canvas itself. */
+export function focusCanvas(): void {
+  const pane = paneElement();
+  const { active } = canvasStore.getState();
+  const object = active ? pane?.querySelector<HTMLElement>(`[data-object="${active}"]`) : undefined;
+  (object ?? pane)?.focus({ preventScroll: true });
+}
+
+/** What a double-click on an object, or Enter, does: what the object is for. */
+export function activate(id: string): void {
+  const object = documentStore.getState().objects.get(id);
+  if (!object) return;
+  if (object.kind === "cluster") {
+    void enter([...documentStore.getState().within, id]);
+    return;
+  }
+  switch (object.control?.is) {
+    case "panel":
+    case "scribble":
+      canvasStore.setState({ writing: id });
+      return;
+    case "toggle":
+      set(id, { is: "switch", on: !object.control.on });
+      return;
+    case "viewer":
+      reshape(id, { ...object.control, text: !object.control.text });
+      return;
+    case "script":
+    case "formula":
+      openEditor(id, "script");
+      return;
+    case undefined:
+      openEditor(id, "nickname");
+      return;
+    default:
+      openEditor(id, "control");
+  }
+}
+
+/** Where a box about an object opens: below it, in the window. */
+export function below(id: string): Point {
+  const bounds = documentStore.getState().objects.get(id)?.bounds ?? [0, 0, 0, 0];
+  const [w, h] = paneSize();
+  const [x, y] = windowPoint([bounds[0], bounds[1] + bounds[3]]);
+  return [Math.min(Math.max(x, 8), Math.max(w - 340, 8)), Math.min(Math.max(y + 8, 8), Math.max(h - 320, 8))];
+}

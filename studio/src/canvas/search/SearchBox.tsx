@@ -1,0 +1,64 @@
+import { useStore } from "zustand";
+
+import { placing } from "../../core/initial";
+import { parsePopup } from "../../core/popup";
+import { search, type Wanted } from "../../core/search";
+import type { Grip } from "../../core/hit";
+import { t } from "../../i18n";
+import { catalogueStore, type Catalogue } from "../../state/catalogue";
+import { documentStore } from "../../state/document";
+import { place, placeWired } from "../edits";
+import { useCanvas } from "../hooks";
+import type { SearchAt } from "../store";
+import { PickList, type Pick } from "./PickList";
+
+/** The search box: a double-click on the empty canvas, or a wire let go in the void. */
+export function SearchBox() {
+  const at = useCanvas((canvas) => canvas.search);
+  const catalogue = useStore(catalogueStore);
+  if (!at) return null;
+  const wanted = at.from ? wantedBy(at.from) : undefined;
+  return (
+    <PickList
+      key={at.pixel.join()}
+      pixel={at.pixel}
+      label={t("canvas.search.label")}
+      prompt={wanted ? t("canvas.search.wired", { kind: wanted.kind }) : t("canvas.search.prompt")}
+      none={t(catalogue.state === "failed" ? "canvas.search.failed" : "canvas.search.none")}
+      picks={(query) => picks(catalogue, at, wanted, query)}
+    />
+  );
+}
+
+/** What a wire that was let go could be led to: it fits the data of its port. */
+function wantedBy(grip: Grip): Wanted {
+  const { objects } = documentStore.getState();
+  const object = objects.get(grip.object);
+  const ports = grip.side === "output" ? object?.outputs : object?.inputs;
+  const kind = ports?.find((port) => port.id === grip.port)?.kind ?? "";
+  return { side: grip.side === "output" ? "input" : "output", kind };
+}
+
+function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, query: string): Pick[] {
+  const popup = wanted ? undefined : parsePopup(query);
+  const code = popup && placing(popup, catalogue.entries);
+  const found = search(catalogue.entries, query, wanted).map(
+    ({ entry }): Pick => ({
+      key: entry.guid,
+      label: entry.name,
+      hint: [entry.tab, entry.panel].filter(Boolean).join(" › "),
+      run() {
+        if (at.from) void placeWired(entry.guid, at.at, at.from);
+        else void place({ component: entry.guid, with: null }, at.at);
+      },
+    }),
+  );
+  if (!code) return query.trim() === "" && !wanted ? [] : found;
+  const first: Pick = {
+    key: "code",
+    label: code.name,
+    hint: query.trim(),
+    run: () => void place(code, at.at),
+  };
+  return [first, ...found];
+}

@@ -1,0 +1,140 @@
+/** What the canvas alone knows: gestures under way, menus and boxes that are open. Nothing of it is in the document. */
+
+import { createStore } from "zustand/vanilla";
+
+import type { Guide } from "../core/align";
+import type { CatalogueEntry } from "../core/catalogue";
+import type { Point, Rect } from "../core/geometry";
+import type { Grip } from "../core/hit";
+import { NO_SHIFTS, type Shifts } from "../core/places";
+import type { MouseScheme } from "../core/wheel";
+import type { Elastic, Target } from "./gestures/chart";
+
+export interface MenuAt {
+  pixel: Point;
+  at: Point;
+  target: Target | { is: "centre"; id: string };
+}
+
+export interface SearchAt {
+  pixel: Point;
+  /** Where what is found is placed. */
+  at: Point;
+  /** The wire that was let go in the void. */
+  from: Grip | undefined;
+}
+
+export interface TipAt {
+  pixel: Point;
+  object: string;
+  /** The port, or the object as a whole. */
+  port: { id: string; side: "input" | "output" } | undefined;
+}
+
+/** A box about one object that is open. */
+export interface EditorAt {
+  object: string;
+  is: "control" | "nickname" | "script" | "expression" | "values";
+  /** The port that an expression or values are for. */
+  port?: string;
+  /** An index in the control, such as a gradient's grip. */
+  index?: number;
+}
+
+export interface CanvasState {
+  shifts: Shifts;
+  /** Where copies would stand that are being dragged. */
+  ghosts: readonly Rect[];
+  guides: readonly Guide[];
+  window: { rect: Rect; crossing: boolean } | undefined;
+  wire: Elastic | undefined;
+  menu: MenuAt | undefined;
+  search: SearchAt | undefined;
+  tip: TipAt | undefined;
+  editor: EditorAt | undefined;
+  /** The object whose text is edited in its place. */
+  writing: string | undefined;
+  /** An entry of the tabs that the next click places. */
+  placing: CatalogueEntry | undefined;
+  /** The component that the tabs point at. */
+  pointedAt: string | undefined;
+  /** The grip that the keyboard connects. */
+  connecting: Grip | undefined;
+  /** Whether the box that finds objects of the document is open. */
+  finding: boolean;
+  /** A wire that a menu speaks of. */
+  hotWire: { from: string; to: string } | undefined;
+  /** The object that the keyboard is at. */
+  active: string | undefined;
+  /** So far away that boxes are drawn, or so near that there is room for (+) and (−). */
+  distance: "far" | "usual" | "near";
+  scheme: MouseScheme;
+  /** Whether things that are dragged line up with others. */
+  snapping: boolean;
+  ribbon: boolean;
+  /** What was last said for screen readers. */
+  said: string;
+}
+
+const KEPT = "katydid.canvas";
+
+interface Kept {
+  scheme: MouseScheme;
+  snapping: boolean;
+  ribbon: boolean;
+}
+
+/** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
+function kept(): Kept {
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true };
+  try {
+    const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
+    if (typeof found !== "object" || found === null) return usual;
+    const { scheme, snapping, ribbon } = found as Record<string, unknown>;
+    return {
+      scheme: scheme === "figma" ? "figma" : "grasshopper",
+      snapping: snapping !== false,
+      ribbon: ribbon !== false,
+    };
+  } catch {
+    return usual;
+  }
+}
+
+export const canvasStore = createStore<CanvasState>(() => ({
+  shifts: NO_SHIFTS,
+  ghosts: [],
+  guides: [],
+  window: undefined,
+  wire: undefined,
+  menu: undefined,
+  search: undefined,
+  tip: undefined,
+  editor: undefined,
+  writing: undefined,
+  placing: undefined,
+  pointedAt: undefined,
+  connecting: undefined,
+  finding: false,
+  hotWire: undefined,
+  active: undefined,
+  distance: "usual",
+  said: "",
+  ...kept(),
+}));
+
+/** Changes what a browser remembers. */
+export function keep(change: Partial<Kept>): void {
+  canvasStore.setState(change);
+  const { scheme, snapping, ribbon } = canvasStore.getState();
+  try {
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon }));
+  } catch {
+    // It holds for this page then.
+  }
+}
+
+/** Tells screen readers something. */
+export function say(said: string): void {
+  canvasStore.setState({ said });
+}

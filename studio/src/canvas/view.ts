@@ -1,0 +1,128 @@
+/** The window onto the canvas: where it looks, and how it is moved. */
+
+import { around, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
+import { FAR_BELOW } from "../core/far";
+import { frameOf } from "../core/places";
+import { documentStore } from "../state/document";
+import { uiStore } from "../state/ui";
+import { canvasStore } from "./store";
+
+/** Above this zoom (+) and (−) appear. */
+const NEAR_ABOVE = 1.7;
+
+interface Flow {
+  getViewport(): Lens;
+  setViewport(lens: Lens, options?: { duration?: number }): unknown;
+}
+
+let flow: Flow | undefined;
+let pane: HTMLElement | undefined;
+
+export function setFlow(next: Flow | undefined): void {
+  flow = next;
+}
+
+export function setPane(next: HTMLElement | undefined): void {
+  pane = next;
+}
+
+export function paneElement(): HTMLElement | undefined {
+  return pane;
+}
+
+export function lens(): Lens {
+  return flow?.getViewport() ?? { x: 0, y: 0, zoom: 1 };
+}
+
+/** How large the window is, in pixels. */
+export function paneSize(): Point {
+  return pane ? [pane.clientWidth, pane.clientHeight] : [1200, 800];
+}
+
+const STILL = "(prefers-reduced-motion: reduce)";
+
+/** Looks elsewhere; smoothly where people want movement. */
+export function look(to: Lens, smoothly = false): void {
+  const duration = smoothly && !matchMedia(STILL).matches ? 180 : 0;
+  flow?.setViewport(to, duration > 0 ? { duration } : {});
+}
+
+/** The grid's squares on the canvas; from afar each holds several. */
+const SQUARE = 120;
+
+/** Called when the lens has changed. */
+export function takeLens({ x, y, zoom }: Lens): void {
+  const square = SQUARE * zoom * 2 ** Math.max(0, Math.ceil(Math.log2(60 / (SQUARE * zoom))));
+  const ground = pane?.querySelector<HTMLElement>(".react-flow");
+  if (ground) {
+    ground.style.backgroundPosition = `${x}px ${y}px`;
+    ground.style.backgroundSize = `${square}px ${square}px`;
+  }
+  const distance = zoom < FAR_BELOW ? "far" : zoom > NEAR_ABOVE ? "near" : "usual";
+  if (canvasStore.getState().distance !== distance) canvasStore.setState({ distance });
+}
+
+/** A pixel of the page as one of the pane. */
+export function pixelOf(event: { clientX: number; clientY: number }): Point {
+  const box = pane?.getBoundingClientRect();
+  return [event.clientX - (box?.left ?? 0), event.clientY - (box?.top ?? 0)];
+}
+
+export function canvasPoint(pixel: Point): Point {
+  return toCanvas(lens(), pixel);
+}
+
+export function windowPoint(at: Point): Point {
+  return toWindow(lens(), at);
+}
+
+export function panBy([dx, dy]: Point): void {
+  const { x, y, zoom } = lens();
+  look({ x: x + dx, y: y + dy, zoom });
+}
+
+export function zoomAt(pixel: Point, factor: number): void {
+  look(zoomed(lens(), pixel, factor));
+}
+
+/** Zooms about the middle of the window. */
+export function zoomBy(factor: number): void {
+  const [w, h] = paneSize();
+  look(zoomed(lens(), [w / 2, h / 2], factor), true);
+}
+
+export function zoomTo(zoom: number): void {
+  zoomBy(zoom / lens().zoom);
+}
+
+/** Shows these objects whole; all when none are given. */
+export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
+  const { objects } = documentStore.getState();
+  const { fullNames } = uiStore.getState();
+  const wanted = ids ? [...ids] : [...objects.keys()];
+  const rects: Rect[] = [];
+  for (const id of wanted) {
+    const object = objects.get(id);
+    if (object) rects.push(frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+  }
+  const all = around(rects);
+  if (all) look(fitted(all, paneSize(), ids ? 1.5 : 1), smoothly);
+}
+
+/** Moves the window only as far as is needed for an object to be seen. */
+export function reveal(id: string): void {
+  const { objects } = documentStore.getState();
+  const object = objects.get(id);
+  if (!object) return;
+  const [x, y, w, h] = frameOf(object, objects, canvasStore.getState().shifts, uiStore.getState().fullNames);
+  const { zoom, ...at } = lens();
+  const [left, top] = windowPoint([x, y]);
+  const [width, height] = paneSize();
+  const margin = 48;
+  const push = (low: number, size: number, room: number) => {
+    if (low < margin) return margin - low;
+    return low + size > room - margin ? Math.max(room - margin - size - low, margin - low) : 0;
+  };
+  const [dx, dy] = [push(left, w * zoom, width), push(top, h * zoom, height)];
+  if (dx !== 0 || dy !== 0) look({ x: at.x + dx, y: at.y + dy, zoom }, true);
+}

@@ -1,0 +1,25 @@
+import { useEffect, useId, useRef, type ReactNode } from "react";
+
+import { showDialog } from "./store";
+
+/** A modal dialog: the browser's own, which keeps the focus inside, closes on Escape and gives the focus back. */
+export function Dialog({ title, children, wide = false }: { title: string; children: ReactNode; wide?: boolean }) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  const id = useId();
+  useEffect(() => {
+    const element = dialog.current;
+    if (element && !element.open) element.showModal();
+  }, []);
+  return (
+    <dialog
+      ref={dialog}
+      className={wide ? "wide" : undefined}
+      aria-labelledby={id}
+      onClose={() => showDialog(undefined)}
+      onClick={(event) => event.target === dialog.current && showDialog(undefined)}
+    >
+      <h2 id={id}>{title}</h2>
+      {children}
+    </dialog>
+  );
+}

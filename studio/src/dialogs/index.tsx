@@ -1,0 +1,30 @@
+import { useStore } from "zustand";
+
+import { About } from "./About";
+import { DocumentSettings } from "./DocumentSettings";
+import { Export } from "./Export";
+import { KeySheet } from "./KeySheet";
+import { Palette } from "./Palette";
+import { SaveAs } from "./SaveAs";
+import { dialogStore } from "./store";
+
+/** The dialog that is open, if any. */
+export function Dialogs() {
+  const open = useStore(dialogStore, (state) => state.open);
+  switch (open) {
+    case "palette":
+      return <Palette />;
+    case "keys":
+      return <KeySheet />;
+    case "settings":
+      return <DocumentSettings />;
+    case "saveAs":
+      return <SaveAs />;
+    case "export":
+      return <Export />;
+    case "about":
+      return <About />;
+    case undefined:
+      return null;
+  }
+}

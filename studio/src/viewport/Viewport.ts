@@ -1,0 +1,389 @@
+/** The picture of the model: draws when something changed, and never else. */
+
+import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+
+import { centre, radius } from "../core/bounds";
+import type { Bounds, Preview, Rgba } from "../core/preview";
+import { rectangle } from "../core/screen";
+import { FalseColours } from "./analysis";
+import { isSoftware } from "./graphics";
+import { Panes, type PlacedPane } from "./panes";
+import { lookOf, type ObjectState } from "./scene/looks";
+import { Model } from "./scene/model";
+import { Painter } from "./scene/painter";
+import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
+import { readTheme, type Theme } from "./theme";
+import { TOOL, showCircle, showComb } from "./tools/curveAnalysis";
+import { Picker, type Pick, type PickView } from "./tools/picking";
+import { inWindow } from "./tools/windowSelect";
+import { TextLayer } from "./overlay/texts";
+
+/** What the document says of objects and colours. */
+export interface Surroundings {
+  normal: Rgba;
+  selected: Rgba;
+  selection: ReadonlySet<string>;
+  hovered: string | undefined;
+  isHidden(object: string): boolean;
+}
+
+export interface Options {
+  /** Smooth borders; off where pictures are compared, and where the graphics card is software. */
+  antialias?: boolean;
+  pixelRatio?: number;
+}
+
+/** From this many triangles on software draws a quick picture first, and the right one when it rests. */
+const HEAVY = 200_000;
+const REST = 350;
+/** Comb and circle: of their own colour, which no theme changes. */
+const COMB_COLOUR: Rgba = [196, 92, 16, 255];
+const CIRCLE_COLOUR: Rgba = [112, 60, 190, 255];
+
+export class Viewport {
+  readonly canvas: HTMLCanvasElement;
+  readonly model: Model;
+  readonly panes: Panes;
+  readonly isSoftware: boolean;
+  /** How many pictures were drawn. */
+  frames = 0;
+  #renderer: WebGLRenderer;
+  #host: HTMLElement;
+  #painter: Painter;
+  #texts: TextLayer;
+  #theme: Theme;
+  #picker: Picker;
+  #falseColours = new FalseColours(() => {
+    this.#areColoursStale = true;
+    this.invalidate();
+  });
+  #around: Surroundings;
+  #settings: ViewportSettings = settingsStore.getState();
+  #request = 0;
+  #rest: ReturnType<typeof setTimeout> | undefined;
+  #isFine = false;
+  #isLost = false;
+  #areLooksStale = true;
+  #areColoursStale = true;
+  #isFitted = false;
+  #stop: (() => void)[] = [];
+  /** Called after each picture, for what is drawn over it. */
+  afterDraw: (placed: readonly PlacedPane[]) => void = () => {};
+
+  constructor(host: HTMLElement, around: Surroundings, options: Options = {}) {
+    this.#host = host;
+    this.#around = around;
+    this.canvas = document.createElement("canvas");
+    this.canvas.className = "viewport-canvas";
+    host.prepend(this.canvas);
+    this.isSoftware = isSoftware();
+    const antialias = options.antialias ?? !this.isSoftware;
+    this.#renderer = new WebGLRenderer({ canvas: this.canvas, antialias, powerPreference: "high-performance" });
+    this.#renderer.outputColorSpace = SRGBColorSpace;
+    this.#renderer.autoClear = false;
+    this.#renderer.sortObjects = true;
+    this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
+    this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000 }, () => this.#renderer.getPixelRatio());
+    this.#painter = new Painter(this.#renderer, this.model);
+    this.panes = new Panes(() => this.invalidate());
+    this.#picker = new Picker(this.model);
+    this.#texts = new TextLayer(host);
+    this.#theme = readTheme(host);
+    this.#watch(options);
+  }
+
+  put(object: string, preview: Preview): void {
+    this.model.put(object, preview);
+    this.#refresh();
+  }
+
+  drop(object: string): void {
+    this.model.drop(object);
+    this.#refresh();
+  }
+
+  clear(): void {
+    this.model.clear();
+    this.#isFitted = false;
+    this.#refresh();
+  }
+
+  surround(around: Surroundings): void {
+    const combChanges = around.selection !== this.#around.selection;
+    this.#around = around;
+    this.#areLooksStale = true;
+    this.invalidate();
+    if (combChanges) this.#showComb();
+  }
+
+  /** Takes up other colours of the page. */
+  retheme(): void {
+    this.#theme = readTheme(this.#host);
+    this.#areLooksStale = true;
+    this.invalidate();
+  }
+
+  /** Asks for a new picture. */
+  invalidate(): void {
+    this.#isFine = false;
+    this.#schedule();
+  }
+
+  pickAt(x: number, y: number): Pick | undefined {
+    const placed = this.panes.at(x, y);
+    this.#settle();
+    return this.#picker.at(this.#view(placed), x - placed.left, y - placed.top);
+  }
+
+  /** The objects in a window, whose corners are in pixels of the canvas. */
+  inWindow([x, y, u, v]: readonly [number, number, number, number]): string[] {
+    const { left, top, ...placed } = this.panes.at(x, y);
+    this.#settle();
+    const box = rectangle(x - left, y - top, u - left, v - top);
+    return inWindow(this.model, this.#view({ left, top, ...placed }), box, u < x).filter((id) => !id.startsWith(TOOL));
+  }
+
+  pointAt(pick: Pick | undefined): void {
+    if (this.#settings.circle) {
+      showCircle(this.model, pick, CIRCLE_COLOUR);
+      this.invalidate();
+    }
+  }
+
+  zoomExtents(isStill: boolean): void {
+    this.#settle();
+    this.panes.fit(this.#boxes(), this.panes.layout === "one" ? [this.panes.active] : this.panes.all(), isStill);
+  }
+
+  zoomSelected(isStill: boolean): void {
+    this.panes.fit(this.#boxes(this.#around.selection), [this.panes.active], isStill);
+  }
+
+  /** The boxes of the objects that are shown, or of some of them. */
+  #boxes(only?: ReadonlySet<string>): Bounds[] {
+    const objects = [...this.model.objects.values()].filter(({ id }) => !only || only.has(id));
+    return objects.flatMap(({ bounds, id }) => (bounds && !this.#around.isHidden(id) ? [bounds] : []));
+  }
+
+  /** The camera of a pane, and its size. */
+  viewOf(placed: PlacedPane): PickView {
+    return this.#view(placed);
+  }
+
+  /** Where a point of the model is on the canvas, in pixels; undefined behind the eye. */
+  placeOf(point: readonly [number, number, number], placed = this.panes.placedOf(this.panes.active)): [number, number] | undefined {
+    this.#settle();
+    const { camera, width, height } = this.#view(placed);
+    const [x, y, z] = this.model.origin;
+    const seen = new Vector3(point[0] - x, point[1] - y, point[2] - z).applyMatrix4(camera.matrixWorldInverse);
+    if (seen.z >= 0 && placed.pane.rig.pose.projection === "perspective") return undefined;
+    seen.applyMatrix4(camera.projectionMatrix);
+    return [placed.left + (seen.x + 1) * 0.5 * width, placed.top + (1 - seen.y) * 0.5 * height];
+  }
+
+  /** Draws at once. */
+  draw(isFine = true): void {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+    this.#isFine = isFine;
+    this.#frame();
+  }
+
+  /** The picture with its texts, as PNG. */
+  async picture(): Promise<Blob | null> {
+    this.draw();
+    const copy = document.createElement("canvas");
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    const flat = copy.getContext("2d");
+    if (!flat) return null;
+    flat.drawImage(this.canvas, 0, 0);
+    flat.scale(this.#renderer.getPixelRatio(), this.#renderer.getPixelRatio());
+    this.#texts.paint(flat);
+    return new Promise((resolve) => copy.toBlob(resolve, "image/png"));
+  }
+
+  /** The colour of a pixel of the canvas as it would be drawn now. */
+  pixel(x: number, y: number): Rgba {
+    this.draw();
+    const gl = this.#renderer.getContext();
+    const ratio = this.#renderer.getPixelRatio();
+    const bytes = new Uint8Array(4);
+    const [column, row] = [Math.floor(x * ratio), this.canvas.height - 1 - Math.floor(y * ratio)];
+    gl.readPixels(column, row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return [bytes[0] ?? 0, bytes[1] ?? 0, bytes[2] ?? 0, bytes[3] ?? 0];
+  }
+
+  /** How much memory of the graphics card is in use, in things. */
+  memory(): { geometries: number; textures: number; isLost: boolean } {
+    return { ...this.#renderer.info.memory, isLost: this.#isLost };
+  }
+
+  dispose(): void {
+    for (const stop of this.#stop) stop();
+    cancelAnimationFrame(this.#request);
+    clearTimeout(this.#rest);
+    this.#texts.dispose();
+    this.#falseColours.dispose();
+    this.model.dispose();
+    this.#painter.dispose();
+    this.#renderer.dispose();
+    this.#renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
+  #watch(options: Options): void {
+    const resize = new ResizeObserver(() => this.#resize());
+    resize.observe(this.#host);
+    this.#resize();
+    const ratio = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const rescale = () => {
+      this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
+      this.#resize();
+    };
+    ratio.addEventListener("change", rescale);
+    const lost = (event: Event) => {
+      event.preventDefault();
+      this.#isLost = true;
+      viewportStore.setState({ notice: "viewport.lost" });
+    };
+    const restored = () => {
+      this.#isLost = false;
+      viewportStore.setState({ notice: undefined });
+      this.invalidate();
+    };
+    this.canvas.addEventListener("webglcontextlost", lost);
+    this.canvas.addEventListener("webglcontextrestored", restored);
+    const unsubscribe = settingsStore.subscribe((settings, before) => this.#take(settings, before));
+    this.panes.layout = this.#settings.layout;
+    this.#stop.push(
+      () => resize.disconnect(),
+      () => ratio.removeEventListener("change", rescale),
+      () => this.canvas.removeEventListener("webglcontextlost", lost),
+      () => this.canvas.removeEventListener("webglcontextrestored", restored),
+      unsubscribe,
+    );
+  }
+
+  #take(settings: ViewportSettings, before: ViewportSettings): void {
+    this.#settings = settings;
+    this.#areLooksStale = true;
+    if (settings.analysis !== before.analysis) this.#areColoursStale = true;
+    if (settings.layout !== before.layout) {
+      this.panes.layout = settings.layout;
+      if (settings.layout === "four") this.panes.fit(this.#boxes(), this.panes.all().filter((pane) => pane !== this.panes.active), true);
+    }
+    if (settings.comb !== before.comb || settings.combScale !== before.combScale) this.#showComb();
+    if (!settings.circle && before.circle) showCircle(this.model, undefined, CIRCLE_COLOUR);
+    this.invalidate();
+  }
+
+  #showComb(): void {
+    const selection = this.#settings.comb ? this.#around.selection : new Set<string>();
+    showComb(this.model, selection, this.#settings.combScale, COMB_COLOUR);
+    this.invalidate();
+  }
+
+  #refresh(): void {
+    this.#areLooksStale = true;
+    this.#areColoursStale = true;
+    if (this.#settings.comb) this.#showComb();
+    this.invalidate();
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#host;
+    this.panes.width = Math.max(clientWidth, 1);
+    this.panes.height = Math.max(clientHeight, 1);
+    this.#renderer.setSize(this.panes.width, this.panes.height);
+    this.invalidate();
+  }
+
+  #schedule(): void {
+    if (this.#request === 0) this.#request = requestAnimationFrame((now) => this.#tick(now));
+  }
+
+  #tick(now: number): void {
+    this.#request = 0;
+    if (this.panes.advance(now)) this.#schedule();
+    this.#frame();
+    clearTimeout(this.#rest);
+    if (!this.#isFine && this.#isHeavy()) this.#rest = setTimeout(() => this.draw(), REST);
+  }
+
+  #isHeavy(): boolean {
+    return this.isSoftware && this.model.counts().triangles > HEAVY;
+  }
+
+  /** Batches, looks and false colours as they are to be now. */
+  #settle(): void {
+    this.model.settle();
+    if (this.#areLooksStale) this.#look();
+    if (this.#areColoursStale) this.#colour();
+    this.model.settle();
+    if (!this.#isFitted && this.model.bounds) {
+      this.#isFitted = true;
+      this.panes.fit(this.#boxes(), this.panes.all(), true);
+    }
+  }
+
+  #look(): void {
+    this.#areLooksStale = false;
+    const { normal, selected, selection, hovered, isHidden } = this.#around;
+    const { ink, plaster, ground } = this.#theme;
+    const palette = { normal, selected, ink, plaster, background: ground };
+    for (const { id, parts } of this.model.objects.values()) {
+      if (id.startsWith(TOOL)) continue;
+      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(id) };
+      for (const entry of parts) {
+        const look = lookOf(entry.part.kind, entry.part.colour, state, this.#settings.mode, palette, this.#settings.shown);
+        this.model.setColour(entry, look);
+      }
+    }
+  }
+
+  #colour(): void {
+    this.#areColoursStale = false;
+    viewportStore.setState({ legend: this.#falseColours.colour(this.model, this.#settings.analysis) });
+  }
+
+  #frame(): void {
+    if (this.#isLost) return;
+    this.#settle();
+    const range = this.#settings.range ?? viewportStore.getState().legend?.range;
+    const isQuick = !this.#isFine && this.#isHeavy();
+    this.#painter.prepare(this.#settings, this.#theme, range, isQuick);
+    const placed = this.panes.placed();
+    for (const pane of placed) this.#painter.paint(pane, this.#view(pane).camera, this.panes.height);
+    this.frames++;
+    this.#overlay(placed);
+  }
+
+  #view({ pane, width, height }: PlacedPane): PickView {
+    return { camera: pane.rig.camera(this.model.origin, this.model.bounds, width / height), width, height };
+  }
+
+  /** What one unit about the target is for the wheel: where a ray through a pixel meets the model, else its target plane. */
+  aim(x: number, y: number): Vector3 {
+    const placed = this.panes.at(x, y);
+    const { rig } = placed.pane;
+    const [u, v] = [((x - placed.left) / placed.width) * 2 - 1, 1 - ((y - placed.top) / placed.height) * 2];
+    const pick = rig.pose.projection === "perspective" ? this.pickAt(x, y) : undefined;
+    if (pick) return new Vector3(...pick.point);
+    const plane = rig.onTargetPlane(u, v, placed.width / placed.height);
+    const bounds = this.model.bounds;
+    if (!bounds || rig.pose.projection === "parallel") return plane;
+    // Beside the model, but near it: as deep as its middle, so that the wheel never gets stuck before it.
+    const depth = new Vector3(...centre(bounds)).sub(rig.eye()).dot(rig.backward().negate());
+    if (depth <= radius(bounds) * 0.1) return plane;
+    return plane.sub(rig.eye()).multiplyScalar(depth / rig.distance()).add(rig.eye());
+  }
+
+  #overlay(placed: readonly PlacedPane[]): void {
+    const views = placed.map((pane) => ({ ...pane, ...this.#view(pane) }));
+    const shown = this.#texts.show(this.model, views);
+    const { pointed } = viewportStore.getState();
+    viewportStore.setState({ view: this.panes.viewName(), projection: this.panes.projection(), texts: shown, pointed });
+    this.afterDraw(placed);
+  }
+}

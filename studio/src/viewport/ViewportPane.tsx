@@ -1,0 +1,68 @@
+import { useEffect, useRef, useState } from "react";
+import { useStore } from "zustand";
+
+import "../actions/viewport";
+import { t, type Key } from "../i18n";
+import { documentStore } from "../state/document";
+import { openViewport } from "./pane/open";
+import type { Options } from "./Viewport";
+import { viewportStore } from "./settings";
+import { Legend } from "./toolbar/Legend";
+import { Toolbar } from "./toolbar/Toolbar";
+import "./viewport.css";
+
+/** The model of the document that is open, with its toolbar. It needs only the stores. */
+export function ViewportPane({ options }: { options?: Options }) {
+  const host = useRef<HTMLDivElement>(null);
+  const [hasGraphics, setGraphics] = useState(true);
+  useEffect(() => {
+    if (!host.current) return;
+    try {
+      return openViewport(host.current, options);
+    } catch {
+      setGraphics(false);
+      return;
+    }
+  }, [options]);
+  return (
+    <div className="viewport">
+      <Toolbar />
+      <div className="viewport-stage">
+        <div className="viewport-host" ref={host} hidden={!hasGraphics} />
+        {!hasGraphics && <p className="viewport-notice">{t("viewport.noGraphics")}</p>}
+        <Legend />
+        <Pointed />
+        <Notice />
+      </div>
+    </div>
+  );
+}
+
+/** What is under the pointer. */
+function Pointed() {
+  const pointed = useStore(viewportStore, (state) => state.pointed);
+  const name = useStore(documentStore, (mirror) => {
+    const object = pointed && mirror.objects.get(pointed.object);
+    return object && (object.nickname || object.name);
+  });
+  if (!pointed || name === undefined) return null;
+  const { path, index, x, y } = pointed;
+  const style = { transform: `translate(${x + 14}px, ${y + 18}px)` };
+  return (
+    <div className="viewport-pointed" style={style} role="tooltip">
+      {index < 0 ? name : t("viewport.tooltip", { object: name, path, index })}
+    </div>
+  );
+}
+
+function Notice() {
+  const notice = useStore(viewportStore, (state) => state.notice);
+  const all = useStore(viewportStore, (state) => state.texts.all);
+  const shown = useStore(viewportStore, (state) => state.texts.shown);
+  const text = notice ? t(notice as Key) : all > shown ? t("viewport.moreTexts", { shown, all }) : undefined;
+  return (
+    <p className="viewport-notice" role="status" hidden={!text}>
+      {text}
+    </p>
+  );
+}

@@ -1,0 +1,61 @@
+/** The viewport that is on the page, for actions; and a window for tests to look at it. */
+
+import type { Bounds, Rgba } from "../core/preview";
+import type { Viewport } from "./Viewport";
+
+let viewport: Viewport | undefined;
+
+export function currentViewport(): Viewport | undefined {
+  return viewport;
+}
+
+export interface ViewportStats {
+  objects: number;
+  parts: number;
+  triangles: number;
+  segments: number;
+  drawables: number;
+  bounds: Bounds | null;
+  /** How many pictures were drawn so far. */
+  frames: number;
+  geometries: number;
+  textures: number;
+  isSoftware: boolean;
+  isLost: boolean;
+}
+
+export interface ViewportHook {
+  stats(): ViewportStats | undefined;
+  /** The colour of a pixel as it would be drawn now. */
+  pixel(x: number, y: number): Rgba | undefined;
+  /** Draws at once; gives how many milliseconds it took until the picture was there. */
+  draw(): number | undefined;
+  /** Where a point of the model is in the active pane, in pixels. */
+  place(point: readonly [number, number, number]): [number, number] | undefined;
+}
+
+declare global {
+  interface Window {
+    __studio?: { viewport?: ViewportHook };
+  }
+}
+
+export function setCurrentViewport(next: Viewport | undefined): void {
+  viewport = next;
+  window.__studio = { ...window.__studio, viewport: hook };
+}
+
+const hook: ViewportHook = {
+  stats() {
+    if (!viewport) return undefined;
+    const { model, frames, isSoftware } = viewport;
+    return { objects: model.objects.size, bounds: model.bounds, frames, isSoftware, ...model.counts(), ...viewport.memory() };
+  },
+  pixel: (x, y) => viewport?.pixel(x, y),
+  draw() {
+    const start = performance.now();
+    // Reading a pixel waits for the graphics card.
+    return viewport?.pixel(0, 0) && performance.now() - start;
+  },
+  place: (point) => viewport?.placeOf(point),
+};

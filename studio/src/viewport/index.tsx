@@ -1,0 +1,4 @@
+import "./geometry";
+
+export { ViewportPane } from "./ViewportPane";
+export { currentViewport } from "./current";

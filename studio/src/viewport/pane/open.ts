@@ -1,0 +1,177 @@
+/** A viewport on the page, joined to what the stores know and to the hands on it. */
+
+import type { Rgba } from "../../core/preview";
+import type { DocumentView } from "../../core/protocol/DocumentView";
+import { t } from "../../i18n";
+import { documentStore } from "../../state/document";
+import { lineStore } from "../../state/session";
+import { select, uiStore } from "../../state/ui";
+import { setCurrentViewport } from "../current";
+import { geometry } from "../geometry";
+import { settingsStore, viewportStore } from "../settings";
+import { PointHandles } from "../tools/pointHandles";
+import { PointerControls } from "../tools/pointer";
+import { TOOL } from "../tools/curveAnalysis";
+import type { Pick } from "../tools/picking";
+import { Viewport, type Options, type Surroundings } from "../Viewport";
+import { viewOf } from "../views";
+import { PaneFrames } from "./frames";
+
+/** The colours of previews where no document says others: Grasshopper's. */
+const NORMAL: Rgba = [150, 0, 0, 100];
+const SELECTED: Rgba = [0, 150, 0, 100];
+
+export function isStill(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+/** Puts a viewport into an element; gives what takes it away again. */
+export function openViewport(host: HTMLElement, options: Options = {}): () => void {
+  const viewport = new Viewport(host, surroundings(), options);
+  const { canvas } = viewport;
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "application");
+  canvas.setAttribute("aria-label", t("viewport.label"));
+  canvas.setAttribute("aria-description", t("viewport.help"));
+  setCurrentViewport(viewport);
+  const stops = [
+    geometry.listen({
+      put: (object, preview) => viewport.put(object, preview),
+      drop: (object) => viewport.drop(object),
+      clear: () => viewport.clear(),
+      failed: (object, reason) => complain(object, reason),
+    }),
+    uiStore.subscribe(() => viewport.surround(surroundings())),
+    documentStore.subscribe(() => viewport.surround(surroundings())),
+    followTheme(() => viewport.retheme()),
+  ];
+  const frames = new PaneFrames(host, {
+    activate: (pane) => viewport.panes.activate(pane),
+    maximise(pane) {
+      viewport.panes.activate(pane);
+      settingsStore.setState(({ layout }) => ({ layout: layout === "one" ? "four" : "one" }));
+    },
+    look(pane, view) {
+      viewport.panes.activate(pane);
+      viewport.panes.look(view, true, isStill());
+    },
+  });
+  const handles = new PointHandles(host, viewport);
+  viewport.afterDraw = (placed) => {
+    frames.place(placed, viewport.panes.active);
+    handles.place(placed);
+  };
+  const controls = hands(viewport, host);
+  return () => {
+    controls.dispose();
+    handles.dispose();
+    frames.dispose();
+    for (const stop of stops) stop();
+    setCurrentViewport(undefined);
+    viewport.dispose();
+  };
+}
+
+function surroundings(): Surroundings {
+  const { document, objects } = documentStore.getState();
+  const { selection, hovered } = uiStore.getState();
+  const colour = (of: keyof Pick4<DocumentView>, usual: Rgba): Rgba => document?.[of] ?? usual;
+  return {
+    normal: colour("previewNormal", NORMAL),
+    selected: colour("previewSelected", SELECTED),
+    selection,
+    hovered,
+    isHidden(id) {
+      const object = objects.get(id);
+      return object !== undefined && (object.hidden || object.disabled);
+    },
+  };
+}
+
+type Pick4<T> = { [K in keyof T as T[K] extends [number, number, number, number] ? K : never]: T[K] };
+
+function complain(object: string, reason: string): void {
+  const name = documentStore.getState().objects.get(object)?.nickname ?? "";
+  lineStore.setState({ complaint: t("viewport.failed", { object: name, reason }) });
+}
+
+/** Calls when the page's colours change: by the attribute of the theme, or by the system's. */
+function followTheme(changed: () => void): () => void {
+  const observer = new MutationObserver(changed);
+  observer.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme", "class", "style"] });
+  const queries = ["(prefers-color-scheme: dark)", "(forced-colors: active)"].map((query) => matchMedia(query));
+  for (const query of queries) query.addEventListener("change", changed);
+  return () => {
+    observer.disconnect();
+    for (const query of queries) query.removeEventListener("change", changed);
+  };
+}
+
+function hands(viewport: Viewport, host: HTMLElement): PointerControls {
+  const { panes } = viewport;
+  const band = document.createElement("div");
+  band.className = "viewport-window";
+  band.hidden = true;
+  host.append(band);
+  let waiting: [number, number] | undefined;
+  let request = 0;
+  const hover = () => {
+    request = 0;
+    const pick = waiting && !controls.isBusy() ? viewport.pickAt(...waiting) : undefined;
+    pointAt(viewport, pick, waiting);
+  };
+  const controls: PointerControls = new PointerControls({
+    element: viewport.canvas,
+    paneAt(x, y) {
+      const { pane } = panes.at(x, y);
+      return pane;
+    },
+    begin: (pane) => panes.activate(pane),
+    orbit: (pane, dx, dy) => panes.orbit(pane, dx, dy),
+    pan: (pane, dx, dy) => panes.pan(pane, dx, dy),
+    zoom: (pane, x, y, factor) => panes.zoom(pane, viewport.aim(x, y), factor),
+    hover(x, y) {
+      waiting = x === undefined || y === undefined ? undefined : [x, y];
+      request ||= requestAnimationFrame(hover);
+    },
+    click(x, y, how) {
+      const pick = viewport.pickAt(x, y);
+      choose(pick && !pick.object.startsWith(TOOL) ? [pick.object] : [], how);
+    },
+    window(corners, done, how) {
+      band.hidden = done || !corners;
+      if (!corners) return;
+      const [x, y, u, v] = corners;
+      const [left, top] = [Math.min(x, u), Math.min(y, v)];
+      Object.assign(band.style, {
+        left: `${left}px`, top: `${top}px`, width: `${Math.abs(u - x)}px`, height: `${Math.abs(v - y)}px`,
+      });
+      band.classList.toggle("is-crossing", u < x);
+      if (done) choose(viewport.inWindow(corners), how);
+    },
+    isPlan: ({ rig }) => rig.pose.projection === "parallel" && viewOf(rig.pose) !== undefined,
+    trackpad: () => settingsStore.getState().trackpad,
+  });
+  return controls;
+}
+
+function choose(ids: readonly string[], how: "replace" | "add" | "remove"): void {
+  const { selection } = uiStore.getState();
+  if (how === "replace") select(ids);
+  else if (how === "add") select([...selection, ...ids]);
+  else select([...selection].filter((id) => !ids.includes(id)));
+}
+
+function pointAt(viewport: Viewport, pick: Pick | undefined, at: [number, number] | undefined): void {
+  const object = pick && !pick.object.startsWith(TOOL) ? pick.object : undefined;
+  viewport.pointAt(pick);
+  if (uiStore.getState().hovered !== object) uiStore.setState({ hovered: object });
+  const { pointed } = viewportStore.getState();
+  if (!pick || !object || !at) {
+    if (pointed) viewportStore.setState({ pointed: undefined });
+    return;
+  }
+  const [x, y] = at;
+  const { path = "", index = 0 } = pick.piece ?? {};
+  viewportStore.setState({ pointed: { object, path, index: pick.piece ? index : -1, x, y } });
+}

@@ -1,0 +1,228 @@
+/** What three.js draws for a part or a batch of parts. */
+
+import {
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, InstancedInterleavedBuffer,
+  InterleavedBuffer, InterleavedBufferAttribute, LineSegments, Mesh, Points, Sphere, Vector3, type Object3D,
+  type RawShaderMaterial,
+} from "three";
+
+import { boundsOfPositions, centre, radius } from "../../core/bounds";
+import type { Point3 } from "../../core/preview";
+import { segmentSlots, segmentsOf, type Merged } from "./merge";
+import type { Materials } from "./materials";
+
+/**
+ * The order in which things are drawn. Lines and points come twice: before the surfaces that shine through, which then
+ * tint what is behind them, and after them, where they are in front. Else a surface would leave out what lies below
+ * the soft borders of lines.
+ */
+export const ORDER = { grid: -3, behind: -2, surfaces: 10, front: 1e6 } as const;
+
+/** Bits of `uHas`. */
+const HAS = { normals: 1, colours: 2, values: 4 } as const;
+
+/** Usual sizes in pixels. */
+const LINE = 1.4;
+const THINNER: Partial<Record<Merged["kind"], number>> = { isocurves: 1, planes: 1 };
+const POINT = 9;
+const CONTROL_POINT = 7;
+const HEAD = 11;
+
+export interface Drawable {
+  kind: Merged["kind"];
+  origin: Point3;
+  objects: Object3D[];
+  /** Those that are only seen through surfaces. */
+  behind: Object3D[];
+  /** The pair that draws a surface that shines through: its depth, and its colour. */
+  surface: { solid: Mesh; depth: Mesh; colour: Mesh } | undefined;
+  /** The middle, offset from the origin, by which surfaces are sorted. */
+  middle: Vector3;
+  triangles: number;
+  segments: number;
+  /** Other numbers at the positions. */
+  setValues(values: Float32Array | null): void;
+  dispose(): void;
+}
+
+/** How wide lines may be drawn: cards that are software draw wide lines slowly. */
+export interface LineBudget {
+  wide: number;
+}
+
+export function makeDrawable(merged: Merged, materials: Materials, budget: LineBudget, pixels: () => number): Drawable {
+  const { kind } = merged;
+  const size = boundsOfPositions(merged.positions, [0, 0, 0]);
+  const sphere = size ? new Sphere(new Vector3(...centre(size)), radius(size)) : new Sphere();
+  const geometries: BufferGeometry[] = [];
+  const own = <G extends BufferGeometry>(geometry: G): G => {
+    geometry.boundingSphere = sphere;
+    geometries.push(geometry);
+    return geometry;
+  };
+  const used = merged.indices?.length ?? merged.positions.length / 3;
+  const base = {
+    kind,
+    origin: merged.origin,
+    middle: sphere.center,
+    triangles: kind === "mesh" ? used / 3 : 0,
+    segments: 0,
+    surface: undefined,
+    behind: [],
+    setValues() {},
+    dispose: () => geometries.forEach((geometry) => geometry.dispose()),
+  };
+  if (kind === "mesh") return { ...base, ...surfaceOf(merged, own(new BufferGeometry()), materials) };
+  if (kind === "points" || kind === "controlPoints") {
+    return { ...base, ...twice([pointsOf(merged, own(new BufferGeometry()), materials, pixels)]) };
+  }
+  const lines = linesOf(merged, own, materials, budget, pixels);
+  return { ...base, ...twice(lines), segments: used / 2 };
+}
+
+type Drawn = Mesh | Points | LineSegments;
+
+/** Each in front of surfaces, and behind them. */
+function twice(front: Drawn[]): { objects: Drawn[]; behind: Drawn[] } {
+  const behind = front.map((object) => {
+    const copy = still(object.clone());
+    copy.onBeforeRender = object.onBeforeRender;
+    copy.renderOrder = ORDER.behind;
+    object.renderOrder += ORDER.front;
+    return copy;
+  });
+  return { objects: [...front, ...behind], behind };
+}
+
+function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Materials) {
+  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  const { normals, colours, indices, slots } = merged;
+  if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3, normals instanceof Int8Array));
+  if (colours) geometry.setAttribute("colour", new BufferAttribute(colours, 4, true));
+  if (indices) geometry.setIndex(new BufferAttribute(indices, 1));
+  if (typeof slots !== "number") geometry.setAttribute("slot", new BufferAttribute(slots, 1));
+  let has = (normals ? HAS.normals : 0) | (colours ? HAS.colours : 0);
+  const setValues = (values: Float32Array | null) => {
+    if (values) geometry.setAttribute("value", new BufferAttribute(values, 1));
+    else geometry.deleteAttribute("value");
+    has = values ? has | HAS.values : has & ~HAS.values;
+  };
+  setValues(merged.values);
+  const make = (material: RawShaderMaterial) => {
+    const mesh = new Mesh(geometry, material);
+    mesh.onBeforeRender = () => {
+      materials.setLook(material, slots);
+      uniform(material, "uHas", has);
+    };
+    return still(mesh);
+  };
+  const surface = { solid: make(materials.opaque), depth: make(materials.depth), colour: make(materials.translucent) };
+  return { objects: Object.values(surface), surface, setValues };
+}
+
+function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials, pixels: () => number): Points {
+  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
+  if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
+  const points = new Points(geometry, materials.points);
+  const isControl = merged.kind === "controlPoints";
+  const size = merged.width || (isControl ? CONTROL_POINT : POINT);
+  points.onBeforeRender = () => {
+    materials.setLook(materials.points, merged.slots);
+    uniform(materials.points, "uWidth", Math.round(size * pixels()));
+    uniform(materials.points, "uStroke", Math.max(1, Math.round((isControl ? 1.2 : 1.5) * pixels())));
+    uniform(materials.points, "uShape", isControl ? 1 : 0);
+  };
+  points.renderOrder = 1;
+  return still(points);
+}
+
+function linesOf(
+  merged: Merged,
+  own: <G extends BufferGeometry>(geometry: G) => G,
+  materials: Materials,
+  budget: LineBudget,
+  pixels: () => number,
+): Drawn[] {
+  const used = merged.indices?.length ?? merged.positions.length / 3;
+  const width = merged.width || (THINNER[merged.kind] ?? LINE);
+  const objects: Drawn[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, width, pixels) : thinLines(merged, own, materials)];
+  if (merged.kind === "arrows") objects.push(heads(merged, own, materials, pixels));
+  return objects;
+}
+
+function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Drawn {
+  const geometry = own(new BufferGeometry());
+  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
+  if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
+  const lines = new LineSegments(geometry, materials.thin);
+  lines.onBeforeRender = () => materials.setLook(materials.thin, merged.slots);
+  return still(lines);
+}
+
+/** The rectangle of a segment: each geometry has its own buffers, because with a geometry all its buffers go. */
+const CORNERS = [-1, 0, -1, 1, 0, -1, 1, 1, 1, -1, 1, 1];
+const SIDES = [0, 1, 2, 0, 2, 3];
+
+function wideLines(
+  merged: Merged,
+  own: <G extends BufferGeometry>(geometry: G) => G,
+  materials: Materials,
+  width: number,
+  pixels: () => number,
+): Drawn {
+  const segments = segmentsOf(merged);
+  const geometry = own(new InstancedBufferGeometry());
+  const buffer = new InstancedInterleavedBuffer(segments, 6, 1);
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(CORNERS), 3));
+  geometry.setIndex(new BufferAttribute(Uint16Array.from(SIDES), 1));
+  geometry.setAttribute("from", new InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute("to", new InterleavedBufferAttribute(buffer, 3, 3));
+  geometry.instanceCount = segments.length / 6;
+  if (typeof merged.slots !== "number") {
+    geometry.setAttribute("slot", new InstancedBufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
+  }
+  const lines = new Mesh(geometry, materials.wide);
+  lines.onBeforeRender = () => {
+    materials.setLook(materials.wide, merged.slots);
+    uniform(materials.wide, "uWidth", width * pixels());
+  };
+  return still(lines);
+}
+
+function heads(
+  merged: Merged,
+  own: <G extends BufferGeometry>(geometry: G) => G,
+  materials: Materials,
+  pixels: () => number,
+): Drawn {
+  const segments = segmentsOf(merged);
+  const geometry = own(new BufferGeometry());
+  const buffer = new InterleavedBuffer(segments, 6);
+  buffer.setUsage(DynamicDrawUsage);
+  geometry.setAttribute("from", new InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute("to", new InterleavedBufferAttribute(buffer, 3, 3));
+  geometry.setDrawRange(0, segments.length / 6);
+  if (typeof merged.slots !== "number") {
+    geometry.setAttribute("slot", new BufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
+  }
+  const points = new Points(geometry, materials.head);
+  points.onBeforeRender = () => {
+    materials.setLook(materials.head, merged.slots);
+    uniform(materials.head, "uWidth", HEAD * pixels());
+  };
+  return still(points);
+}
+
+function uniform(material: RawShaderMaterial, name: string, value: number): void {
+  const entry = material.uniforms[name];
+  if (!entry || entry.value === value) return;
+  entry.value = value;
+  material.uniformsNeedUpdate = true;
+}
+
+function still<T extends Object3D>(object: T): T {
+  object.matrixAutoUpdate = false;
+  return object;
+}

@@ -1,0 +1,75 @@
+/** Draws the model into a pane, as the settings say. */
+
+import { Color, SRGBColorSpace, type Camera, type WebGLRenderer } from "three";
+
+import type { PlacedPane } from "../panes";
+import type { ViewportSettings } from "../settings";
+import { SHADE } from "../shaders/mesh";
+import type { Theme } from "../theme";
+import { Grid } from "./grid";
+import type { Model } from "./model";
+
+/** How much of ghosted surfaces is there. */
+const GHOST = 0.55;
+
+export class Painter {
+  #renderer: WebGLRenderer;
+  #model: Model;
+  #grid = new Grid();
+  #background = new Color();
+  #theme: Theme | undefined;
+
+  constructor(renderer: WebGLRenderer, model: Model) {
+    this.#renderer = renderer;
+    this.#model = model;
+    model.scene.add(this.#grid.mesh);
+  }
+
+  /** Makes ready for a picture of all panes. A quick one does not sort out what is behind what in one surface. */
+  prepare(settings: ViewportSettings, theme: Theme, range: readonly [number, number] | undefined, isQuick: boolean): void {
+    const { analysis, mode, stripes, across, shown } = settings;
+    const { shared, translucent } = this.#model.materials;
+    const isPaper = mode === "technical" && analysis === "none";
+    const isGhosted = mode === "ghosted" && analysis === "none";
+    shared.uShade.value = shadeOf(settings);
+    shared.uRange.value.set(range?.[0] ?? 0, range?.[1] ?? 1);
+    shared.uStripes.value = stripes;
+    shared.uStripesAcross.value = across ? 1 : 0;
+    shared.uPaper.value.copy(theme.paper);
+    shared.uInk.value.copy(theme.inkVector);
+    shared.uAlpha.value = isGhosted ? GHOST : 1;
+    translucent.depthWrite = !isGhosted;
+    const isSolid = isPaper || analysis !== "none";
+    this.#model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", !isQuick);
+    this.#grid.mesh.visible = shown.grid;
+    this.#theme = theme;
+    const { x, y, z } = isPaper ? theme.paper : theme.background;
+    this.#background.setRGB(x, y, z, SRGBColorSpace);
+    this.#renderer.setScissorTest(true);
+  }
+
+  /** Draws one pane; `canvasHeight` because the card counts rows from below. */
+  paint({ left, top, width, height, pane }: PlacedPane, camera: Camera, canvasHeight: number): void {
+    const bottom = canvasHeight - top - height;
+    this.#renderer.setViewport(left, bottom, width, height);
+    this.#renderer.setScissor(left, bottom, width, height);
+    this.#renderer.setClearColor(this.#background, 1);
+    this.#renderer.clear();
+    const ratio = this.#renderer.getPixelRatio();
+    this.#model.materials.shared.uView.value.set(width * ratio, height * ratio);
+    if (this.#theme) this.#grid.prepare(pane.rig, camera, this.#model.origin, height, this.#theme.grid);
+    this.#model.sortSurfaces(camera.matrixWorldInverse);
+    this.#renderer.render(this.#model.scene, camera);
+  }
+
+  dispose(): void {
+    this.#grid.dispose();
+  }
+}
+
+function shadeOf({ analysis, mode }: ViewportSettings): number {
+  if (analysis === "zebra") return SHADE.zebra;
+  if (analysis !== "none") return SHADE.falseColour;
+  if (mode === "rendered") return SHADE.rendered;
+  return mode === "technical" ? SHADE.technical : SHADE.shaded;
+}

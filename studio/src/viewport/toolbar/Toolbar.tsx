@@ -1,0 +1,141 @@
+import { useStore } from "zustand";
+
+import { action } from "../../actions/registry";
+import { shownKeys } from "../../actions/keys";
+import { t, type Key } from "../../i18n";
+import { DISPLAY_MODES } from "../scene/looks";
+import { ANALYSES, settingsStore, viewportStore, type Shown } from "../settings";
+import { VIEW_NAMES, type ViewName } from "../views";
+import { Icon, type IconName } from "./icons";
+import { Popover } from "./Popover";
+
+/** A button for an action, with its keys in the tooltip. */
+function ActionButton({ id, icon, isOn }: { id: string; icon: IconName; isOn?: boolean }) {
+  const known = action(id);
+  if (!known) return null;
+  const label = t(known.label);
+  const keys = known.keys?.[0];
+  return (
+    <button
+      type="button"
+      aria-label={label}
+      title={keys ? `${label} (${shownKeys(keys)})` : label}
+      aria-pressed={isOn}
+      onClick={() => void known.run()}
+    >
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+const SHOWN: readonly (keyof Shown)[] = ["grid", "edges", "isocurves", "points", "controlPoints", "texts"];
+
+export function Toolbar() {
+  const mode = useStore(settingsStore, (settings) => settings.mode);
+  const layout = useStore(settingsStore, (settings) => settings.layout);
+  const view = useStore(viewportStore, (state) => state.view);
+  const projection = useStore(viewportStore, (state) => state.projection);
+  return (
+    <div className="viewport-toolbar" role="toolbar" aria-label={t("viewport.toolbar")}>
+      <select
+        aria-label={t("viewport.view")}
+        title={t("viewport.view")}
+        value={view ?? ""}
+        onChange={({ target }) => void action(`viewport.view.${target.value as ViewName}`)?.run()}
+      >
+        {!view && <option value="">{t("viewport.viewFree")}</option>}
+        {VIEW_NAMES.map((name) => (
+          <option key={name} value={name}>
+            {t(`viewport.view.${name}` as Key)}
+          </option>
+        ))}
+      </select>
+      <ActionButton id="viewport.parallel" icon="parallel" isOn={projection === "parallel"} />
+      <ActionButton id="viewport.four" icon="four" isOn={layout === "four"} />
+      <span className="viewport-gap" />
+      {DISPLAY_MODES.map((name) => (
+        <ActionButton key={name} id={`viewport.mode.${name}`} icon={name} isOn={mode === name} />
+      ))}
+      <span className="viewport-gap" />
+      <ActionButton id="viewport.zoomExtents" icon="extents" />
+      <ActionButton id="viewport.zoomSelected" icon="selected" />
+      <span className="viewport-gap" />
+      <ShowSheet />
+      <AnalysisSheet />
+      <ActionButton id="viewport.save" icon="save" />
+    </div>
+  );
+}
+
+function Check({ label, checked, onChange }: { label: Key; checked: boolean; onChange: (on: boolean) => void }) {
+  return (
+    <label className="viewport-check">
+      <input type="checkbox" checked={checked} onChange={({ target }) => onChange(target.checked)} />
+      {t(label)}
+    </label>
+  );
+}
+
+function ShowSheet() {
+  const { shown, trackpad, snap } = useStore(settingsStore);
+  return (
+    <Popover label={t("viewport.show")} icon="show">
+      {SHOWN.map((name) => (
+        <Check
+          key={name}
+          label={`viewport.show.${name}`}
+          checked={shown[name]}
+          onChange={(on) => settingsStore.setState({ shown: { ...shown, [name]: on } })}
+        />
+      ))}
+      <hr />
+      <Check label="viewport.snap" checked={snap} onChange={(on) => settingsStore.setState({ snap: on })} />
+      <Check label="viewport.trackpad" checked={trackpad} onChange={(on) => settingsStore.setState({ trackpad: on })} />
+    </Popover>
+  );
+}
+
+function AnalysisSheet() {
+  const { analysis, stripes, across, comb, combScale, circle } = useStore(settingsStore);
+  return (
+    <Popover label={t("viewport.analysis")} icon="analysis">
+      <fieldset>
+        <legend>{t("viewport.analysis")}</legend>
+        {ANALYSES.map((name) => (
+          <label className="viewport-check" key={name}>
+            <input
+              type="radio"
+              name="viewport-analysis"
+              checked={analysis === name}
+              onChange={() => settingsStore.setState({ analysis: name, range: undefined })}
+            />
+            {t(`viewport.analysis.${name}` as Key)}
+          </label>
+        ))}
+      </fieldset>
+      {analysis === "zebra" && (
+        <>
+          <Range label="viewport.analysis.stripes" value={stripes} most={40} onChange={(value) => settingsStore.setState({ stripes: value })} />
+          <Check label="viewport.analysis.across" checked={across} onChange={(on) => settingsStore.setState({ across: on })} />
+        </>
+      )}
+      <fieldset>
+        <legend>{t("viewport.analysis.of")}</legend>
+        <Check label="viewport.analysis.comb" checked={comb} onChange={(on) => settingsStore.setState({ comb: on })} />
+        {comb && (
+          <Range label="viewport.analysis.combScale" value={combScale} most={100} onChange={(value) => settingsStore.setState({ combScale: value })} />
+        )}
+        <Check label="viewport.analysis.circle" checked={circle} onChange={(on) => settingsStore.setState({ circle: on })} />
+      </fieldset>
+    </Popover>
+  );
+}
+
+function Range({ label, value, most, onChange }: { label: Key; value: number; most: number; onChange: (value: number) => void }) {
+  return (
+    <label className="viewport-range">
+      {t(label)}
+      <input type="range" min={1} max={most} value={value} onChange={({ target }) => onChange(target.valueAsNumber)} />
+    </label>
+  );
+}

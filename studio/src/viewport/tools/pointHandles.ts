@@ -1,0 +1,262 @@
+/**
+ * Handles for points that are kept in a Point parameter: they can be dragged in the view, or moved with the keyboard.
+ * What the document keeps changes as they go; one drag is one step for Undo.
+ */
+
+import { Plane, Vector3 } from "three";
+
+import { gridSteps, snap } from "../../core/gridSteps";
+import { parsePoint, rowsText, withPoint } from "../../core/pointText";
+import type { Point3 } from "../../core/preview";
+import type { ObjectView } from "../../core/protocol/ObjectView";
+import type { Row } from "../../core/protocol/Row";
+import { t } from "../../i18n";
+import { documentStore } from "../../state/document";
+import { runStore } from "../../state/run";
+import { ask, edit, newGesture } from "../../state/session";
+import { uiStore } from "../../state/ui";
+import type { PlacedPane } from "../panes";
+import { settingsStore } from "../settings";
+import type { Viewport } from "../Viewport";
+import { gridPlane } from "../views";
+
+/** More handles than this hide the model. */
+const MOST = 200;
+/** Grasshopper's Point parameter. */
+const POINT_PARAMETER = "fbac3e32-f100-4292-8692-77240a42fd1a";
+
+interface Held {
+  object: ObjectView;
+  rows: readonly Row[];
+  points: { row: number; point: Point3 }[];
+}
+
+/** Whether an object is a Point parameter that keeps its points itself. */
+export function keepsPoints({ component, kind, inputs }: ObjectView): boolean {
+  const port = inputs[0];
+  return kind === "parameter" && component.toLowerCase() === POINT_PARAMETER && port !== undefined
+    && port.sources.length === 0 && port.kept > 0;
+}
+
+export class PointHandles {
+  #layer: HTMLElement;
+  #viewport: Viewport;
+  #held: Held | undefined;
+  #buttons: HTMLButtonElement[] = [];
+  #drag: { at: number; gesture: number; pane: PlacedPane; before: Point3 } | undefined;
+  #isSending = false;
+  #next: (() => void) | undefined;
+  #asked = 0;
+  #keyGesture = 0;
+  #stops: (() => void)[];
+
+  constructor(host: HTMLElement, viewport: Viewport) {
+    this.#viewport = viewport;
+    this.#layer = document.createElement("div");
+    this.#layer.className = "viewport-handles";
+    host.append(this.#layer);
+    const look = () => void this.#look();
+    this.#stops = [
+      uiStore.subscribe((now, before) => now.selection !== before.selection && look()),
+      documentStore.subscribe((now, before) => now.objects !== before.objects && look()),
+      runStore.subscribe((now, before) => {
+        const id = this.#held?.object.id;
+        if (id && now.results.get(id) !== before.results.get(id)) look();
+      }),
+    ];
+    look();
+  }
+
+  /** Puts the handles where their points are in the active pane. */
+  place(placed: readonly PlacedPane[]): void {
+    const points = this.#held?.points ?? [];
+    const active = placed.find(({ pane }) => pane === this.#viewport.panes.active);
+    this.#buttons.forEach((button, at) => {
+      const point = points[at]?.point;
+      const place = point && active && this.#viewport.placeOf(point, active);
+      button.hidden = !place;
+      if (place) button.style.transform = `translate(${place[0]}px, ${place[1]}px)`;
+    });
+  }
+
+  dispose(): void {
+    for (const stop of this.#stops) stop();
+    this.#layer.remove();
+  }
+
+  /** Finds the selected parameter and what it keeps. */
+  async #look(): Promise<void> {
+    if (this.#drag) return;
+    const [id, ...others] = uiStore.getState().selection;
+    const object = id && others.length === 0 ? documentStore.getState().objects.get(id) : undefined;
+    if (!object || !keepsPoints(object)) return this.#hold(undefined);
+    const asked = ++this.#asked;
+    try {
+      const port = object.inputs[0]?.id ?? object.id;
+      const { within } = documentStore.getState();
+      const answer = await ask({ ask: "rows", port, from: 0, count: MOST * 2, within });
+      if (asked !== this.#asked || this.#drag) return;
+      const isAll = answer.event === "rows" && answer.page.rows.length === answer.page.total;
+      this.#hold(isAll ? { object, rows: answer.page.rows, points: pointsOf(answer.page.rows) } : undefined);
+    } catch {
+      // The refusal is on the line at the bottom already.
+      this.#hold(undefined);
+    }
+  }
+
+  #hold(held: Held | undefined): void {
+    if (!held && !this.#held) return;
+    this.#held = held;
+    const count = held?.points.length ?? 0;
+    while (this.#buttons.length > count) this.#buttons.pop()?.remove();
+    while (this.#buttons.length < count) this.#addButton(this.#buttons.length);
+    this.#name();
+    this.#viewport.invalidate();
+  }
+
+  #name(): void {
+    this.#buttons.forEach((button, at) => {
+      const object = this.#held?.object.nickname ?? "";
+      const place = this.#held?.points[at]?.point.map((value) => Number(value.toPrecision(6))).join(", ") ?? "";
+      button.setAttribute("aria-label", t("viewport.pointHandle", { index: at, object, place }));
+    });
+  }
+
+  #addButton(at: number): void {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "viewport-handle";
+    button.title = t("viewport.pointHelp");
+    button.addEventListener("pointerdown", (event) => this.#begin(event, button, at));
+    button.addEventListener("pointermove", (event) => this.#move(event, at));
+    button.addEventListener("pointerup", () => this.#end(true));
+    button.addEventListener("pointercancel", () => this.#end(false));
+    button.addEventListener("focus", () => (this.#keyGesture = newGesture()));
+    button.addEventListener("keydown", (event) => this.#key(event, at));
+    this.#buttons.push(button);
+    this.#layer.append(button);
+  }
+
+  #begin(event: PointerEvent, button: HTMLButtonElement, at: number): void {
+    const held = this.#held?.points[at];
+    if (event.button !== 0 || !held) return;
+    button.setPointerCapture(event.pointerId);
+    const { panes } = this.#viewport;
+    this.#drag = { at, gesture: newGesture(), pane: panes.placedOf(panes.active), before: held.point };
+    void ask({ ask: "draft", on: true }).catch(() => {});
+  }
+
+  #move(event: PointerEvent, at: number): void {
+    if (this.#drag?.at !== at) return;
+    const box = this.#viewport.canvas.getBoundingClientRect();
+    const { pane, before, gesture } = this.#drag;
+    const target = dragged(pane, before, event.clientX - box.left, event.clientY - box.top, event.altKey);
+    if (target) this.#put(at, this.#snapped(target, pane, event.altKey, before), gesture);
+  }
+
+  #end(keep: boolean): void {
+    const drag = this.#drag;
+    if (!drag) return;
+    this.#drag = undefined;
+    this.#next = undefined;
+    const done = keep ? Promise.resolve() : ask({ ask: "abandon", gesture: drag.gesture }).then(() => {});
+    if (keep) this.#send(drag.at, drag.gesture);
+    done.catch(() => {}).finally(() => void ask({ ask: "draft", on: false }).catch(() => {}));
+    if (!keep) void this.#look();
+  }
+
+  #key(event: KeyboardEvent, at: number): void {
+    if (event.key === "Escape" && this.#drag) {
+      event.stopPropagation();
+      return this.#end(false);
+    }
+    const steps: Record<string, [number, number, number]> = {
+      ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
+      PageUp: [0, 0, 1], PageDown: [0, 0, -1],
+    };
+    const step = steps[event.key];
+    const point = this.#held?.points[at]?.point;
+    if (!step || !point || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { panes } = this.#viewport;
+    const placed = panes.placedOf(panes.active);
+    const size = gridSteps(placed.pane.rig.pixel(placed.height)).minor * (event.shiftKey ? 10 : 1);
+    const moved = point.map((value, axis) => (step[axis] ? snap(value + (step[axis] ?? 0) * size, size) : value));
+    this.#put(at, moved as unknown as Point3, this.#keyGesture);
+  }
+
+  #snapped(point: Point3, { pane, height }: PlacedPane, upright: boolean, before: Point3): Point3 {
+    if (!settingsStore.getState().snap) return point;
+    const step = gridSteps(pane.rig.pixel(height)).minor;
+    const plane = gridPlane(pane.rig.pose);
+    const fixed = plane === "xy" ? 2 : plane === "xz" ? 1 : 0;
+    return point.map((value, axis) => {
+      const moves = upright ? axis === fixed : axis !== fixed;
+      return moves ? snap(value, step) : (before[axis] ?? value);
+    }) as unknown as Point3;
+  }
+
+  /** Moves a point here at once, and in the document as fast as it takes it: always the newest, never a queue. */
+  #put(at: number, point: Point3, gesture: number): void {
+    const held = this.#held;
+    const entry = held?.points[at];
+    if (!held || !entry || entry.point.every((value, axis) => value === point[axis])) return;
+    held.points[at] = { ...entry, point };
+    this.#name();
+    this.#viewport.invalidate();
+    this.#send(at, gesture);
+  }
+
+  #send(at: number, gesture: number): void {
+    const held = this.#held;
+    const entry = held?.points[at];
+    if (!held || !entry) return;
+    if (this.#isSending) {
+      this.#next = () => this.#send(at, gesture);
+      return;
+    }
+    this.#isSending = true;
+    const port = held.object.inputs[0]?.id ?? held.object.id;
+    held.rows = withPoint(held.rows, entry.row, entry.point);
+    const values = rowsText(held.rows);
+    void edit({ do: "keep", port, values }, gesture).finally(() => {
+      this.#isSending = false;
+      const next = this.#next;
+      this.#next = undefined;
+      next?.();
+    });
+  }
+}
+
+/** The points among rows, with the number of their row. Exported for tests. */
+export function pointsOf(rows: readonly Row[]): { row: number; point: Point3 }[] {
+  return rows.flatMap((row, index) => {
+    const point = row.is === "item" ? parsePoint(row.text) : undefined;
+    return point ? [{ row: index, point }] : [];
+  });
+}
+
+/** Where a point comes to under the pointer: in the plane of the view's grid through it, or upright to that plane. */
+export function dragged({ pane, left, top, width, height }: PlacedPane, from: Point3, x: number, y: number, upright: boolean): Point3 | undefined {
+  const [u, v] = [((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2];
+  const { origin, direction } = pane.rig.ray(u, v, width / height);
+  const plane = gridPlane(pane.rig.pose);
+  const across = new Vector3().setComponent(plane === "xy" ? 2 : plane === "xz" ? 1 : 0, 1);
+  const start = new Vector3(...from);
+  if (!upright) return meet(origin, direction, across, start)?.toArray();
+  // Upright: in the plane through the line across that faces the eye most.
+  const side = across.clone().cross(direction);
+  if (side.length() < 1e-6) return undefined;
+  const facing = side.cross(across).normalize();
+  const met = meet(origin, direction, facing, start);
+  return met && start.addScaledVector(across, met.sub(start).dot(across)).toArray();
+}
+
+function meet(origin: Vector3, direction: Vector3, normal: Vector3, through: Vector3): Vector3 | undefined {
+  // A plane seen along itself is met anywhere, or nowhere.
+  if (Math.abs(direction.dot(normal)) < 1e-4) return undefined;
+  const plane = new Plane().setFromNormalAndCoplanarPoint(normal, through);
+  const along = -plane.distanceToPoint(origin) / direction.dot(normal);
+  return along > 0 ? origin.clone().addScaledVector(direction, along) : undefined;
+}

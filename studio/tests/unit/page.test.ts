@@ -1,0 +1,42 @@
+import { expect, test } from "vitest";
+
+import { readSettings } from "../../src/app/settings";
+import { place } from "../../src/app/place";
+import { isNamed } from "../../src/app/files";
+import { shownTime } from "../../src/app/Status";
+import { fromHex, toHex } from "../../src/core/colour";
+import { t } from "../../src/i18n";
+import { playable } from "../../src/player/Input";
+import { object, port } from "./make";
+
+test("settings that make no sense are as usual", () => {
+  expect(readSettings("nonsense").theme).toBe("system");
+  expect(readSettings('{"theme":"dark","split":7,"side":"kitchen"}')).toMatchObject({ theme: "dark", split: 0.85, side: undefined });
+  expect(readSettings("null").panes).toBe("both");
+});
+
+test("the address says what is shown", () => {
+  expect(place("?document=7&player")).toEqual({ document: "7", player: true });
+  expect(place("")).toEqual({ document: undefined, player: false });
+});
+
+test("files are known by the ends of their names", () => {
+  expect(isNamed("A.GHX", [".gh", ".ghx"])).toBe(true);
+  expect(isNamed("a.gh.txt", [".gh"])).toBe(false);
+});
+
+test("colours and times are written for people", () => {
+  expect(toHex(fromHex("#0a80ff", 7))).toBe("#0a80ff");
+  expect(fromHex("red")).toEqual([0, 0, 0, 255]);
+  expect([shownTime(0.2), shownTime(12.4), shownTime(2345)]).toEqual(["< 1 ms", "12 ms", "2.3 s"]);
+  expect(t("outline.count", { n: 3 })).toBe("3 objects");
+});
+
+test("a visitor moves free controls, from top to bottom", () => {
+  const slider = { is: "slider" as const, value: 1, min: 0, max: 2, rounding: "float" as const, digits: 1, expression: null };
+  const low = object("low", { bounds: [0, 90, 10, 10], control: slider });
+  const high = object("high", { bounds: [0, 10, 10, 10], control: slider });
+  const wired = object("wired", { inputs: [port("wired", ["x"])], control: { is: "toggle", on: true } });
+  const off = object("off", { control: slider, disabled: true });
+  expect(playable([low, wired, high, off]).map(({ id }) => id)).toEqual(["high", "low"]);
+});
