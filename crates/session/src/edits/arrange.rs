@@ -19,7 +19,11 @@ pub(super) fn move_to(draft: &mut Draft<'_>, objects: &[(Uuid, [f32; 2])]) -> Re
         sound(&[x, y])?;
         let object = draft.object(id)?;
         let [left, top, ..] = size::bounds(object);
-        shift(object, [x - left, y - top]);
+        // What stands there already, but for rounding, stays.
+        let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 + 1e-6 * a.abs().max(b.abs());
+        if !(near(x, left) && near(y, top)) {
+            shift(object, [x - left, y - top]);
+        }
     }
     Ok(())
 }
