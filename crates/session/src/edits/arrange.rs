@@ -98,7 +98,11 @@ pub(super) fn align(draft: &mut Draft<'_>, objects: &[Uuid], how: Alignment) -> 
     let mut seen = HashSet::new();
     let mut boxes: Vec<(Uuid, [f32; 4])> = Vec::new();
     for &id in objects.iter().filter(|id| seen.insert(**id)) {
-        boxes.push((id, size::bounds(draft.object(id)?)));
+        let object = draft.object(id)?;
+        // A group stands where its members do.
+        if object.component != ids::GROUP {
+            boxes.push((id, size::bounds(object)));
+        }
     }
     let edge = |of: fn(&[f32; 4]) -> f32, least: bool| {
         let pick = if least { f32::min } else { f32::max };
