@@ -3,13 +3,14 @@
 
 use katydid_geometry::subd::SubDNet;
 use katydid_geometry::{Mesh, MeshFace};
+use sha1::{Digest, Sha1};
 use uuid::{Uuid, uuid};
 
 use super::{SubDObject, WHAT, read, write};
 use crate::chunk::{Reader, Writer};
 use crate::object::UserData;
 use crate::version::Version;
-use crate::{Error, MeshObject, Ngon, Result, class_ids, sha1};
+use crate::{Error, MeshObject, Ngon, Result, class_ids};
 
 /// The application that owns the user data.
 const OPENNURBS_6: Uuid = uuid!("7B0B585D-7A31-45D0-925E-BDD7DDF3E4E3");
@@ -56,7 +57,7 @@ pub(in crate::object) fn mesh_of(
 fn hashes_of(mesh: &MeshObject) -> [[u8; 20]; 2] {
     let faces: Vec<u8> = mesh.faces.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
     let vertices: Vec<u8> = mesh.vertices.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
-    [sha1::digest(&faces), sha1::digest(&vertices)]
+    [Sha1::digest(&faces).into(), Sha1::digest(&vertices).into()]
 }
 
 fn read_hash(body: &mut Reader<'_>) -> Result<[u8; 20]> {
