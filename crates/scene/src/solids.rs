@@ -6,10 +6,13 @@ use katydid_3dm::{Limits, Model, ModelObject, RawObject};
 use katydid_exchange::{Scene as Exchanged, Shape};
 use katydid_geometry::{Curve, Point3};
 
-use crate::{Facets, Form, tessellated};
+use crate::{Facets, Form, Place, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
 const SMOOTH: f64 = 5e-4;
+
+/// The height of texts, in pixels.
+const TEXT: f64 = 13.0;
 
 /// The forms of a kept object.
 pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
@@ -30,6 +33,13 @@ fn forms(shape: Shape) -> Vec<Form> {
         Shape::Points(set) => set.points.into_iter().map(Form::Point).collect(),
         Shape::Curve(curve) => vec![Form::Curve(Shared::new(curve))],
         Shape::Mesh(mesh) => vec![Form::Mesh(Shared::new(mesh))],
+        // What bounds a hatch is seen, what fills it is not.
+        Shape::Region(region) => {
+            region.boundaries.into_iter().map(|curve| Form::Curve(Shared::new(curve))).collect()
+        }
+        Shape::Text(label) => {
+            vec![Form::Tag { at: label.point, text: label.text, size: TEXT, place: Place::Beside }]
+        }
         Shape::Faces { facets: Some(mesh), edges } => {
             let borders = edges.iter().map(line).collect();
             vec![Form::Surface(Shared::new(Facets::made(mesh, borders)))]
