@@ -246,7 +246,7 @@ test("F3 finds what is written on the canvas and goes there", async ({ page }) =
   await place(page, "addition", [500, 120]);
   await page.keyboard.press("F3");
   await page.keyboard.type("haystack");
-  await expect(page.getByRole("option")).toHaveCount(1);
+  await expect(page.getByRole("listbox").getByRole("option")).toHaveCount(1);
   await page.keyboard.press("Enter");
   await expect(panel).toHaveClass(/selected/);
 });

@@ -8,7 +8,7 @@ export type At = readonly [number, number];
 /** An empty canvas: of the real studio, or of the page without a server when `CANVAS_PAGE` says where that is. */
 export async function openCanvas(page: Page): Promise<void> {
   const alone = process.env.CANVAS_PAGE;
-  if (alone) await page.goto(`${alone}?state=empty`);
+  if (alone) await page.goto(`${alone}${alone.includes("?") ? "&" : "?"}state=empty`);
   else await openNew(page);
   await expect(ground(page)).toBeVisible();
 }
@@ -30,7 +30,7 @@ export async function place(page: Page, words: string, at: At): Promise<Locator>
   await page.mouse.dblclick(x, y);
   const field = page.getByRole("combobox", { name: "Search for a component" });
   await field.fill(words);
-  await expect(page.getByRole("option").first()).toBeVisible();
+  await expect(page.getByRole("listbox").getByRole("option").first()).toBeVisible();
   await page.keyboard.press("Enter");
   await expect(field).toHaveCount(0);
   return newest(page, before);

@@ -45,8 +45,8 @@ fn ring(pattern: i32) -> ModelObject {
 fn hatches_are_areas_in_drawings_and_boundaries_elsewhere() {
     let mut model = Model::default();
     let lines = HatchFill::Lines(Vec::new());
-    model.hatch_patterns.push(HatchPattern { number: Some(0), ..HatchPattern::default() });
-    model.hatch_patterns.push(HatchPattern { number: Some(1), fill: lines, ..HatchPattern::default() });
+    model.hatch_patterns.push(HatchPattern::default());
+    model.hatch_patterns.push(HatchPattern { fill: lines, ..HatchPattern::default() });
     model.objects = vec![ring(0), ring(1)];
     let scene = Scene::from_model(&model);
     let Shape::Region(region) = &scene.things[0].shape else { panic!("{:?}", scene.left_out) };

@@ -49,7 +49,6 @@ mod read;
 mod recode;
 mod render_settings;
 mod settings;
-mod sha1;
 mod styles;
 mod tables;
 mod typecode;

@@ -79,6 +79,15 @@ fn compare(again: &Model, model: &Model, version: i32, name: &str) {
                 let bare = |e: &Extrusion| Extrusion { meshes: Vec::new(), ..e.clone() };
                 assert_eq!((bare(a), a.meshes.len()), (bare(b), b.meshes.len()), "{name}");
             }
+            // Other forms of what archives before have no class for.
+            (Object::Annotation5(a), Object::Annotation(b)) if version < 60 => {
+                let words = if a.text.is_empty() { &a.text_formula } else { &a.text };
+                let is_text = b.dimension().is_none();
+                assert!(if is_text { *words == b.plain_text() } else { words.contains("<>") }, "{name}");
+            }
+            (Object::Brep(a), Object::Extrusion(b)) if version < 50 => {
+                assert_eq!(a.brep.is_solid(), b.caps == [true; 2], "{name}");
+            }
             // Archives before version 60 do not say whether a SubD can be made of a curve.
             (a, Object::CurveForm(b)) if version < 60 => {
                 assert_eq!(a.curve().as_deref(), b.to_curve().ok().as_ref(), "{name}");
@@ -105,7 +114,7 @@ fn compare(again: &Model, model: &Model, version: i32, name: &str) {
         theirs.attributes.id = ours.attributes.id;
         assert_eq!(ours.attributes, theirs.attributes, "{name}");
         // Before version 60 the double-precision vertices of a mesh are such data, made anew.
-        if !matches!(ours.geometry, Object::Mesh(_)) {
+        if !matches!(ours.geometry, Object::Mesh(_) | Object::Annotation5(_)) {
             assert_eq!(ours.user_data, theirs.user_data, "{name}");
         }
     }

@@ -141,7 +141,9 @@ def check_conversion(path, version):
     for place, i in enumerate(carried):
         old, new = before.Objects[i], after.Objects[place]
         what = f"{path.name} as {version}, object {i}"
-        assert type(old.Geometry) is type(new.Geometry), what
+        # Version 4 has no extrusions.
+        became_brep = isinstance(old.Geometry, rhino3dm.Extrusion) and isinstance(new.Geometry, rhino3dm.Brep)
+        assert type(old.Geometry) is type(new.Geometry) or version < 50 and became_brep, what
         was_valid, is_valid = old.Geometry.IsValid, new.Geometry.IsValid
         assert is_valid or not was_valid, f"{what}: {new.Geometry.IsValidWithLog[1]}"
         # Asked first: rhino3dm keeps the boxes that it computes, and encodes them.
@@ -152,7 +154,8 @@ def check_conversion(path, version):
         elif isinstance(old.Geometry, rhino3dm.Mesh):
             # Boxes of meshes come from the single-precision vertices, which may be rounded another way.
             close(vertices(new.Geometry), vertices(old.Geometry), what)
-        elif not isinstance(old.Geometry, rhino3dm.AnnotationBase):
+        elif not became_brep and not isinstance(old.Geometry, rhino3dm.AnnotationBase):
+            # Boxes of extrusions are wider than those of their breps.
             boxes = [geometry.GetBoundingBox() for geometry in (new.Geometry, old.Geometry)]
             close(*([xyz(box.Min), xyz(box.Max)] for box in boxes), what, 1e-9)
         assert old.Attributes.Name == new.Attributes.Name, what

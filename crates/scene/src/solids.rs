@@ -3,16 +3,13 @@
 use std::sync::Arc as Shared;
 
 use katydid_3dm::{Limits, Model, ModelObject, RawObject};
-use katydid_exchange::{Scene as Exchanged, Shape};
-use katydid_geometry::{Curve, Point3};
+use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
+use katydid_geometry::{Curve, Plane, Point3};
 
 use crate::{Facets, Form, Place, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
 const SMOOTH: f64 = 5e-4;
-
-/// The height of texts, in pixels.
-const TEXT: f64 = 13.0;
 
 /// The forms of a kept object.
 pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
@@ -33,13 +30,10 @@ fn forms(shape: Shape) -> Vec<Form> {
         Shape::Points(set) => set.points.into_iter().map(Form::Point).collect(),
         Shape::Curve(curve) => vec![Form::Curve(Shared::new(curve))],
         Shape::Mesh(mesh) => vec![Form::Mesh(Shared::new(mesh))],
-        // What bounds a hatch is seen, what fills it is not.
         Shape::Region(region) => {
             region.boundaries.into_iter().map(|curve| Form::Curve(Shared::new(curve))).collect()
         }
-        Shape::Text(label) => {
-            vec![Form::Tag { at: label.point, text: label.text, size: TEXT, place: Place::Beside }]
-        }
+        Shape::Text(label) => writing(label).into_iter().collect(),
         Shape::Faces { facets: Some(mesh), edges } => {
             let borders = edges.iter().map(line).collect();
             vec![Form::Surface(Shared::new(Facets::made(mesh, borders)))]
@@ -47,6 +41,22 @@ fn forms(shape: Shape) -> Vec<Form> {
         Shape::Faces { facets: None, edges } => {
             edges.into_iter().map(|edge| Form::Curve(Shared::new(edge))).collect()
         }
+    }
+}
+
+/// A text where it stands; none whose directions make no plane.
+fn writing(label: Label) -> Option<Form> {
+    let Label { text, point: at, axes: [right, up], .. } = label;
+    let third = |share: f64| (share * 2.0).round().clamp(0.0, 2.0) as i32;
+    match label.size {
+        LabelSize::Screen(size) => Some(Form::Tag { at, text, size, place: Place::Beside }),
+        LabelSize::Units(size) => Some(Form::Writing {
+            plane: Plane::from_points(at, at + right, at + up).ok()?,
+            text,
+            size,
+            // Rows of three from the top left.
+            justification: 1 + third(label.across) + 3 * (2 - third(label.upward)),
+        }),
     }
 }
 

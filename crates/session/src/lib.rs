@@ -1,7 +1,12 @@
-//! A document being worked on: its inputs are set, it is solved, undone, reported and baked.
+//! A document being worked on: it is edited, undone, solved, shown, reported and baked.
 //!
-//! Nothing here knows where requests come from: no sockets, no files. The command line, the server and the
-//! studio all stand on this.
+//! An [`Editor`] holds the document that counts, and its history. Every edit gives a [`Change`] with the difference
+//! between the document before and after, and all who follow the document take that: a solver's engine, the
+//! [`journal`], and faces, which get it as a patch in the words of the [`protocol`]. A [`Session`] is an editor with an
+//! engine that follows it, for whoever sets inputs and wants results.
+//!
+//! Nothing here knows where requests come from: no sockets, and no files but the journal's. The command line, the server
+//! and the studio all stand on this.
 //!
 //! ```
 //! use katydid_definition::document::Document;

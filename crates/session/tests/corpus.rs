@@ -6,10 +6,11 @@ mod common;
 
 use std::path::{Path, PathBuf};
 
-use katydid_definition::archive::Limits;
+use katydid_component::registry;
+use katydid_definition::archive::{Chunk, Limits};
 use katydid_definition::document::Document;
 use katydid_session::Editor;
-use katydid_session::protocol::{Edit, ObjectKindView};
+use katydid_session::protocol::{Connection, Edit, ObjectKindView};
 use uuid::Uuid;
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -24,6 +25,42 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
         {
             found.push(path);
         }
+    }
+}
+
+/// Objects are placed, wired, grouped and moved around what an add-on has put into the file; saved and opened again, that
+/// is what it was. Then all is taken back.
+fn edits_leave_unknown_objects_alone(editor: &mut Editor, path: &Path) {
+    let unknown = |document: &Document| -> Vec<Chunk> {
+        let objects = document.objects.iter();
+        let unknown =
+            objects.filter(|object| registry::by_guid(object.component).is_none() && !object.is_annotation());
+        // Numbers among the objects change when some come.
+        unknown.map(|object| Chunk { index: None, ..object.chunk().clone() }).collect()
+    };
+    let before = unknown(editor.document());
+    let new = Uuid::from_u128(0xabc);
+    let panel = registry::by_name("Panel").unwrap().guid;
+    let from = editor.document().objects.iter().find_map(|object| object.outputs.first()).map(|port| port.id);
+    let some: Vec<Uuid> = editor.document().objects.iter().take(3).map(|object| object.id).collect();
+    let mut edits = vec![Edit::Place { id: new, component: panel, at: [0.0, 0.0], with: None }];
+    edits.extend(from.map(|from| Edit::Connect { from, to: new, how: Connection::Replace }));
+    edits.push(Edit::Group { id: Uuid::from_u128(0xabd), objects: some.clone() });
+    edits.push(Edit::Arrange { objects: some, back: false });
+    let made = edits.iter().filter(|edit| editor.apply(edit, None, &[]).is_ok_and(|c| !c.is_empty())).count();
+    for bytes in [editor.document().to_gh().unwrap(), editor.document().to_ghx().unwrap().into_bytes()] {
+        let again = Document::read(&bytes, &Limits::default()).unwrap();
+        let (mut now, mut was) = (unknown(&again), before.clone());
+        // Those that were moved to the front stand elsewhere.
+        let id = |chunk: &Chunk| chunk.child("Container").and_then(|c| c.guid("InstanceGuid"));
+        now.sort_by_key(id);
+        was.sort_by_key(id);
+        let xml = bytes.starts_with(b"<") || bytes.starts_with(b"\xef\xbb\xbf");
+        assert!(xml || now == was, "{}", path.display());
+        assert_eq!(now.len(), was.len(), "{}", path.display());
+    }
+    for _ in 0..made {
+        editor.undo();
     }
 }
 
@@ -60,6 +97,8 @@ fn every_real_file_is_shown_edited_and_put_back() {
         assert!(!change.is_empty(), "{}: {}", path.display(), first.name);
         assert_ne!(editor.document().to_bytes().unwrap(), before);
         editor.undo();
+        assert!(editor.document().to_bytes().unwrap() == before, "{}", path.display());
+        edits_leave_unknown_objects_alone(&mut editor, &path);
         assert!(editor.document().to_bytes().unwrap() == before, "{}", path.display());
         // All of it copied and pasted into nothing.
         let ids: Vec<Uuid> = state.objects.iter().map(|view| view.id).collect();

@@ -92,7 +92,9 @@ export async function remove(ids: readonly string[]): Promise<void> {
 /** Carries out what a wire was drawn for, from whichever end it was drawn. */
 export function joinGrips(from: Grip, to: Grip, how: Wiring): void {
   if (how === "move") {
-    void edit({ do: "rewire", from: from.port, to: to.port });
+    // Parameters have one id for both sides: which is meant is said with it.
+    const rewire = { do: "rewire" as const, from: from.port, to: to.port, input: from.side === "input" };
+    void edit(rewire);
     return;
   }
   const [output, input] = from.side === "output" ? [from, to] : [to, from];
@@ -120,7 +122,8 @@ export function reshape(object: string, control: Control, gesture: number | null
 }
 
 export function addPort(object: string, input: boolean, index: number): void {
-  void edit({ do: "addPort", object, input, index });
+  const added = { do: "addPort" as const, object, input, index, id: crypto.randomUUID() };
+  void edit(added);
 }
 
 export function removePort(port: string): void {

@@ -41,9 +41,13 @@ export function usefulRange(all: readonly Float32Array[]): [number, number] | un
   let skip = 0;
   for (const numbers of all) {
     let at = skip;
-    for (; at < numbers.length; at += step) samples.push(numbers[at] ?? 0);
+    for (; at < numbers.length; at += step) {
+      const number = numbers[at] ?? NaN;
+      if (Number.isFinite(number)) samples.push(number);
+    }
     skip = at - numbers.length;
   }
+  if (samples.length === 0) return undefined;
   samples.sort((a, b) => a - b);
   const low = samples[Math.floor((samples.length - 1) * 0.02)] ?? 0;
   const high = samples[Math.ceil((samples.length - 1) * 0.98)] ?? 0;

@@ -3,17 +3,23 @@
 import { clamp, type Point } from "./geometry";
 import type { GraphView } from "./protocol/GraphView";
 
-/** The functions that can be chosen, each with where its handles begin, in the unit square with y upwards. */
-export const GRAPHS: readonly GraphView[] = [
-  { name: "Bezier", handles: [[0, 0], [0.35, 0], [0.65, 1], [1, 1]] },
-  { name: "Gaussian", handles: [[0.5, 1], [0.7, 0.6]] },
-  { name: "Linear", handles: [[0, 0], [1, 1]] },
-  { name: "Parabola", handles: [[0.5, 0], [1, 1]] },
-  { name: "Perlin", handles: [[0, 0.5], [0.2, 0.8]] },
-  { name: "Power", handles: [[0.5, 0.25]] },
-  { name: "Sine", handles: [[0.25, 1], [0.75, 0]] },
-  { name: "Sine Summation", handles: [[0.25, 0.75], [0.75, 0.25], [0.1, 0.6], [0.2, 0.4]] },
-];
+/** The functions that can be chosen. Where the handles of a new one begin is the session's affair. */
+export const GRAPHS = [
+  "Bezier",
+  "Gaussian",
+  "Linear",
+  "Parabola",
+  "Perlin",
+  "Power",
+  "Sine",
+  "Sine Summation",
+] as const;
+
+/** The handles that are places to be dragged; others hold numbers of the function, such as an exponent. */
+export function draggable({ name, handles }: GraphView): number[] {
+  const count = name === "Perlin" ? 0 : name === "Power" ? 1 : handles.length;
+  return handles.slice(0, count).map((_, index) => index);
+}
 
 /** A handle's place when it is dragged to a point: ends of curves stay at their edge of the square. */
 export function handleAt(graph: GraphView, index: number, to: Point): [number, number] {
@@ -21,12 +27,20 @@ export function handleAt(graph: GraphView, index: number, to: Point): [number, n
   if (graph.name === "Linear") return [index === 0 ? 0 : 1, y];
   if (graph.name === "Bezier" && index === 0) return [0, y];
   if (graph.name === "Bezier" && index === 3) return [1, y];
+  // A power goes through a point inside the square: through its edges there is none, or more than one.
+  if (graph.name === "Power") return [clamp(x, 0.01, 0.99), clamp(y, 0.01, 0.99)];
   return [x, y];
 }
 
 /** The graph with one of its handles elsewhere. */
 export function withHandle(graph: GraphView, index: number, to: Point): GraphView {
-  const handles = graph.handles.map((old, k) => (k === index ? handleAt(graph, index, to) : old));
+  const place = handleAt(graph, index, to);
+  const [old, side] = graph.handles;
+  // The middle of a Gaussian takes its width along.
+  if (graph.name === "Gaussian" && index === 0 && old && side) {
+    return { ...graph, handles: [place, [place[0] + side[0] - old[0], place[1] / 2]] };
+  }
+  const handles = graph.handles.map((handle, k) => (k === index ? place : handle));
   return { ...graph, handles };
 }
 

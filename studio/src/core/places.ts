@@ -26,30 +26,10 @@ export function frameOf(object: ObjectView, objects: Objects, shifts: Shifts, fu
   return groupFrame(object.id, objects, (member) => rectOf(member, shifts, full)) ?? object.bounds;
 }
 
-/** Whether wires can be led into an object: not where the value is set by hand. */
-export function takesWires(object: ObjectView): boolean {
-  const { control, kind } = object;
-  if (kind === "group" || kind === "scribble" || kind === "sketch") return false;
-  switch (control?.is) {
-    case "slider":
-    case "toggle":
-    case "button":
-    case "valueList":
-    case "mdSlider":
-    case "knob":
-    case "digits":
-    case "genes":
-      return false;
-    default:
-      return true;
-  }
-}
-
+/** The grips of an object. The session leaves ports out that nobody can wire, such as a slider's input. */
 export function gripsOf(object: ObjectView, [x, y, w]: Rect): Grip[] {
-  if (object.kind === "group" || object.kind === "scribble" || object.kind === "sketch") return [];
-  const inputs = takesWires(object) ? object.inputs : [];
   return [
-    ...inputs.map((port): Grip => ({ port: port.id, object: object.id, side: "input", at: [x, y + port.at] })),
+    ...object.inputs.map((port): Grip => ({ port: port.id, object: object.id, side: "input", at: [x, y + port.at] })),
     ...object.outputs.map(
       (port): Grip => ({ port: port.id, object: object.id, side: "output", at: [x + w, y + port.at] }),
     ),

@@ -109,7 +109,7 @@ function readPart(part: Fields, arrays: Arrays): PreviewPart {
   if (!KINDS.has(kind)) throw new PreviewError(`${part.name} is of no known kind`);
   const positions = arrays.read(part, "positions", ["f32"]) as Float32Array;
   if (positions.length % 3 !== 0) throw new PreviewError(`${part.name} has a broken position`);
-  if (!isFinite(positions)) throw new PreviewError(`${part.name} has positions that are no numbers`);
+  if (!arrays.isFinite(positions)) throw new PreviewError(`${part.name} has positions that are no numbers`);
   const count = positions.length / 3;
   const normals = arrays.readOptional(part, "normals", ["f32", "i8"], positions.length);
   const colours = arrays.readOptional(part, "colours", ["u8"], count * 4);
@@ -179,6 +179,9 @@ type ArrayType = keyof typeof MAKERS;
 class Arrays {
   #bytes: ArrayBuffer;
   #start: number;
+  /** The views made so far: parts that share positions get the same view, which is looked through once. */
+  #views = new Map<string, AnyArray>();
+  #finite = new Set<Float32Array>();
 
   constructor(bytes: ArrayBuffer, start: number) {
     this.#bytes = bytes;
@@ -204,6 +207,16 @@ class Arrays {
     if (this.#start + offset + count * Maker.BYTES_PER_ELEMENT > this.#bytes.byteLength) {
       throw new PreviewError(`${name} of ${part.name} goes beyond the end`);
     }
-    return new Maker(this.#bytes, count === 0 ? 0 : this.#start + offset, count);
+    const key = `${type} ${offset} ${count}`;
+    const view = this.#views.get(key) ?? new Maker(this.#bytes, count === 0 ? 0 : this.#start + offset, count);
+    this.#views.set(key, view);
+    return view;
+  }
+
+  isFinite(numbers: Float32Array): boolean {
+    if (this.#finite.has(numbers)) return true;
+    const good = isFinite(numbers);
+    if (good) this.#finite.add(numbers);
+    return good;
   }
 }

@@ -33,7 +33,7 @@ export interface Options {
   pixelRatio?: number;
 }
 
-/** From this many triangles on software draws a quick picture first, and the right one when it rests. */
+/** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 200_000;
 const REST = 350;
 /** Comb and circle: of their own colour, which no theme changes. */
@@ -249,6 +249,7 @@ export class Viewport {
     };
     const restored = () => {
       this.#isLost = false;
+      this.#painter.forget();
       viewportStore.setState({ notice: undefined });
       this.invalidate();
     };
@@ -312,7 +313,8 @@ export class Viewport {
   }
 
   #isHeavy(): boolean {
-    return this.isSoftware && this.model.counts().triangles > HEAVY;
+    const { triangles, segments } = this.model.counts();
+    return this.isSoftware && triangles + segments > HEAVY;
   }
 
   /** Batches, looks and false colours as they are to be now. */

@@ -3,7 +3,7 @@
 import { createStore } from "zustand/vanilla";
 
 import type { Projection } from "./camera";
-import type { DisplayMode, Layers } from "./scene/looks";
+import { DISPLAY_MODES, type DisplayMode, type Layers } from "./scene/looks";
 import type { Layout, ViewName } from "./views";
 
 export type Analysis = "none" | "gaussian" | "mean" | "zebra";
@@ -46,7 +46,7 @@ export interface ViewportState {
   texts: { all: number; shown: number };
 }
 
-export const settingsStore = createStore<ViewportSettings>(() => ({
+const USUAL: ViewportSettings = {
   mode: "shaded",
   layout: "one",
   shown: { grid: true, edges: true, isocurves: true, points: true, controlPoints: true, texts: true },
@@ -59,7 +59,48 @@ export const settingsStore = createStore<ViewportSettings>(() => ({
   circle: false,
   trackpad: false,
   snap: true,
-}));
+};
+
+const KEY = "katydid.viewport";
+
+/** What this person likes, from what the browser kept; what is missing or makes no sense is as usual. Exported for tests. */
+export function readSettings(text: string | null): ViewportSettings {
+  let found: Record<string, unknown> = {};
+  try {
+    const parsed: unknown = JSON.parse(text ?? "{}");
+    if (typeof parsed === "object" && parsed !== null) found = parsed as Record<string, unknown>;
+  } catch {
+    // Something else wrote there: as usual.
+  }
+  const flag = (value: unknown, usual: boolean) => (typeof value === "boolean" ? value : usual);
+  const kept = (typeof found.shown === "object" && found.shown !== null ? found.shown : {}) as Record<string, unknown>;
+  const shown = Object.fromEntries(Object.entries(USUAL.shown).map(([name, usual]) => [name, flag(kept[name], usual)]));
+  return {
+    ...USUAL,
+    mode: DISPLAY_MODES.find((mode) => mode === found.mode) ?? USUAL.mode,
+    shown: shown as unknown as Shown,
+    trackpad: flag(found.trackpad, USUAL.trackpad),
+    snap: flag(found.snap, USUAL.snap),
+  };
+}
+
+function stored(): string | null {
+  try {
+    return typeof localStorage === "undefined" ? null : localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+export const settingsStore = createStore<ViewportSettings>(() => readSettings(stored()));
+
+settingsStore.subscribe(({ mode, shown, trackpad, snap }) => {
+  try {
+    localStorage.setItem(KEY, JSON.stringify({ mode, shown, trackpad, snap }));
+  } catch {
+    // A browser that keeps nothing still works.
+  }
+});
 
 export const viewportStore = createStore<ViewportState>(() => ({
   view: undefined,

@@ -125,7 +125,7 @@ function placed(objects: ObjectView[], edit: Extract<Edit, { do: "place" }>): Ap
   const start = edit.with?.is === "control" ? edit.with.control : undefined;
   const own = made(edit.component, [x, y], start);
   const [w, h] = [own.bounds[2], own.bounds[3]];
-  const shared = own.inputs[0]?.id === own.id;
+  const shared = own.outputs[0]?.id === own.id;
   const port = (one: PortView) => (shared ? { ...one, id: edit.id } : one);
   const next: ObjectView = {
     ...own,

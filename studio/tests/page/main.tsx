@@ -1,5 +1,9 @@
 import { createRoot } from "react-dom/client";
 
+import "../../src/app/tokens.css";
+import "../../src/app/app.css";
+import "../../src/actions";
+import { Workbench } from "../../src/app/Workbench";
 import { followKeys } from "../../src/actions/keys";
 import { Canvas } from "../../src/canvas/Canvas";
 import type { DocumentState } from "../../src/core/protocol/DocumentState";
@@ -31,14 +35,15 @@ if (theme) document.documentElement.dataset.theme = theme;
 const session = new PageSession(await stateOf(query.get("state")));
 takeCatalogue(await catalogueOf(query.get("catalogue")));
 window.WebSocket = socketTo(session);
-join("page", "");
+if (!query.has("workbench")) join("page", "");
 
 /** What tests look at. */
 Object.assign(window, { page: { session, documentStore, runStore, uiStore, canvasStore, lens, look } });
 
 const root = document.getElementById("root");
-followKeys();
-if (root) {
+if (root && query.has("workbench")) createRoot(root).render(<Workbench id="page" />);
+else if (root) {
+  followKeys();
   createRoot(root).render(
     <div data-scope="canvas" style={{ height: "100%" }}>
       <Canvas />

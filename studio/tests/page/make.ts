@@ -78,11 +78,14 @@ export function component(
   return object(name, [x, y, 72, height], { nickname, inputs: side(inputs), outputs: side(outputs), ...more });
 }
 
+/** Controls into which no wire can be led. */
+const SET_BY_HAND = new Set<Control["is"]>(["slider", "toggle", "button", "valueList", "mdSlider", "knob", "digits", "genes"]);
+
 /** A control with one output. */
 export function control(name: string, bounds: [number, number, number, number], control: Control, more: Partial<ObjectView> = {}): ObjectView {
   const made = object(name, bounds, { kind: "control", previews: false, control, ...more });
   const own = port(name, "Number", bounds[3] / 2, { id: made.id });
-  return { ...made, inputs: [own], outputs: [own] };
+  return { ...made, inputs: SET_BY_HAND.has(control.is) ? [] : [own], outputs: [own] };
 }
 
 export function wire(from: ObjectView, output: number, to: ObjectView, input: number): void {

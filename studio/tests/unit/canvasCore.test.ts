@@ -7,7 +7,7 @@ import { fromHex, gradientCss, hex, inkOn } from "../../src/core/colours";
 import { farList } from "../../src/core/far";
 import { found } from "../../src/core/find";
 import { fitted, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
-import { withHandle, GRAPHS } from "../../src/core/graph";
+import { draggable, withHandle } from "../../src/core/graph";
 import { blobPath, depths, groupFrame, hull, leaves } from "../../src/core/groups";
 import { gripAt, topmost, wireAt } from "../../src/core/hit";
 import { fit } from "../../src/core/kinds";
@@ -23,6 +23,7 @@ import { wheelMeans } from "../../src/core/wheel";
 import { component, wire } from "../page/make";
 import { CATALOGUE, group, sampleState, stateOf } from "../page/sample";
 import { resultsOf } from "../page/results";
+import type { GraphView } from "../../src/core/protocol/GraphView";
 import type { ObjectView } from "../../src/core/protocol/ObjectView";
 
 const byId = (list: ObjectView[]) => new Map(list.map((one) => [one.id, one]));
@@ -228,7 +229,10 @@ describe("small arithmetic", () => {
     expect(gradientCss([{ at: 0.5, left: [0, 0, 0, 255], right: [255, 0, 0, 255] }])).toBe("linear-gradient(90deg, rgb(0 0 0 / 1) 50%, rgb(255 0 0 / 1) 50%)");
   });
   test("handles of graphs keep to their square, ends to its edge", () => {
-    const bezier = GRAPHS.find(({ name }) => name === "Bezier") ?? { name: "", handles: [] };
+    const bezier: GraphView = { name: "Bezier", handles: [[0, 0], [0.35, 0], [0.65, 1], [1, 1]] };
+    expect(draggable(bezier)).toEqual([0, 1, 2, 3]);
+    expect(draggable({ name: "Power", handles: [[0.5, 0.25], [2, 0]] })).toEqual([0]);
+    expect(withHandle({ name: "Gaussian", handles: [[0.5, 1], [0.7, 0.5]] }, 0, [0.3, 0.8]).handles[1]?.[0]).toBeCloseTo(0.5);
     expect(withHandle(bezier, 0, [0.7, 2]).handles[0]).toEqual([0, 1]);
     expect(withHandle(bezier, 1, [0.7, 0.2]).handles[1]).toEqual([0.7, 0.2]);
   });

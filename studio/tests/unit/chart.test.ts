@@ -111,6 +111,12 @@ describe("drags", () => {
   });
 });
 
+test("a drag of which only the end is told is a drag", () => {
+  expect(new Hand().down([10, 10], A).up([60, 60], A).last("drop")?.by).toEqual([50, 50]);
+  expect(new Hand().down([0, 0], A, "right").up([60, 0], A).done).toEqual(["pan"]);
+  expect(new Hand().down([0, 0]).up([60, 60]).done).toContain("take");
+});
+
 describe("the right button", () => {
   test("pans when it is dragged, opens the menu when it is not", () => {
     const hand = new Hand().down([0, 0], A, "right").move([10, 0]).move([15, 5]).up([15, 5], A);

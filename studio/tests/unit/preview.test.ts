@@ -56,6 +56,14 @@ describe("a preview", () => {
     expect(decodePreview(writePreview({ object: OBJECT, parts })).parts[0]?.texts).toEqual(["höhe 高さ"]);
   });
 
+  it("gives parts that share positions the same array", () => {
+    const slice = { type: "f32", offset: 0, count: 6 };
+    const part = (kind: string) => ({ kind, width: 0, positions: slice, texts: [], textHeight: 0, pieces: [] });
+    const json = JSON.stringify({ object: OBJECT, origin: [0, 0, 0], draft: false, parts: [part("edges"), part("points")] });
+    const { parts } = decodePreview(frame(json, 24, []));
+    expect(parts[0]?.positions).toBe(parts[1]?.positions);
+  });
+
   it("is refused when it is cut off anywhere", () => {
     const bytes = golden();
     // The last two bytes only fill up to a multiple of 8.

@@ -9,6 +9,7 @@ import { Batch, batchKey } from "../../src/viewport/scene/batch";
 import { ColourTable } from "../../src/viewport/scene/colourTable";
 import { lookOf, readable, type Layers, type ObjectState, type Palette } from "../../src/viewport/scene/looks";
 import { merge, segmentSlots, segmentsOf, type Member } from "../../src/viewport/scene/merge";
+import { readSettings } from "../../src/viewport/settings";
 import { parseColour } from "../../src/viewport/theme";
 import { pieceAt } from "../../src/viewport/tools/picking";
 import { dragged, keepsPoints, pointsOf } from "../../src/viewport/tools/pointHandles";
@@ -122,6 +123,15 @@ describe("looks", () => {
     expect(parseColour("rgba(1, 2, 3, 0.5)")).toEqual([1, 2, 3, 128]);
     expect(parseColour("rgb(1 2 3 / 50%)")).toEqual([1, 2, 3, 128]);
     expect(parseColour("color(srgb 1 0.5 0)")).toEqual([255, 128, 0, 255]);
+  });
+});
+
+describe("settings", () => {
+  it("are kept by the browser, and are as usual where that makes no sense", () => {
+    const kept = readSettings('{"mode":"ghosted","shown":{"grid":false,"edges":7},"trackpad":true,"analysis":"zebra"}');
+    expect(kept).toMatchObject({ mode: "ghosted", trackpad: true, snap: true, analysis: "none" });
+    expect(kept.shown).toMatchObject({ grid: false, edges: true, texts: true });
+    for (const bad of [null, "", "{", "null", "7", '{"mode":"x","shown":null}']) expect(readSettings(bad).mode).toBe("shaded");
   });
 });
 

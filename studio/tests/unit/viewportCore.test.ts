@@ -38,6 +38,8 @@ describe("false colours", () => {
     expect(low).toBeGreaterThanOrEqual(0);
     expect(high).toBeLessThan(1.01);
     expect(usefulRange([])).toBeUndefined();
+    expect(usefulRange([Float32Array.from([NaN, Infinity])])).toBeUndefined();
+    expect(usefulRange([Float32Array.from([NaN, 1, 2, -Infinity])])).toEqual([1, 2]);
   });
 
   it("show the same number in the middle of the map, without the noise of rounding", () => {

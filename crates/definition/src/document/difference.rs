@@ -57,7 +57,8 @@ impl Difference {
         self.removed.is_empty() && self.put.is_empty() && self.frame.is_none()
     }
 
-    /// Whether every object keeps its place: objects are changed, but none comes or goes.
+    /// Whether as many objects come as go, in the same places: no other object moves. As a rule they are the same objects,
+    /// changed; their ids tell.
     pub fn is_in_place(&self) -> bool {
         self.removed.iter().eq(self.put.iter().map(|(at, _)| at))
     }

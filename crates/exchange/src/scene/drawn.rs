@@ -21,6 +21,7 @@ const DIMENSION: &str = "dimensions and leaders are not supported";
 pub(super) struct Styles {
     /// The heights of text of dimension styles.
     heights: HashMap<Uuid, f64>,
+    /// The hatch patterns, by their places in the table.
     fills: HashMap<i32, Fill>,
 }
 
@@ -28,7 +29,7 @@ impl Styles {
     pub(super) fn of(model: &Model) -> Self {
         let heights = model.dimension_styles().into_iter().map(|style| (style.id, style.text_height));
         let fill = |fill: &HatchFill| if *fill == HatchFill::Solid { Fill::Solid } else { Fill::Pattern };
-        let fills = model.hatch_patterns.iter().filter_map(|p| Some((p.number?, fill(&p.fill))));
+        let fills = (0..).zip(&model.hatch_patterns).map(|(place, pattern)| (place, fill(&pattern.fill)));
         Self { heights: heights.collect(), fills: fills.collect() }
     }
 

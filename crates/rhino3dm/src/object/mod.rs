@@ -206,6 +206,10 @@ impl Object {
             Self::Extrusion(_) => data.class == class_ids::V5_EXTRUSION_MESHES,
             Self::Hatch(_) => data.class == class_ids::V5_HATCH_BASE,
             Self::Mesh(_) => mesh::owns(data),
+            // What the mesh that stood for it had is nothing to a SubD.
+            Self::SubD(_) => {
+                mesh::owns(data) || matches!(data.class, class_ids::SUBD_PROXY | class_ids::MESH_NGONS)
+            }
             _ => false,
         }
     }
@@ -260,7 +264,11 @@ impl Object {
         let parsed = match class_ids::canonical(object.class) {
             class_ids::POINT => Self::Point(point::read(&mut body)?),
             class_ids::POINT_CLOUD => Self::PointCloud(point_cloud::read(&mut body)?),
-            class_ids::MESH => Self::Mesh(Box::new(mesh::read(&mut body, &object.user_data)?)),
+            class_ids::MESH => {
+                let mesh = mesh::read(&mut body, &object.user_data)?;
+                let subd = object.user_data.iter().find_map(|data| subd::stood_for(&mesh, data));
+                subd.map_or_else(|| Self::Mesh(Box::new(mesh)), |subd| Self::SubD(Box::new(subd)))
+            }
             class_ids::SUBD => Self::SubD(Box::new(subd::read(&mut body)?)),
             class_ids::BREP => Self::Brep(Box::new(brep::read(&mut body, &object.user_data)?)),
             class_ids::EXTRUSION => Self::Extrusion(Box::new(extrusion::read(&mut body, &object.user_data)?)),

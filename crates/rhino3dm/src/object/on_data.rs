@@ -1,7 +1,8 @@
 //! The form in which openNURBS objects travel outside archives: Grasshopper files, rhino3dm JSON (section 9).
 
-use super::{ClassObject, Object, UserData};
+use super::{ClassObject, Object, Surroundings, UserData, restated};
 use crate::chunk::{Context, Reader, Writer};
+use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Limits, ModelObject, Result};
 
@@ -34,7 +35,7 @@ impl Object {
     /// object keeps the version it came under, which the form states.
     ///
     /// # Errors
-    /// Another version, or more data than the format can count.
+    /// Another version, one that cannot carry the object, or more data than the format can count.
     pub fn to_on_data(&self, archive3dm: i32) -> Result<OnData> {
         self.on_data_with(archive3dm, &[])
     }
@@ -49,7 +50,9 @@ impl Object {
         }
         let version = Version::for_writing(archive3dm)?;
         let mut w = Writer::new(version);
-        self.write(&mut w, user_data)?;
+        let around = Surroundings { styles: &Styles::default(), in_model: true };
+        let (object, user_data) = restated(self, user_data, around, version)?;
+        object.write(&mut w, &user_data)?;
         Ok(OnData { archive3dm, opennurbs: version.opennurbs.cast_signed(), data: w.into_bytes() })
     }
 }

@@ -3,13 +3,10 @@
 use std::borrow::Cow;
 
 use super::{Object, UserData, annotation, extrusion, subd};
+use crate::Result;
 use crate::styles::Styles;
 use crate::version::Version;
-use crate::{Result, class_ids};
 
-/// The first version whose archives have SubDs as objects; their readers take a mesh that stands for one for no more
-/// than a mesh.
-const SUBDS: i32 = 70;
 /// The first version with annotations of today.
 const ANNOTATIONS: i32 = 60;
 
@@ -32,10 +29,13 @@ pub(crate) fn restated<'a>(
     around: Surroundings<'_>,
     version: Version,
 ) -> Result<Restated<'a>> {
-    Ok(restate(object, user_data, around, version)?
-        .map_or((Cow::Borrowed(object), Cow::Borrowed(user_data)), |(object, user_data)| {
-            (Cow::Owned(object), Cow::Owned(user_data))
-        }))
+    let other = restate(object, user_data, around, version)?;
+    if other.is_none() && matches!(object, Object::Annotation(_) | Object::Extrusion(_) | Object::SubD(_)) {
+        object.check_writable(version.archive)?;
+    }
+    Ok(other.map_or((Cow::Borrowed(object), Cow::Borrowed(user_data)), |(object, user_data)| {
+        (Cow::Owned(object), Cow::Owned(user_data))
+    }))
 }
 
 /// The other form, when the version has another.
@@ -47,12 +47,6 @@ fn restate(
 ) -> Result<Option<(Object, Vec<UserData>)>> {
     let archive = version.archive;
     Ok(match object {
-        Object::Mesh(mesh) if archive >= SUBDS => {
-            let subd = user_data.iter().find_map(|data| subd::stood_for(mesh, data));
-            let others =
-                || user_data.iter().filter(|data| data.class != class_ids::SUBD_PROXY).cloned().collect();
-            subd.map(|subd| (Object::SubD(Box::new(subd)), others()))
-        }
         Object::SubD(subd) => subd::mesh_of(subd, version)?.map(|(mesh, data)| {
             let all = user_data.iter().cloned().chain([data]);
             (Object::Mesh(Box::new(mesh)), all.collect())

@@ -21,6 +21,8 @@ pub(crate) struct Step {
 #[derive(Debug, Clone)]
 struct Running {
     gesture: u64,
+    /// What its first edit did: the step is called so.
+    name: String,
     /// The document before its first edit.
     before: Arc<Document>,
     /// Whether the last step is the gesture: one that has come back to where it began is none.
@@ -56,20 +58,31 @@ impl History {
                 self.done.pop_back();
             }
             if running.is_step {
+                let name = running.name.clone();
                 self.done.push_back(Step { name, difference: Arc::new(back), state });
             }
             return;
         }
-        self.running = gesture.map(|gesture| Running { gesture, before: Arc::clone(before), is_step: true });
+        self.running = gesture.map(|gesture| Running {
+            gesture,
+            name: name.clone(),
+            before: Arc::clone(before),
+            is_step: true,
+        });
         self.done.push_back(Step { name, difference: Arc::new(back), state });
         if self.done.len() > MOST_STEPS {
             self.done.pop_front();
         }
     }
 
-    /// Takes note that something was done of which nothing came in the end: there is nothing to make again.
-    pub(crate) fn note_nothing(&mut self) {
+    /// Takes note of edits of a gesture of which nothing came in the end. There is nothing to make again after them.
+    pub(crate) fn note_nothing(&mut self, name: String, gesture: Option<u64>, document: &Arc<Document>) {
         self.undone.clear();
+        if let Some(gesture) =
+            gesture.filter(|gesture| self.running.as_ref().is_none_or(|r| r.gesture != *gesture))
+        {
+            self.running = Some(Running { gesture, name, before: Arc::clone(document), is_step: false });
+        }
     }
 
     /// Ends the gesture that goes on: what comes next is a step of its own.

@@ -109,7 +109,7 @@ impl Editor {
         let mut after = Document::clone(&self.document);
         after.apply(difference).ok()?;
         if difference.is_empty() {
-            self.history.note_nothing();
+            self.history.note_nothing(name.clone(), gesture, &self.document);
         }
         Some(self.commit(name, gesture, after, Vec::new()))
     }

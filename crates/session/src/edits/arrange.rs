@@ -19,7 +19,11 @@ pub(super) fn move_to(draft: &mut Draft<'_>, objects: &[(Uuid, [f32; 2])]) -> Re
         sound(&[x, y])?;
         let object = draft.object(id)?;
         let [left, top, ..] = size::bounds(object);
-        shift(object, [x - left, y - top]);
+        // What stands there already, but for rounding, stays.
+        let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 + 1e-6 * a.abs().max(b.abs());
+        if !(near(x, left) && near(y, top)) {
+            shift(object, [x - left, y - top]);
+        }
     }
     Ok(())
 }
@@ -94,7 +98,11 @@ pub(super) fn align(draft: &mut Draft<'_>, objects: &[Uuid], how: Alignment) -> 
     let mut seen = HashSet::new();
     let mut boxes: Vec<(Uuid, [f32; 4])> = Vec::new();
     for &id in objects.iter().filter(|id| seen.insert(**id)) {
-        boxes.push((id, size::bounds(draft.object(id)?)));
+        let object = draft.object(id)?;
+        // A group stands where its members do.
+        if object.component != ids::GROUP {
+            boxes.push((id, size::bounds(object)));
+        }
     }
     let edge = |of: fn(&[f32; 4]) -> f32, least: bool| {
         let pick = if least { f32::min } else { f32::max };

@@ -3,29 +3,25 @@
 use katydid_definition::archive::{Chunk, Colour as Argb, ItemValue};
 use katydid_definition::document::{Object, Special, ids, parse_path};
 
-use super::{bounded, finite, graphs, make, objects};
+use super::{bounded, finite, graphs, lists, make, objects, panel};
 use crate::Refusal;
 use crate::editor::Draft;
-use crate::protocol::{
-    BorderView, Colour, Control, GripView, ListItemView, ListModeView, PanelChange, RoundingView, Setting,
-};
+use crate::protocol::{BorderView, Colour, Control, PanelChange, RoundingView, Setting};
 use crate::view::size;
 
 /// The most letters of a text that a control holds.
 const MOST_LETTERS: usize = 10_000_000;
-/// The most items of a list.
-const MOST_ITEMS: usize = 10_000;
 
 /// The archive's order of a colour's parts.
 pub(super) fn argb([r, g, b, a]: Colour) -> Argb {
     Argb::new(a, r, g, b)
 }
 
-fn unfit(object: &Object, reason: &str) -> Refusal {
+pub(super) fn unfit(object: &Object, reason: &str) -> Refusal {
     Refusal::Unfit { object: object.title().to_owned(), reason: reason.to_owned() }
 }
 
-fn short(text: &str) -> Result<&str, Refusal> {
+pub(super) fn short(text: &str) -> Result<&str, Refusal> {
     if text.len() <= MOST_LETTERS {
         Ok(text)
     } else {
@@ -42,7 +38,7 @@ pub(super) fn set(draft: &mut Draft<'_>, id: uuid::Uuid, to: &Setting) -> Result
             finite(&[*value])?;
             match object.component {
                 ids::NUMBER_SLIDER => object.set_slider(*value).map(drop)?,
-                _ => object.set_dial(*value).map(drop)?,
+                _ => turn(object, *value)?,
             }
         }
         Setting::Text { text } => object.set_panel_text(short(text)?)?,
@@ -127,7 +123,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
                 PanelChange::Alignment { alignment: *alignment },
                 PanelChange::Colour { colour: *colour },
             ] {
-                panel_property(object, &change)?;
+                panel::property(object, &change)?;
             }
         }
         (Control::Toggle { on }, Some(Special::Toggle(_))) => object.set_toggle(*on)?,
@@ -137,7 +133,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             container.set("ExpressionPressed", short(pressed)?);
         }
         (Control::ValueList { mode, items }, Some(Special::ValueList(_))) => {
-            value_list(object, *mode, items)?
+            lists::value_list(object, *mode, items)?
         }
         (Control::Swatch { colour }, Some(Special::Colour(_))) => object.set_colour(argb(*colour))?,
         (Control::MdSlider { value, domains }, Some(Special::MdSlider(_))) => {
@@ -155,7 +151,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             }
             dial.set("Limit", *limited);
             dial.set("Decimals", (*decimals).clamp(0, 12));
-            object.set_dial(*value)?;
+            turn(object, *value)?;
         }
         (Control::Digits { value, digits, radix, prefix, suffix }, Some(Special::DigitScroller(_))) => {
             finite(&[*value])?;
@@ -164,16 +160,16 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             scroller.set("Radix", (*radix).clamp(0, 28));
             scroller.set("Prefix", short(prefix)?);
             scroller.set("Suffix", short(suffix)?);
-            object.set_dial(*value)?;
+            turn(object, *value)?;
         }
         (Control::Genes { values, decimals, min, max }, Some(Special::GenePool(_))) => {
-            genes(object, values, *decimals, *min, *max)?;
+            lists::genes(object, values, *decimals, *min, *max)?;
         }
         (Control::Graph { x, y, graph, .. }, Some(Special::GraphMapper(_))) => {
             graphs::shape(object, *x, *y, graph)?
         }
         (Control::Gradient { grips, linear }, Some(Special::Gradient(_))) => {
-            gradient(object, grips, *linear)?
+            lists::gradient(object, grips, *linear)?
         }
         (Control::Image { file, .. }, Some(Special::ImageSampler(_))) => {
             object.container_mut().set("FilePath", short(file)?);
@@ -181,7 +177,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
         (Control::Formula { text }, Some(Special::Expression(_))) => {
             object.container_mut().set("Expression", short(text)?);
         }
-        (Control::Paths { rules }, Some(Special::PathMapper(_))) => paths(object, rules)?,
+        (Control::Paths { rules }, Some(Special::PathMapper(_))) => lists::paths(object, rules)?,
         (Control::Cherry { path, index }, Some(Special::CherryPicker(_))) => {
             let path = parse_path(path).ok_or_else(|| unfit(object, "a path looks like {0;1}"))?;
             part(object, "TreePath")?.set("path", katydid_definition::document::format_path(&path));
@@ -228,7 +224,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             }
         }
         (Control::Sketch { lines, colour, width }, Some(Special::Sketch(_))) => {
-            sketch(object, lines, *colour, *width)?
+            lists::sketch(object, lines, *colour, *width)?
         }
         (Control::Script { .. } | Control::Viewer { .. }, _) => {
             return Err(unfit(object, "this cannot be changed here"));
@@ -239,8 +235,21 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
     Ok(())
 }
 
+/// Turns a knob or scroller. One that stands there already keeps its number as it is written.
+fn turn(object: &mut Object, value: f64) -> Result<(), Refusal> {
+    let stands = match object.special() {
+        Some(Special::Knob(knob)) => Some(knob.value),
+        Some(Special::DigitScroller(scroller)) => Some(scroller.value),
+        _ => None,
+    };
+    if stands != Some(value) {
+        object.set_dial(value)?;
+    }
+    Ok(())
+}
+
 /// The chunk of a control's settings, which is made where it is missing.
-fn part<'a>(object: &'a mut Object, name: &str) -> Result<&'a mut Chunk, Refusal> {
+pub(super) fn part<'a>(object: &'a mut Object, name: &str) -> Result<&'a mut Chunk, Refusal> {
     let gone = unfit(object, "its settings are missing");
     let container = object.container_mut();
     if container.child(name).is_none() {
@@ -250,7 +259,7 @@ fn part<'a>(object: &'a mut Object, name: &str) -> Result<&'a mut Chunk, Refusal
 }
 
 /// A number in the form that is there.
-fn number(chunk: &mut Chunk, name: &str, x: f64) {
+pub(super) fn number(chunk: &mut Chunk, name: &str, x: f64) {
     let value = match chunk.item(name) {
         Some(ItemValue::Decimal(old)) => make::decimal(x, old.scale().max(6)),
         Some(ItemValue::Single(_)) => ItemValue::Single(x as f32),
@@ -291,194 +300,6 @@ fn slider(
         }
     }
     object.set_slider(value)?;
-    Ok(())
-}
-
-fn value_list(object: &mut Object, mode: ListModeView, items: &[ListItemView]) -> Result<(), Refusal> {
-    if items.len() > MOST_ITEMS {
-        return Err(unfit(object, &format!("a list has at most {MOST_ITEMS} items")));
-    }
-    let mut one = items.iter().position(|item| item.selected);
-    if mode != ListModeView::Check && one.is_none() && !items.is_empty() {
-        one = Some(0);
-    }
-    let container = object.container_mut();
-    container.remove_children("ListItem");
-    for (k, item) in items.iter().enumerate() {
-        let mut chunk = Chunk::indexed("ListItem", i32::try_from(k).unwrap_or(i32::MAX));
-        chunk.set("Expression", short(&item.expression)?);
-        chunk.set("Name", short(&item.name)?);
-        chunk.set("Selected", if mode == ListModeView::Check { item.selected } else { one == Some(k) });
-        container.chunks.push(chunk);
-    }
-    container.chunks.sort_by(|a, b| (&a.name, a.index).cmp(&(&b.name, b.index)));
-    container.set("ListCount", i32::try_from(items.len()).unwrap_or(i32::MAX));
-    container.set(
-        "ListMode",
-        match mode {
-            ListModeView::Check => 0,
-            ListModeView::DropDown => 1,
-            ListModeView::Sequence => 2,
-            ListModeView::Cycle => 3,
-        },
-    );
-    Ok(())
-}
-
-fn genes(object: &mut Object, values: &[f64], decimals: i32, min: f64, max: f64) -> Result<(), Refusal> {
-    finite(values)?;
-    finite(&[min, max])?;
-    if values.len() > MOST_ITEMS || min > max {
-        return Err(unfit(object, "a pool has at most ten thousand numbers between its limits"));
-    }
-    let places = u32::try_from(decimals.clamp(0, 12)).unwrap_or(2);
-    let pool = part(object, "GeneData")?;
-    pool.remove("Value");
-    for (k, x) in (0..).zip(values) {
-        pool.items.push(katydid_definition::archive::Item::indexed(
-            "Value",
-            k,
-            make::decimal(x.clamp(min, max), places),
-        ));
-    }
-    pool.set("Count", i32::try_from(values.len()).unwrap_or(i32::MAX));
-    pool.set("Decimals", decimals.clamp(0, 12));
-    number(pool, "Minimum", min);
-    number(pool, "Maximum", max);
-    Ok(())
-}
-
-fn gradient(object: &mut Object, grips: &[GripView], linear: bool) -> Result<(), Refusal> {
-    let at: Vec<f64> = grips.iter().map(|grip| grip.at).collect();
-    finite(&at)?;
-    if grips.len() > MOST_ITEMS {
-        return Err(unfit(object, "a gradient has at most ten thousand grips"));
-    }
-    let gradient = part(object, "Gradient")?;
-    let old: Vec<Chunk> = gradient.children("Grip").into_iter().cloned().collect();
-    gradient.remove_children("Grip");
-    for (k, grip) in grips.iter().enumerate() {
-        // Grips have ids of their own, which stay.
-        let index = i32::try_from(k).unwrap_or(i32::MAX);
-        let mut chunk = old.get(k).cloned().unwrap_or_else(|| Chunk::new("Grip"));
-        chunk.index = Some(index);
-        if chunk.guid("Id").is_none() {
-            chunk.set("Id", katydid_definition::kd::derived_id(uuid::Uuid::nil(), &format!("grip {k}")));
-        }
-        chunk.set("Factor", grip.at.clamp(0.0, 1.0));
-        chunk.set_at("Colour", 0, argb(grip.left));
-        chunk.set_at("Colour", 1, argb(grip.right));
-        gradient.set_child(chunk);
-    }
-    gradient.set("GripCount", i32::try_from(grips.len()).unwrap_or(i32::MAX));
-    gradient.set("Linear", linear);
-    Ok(())
-}
-
-/// A new gradient: places and colours.
-pub(super) fn put_gradient(container: &mut Chunk, grips: &[(f64, Colour)]) {
-    let mut gradient = Chunk::new("Gradient");
-    gradient.set("GripCount", i32::try_from(grips.len()).unwrap_or(0));
-    gradient.set("Linear", true);
-    gradient.set("Locked", false);
-    for (k, (at, colour)) in (0..).zip(grips) {
-        let mut grip = Chunk::indexed("Grip", k);
-        grip.set("Factor", *at);
-        grip.set("Id", katydid_definition::kd::derived_id(uuid::Uuid::nil(), &format!("grip {k}")));
-        grip.set_at("Colour", 0, argb(*colour));
-        grip.set_at("Colour", 1, argb(*colour));
-        gradient.set_child(grip);
-    }
-    container.set_child(gradient);
-}
-
-fn paths(object: &mut Object, rules: &[[String; 2]]) -> Result<(), Refusal> {
-    if rules.len() > MOST_ITEMS {
-        return Err(unfit(object, "it has at most ten thousand rules"));
-    }
-    let lexers = part(object, "lexers")?;
-    lexers.remove("source");
-    lexers.remove("target");
-    for (k, [source, target]) in (0..).zip(rules) {
-        lexers.set_at("source", k, short(source)?);
-        lexers.set_at("target", k, short(target)?);
-    }
-    lexers.set("lexer_count", i32::try_from(rules.len()).unwrap_or(i32::MAX));
-    Ok(())
-}
-
-fn sketch(object: &mut Object, lines: &[Vec<[f64; 2]>], colour: Colour, width: f64) -> Result<(), Refusal> {
-    const MOST_POINTS: usize = 1_000_000;
-    finite(&[width])?;
-    if lines.iter().map(Vec::len).sum::<usize>() > MOST_POINTS {
-        return Err(unfit(object, "a sketch has at most a million points"));
-    }
-    for line in lines {
-        finite(line.as_flattened())?;
-    }
-    let container = object.container_mut();
-    container.remove_children("Mark");
-    for (k, line) in (0..).zip(lines) {
-        let mut mark = Chunk::indexed("Mark", k);
-        for (i, point) in (0..).zip(line) {
-            let value = ItemValue::Point2d(*point);
-            mark.items.push(katydid_definition::archive::Item::indexed("V", i, value));
-        }
-        mark.set("VertexCount", i32::try_from(line.len()).unwrap_or(i32::MAX));
-        container.chunks.push(mark);
-    }
-    container.set("MarkCount", i32::try_from(lines.len()).unwrap_or(i32::MAX));
-    let attributes = part(object, "Attributes")?;
-    if attributes.child("SketchProperties").is_none() {
-        attributes.set_child(Chunk::new("SketchProperties"));
-    }
-    if let Some(properties) = attributes.child_mut("SketchProperties") {
-        properties.set("Color", argb(colour));
-        number(properties, "Width", width);
-    }
-    Ok(())
-}
-
-/// Changes how a panel looks.
-pub(super) fn change_panel(
-    draft: &mut Draft<'_>,
-    id: uuid::Uuid,
-    change: &PanelChange,
-) -> Result<(), Refusal> {
-    let object = draft.object(id)?;
-    if object.component != ids::PANEL {
-        return Err(unfit(object, "it is not a Panel"));
-    }
-    panel_property(object, change)?;
-    object.refresh();
-    Ok(())
-}
-
-fn panel_property(object: &mut Object, change: &PanelChange) -> Result<(), Refusal> {
-    let Some(Special::Panel(panel)) = object.special() else {
-        return Err(unfit(object, "it is not a Panel"));
-    };
-    let (name, value, same) = match change {
-        PanelChange::Multiline { on } => ("Multiline", ItemValue::Bool(*on), panel.multiline == *on),
-        PanelChange::Paths { on } => ("DrawPaths", ItemValue::Bool(*on), panel.draw_paths == *on),
-        PanelChange::Indices { on } => ("DrawIndices", ItemValue::Bool(*on), panel.draw_indices == *on),
-        PanelChange::Wrap { on } => ("Wrap", ItemValue::Bool(*on), panel.wrap == *on),
-        PanelChange::SpecialCodes { on } => {
-            ("SpecialCodes", ItemValue::Bool(*on), panel.special_codes == *on)
-        }
-        PanelChange::Alignment { alignment } if !(0..=2).contains(alignment) => {
-            return Err(unfit(object, "text stands left, in the middle or right"));
-        }
-        PanelChange::Alignment { alignment } => {
-            ("Alignment", ItemValue::Int32(*alignment), panel.alignment == *alignment)
-        }
-        PanelChange::Colour { colour } => {
-            ("Colour", ItemValue::Colour(argb(*colour)), panel.colour == Some(argb(*colour)))
-        }
-    };
-    if !same {
-        part(object, "PanelProperties")?.set(name, value);
-    }
     Ok(())
 }
 

@@ -96,7 +96,7 @@ fn fill(chunk: &mut Chunk, name: &str, handles: &[[f64; 2]]) -> Option<()> {
             chunk.set_child(equation);
         }
         ("Sine Summation", _)
-            if !handles.is_empty() && handles.len() % 2 == 0 && handles.len() <= 2 * MOST_WAVES =>
+            if !handles.is_empty() && handles.len().is_multiple_of(2) && handles.len() <= 2 * MOST_WAVES =>
         {
             chunk.remove_children("Equation");
             for (k, pair) in (0..).zip(handles.chunks(2)) {

@@ -289,7 +289,7 @@ fn begin(object: &mut Object) {
             graph.set_child(domain);
             container.set_child(graph);
         }
-        ids::GRADIENT => super::controls::put_gradient(
+        ids::GRADIENT => super::lists::put_gradient(
             container,
             &[(0.0, [255, 0, 0, 255]), (0.5, [255, 255, 0, 255]), (1.0, [0, 255, 0, 255])],
         ),

@@ -4,12 +4,15 @@ mod arrange;
 mod clipboard;
 mod clusters;
 mod controls;
+mod explode;
 mod geometry;
 mod graphs;
 mod groups;
 mod keep;
+mod lists;
 mod make;
 mod objects;
+mod panel;
 mod paste;
 mod ports;
 mod settings;
@@ -46,7 +49,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::ChangePort { port, change } => ports::change(draft, *port, change),
         Edit::Set { object, to } => controls::set(draft, *object, to),
         Edit::Reshape { object, control } => controls::reshape(draft, *object, control),
-        Edit::ChangePanel { object, change } => controls::change_panel(draft, *object, change),
+        Edit::ChangePanel { object, change } => panel::change(draft, *object, change),
         Edit::Keep { port, values } => keep::keep(draft, *port, values.as_deref()),
         Edit::Internalise { port } => keep::internalise(draft, *port),
         Edit::Extract { port, id } => keep::extract(draft, *port, *id),
@@ -56,7 +59,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::ChangeGroup { group, change } => groups::change(draft, *group, change),
         Edit::Ungroup { groups } => groups::ungroup(draft, groups),
         Edit::MakeCluster { id, objects } => clusters::make(draft, *id, objects),
-        Edit::ExplodeCluster { cluster } => clusters::explode(draft, *cluster),
+        Edit::ExplodeCluster { cluster } => explode::explode(draft, *cluster),
         Edit::Settings { .. } => settings::change(draft, edit),
     }
 }

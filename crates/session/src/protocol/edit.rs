@@ -35,6 +35,7 @@ pub enum Edit {
         from: Uuid,
         to: Uuid,
         #[serde(default)]
+        #[cfg_attr(feature = "typescript", ts(optional))]
         input: Option<bool>,
     },
     /// Puts a relay in the middle of a wire.
@@ -65,6 +66,7 @@ pub enum Edit {
         input: bool,
         index: u32,
         #[serde(default)]
+        #[cfg_attr(feature = "typescript", ts(optional))]
         id: Option<Uuid>,
     },
     /// Takes such a port away.

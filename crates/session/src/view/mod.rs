@@ -108,7 +108,9 @@ fn event(
 
 /// Whether the order of the objects that stay is as before, and new ones stand at the end: a face knows it then.
 fn keeps_order(difference: &Difference, before: &Document) -> bool {
-    if difference.is_in_place() {
+    let stays =
+        |(at, object): &(usize, Object)| before.objects.get(*at).is_some_and(|old| old.id == object.id);
+    if difference.is_in_place() && difference.put.iter().all(stays) {
         return true;
     }
     let rest = before.objects.len() - difference.removed.len().min(before.objects.len());

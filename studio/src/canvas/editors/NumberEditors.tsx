@@ -117,18 +117,16 @@ export function GraphEditor({ object, graph }: { object: ObjectView; graph: Of<"
     domain[end] = value;
     setForm({ ...form, [which]: domain });
   };
-  const known = GRAPHS.some((one) => one.name === form.graph.name);
-  const choose = (name: string) => {
-    const next = GRAPHS.find((one) => one.name === name);
-    if (next) setForm({ ...form, graph: { name, handles: next.handles } });
-  };
+  const known = GRAPHS.some((name) => name === form.graph.name);
+  const choose = (name: string) =>
+    setForm({ ...form, graph: name === graph.graph.name ? graph.graph : { name, handles: [] } });
   return (
     <Form title={t("canvas.graph.title")} onTake={() => reshape(object.id, form)}>
       <Line label={t("canvas.menu.graph")}>
         {(id) => (
           <select id={id} value={form.graph.name} onChange={(event) => choose(event.target.value)}>
             {known ? null : <option value={form.graph.name}>{form.graph.name || t("canvas.graph.none")}</option>}
-            {GRAPHS.map(({ name }) => (
+            {GRAPHS.map((name) => (
               <option key={name} value={name}>
                 {name}
               </option>

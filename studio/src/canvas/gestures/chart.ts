@@ -155,6 +155,14 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
 
 function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World): Outcome {
   const { at, pixel, keys } = gesture;
+  // A busy page may tell of the way only when it is over.
+  if ((state.is === "pressed" || state.is === "rightPressed") && distance(pixel, state.start.pixel) >= STRAY) {
+    const [next, effects] = moved(state, gesture, world);
+    if (next.is !== state.is) {
+      const [end, more] = up(next, gesture, world);
+      return [end, [...effects, ...more]];
+    }
+  }
   switch (state.is) {
     case "idle":
     case "panning":

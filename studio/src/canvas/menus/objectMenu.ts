@@ -194,11 +194,11 @@ function panelItems(object: ObjectView, panel: PanelControl): Item[] {
 
 function graphTypes(object: ObjectView, control: Extract<Control, { is: "graph" }>): Item {
   const items = GRAPHS.map(
-    (graph): Item => ({
+    (name): Item => ({
       is: "do",
-      label: graph.name,
-      on: control.graph.name === graph.name,
-      run: () => reshape(object.id, { ...control, graph: { name: graph.name, handles: graph.handles } }),
+      label: name,
+      on: control.graph.name === name,
+      run: () => reshape(object.id, { ...control, graph: { name, handles: [] } }),
     }),
   );
   return { is: "more", label: t("canvas.menu.graph"), items };

@@ -2,7 +2,6 @@ import { memo, type CSSProperties, type ReactNode } from "react";
 
 import { balloon, lookOf, SIGNS, type Look } from "../../core/look";
 import { timeText } from "../../core/numbers";
-import { takesWires } from "../../core/places";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import type { ResultView } from "../../core/protocol/ResultView";
@@ -72,7 +71,7 @@ const Grips = memo(function Grips({ object }: { object: ObjectView }) {
   );
   return (
     <>
-      {takesWires(object) ? object.inputs.map(grip("input")) : null}
+      {object.inputs.map(grip("input"))}
       {object.outputs.map(grip("output"))}
     </>
   );

@@ -1,6 +1,6 @@
 import { useEffect, useState, type PointerEvent } from "react";
 
-import { arms, withHandle } from "../../core/graph";
+import { arms, draggable, withHandle } from "../../core/graph";
 import type { Control } from "../../core/protocol/Control";
 import type { GraphView } from "../../core/protocol/GraphView";
 import type { ObjectView } from "../../core/protocol/ObjectView";
@@ -50,8 +50,8 @@ export function GraphFace({ object, graph, size }: { object: ObjectView; graph: 
       {arms(shown).map(([a, b], k) => (
         <line key={k} className="arm" {...ends(place(a), place(b))} />
       ))}
-      {shown.handles.map((handle, index) => {
-        const [cx, cy] = place(handle);
+      {draggable(shown).map((index) => {
+        const [cx, cy] = place(shown.handles[index] ?? [0, 0]);
         return (
           <circle key={index} className="handle" data-own cx={cx} cy={cy} r={4} onPointerDown={press(index)}>
             <title>{t("canvas.graph.handle", { index: index + 1 })}</title>

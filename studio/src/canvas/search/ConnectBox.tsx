@@ -2,7 +2,6 @@ import { useCallback, useEffect, useMemo } from "react";
 
 import { fit } from "../../core/kinds";
 import type { Grip } from "../../core/hit";
-import { takesWires } from "../../core/places";
 import { readingOrder } from "../../core/order";
 import { documentStore } from "../../state/document";
 import { t } from "../../i18n";
@@ -68,7 +67,7 @@ function candidates(from: Grip): Candidate[] {
   const found: Candidate[] = [];
   for (const id of order) {
     const object = objects.get(id);
-    if (!object || (from.side === "output" && !takesWires(object))) continue;
+    if (!object) continue;
     for (const port of from.side === "output" ? object.inputs : object.outputs) {
       const grip = gripOf(port.id, from.side === "output" ? "input" : "output");
       if (!grip || !joins(from, grip, "replace")) continue;

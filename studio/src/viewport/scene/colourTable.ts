@@ -11,6 +11,8 @@ import { TABLE_WIDTH } from "../shaders/common";
 export class ColourTable {
   /** Another texture after growing: shared by all materials as one uniform. */
   readonly uniform: { value: DataTexture };
+  /** Another number after each change. */
+  version = 0;
   #pixels = new Uint8Array(TABLE_WIDTH * 4);
   #free: number[] = [];
   #used = 0;
@@ -36,6 +38,7 @@ export class ColourTable {
     const at = slot * 4;
     if (colour.every((value, channel) => this.#pixels[at + channel] === value)) return;
     this.#pixels.set(colour, at);
+    this.version++;
     this.uniform.value.needsUpdate = true;
   }
 

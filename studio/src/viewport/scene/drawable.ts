@@ -11,6 +11,9 @@ import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import type { Materials } from "./materials";
 
+/** The layer that only the camera of the ground's shadow sees. */
+export const SHADOW_LAYER = 1;
+
 /**
  * The order in which things are drawn. Lines and points come twice: before the surfaces that shine through, which then
  * tint what is behind them, and after them, where they are in front. Else a surface would leave out what lies below
@@ -94,8 +97,17 @@ function twice(front: Drawn[]): { objects: Drawn[]; behind: Drawn[] } {
   return { objects: [...front, ...behind], behind };
 }
 
+const attributes = new WeakMap<Float32Array, BufferAttribute>();
+
+/** Parts of one object that share positions send them to the graphics card once; they come and go together. */
+function positionsOf(positions: Float32Array): BufferAttribute {
+  const known = attributes.get(positions) ?? new BufferAttribute(positions, 3);
+  attributes.set(positions, known);
+  return known;
+}
+
 function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Materials) {
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   const { normals, colours, indices, slots } = merged;
   if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3, normals instanceof Int8Array));
   if (colours) geometry.setAttribute("colour", new BufferAttribute(colours, 4, true));
@@ -117,11 +129,13 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
     return still(mesh);
   };
   const surface = { solid: make(materials.opaque), depth: make(materials.depth), colour: make(materials.translucent) };
-  return { objects: Object.values(surface), surface, setValues };
+  const shadow = make(materials.shadow);
+  shadow.layers.set(SHADOW_LAYER);
+  return { objects: [...Object.values(surface), shadow], surface, setValues };
 }
 
 function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials, pixels: () => number): Points {
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const points = new Points(geometry, materials.points);
@@ -153,7 +167,7 @@ function linesOf(
 
 function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Drawn {
   const geometry = own(new BufferGeometry());
-  geometry.setAttribute("position", new BufferAttribute(merged.positions, 3));
+  geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const lines = new LineSegments(geometry, materials.thin);

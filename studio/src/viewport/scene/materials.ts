@@ -9,6 +9,7 @@ import { colourRamp } from "../../core/falseColour";
 import type { ColourTable } from "./colourTable";
 import { HEAD_FRAGMENT, HEAD_VERTEX, LINE_FRAGMENT, THIN_VERTEX, WIDE_FRAGMENT, WIDE_VERTEX } from "../shaders/line";
 import { MESH_FRAGMENT, MESH_VERTEX } from "../shaders/mesh";
+import { SHADOW_FRAGMENT, SHADOW_VERTEX } from "../shaders/shadow";
 import { POINT_FRAGMENT, POINT_VERTEX } from "../shaders/point";
 
 /** What is the same for everything drawn in one frame. */
@@ -61,6 +62,8 @@ export class Materials {
   readonly wide: RawShaderMaterial;
   readonly head: RawShaderMaterial;
   readonly points: RawShaderMaterial;
+  /** Surfaces as the ground sees them. */
+  readonly shadow: RawShaderMaterial;
 
   constructor(table: ColourTable) {
     this.#table = table;
@@ -78,6 +81,7 @@ export class Materials {
     this.depth.transparent = true;
     this.translucent.transparent = true;
     this.translucent.depthFunc = LessEqualDepth;
+    this.shadow = this.#make(SHADOW_VERTEX, SHADOW_FRAGMENT, 2, { uReach: { value: 1 } });
     const line = (vertex: string, fragment: string) => {
       const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 } });
       material.transparent = true;
@@ -109,7 +113,7 @@ export class Materials {
   }
 
   dispose(): void {
-    for (const material of [this.opaque, this.depth, this.translucent, this.thin, this.wide, this.head, this.points]) {
+    for (const material of [this.opaque, this.depth, this.translucent, this.thin, this.wide, this.head, this.points, this.shadow]) {
       material.dispose();
     }
     this.shared.uRamp.value.dispose();

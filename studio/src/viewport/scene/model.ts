@@ -29,6 +29,9 @@ export interface ModelObject {
 
 export type Passes = "own" | "solid" | "through";
 
+/** From so many segments on lines take longer than surfaces. */
+const MANY_LINES = 150_000;
+
 /** How far off the origin of drawing may be, in sizes of the model, before everything is moved. */
 const OFF = 50;
 
@@ -40,6 +43,8 @@ export class Model {
   /** What is drawn is moved by −origin, so that single precision is enough. */
   origin: Point3 = [0, 0, 0];
   bounds: Bounds | null = null;
+  /** Another number after each change of geometry. */
+  version = 0;
   #batches = new Map<string, Batch[]>();
   #drawables = new Set<Drawable>();
   #budget: LineBudget;
@@ -103,6 +108,7 @@ export class Model {
   settle(): void {
     if (!this.#isChanged && ![...this.#batches.values()].flat().some((batch) => batch.isStale())) return;
     this.#isChanged = false;
+    this.version++;
     this.bounds = null;
     for (const { bounds } of this.objects.values()) this.bounds = union(this.bounds, bounds);
     this.#rebase();
@@ -152,7 +158,10 @@ export class Model {
       }
     }
     for (const drawable of this.#drawables) {
-      for (const object of drawable.behind) object.visible = through.size > 0;
+      // A quick picture does without very many lines, and very many are not drawn behind surfaces too.
+      const isMany = drawable.segments > MANY_LINES;
+      for (const object of drawable.objects) if (drawable.segments > 0) object.visible = isFine || !isMany;
+      for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
       if (!drawable.surface) continue;
       drawable.surface.solid.visible = solid.has(drawable);
       drawable.surface.colour.visible = through.has(drawable);

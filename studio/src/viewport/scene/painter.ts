@@ -7,6 +7,7 @@ import type { ViewportSettings } from "../settings";
 import { SHADE } from "../shaders/mesh";
 import type { Theme } from "../theme";
 import { Grid } from "./grid";
+import { GroundShadow } from "./groundShadow";
 import type { Model } from "./model";
 
 /** How much of ghosted surfaces is there. */
@@ -16,13 +17,16 @@ export class Painter {
   #renderer: WebGLRenderer;
   #model: Model;
   #grid = new Grid();
+  #shadow = new GroundShadow();
+  /** What the shadow was made of. */
+  #shadowOf = "";
   #background = new Color();
   #theme: Theme | undefined;
 
   constructor(renderer: WebGLRenderer, model: Model) {
     this.#renderer = renderer;
     this.#model = model;
-    model.scene.add(this.#grid.mesh);
+    model.scene.add(this.#grid.mesh, this.#shadow.mesh);
   }
 
   /** Makes ready for a picture of all panes. A quick one does not sort out what is behind what in one surface. */
@@ -45,7 +49,23 @@ export class Painter {
     this.#theme = theme;
     const { x, y, z } = isPaper ? theme.paper : theme.background;
     this.#background.setRGB(x, y, z, SRGBColorSpace);
+    this.#castShadow(mode === "rendered" && analysis === "none" && !isQuick);
     this.#renderer.setScissorTest(true);
+  }
+
+  #castShadow(isCast: boolean): void {
+    const { mesh } = this.#shadow;
+    mesh.visible = isCast;
+    const now = `${this.#model.version} ${this.#model.table.version}`;
+    if (!isCast) return;
+    if (now === this.#shadowOf) {
+      mesh.visible = this.#model.bounds !== null;
+      return;
+    }
+    // Not while it is made: it would darken itself.
+    mesh.visible = false;
+    this.#shadow.update(this.#renderer, this.#model);
+    this.#shadowOf = now;
   }
 
   /** Draws one pane; `canvasHeight` because the card counts rows from below. */
@@ -62,8 +82,14 @@ export class Painter {
     this.#renderer.render(this.#model.scene, camera);
   }
 
+  /** Makes the shadow anew: the graphics card forgot it. */
+  forget(): void {
+    this.#shadowOf = "";
+  }
+
   dispose(): void {
     this.#grid.dispose();
+    this.#shadow.dispose();
   }
 }
 

@@ -52,14 +52,15 @@ pub(in crate::object) fn to_older(
         if is_text && in_model && annotation.scales_text && style.scale > 0.0 { style.scale } else { 1.0 };
     let dimension = annotation.dimension();
     let words = dimension.map_or_else(|| annotation.plain_text(), |d| plain_text::of(&d.user_text));
-    let angular = matches!(annotation.kind, AnnotationKind::Angular { .. });
+    // Angles of version 5 have their words as a formula only, of which version 4 knows nothing.
+    let only_formula = matches!(annotation.kind, AnnotationKind::Angular { .. }) && version.archive >= 5;
     let older = Annotation5 {
         kind: parts.kind,
         number: parts.number,
         text_display: parts.text_display,
         plane: parts.plane,
         points: parts.points,
-        text: if angular { String::new() } else { words.clone() },
+        text: if only_formula { String::new() } else { words.clone() },
         user_positioned_text: dimension.is_some_and(|d| d.text_moved),
         style: place,
         text_height: style.height * scale,

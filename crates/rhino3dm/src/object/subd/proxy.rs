@@ -3,13 +3,14 @@
 
 use katydid_geometry::subd::SubDNet;
 use katydid_geometry::{Mesh, MeshFace};
+use sha1::{Digest, Sha1};
 use uuid::{Uuid, uuid};
 
 use super::{SubDObject, WHAT, read, write};
-use crate::chunk::Writer;
+use crate::chunk::{Reader, Writer};
 use crate::object::UserData;
 use crate::version::Version;
-use crate::{Error, MeshObject, Ngon, Result, class_ids, sha1};
+use crate::{Error, MeshObject, Ngon, Result, class_ids};
 
 /// The application that owns the user data.
 const OPENNURBS_6: Uuid = uuid!("7B0B585D-7A31-45D0-925E-BDD7DDF3E4E3");
@@ -39,25 +40,36 @@ pub(in crate::object) fn mesh_of(
     }
     let Some((mesh, ngons)) = net_of(subd) else { return Ok(None) };
     let mesh = MeshObject { ngons, ..MeshObject::from(mesh) };
-    let faces: Vec<u8> = mesh.faces.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
-    let vertices: Vec<u8> = mesh.vertices.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
     let mut data = UserData::core(class_ids::SUBD_PROXY, 1, version, |w| {
         w.versioned(1, 1, |w| {
             w.bool(true);
             write::write(subd, w)?;
             w.count(mesh.faces.len(), "faces")?;
             w.count(mesh.vertices.len(), "vertices")?;
-            write_hash(&faces, w)?;
-            write_hash(&vertices, w)
+            hashes_of(&mesh).iter().try_for_each(|hash| write_hash(hash, w))
         })
     })?;
     data.application = OPENNURBS_6;
     Ok(Some((mesh, data)))
 }
 
-fn write_hash(bytes: &[u8], w: &mut Writer) -> Result<()> {
+/// By what readers tell that the mesh is the one of then: hashes of its faces and of its vertices.
+fn hashes_of(mesh: &MeshObject) -> [[u8; 20]; 2] {
+    let faces: Vec<u8> = mesh.faces.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
+    let vertices: Vec<u8> = mesh.vertices.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    [Sha1::digest(&faces).into(), Sha1::digest(&vertices).into()]
+}
+
+fn read_hash(body: &mut Reader<'_>) -> Result<[u8; 20]> {
+    let (mut chunk, _) = body.versioned_1("hash of a mesh")?;
+    let hash = chunk.array("hash of a mesh")?;
+    chunk.finish();
+    Ok(hash)
+}
+
+fn write_hash(hash: &[u8; 20], w: &mut Writer) -> Result<()> {
     w.versioned(1, 0, |w| {
-        w.bytes(&sha1::digest(bytes));
+        w.bytes(hash);
         Ok(())
     })
 }
@@ -104,8 +116,9 @@ pub(in crate::object) fn stood_for(mesh: &MeshObject, data: &UserData) -> Option
         }
         let subd = read::read(&mut chunk)?;
         let counts = [chunk.i32(WHAT)?, chunk.i32(WHAT)?].map(usize::try_from);
-        // Checksums of faces and vertices follow.
-        Ok((counts == [Ok(mesh.faces.len()), Ok(mesh.vertices.len())]).then_some(subd))
+        let hashes = [read_hash(&mut chunk)?, read_hash(&mut chunk)?];
+        let is_that = counts == [Ok(mesh.faces.len()), Ok(mesh.vertices.len())] && hashes == hashes_of(mesh);
+        Ok(is_that.then_some(subd))
     });
     found.ok().flatten()
 }

@@ -1,0 +1,49 @@
+//! How panels look.
+
+use katydid_definition::archive::ItemValue;
+use katydid_definition::document::{Object, Special, ids};
+use uuid::Uuid;
+
+use super::controls::{argb, part, unfit};
+use crate::Refusal;
+use crate::editor::Draft;
+use crate::protocol::PanelChange;
+
+/// Changes how a panel looks.
+pub(super) fn change(draft: &mut Draft<'_>, id: Uuid, change: &PanelChange) -> Result<(), Refusal> {
+    let object = draft.object(id)?;
+    if object.component != ids::PANEL {
+        return Err(unfit(object, "it is not a Panel"));
+    }
+    property(object, change)?;
+    object.refresh();
+    Ok(())
+}
+
+pub(super) fn property(object: &mut Object, change: &PanelChange) -> Result<(), Refusal> {
+    let Some(Special::Panel(panel)) = object.special() else {
+        return Err(unfit(object, "it is not a Panel"));
+    };
+    let (name, value, same) = match change {
+        PanelChange::Multiline { on } => ("Multiline", ItemValue::Bool(*on), panel.multiline == *on),
+        PanelChange::Paths { on } => ("DrawPaths", ItemValue::Bool(*on), panel.draw_paths == *on),
+        PanelChange::Indices { on } => ("DrawIndices", ItemValue::Bool(*on), panel.draw_indices == *on),
+        PanelChange::Wrap { on } => ("Wrap", ItemValue::Bool(*on), panel.wrap == *on),
+        PanelChange::SpecialCodes { on } => {
+            ("SpecialCodes", ItemValue::Bool(*on), panel.special_codes == *on)
+        }
+        PanelChange::Alignment { alignment } if !(0..=2).contains(alignment) => {
+            return Err(unfit(object, "text stands left, in the middle or right"));
+        }
+        PanelChange::Alignment { alignment } => {
+            ("Alignment", ItemValue::Int32(*alignment), panel.alignment == *alignment)
+        }
+        PanelChange::Colour { colour } => {
+            ("Colour", ItemValue::Colour(argb(*colour)), panel.colour == Some(argb(*colour)))
+        }
+    };
+    if !same {
+        part(object, "PanelProperties")?.set(name, value);
+    }
+    Ok(())
+}
