@@ -1,5 +1,6 @@
 //! The words of the command line.
 
+use std::net::IpAddr;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -17,7 +18,8 @@ Examples:
   katydid info model.3dm                        what is in a model, and whether it is valid
   katydid diff old.gh new.gh                    what changed, in words
   katydid components 'Divide Curve'             help for a component
-  katydid view facade.gh -o facade.png          a picture of what it makes")]
+  katydid view facade.gh -o facade.png          a picture of what it makes
+  katydid studio facade.gh                      edit it in the browser")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -41,6 +43,8 @@ pub(crate) enum Command {
     Components(ComponentsArgs),
     /// Make a picture of what a definition shows, or of the definition itself
     View(ViewArgs),
+    /// Open the studio in the browser: the definition on a canvas, its geometry beside it
+    Studio(StudioArgs),
 }
 
 /// A definition that is to be solved, and with what.
@@ -338,6 +342,40 @@ pub(crate) struct ViewArgs {
     pub(crate) background: String,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The studio runs until Ctrl+C. What was not saved is kept, and comes back when the file is opened again.
+
+The exit code is 0 when it was ended, 2 when the port is taken or the file could not be opened.")]
+pub(crate) struct StudioArgs {
+    /// The definition to open: .gh, .ghx or .kd; the start page when not given
+    pub(crate) file: Option<PathBuf>,
+
+    /// The Rhino model (.3dm) with the objects that the definition refers to; its unit and tolerance count
+    #[arg(long, value_name = "MODEL", requires = "file")]
+    pub(crate) model: Option<PathBuf>,
+
+    /// The port; 0 for any that is free
+    #[arg(long, value_name = "N", default_value_t = 6510)]
+    pub(crate) port: u16,
+
+    /// The address to listen on; 0.0.0.0 for all. Others can join then, with the token
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
+    pub(crate) host: IpAddr,
+
+    /// What who joins must know; made by chance when others can join and none is given
+    #[arg(long, value_name = "TOKEN", value_parser = token)]
+    pub(crate) token: Option<String>,
+
+    /// Only print the address
+    #[arg(long)]
+    pub(crate) no_open: bool,
+
+    /// Show the inputs and the model alone
+    #[arg(long, requires = "file")]
+    pub(crate) player: bool,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum HiddenLinesName {
     /// Leave them out
@@ -371,6 +409,15 @@ fn archive_version(text: &str) -> Result<i32, String> {
         "7" | "70" => Ok(70),
         "8" | "80" => Ok(80),
         _ => Err("expected 4, 5, 6, 7 or 8, or ten times that".to_owned()),
+    }
+}
+
+fn token(text: &str) -> Result<String, String> {
+    let is_plain = text.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.~".contains(&b));
+    if text.len() >= 8 && is_plain {
+        Ok(text.to_owned())
+    } else {
+        Err("expected 8 or more letters, digits, or any of - _ . ~".to_owned())
     }
 }
 

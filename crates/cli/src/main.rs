@@ -15,6 +15,7 @@ mod progress;
 mod run;
 mod scene_file;
 mod source;
+mod studio;
 mod view;
 
 use std::process::ExitCode;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         Command::Fmt(args) => fmt::fmt(args),
         Command::Components(args) => components::components(args),
         Command::View(args) => view::view(args),
+        Command::Studio(args) => studio::studio(args),
     };
     match result {
         Ok(code) => ExitCode::from(code),

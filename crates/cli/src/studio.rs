@@ -1,0 +1,63 @@
+//! `katydid studio`.
+
+use katydid_server::{Config, Server};
+
+use crate::args::StudioArgs;
+use crate::output::{BOLD, YELLOW, note, say};
+
+pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
+    let config = Config {
+        address: args.host,
+        port: args.port,
+        token: args.token.clone(),
+        file: args.file.clone(),
+        model: args.model.clone(),
+        player: args.player,
+        state: Config::usual_state(),
+        ..Config::default()
+    };
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .worker_threads(2)
+        .build()
+        .map_err(|error| error.to_string())?;
+    runtime.block_on(async {
+        let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
+        greet(&server, args);
+        ended().await;
+        server.stop().await;
+        Ok(0)
+    })
+}
+
+fn greet(server: &Server, args: &StudioArgs) {
+    say(&format!("{BOLD}{}{BOLD:#}", server.url()));
+    if !args.host.is_loopback() {
+        note(&format!("{YELLOW}note{YELLOW:#}: others can join with this address, and change what is open"));
+    }
+    if !server.has_page() {
+        note(&format!("{YELLOW}note{YELLOW:#}: the page is not built: the address tells how"));
+    }
+    note("Ctrl+C ends it");
+    if !args.no_open && ::open::that_detached(server.url()).is_err() {
+        note(&format!("{YELLOW}note{YELLOW:#}: no browser could be started: open the address in one"));
+    }
+}
+
+/// Waits for Ctrl+C, or for the system to end it.
+async fn ended() {
+    let interrupted = tokio::signal::ctrl_c();
+    #[cfg(unix)]
+    {
+        use tokio::signal::unix::{SignalKind, signal};
+        match signal(SignalKind::terminate()) {
+            Ok(mut terminated) => tokio::select! {
+                _ = interrupted => {}
+                _ = terminated.recv() => {}
+            },
+            Err(_) => drop(interrupted.await),
+        }
+    }
+    #[cfg(not(unix))]
+    drop(interrupted.await);
+}

@@ -1,0 +1,62 @@
+use std::net::{IpAddr, Ipv4Addr};
+use std::path::PathBuf;
+
+/// How the server runs.
+#[derive(Debug, Clone)]
+pub struct Config {
+    /// The address that it listens on.
+    pub address: IpAddr,
+    /// The port; 0 for any that is free.
+    pub port: u16,
+    /// What who joins must know. Made by chance where none is given and others than this machine can reach it.
+    pub token: Option<String>,
+    /// The definition to open.
+    pub file: Option<PathBuf>,
+    /// The Rhino model that the definition refers to.
+    pub model: Option<PathBuf>,
+    /// Whether the page shows inputs and model alone.
+    pub player: bool,
+    /// The folder for recent files and journals; nothing is kept when there is none.
+    pub state: Option<PathBuf>,
+    /// The most bytes of a file that is sent.
+    pub most_upload: usize,
+    /// The most documents that are open at a time.
+    pub most_documents: usize,
+}
+
+/// The port of the studio.
+pub(crate) const PORT: u16 = 6510;
+
+impl Default for Config {
+    /// On this machine alone, without a token.
+    fn default() -> Self {
+        Self {
+            address: IpAddr::V4(Ipv4Addr::LOCALHOST),
+            port: PORT,
+            token: None,
+            file: None,
+            model: None,
+            player: false,
+            state: None,
+            most_upload: 256 << 20,
+            most_documents: 64,
+        }
+    }
+}
+
+impl Config {
+    /// The folder for what is kept between runs: `$XDG_STATE_HOME/katydid`, or what stands for it on other systems.
+    pub fn usual_state() -> Option<PathBuf> {
+        let variable =
+            |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+        let state = variable("XDG_STATE_HOME")
+            .or_else(|| variable("LOCALAPPDATA"))
+            .or_else(|| Some(variable("HOME")?.join(".local").join("state")))?;
+        Some(state.join("katydid"))
+    }
+
+    /// Whether nobody but this machine can reach it.
+    pub fn is_local(&self) -> bool {
+        self.address.is_loopback()
+    }
+}

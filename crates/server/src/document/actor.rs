@@ -1,0 +1,378 @@
+//! The thread that owns a document. Everything that happens to it passes here in turn.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::{Duration, Instant};
+
+use katydid_data::text::Style;
+use katydid_definition::document::Object;
+use katydid_session::display::Preview;
+use katydid_session::protocol::{Event, Notice, ResultView};
+use katydid_session::{Change, Editor, Solution, result_view};
+use katydid_solver::{ObjectReport, Options};
+use uuid::Uuid;
+
+use super::faces::Faces;
+use super::journal::Keeper;
+use super::outbox::End;
+use super::solving::{Solving, Work};
+use super::worker::{Ended, Job, News, Worker};
+use super::{About, Command, FaceId, Inquiry, Shared, Source};
+use crate::geometry::Geometry;
+
+/// Results are gathered for so long before they go out.
+const GATHER: Duration = Duration::from_millis(30);
+
+/// The reports of objects by their ids.
+pub(super) type Reports = HashMap<Uuid, ObjectReport>;
+
+/// Owns a document.
+pub(super) struct Actor {
+    pub(super) editor: Editor,
+    pub(super) faces: Faces,
+    pub(super) solving: Solving,
+    pub(super) reports: Reports,
+    pub(super) jobs: Sender<Job>,
+    pub(super) shared: Arc<Shared>,
+    pub(super) keeper: Keeper,
+    /// Where the document is kept.
+    pub(super) path: Option<PathBuf>,
+    /// What objects show, as faces know it.
+    shown: HashMap<Uuid, Arc<Geometry>>,
+    /// What of objects could not be shown, as faces know it.
+    left_out: HashMap<Uuid, Vec<String>>,
+    /// Results that faces have yet to hear of.
+    fresh: Vec<(Object, ObjectReport)>,
+    gathering: Option<Instant>,
+    progress: Progress,
+    /// How the last solve ended.
+    end: Option<End>,
+    /// What waits for the results.
+    inquiries: Vec<Inquiry>,
+}
+
+/// How far the solve that is running has come.
+#[derive(Debug, Default)]
+struct Progress {
+    /// Its number.
+    solution: u64,
+    is_running: bool,
+    done: u32,
+    total: u32,
+    name: String,
+}
+
+impl Actor {
+    /// Starts the worker and the first solve.
+    pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
+        let Source { document, name, path, hash, rules, files, model, id } = source;
+        let (mut editor, keeper) =
+            Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
+        editor.about_mut().name = name;
+        editor.about_mut().path = path.as_ref().map(|path| path.display().to_string());
+        let options = Options { rules: editor.rules(), files, model, ..Options::default() };
+        let (jobs, inbox) = channel();
+        let worker = Worker::new(editor.document().as_ref().clone(), options, own);
+        // Without a thread to solve on, the document can be edited and saved all the same.
+        let _ = std::thread::Builder::new().name("solver".to_owned()).spawn(move || worker.run(&inbox));
+        let mut actor = Self {
+            editor,
+            faces: Faces::default(),
+            solving: Solving::default(),
+            reports: Reports::new(),
+            jobs,
+            shared,
+            keeper,
+            path,
+            shown: HashMap::new(),
+            left_out: HashMap::new(),
+            fresh: Vec::new(),
+            gathering: None,
+            progress: Progress::default(),
+            end: None,
+            inquiries: Vec::new(),
+        };
+        actor.want(Work::Solve);
+        actor
+    }
+
+    /// Does what it is told until it is closed.
+    pub(super) fn run(mut self, inbox: &Receiver<Command>) {
+        loop {
+            let told = match self.next() {
+                Some(at) => inbox.recv_timeout(at.saturating_duration_since(Instant::now())),
+                None => inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            };
+            match told {
+                Ok(Command::Close(done)) => {
+                    self.close();
+                    let _ = done.send(());
+                    return;
+                }
+                Ok(command) => self.take(command),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return self.close(),
+            }
+            self.tick();
+        }
+    }
+
+    /// When something is due although nobody asks.
+    fn next(&self) -> Option<Instant> {
+        let gathered = self.gathering.map(|since| since + GATHER);
+        [gathered, self.solving.gives_up(), self.keeper.due()].into_iter().flatten().min()
+    }
+
+    fn tick(&mut self) {
+        if self.gathering.is_some_and(|since| since.elapsed() >= GATHER) {
+            self.publish_results(None);
+        }
+        self.solving.tick();
+        if let Some(trouble) = self.keeper.tick(&mut self.editor) {
+            self.notice("warning", trouble);
+        }
+    }
+
+    fn close(&mut self) {
+        self.solving.cancel();
+        self.editor.flush();
+        self.faces.iter().for_each(|face| face.outbox.close());
+        for (_, geometry) in self.shown.drain() {
+            self.shared.geometries.release(geometry);
+        }
+    }
+
+    fn take(&mut self, command: Command) {
+        match command {
+            Command::Join(id, outbox) => {
+                self.faces.join(id, outbox);
+                self.show_all(id);
+            }
+            Command::Leave(id) => {
+                self.faces.leave(id);
+                self.set_draft();
+            }
+            Command::Refresh(id) => self.show_all(id),
+            Command::Ask(id, request) => self.asked(id, *request),
+            Command::Bytes(form, answer) => {
+                let _ = answer.send(self.bytes(form));
+            }
+            Command::Model(model, answer) => {
+                let _ = self.jobs.send(Job::Model(model));
+                self.want(Work::Solve);
+                let _ = answer.send(());
+            }
+            Command::With(inquiry) => self.inquire(inquiry),
+            Command::About(answer) => {
+                let _ = answer.send(self.about());
+            }
+            Command::Work(news) => self.heard(news),
+            Command::Close(_) => {}
+        }
+    }
+
+    fn about(&self) -> About {
+        let name = self.editor.about().name.clone();
+        About { name, changed: self.editor.is_changed(), faces: self.faces.count() }
+    }
+
+    /// Asks for work; where edits wait for somebody to say so, for drawing alone.
+    pub(super) fn want(&mut self, work: Work) {
+        let work = if self.editor.about().locked { Work::Draw } else { work };
+        self.solving.want(work, &self.jobs);
+    }
+
+    /// Does something with the results, as soon as they are those of the document as it stands.
+    pub(super) fn inquire(&mut self, inquiry: Inquiry) {
+        if self.solving.is_idle() {
+            let _ = self.jobs.send(Job::With(inquiry));
+        } else {
+            self.inquiries.push(inquiry);
+        }
+    }
+
+    /// Tells the worker whether something is dragged.
+    pub(super) fn set_draft(&mut self) {
+        let drags = self.faces.drags();
+        let _ = self.jobs.send(Job::Draft(drags));
+        if !drags {
+            self.solving.want(Work::Draw, &self.jobs);
+        }
+    }
+
+    fn heard(&mut self, news: News) {
+        match news {
+            News::Began(solution, total) => {
+                let total = u32::try_from(total).unwrap_or(u32::MAX);
+                self.progress = Progress { solution, is_running: total > 0, total, ..Progress::default() };
+            }
+            News::Finished(done) => {
+                let (object, report) = *done;
+                self.progress.done += 1;
+                object.title().clone_into(&mut self.progress.name);
+                if self.editor.lookup().object(object.id).is_some() {
+                    self.reports.insert(object.id, report.clone());
+                    self.fresh.push((object, report));
+                    self.gathering.get_or_insert_with(Instant::now);
+                }
+            }
+            News::Ended(ended) => self.ended(ended),
+            News::Drawn(solution, is_draft, previews) => self.publish_previews(solution, is_draft, previews),
+            News::Idle => {
+                self.solving.idle(&self.jobs);
+                if self.solving.is_idle() {
+                    self.inquiries.drain(..).for_each(|inquiry| drop(self.jobs.send(Job::With(inquiry))));
+                }
+            }
+            News::Failed(what) => {
+                self.notice("error", format!("{what}: this is a fault of Katydid, please report it"));
+            }
+        }
+    }
+
+    fn ended(&mut self, ended: Ended) {
+        if self.progress.is_running {
+            self.progress.is_running = false;
+            self.solving.ended(&ended);
+            let cancelled = ended.cancelled || ended.unfinished > 0;
+            let end = End { cancelled, took: ended.took };
+            self.end = Some(end);
+            self.publish_results(Some(end));
+        }
+    }
+
+    /// The results of what is shown there.
+    fn views(&self, within: &[Uuid], style: &Style) -> Vec<ResultView> {
+        let report = |id| self.reports.get(&id).cloned();
+        Solution::new(self.editor.document(), &report).views(within, style)
+    }
+
+    pub(super) fn style(&self) -> Style {
+        let rules = self.editor.rules();
+        Style { units: rules.units, tolerance: rules.tolerance }
+    }
+
+    /// Tells faces the results that are new; `end` with the last of a solve.
+    fn publish_results(&mut self, end: Option<End>) {
+        self.gathering = None;
+        let fresh = std::mem::take(&mut self.fresh);
+        let (solution, style) = (self.progress.solution, self.style());
+        let view = |(object, report): &(Object, ObjectReport)| result_view(object, report, &style);
+        let outer: Vec<ResultView> = fresh.iter().map(view).collect();
+        for within in self.faces.places() {
+            let is_fresh = |cluster: &Uuid| fresh.iter().any(|(object, _)| object.id == *cluster);
+            let inner = within.first().is_some_and(is_fresh).then(|| self.views(&within, &style));
+            let inner = inner.unwrap_or_default();
+            let results = if within.is_empty() { &outer } else { &inner };
+            for (_, face) in self.faces.at(&within) {
+                if end.is_none() {
+                    let Progress { done, total, name, .. } = &self.progress;
+                    let (done, total, name) = (*done, *total, name.clone());
+                    face.outbox.progress(Event::Solving { solution, done, total, name });
+                }
+                face.outbox.results(solution, &within, results, end);
+            }
+        }
+    }
+
+    fn publish_previews(&mut self, solution: u64, is_draft: bool, previews: Vec<Preview>) {
+        let mut changes = Vec::new();
+        for Preview { object, geometry, left_out } in previews {
+            let before = self.shown.remove(&object);
+            let now = geometry.map(|geometry| self.shared.geometries.keep(geometry.hash, geometry.bytes));
+            let same =
+                before.as_ref().map(|geometry| &geometry.hash) == now.as_ref().map(|geometry| &geometry.hash);
+            if let Some(now) = &now {
+                self.shown.insert(object, Arc::clone(now));
+            }
+            if let Some(before) = before.filter(|_| !same) {
+                self.shared.geometries.release(before);
+            }
+            if !same {
+                changes.push((object, now));
+            }
+            self.complain(object, left_out);
+        }
+        self.faces.iter().for_each(|face| face.outbox.previews(solution, is_draft, &changes));
+    }
+
+    /// Says what cannot be shown, once.
+    fn complain(&mut self, object: Uuid, left_out: Vec<String>) {
+        if left_out.is_empty() {
+            self.left_out.remove(&object);
+        } else if self.left_out.get(&object) != Some(&left_out) {
+            for text in left_out.iter().take(3) {
+                self.notice("warning", text.clone());
+            }
+            self.left_out.insert(object, left_out);
+        }
+    }
+
+    /// Tells everybody something.
+    pub(super) fn notice(&self, level: &str, text: String) {
+        for face in self.faces.iter() {
+            face.outbox.put(Event::Notice(Notice { level: level.to_owned(), text: text.clone() }));
+        }
+    }
+
+    /// Shows a face everything that it looks at.
+    pub(super) fn show_all(&mut self, id: FaceId) {
+        let Some(within) = self.faces.get(id).map(|face| face.within.clone()) else { return };
+        let state = self.editor.state(&within).or_else(|_| {
+            // The cluster is gone: what is left is the document.
+            self.faces.get_mut(id).into_iter().for_each(|face| face.within.clear());
+            self.editor.state(&[])
+        });
+        let (Ok(state), Some(face)) = (state, self.faces.get(id)) else { return };
+        face.outbox.put(Event::Document(state));
+        let style = self.style();
+        let views = self.views(&face.within, &style);
+        let end = self.end.filter(|_| !self.progress.is_running);
+        face.outbox.results(self.progress.solution, &face.within, &views, end);
+        let shown: Vec<_> =
+            self.shown.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
+        face.outbox.previews(self.progress.solution, false, &shown);
+    }
+
+    /// Lets everybody know of a change: the journal, the worker, the faces.
+    pub(super) fn publish(&mut self, change: &Change) {
+        if change.is_empty() {
+            return;
+        }
+        self.keeper.note();
+        let _ = self.jobs.send(Job::Change(Box::new(change.clone())));
+        if !change.difference.is_in_place() {
+            let lookup = Arc::clone(self.editor.lookup());
+            self.reports.retain(|id, _| lookup.object(*id).is_some());
+        }
+        let mut lost = Vec::new();
+        for within in self.faces.places() {
+            match self.editor.patch(change, &within) {
+                Some(event) => self.faces.at(&within).for_each(|(_, face)| face.outbox.put(event.clone())),
+                None if self.editor.state(&within).is_err() => {
+                    lost.extend(self.faces.at(&within).map(|(id, _)| id));
+                }
+                None => {}
+            }
+        }
+        lost.into_iter().for_each(|id| self.show_all(id));
+        self.want(Work::Solve);
+    }
+
+    /// Lets faces know of the document's own states: saved, locked, named.
+    pub(super) fn publish_document(&self) {
+        let Ok(state) = self.editor.state(&[]) else { return };
+        for face in self.faces.iter() {
+            face.outbox.put(Event::Patch {
+                revision: state.revision,
+                within: face.within.clone(),
+                put: Vec::new(),
+                removed: Vec::new(),
+                order: None,
+                document: Some(state.document.clone()),
+            });
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! What faces ask, and what becomes of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
+use katydid_session::{Refusal, Solution, rows};
+use katydid_solver::Inputs;
+use uuid::Uuid;
+
+use super::actor::Actor;
+use super::solving::Work;
+use super::worker::Job;
+use super::{Download, FaceId};
+use crate::files::{self, Form};
+
+/// What an answer says.
+enum Answer {
+    /// It is done; these objects were made.
+    Done(Vec<Uuid>),
+    /// This is it.
+    Event(Event),
+    /// It comes later.
+    Later,
+}
+
+impl Actor {
+    /// Carries out what a face asks, and answers.
+    pub(super) fn asked(&mut self, id: FaceId, Request { seq, ask }: Request) {
+        let answer = self.carry_out(id, seq, ask);
+        let event = match answer {
+            Ok(Answer::Done(made)) => Event::Done { seq, revision: self.editor.revision(), made },
+            Ok(Answer::Event(event)) => event,
+            Ok(Answer::Later) => return,
+            Err(reason) => Event::Refused { seq, reason },
+        };
+        if let Some(face) = self.faces.get(id) {
+            face.outbox.put(event);
+        }
+    }
+
+    fn carry_out(&mut self, id: FaceId, seq: u64, ask: Ask) -> Result<Answer, String> {
+        let told = |refusal: Refusal| refusal.to_string();
+        let mut made = Vec::new();
+        match ask {
+            // Nobody keeps or takes back that a button is held: only the solver hears of it.
+            Ask::Edit { edit: Edit::Set { object, to: Setting::Press { down } }, within, .. } => {
+                let difference = self.editor.press(object, down, &within).map_err(told)?;
+                let _ = self.jobs.send(Job::Press(difference));
+                self.want(Work::Solve);
+            }
+            Ask::Edit { edit, gesture, within } => {
+                let document = Arc::clone(self.editor.document());
+                let report = |id| self.reports.get(&id).cloned();
+                let solution = Solution::new(&document, &report);
+                let change = self.editor.apply_with(&edit, gesture, &within, &solution).map_err(told)?;
+                made.clone_from(&change.made);
+                self.publish(&change);
+            }
+            Ask::Abandon { gesture } => {
+                let change = self.editor.abandon(gesture);
+                self.publish(&change);
+            }
+            Ask::Undo => {
+                let change = self.editor.undo().ok_or("there is nothing to undo")?;
+                self.publish(&change);
+            }
+            Ask::Redo => {
+                let change = self.editor.redo().ok_or("there is nothing to redo")?;
+                self.publish(&change);
+            }
+            Ask::Recompute => {
+                let _ = self.jobs.send(Job::Forget);
+                self.solving.want(Work::Solve, &self.jobs);
+            }
+            Ask::Cancel => self.solving.cancel(),
+            Ask::Lock { on } => {
+                self.editor.about_mut().locked = on;
+                self.publish_document();
+                self.want(Work::Solve);
+            }
+            Ask::Enter { within } => {
+                self.editor.state(&within).map_err(told)?;
+                self.faces.get_mut(id).into_iter().for_each(|face| face.within.clone_from(&within));
+                self.show_all(id);
+            }
+            Ask::Rows { port, from, count, within } => {
+                return self.rows(id, seq, port, [from, count], &within);
+            }
+            Ask::Copy { objects, within } => {
+                let text = self.editor.copy(&objects, &within).map_err(told)?;
+                return Ok(Answer::Event(Event::Copied { seq, text }));
+            }
+            Ask::Save { path } => self.save(path)?,
+            Ask::Settle { keep } => {
+                let change = self.editor.settle(keep);
+                self.publish(&change);
+                self.publish_document();
+            }
+            Ask::Draft { on } => {
+                self.faces.get_mut(id).into_iter().for_each(|face| face.drags = on);
+                self.set_draft();
+            }
+        }
+        Ok(Answer::Done(made))
+    }
+
+    /// Rows of an output at once; those of an input, with what it keeps and makes of its data, when the worker comes
+    /// to it.
+    fn rows(
+        &mut self,
+        id: FaceId,
+        seq: u64,
+        port: Uuid,
+        [from, count]: [u32; 2],
+        within: &[Uuid],
+    ) -> Result<Answer, String> {
+        let style = self.style();
+        if !within.is_empty() || self.editor.lookup().output(port).is_some() {
+            let report = |id| self.reports.get(&id).cloned();
+            let solution = Solution::new(self.editor.document(), &report);
+            let page = solution.rows(port, within, from, count, &style).ok_or("it has no data")?;
+            return Ok(Answer::Event(Event::Rows { seq, page }));
+        }
+        let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
+            return Ok(Answer::Later);
+        };
+        let inquiry = move |engine: &katydid_solver::Engine| {
+            let objects = engine.document().objects.iter().enumerate();
+            let place = objects
+                .filter_map(|(at, object)| {
+                    Some((at, object.inputs.iter().position(|input| input.id == port)?))
+                })
+                .next();
+            let tree = place.and_then(|(at, k)| Inputs::new(engine).of(at).into_iter().nth(k));
+            outbox.put(match tree {
+                Some(tree) => Event::Rows { seq, page: rows(&tree, from, count, &style) },
+                None => Event::Refused { seq, reason: "it has no data".to_owned() },
+            });
+        };
+        self.inquire(Box::new(inquiry));
+        Ok(Answer::Later)
+    }
+
+    /// Saves the document where it is kept, or at a path of this machine.
+    fn save(&mut self, path: Option<String>) -> Result<(), String> {
+        let path = match path {
+            Some(_) if !self.shared.paths => {
+                return Err(
+                    "files of the server's machine cannot be named from here: download it instead".to_owned()
+                );
+            }
+            Some(path) => named(&path)?,
+            None => self.path.clone().ok_or("it was never saved: give it a name")?,
+        };
+        let form = Form::of(&path).ok_or("a definition is saved as .gh, .ghx or .kd")?;
+        let (bytes, left_out) = files::write(form, self.editor.document())?;
+        files::replace(&path, &bytes)
+            .map_err(|error| format!("{}: {}", path.display(), files::plain(&error)))?;
+        for what in left_out.iter().take(10) {
+            self.notice("warning", format!("left out: {what}"));
+        }
+        let path = std::fs::canonicalize(&path).unwrap_or(path);
+        let about = self.editor.about_mut();
+        about.name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        about.path = Some(path.display().to_string());
+        self.keeper.saved(&mut self.editor, &path, blake3::hash(&bytes));
+        if let Some(recent) = &self.shared.recent {
+            recent.note(&path);
+        }
+        self.path = Some(path);
+        self.publish_document();
+        Ok(())
+    }
+
+    /// The document in a form, for a browser to keep.
+    pub(super) fn bytes(&self, form: Form) -> Result<Download, String> {
+        let (bytes, _) = files::write(form, self.editor.document())?;
+        let about = self.editor.about();
+        let name = if about.name.is_empty() { "definition" } else { &about.name };
+        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        Ok(Download { name: format!("{}.{}", stem.unwrap_or_default(), form.extension()), bytes })
+    }
+}
+
+/// A path that somebody typed.
+fn named(path: &str) -> Result<PathBuf, String> {
+    let typed = path.trim();
+    if typed.is_empty() || typed.contains('\0') {
+        return Err("give it a name".to_owned());
+    }
+    let path = match typed.strip_prefix("~/").zip(std::env::var_os("HOME")) {
+        Some((rest, home)) => PathBuf::from(home).join(rest),
+        None => PathBuf::from(typed),
+    };
+    if !path.is_absolute() {
+        return Err(format!("{typed}: name the folder too, from the root on"));
+    }
+    Ok(path)
+}

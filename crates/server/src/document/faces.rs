@@ -1,0 +1,66 @@
+//! Who shows a document, and which part of it.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use uuid::Uuid;
+
+use super::{FaceId, Outbox};
+
+/// Somebody who shows the document.
+#[derive(Debug)]
+pub(super) struct Face {
+    pub(super) outbox: Arc<Outbox>,
+    /// The clusters that lead to what it shows.
+    pub(super) within: Vec<Uuid>,
+    /// Whether something is dragged there.
+    pub(super) drags: bool,
+}
+
+/// All who show the document.
+#[derive(Debug, Default)]
+pub(super) struct Faces(HashMap<FaceId, Face>);
+
+impl Faces {
+    pub(super) fn join(&mut self, id: FaceId, outbox: Arc<Outbox>) {
+        self.0.insert(id, Face { outbox, within: Vec::new(), drags: false });
+    }
+
+    pub(super) fn leave(&mut self, id: FaceId) {
+        self.0.remove(&id);
+    }
+
+    pub(super) fn get(&self, id: FaceId) -> Option<&Face> {
+        self.0.get(&id)
+    }
+
+    pub(super) fn get_mut(&mut self, id: FaceId) -> Option<&mut Face> {
+        self.0.get_mut(&id)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Face> {
+        self.0.values()
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether something is dragged anywhere.
+    pub(super) fn drags(&self) -> bool {
+        self.iter().any(|face| face.drags)
+    }
+
+    /// The parts of the document that are shown, each once.
+    pub(super) fn places(&self) -> Vec<Vec<Uuid>> {
+        let mut places: Vec<Vec<Uuid>> = self.iter().map(|face| face.within.clone()).collect();
+        places.sort();
+        places.dedup();
+        places
+    }
+
+    /// Those who show that part.
+    pub(super) fn at<'a>(&'a self, within: &'a [Uuid]) -> impl Iterator<Item = (FaceId, &'a Face)> {
+        self.0.iter().filter(move |(_, face)| face.within == within).map(|(id, face)| (*id, face))
+    }
+}

@@ -1,0 +1,110 @@
+//! Where a document comes from.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use katydid_component::{Files, RhinoModel};
+use katydid_data::cast::Rules;
+use katydid_definition::document::Document;
+use katydid_geometry::Units;
+
+use crate::files::{self, Form};
+
+/// Files larger than this are not read: no definition comes near.
+const LARGEST: u64 = 1 << 30;
+
+/// A document with where it comes from.
+#[derive(Debug)]
+pub(crate) struct Source {
+    pub(crate) document: Document,
+    pub(crate) name: String,
+    /// Where it is kept.
+    pub(crate) path: Option<PathBuf>,
+    /// The bytes that it was read from.
+    pub(crate) hash: Option<blake3::Hash>,
+    /// Its own units and tolerances, or those of its model.
+    pub(crate) rules: Rules,
+    /// The files that it may read.
+    pub(crate) files: Files,
+    pub(crate) model: Option<Arc<RhinoModel>>,
+    /// The id that it is known by.
+    pub(crate) id: String,
+}
+
+impl Source {
+    /// An empty one.
+    pub(crate) fn empty() -> Self {
+        Self {
+            document: Document::new(),
+            name: String::new(),
+            path: None,
+            hash: None,
+            rules: Rules::default(),
+            files: Files::None,
+            model: None,
+            id: chance(),
+        }
+    }
+
+    /// One that was never saved, of which only the journal is left.
+    pub(crate) fn left(id: &str) -> Self {
+        Self { name: "Unsaved".to_owned(), id: id.to_owned(), ..Self::empty() }
+    }
+
+    /// One that was sent: it may read no files of this machine.
+    pub(crate) fn sent(name: &str, form: Form, bytes: &[u8]) -> Result<Self, String> {
+        let (document, units) = files::read(form, bytes).map_err(|error| format!("{name}: {error}"))?;
+        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let source = Self { document, name: stem.unwrap_or_default(), ..Self::empty() };
+        Ok(source.with_units(units))
+    }
+
+    /// One of a file of this machine. Its file components read what whoever runs Katydid may read, as when it is run
+    /// from the command line; their paths start where it lies.
+    pub(crate) fn file(path: &Path) -> Result<Self, String> {
+        let told = |error: &std::io::Error| format!("{}: {}", path.display(), files::plain(error));
+        let path = std::fs::canonicalize(path).map_err(|error| told(&error))?;
+        let form = Form::of(&path)
+            .ok_or_else(|| format!("{}: a definition is a .gh, .ghx or .kd file", path.display()))?;
+        let about = std::fs::metadata(&path).map_err(|error| told(&error))?;
+        if !about.is_file() || about.len() > LARGEST {
+            return Err(format!("{}: this is no definition", path.display()));
+        }
+        let bytes = std::fs::read(&path).map_err(|error| told(&error))?;
+        let (document, units) =
+            files::read(form, &bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+        let source = Self {
+            document,
+            name: path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
+            hash: Some(blake3::hash(&bytes)),
+            files: Files::Any(path.parent().unwrap_or(Path::new("")).to_path_buf()),
+            id: id_of(&path),
+            path: Some(path),
+            ..Self::empty()
+        };
+        Ok(source.with_units(units))
+    }
+
+    /// The same beside a Rhino model, whose unit and tolerance count.
+    pub(crate) fn beside(mut self, model: RhinoModel) -> Self {
+        (self.rules.units, self.rules.tolerance) = (model.units, model.tolerance);
+        self.model = Some(Arc::new(model));
+        self
+    }
+
+    fn with_units(mut self, units: Option<Units>) -> Self {
+        self.rules.units = units.unwrap_or(self.rules.units);
+        self
+    }
+}
+
+/// The id of the document that is kept in a file: the same whenever it is opened, so that a page finds it again.
+pub(crate) fn id_of(path: &Path) -> String {
+    let hash = blake3::hash(path.as_os_str().as_encoded_bytes()).to_hex();
+    hash.get(..20).unwrap_or_default().to_owned()
+}
+
+/// An id that nobody guesses.
+fn chance() -> String {
+    uuid::Uuid::new_v4().simple().to_string()
+}

@@ -1,0 +1,217 @@
+//! The thread that solves a document.
+//!
+//! It has an engine of its own and follows the editor by differences. What it is told waits in line; of several requests
+//! to solve only the last counts. All it finds it tells the document's own thread.
+
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender};
+use std::time::{Duration, Instant};
+
+use katydid_component::{Cancel, RhinoModel};
+use katydid_definition::document::{Difference, Document, Object};
+use katydid_session::Change;
+use katydid_session::display::Preview;
+use katydid_solver::{Engine, Finished, ObjectReport, Options};
+use uuid::Uuid;
+
+use super::draughts::Draughts;
+use super::{Command, Inquiry};
+
+/// What the worker is told.
+pub(crate) enum Job {
+    /// The document has changed.
+    Change(Box<Change>),
+    /// A button is held, or was let go.
+    Press(Difference),
+    /// The Rhino model that parameters refer to is another.
+    Model(Arc<RhinoModel>),
+    /// Everything is to be solved again.
+    Forget,
+    /// Whether things are being dragged.
+    Draft(bool),
+    /// Something to be done with the results.
+    With(Inquiry),
+    /// Solve and draw what is due, unless somebody cancels.
+    Solve(u64, Cancel),
+    /// Only draw what is due.
+    Draw(u64, Cancel),
+}
+
+/// What the worker tells.
+pub(crate) enum News {
+    /// A solve begins, of that number: so many objects.
+    Began(u64, usize),
+    /// An object is done.
+    Finished(Box<(Object, ObjectReport)>),
+    /// A solve has ended.
+    Ended(Ended),
+    /// Geometry, and whether it is as coarse as it may be.
+    Drawn(u64, bool, Vec<Preview>),
+    /// Nothing is left to do.
+    Idle,
+    /// Something failed that must not.
+    Failed(&'static str),
+}
+
+/// How a solve ended.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ended {
+    pub(crate) cancelled: bool,
+    pub(crate) took: Duration,
+    /// How many objects are still to be solved.
+    pub(crate) unfinished: usize,
+}
+
+/// Owns the engine.
+pub(super) struct Worker {
+    engine: Engine,
+    draughts: Draughts,
+    news: Sender<Command>,
+    /// Threads of its own: a solve without end must not hold up other documents.
+    pool: Option<rayon::ThreadPool>,
+}
+
+impl Worker {
+    /// For a document as it is now.
+    pub(super) fn new(document: Document, options: Options, news: Sender<Command>) -> Self {
+        let mut draughts = Draughts::default();
+        draughts.touch_all(&document);
+        // Where no more threads are to be had, all documents share those that are there.
+        let pool = rayon::ThreadPoolBuilder::new().thread_name(|_| "solver".to_owned()).build().ok();
+        Self { engine: Engine::new(document, options), draughts, news, pool }
+    }
+
+    /// Works until nobody can tell it anything any more.
+    pub(super) fn run(mut self, jobs: &Receiver<Job>) {
+        while let Ok(first) = jobs.recv() {
+            let mut work = None;
+            for job in std::iter::once(first).chain(std::iter::from_fn(|| jobs.try_recv().ok())) {
+                match job {
+                    Job::Solve(solution, cancel) => work = Some((solution, cancel, true)),
+                    Job::Draw(solution, cancel) => {
+                        work = match work {
+                            Some((_, _, true)) => work,
+                            _ => Some((solution, cancel, false)),
+                        };
+                    }
+                    other => self.prepare(other),
+                }
+            }
+            if let Some((solution, cancel, solves)) = work {
+                if solves {
+                    self.solve(solution, &cancel);
+                }
+                self.draw(solution, &cancel);
+                self.tell(News::Idle);
+            }
+        }
+    }
+
+    fn tell(&self, news: News) {
+        // Who is gone need not be told.
+        let _ = self.news.send(Command::Work(news));
+    }
+
+    fn prepare(&mut self, job: Job) {
+        match job {
+            Job::Change(change) => self.follow(&change),
+            // One that does not fit is of a button that is gone.
+            Job::Press(difference) => drop(self.engine.apply(&difference)),
+            Job::Model(model) => {
+                self.engine.options_mut().model = Some(model);
+                self.engine.forget();
+            }
+            Job::Forget => self.engine.forget(),
+            Job::Draft(is_draft) => self.draughts.set_draft(is_draft),
+            Job::With(inquiry) => {
+                if catch_unwind(AssertUnwindSafe(|| inquiry(&self.engine))).is_err() {
+                    self.tell(News::Failed("A file could not be made"));
+                }
+            }
+            Job::Solve(..) | Job::Draw(..) => {}
+        }
+    }
+
+    fn follow(&mut self, change: &Change) {
+        let touched = touched(&change.difference, &change.before);
+        if change.bring_to(&mut self.engine).is_err() {
+            // It cannot have missed a change; if it has, it begins anew.
+            let options = self.engine.options().clone();
+            self.engine = Engine::new(Document::clone(&change.after), options);
+            self.draughts.touch_all(&change.after);
+        }
+        self.draughts.touch(touched);
+    }
+
+    fn solve(&mut self, solution: u64, cancel: &Cancel) {
+        let due: Vec<Uuid> = {
+            let objects = &self.engine.document().objects;
+            self.engine.dirty().iter().filter_map(|at| objects.get(*at)).map(|object| object.id).collect()
+        };
+        self.draughts.touch(due.iter().copied());
+        self.tell(News::Began(solution, due.len()));
+        let news = self.news.clone();
+        let options = self.engine.options_mut();
+        options.cancel = cancel.clone();
+        options.finished = Some(Arc::new(move |finished: &Finished<'_>| {
+            let done = Box::new((finished.object.clone(), finished.report.clone()));
+            let _ = news.send(Command::Work(News::Finished(done)));
+        }));
+        let start = Instant::now();
+        let (pool, engine) = (&self.pool, &mut self.engine);
+        let solved = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || engine.solve())));
+        self.engine.options_mut().finished = None;
+        if solved.is_err() {
+            self.tell(News::Failed("The solution failed"));
+            self.engine.forget();
+        }
+        let unfinished = solved.map_or(0, |summary| summary.unfinished);
+        let cancelled = cancel.is_cancelled() && unfinished > 0;
+        self.tell(News::Ended(Ended { cancelled, took: start.elapsed(), unfinished }));
+    }
+
+    fn draw(&mut self, solution: u64, cancel: &Cancel) {
+        if !self.draughts.is_due() {
+            return;
+        }
+        let go_on = || !cancel.is_cancelled();
+        let (pool, engine, draughts) = (&self.pool, &self.engine, &mut self.draughts);
+        let drawn = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || draughts.draw(engine, go_on))));
+        match drawn {
+            Ok(previews) => self.tell(News::Drawn(solution, self.draughts.is_draft(), previews)),
+            Err(_) => self.tell(News::Failed("The geometry could not be drawn")),
+        }
+    }
+}
+
+fn inside<T: Send>(pool: Option<&rayon::ThreadPool>, work: impl FnOnce() -> T + Send) -> T {
+    match pool {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
+}
+
+/// The objects that a step puts, takes away, shows or hides. What else a step makes of them is found when they are
+/// solved; where they stand on the canvas does not count.
+fn touched(difference: &Difference, before: &Document) -> Vec<Uuid> {
+    let old: HashMap<Uuid, &Object> = difference
+        .removed
+        .iter()
+        .filter_map(|at| before.objects.get(*at))
+        .map(|object| (object.id, object))
+        .collect();
+    let new: HashMap<Uuid, &Object> = difference.put.iter().map(|(_, object)| (object.id, object)).collect();
+    let changed = |id: &&Uuid| match (old.get(*id), new.get(*id)) {
+        (Some(old), Some(new)) => !shown_alike(old, new),
+        _ => true,
+    };
+    old.keys().chain(new.keys().filter(|id| !old.contains_key(*id))).filter(changed).copied().collect()
+}
+
+fn shown_alike(old: &Object, new: &Object) -> bool {
+    let hidden = |object: &Object| object.outputs.iter().map(|port| port.hidden).collect::<Vec<_>>();
+    (old.hidden, old.locked, old.component) == (new.hidden, new.locked, new.component)
+        && hidden(old) == hidden(new)
+}

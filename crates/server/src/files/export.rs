@@ -1,0 +1,83 @@
+//! What a definition makes, as files of other programs.
+
+use katydid_exchange::Format;
+use katydid_picture::{HiddenLines, Options, View};
+use katydid_session::{BakeOptions, bake};
+use katydid_solver::Engine;
+
+/// How a file is made.
+#[derive(Debug, Clone, Default, serde::Deserialize)]
+pub(crate) struct Wishes {
+    /// The extension of the format.
+    pub(crate) format: String,
+    /// Of pictures, in pixels.
+    width: Option<u32>,
+    height: Option<u32>,
+    /// `perspective`, `top`, `front`, `right`, `iso`.
+    view: Option<String>,
+    /// Whether the definition itself is drawn.
+    #[serde(default)]
+    canvas: bool,
+}
+
+/// The longer side of a picture of pixels.
+const LONGEST: f64 = 8192.0;
+
+/// The bytes of a file in that format, and their type.
+pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'static str), String> {
+    match wishes.format.as_str() {
+        "3dm" => {
+            let baked = bake(engine, BakeOptions::default());
+            let (bytes, _) = baked.model.write_what_fits(70).map_err(|error| error.to_string())?;
+            Ok((bytes, "model/vnd.3dm"))
+        }
+        "png" => Ok((drawing(engine, wishes)?.to_png().map_err(|error| error.to_string())?, "image/png")),
+        "svg" => Ok((drawing(engine, wishes)?.to_svg().into_bytes(), "image/svg+xml")),
+        other => {
+            let format = Format::from_extension(other)
+                .ok_or_else(|| format!("'{other}' is no format that can be written"))?;
+            let baked = bake(engine, BakeOptions::default());
+            let scene = katydid_exchange::Scene::from_model(&baked.model);
+            let mut bytes = Vec::new();
+            katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
+                .map_err(|error| error.to_string())?;
+            Ok((bytes, content_type(format)))
+        }
+    }
+}
+
+fn content_type(format: Format) -> &'static str {
+    match format {
+        Format::Obj => "model/obj",
+        Format::Stl => "model/stl",
+        Format::Glb => "model/gltf-binary",
+        Format::Gltf => "model/gltf+json",
+        Format::Svg => "image/svg+xml",
+        Format::Ply => "application/octet-stream",
+    }
+}
+
+fn drawing(engine: &Engine, wishes: &Wishes) -> Result<katydid_picture::Drawing, String> {
+    let side = |wish: Option<u32>, usual: u32| wish.unwrap_or(usual).clamp(16, LONGEST as u32);
+    let view = match wishes.view.as_deref() {
+        None | Some("") => None,
+        Some("perspective") => Some(View::Perspective),
+        Some("top") => Some(View::Top),
+        Some("front") => Some(View::Front),
+        Some("right") => Some(View::Right),
+        Some("iso") => Some(View::Isometric),
+        Some(other) => return Err(format!("'{other}' is no view: perspective, top, front, right or iso")),
+    };
+    let options = Options {
+        size: [side(wishes.width, 1600), side(wishes.height, 1000)],
+        view,
+        hidden_lines: HiddenLines::Natural,
+        ..Options::default()
+    };
+    if !wishes.canvas {
+        return Ok(katydid_picture::result(engine, &options).drawing);
+    }
+    let drawing = katydid_picture::canvas(engine, &options);
+    let factor = f64::min(LONGEST / drawing.size[0].max(drawing.size[1]).max(1.0), 1.0);
+    Ok(drawing.scaled(factor))
+}

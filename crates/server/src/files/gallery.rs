@@ -1,0 +1,78 @@
+//! The definitions of the book, to start from.
+
+use std::sync::LazyLock;
+
+use rust_embed::Embed;
+use serde::Serialize;
+
+#[derive(Embed)]
+#[folder = "$CARGO_MANIFEST_DIR/../../book"]
+#[include = "*/definition.kd"]
+#[include = "README.md"]
+struct Book;
+
+/// A definition of the gallery.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Gallery {
+    pub(crate) id: String,
+    pub(crate) title: String,
+    pub(crate) group: String,
+    pub(crate) description: String,
+}
+
+impl Gallery {
+    /// All of them, in the order of the book's own table.
+    pub(crate) fn all() -> &'static [Self] {
+        static ALL: LazyLock<Vec<Gallery>> = LazyLock::new(|| {
+            let text = Book::get("README.md").map(|file| file.data.into_owned()).unwrap_or_default();
+            listed(&String::from_utf8_lossy(&text))
+        });
+        &ALL
+    }
+
+    /// The text of one.
+    pub(crate) fn text(&self) -> Option<Vec<u8>> {
+        Book::get(&format!("{}/definition.kd", self.id)).map(|file| file.data.into_owned())
+    }
+
+    /// The one of that id.
+    pub(crate) fn find(id: &str) -> Option<&'static Self> {
+        Self::all().iter().find(|one| one.id == id)
+    }
+}
+
+/// The rows of the tables under each heading.
+fn listed(text: &str) -> Vec<Gallery> {
+    let mut group = String::new();
+    let mut all = Vec::new();
+    for line in text.lines() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            heading.trim().clone_into(&mut group);
+        }
+        let cells: Vec<&str> = line.trim().trim_matches('|').split('|').map(str::trim).collect();
+        if let [link, title, description] = cells.as_slice()
+            && let Some((id, target)) = link.strip_prefix('[').and_then(|link| link.split_once("]("))
+            && target == format!("{id}/definition.kd)")
+        {
+            let [id, title, description] = [id, title, description].map(str::to_owned);
+            all.push(Gallery { id, title, group: group.clone(), description });
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_of_the_book_can_be_opened() {
+        assert!(Gallery::all().len() >= 40, "{}", Gallery::all().len());
+        for one in Gallery::all() {
+            let text = one.text().unwrap_or_default();
+            assert!(super::super::read(super::super::Form::Kd, &text).is_ok(), "{}", one.id);
+            assert!(!one.group.is_empty() && !one.title.is_empty());
+        }
+        assert!(Gallery::find("../V1").is_none());
+    }
+}

@@ -1,0 +1,13 @@
+//! Documents as files: reading, writing, the recent ones, the gallery.
+
+mod export;
+mod form;
+mod gallery;
+mod recent;
+mod replace;
+
+pub(crate) use export::{Wishes, export};
+pub(crate) use form::{Form, read, write};
+pub(crate) use gallery::Gallery;
+pub(crate) use recent::Recent;
+pub(crate) use replace::{plain, replace};

@@ -1,0 +1,271 @@
+//! Who may ask: every request passes here first.
+//!
+//! A page of another site can make its visitor's browser send requests to this machine. Three things tell them from
+//! those of the studio's own page: the name that the browser looked up (`Host`: a name that was made to point here is
+//! none of ours), the page that sends them (`Origin`, and `Sec-Fetch-Site` where the browser says), and the token,
+//! which is needed once others than this machine can reach the port.
+
+use std::net::{IpAddr, Ipv6Addr};
+use std::sync::Arc;
+
+use axum::extract::{Request, State as Extract};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, COOKIE, HOST, HeaderName, HeaderValue, ORIGIN, REFERRER_POLICY,
+    SET_COOKIE, X_CONTENT_TYPE_OPTIONS, X_FRAME_OPTIONS,
+};
+use axum::http::{HeaderMap, Method, StatusCode, Uri};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+use uuid::Uuid;
+
+use super::State;
+use super::answer::Refused;
+use crate::Config;
+
+/// The name of the cookie that holds the token.
+const COOKIE_NAME: &str = "katydid_token";
+
+/// What the page may load: nothing from elsewhere, and no script but its own files.
+const POLICY: &str = "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; \
+    img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; \
+    object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Tells the studio's own requests from others.
+#[derive(Debug)]
+pub(crate) struct Guard {
+    token: Option<Token>,
+    /// Whether only this machine can reach the port.
+    is_local: bool,
+}
+
+#[derive(Debug)]
+struct Token {
+    text: String,
+    /// Hashes are compared in constant time.
+    hash: blake3::Hash,
+}
+
+impl Guard {
+    pub(crate) fn new(config: &Config) -> Self {
+        let is_local = config.is_local();
+        let chance = || format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
+        let text =
+            config.token.clone().filter(|token| !token.is_empty()).or_else(|| (!is_local).then(chance));
+        let token = text.map(|text| Token { hash: blake3::hash(text.as_bytes()), text });
+        Self { token, is_local }
+    }
+
+    /// The token that is needed, if one is.
+    pub(crate) fn token(&self) -> Option<&str> {
+        self.token.as_ref().map(|token| token.text.as_str())
+    }
+
+    fn knows(&self, given: &str) -> bool {
+        self.token.as_ref().is_none_or(|token| token.hash == blake3::hash(given.as_bytes()))
+    }
+
+    /// Why a request is none of the studio's.
+    fn refuses(&self, method: &Method, uri: &Uri, headers: &HeaderMap) -> Option<Refused> {
+        let Some(host) = one(headers, &HOST).filter(|host| self.is_ours(host)) else {
+            return Some(Refused::forbidden("this name is none of the server's"));
+        };
+        let changes = !matches!(*method, Method::GET | Method::HEAD);
+        let is_page = !changes && !is_inner(uri.path());
+        if let Some(origin) = headers.get(ORIGIN)
+            && !same(origin.to_str().unwrap_or_default(), host)
+        {
+            return Some(Refused::forbidden("pages of other sites may not ask"));
+        }
+        let site = headers.get("sec-fetch-site").and_then(|site| site.to_str().ok()).unwrap_or("same-origin");
+        if !is_page && !matches!(site, "same-origin" | "none") {
+            return Some(Refused::forbidden("pages of other sites may not ask"));
+        }
+        // The page itself holds nothing that others may not see, but without its token it can do nothing.
+        let known = given(uri, headers).any(|token| self.knows(&token)) || self.token.is_none();
+        (!known).then(|| {
+            Refused::new(StatusCode::UNAUTHORIZED, "a token is needed: use the address that Katydid printed")
+        })
+    }
+
+    /// Whether a name in a request is one of this server: `localhost` and numbers, which no name server can redirect.
+    /// Where others can reach it, it is known by its number or by a name that they were given: the token protects it.
+    fn is_ours(&self, host: &str) -> bool {
+        let name = without_port(host);
+        if name.eq_ignore_ascii_case("localhost") || name.to_ascii_lowercase().ends_with(".localhost") {
+            return true;
+        }
+        match address(name) {
+            Some(address) => !self.is_local || address.is_loopback(),
+            None => !self.is_local && !name.is_empty(),
+        }
+    }
+}
+
+/// Whether the address is more than a file of the page.
+fn is_inner(path: &str) -> bool {
+    ["/api/", "/geometry/", "/image/"].iter().any(|inner| path.starts_with(inner)) || path == "/socket"
+}
+
+/// A header that is there once.
+fn one<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
+    let mut all = headers.get_all(name).iter();
+    let first = all.next()?.to_str().ok()?;
+    all.next().is_none().then_some(first)
+}
+
+fn without_port(host: &str) -> &str {
+    match host.rsplit_once(':') {
+        Some((name, port)) if !port.is_empty() && port.bytes().all(|b| b.is_ascii_digit()) => name,
+        _ => host,
+    }
+}
+
+fn address(name: &str) -> Option<IpAddr> {
+    match name.strip_prefix('[').and_then(|name| name.strip_suffix(']')) {
+        Some(inner) => inner.parse::<Ipv6Addr>().ok().map(IpAddr::V6),
+        None => name.parse().ok(),
+    }
+}
+
+/// Whether an origin is the page of that very host and port.
+fn same(origin: &str, host: &str) -> bool {
+    let of = origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"));
+    of.is_some_and(|of| of.eq_ignore_ascii_case(host))
+}
+
+/// The tokens that a request brings: in its address, and in the page's cookie.
+fn given(uri: &Uri, headers: &HeaderMap) -> impl Iterator<Item = String> {
+    let query = uri.query().unwrap_or_default().to_owned();
+    let cookies: Vec<String> = headers
+        .get_all(COOKIE)
+        .iter()
+        .filter_map(|cookie| cookie.to_str().ok())
+        .flat_map(|all| all.split(';'))
+        .filter_map(|one| one.trim().split_once('='))
+        .filter(|(name, _)| *name == COOKIE_NAME)
+        .map(|(_, token)| token.to_owned())
+        .collect();
+    let named: Vec<String> = query
+        .split('&')
+        .filter_map(|pair| pair.split_once('='))
+        .filter(|(name, _)| *name == "token")
+        .map(|(_, token)| token.to_owned())
+        .collect();
+    named.into_iter().chain(cookies)
+}
+
+/// Lets a request through, or refuses it.
+pub(crate) async fn check(Extract(state): Extract<Arc<State>>, request: Request, next: Next) -> Response {
+    let guard = &state.guard;
+    let mut response = match guard.refuses(request.method(), request.uri(), request.headers()) {
+        Some(refused) => refused.into_response(),
+        None => {
+            let is_page = !is_inner(request.uri().path());
+            let mut response = next.run(request).await;
+            if let Some(token) = guard.token().filter(|_| is_page)
+                && let Ok(cookie) = HeaderValue::from_str(&format!(
+                    "{COOKIE_NAME}={token}; Path=/; HttpOnly; SameSite=Strict"
+                ))
+            {
+                response.headers_mut().append(SET_COOKIE, cookie);
+            }
+            response
+        }
+    };
+    let headers = response.headers_mut();
+    let fixed = [
+        (CONTENT_SECURITY_POLICY, POLICY),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (X_FRAME_OPTIONS, "DENY"),
+        (REFERRER_POLICY, "no-referrer"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+    ];
+    for (name, value) in fixed {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    headers.entry(CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
+    response
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use std::net::Ipv4Addr;
+
+    use super::*;
+
+    fn refused(
+        guard: &Guard,
+        method: &Method,
+        uri: &str,
+        headers: &[(&'static str, &str)],
+    ) -> Option<StatusCode> {
+        let mut map = HeaderMap::new();
+        for (name, value) in headers {
+            map.append(*name, HeaderValue::from_str(value).unwrap());
+        }
+        guard.refuses(method, &uri.parse().unwrap(), &map).map(|refused| refused.into_response().status())
+    }
+
+    #[test]
+    fn only_names_of_this_machine_are_ours() {
+        let guard = Guard::new(&Config::default());
+        for host in ["127.0.0.1:6510", "localhost:5173", "[::1]:6510", "LOCALHOST", "127.0.0.1"] {
+            assert_eq!(refused(&guard, &Method::GET, "/api/start", &[("host", host)]), None, "{host}");
+        }
+        for host in
+            ["evil.example", "evil.example:6510", "192.168.1.5:6510", "127.0.0.1.evil.example", "", "[::2]"]
+        {
+            let found = refused(&guard, &Method::GET, "/", &[("host", host)]);
+            assert_eq!(found, Some(StatusCode::FORBIDDEN), "{host}");
+        }
+        let twice = [("host", "localhost"), ("host", "evil.example")];
+        assert!(refused(&guard, &Method::GET, "/", &twice).is_some());
+        assert!(refused(&guard, &Method::GET, "/", &[]).is_some());
+    }
+
+    #[test]
+    fn pages_of_other_sites_may_not_ask() {
+        let guard = Guard::new(&Config::default());
+        let ask = |method: &Method, uri: &str, origin: &str| {
+            refused(&guard, method, uri, &[("host", "localhost:6510"), ("origin", origin)])
+        };
+        for origin in
+            ["https://evil.example", "http://localhost:6511", "null", "http://localhost:6510.evil.example"]
+        {
+            assert_eq!(ask(&Method::POST, "/api/open", origin), Some(StatusCode::FORBIDDEN), "{origin}");
+            assert_eq!(ask(&Method::GET, "/socket", origin), Some(StatusCode::FORBIDDEN), "{origin}");
+        }
+        assert_eq!(ask(&Method::POST, "/api/open", "http://localhost:6510"), None);
+        let site = |uri: &str, site: &str| {
+            refused(&guard, &Method::GET, uri, &[("host", "localhost"), ("sec-fetch-site", site)])
+        };
+        assert_eq!(site("/", "cross-site"), None, "a link to the page is a link");
+        assert_eq!(site("/api/export", "cross-site"), Some(StatusCode::FORBIDDEN));
+        assert_eq!(site("/geometry/1", "same-site"), Some(StatusCode::FORBIDDEN));
+        assert_eq!(site("/api/export", "same-origin"), None);
+    }
+
+    #[test]
+    fn who_can_be_reached_by_others_wants_a_token() {
+        let open = Config { address: IpAddr::V4(Ipv4Addr::UNSPECIFIED), ..Config::default() };
+        let guard = Guard::new(&open);
+        let token = guard.token().unwrap().to_owned();
+        assert_eq!(token.len(), 64);
+        let host = ("host", "192.168.1.5:6510");
+        assert_eq!(refused(&guard, &Method::GET, "/api/start", &[host]), Some(StatusCode::UNAUTHORIZED));
+        assert_eq!(
+            refused(&guard, &Method::GET, "/api/start?token=wrong", &[host]),
+            Some(StatusCode::UNAUTHORIZED)
+        );
+        assert_eq!(refused(&guard, &Method::GET, &format!("/?token={token}"), &[host]), None);
+        let cookie = format!("other=1; katydid_token={token}");
+        assert_eq!(refused(&guard, &Method::GET, "/api/start", &[host, ("cookie", &cookie)]), None);
+        let own = Guard::new(&Config { token: Some("secret".to_owned()), ..Config::default() });
+        let host = ("host", "localhost");
+        assert_eq!(refused(&own, &Method::GET, "/", &[host]), Some(StatusCode::UNAUTHORIZED));
+        assert_eq!(refused(&own, &Method::GET, "/?token=secret", &[host]), None);
+    }
+}

@@ -1,0 +1,72 @@
+//! The server's addresses.
+
+mod answer;
+mod api;
+mod documents;
+mod guard;
+mod page;
+mod socket;
+
+use std::sync::Arc;
+
+use axum::Router;
+use axum::extract::DefaultBodyLimit;
+use axum::middleware;
+use axum::routing::{get, post};
+
+use crate::Config;
+use crate::document::Shared;
+use crate::files::Recent;
+
+pub(crate) use documents::Documents;
+pub(crate) use guard::Guard;
+pub(crate) use page::has_page;
+
+/// What all requests share.
+#[derive(Debug)]
+pub(crate) struct State {
+    pub(crate) guard: Guard,
+    pub(crate) documents: Documents,
+    pub(crate) shared: Arc<Shared>,
+    most_upload: usize,
+}
+
+/// A question in JSON has no more bytes.
+const MOST_QUESTION: usize = 64 << 10;
+
+impl State {
+    pub(crate) fn new(config: Config) -> Self {
+        let shared = Arc::new(Shared {
+            recent: Some(Recent::new(config.state.as_deref())),
+            journals: config.state.as_ref().map(|state| state.join("journals")),
+            paths: config.is_local(),
+            ..Shared::default()
+        });
+        Self {
+            guard: Guard::new(&config),
+            documents: Documents::new(Arc::clone(&shared), config.most_documents),
+            shared,
+            most_upload: config.most_upload,
+        }
+    }
+}
+
+/// All addresses, behind the guard.
+pub(crate) fn router(state: Arc<State>) -> Router {
+    let upload = post(api::upload).layer(DefaultBodyLimit::max(state.most_upload));
+    Router::new()
+        .route("/api/start", get(api::start))
+        .route("/api/open", post(api::open))
+        .route("/api/upload", upload)
+        .route("/api/save", get(api::save))
+        .route("/api/export", get(api::export))
+        .route("/api/components", get(api::components))
+        .route("/api/help", get(api::help))
+        .route("/geometry/{hash}", get(api::geometry))
+        .route("/image/{hash}", get(api::image))
+        .route("/socket", get(socket::join))
+        .fallback(page::serve)
+        .layer(DefaultBodyLimit::max(MOST_QUESTION))
+        .layer(middleware::from_fn_with_state(Arc::clone(&state), guard::check))
+        .with_state(state)
+}

@@ -1,0 +1,27 @@
+//! Serves the studio on one port: the page, documents over a WebSocket, geometry and files over HTTP.
+//!
+//! Each document has a thread that owns it ([`document`]) and a thread that solves; nothing of either runs on the
+//! threads that serve sockets. Who does not read fast enough is told the newest state, never everything in between.
+//!
+//! ```no_run
+//! # async fn run() -> Result<(), katydid_server::Error> {
+//! let server = katydid_server::start(katydid_server::Config::default()).await?;
+//! println!("{}", server.url());
+//! server.stop().await;
+//! # Ok(())
+//! # }
+//! ```
+
+mod catalogue;
+mod config;
+mod document;
+mod error;
+mod files;
+mod geometry;
+mod http;
+mod lock;
+mod server;
+
+pub use config::Config;
+pub use error::Error;
+pub use server::{Server, start};

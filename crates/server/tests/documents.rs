@@ -1,0 +1,232 @@
+//! A document is opened, looked at, changed, saved and taken along, as the page does it.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+mod common;
+
+use std::time::Duration;
+
+use common::{PATIENCE, Studio, is_done, refusal};
+use katydid_session::protocol::{Ask, Edit, Event, ObjectChange, Setting};
+use tokio::time::Instant;
+
+const SMALL: &str = r#"katydid 1
+r = Number Slider(2.0, 0..10)
+ball = Sphere(_, r)
+double = Operators/Multiplication(r, 2)
+shown = Panel(double)
+"#;
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_slider_moves_the_model() {
+    let studio = Studio::start().await;
+    let mut face = studio.with(SMALL).await;
+    assert_eq!(face.texts("shown"), ["4"]);
+    let ball = face.named("ball");
+    let first = face.drawn(ball).await.unwrap();
+    let event = face.set("r", 3.0).await;
+    assert!(is_done(&event), "{event:?}");
+    let second = face.drawn(ball).await.unwrap();
+    assert_ne!(first, second);
+    assert_eq!(face.texts("shown"), ["6"]);
+    let object = face.named("r");
+    assert!(matches!(
+        face.objects[&object].control,
+        Some(katydid_session::protocol::Control::Slider { value: 3.0, .. })
+    ));
+    let bytes = studio.get(&format!("/geometry/{second}")).await;
+    assert_eq!(bytes.status, 200);
+    assert_eq!(&bytes.body[..4], b"KTPV");
+    assert!(bytes.head.contains("immutable"));
+    while face.frames.len() < 2 {
+        face.hear().await;
+    }
+    assert!(face.frames.contains(&bytes.body), "small geometry comes by itself");
+    let event = face.ask(Ask::Undo).await;
+    assert!(is_done(&event));
+    assert_eq!(face.drawn(ball).await.unwrap(), first, "the same data has the same hash");
+    assert_eq!(face.texts("shown"), ["4"]);
+    studio.server.stop().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_is_hidden_is_not_drawn_and_moving_draws_nothing() {
+    let studio = Studio::start().await;
+    let mut face = studio.with(SMALL).await;
+    let ball = face.named("ball");
+    let hash = face.drawn(ball).await;
+    assert!(hash.is_some());
+    let hide = |on| Edit::Change { objects: vec![ball], change: ObjectChange::Hidden { on } };
+    face.edit(hide(true)).await;
+    assert_eq!(face.drawn(ball).await, None);
+    face.edit(hide(false)).await;
+    assert_eq!(face.drawn(ball).await, hash);
+    let solved = face.finished;
+    face.edit(Edit::Move { objects: vec![(ball, [500.0, 500.0])] }).await;
+    face.set("r", 2.5).await;
+    face.solved(solved + 1).await;
+    assert_eq!(face.objects[&ball].bounds[0], 500.0);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn two_faces_see_the_same() {
+    let studio = Studio::start().await;
+    let id = studio.upload(SMALL).await;
+    let (mut one, mut two) = (studio.join(&id).await, studio.join(&id).await);
+    one.solved(1).await;
+    one.set("r", 7.0).await;
+    let start = Instant::now();
+    while two.texts_or_nothing("shown") != ["14"] {
+        assert!(start.elapsed() < PATIENCE);
+        two.hear().await;
+    }
+    let mut three = studio.join(&id).await;
+    while three.texts_or_nothing("shown") != ["14"] {
+        three.hear().await;
+    }
+    let ball = three.named("ball");
+    while !three.hashes.contains_key(&ball) {
+        three.hear().await;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_document_is_saved_and_opened_again() {
+    let studio = Studio::start().await;
+    let mut face = studio.with(SMALL).await;
+    face.set("r", 5.0).await;
+    assert!(face.state.as_ref().unwrap().document.changed);
+    assert!(refusal(&face.ask(Ask::Save { path: None }).await).contains("never saved"));
+    for form in ["gh", "ghx", "kd"] {
+        let path = studio.folder.path().join(format!("saved.{form}"));
+        let event = face.ask(Ask::Save { path: Some(path.display().to_string()) }).await;
+        assert!(is_done(&event), "{event:?}");
+        assert!(!face.state.as_ref().unwrap().document.changed);
+        let opened = studio.post_json("/api/open", &format!("{{\"path\":{path:?}}}")).await.json();
+        let mut again = studio.join(opened["document"].as_str().unwrap()).await;
+        again.solved(1).await;
+        assert_eq!(again.texts("shown"), ["10"], "{form}");
+        let state = again.state.as_ref().unwrap();
+        assert_eq!(state.document.name, format!("saved.{form}"));
+        let twice = studio.post_json("/api/open", &format!("{{\"path\":{path:?}}}")).await.json();
+        assert_eq!(twice, opened);
+    }
+    for (path, why) in
+        [("relative.gh", "folder"), ("/nowhere/at/all.gh", "no such"), ("/tmp/x.txt", ".kd"), ("", "name")]
+    {
+        let event = face.ask(Ask::Save { path: Some(path.to_owned()) }).await;
+        assert!(refusal(&event).contains(why), "{path}: {event:?}");
+    }
+    let start = studio.get("/api/start").await.json();
+    assert_eq!(start["recent"].as_array().unwrap().len(), 3);
+    assert_eq!(start["recent"][0]["name"], "saved.kd");
+    assert_eq!(start["local"], true);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn files_to_take_along() {
+    let studio = Studio::start().await;
+    let id = studio.upload(SMALL).await;
+    let mut face = studio.join(&id).await;
+    face.solved(1).await;
+    for (form, begins) in [("ghx", &b"\xef\xbb\xbf<?xml"[..]), ("kd", b"katydid 1"), ("gh", b"")] {
+        let answer = studio.get(&format!("/api/save?document={id}&format={form}")).await;
+        assert_eq!(answer.status, 200);
+        assert!(
+            answer.body.starts_with(begins) && answer.head.contains(&format!("filename=\"test.{form}\""))
+        );
+    }
+    for (format, begins) in [
+        ("3dm", &b"3D Geometry File Format"[..]),
+        ("glb", b"glTF"),
+        ("obj", b"#"),
+        ("stl", b""),
+        ("svg", b"<svg"),
+        ("png", b"\x89PNG"),
+    ] {
+        let answer =
+            studio.get(&format!("/api/export?document={id}&format={format}&width=320&height=200")).await;
+        assert_eq!(answer.status, 200, "{format}: {}", String::from_utf8_lossy(&answer.body));
+        assert!(answer.body.starts_with(begins) && answer.body.len() > 84, "{format}");
+    }
+    for wrong in ["/api/export?document=1&format=3dm", "/api/save?document=1&format=gh", "/geometry/none"] {
+        assert_eq!(studio.get(wrong).await.status, 404, "{wrong}");
+    }
+    for wrong in
+        [format!("/api/export?document={id}&format=exe"), format!("/api/save?document={id}&format=zip")]
+    {
+        assert_eq!(studio.get(&wrong).await.status, 400, "{wrong}");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn the_gallery_and_the_catalogue() {
+    let studio = Studio::start().await;
+    let start = studio.get("/api/start").await.json();
+    let gallery = start["gallery"].as_array().unwrap();
+    assert!(gallery.len() >= 40 && gallery.iter().all(|one| one["title"].as_str().is_some()));
+    let opened = studio.post_json("/api/open", r#"{"gallery":"V2"}"#).await.json();
+    let mut face = studio.join(opened["document"].as_str().unwrap()).await;
+    face.solved(1).await;
+    assert!(face.results.values().all(|result| result.status == "ok"), "the book runs without a warning");
+    let all = studio.get("/api/components").await.json();
+    let addition = all.as_array().unwrap().iter().find(|one| one["name"] == "Addition").unwrap().clone();
+    assert!(all.as_array().unwrap().len() > 500 && addition["keywords"][0] == "+");
+    let help = studio.get(&format!("/api/help?component={}", addition["guid"].as_str().unwrap())).await;
+    assert_eq!((help.status, help.json()["name"].as_str().unwrap()), (200, "Addition"));
+    assert_eq!(studio.get("/api/help?component=nonsense").await.status, 400);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn dragging_is_coarse_and_letting_go_is_fine() {
+    let studio = Studio::start().await;
+    let mut face = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nball = Sphere(_, r)\n").await;
+    let ball = face.named("ball");
+    face.drawn(ball).await;
+    face.tell(Ask::Draft { on: true }).await;
+    let slider = face.named("r");
+    for k in 0..20 {
+        let to = Setting::Number { value: 3.0 + f64::from(k) / 10.0 };
+        face.tell(Ask::Edit { edit: Edit::Set { object: slider, to }, gesture: Some(1), within: vec![] })
+            .await;
+    }
+    let coarse = face.drawn(ball).await;
+    assert!(is_done(&face.ask(Ask::Draft { on: false }).await));
+    let start = Instant::now();
+    let mut last = coarse;
+    // The last word is the fine one of the last value: that which a fresh document of that value shows.
+    let mut other = studio.with("katydid 1\nr = Number Slider(4.9, 0..10)\nball = Sphere(_, r)\n").await;
+    let other_ball = other.named("ball");
+    let fine = other.drawn(other_ball).await;
+    let sizes =
+        |hash: Option<String>| async { studio.get(&format!("/geometry/{}", hash.unwrap())).await.body.len() };
+    let fine = sizes(fine).await;
+    while start.elapsed() < PATIENCE {
+        if let Ok(now) = tokio::time::timeout(Duration::from_millis(500), face.drawn(ball)).await {
+            last = now;
+        } else {
+            break;
+        }
+    }
+    assert!(sizes(last).await.abs_diff(fine) < 64);
+    assert!(is_done(&face.ask(Ask::Undo).await));
+    let state = face.state.as_ref().unwrap();
+    assert!(!state.document.changed, "a drag is one step");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn rows_of_outputs_and_inputs() {
+    let studio = Studio::start().await;
+    let mut face = studio.with("katydid 1\nn = Series(1, 2, 5)\nsum = Mass Addition(n)\n").await;
+    let series = face.objects[&face.named("n")].clone();
+    let sum = face.objects[&face.named("sum")].clone();
+    for port in [series.outputs[0].id, sum.inputs[0].id] {
+        match face.ask(Ask::Rows { port, from: 1, count: 3, within: vec![] }).await {
+            Event::Rows { page, .. } => assert_eq!((page.from, page.total, page.rows.len()), (1, 6, 3)),
+            other => panic!("{other:?}"),
+        }
+    }
+    let nobody = uuid::Uuid::from_u128(1);
+    let event = face.ask(Ask::Rows { port: nobody, from: 0, count: 1, within: vec![] }).await;
+    assert!(refusal(&event).contains("no data"));
+}
