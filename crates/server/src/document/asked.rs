@@ -19,7 +19,7 @@ enum Answer {
     /// It is done; these objects were made.
     Done(Vec<Uuid>),
     /// This is it.
-    Event(Event),
+    Event(Box<Event>),
     /// It comes later.
     Later,
 }
@@ -30,7 +30,7 @@ impl Actor {
         let answer = self.carry_out(id, seq, ask);
         let event = match answer {
             Ok(Answer::Done(made)) => Event::Done { seq, revision: self.editor.revision(), made },
-            Ok(Answer::Event(event)) => event,
+            Ok(Answer::Event(event)) => *event,
             Ok(Answer::Later) => return,
             Err(reason) => Event::Refused { seq, reason },
         };
@@ -89,7 +89,7 @@ impl Actor {
             }
             Ask::Copy { objects, within } => {
                 let text = self.editor.copy(&objects, &within).map_err(told)?;
-                return Ok(Answer::Event(Event::Copied { seq, text }));
+                return Ok(Answer::Event(Box::new(Event::Copied { seq, text })));
             }
             Ask::Save { path } => self.save(path)?,
             Ask::Settle { keep } => {
@@ -120,7 +120,7 @@ impl Actor {
             let report = |id| self.reports.get(&id).cloned();
             let solution = Solution::new(self.editor.document(), &report);
             let page = solution.rows(port, within, from, count, &style).ok_or("it has no data")?;
-            return Ok(Answer::Event(Event::Rows { seq, page }));
+            return Ok(Answer::Event(Box::new(Event::Rows { seq, page })));
         }
         let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
             return Ok(Answer::Later);
