@@ -9,7 +9,7 @@ KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry
 
 .PHONY: studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
 
-test: test-studio test-rust test-python test-browser
+test: test-studio test-rust test-python
 
 test-rust:
 	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
@@ -25,7 +25,7 @@ test-studio: studio/node_modules/installed
 	studio/with-node npm test
 	studio/with-node npm run build
 
-# The page in Chromium, served by the binary.
+# The page in Chromium, served by the binary. Not part of `make test` yet: these tests have to settle first.
 test-browser: studio/node_modules/installed
 	cargo build --release -p katydid
 	CHROMIUM=$$(studio/chromium) studio/with-node npx playwright test
