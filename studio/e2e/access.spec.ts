@@ -18,7 +18,7 @@ for (const scheme of ["light", "dark"] as const) {
 
     test("the start page", async ({ page }) => {
       await page.goto("/");
-      await expect(page.getByRole("button", { name: /Anchor, vector, tip/ })).toBeVisible();
+      await expect(page.getByRole("button", { name: /^Anchor, vector, tip/ })).toBeVisible();
       await isAccessible(page);
     });
 

@@ -6,7 +6,7 @@ test("the start page offers a new definition, a file and the book's definitions"
   await page.goto("/");
   await expect(page.getByRole("heading", { name: "Katydid", level: 1 })).toBeVisible();
   await expect(page.getByRole("button", { name: "New definition" })).toBeVisible();
-  await expect(page.getByRole("button", { name: /Anchor, vector, tip/ })).toBeVisible();
+  await expect(page.getByRole("button", { name: /^Anchor, vector, tip/ })).toBeVisible();
 });
 
 test("a file that is no definition is refused with a reason", async ({ page }) => {
@@ -20,7 +20,7 @@ test("every command is found by its name", async ({ page }) => {
   await page.keyboard.press("Control+k");
   const field = page.getByRole("combobox", { name: "Type a command" });
   await field.fill("outl");
-  await expect(page.getByRole("option", { selected: true })).toContainText("Outline");
+  await expect(page.getByRole("dialog").getByRole("option", { selected: true })).toContainText("Outline");
   await page.keyboard.press("Enter");
   await expect(page.getByRole("complementary", { name: "Outline" })).toBeVisible();
   await expect(page.getByRole("complementary")).toContainText("reads");
@@ -37,7 +37,7 @@ test("the sheet of shortcuts opens with ? and closes with Escape", async ({ page
 test("document settings are edits that Undo takes back", async ({ page }) => {
   await openNew(page);
   await page.keyboard.press("Control+,");
-  await page.getByLabel("Units").selectOption("Meters");
+  await page.getByLabel("Units", { exact: true }).selectOption("Meters");
   await page.getByRole("button", { name: "Apply" }).click();
   await expect(page.locator(".status")).toContainText("Meters");
   await page.keyboard.press("Control+z");
@@ -58,7 +58,7 @@ test("menus are walked with the arrow keys", async ({ page }) => {
 test("the theme is kept", async ({ page }) => {
   await openNew(page);
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox").fill("dark theme");
+  await page.getByRole("dialog").getByRole("combobox").fill("dark theme");
   await page.keyboard.press("Enter");
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
   await page.reload();

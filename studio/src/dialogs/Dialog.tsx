@@ -15,6 +15,8 @@ export function Dialog({ title, children, wide = false }: { title: string; child
       ref={dialog}
       className={wide ? "wide" : undefined}
       aria-labelledby={id}
+      // A long dialog is scrolled with the arrow keys: it takes the focus itself then.
+      tabIndex={wide ? 0 : undefined}
       onClose={() => showDialog(undefined)}
       onClick={(event) => event.target === dialog.current && showDialog(undefined)}
     >

@@ -214,7 +214,7 @@ mod tests {
         editor.apply(&place(1), None, &[]).unwrap();
         editor.flush();
         drop((editor, keeper));
-        assert_eq!(left_behind(folder.path()), [id.clone()]);
+        assert_eq!(left_behind(folder.path()).as_slice(), std::slice::from_ref(&id));
         let (mut editor, mut keeper) = open(folder.path(), &id);
         assert_eq!(editor.document().objects.len(), 1);
         assert_eq!(editor.found().unwrap().restored.steps, 1);
