@@ -1,6 +1,6 @@
 //! Serves the studio on one port: the page, documents over a WebSocket, geometry and files over HTTP.
 //!
-//! Each document has a thread that owns it ([`document`]) and a thread that solves; nothing of either runs on the
+//! Each document has a thread that owns it (`document`) and a thread that solves; nothing of either runs on the
 //! threads that serve sockets. Who does not read fast enough is told the newest state, never everything in between.
 //!
 //! ```no_run
