@@ -1,6 +1,9 @@
 import { useStore } from "zustand";
 
+import "./dialogs.css";
+
 import { About } from "./About";
+import { ComponentHelp } from "./ComponentHelp";
 import { DocumentSettings } from "./DocumentSettings";
 import { Export } from "./Export";
 import { KeySheet } from "./KeySheet";
@@ -24,6 +27,8 @@ export function Dialogs() {
       return <Export />;
     case "about":
       return <About />;
+    case "help":
+      return <ComponentHelp />;
     case undefined:
       return null;
   }

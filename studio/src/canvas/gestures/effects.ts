@@ -12,7 +12,7 @@ import { duplicate, joinGrips, moveBy, selection } from "../edits";
 import { openSearch } from "../open";
 import { canvasStore } from "../store";
 import { lens, panBy } from "../view";
-import type { Effect } from "./chart";
+import type { Effect, Target } from "./chart";
 import { rectNow } from "./world";
 
 export function carryOut(effect: Effect): void {
@@ -49,12 +49,21 @@ export function carryOut(effect: Effect): void {
       openSearch(effect.pixel, effect.grip);
       return;
     case "menu":
+      pickForMenu(effect.target);
       canvasStore.setState({ menu: { pixel: effect.pixel, at: effect.at, target: effect.target }, tip: undefined });
       return;
     case "pick":
       if (effect.target.is === "object" && effect.keys.ctrl && effect.keys.alt) pointAt(effect.target.id);
       return;
   }
+}
+
+/** What a menu is opened on is selected: commands in it are about the selection. A group's menu is about both. */
+function pickForMenu(target: Target): void {
+  const id = target.is === "object" && !target.group ? target.id : target.is === "grip" ? target.grip.object : undefined;
+  if (id === undefined || uiStore.getState().selection.has(id)) return;
+  select([id]);
+  canvasStore.setState({ active: id });
 }
 
 /** Shows in the tabs where an object's component lives. */
