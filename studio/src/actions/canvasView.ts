@@ -1,6 +1,6 @@
 /** How the canvas is looked at. */
 
-import { openSearch } from "../canvas/open";
+import { openRadial, openSearch } from "../canvas/open";
 import { selection } from "../canvas/edits";
 import { canvasStore, keep } from "../canvas/store";
 import { zoomBy, zoomExtents, zoomTo } from "../canvas/view";
@@ -15,6 +15,14 @@ register(
     group: "canvas",
     scope: "canvas",
     run: () => openSearch(),
+  },
+  {
+    id: "canvas.radial",
+    label: "canvas.radial",
+    keys: ["Shift+Space"],
+    group: "canvas",
+    scope: "canvas",
+    run: () => openRadial(),
   },
   {
     id: "edit.find",

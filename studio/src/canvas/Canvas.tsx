@@ -6,6 +6,7 @@ import "./notes.css";
 import "./faces.css";
 import "./fields.css";
 import "./boxes.css";
+import "./more.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";
@@ -122,6 +123,8 @@ function Ground({ children }: { children: ReactNode }) {
       onPointerLeave={hoverOut}
       onDoubleClick={(event) => doubleClick(event.nativeEvent)}
       onContextMenu={(event) => event.preventDefault()}
+      // A middle click pastes the marked text on some systems: here it opens the ring of commands.
+      onAuxClick={(event) => event.preventDefault()}
       onKeyDown={(event) => keyDown(event)}
       onPaste={(event) => {
         if (event.target instanceof Element && event.target.matches("input, textarea")) return;

@@ -35,6 +35,7 @@ export function openEditor(object: string, is: EditorAt["is"], more: Partial<Edi
 export function closeBoxes(): void {
   canvasStore.setState({
     menu: undefined,
+    radial: undefined,
     search: undefined,
     editor: undefined,
     writing: undefined,
@@ -44,6 +45,11 @@ export function closeBoxes(): void {
     hotWire: undefined,
   });
   focusCanvas();
+}
+
+/** Opens the ring of commands: about a pixel, or where the keyboard is. */
+export function openRadial(pixel: Point = keyboardPlace()): void {
+  canvasStore.setState({ radial: pixel, menu: undefined, tip: undefined });
 }
 
 /** Gives the focus to the object that the keyboard is at, or to the canvas itself. */

@@ -49,6 +49,8 @@ export interface CanvasState {
   window: { rect: Rect; crossing: boolean } | undefined;
   wire: Elastic | undefined;
   menu: MenuAt | undefined;
+  /** The pixel about which the ring of commands is open. */
+  radial: Point | undefined;
   search: SearchAt | undefined;
   tip: TipAt | undefined;
   editor: EditorAt | undefined;
@@ -108,6 +110,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   window: undefined,
   wire: undefined,
   menu: undefined,
+  radial: undefined,
   search: undefined,
   tip: undefined,
   editor: undefined,

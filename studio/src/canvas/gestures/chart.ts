@@ -25,8 +25,11 @@ export interface Pointer {
   keys: Keys;
 }
 
+/** Space with the left button pans at once; the middle button only when it is dragged. */
+export type Button = "left" | "pan" | "middle" | "right";
+
 export type Gesture =
-  | ({ on: "down"; button: "left" | "pan" | "right"; target: Target } & Pointer)
+  | ({ on: "down"; button: Button; target: Target } & Pointer)
   | ({ on: "move" } & Pointer)
   | ({ on: "up"; target: Target } & Pointer)
   | { on: "cancel" };
@@ -36,6 +39,7 @@ export type State =
   /** The left button is down and has hardly moved. */
   | { is: "pressed"; target: Target; start: Pointer; wasSelected: boolean }
   | { is: "rightPressed"; target: Target; start: Pointer }
+  | { is: "middlePressed"; target: Target; start: Pointer }
   | { is: "panning"; pixel: Point }
   | { is: "window"; start: Pointer }
   | { is: "dragging"; start: Point }
@@ -61,6 +65,7 @@ export type Effect =
   | { do: "join"; from: Grip; to: Grip; how: Wiring }
   | { do: "release"; grip: Grip; at: Point; pixel: Point }
   | { do: "menu"; target: Target; at: Point; pixel: Point }
+  | { do: "radial"; target: Target; pixel: Point }
   | { do: "pick"; target: Target; keys: Keys };
 
 export interface World {
@@ -111,6 +116,7 @@ function down(gesture: Extract<Gesture, { on: "down" }>, world: World): Outcome 
   const start: Pointer = { at, pixel, keys };
   if (gesture.button === "pan") return [{ is: "panning", pixel }, []];
   if (gesture.button === "right") return [{ is: "rightPressed", target, start }, []];
+  if (gesture.button === "middle") return [{ is: "middlePressed", target, start }, []];
   if (target.is === "grip") {
     return [{ is: "wiring", grip: target.grip }, [elastic(target.grip, gesture, world)]];
   }
@@ -135,6 +141,7 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
       return [{ is: "panning", pixel: pointer.pixel }, [{ do: "pan", by }]];
     }
     case "rightPressed":
+    case "middlePressed":
       if (distance(pointer.pixel, state.start.pixel) < STRAY) return [state, []];
       return moved({ is: "panning", pixel: state.start.pixel }, pointer, world);
     case "pressed":
@@ -156,7 +163,7 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
 function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World): Outcome {
   const { at, pixel, keys } = gesture;
   // A busy page may tell of the way only when it is over.
-  if ((state.is === "pressed" || state.is === "rightPressed") && distance(pixel, state.start.pixel) >= STRAY) {
+  if ("start" in state && "target" in state && distance(pixel, state.start.pixel) >= STRAY) {
     const [next, effects] = moved(state, gesture, world);
     if (next.is !== state.is) {
       const [end, more] = up(next, gesture, world);
@@ -169,6 +176,8 @@ function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World)
       return [IDLE, []];
     case "rightPressed":
       return [IDLE, [{ do: "menu", target: state.target, at, pixel }]];
+    case "middlePressed":
+      return [IDLE, [{ do: "radial", target: state.target, pixel }]];
     case "pressed":
       return [IDLE, clicked(state)];
     case "window": {

@@ -9,7 +9,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import { documentStore } from "../../state/document";
 import { select, uiStore } from "../../state/ui";
 import { duplicate, joinGrips, moveBy, selection } from "../edits";
-import { openSearch } from "../open";
+import { openRadial, openSearch } from "../open";
 import { canvasStore } from "../store";
 import { lens, panBy } from "../view";
 import type { Effect, Target } from "./chart";
@@ -51,6 +51,10 @@ export function carryOut(effect: Effect): void {
     case "menu":
       pickForMenu(effect.target);
       canvasStore.setState({ menu: { pixel: effect.pixel, at: effect.at, target: effect.target }, tip: undefined });
+      return;
+    case "radial":
+      pickForMenu(effect.target);
+      openRadial(effect.pixel);
       return;
     case "pick":
       if (effect.target.is === "object" && effect.keys.ctrl && effect.keys.alt) pointAt(effect.target.id);

@@ -12,4 +12,6 @@ export const canvasMore = {
   "help.what": "What it is",
   "help.optional": "optional",
   "help.many": "any number of these",
+
+  "canvas.radial": "Ring of commands",
 } as const;
