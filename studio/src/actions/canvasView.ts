@@ -87,6 +87,20 @@ register(
     run: () => uiStore.setState({ profiler: !uiStore.getState().profiler }),
   },
   {
+    id: "canvas.aligning",
+    label: "canvas.aligning",
+    group: "canvas",
+    isOn: () => canvasStore.getState().aligning,
+    run: () => keep({ aligning: !canvasStore.getState().aligning }),
+  },
+  {
+    id: "canvas.snapping",
+    label: "canvas.menu.snapping",
+    group: "canvas",
+    isOn: () => canvasStore.getState().snapping,
+    run: () => keep({ snapping: !canvasStore.getState().snapping }),
+  },
+  {
     id: "canvas.ribbon",
     label: "canvas.action.ribbon",
     group: "canvas",

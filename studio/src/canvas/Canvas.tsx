@@ -18,6 +18,7 @@ import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
 import { uiStore } from "../state/ui";
+import { AlignWidget } from "./AlignWidget";
 import { Boxes } from "./Boxes";
 import { Crumbs } from "./Crumbs";
 import { FarLayer } from "./FarLayer";
@@ -214,6 +215,7 @@ function Flow() {
       >
         {far ? <FarLayer /> : null}
         <Overlay />
+        <AlignWidget />
       </ReactFlow>
     </Near.Provider>
   );

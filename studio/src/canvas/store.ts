@@ -74,6 +74,8 @@ export interface CanvasState {
   /** Whether things that are dragged line up with others. */
   snapping: boolean;
   ribbon: boolean;
+  /** Whether handles for lining up stand around a selection. */
+  aligning: boolean;
   /** What was last said for screen readers. */
   said: string;
 }
@@ -84,19 +86,21 @@ interface Kept {
   scheme: MouseScheme;
   snapping: boolean;
   ribbon: boolean;
+  aligning: boolean;
 }
 
 /** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
 function kept(): Kept {
-  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true };
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true };
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
     if (typeof found !== "object" || found === null) return usual;
-    const { scheme, snapping, ribbon } = found as Record<string, unknown>;
+    const { scheme, snapping, ribbon, aligning } = found as Record<string, unknown>;
     return {
       scheme: scheme === "figma" ? "figma" : "grasshopper",
       snapping: snapping !== false,
       ribbon: ribbon !== false,
+      aligning: aligning !== false,
     };
   } catch {
     return usual;
@@ -129,9 +133,9 @@ export const canvasStore = createStore<CanvasState>(() => ({
 /** Changes what a browser remembers. */
 export function keep(change: Partial<Kept>): void {
   canvasStore.setState(change);
-  const { scheme, snapping, ribbon } = canvasStore.getState();
+  const { scheme, snapping, ribbon, aligning } = canvasStore.getState();
   try {
-    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon }));
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning }));
   } catch {
     // It holds for this page then.
   }

@@ -14,7 +14,7 @@ import { LINE, menu, type Item } from "./items";
 import { registered } from "./objectMenu";
 
 export function canvasMenu(pixel: Point): Item[] {
-  const { scheme, snapping, ribbon } = canvasStore.getState();
+  const { scheme } = canvasStore.getState();
   const some = selection().length > 0;
   return menu(
     { is: "do", label: t("canvas.menu.search"), keys: "Space", run: () => openSearch(pixel) },
@@ -30,8 +30,9 @@ export function canvasMenu(pixel: Point): Item[] {
     LINE,
     registered("canvas.fullNames"),
     registered("canvas.profiler"),
-    { is: "do", label: t("canvas.menu.snapping"), on: snapping, run: () => keep({ snapping: !snapping }) },
-    { is: "do", label: t("canvas.menu.ribbon"), on: ribbon, run: () => keep({ ribbon: !ribbon }) },
+    registered("canvas.snapping"),
+    registered("canvas.aligning"),
+    registered("canvas.ribbon"),
     {
       is: "more",
       label: t("canvas.menu.mouse"),

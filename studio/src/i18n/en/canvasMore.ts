@@ -14,4 +14,5 @@ export const canvasMore = {
   "help.many": "any number of these",
 
   "canvas.radial": "Ring of commands",
+  "canvas.aligning": "Handles for lining up",
 } as const;
