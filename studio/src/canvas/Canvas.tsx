@@ -34,7 +34,9 @@ import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
 import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
+import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
+import { ZoomBox } from "./ZoomBox";
 
 /** Names of our own: xyflow has types such as `group` with a look that nobody asked for. */
 const NODE_TYPES: NodeTypes = {
@@ -54,6 +56,7 @@ const NO_WIRES: WireEdge[] = [];
 /** The canvas: the definition, and everything that hands do with it. It needs the stores and nothing else. */
 export function Canvas() {
   useEffect(() => void loadCatalogue(), []);
+  useEffect(loadViews, []);
   return (
     <div className="canvas-pane">
       <Ribbon />
@@ -216,6 +219,7 @@ function Flow() {
         {far ? <FarLayer /> : null}
         <Overlay />
         <AlignWidget />
+        <ZoomBox />
       </ReactFlow>
     </Near.Provider>
   );

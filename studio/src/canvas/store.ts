@@ -12,8 +12,10 @@ import type { Elastic, Target } from "./gestures/chart";
 
 export interface MenuAt {
   pixel: Point;
+  /** Whether it opens upwards from the pixel. */
+  above?: boolean;
   at: Point;
-  target: Target | { is: "centre"; id: string };
+  target: Target | { is: "centre"; id: string } | { is: "zoom" | "views" };
 }
 
 export interface SearchAt {

@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 import "./dialogs.css";
 
 import { About } from "./About";
+import { CanvasViews } from "./CanvasViews";
 import { ComponentHelp } from "./ComponentHelp";
 import { DocumentSettings } from "./DocumentSettings";
 import { Export } from "./Export";
@@ -29,6 +30,8 @@ export function Dialogs() {
       return <About />;
     case "help":
       return <ComponentHelp />;
+    case "views":
+      return <CanvasViews />;
     case undefined:
       return null;
   }

@@ -2,7 +2,7 @@
 
 import { createStore } from "zustand/vanilla";
 
-export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about" | "help";
+export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about" | "help" | "views";
 
 interface Dialogs {
   open: DialogName | undefined;
