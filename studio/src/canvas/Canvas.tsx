@@ -23,6 +23,7 @@ import { Boxes } from "./Boxes";
 import { Crumbs } from "./Crumbs";
 import { FarLayer } from "./FarLayer";
 import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
+import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
 import { Near, useCanvas } from "./hooks";
@@ -75,6 +76,7 @@ export function Canvas() {
 function Ground({ children }: { children: ReactNode }) {
   const ground = useRef<HTMLDivElement>(null);
   const placing = useCanvas((canvas) => canvas.placing !== undefined);
+  const finding = useCanvas((canvas) => canvas.found !== undefined);
   const wiring = useCanvas((canvas) => canvas.wire?.how);
 
   useEffect(() => {
@@ -117,7 +119,7 @@ function Ground({ children }: { children: ReactNode }) {
   return (
     <div
       ref={ground}
-      className={`ground ${placing ? "placing" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
+      className={`ground ${placing ? "placing" : ""} ${finding ? "finding" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
       role="group"
       aria-label={t("canvas.title")}
       aria-describedby="canvas-help"
@@ -220,6 +222,7 @@ function Flow() {
         <Overlay />
         <AlignWidget />
         <ZoomBox />
+        <FoundArrows />
       </ReactFlow>
     </Near.Provider>
   );

@@ -66,6 +66,8 @@ export interface CanvasState {
   connecting: Grip | undefined;
   /** Whether the box that finds objects of the document is open. */
   finding: boolean;
+  /** What was found: everything else is faint. */
+  found: ReadonlySet<string> | undefined;
   /** A wire that a menu speaks of. */
   hotWire: { from: string; to: string } | undefined;
   /** The object that the keyboard is at. */
@@ -125,6 +127,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   pointedAt: undefined,
   connecting: undefined,
   finding: false,
+  found: undefined,
   hotWire: undefined,
   active: undefined,
   distance: "usual",

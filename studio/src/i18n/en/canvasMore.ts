@@ -35,4 +35,6 @@ export const canvasMore = {
   "canvas.views.next": "Next view of the canvas",
   "canvas.views.previous": "Previous view of the canvas",
   "canvas.views.kept": "This browser keeps the views; they are not part of the file.",
+
+  "canvas.find.beyond": "{count} found this way",
 } as const;
