@@ -10,7 +10,8 @@ export default defineConfig({
   build: { outDir: "dist", target: "es2022", chunkSizeWarningLimit: 1600 },
   server: {
     proxy: {
-      "/api": server,
+      // The server takes changes from pages of its own address only: this page speaks for one.
+      "/api": { target: server, changeOrigin: true, headers: { origin: server } },
       "/geometry": server,
       "/image": server,
       "/socket": { target: server, ws: true },

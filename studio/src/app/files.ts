@@ -57,6 +57,13 @@ export async function upload(file: File, document?: string): Promise<string> {
   return ((await response.json()) as { document: string }).document;
 }
 
+/** A definition as text: files that are none are read by the server and written anew. */
+export async function definitionText(file: File): Promise<string> {
+  if (!isNamed(file.name, [".gh"])) return await file.text();
+  const document = await upload(file);
+  return await (await checked(await fetch(address("api/save", { document, format: "ghx" })))).text();
+}
+
 /** Has the browser keep the document as a file. */
 export function download(document: string, format: DownloadFormat): Promise<void> {
   return keep(address("api/save", { document, format }));

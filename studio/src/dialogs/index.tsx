@@ -7,6 +7,7 @@ import { CanvasViews } from "./CanvasViews";
 import { ComponentHelp } from "./ComponentHelp";
 import { DocumentSettings } from "./DocumentSettings";
 import { Export } from "./Export";
+import { Insert } from "./Insert";
 import { KeySheet } from "./KeySheet";
 import { Palette } from "./Palette";
 import { SaveAs } from "./SaveAs";
@@ -32,6 +33,8 @@ export function Dialogs() {
       return <ComponentHelp />;
     case "views":
       return <CanvasViews />;
+    case "insert":
+      return <Insert />;
     case undefined:
       return null;
   }
