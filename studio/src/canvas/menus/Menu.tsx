@@ -115,14 +115,6 @@ function Entry({ item, open, onOpen, onClose }: EntryProps) {
       return <p className={`message ${item.level}`}>{item.text}</p>;
     case "field":
       return <Field {...item} onClose={onClose} />;
-    case "colour":
-      return (
-        <label className="item">
-          <span className="mark" />
-          {item.label}
-          <input type="color" defaultValue={item.value} onBlur={(event) => item.take(event.target.value)} />
-        </label>
-      );
     case "more":
       return <More item={item} open={open} onOpen={onOpen} onClose={onClose} />;
     case "do":

@@ -1,6 +1,5 @@
 /** The menus of the empty canvas, of groups, and of wires. */
 
-import { fromHex, hex } from "../../core/colours";
 import type { Point } from "../../core/geometry";
 import type { Control } from "../../core/protocol/Control";
 import type { GroupChange } from "../../core/protocol/GroupChange";
@@ -8,7 +7,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { edit } from "../../state/session";
 import { remove, selection, unwire } from "../edits";
-import { openSearch } from "../open";
+import { openEditor, openSearch } from "../open";
 import { canvasStore, keep } from "../store";
 import { LINE, menu, type Item } from "./items";
 import { registered } from "./objectMenu";
@@ -77,14 +76,7 @@ export function groupMenu(object: ObjectView, group: Extract<Control, { is: "gro
   const members = new Set(group.members);
   return menu(
     { is: "field", label: t("canvas.menu.label"), value: group.label, take: (text) => change({ is: "label", text }) },
-    {
-      is: "colour",
-      label: t("canvas.menu.colour"),
-      value: hex(group.colour),
-      take(next) {
-        if (next !== hex(group.colour)) change({ is: "colour", colour: fromHex(next, group.colour[3]) });
-      },
-    },
+    { is: "do", label: t("canvas.menu.paper"), run: () => openEditor(object.id, "control") },
     { is: "more", label: t("canvas.menu.border"), items: borders },
     LINE,
     {
