@@ -203,3 +203,14 @@ describe("the middle button", () => {
     expect(new Hand().down([5, 5], A, "middle").up([40, 5]).done).toEqual(["pan"]);
   });
 });
+
+describe("Alt on the empty canvas", () => {
+  test("makes room from where it began, until it is let go or abandoned", () => {
+    const hand = new Hand().with({ alt: true }).down([10, 10]).move([60, 12]);
+    expect(hand.last("spread")).toEqual({ do: "spread", from: [10, 10], to: [60, 12], drop: false });
+    hand.up([70, 12]);
+    expect(hand.last("spread")).toEqual({ do: "spread", from: [10, 10], to: [70, 12], drop: true });
+    const undone = new Hand().with({ alt: true }).down([10, 10]).move([60, 12]).take({ on: "cancel" });
+    expect(undone.done.at(-1)).toBe("undrag");
+  });
+});

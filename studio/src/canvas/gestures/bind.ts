@@ -89,7 +89,7 @@ let creeping: number | undefined;
 /** While something is dragged at the edge, the canvas creeps under it. */
 function creep(): void {
   creeping = undefined;
-  if (state.is !== "dragging" && state.is !== "wiring" && state.is !== "window") return;
+  if (state.is !== "dragging" && state.is !== "spreading" && state.is !== "wiring" && state.is !== "window") return;
   const [w, h] = paneSize();
   const pull = (at: number, room: number) => (at < EDGE ? EDGE - at : at > room - EDGE ? room - EDGE - at : 0);
   const limit = (by: number) => Math.max(-24, Math.min(24, by * 0.5));

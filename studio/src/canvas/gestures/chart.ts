@@ -43,6 +43,8 @@ export type State =
   | { is: "panning"; pixel: Point }
   | { is: "window"; start: Pointer }
   | { is: "dragging"; start: Point }
+  /** Alt on the empty canvas: all that lies farther on gives way. */
+  | { is: "spreading"; from: Point }
   | { is: "wiring"; grip: Grip };
 
 /** An elastic wire, from a grip to the pointer or to the grip that it would take hold of. */
@@ -60,6 +62,7 @@ export type Effect =
   | { do: "take"; rect: Rect; crossing: boolean; how: Picking }
   | { do: "drag"; by: Point; keys: Keys }
   | { do: "drop"; by: Point; keys: Keys }
+  | { do: "spread"; from: Point; to: Point; drop: boolean }
   | { do: "undrag" }
   | { do: "wire"; wire: Elastic | undefined }
   | { do: "join"; from: Grip; to: Grip; how: Wiring }
@@ -103,6 +106,7 @@ function undone(state: State): Effect[] {
     case "window":
       return [{ do: "window", window: undefined }];
     case "dragging":
+    case "spreading":
       return [{ do: "undrag" }];
     case "wiring":
       return [{ do: "wire", wire: undefined }];
@@ -146,6 +150,9 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
       return moved({ is: "panning", pixel: state.start.pixel }, pointer, world);
     case "pressed":
       if (distance(pointer.pixel, state.start.pixel) < STRAY) return [state, []];
+      if (state.target.is === "void" && state.start.keys.alt) {
+        return moved({ is: "spreading", from: state.start.at }, pointer, world);
+      }
       if (asWindow(state.target, state.start.keys)) {
         return moved({ is: "window", start: state.start }, pointer, world);
       }
@@ -155,6 +162,8 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
       return [state, [{ do: "window", window: frame(state.start, pointer) }]];
     case "dragging":
       return [state, [{ do: "drag", by: offset(state.start, pointer.at), keys: pointer.keys }]];
+    case "spreading":
+      return [state, [{ do: "spread", from: state.from, to: pointer.at, drop: false }]];
     case "wiring":
       return [state, [elastic(state.grip, pointer, world)]];
   }
@@ -187,6 +196,8 @@ function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World)
     }
     case "dragging":
       return [IDLE, [{ do: "drop", by: offset(state.start, at), keys }]];
+    case "spreading":
+      return [IDLE, [{ do: "spread", from: state.from, to: at, drop: true }]];
     case "wiring": {
       const how = wiring(keys);
       const end = world.gripNear(at, (grip) => joins(state.grip, grip, how));

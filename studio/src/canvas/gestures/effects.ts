@@ -4,11 +4,12 @@ import { snap } from "../../core/align";
 import { around, inside, type Point, type Rect } from "../../core/geometry";
 import { isGroup, leaves } from "../../core/groups";
 import { NO_SHIFTS } from "../../core/places";
+import { spreadSteps } from "../../core/spread";
 import { picked, windowed, type Keys } from "../../core/selection";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { documentStore } from "../../state/document";
 import { select, uiStore } from "../../state/ui";
-import { duplicate, joinGrips, moveBy, selection } from "../edits";
+import { duplicate, joinGrips, moveBy, moveEach, selection } from "../edits";
 import { openRadial, openSearch } from "../open";
 import { canvasStore } from "../store";
 import { lens, panBy } from "../view";
@@ -35,6 +36,9 @@ export function carryOut(effect: Effect): void {
       return;
     case "drop":
       drop(effect.by, effect.keys);
+      return;
+    case "spread":
+      spread(effect.from, effect.to, effect.drop);
       return;
     case "undrag":
       canvasStore.setState({ shifts: NO_SHIFTS, ghosts: [], guides: [] });
@@ -150,6 +154,15 @@ function drop(by: Point, keys: Keys): void {
   dragged = undefined;
   if (keys.alt) void duplicate(selection(), step.by);
   else void moveBy(selection(), step.by);
+}
+
+/** Makes room: shown while the hand goes on, asked for when it is done. */
+function spread(from: Point, to: Point, done: boolean): void {
+  const { objects } = documentStore.getState();
+  const rects = [...objects.values()].filter((object) => !isGroup(object)).map((object) => [object.id, object.bounds] as const);
+  const steps = spreadSteps(rects, from, to);
+  canvasStore.setState({ shifts: steps });
+  if (done) void moveEach(steps);
 }
 
 /** Forgets what was gathered for a drag that came to nothing. */
