@@ -17,6 +17,7 @@ register(
     run: async () => goTo(await open({ new: true })),
   },
   { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
+  { id: "file.documents", label: "documents.action", group: "file", keys: ["Mod+Shift+K"], run: () => showDialog("documents") },
   { id: "file.insert", label: "insert.action", group: "file", isEnabled: isOpen, run: chooseToInsert },
   {
     id: "file.save",

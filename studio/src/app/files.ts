@@ -74,6 +74,11 @@ export function exportAs(document: string, format: ExportFormat): Promise<void> 
   return keep(address("api/export", { document, format }));
 }
 
+/** Has the browser keep a picture of the definition itself: all of its canvas. */
+export function exportCanvas(document: string, format: "svg" | "png"): Promise<void> {
+  return keep(address("api/export", { document, format, canvas: "true" }));
+}
+
 async function keep(from: string): Promise<void> {
   const response = await checked(await fetch(from));
   const stated = /filename\*?="?([^";]+)"?/.exec(response.headers.get("content-disposition") ?? "")?.[1];

@@ -6,6 +6,7 @@ import { About } from "./About";
 import { CanvasViews } from "./CanvasViews";
 import { ComponentHelp } from "./ComponentHelp";
 import { DocumentSettings } from "./DocumentSettings";
+import { Documents } from "./Documents";
 import { Export } from "./Export";
 import { Insert } from "./Insert";
 import { KeySheet } from "./KeySheet";
@@ -33,6 +34,8 @@ export function Dialogs() {
       return <ComponentHelp />;
     case "views":
       return <CanvasViews />;
+    case "documents":
+      return <Documents />;
     case "insert":
       return <Insert />;
     case undefined:

@@ -73,4 +73,15 @@ export const canvasMore = {
   "canvas.gradient.preset.earth": "Earth",
   "canvas.gradient.preset.diverging": "Blue to red",
   "canvas.gradient.preset.stripes": "Stripes",
+
+  "export.canvas": "Picture of the canvas",
+  "export.canvas.svg": "Canvas as .svg",
+  "export.canvas.png": "Canvas as .png",
+
+  "documents.action": "Open documents …",
+  "documents.title": "Open documents",
+  "documents.here": "this one",
+  "documents.changed": "changed",
+  "documents.none": "No other document is open.",
+  "documents.start": "Start page",
 } as const;
