@@ -57,10 +57,16 @@ async function mirrored(revision: number): Promise<void> {
 }
 
 /** Moves objects by a step; groups take their members along. */
-export async function moveBy(ids: Iterable<string>, [dx, dy]: Point, gesture: number | null = null): Promise<void> {
+export async function moveBy(ids: Iterable<string>, by: Point, gesture: number | null = null): Promise<void> {
+  const { objects } = documentStore.getState();
+  await moveEach(new Map([...leaves(ids, objects)].map((id) => [id, by])), gesture);
+}
+
+/** Moves each of these objects by its own step. */
+export async function moveEach(steps: ReadonlyMap<string, Point>, gesture: number | null = null): Promise<void> {
   const { objects } = documentStore.getState();
   const places: [string, [number, number]][] = [];
-  for (const id of leaves(ids, objects)) {
+  for (const [id, [dx, dy]] of steps) {
     const bounds = objects.get(id)?.bounds;
     if (bounds) places.push([id, [bounds[0] + dx, bounds[1] + dy]]);
   }

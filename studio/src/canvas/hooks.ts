@@ -34,6 +34,11 @@ export function useHovered(id: string): boolean {
   return useStore(uiStore, (ui) => ui.hovered === id);
 }
 
+/** Whether an object is among what was searched for on the canvas. */
+export function useFound(id: string): boolean {
+  return useStore(canvasStore, (canvas) => canvas.found?.has(id) === true);
+}
+
 export function useFullNames(): boolean {
   return useStore(uiStore, (ui) => ui.fullNames);
 }

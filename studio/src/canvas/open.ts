@@ -1,11 +1,12 @@
 /** Opening and closing the boxes of the canvas. */
 
+import { boxPlace } from "../core/boxPlace";
 import type { Point } from "../core/geometry";
 import type { Grip } from "../core/hit";
 import { documentStore } from "../state/document";
 import { canvasStore, type EditorAt } from "./store";
 import { enter, reshape, set } from "./edits";
-import { canvasPoint, paneElement, paneSize, windowPoint } from "./view";
+import { canvasPoint, lens, paneElement, paneSize, windowPoint } from "./view";
 
 /** Room between an object and one that the keyboard places beside it. */
 const BESIDE = 150;
@@ -35,6 +36,7 @@ export function openEditor(object: string, is: EditorAt["is"], more: Partial<Edi
 export function closeBoxes(): void {
   canvasStore.setState({
     menu: undefined,
+    radial: undefined,
     search: undefined,
     editor: undefined,
     writing: undefined,
@@ -44,6 +46,11 @@ export function closeBoxes(): void {
     hotWire: undefined,
   });
   focusCanvas();
+}
+
+/** Opens the ring of commands: about a pixel, or where the keyboard is. */
+export function openRadial(pixel: Point = keyboardPlace()): void {
+  canvasStore.setState({ radial: pixel, menu: undefined, tip: undefined });
 }
 
 /** Gives the focus to the object that the keyboard is at, or to the canvas itself. */
@@ -85,10 +92,9 @@ export function activate(id: string): void {
   }
 }
 
-/** Where a box about an object opens: below it, in the window. */
-export function below(id: string): Point {
-  const bounds = documentStore.getState().objects.get(id)?.bounds ?? [0, 0, 0, 0];
-  const [w, h] = paneSize();
-  const [x, y] = windowPoint([bounds[0], bounds[1] + bounds[3]]);
-  return [Math.min(Math.max(x, 8), Math.max(w - 340, 8)), Math.min(Math.max(y + 8, 8), Math.max(h - 320, 8))];
+/** Where a box of this size about an object opens, in the window. */
+export function besideObject(id: string, size: Point): Point {
+  const [x, y, w, h] = documentStore.getState().objects.get(id)?.bounds ?? [0, 0, 0, 0];
+  const { zoom } = lens();
+  return boxPlace([...windowPoint([x, y]), w * zoom, h * zoom], size, paneSize());
 }

@@ -2,11 +2,10 @@
 
 import { shownKeys } from "../../actions/keys";
 import { action } from "../../actions/registry";
-import { hex, fromHex } from "../../core/colours";
 import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PanelChange } from "../../core/protocol/PanelChange";
-import { GRAPHS } from "../../core/graph";
+import { graphChoices } from "../../core/graph";
 import { t, type Key } from "../../i18n";
 import { edit } from "../../state/session";
 import { runStore } from "../../state/run";
@@ -127,8 +126,6 @@ function controlItems(object: ObjectView, control: Control): Item[] {
         { is: "do", label: t("canvas.true"), on: control.on, run: () => set(object.id, { is: "switch", on: true }) },
         { is: "do", label: t("canvas.false"), on: !control.on, run: () => set(object.id, { is: "switch", on: false }) },
       ];
-    case "swatch":
-      return [colour(control.colour, (next) => set(object.id, { is: "colour", colour: next }))];
     case "script":
     case "formula":
       return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "script") }];
@@ -148,17 +145,6 @@ function controlItems(object: ObjectView, control: Control): Item[] {
     default:
       return [open];
   }
-}
-
-function colour(value: readonly [number, number, number, number], take: (next: [number, number, number, number]) => void): Item {
-  return {
-    is: "colour",
-    label: t("canvas.menu.colour"),
-    value: hex(value),
-    take(next) {
-      if (next !== hex(value)) take(fromHex(next, value[3]));
-    },
-  };
 }
 
 type PanelControl = Extract<Control, { is: "panel" }>;
@@ -188,17 +174,18 @@ function panelItems(object: ObjectView, panel: PanelControl): Item[] {
     { is: "do", label: t("canvas.menu.write"), run: () => canvasStore.setState({ writing: object.id }) },
     ...switches,
     { is: "more", label: t("canvas.panel.alignment"), items: sides },
-    colour(panel.colour, (next) => changed({ is: "colour", colour: next })),
+    { is: "do", label: t("canvas.menu.paper"), run: () => openEditor(object.id, "control") },
   ];
 }
 
 function graphTypes(object: ObjectView, control: Extract<Control, { is: "graph" }>): Item {
-  const items = GRAPHS.map(
+  const { graph } = control;
+  const items = graphChoices(graph.name).map(
     (name): Item => ({
       is: "do",
       label: name,
-      on: control.graph.name === name,
-      run: () => reshape(object.id, { ...control, graph: { name, handles: [] } }),
+      on: graph.name === name,
+      run: () => name !== graph.name && reshape(object.id, { ...control, graph: { name, handles: [] } }),
     }),
   );
   return { is: "more", label: t("canvas.menu.graph"), items };

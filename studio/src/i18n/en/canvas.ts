@@ -119,7 +119,7 @@ export const canvas = {
   "canvas.gradient.left": "Left",
   "canvas.gradient.right": "Right",
   "canvas.gradient.add": "Add a grip",
-  "canvas.gradient.remove": "Remove",
+  "canvas.gradient.remove": "Remove it",
 
   "canvas.graph.title": "Graph mapper",
   "canvas.graph.none": "No graph",
