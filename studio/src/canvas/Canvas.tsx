@@ -34,6 +34,7 @@ import { Group, Scribble, Sketch } from "./nodes/Notes";
 import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
+import { tellEdits } from "./tell";
 import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
 import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
@@ -57,6 +58,7 @@ const NO_WIRES: WireEdge[] = [];
 /** The canvas: the definition, and everything that hands do with it. It needs the stores and nothing else. */
 export function Canvas() {
   useEffect(() => void loadCatalogue(), []);
+  useEffect(() => tellEdits(), []);
   useEffect(loadViews, []);
   return (
     <div className="canvas-pane">
