@@ -1,6 +1,5 @@
-import { expect, test } from "@playwright/test";
-
 import { centre, drag, grip, ground, newest, ids, openCanvas, place, spot, wire, wires } from "./canvas";
+import { expect, test } from "./test";
 
 test.beforeEach(async ({ page }) => {
   await openCanvas(page);
