@@ -35,6 +35,7 @@ import { Group, Scribble, Sketch } from "./nodes/Notes";
 import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
+import { tellEdits } from "./tell";
 import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
 import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
@@ -58,6 +59,7 @@ const NO_WIRES: WireEdge[] = [];
 /** The canvas: the definition, and everything that hands do with it. It needs the stores and nothing else. */
 export function Canvas() {
   useEffect(() => void loadCatalogue(), []);
+  useEffect(() => tellEdits(), []);
   useEffect(loadViews, []);
   return (
     <div className="canvas-pane">

@@ -1,26 +1,43 @@
 /** Opening and closing the boxes of the canvas. */
 
 import { boxPlace } from "../core/boxPlace";
-import type { Point } from "../core/geometry";
 import { IDS } from "../core/catalogue";
+import type { Point, Rect } from "../core/geometry";
+import { isGroup } from "../core/groups";
 import type { Grip } from "../core/hit";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { documentStore } from "../state/document";
 import { canvasStore, type EditorAt } from "./store";
 import { enter, reshape, set } from "./edits";
+import { rectNow } from "./gestures/world";
 import { canvasPoint, lens, paneElement, paneSize, windowPoint } from "./view";
 
 /** Room between an object and one that the keyboard places beside it. */
 const BESIDE = 150;
+/** Half the height that is kept free for it. */
+const ROOM = 30;
 
-/** Where the keyboard places something: to the right of what it is at, else in the middle of what is seen. */
-function keyboardPlace(): Point {
+/**
+ * Where the keyboard places something: to the right of what it is at, else in the middle of what is seen; below what
+ * stands there already.
+ */
+export function keyboardPlace(): Point {
   const [w, h] = paneSize();
-  const { active } = canvasStore.getState();
-  const bounds = active === undefined ? undefined : documentStore.getState().objects.get(active)?.bounds;
-  if (!bounds) return [w / 2, h / 3];
-  const [x, y] = windowPoint([bounds[0] + bounds[2] + BESIDE, bounds[1] + bounds[3] / 2]);
-  return [Math.min(Math.max(x, 40), w - 40), Math.min(Math.max(y, 40), h - 40)];
+  const { objects } = documentStore.getState();
+  const bounds = objects.get(canvasStore.getState().active ?? "")?.bounds;
+  const [x, y] = bounds ? [bounds[0] + bounds[2] + BESIDE, bounds[1] + bounds[3] / 2] : canvasPoint([w / 2, h / 3]);
+  return windowPoint([x, freeBelow(x, y, [...objects.values()].filter((object) => !isGroup(object)).map(rectNow))]);
+}
+
+/** The first height from `y` down where an object of the usual size about `x` is in nobody's way. */
+function freeBelow(x: number, y: number, taken: readonly Rect[]): number {
+  const column = taken.filter((rect) => rect[0] < x + BESIDE - 20 && rect[0] + rect[2] > x - BESIDE + 20);
+  const below = column.sort((a, b) => a[1] - b[1]);
+  let free = y;
+  for (const rect of below) {
+    if (rect[1] < free + ROOM && rect[1] + rect[3] > free - ROOM) free = rect[1] + rect[3] + ROOM + 10;
+  }
+  return free;
 }
 
 /** Opens the search box: at a pixel, or where the keyboard is. What was found goes there. */

@@ -149,7 +149,7 @@ export function keep(change: Partial<Kept>): void {
   }
 }
 
-/** Tells screen readers something. */
-export function say(said: string): void {
-  canvasStore.setState({ said });
+/** Tells screen readers something. The same words twice are another text, or the second time would not be heard. */
+export function say(words: string): void {
+  canvasStore.setState(({ said }) => ({ said: said === words ? `${words}\u00a0` : words }));
 }

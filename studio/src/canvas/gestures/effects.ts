@@ -47,7 +47,7 @@ export function carryOut(effect: Effect): void {
       canvasStore.setState({ wire: effect.wire });
       return;
     case "join":
-      joinGrips(effect.from, effect.to, effect.how);
+      void joinGrips(effect.from, effect.to, effect.how);
       return;
     case "release":
       openSearch(effect.pixel, effect.grip);

@@ -175,8 +175,8 @@ export function goTo(id: string, extend: boolean): void {
   canvasStore.setState({ active: id });
   reveal(id);
   say(spoken(object, lookOf(object, runStore.getState().results.get(id)), true));
-  // The element may only be there after the next drawing.
-  requestAnimationFrame(() => requestAnimationFrame(focusCanvas));
+  // Where its element is out of sight, it takes the focus from the canvas when it comes.
+  focusCanvas();
 }
 
 /** Goes into an object's own control when it has one, else does what a double-click does. */

@@ -10,12 +10,12 @@ import { t, type Key } from "../../i18n";
 import { edit } from "../../state/session";
 import { runStore } from "../../state/run";
 import { uiStore } from "../../state/ui";
-import { change, enter, reshape, selection, set } from "../edits";
+import { addPort, change, enter, reshape, selection, set } from "../edits";
 import { documentStore } from "../../state/document";
 import { isViewer, openEditor, turnViewer } from "../open";
 import { canvasStore } from "../store";
 import { LINE, menu, type Item } from "./items";
-import { portItems } from "./portMenu";
+import { portItems, portMenu } from "./portMenu";
 
 /** What the menu is about: the whole selection when the object is in it. */
 function concerned(object: ObjectView): string[] {
@@ -59,6 +59,9 @@ export function objectMenu(object: ObjectView): Item[] {
     },
     ...(isPort ? [LINE, ...portItems(object, own, "input")] : []),
     LINE,
+    !isPort && ports(object, "input"),
+    !isPort && ports(object, "output"),
+    LINE,
     object.kind === "cluster" && {
       is: "do",
       label: t("canvas.menu.enter"),
@@ -88,6 +91,21 @@ export function objectMenu(object: ObjectView): Item[] {
     registered("object.bake"),
     registered("help.component"),
   );
+}
+
+/** The menus of its ports, for hands that cannot point at them. */
+function ports(object: ObjectView, side: "input" | "output"): Item | undefined {
+  const all = side === "input" ? object.inputs : object.outputs;
+  const varies = side === "input" ? object.variableInputs : object.variableOutputs;
+  const items = all.map((port): Item => ({ is: "more", label: port.name, items: portMenu(object, port, side) }));
+  const add: Item = {
+    is: "do",
+    label: t("canvas.port.addLast"),
+    run: () => addPort(object.id, side === "input", all.length),
+  };
+  if (items.length === 0 && !varies) return undefined;
+  const label = t(side === "input" ? "canvas.menu.inputs" : "canvas.menu.outputs");
+  return { is: "more", label, items: menu(...items, LINE, varies && add) };
 }
 
 function joins(object: ObjectView): boolean {

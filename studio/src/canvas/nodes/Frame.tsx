@@ -6,7 +6,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import type { ResultView } from "../../core/protocol/ResultView";
 import { t } from "../../i18n";
-import { useCanvas, useFound, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
+import { useCanvas, useFocus, useFound, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
 import { portName } from "../../core/ports";
 
 interface FrameProps {
@@ -27,6 +27,7 @@ export function Frame({ object, kind, style, filled = true, children }: FramePro
   const hovered = useHovered(object.id);
   const found = useFound(object.id);
   const look = lookOf(object, result);
+  useFocus(object.id, active);
   const states = [selected ? "selected" : "", filled ? "filled" : "", hovered ? "hovered" : "", found ? "found" : ""];
   const classes = ["object", kind, `look-${look}`, ...states];
   return (

@@ -10,7 +10,7 @@ import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
 import { reshape } from "../edits";
 import type { CanvasNode } from "../flow";
-import { useCanvas, useFound, useFullNames, useSelected } from "../hooks";
+import { useCanvas, useFocus, useFound, useFullNames, useSelected } from "../hooks";
 import { closeBoxes } from "../open";
 import { canvasStore } from "../store";
 
@@ -21,6 +21,7 @@ export const Group = memo(function Group({ data, positionAbsoluteX, positionAbso
   const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
   const full = useFullNames();
+  useFocus(object.id, active);
   const { control } = object;
   if (control?.is !== "group") return null;
   const label = control.label.trim();
@@ -67,6 +68,7 @@ export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positi
   const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
   const writing = useCanvas((canvas) => canvas.writing === object.id);
+  useFocus(object.id, active);
   const { control } = object;
   if (control?.is !== "scribble") return null;
   const [a, b] = control.corners;
