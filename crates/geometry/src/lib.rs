@@ -89,8 +89,8 @@ pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
-    CurvatureExtremum, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve, OffsetCorner, PolyCurve,
-    PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
+    CurvatureExtremum, CurvatureSample, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve,
+    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
