@@ -40,6 +40,7 @@ pub mod brep;
 mod catenary;
 mod circle;
 pub mod cloud;
+pub mod construct;
 mod curve;
 mod ellipse;
 mod error;
