@@ -21,6 +21,27 @@ pub fn item(value: Option<&Value>, style: &Style) -> String {
     value.map_or_else(|| "null".to_owned(), |value| self::value(value, style))
 }
 
+/// The text of one item with all digits of numbers, points and vectors, so that reading it gives the same value again;
+/// as in a panel for all else.
+pub fn exact(value: Option<&Value>, style: &Style) -> String {
+    match value {
+        Some(Value::Number(x)) if x.is_finite() => digits(*x),
+        Some(Value::Point(p)) if p.is_finite() => all_digits([p.x, p.y, p.z]),
+        Some(Value::Vector(v)) if v.is_finite() => all_digits([v.x, v.y, v.z]),
+        other => item(other, style),
+    }
+}
+
+/// The shortest text that is this number again: `2.5`, `-3`, `0.1`, `1e-7`.
+fn digits(x: f64) -> String {
+    let text = format!("{x:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+fn all_digits(numbers: [f64; 3]) -> String {
+    format!("{{{}}}", numbers.map(digits).join(", "))
+}
+
 /// The text of a value.
 pub fn value(value: &Value, style: &Style) -> String {
     match value {
@@ -245,6 +266,33 @@ mod tests {
         assert_eq!(value(&p, &Style::default()), "{24, 6, -0}");
         let v = Value::Vector(Vector3::new(1.0, 0.25, 0.0));
         assert_eq!(value(&v, &Style::default()), "{1, 0.25, 0}");
+    }
+
+    #[test]
+    fn exact_texts_are_read_back_as_they_were() {
+        use crate::Kind;
+        use crate::cast::{self, Rules};
+        let sizes = [0.0, -3.0, 0.1, 1.0 / 3.0, 1e-7, -2.5e-300, 1e22, 6.02e23, f64::MAX, f64::MIN_POSITIVE];
+        for (k, x) in sizes.into_iter().enumerate() {
+            let [y, z] = [sizes[(k + 1) % sizes.len()], sizes[(k + 3) % sizes.len()]];
+            for value in
+                [Value::Number(x), Value::Point(Point3::new(x, y, z)), Value::Vector(Vector3::new(x, y, z))]
+            {
+                let text = exact(Some(&value), &Style::default());
+                let kind = match value {
+                    Value::Number(_) => Kind::Number,
+                    Value::Point(_) => Kind::Point,
+                    _ => Kind::Vector,
+                };
+                assert_eq!(
+                    cast::value(&Value::text(text.as_str()), kind, &Rules::default()),
+                    Some(value),
+                    "{text}"
+                );
+            }
+        }
+        assert_eq!(exact(Some(&Value::Integer(7)), &Style::default()), "7");
+        assert_eq!(exact(None, &Style::default()), "null");
     }
 
     #[test]

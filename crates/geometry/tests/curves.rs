@@ -774,6 +774,31 @@ fn c5_osculating_circles_and_the_curvature_graph() {
 }
 
 #[test]
+fn c5_the_curvature_is_sampled_by_spans_and_jumps_between_them() {
+    let c = wave();
+    let spans = c.curvature_samples(6);
+    assert_eq!(spans.len(), c.bending_spans());
+    assert!(spans.iter().all(|span| span.len() == 7));
+    for sample in spans.iter().flat_map(|span| span.iter().skip(1).take(5)) {
+        close_points(sample.point, c.point_at(sample.parameter), 1e-12, "on the curve");
+        close_vectors(sample.curvature, c.curvature_at(sample.parameter), 1e-9, "curvature");
+    }
+    let arc: Curve =
+        Arc::from_start_direction_end(p(4.0, 0.0, 0.0), Vector3::X, p(6.0, 2.0, 0.0)).unwrap().into();
+    let joined: Curve = PolyCurve::new(vec![line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)), arc]).unwrap().into();
+    let spans = joined.curvature_samples(4);
+    assert_eq!((joined.bending_spans(), spans.len()), (1, 1), "the line does not bend");
+    for sample in &spans[0] {
+        close(sample.curvature.length(), 0.5, 1e-13, "1/radius everywhere");
+        close_points(sample.point + sample.curvature * 4.0, p(4.0, 2.0, 0.0), 1e-12, "towards the centre");
+    }
+    let circle: Curve = Circle::new(Plane::XY, 3.0).unwrap().into();
+    assert_eq!((circle.bending_spans(), circle.curvature_samples(5)[0].len()), (4, 21));
+    let corner = PolylineCurve::new(vec![p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 1.0, 0.0)]).unwrap();
+    assert!(Curve::from(corner).curvature_samples(5).is_empty());
+}
+
+#[test]
 fn tangents_of_circles() {
     let a = Circle::new(Plane::XY, 1.0).unwrap();
     let b = Circle::new(Plane::XY.with_origin(p(5.0, 1.0, 0.0)), 2.0).unwrap();

@@ -63,7 +63,7 @@ proptest! {
         prop_assert!(d.start < d.end);
         let t = d.at(0.3);
         let _ = (c.point_at(x), c.tangent_at(x), c.curvature_at(x), c.frame_at(x), c.torsion_at(x), c.derivatives(x, 5, true));
-        let _ = (c.osculating_circle_at(t), c.curvature_graph(3, 1.0), c.signed_curvature_at(t, Vector3::Z));
+        let _ = (c.osculating_circle_at(t), c.curvature_graph(3, 1.0), c.curvature_samples(3), c.signed_curvature_at(t, Vector3::Z));
         let _ = (c.is_closed(), c.is_periodic(), c.plane(1e-3), c.as_line(1e-3), c.as_arc(1e-3), c.as_polyline());
         let length = c.length();
         prop_assert!(length >= 0.0 || length.is_nan() || length.is_infinite());

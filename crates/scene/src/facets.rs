@@ -141,6 +141,11 @@ impl Facets {
         }
     }
 
+    /// The surface that the facets are of; none where a program made them.
+    pub fn nurbs(&self) -> Option<&NurbsSurface> {
+        self.nurbs.as_ref()
+    }
+
     /// Whether the facets have the surface with them, so that finer ones can be made.
     pub fn is_exact(&self) -> bool {
         self.nurbs.is_some()

@@ -10,6 +10,9 @@ use crate::lock::held;
 /// What was shown a moment ago is kept up to so many bytes: a face may be fetching it.
 const LINGERING: usize = 128 << 20;
 
+/// How many bytes of a hash name geometry.
+const HASH_BYTES: usize = 16;
+
 /// The geometry of an object.
 #[derive(Debug)]
 pub(crate) struct Geometry {
@@ -17,6 +20,18 @@ pub(crate) struct Geometry {
     pub(crate) hash: String,
     /// A preview as the protocol lays it out.
     pub(crate) bytes: Bytes,
+}
+
+impl Geometry {
+    /// The 16 bytes of the hash and the geometry: a frame of the socket. Nothing where the hash is none.
+    pub(crate) fn framed(&self) -> Option<Bytes> {
+        let mut frame = Vec::with_capacity(HASH_BYTES + self.bytes.len());
+        for pair in self.hash.as_bytes().chunks(2) {
+            frame.push(u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok()?);
+        }
+        frame.extend_from_slice(&self.bytes);
+        (self.hash.len() == 2 * HASH_BYTES).then(|| frame.into())
+    }
 }
 
 /// All geometry that documents show, and what they showed last.

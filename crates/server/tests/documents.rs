@@ -7,7 +7,10 @@ mod common;
 use std::time::Duration;
 
 use common::{PATIENCE, Studio, is_done, refusal};
-use katydid_session::protocol::{Ask, Edit, Event, ObjectChange, Setting};
+use katydid_session::protocol::{
+    AnalysisView, Ask, BendView, CombMeasure, CombView, Edit, Event, ObjectChange, Probe, ProbePlace, Probed,
+    Row, Setting,
+};
 use tokio::time::Instant;
 
 const SMALL: &str = r#"katydid 1
@@ -41,7 +44,7 @@ async fn a_slider_moves_the_model() {
     while face.frames.len() < 2 {
         face.hear().await;
     }
-    assert!(face.frames.contains(&bytes.body), "small geometry comes by itself");
+    assert!(face.frames.iter().any(|frame| frame[16..] == bytes.body), "small geometry comes by itself");
     let event = face.ask(Ask::Undo).await;
     assert!(is_done(&event));
     assert_eq!(face.drawn(ball).await.unwrap(), first, "the same data has the same hash");
@@ -221,12 +224,99 @@ async fn rows_of_outputs_and_inputs() {
     let series = face.objects[&face.named("n")].clone();
     let sum = face.objects[&face.named("sum")].clone();
     for port in [series.outputs[0].id, sum.inputs[0].id] {
-        match face.ask(Ask::Rows { port, from: 1, count: 3, within: vec![] }).await {
+        match face.ask(Ask::Rows { port, from: 1, count: 3, exact: false, within: vec![] }).await {
             Event::Rows { page, .. } => assert_eq!((page.from, page.total, page.rows.len()), (1, 6, 3)),
             other => panic!("{other:?}"),
         }
     }
     let nobody = uuid::Uuid::from_u128(1);
-    let event = face.ask(Ask::Rows { port: nobody, from: 0, count: 1, within: vec![] }).await;
+    let event = face.ask(Ask::Rows { port: nobody, from: 0, count: 1, exact: false, within: vec![] }).await;
     assert!(refusal(&event).contains("no data"));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn curvature_is_looked_at_and_follows_a_slider() {
+    let studio = Studio::start().await;
+    let mut face = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nring = Circle(_, r)\n").await;
+    let ring = face.named("ring");
+    face.drawn(ring).await;
+    let comb = Some(CombView { teeth: 8, length: 0.2, surfaces: false });
+    let analysis = AnalysisView { objects: Some(vec![ring]), comb, ..AnalysisView::default() };
+    assert!(is_done(&face.ask(Ask::Analyse { analysis: Some(analysis) }).await));
+    let first = analysed(&mut face).await;
+    let (comb, hash) = (first.0.unwrap(), first.1[&ring].clone().unwrap());
+    assert!((comb.sharpest - 0.5).abs() < 1e-12);
+    // The geometry came before the event that names it, and says its hash.
+    let frame = face.frames.last().unwrap();
+    let named: String = frame[..16].iter().map(|byte| format!("{byte:02x}")).collect();
+    assert_eq!(named, hash);
+    assert_eq!(studio.get(&format!("/geometry/{hash}")).await.body, frame[16..]);
+
+    let at = ProbePlace::Near { point: [9.0, 9.0, 0.0] };
+    let place = Probe { object: ring, output: 0, path: "{0}".to_owned(), index: 0, at };
+    face.tell(Ask::Probe { round: 7, probes: vec![place] }).await;
+    assert!((radius(&mut face, 7).await - 2.0).abs() < 1e-12);
+
+    face.set("r", 4.0).await;
+    let (mut radius_now, mut curvature_now) = (0.0, 0.0);
+    while radius_now == 0.0 || curvature_now == 0.0 {
+        match face.hear().await {
+            Some(Event::Analysed { comb, .. }) => curvature_now = comb.unwrap().sharpest,
+            Some(Event::Probed { round: 7, probes, .. }) => radius_now = radius_of(&probes),
+            _ => {}
+        }
+    }
+    assert!((radius_now - 4.0).abs() < 1e-12 && (curvature_now - 0.25).abs() < 1e-12);
+
+    face.tell(Ask::Analyse { analysis: None }).await;
+    let (comb, objects) = analysed(&mut face).await;
+    assert!(comb.is_none() && objects[&ring].is_none(), "it is taken away");
+    let many = AnalysisView { objects: Some(vec![ring; 10_001]), ..AnalysisView::default() };
+    assert!(!is_done(&face.ask(Ask::Analyse { analysis: Some(many) }).await));
+}
+
+type Drawn = std::collections::HashMap<uuid::Uuid, Option<String>>;
+
+async fn analysed(face: &mut common::Face) -> (Option<CombMeasure>, Drawn) {
+    loop {
+        if let Some(Event::Analysed { comb, objects, .. }) = face.hear().await {
+            return (comb, objects.into_iter().collect());
+        }
+    }
+}
+
+async fn radius(face: &mut common::Face, wanted: u32) -> f64 {
+    loop {
+        match face.hear().await {
+            Some(Event::Probed { round, probes, .. }) if round == wanted => return radius_of(&probes),
+            _ => {}
+        }
+    }
+}
+
+fn radius_of(probes: &[Option<Probed>]) -> f64 {
+    match &probes[0].as_ref().unwrap().bend {
+        BendView::Curve { circle, .. } => circle.unwrap().radius,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn exact_rows_are_kept_again_as_they_were() {
+    let studio = Studio::start().await;
+    let mut face = studio.with("katydid 1\np = Point([(0, 0, 0)])\nq = Deconstruct(p)\n").await;
+    let point = face.objects[&face.named("p")].inputs[0].id;
+    let exact = "{0.1, 0.30000000000000004, -1e-17}";
+    let values = Some(format!("{{0}}\n{exact}"));
+    assert!(is_done(&face.edit(Edit::Keep { port: point, values }).await));
+    face.solved(2).await;
+    for (all, text) in [(true, exact), (false, "{0.1, 0.3, -0}")] {
+        match face.ask(Ask::Rows { port: point, from: 0, count: 9, exact: all, within: vec![] }).await {
+            Event::Rows { page, .. } => match &page.rows[1] {
+                Row::Item { text: found, .. } => assert_eq!(found, text),
+                other => panic!("{other:?}"),
+            },
+            other => panic!("{other:?}"),
+        }
+    }
 }

@@ -18,6 +18,7 @@
 //! assert!(!session.undo());
 //! ```
 
+pub mod analysis;
 mod bake;
 mod catalogue;
 mod change;
@@ -41,6 +42,6 @@ pub use check::{Check, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use input::{InputError, inputs};
 pub use report::{Items, Report};
-pub use results::{result_view, rows, structure};
+pub use results::{Digits, result_view, rows, structure};
 pub use session::Session;
 pub use solution::{Reports, Solution};

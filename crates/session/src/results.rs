@@ -40,7 +40,7 @@ pub fn result_view(object: &Object, report: &ObjectReport, style: &text::Style) 
         panel: (object.component == ids::PANEL)
             .then(|| report.outputs.first())
             .flatten()
-            .map(|tree| rows(tree, 0, PANEL_ROWS, style)),
+            .map(|tree| rows(tree, [0, PANEL_ROWS], Digits::Few, style)),
     }
 }
 
@@ -66,8 +66,28 @@ pub fn structure(tree: &Tree) -> Structure {
     }
 }
 
-/// Rows of a tree as a panel shows them, from row `from` on: a row for each path, and one for each of its items.
-pub fn rows(tree: &Tree, from: u32, most: u32, style: &text::Style) -> Page {
+/// How many digits numbers have in rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Digits {
+    /// As many as a panel shows.
+    Few,
+    /// All: what is kept again from such rows is the same.
+    All,
+}
+
+impl Digits {
+    /// All where they are asked for.
+    pub fn of(exact: bool) -> Self {
+        if exact { Self::All } else { Self::Few }
+    }
+}
+
+/// Rows of a tree as a panel shows them, from row `from` on `most`: a row for each path, and one for each of its items.
+pub fn rows(tree: &Tree, [from, most]: [u32; 2], digits: Digits, style: &text::Style) -> Page {
+    let words = match digits {
+        Digits::Few => text::item,
+        Digits::All => text::exact,
+    };
     let total = tree.branch_count().saturating_add(tree.item_count());
     let (mut skip, mut left) = (from as usize, most.min(MOST_ROWS) as usize);
     let mut rows = Vec::new();
@@ -88,7 +108,7 @@ pub fn rows(tree: &Tree, from: u32, most: u32, style: &text::Style) -> Page {
         skip = 0;
         for index in (first..length).take(left) {
             let item = branch.get(index);
-            rows.push(Row::Item { index: count(index), text: cut(text::item(item.as_ref(), style)) });
+            rows.push(Row::Item { index: count(index), text: cut(words(item.as_ref(), style)) });
             left -= 1;
         }
     }
@@ -120,12 +140,12 @@ mod tests {
     #[test]
     fn any_page_is_a_part_of_all_rows() {
         let tree = tree();
-        let all = rows(&tree, 0, 100, &Default::default());
+        let all = rows(&tree, [0, 100], Digits::All, &Default::default());
         assert_eq!((all.total, all.rows.len()), (5, 5));
         assert!(matches!(&all.rows[3], Row::Path { path, items: 1 } if path == "{2}"));
         for from in 0..7 {
             for most in 0..7 {
-                let page = rows(&tree, from, most, &Default::default());
+                let page = rows(&tree, [from, most], Digits::Few, &Default::default());
                 let expected: Vec<Row> =
                     all.rows.iter().skip(from as usize).take(most as usize).cloned().collect();
                 assert_eq!(page.rows, expected, "{from} {most}");

@@ -6,7 +6,7 @@ use katydid_solver::ObjectReport;
 use uuid::Uuid;
 
 use crate::protocol::{Page, ResultView};
-use crate::{Results, editor, result_view, rows};
+use crate::{Digits, Results, editor, result_view, rows};
 
 /// Gives the report of an object by its id; none while it is not solved.
 pub type Reports<'a> = dyn Fn(Uuid) -> Option<ObjectReport> + 'a;
@@ -82,16 +82,16 @@ impl<'a> Solution<'a> {
         Some(Tree::merge(trees.iter()))
     }
 
-    /// Rows of the data of a port, as a panel shows them.
+    /// Rows of the data of a port, as a panel shows them: from the first on so many (see [`rows`]).
     pub fn rows(
         &self,
         port: Uuid,
         within: &[Uuid],
-        from: u32,
-        most: u32,
+        range: [u32; 2],
+        digits: Digits,
         style: &text::Style,
     ) -> Option<Page> {
-        Some(rows(&self.data(port, within)?, from, most, style))
+        Some(rows(&self.data(port, within)?, range, digits, style))
     }
 }
 

@@ -7,6 +7,7 @@ import "./faces.css";
 import "./fields.css";
 import "./boxes.css";
 import "./more.css";
+import "./colours.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";

@@ -1,9 +1,11 @@
 /** Opening and closing the boxes of the canvas. */
 
 import { boxPlace } from "../core/boxPlace";
+import { IDS } from "../core/catalogue";
 import type { Point, Rect } from "../core/geometry";
 import { isGroup } from "../core/groups";
 import type { Grip } from "../core/hit";
+import type { ObjectView } from "../core/protocol/ObjectView";
 import { documentStore } from "../state/document";
 import { canvasStore, type EditorAt } from "./store";
 import { enter, reshape, set } from "./edits";
@@ -78,12 +80,28 @@ export function focusCanvas(): void {
   (object ?? pane)?.focus({ preventScroll: true });
 }
 
+/** Whether an object is a Param Viewer of which the document does not say how it shows the tree. */
+export function isViewer(object: ObjectView): boolean {
+  return object.component === IDS.viewer && object.control === null;
+}
+
+/** Has a Param Viewer draw the tree, or list its paths. */
+export function turnViewer(id: string): void {
+  const drawing = new Set(canvasStore.getState().drawing);
+  if (!drawing.delete(id)) drawing.add(id);
+  canvasStore.setState({ drawing });
+}
+
 /** What a double-click on an object, or Enter, does: what the object is for. */
 export function activate(id: string): void {
   const object = documentStore.getState().objects.get(id);
   if (!object) return;
   if (object.kind === "cluster") {
     void enter([...documentStore.getState().within, id]);
+    return;
+  }
+  if (isViewer(object)) {
+    turnViewer(id);
     return;
   }
   switch (object.control?.is) {

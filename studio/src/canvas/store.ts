@@ -66,6 +66,8 @@ export interface CanvasState {
   connecting: Grip | undefined;
   /** Whether the box that finds objects of the document is open. */
   finding: boolean;
+  /** The Param Viewers that draw the tree and do not list its paths, where the document does not say. */
+  drawing: ReadonlySet<string>;
   /** What was found: everything else is faint. */
   found: ReadonlySet<string> | undefined;
   /** A wire that a menu speaks of. */
@@ -127,6 +129,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   pointedAt: undefined,
   connecting: undefined,
   finding: false,
+  drawing: new Set(),
   found: undefined,
   hotWire: undefined,
   active: undefined,

@@ -52,7 +52,7 @@ export interface Preview {
 }
 
 const KINDS: ReadonlySet<string> = new Set<PartKind>([
-  "mesh", "edges", "isocurves", "curves", "arrows", "points", "controlPoints", "planes", "texts",
+  "mesh", "edges", "isocurves", "curves", "arrows", "points", "controlPoints", "hull", "comb", "circles", "planes", "texts",
 ]);
 
 /** How many positions belong together, where there is more than one. */
@@ -61,17 +61,17 @@ function corners(kind: PartKind): number {
   return kind === "points" || kind === "controlPoints" || kind === "texts" ? 1 : 2;
 }
 
-/** Reads a preview, or throws a `PreviewError` that says what is wrong with it. */
-export function decodePreview(bytes: ArrayBuffer): Preview {
-  if (bytes.byteLength < FIXED) throw new PreviewError("shorter than its own beginning");
-  const view = new DataView(bytes);
+/** Reads a preview from byte `from` on, a multiple of 8, or throws a `PreviewError` that says what is wrong with it. */
+export function decodePreview(bytes: ArrayBuffer, from = 0): Preview {
+  if (bytes.byteLength < from + FIXED) throw new PreviewError("shorter than its own beginning");
+  const view = new DataView(bytes, from);
   if (view.getUint32(0, true) !== PREVIEW_MAGIC) throw new PreviewError("not a preview");
   const version = view.getUint16(4, true);
   if (version !== PREVIEW_VERSION) throw new PreviewError(`of version ${version}, not ${PREVIEW_VERSION}`);
   const length = view.getUint32(8, true);
-  if (length > bytes.byteLength - FIXED) throw new PreviewError("shorter than its head says");
-  const start = Math.ceil((FIXED + length) / ALIGNMENT) * ALIGNMENT;
-  const head = new Fields(readHead(bytes, length), "head");
+  if (length > view.byteLength - FIXED) throw new PreviewError("shorter than its head says");
+  const start = from + Math.ceil((FIXED + length) / ALIGNMENT) * ALIGNMENT;
+  const head = new Fields(readHead(new Uint8Array(bytes, from + FIXED, length)), "head");
   const arrays = new Arrays(bytes, Math.min(start, bytes.byteLength));
   return {
     object: head.text("object"),
@@ -79,13 +79,13 @@ export function decodePreview(bytes: ArrayBuffer): Preview {
     bounds: readBounds(head),
     draft: head.flag("draft"),
     parts: head.list("parts", MOST_PARTS).map((part, index) => readPart(new Fields(part, `part ${index}`), arrays)),
-    size: bytes.byteLength,
+    size: view.byteLength,
   };
 }
 
-function readHead(bytes: ArrayBuffer, length: number): unknown {
+function readHead(head: Uint8Array): unknown {
   try {
-    return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(new Uint8Array(bytes, FIXED, length)));
+    return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(head));
   } catch {
     throw new PreviewError("its head is no JSON");
   }

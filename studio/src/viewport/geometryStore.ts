@@ -3,8 +3,9 @@
  * others are fetched by their hash; what is newer stops what is older, and what is already here is not fetched.
  */
 
+import { HASH_BYTES, type Frames } from "../core/frames";
 import { decodePreview, type Preview } from "../core/preview";
-import type { PreviewSink } from "../state/preview";
+import type { GeometrySink } from "../state/preview";
 
 export interface GeometryListener {
   /** New geometry of an object. */
@@ -16,11 +17,6 @@ export interface GeometryListener {
   /** Geometry could not be had or read: the old stays. */
   failed(object: string, reason: string): void;
 }
-
-/** How long bytes of the socket may follow the event that announces them, in milliseconds, before they are fetched. */
-const PATIENCE = 40;
-/** Geometry that came before it was announced is kept up to this many bytes; the rest is fetched then. */
-const MOST_EARLY = 256e6;
 
 interface Entry {
   /** The hash of what is shown, and the geometry itself. */
@@ -41,12 +37,10 @@ export const fetchGeometry: Fetcher = async (hash, signal) => {
   return response.arrayBuffer();
 };
 
-export class GeometryStore implements PreviewSink {
+export class GeometryStore implements GeometrySink {
   #listeners = new Set<GeometryListener>();
   #fetch: Fetcher;
   #entries = new Map<string, Entry>();
-  #early = new Map<string, Preview>();
-  #earlySize = 0;
 
   constructor(fetcher: Fetcher = fetchGeometry) {
     this.#fetch = fetcher;
@@ -63,37 +57,17 @@ export class GeometryStore implements PreviewSink {
     for (const listener of this.#listeners) what(listener);
   }
 
-  changed(objects: [string, string | null][]): void {
+  changed(objects: [string, string | null][], frames: Frames): void {
     for (const [object, hash] of objects) {
       if (hash === null) this.#drop(object);
-      else this.#want(object, hash);
-    }
-    // Nobody announces these any more: what comes over the socket comes just before its event, or just after.
-    this.#forgetEarly();
-  }
-
-  bytes(bytes: ArrayBuffer): void {
-    const preview = this.#read(undefined, bytes);
-    if (!preview) return;
-    const entry = this.#entries.get(preview.object);
-    if (entry?.wanted !== undefined) {
-      this.#show(preview.object, entry, entry.wanted, preview);
-    } else if (this.#earlySize + preview.size <= MOST_EARLY) {
-      this.#earlySize += preview.size;
-      this.#early.set(preview.object, preview);
+      else this.#want(object, hash, frames.get(hash));
     }
   }
 
   clear(): void {
     for (const { stop } of this.#entries.values()) stop?.abort();
     this.#entries.clear();
-    this.#forgetEarly();
     this.#tell((listener) => listener.clear());
-  }
-
-  #forgetEarly(): void {
-    this.#early.clear();
-    this.#earlySize = 0;
   }
 
   #drop(object: string): void {
@@ -104,7 +78,7 @@ export class GeometryStore implements PreviewSink {
     if (entry.shown !== undefined) this.#tell((listener) => listener.drop(object));
   }
 
-  #want(object: string, hash: string): void {
+  #want(object: string, hash: string, frame: ArrayBuffer | undefined): void {
     const entry = this.#entries.get(object) ?? { ...NOTHING };
     this.#entries.set(object, entry);
     if (entry.wanted === hash) return;
@@ -113,8 +87,7 @@ export class GeometryStore implements PreviewSink {
     entry.wanted = undefined;
     if (entry.shown === hash) return;
     entry.wanted = hash;
-    const early = this.#early.get(object);
-    if (early) this.#show(object, entry, hash, early);
+    if (frame) this.#take(object, entry, hash, () => decodePreview(frame, HASH_BYTES));
     else void this.#get(object, entry, hash);
   }
 
@@ -122,17 +95,28 @@ export class GeometryStore implements PreviewSink {
     const stop = new AbortController();
     entry.stop = stop;
     try {
-      await pause(PATIENCE);
-      if (stop.signal.aborted) return;
-      const preview = decodePreview(await this.#fetch(hash, stop.signal));
-      if (stop.signal.aborted) return;
-      if (preview.object !== object) throw new Error("it is the geometry of something else");
-      this.#show(object, entry, hash, preview);
+      const bytes = await this.#fetch(hash, stop.signal);
+      if (!stop.signal.aborted) this.#take(object, entry, hash, () => decodePreview(bytes));
     } catch (error) {
-      if (stop.signal.aborted) return;
-      entry.wanted = undefined;
-      this.#tell((listener) => listener.failed(object, error instanceof Error ? error.message : String(error)));
+      if (!stop.signal.aborted) this.#fail(object, entry, error);
     }
+  }
+
+  /** Shows what was read, or says why it cannot be. */
+  #take(object: string, entry: Entry, hash: string, read: () => Preview): void {
+    let preview: Preview;
+    try {
+      preview = read();
+      if (preview.object !== object) throw new Error("it is the geometry of something else");
+    } catch (error) {
+      return this.#fail(object, entry, error);
+    }
+    this.#show(object, entry, hash, preview);
+  }
+
+  #fail(object: string, entry: Entry, error: unknown): void {
+    entry.wanted = undefined;
+    this.#tell((listener) => listener.failed(object, error instanceof Error ? error.message : String(error)));
   }
 
   #show(object: string, entry: Entry, hash: string, preview: Preview): void {
@@ -143,17 +127,4 @@ export class GeometryStore implements PreviewSink {
     entry.preview = preview;
     this.#tell((listener) => listener.put(object, preview));
   }
-
-  #read(object: string | undefined, bytes: ArrayBuffer): Preview | undefined {
-    try {
-      return decodePreview(bytes);
-    } catch (error) {
-      this.#tell((listener) => listener.failed(object ?? "", error instanceof Error ? error.message : String(error)));
-      return undefined;
-    }
-  }
-}
-
-function pause(milliseconds: number): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, milliseconds));
 }

@@ -1,9 +1,21 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { GeometryStore, type Fetcher } from "../../src/viewport/geometryStore";
-import { writePreview } from "./previewBytes";
+import { FrameBuffer, type Frames } from "../../src/core/frames";
+import { writeFrame, writePreview } from "./previewBytes";
 
 const bytesOf = (object: string, x: number) => writePreview({ object, parts: [{ kind: "points", positions: [x, 0, 0] }] });
+
+const NONE: Frames = new Map();
+
+/** Frames by names, as the socket brings them. */
+function framesOf(...all: [name: string, object: string, x: number][]): Frames {
+  const buffer = new FrameBuffer();
+  for (const [name, object, x] of all) buffer.put(writeFrame(name, bytesOf(object, x)).frame);
+  return buffer.take();
+}
+
+const hash = (name: string) => writeFrame(name, new ArrayBuffer(0)).hash;
 
 describe("the geometry of objects", () => {
   let log: string[] = [];
@@ -33,31 +45,37 @@ describe("the geometry of objects", () => {
   const wait = () => vi.advanceTimersByTimeAsync(50);
 
   it("is fetched by its hash, once", async () => {
-    store.changed([["a", "1"]]);
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
+    store.changed([["a", "1"]], NONE);
     await wait();
     expect(asked.map(({ hash }) => hash)).toEqual(["1"]);
     asked[0]?.answer(bytesOf("a", 7));
     await wait();
     expect(log).toEqual(["put a 7"]);
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
     await wait();
     expect(asked.length).toBe(1);
   });
 
-  it("comes over the socket just before or just after it is announced, and is not fetched then", async () => {
-    store.bytes(bytesOf("a", 1));
-    store.changed([["a", "1"], ["b", "2"]]);
-    store.bytes(bytesOf("b", 2));
+  it("comes over the socket before it is named, by its hash, and is not fetched then", async () => {
+    store.changed([["a", hash("1")], ["b", hash("3")]], framesOf(["1", "a", 1], ["2", "b", 2]));
     await wait();
-    expect(log).toEqual(["put a 1", "put b 2"]);
-    expect(asked).toEqual([]);
+    expect(log).toEqual(["put a 1"]);
+    expect(asked.map((each) => each.hash)).toEqual([hash("3")]);
+  });
+
+  it("is read where it lies: arrays are views of the frame", () => {
+    let buffer: ArrayBufferLike | undefined;
+    store.listen({ ...listener, put: (_object, preview) => (buffer = preview.parts[0]?.positions.buffer) });
+    const frames = framesOf(["1", "a", 1]);
+    store.changed([["a", hash("1")]], frames);
+    expect(buffer).toBe(frames.get(hash("1")));
   });
 
   it("is the newest: what is older is stopped and never shown", async () => {
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
     await wait();
-    store.changed([["a", "2"]]);
+    store.changed([["a", "2"]], NONE);
     await wait();
     expect(asked[0]?.signal.aborted).toBe(true);
     asked[1]?.answer(bytesOf("a", 2));
@@ -67,55 +85,64 @@ describe("the geometry of objects", () => {
   });
 
   it("goes back to what is shown without asking", async () => {
-    store.changed([["a", "1"]]);
-    store.bytes(bytesOf("a", 1));
-    store.changed([["a", "2"]]);
-    store.changed([["a", "1"]]);
+    store.changed([["a", hash("1")]], framesOf(["1", "a", 1]));
+    store.changed([["a", "2"]], NONE);
+    store.changed([["a", hash("1")]], NONE);
     await wait();
-    expect(asked).toEqual([]);
+    expect(asked.map(({ signal }) => signal.aborted)).toEqual([true]);
     expect(log).toEqual(["put a 1"]);
   });
 
   it("is dropped when there is none, also on its way", async () => {
-    store.changed([["a", "1"], ["b", "2"]]);
-    store.bytes(bytesOf("a", 1));
-    store.changed([["a", null], ["b", null], ["c", null]]);
+    store.changed([["a", hash("1")], ["b", "2"]], framesOf(["1", "a", 1]));
+    store.changed([["a", null], ["b", null], ["c", null]], NONE);
     await wait();
     expect(log).toEqual(["put a 1", "drop a"]);
-    expect(asked).toEqual([]);
+    expect(asked.map(({ signal }) => signal.aborted)).toEqual([true]);
   });
 
   it("stays when new geometry fails, and is asked for again", async () => {
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
     await wait();
     asked[0]?.refuse(new Error("404"));
     await wait();
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
     await wait();
     asked[1]?.answer(bytesOf("b", 1));
     await wait();
     expect(log).toEqual(["failed a 404", "failed a it is the geometry of something else"]);
-    store.bytes(new ArrayBuffer(3));
-    expect(log.at(-1)).toMatch(/^failed {2}shorter/);
+    store.changed([["a", "2"]], new Map([["2", new ArrayBuffer(19)]]));
+    expect(log.at(-1)).toMatch(/^failed a shorter/);
   });
 
   it("is told again to a listener that comes later, and no more to one that left", () => {
-    store.changed([["a", "1"]]);
-    store.bytes(bytesOf("a", 1));
+    store.changed([["a", hash("1")]], framesOf(["1", "a", 1]));
     const late: string[] = [];
     const leave = store.listen({ ...listener, put: (object) => late.push(object) });
     expect(late).toEqual(["a"]);
     leave();
-    store.changed([["a", "2"]]);
-    store.bytes(bytesOf("a", 2));
+    store.changed([["a", hash("2")]], framesOf(["2", "a", 2]));
     expect(late).toEqual(["a"]);
   });
 
   it("is forgotten with the document", async () => {
-    store.changed([["a", "1"]]);
+    store.changed([["a", "1"]], NONE);
     store.clear();
     await wait();
     expect(log).toEqual(["clear"]);
-    expect(asked).toEqual([]);
+    expect(asked.map(({ signal }) => signal.aborted)).toEqual([true]);
+  });
+});
+
+describe("frames", () => {
+  it("are kept until an event names them, and no more than fit", () => {
+    const buffer = new FrameBuffer();
+    buffer.put(new ArrayBuffer(0));
+    buffer.put(new ArrayBuffer(16));
+    buffer.put(new ArrayBuffer(65e6));
+    const { frame, hash: name } = writeFrame("x", bytesOf("a", 1));
+    buffer.put(frame);
+    expect([...buffer.take().keys()]).toEqual([name]);
+    expect(buffer.take().size).toBe(0);
   });
 });

@@ -89,3 +89,13 @@ function boundsOf(parts: TestPart[], origin: number[]): [[number, number, number
   }
   return least[0] <= greatest[0] ? [least, greatest] : null;
 }
+
+/** A frame of the socket, and the hash that it says: any name, as 16 bytes. */
+export function writeFrame(name: string, preview: ArrayBuffer): { hash: string; frame: ArrayBuffer } {
+  const hash = new Uint8Array(16);
+  hash.set(new TextEncoder().encode(name).slice(0, 16));
+  const bytes = new Uint8Array(16 + preview.byteLength);
+  bytes.set(hash);
+  bytes.set(new Uint8Array(preview), 16);
+  return { hash: [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join(""), frame: bytes.buffer };
+}

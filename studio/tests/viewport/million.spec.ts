@@ -14,7 +14,7 @@ test("a mesh of a million triangles changes, and nothing piles up", async ({ pag
   await page.goto("/tests/viewport/page.html?bare");
   await page.waitForFunction(() => window.__studio?.viewport?.stats());
   const found = await page.evaluate(async (changes) => {
-    const { writePreview, takeGeometry, takePreview, million, floor } = window.test;
+    const { writeFrame, writePreview, takeGeometry, takePreview, million, floor } = window.test;
     const gl = document.querySelector<HTMLCanvasElement>(".viewport-canvas")!.getContext("webgl2")!;
     const ready = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     const [ours, least, decode, heap]: [number[], number[], number[], number[]] = [[], [], [], []];
@@ -22,13 +22,13 @@ test("a mesh of a million triangles changes, and nothing piles up", async ({ pag
     for (let change = 0; change < changes; change++) {
       const mesh = million(change * 0.1);
       least.push(measureFloor(mesh));
-      const bytes = writePreview({ object: "million", parts: [{ kind: "mesh", ...mesh }] });
+      const { hash, frame } = writeFrame(`${change}`, writePreview({ object: "million", parts: [{ kind: "mesh", ...mesh }] }));
       // The fine picture of the change before must not be in the way.
       await new Promise((resolve) => setTimeout(resolve, 500));
       ready();
       const start = performance.now();
-      takeGeometry(bytes);
-      takePreview({ event: "preview", solution: change, draft: false, objects: [["million", `m${change}`]] });
+      takeGeometry(frame);
+      takePreview({ event: "preview", solution: change, draft: false, objects: [["million", hash]] });
       decode.push(performance.now() - start);
       await new Promise((resolve) => requestAnimationFrame(resolve));
       ready();

@@ -12,7 +12,7 @@ import { join } from "../../src/state/session";
 import { select, uiStore } from "../../src/state/ui";
 import { ViewportPane } from "../../src/viewport";
 import { settingsStore } from "../../src/viewport/settings";
-import { writePreview, type TestPreview } from "../unit/previewBytes";
+import { writeFrame, writePreview, type TestPreview } from "../unit/previewBytes";
 import { floor, million, timePick } from "./million";
 import { scenes } from "./scenes";
 
@@ -23,11 +23,15 @@ let solution = 0;
 
 function feed(...previews: TestPreview[]): void {
   solution++;
-  for (const preview of previews) takeGeometry(writePreview(preview));
-  takePreview({ event: "preview", solution, draft: false, objects: previews.map(({ object }) => [object, `${object}${solution}`]) });
+  const objects = previews.map((preview, at): [string, string] => {
+    const { hash, frame } = writeFrame(`${solution} ${at}`, writePreview(preview));
+    takeGeometry(frame);
+    return [preview.object, hash];
+  });
+  takePreview({ event: "preview", solution, draft: false, objects });
 }
 
-const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, writePreview, million, floor, timePick, join, show: (_on: boolean) => {} };
+const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, writeFrame, writePreview, million, floor, timePick, join, show: (_on: boolean) => {} };
 declare global {
   interface Window {
     test: typeof test;

@@ -8,12 +8,13 @@ use std::time::{Duration, Instant};
 
 use katydid_data::text::Style;
 use katydid_definition::document::Object;
-use katydid_session::display::Preview;
 use katydid_session::protocol::{Event, Notice, ResultView};
 use katydid_session::{Change, Editor, Solution, result_view};
 use katydid_solver::{ObjectReport, Options};
 use uuid::Uuid;
 
+use super::analyses::Finding;
+use super::drawn::Seen;
 use super::faces::Faces;
 use super::journal::Keeper;
 use super::outbox::End;
@@ -40,9 +41,11 @@ pub(super) struct Actor {
     /// Where the document is kept.
     pub(super) path: Option<PathBuf>,
     /// What objects show, as faces know it.
-    shown: HashMap<Uuid, Arc<Geometry>>,
+    pub(super) shown: HashMap<Uuid, Arc<Geometry>>,
     /// What of objects could not be shown, as faces know it.
-    left_out: HashMap<Uuid, Vec<String>>,
+    pub(super) left_out: HashMap<Uuid, Vec<String>>,
+    /// What faces see of the form of curves and surfaces.
+    pub(super) analysed: HashMap<FaceId, Seen>,
     /// Results that faces have yet to hear of.
     fresh: Vec<(Object, ObjectReport)>,
     gathering: Option<Instant>,
@@ -88,6 +91,7 @@ impl Actor {
             path,
             shown: HashMap::new(),
             left_out: HashMap::new(),
+            analysed: HashMap::new(),
             fresh: Vec::new(),
             gathering: None,
             progress: Progress::default(),
@@ -152,6 +156,9 @@ impl Actor {
             }
             Command::Leave(id) => {
                 self.faces.leave(id);
+                let _ = self.jobs.send(Job::Leave(id));
+                let seen = self.analysed.remove(&id).unwrap_or_default();
+                seen.objects.into_values().for_each(|geometry| self.shared.geometries.release(geometry));
                 self.set_draft();
             }
             Command::Refresh(id) => self.show_all(id),
@@ -220,6 +227,14 @@ impl Actor {
             }
             News::Ended(ended) => self.ended(ended),
             News::Drawn(solution, is_draft, previews) => self.publish_previews(solution, is_draft, previews),
+            News::Found(solution, face, Finding::Analysed(found)) => {
+                self.publish_analysis(solution, face, found);
+            }
+            News::Found(solution, face, Finding::Probed(round, probes)) => {
+                if let Some(face) = self.faces.get(face) {
+                    face.outbox.probed(Event::Probed { solution, round, probes });
+                }
+            }
             News::Idle => {
                 self.solving.idle(&self.jobs);
                 if self.solving.is_idle() {
@@ -277,39 +292,6 @@ impl Actor {
         }
     }
 
-    fn publish_previews(&mut self, solution: u64, is_draft: bool, previews: Vec<Preview>) {
-        let mut changes = Vec::new();
-        for Preview { object, geometry, left_out } in previews {
-            let before = self.shown.remove(&object);
-            let now = geometry.map(|geometry| self.shared.geometries.keep(geometry.hash, geometry.bytes));
-            let same =
-                before.as_ref().map(|geometry| &geometry.hash) == now.as_ref().map(|geometry| &geometry.hash);
-            if let Some(now) = &now {
-                self.shown.insert(object, Arc::clone(now));
-            }
-            if let Some(before) = before.filter(|_| !same) {
-                self.shared.geometries.release(before);
-            }
-            if !same {
-                changes.push((object, now));
-            }
-            self.complain(object, left_out);
-        }
-        self.faces.iter().for_each(|face| face.outbox.previews(solution, is_draft, &changes));
-    }
-
-    /// Says what cannot be shown, once.
-    fn complain(&mut self, object: Uuid, left_out: Vec<String>) {
-        if left_out.is_empty() {
-            self.left_out.remove(&object);
-        } else if self.left_out.get(&object) != Some(&left_out) {
-            for text in left_out.iter().take(3) {
-                self.notice("warning", text.clone());
-            }
-            self.left_out.insert(object, left_out);
-        }
-    }
-
     /// Tells everybody something.
     pub(super) fn notice(&self, level: &str, text: String) {
         for face in self.faces.iter() {
@@ -334,6 +316,11 @@ impl Actor {
         let shown: Vec<_> =
             self.shown.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
         face.outbox.previews(self.progress.solution, false, &shown);
+        if let Some(seen) = self.analysed.get(&id) {
+            let objects: Vec<_> =
+                seen.objects.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
+            face.outbox.analysed(self.progress.solution, false, &objects, &seen.about);
+        }
     }
 
     /// Lets everybody know of a change: the journal, the worker, the faces.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
-use katydid_session::{Refusal, Solution, rows};
+use katydid_session::{Digits, Refusal, Solution, rows};
 use katydid_solver::Inputs;
 use uuid::Uuid;
 
@@ -13,6 +13,19 @@ use super::solving::Work;
 use super::worker::Job;
 use super::{Download, FaceId};
 use crate::files::{self, Form};
+
+/// A face looks at so many objects at most, besides all that are shown.
+const MOST_LOOKED_AT: usize = 10_000;
+/// A face asks about so many places at most.
+const MOST_PROBES: usize = 64;
+
+/// Which rows of which data.
+struct Wanted {
+    port: Uuid,
+    from: u32,
+    count: u32,
+    digits: Digits,
+}
 
 /// What an answer says.
 enum Answer {
@@ -84,8 +97,9 @@ impl Actor {
                 self.faces.get_mut(id).into_iter().for_each(|face| face.within.clone_from(&within));
                 self.show_all(id);
             }
-            Ask::Rows { port, from, count, within } => {
-                return self.rows(id, seq, port, [from, count], &within);
+            Ask::Rows { port, from, count, exact, within } => {
+                let wanted = Wanted { port, from, count, digits: Digits::of(exact) };
+                return self.rows(id, seq, wanted, &within);
             }
             Ask::Copy { objects, within } => {
                 let text = self.editor.copy(&objects, &within).map_err(told)?;
@@ -101,6 +115,21 @@ impl Actor {
                 self.faces.get_mut(id).into_iter().for_each(|face| face.drags = on);
                 self.set_draft();
             }
+            Ask::Analyse { analysis } => {
+                let objects = analysis.as_ref().and_then(|view| view.objects.as_ref()).map_or(0, Vec::len);
+                if objects > MOST_LOOKED_AT {
+                    return Err(format!("no more than {MOST_LOOKED_AT} objects are looked at"));
+                }
+                let _ = self.jobs.send(Job::Analyse(id, analysis));
+                self.solving.want(Work::Draw, &self.jobs);
+            }
+            Ask::Probe { round, probes } => {
+                if probes.len() > MOST_PROBES {
+                    return Err(format!("no more than {MOST_PROBES} places are looked at"));
+                }
+                let _ = self.jobs.send(Job::Probe(id, round, probes));
+                self.solving.want(Work::Draw, &self.jobs);
+            }
         }
         Ok(Answer::Done(made))
     }
@@ -111,15 +140,14 @@ impl Actor {
         &mut self,
         id: FaceId,
         seq: u64,
-        port: Uuid,
-        [from, count]: [u32; 2],
+        Wanted { port, from, count, digits }: Wanted,
         within: &[Uuid],
     ) -> Result<Answer, String> {
         let style = self.style();
         if !within.is_empty() || self.editor.lookup().output(port).is_some() {
             let report = |id| self.reports.get(&id).cloned();
             let solution = Solution::new(self.editor.document(), &report);
-            let page = solution.rows(port, within, from, count, &style).ok_or("it has no data")?;
+            let page = solution.rows(port, within, [from, count], digits, &style).ok_or("it has no data")?;
             return Ok(Answer::Event(Box::new(Event::Rows { seq, page })));
         }
         let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
@@ -134,7 +162,7 @@ impl Actor {
                 .next();
             let tree = place.and_then(|(at, k)| Inputs::new(engine).of(at).into_iter().nth(k));
             outbox.put(match tree {
-                Some(tree) => Event::Rows { seq, page: rows(&tree, from, count, &style) },
+                Some(tree) => Event::Rows { seq, page: rows(&tree, [from, count], digits, &style) },
                 None => Event::Refused { seq, reason: "it has no data".to_owned() },
             });
         };

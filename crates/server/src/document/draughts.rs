@@ -17,6 +17,8 @@ pub(super) struct Draughts {
     /// The objects that show something.
     drawn: HashSet<Uuid>,
     is_draft: bool,
+    /// Whether drafts have the normals and curvatures of their surfaces.
+    has_colours: bool,
 }
 
 impl Draughts {
@@ -33,6 +35,11 @@ impl Draughts {
     /// Whether things are being dragged.
     pub(super) fn set_draft(&mut self, is_draft: bool) {
         self.is_draft = is_draft;
+    }
+
+    /// Whether somebody looks at colours of curvatures, or at stripes.
+    pub(super) fn set_colours(&mut self, has_colours: bool) {
+        self.has_colours = has_colours;
     }
 
     pub(super) fn is_draft(&self) -> bool {
@@ -78,7 +85,7 @@ impl Draughts {
             .map(|((object, report), inputs)| Shown { object, outputs: &report.outputs, inputs })
             .collect();
         let fineness = if self.is_draft {
-            Fineness::Draft { triangles: DRAFT_TRIANGLES }
+            Fineness::Draft { triangles: DRAFT_TRIANGLES, exact: self.has_colours }
         } else {
             Fineness::of_document(document.header.preview_mesh_type)
         };

@@ -5,8 +5,10 @@
 //! to hear.
 
 mod actor;
+mod analyses;
 mod asked;
 mod draughts;
+mod drawn;
 mod faces;
 mod journal;
 mod outbox;

@@ -13,6 +13,7 @@ use katydid_session::protocol::{Event, ResultView};
 use tokio::sync::Notify;
 use uuid::Uuid;
 
+use super::analyses::About;
 use crate::geometry::Geometry;
 use crate::lock::held;
 
@@ -45,14 +46,36 @@ struct Waiting {
     patches: usize,
     progress: Option<Event>,
     results: Results,
-    previews: HashMap<Uuid, Option<Arc<Geometry>>>,
-    preview_solution: u64,
-    is_draft: bool,
+    previews: Drawings,
+    analyses: Drawings,
+    about: Option<About>,
+    probed: Option<Event>,
     /// Whether patches were dropped.
     is_late: bool,
     /// Whether the document was told so.
     is_told: bool,
     is_closed: bool,
+}
+
+/// Geometry, the newest of each object.
+#[derive(Debug, Default)]
+struct Drawings {
+    by_object: HashMap<Uuid, Option<Arc<Geometry>>>,
+    solution: u64,
+    is_draft: bool,
+}
+
+impl Drawings {
+    fn put(&mut self, solution: u64, is_draft: bool, changes: &[(Uuid, Option<Arc<Geometry>>)]) {
+        (self.solution, self.is_draft) = (solution, is_draft);
+        self.by_object.extend(changes.iter().cloned());
+    }
+
+    /// The objects with the hashes of their geometry.
+    fn names(&self) -> Vec<(Uuid, Option<String>)> {
+        let hash = |geometry: &Option<Arc<Geometry>>| geometry.as_ref().map(|geometry| geometry.hash.clone());
+        self.by_object.iter().map(|(id, geometry)| (*id, hash(geometry))).collect()
+    }
 }
 
 #[derive(Debug, Default)]
@@ -147,11 +170,28 @@ impl Outbox {
         if previews.is_empty() {
             return;
         }
+        held(&self.waiting).previews.put(solution, is_draft, previews);
+        self.bell.notify_one();
+    }
+
+    /// An analysis that has changed.
+    pub(crate) fn analysed(
+        &self,
+        solution: u64,
+        is_draft: bool,
+        changes: &[(Uuid, Option<Arc<Geometry>>)],
+        about: &About,
+    ) {
         let mut waiting = held(&self.waiting);
-        waiting.preview_solution = solution;
-        waiting.is_draft = is_draft;
-        waiting.previews.extend(previews.iter().cloned());
+        waiting.analyses.put(solution, is_draft, changes);
+        waiting.about = Some(about.clone());
         drop(waiting);
+        self.bell.notify_one();
+    }
+
+    /// What is at the places that were asked about.
+    pub(crate) fn probed(&self, event: Event) {
+        held(&self.waiting).probed = Some(event);
         self.bell.notify_one();
     }
 
@@ -178,7 +218,8 @@ impl Waiting {
         self.ordered.retain(|event| !matches!(event, Event::Document(_) | Event::Patch { .. }));
         self.patches = 0;
         self.results = Results::default();
-        self.previews.clear();
+        self.previews = Drawings::default();
+        (self.analyses, self.about) = (Drawings::default(), None);
         self.progress = None;
     }
 
@@ -205,17 +246,20 @@ impl Waiting {
                 milliseconds: results.end.map_or(0.0, |end| end.took.as_secs_f64() * 1e3),
             });
         }
-        if !self.previews.is_empty() {
+        if !self.previews.by_object.is_empty() {
             let previews = std::mem::take(&mut self.previews);
-            parcel.say(&Event::Preview {
-                solution: self.preview_solution,
-                draft: self.is_draft,
-                objects: previews
-                    .iter()
-                    .map(|(id, geometry)| (*id, geometry.as_ref().map(|geometry| geometry.hash.clone())))
-                    .collect(),
-            });
-            parcel.frames(previews.into_values().flatten());
+            parcel.frames(&previews);
+            let objects = previews.names();
+            parcel.say(&Event::Preview { solution: previews.solution, draft: previews.is_draft, objects });
+        }
+        if let Some(About { comb, left_out }) = self.about.take() {
+            let analyses = std::mem::take(&mut self.analyses);
+            parcel.frames(&analyses);
+            let (solution, draft, objects) = (analyses.solution, analyses.is_draft, analyses.names());
+            parcel.say(&Event::Analysed { solution, draft, objects, comb, left_out });
+        }
+        if let Some(event) = self.probed.take() {
+            parcel.say(&event);
         }
         parcel
     }
@@ -229,13 +273,17 @@ impl Parcel {
         }
     }
 
-    fn frames(&mut self, geometries: impl Iterator<Item = Arc<Geometry>>) {
+    /// Small geometry goes before the event that names it: who hears of it has it.
+    fn frames(&mut self, drawings: &Drawings) {
         let mut room = MOST_FRAMES;
-        for geometry in geometries {
+        for geometry in drawings.by_object.values().flatten() {
             let size = geometry.bytes.len();
-            if size <= LARGEST_FRAME && size <= room {
+            if size <= LARGEST_FRAME
+                && size <= room
+                && let Some(frame) = geometry.framed()
+            {
                 room -= size;
-                self.messages.push(Message::Binary(geometry.bytes.clone()));
+                self.messages.push(Message::Binary(frame));
             }
         }
     }
@@ -291,18 +339,22 @@ mod tests {
     fn small_geometry_goes_along_and_large_is_named() {
         let outbox = Outbox::default();
         let geometry = |hash: &str, size: usize| {
-            Some(Arc::new(Geometry { hash: hash.to_owned(), bytes: vec![0; size].into() }))
+            Some(Arc::new(Geometry { hash: hash.repeat(16), bytes: vec![7; size].into() }))
         };
         let all = [
-            (Uuid::from_u128(1), geometry("small", 100)),
-            (Uuid::from_u128(2), geometry("large", 1 << 20)),
+            (Uuid::from_u128(1), geometry("0a", 100)),
+            (Uuid::from_u128(2), geometry("ff", 1 << 20)),
             (Uuid::from_u128(3), None),
         ];
         outbox.previews(7, true, &all);
         outbox.put(Event::Notice(Notice { level: "remark".to_owned(), text: "hello".to_owned() }));
         let parcel = held(&outbox.waiting).take();
         assert_eq!(parcel.messages.len(), 3);
-        assert!(matches!(&parcel.messages[2], Message::Binary(bytes) if bytes.len() == 100));
-        assert!(matches!(&parcel.messages[1], Message::Text(text) if text.contains("large")));
+        let [_, Message::Binary(frame), Message::Text(text)] = parcel.messages.as_slice() else {
+            unreachable!("{:?}", parcel.messages)
+        };
+        assert_eq!(frame[..16], [10; 16], "the frame says its hash");
+        assert_eq!(frame[16..], [7; 100]);
+        assert!(text.contains(&"0a".repeat(16)) && text.contains(&"ff".repeat(16)));
     }
 }

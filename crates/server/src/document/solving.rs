@@ -82,10 +82,11 @@ impl Solving {
         }
     }
 
-    /// When the solve that is running is to be given up for what is wanted.
+    /// When the solve that is running is to be given up for a newer one. What is only to be drawn waits for it: nobody
+    /// would begin the solve again.
     pub(super) fn gives_up(&self) -> Option<Instant> {
         let running = self.running.as_ref().filter(|running| !running.cancel.is_cancelled())?;
-        self.wanted.map(|_| running.began + self.patience)
+        (self.wanted == Some(Work::Solve)).then(|| running.began + self.patience)
     }
 
     /// Gives the solve up when its time is over.
@@ -163,6 +164,20 @@ mod tests {
             solving.ended(&Ended { cancelled, took, unfinished: 0 });
             assert_eq!(solving.patience, Duration::from_millis(patience));
         }
+    }
+
+    #[test]
+    fn no_solve_is_given_up_for_a_drawing() {
+        let (sender, jobs) = channel();
+        let mut solving = Solving::default();
+        solving.want(Work::Solve, &sender);
+        let (_, cancel) = solve(&jobs);
+        solving.want(Work::Draw, &sender);
+        solving.running.as_mut().unwrap().began -= MOST_PATIENCE;
+        solving.tick();
+        assert!(solving.gives_up().is_none() && !cancel.is_cancelled());
+        solving.idle(&sender);
+        assert!(matches!(jobs.try_recv(), Ok(Job::Draw(..))));
     }
 
     #[test]

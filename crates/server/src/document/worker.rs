@@ -13,11 +13,13 @@ use katydid_component::{Cancel, RhinoModel};
 use katydid_definition::document::{Difference, Document, Object};
 use katydid_session::Change;
 use katydid_session::display::Preview;
+use katydid_session::protocol::{AnalysisView, Probe};
 use katydid_solver::{Engine, Finished, ObjectReport, Options};
 use uuid::Uuid;
 
+use super::analyses::{Analyses, Finding};
 use super::draughts::Draughts;
-use super::{Command, Inquiry};
+use super::{Command, FaceId, Inquiry};
 
 /// What the worker is told.
 pub(crate) enum Job {
@@ -31,6 +33,12 @@ pub(crate) enum Job {
     Forget,
     /// Whether things are being dragged.
     Draft(bool),
+    /// What a face wants to see of the form of curves and surfaces.
+    Analyse(FaceId, Option<AnalysisView>),
+    /// The places that a face asks about, and the number of its question.
+    Probe(FaceId, u32, Vec<Probe>),
+    /// A face is gone.
+    Leave(FaceId),
     /// Something to be done with the results.
     With(Inquiry),
     /// Solve and draw what is due, unless somebody cancels.
@@ -49,6 +57,8 @@ pub(crate) enum News {
     Ended(Ended),
     /// Geometry, and whether it is as coarse as it may be.
     Drawn(u64, bool, Vec<Preview>),
+    /// What a face wanted to see.
+    Found(u64, FaceId, Finding),
     /// Nothing is left to do.
     Idle,
     /// Something failed that must not.
@@ -68,6 +78,7 @@ pub(crate) struct Ended {
 pub(super) struct Worker {
     engine: Engine,
     draughts: Draughts,
+    analyses: Analyses,
     news: Sender<Command>,
     /// Threads of its own: a solve without end must not hold up other documents.
     pool: Option<rayon::ThreadPool>,
@@ -80,7 +91,8 @@ impl Worker {
         draughts.touch_all(&document);
         // Where no more threads are to be had, all documents share those that are there.
         let pool = rayon::ThreadPoolBuilder::new().thread_name(|_| "solver".to_owned()).build().ok();
-        Self { engine: Engine::new(document, options), draughts, news, pool }
+        let analyses = Analyses::default();
+        Self { engine: Engine::new(document, options), draughts, analyses, news, pool }
     }
 
     /// Works until nobody can tell it anything any more.
@@ -104,6 +116,7 @@ impl Worker {
                     self.solve(solution, &cancel);
                 }
                 self.draw(solution, &cancel);
+                self.look(solution, &cancel);
                 self.tell(News::Idle);
             }
         }
@@ -124,7 +137,19 @@ impl Worker {
                 self.engine.forget();
             }
             Job::Forget => self.engine.forget(),
-            Job::Draft(is_draft) => self.draughts.set_draft(is_draft),
+            Job::Draft(is_draft) => {
+                self.draughts.set_draft(is_draft);
+                self.analyses.set_draft(is_draft);
+            }
+            Job::Analyse(face, analysis) => {
+                self.analyses.analyse(face, analysis);
+                self.draughts.set_colours(self.analyses.has_colours());
+            }
+            Job::Probe(face, round, probes) => self.analyses.probe(face, round, probes),
+            Job::Leave(face) => {
+                self.analyses.leave(face);
+                self.draughts.set_colours(self.analyses.has_colours());
+            }
             Job::With(inquiry) => {
                 if catch_unwind(AssertUnwindSafe(|| inquiry(&self.engine))).is_err() {
                     self.tell(News::Failed("A file could not be made"));
@@ -141,7 +166,9 @@ impl Worker {
             let options = self.engine.options().clone();
             self.engine = Engine::new(Document::clone(&change.after), options);
             self.draughts.touch_all(&change.after);
+            self.analyses.touch_all();
         }
+        self.analyses.touch(&touched);
         self.draughts.touch(touched);
     }
 
@@ -151,6 +178,7 @@ impl Worker {
             self.engine.dirty().iter().filter_map(|at| objects.get(*at)).map(|object| object.id).collect()
         };
         self.draughts.touch(due.iter().copied());
+        self.analyses.touch(&due);
         self.tell(News::Began(solution, due.len()));
         let news = self.news.clone();
         let options = self.engine.options_mut();
@@ -182,6 +210,21 @@ impl Worker {
         match drawn {
             Ok(previews) => self.tell(News::Drawn(solution, self.draughts.is_draft(), previews)),
             Err(_) => self.tell(News::Failed("The geometry could not be drawn")),
+        }
+    }
+
+    fn look(&mut self, solution: u64, cancel: &Cancel) {
+        if !self.analyses.is_due() {
+            return;
+        }
+        let go_on = || !cancel.is_cancelled();
+        let (pool, engine, analyses) = (&self.pool, &self.engine, &mut self.analyses);
+        let found = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || analyses.look(engine, go_on))));
+        match found {
+            Ok(findings) => {
+                findings.into_iter().for_each(|(face, found)| self.tell(News::Found(solution, face, found)));
+            }
+            Err(_) => self.tell(News::Failed("The analysis could not be made")),
         }
     }
 }

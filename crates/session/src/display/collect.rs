@@ -26,7 +26,6 @@ pub(super) struct Collector {
     pub(super) parts: Parts,
     /// Whether something could be finer.
     pub(super) is_draft: bool,
-    pub(super) triangles: usize,
     fineness: Fineness,
     curves: Smoothness,
     /// Of all triangles, the share that may be drawn.
@@ -57,7 +56,6 @@ impl Collector {
         Self {
             parts: Parts::new(colours.len() > MOST_COLOURS),
             is_draft: false,
-            triangles: 0,
             fineness,
             curves: Smoothness::for_curves(curves),
             keep: (share as f64 / all as f64).min(1.0),
@@ -142,15 +140,15 @@ impl Collector {
                 ..faces
             });
         }
-        self.triangles += faces.triangles.len();
         self.parts.faces(paint, &faces, origin);
     }
 
     fn surface(&mut self, facets: &Facets, fill: Colour, origin: Origin) {
-        let exact = !matches!(self.fineness, Fineness::Draft { .. });
-        let finer = if exact { facets.within(self.distance(facets)) } else { None };
+        let is_draft = matches!(self.fineness, Fineness::Draft { .. });
+        let exact = !matches!(self.fineness, Fineness::Draft { exact: false, .. });
+        let finer = if is_draft { None } else { facets.within(self.distance(facets)) };
         let drawn = finer.as_ref().unwrap_or(facets);
-        self.is_draft |= !exact && facets.is_exact() && facets.is_curved();
+        self.is_draft |= is_draft && facets.is_exact() && facets.is_curved();
         let paint = |kind| Paint { kind, colour: fill, width: 0.0, text_height: 0.0 };
         self.faces(paint(PartKind::Mesh), Faces::of_surface(drawn, exact), origin);
         for line in &drawn.borders {

@@ -5,7 +5,7 @@ use katydid_scene::tessellated;
 
 /// How far the segments of a curve stray from it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Smoothness {
+pub(crate) struct Smoothness {
     /// As a part of the curve's size.
     distance: f64,
     /// The turn from one segment to the next, in radians.
@@ -17,12 +17,12 @@ const MANY: usize = 2000;
 
 impl Smoothness {
     /// That of an object which shows so many curves.
-    pub(super) fn for_curves(count: usize) -> Self {
+    pub(crate) fn for_curves(count: usize) -> Self {
         if count > MANY { Self { distance: 1e-3, angle: 0.26 } } else { Self { distance: 2e-4, angle: 0.09 } }
     }
 
     /// The points of a curve.
-    pub(super) fn points(self, curve: &Curve) -> Vec<Point3> {
+    pub(crate) fn points(self, curve: &Curve) -> Vec<Point3> {
         let size = curve.bounding_box().diagonal().length();
         let limits = PolylineLimits {
             distance: self.distance * size,

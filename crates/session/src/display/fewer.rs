@@ -93,8 +93,8 @@ fn clustered(faces: &Faces, bounds: &BoundingBox, cells: f64) -> Faces {
             })
             .collect(),
         colours: sums.iter().filter_map(|(.., first)| faces.colours.get(*first).copied()).collect(),
-        gaussian: Vec::new(),
-        mean: Vec::new(),
+        gaussian: sums.iter().filter_map(|(.., first)| faces.gaussian.get(*first).copied()).collect(),
+        mean: sums.iter().filter_map(|(.., first)| faces.mean.get(*first).copied()).collect(),
         triangles,
         edges: Vec::new(),
     }

@@ -1,12 +1,11 @@
 //! Parts as bytes: the head in JSON, then the arrays.
 
+use katydid_data::Path;
 use katydid_geometry::{BoundingBox, Point3};
-use katydid_scene::Scene;
 use uuid::Uuid;
 
 use super::Geometry;
-use super::collect::Collector;
-use super::parts::{Group, Stretch};
+use super::parts::{Group, Parts, Stretch};
 use crate::protocol::{
     PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType,
 };
@@ -16,17 +15,18 @@ const ALIGNMENT: usize = 8;
 /// Farther from the origin nothing is drawn: single precision ends soon after.
 const FARTHEST: f64 = 1e30;
 
-/// The bytes of an object's geometry; nothing when it shows none.
-pub(super) fn bytes(object: Uuid, scene: &Scene, collector: Collector) -> Option<Geometry> {
-    let (is_draft, triangles) = (collector.is_draft, collector.triangles);
-    let groups: Vec<Group> =
-        collector.parts.groups.into_iter().filter(|group| !group.points.is_empty()).collect();
+/// The bytes of an object's geometry; nothing when it shows none. `branches` are those that the origins of its parts
+/// count.
+pub(crate) fn bytes(object: Uuid, branches: &[Path], parts: Parts, is_draft: bool) -> Option<Geometry> {
+    let groups: Vec<Group> = parts.groups.into_iter().filter(|group| !group.points.is_empty()).collect();
+    let triangles =
+        groups.iter().filter(|group| group.kind == PartKind::Mesh).map(|g| g.indices.len() / 3).sum();
     let bounds = BoundingBox::from_points(groups.iter().flat_map(|group| group.points.iter().copied()))?;
     let origin = origin(&bounds);
     let mut arrays = Arrays { bytes: Vec::new() };
     let mut parts = Vec::with_capacity(groups.len());
     for group in &groups {
-        add(group, scene, origin, &mut arrays, &mut parts);
+        add(group, branches, origin, &mut arrays, &mut parts);
     }
     let header = PreviewHeader {
         object,
@@ -55,10 +55,10 @@ fn origin(bounds: &BoundingBox) -> Point3 {
 }
 
 /// Adds a group's arrays, and the one or two parts that it is.
-fn add(group: &Group, scene: &Scene, origin: Point3, arrays: &mut Arrays, parts: &mut Vec<Part>) {
+fn add(group: &Group, branches: &[Path], origin: Point3, arrays: &mut Arrays, parts: &mut Vec<Part>) {
     let positions = arrays.positions(&group.points, origin);
     let colours = (group.colours.len() == group.points.len()).then(|| arrays.colours(&group.colours));
-    let pieces = |stretches: &[Stretch]| stretches.iter().map(|stretch| piece(stretch, scene)).collect();
+    let pieces = |stretches: &[Stretch]| stretches.iter().map(|stretch| piece(stretch, branches)).collect();
     let part = |kind| Part {
         kind,
         colour: group.colour,
@@ -104,11 +104,11 @@ fn add(group: &Group, scene: &Scene, origin: Point3, arrays: &mut Arrays, parts:
     }
 }
 
-fn piece(stretch: &Stretch, scene: &Scene) -> Piece {
+fn piece(stretch: &Stretch, branches: &[Path]) -> Piece {
     let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     Piece {
         output: stretch.origin.output,
-        path: scene.branches.get(stretch.origin.branch as usize).map(ToString::to_string).unwrap_or_default(),
+        path: branches.get(stretch.origin.branch as usize).map(ToString::to_string).unwrap_or_default(),
         index: stretch.origin.index,
         start: small(stretch.start),
         count: small(stretch.count),

@@ -6,12 +6,12 @@
 
 mod collect;
 mod count;
-mod curves;
+pub(crate) mod curves;
 mod edges;
 mod faces;
 mod fewer;
-mod layout;
-mod parts;
+pub(crate) mod layout;
+pub(crate) mod parts;
 
 use katydid_data::Tree;
 use katydid_data::cast::Rules;
@@ -31,6 +31,8 @@ pub enum Fineness {
     Draft {
         /// The triangles of all objects together.
         triangles: usize,
+        /// Whether surfaces have their own normals and curvatures all the same, where they are not too large.
+        exact: bool,
     },
     /// As a document asks for it that has coarse preview meshes.
     Coarse,
@@ -97,7 +99,7 @@ pub fn encode(
     let counts: Vec<usize> =
         scenes.iter().map(|one| one.as_ref().map_or(0, |(scene, _)| count::triangles(scene))).collect();
     let shares = match fineness {
-        Fineness::Draft { triangles } => count::shares(&counts, triangles),
+        Fineness::Draft { triangles, .. } => count::shares(&counts, triangles),
         Fineness::Coarse | Fineness::Smooth => vec![count::MOST; counts.len()],
     };
     let jobs: Vec<_> = shown.iter().zip(scenes).zip(shares).collect();
@@ -108,7 +110,7 @@ pub fn encode(
     previews.into_iter().flatten().collect()
 }
 
-fn scene(shown: &Shown<'_>, rules: &Rules) -> (Scene, Vec<String>) {
+pub(crate) fn scene(shown: &Shown<'_>, rules: &Rules) -> (Scene, Vec<String>) {
     let mut painter = Painter::for_objects(rules, Look::of(parts::DOCUMENT));
     painter.object(shown.object, shown.outputs, || shown.inputs.to_vec());
     let left_out = painter.left_out().to_vec();
@@ -120,11 +122,12 @@ fn preview(object: Uuid, scene: &Scene, left_out: &[String], fineness: Fineness,
     scene.things.iter().for_each(|thing| collector.thing(thing));
     let mut left_out = left_out.to_vec();
     left_out.extend(collector.complaint());
-    Preview { object, geometry: layout::bytes(object, scene, collector), left_out }
+    let geometry = layout::bytes(object, &scene.branches, collector.parts, collector.is_draft);
+    Preview { object, geometry, left_out }
 }
 
 /// Does something with each, on all cores where there are some to be had.
-fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+pub(crate) fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;

@@ -10,14 +10,14 @@ use super::faces::Faces;
 use crate::protocol::PartKind;
 
 /// Stands for the document's own preview colour, which a viewport knows. No material is as clear as this.
-pub(super) const DOCUMENT: Colour = Colour { a: 1, r: 1, g: 2, b: 3 };
+pub(crate) const DOCUMENT: Colour = Colour { a: 1, r: 1, g: 2, b: 3 };
 
 /// So many stretches of an object are told apart at most; the others can be seen and not picked one by one.
 const MOST_PIECES: usize = 100_000;
 
 /// The look of a part, and which arrays it has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) struct Key {
+pub(crate) struct Key {
     kind: u8,
     /// In pixels, as bits.
     width: u32,
@@ -30,45 +30,45 @@ pub(super) struct Key {
 
 /// A part being filled.
 #[derive(Debug)]
-pub(super) struct Group {
-    pub(super) kind: PartKind,
-    pub(super) colour: Option<[u8; 4]>,
-    pub(super) width: f32,
-    pub(super) text_height: f64,
-    pub(super) points: Vec<Point3>,
-    pub(super) normals: Vec<[f32; 3]>,
-    pub(super) colours: Vec<[u8; 4]>,
-    pub(super) gaussian: Vec<f32>,
-    pub(super) mean: Vec<f32>,
-    pub(super) indices: Vec<u32>,
-    pub(super) stretches: Vec<Stretch>,
+pub(crate) struct Group {
+    pub(crate) kind: PartKind,
+    pub(crate) colour: Option<[u8; 4]>,
+    pub(crate) width: f32,
+    pub(crate) text_height: f64,
+    pub(crate) points: Vec<Point3>,
+    pub(crate) normals: Vec<[f32; 3]>,
+    pub(crate) colours: Vec<[u8; 4]>,
+    pub(crate) gaussian: Vec<f32>,
+    pub(crate) mean: Vec<f32>,
+    pub(crate) indices: Vec<u32>,
+    pub(crate) stretches: Vec<Stretch>,
     /// Segments along the edges of a mesh, between the same points.
-    pub(super) edges: Vec<u32>,
-    pub(super) edge_stretches: Vec<Stretch>,
-    pub(super) texts: Vec<String>,
+    pub(crate) edges: Vec<u32>,
+    pub(crate) edge_stretches: Vec<Stretch>,
+    pub(crate) texts: Vec<String>,
 }
 
 /// What of a part is one item.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stretch {
-    pub(super) origin: Origin,
-    pub(super) start: usize,
-    pub(super) count: usize,
+pub(crate) struct Stretch {
+    pub(crate) origin: Origin,
+    pub(crate) start: usize,
+    pub(crate) count: usize,
 }
 
 /// The look of one thing.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Paint {
-    pub(super) kind: PartKind,
-    pub(super) colour: Colour,
-    pub(super) width: f64,
-    pub(super) text_height: f64,
+pub(crate) struct Paint {
+    pub(crate) kind: PartKind,
+    pub(crate) colour: Colour,
+    pub(crate) width: f64,
+    pub(crate) text_height: f64,
 }
 
 /// All parts of an object.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
-    pub(super) groups: Vec<Group>,
+pub(crate) struct Parts {
+    pub(crate) groups: Vec<Group>,
     by_key: HashMap<Key, usize>,
     /// Whether colours are told point by point: there are too many for a part each.
     by_point: bool,
@@ -83,7 +83,7 @@ fn own(colour: Colour) -> Option<[u8; 4]> {
 
 impl Parts {
     /// `by_point` tells colours point by point.
-    pub(super) fn new(by_point: bool) -> Self {
+    pub(crate) fn new(by_point: bool) -> Self {
         Self { by_point, ..Self::default() }
     }
 
@@ -126,7 +126,7 @@ impl Parts {
     }
 
     /// A line through points.
-    pub(super) fn line(&mut self, paint: Paint, points: &[Point3], origin: Origin) {
+    pub(crate) fn line(&mut self, paint: Paint, points: &[Point3], origin: Origin) {
         if points.len() < 2 || !points.iter().all(|p| p.is_finite()) {
             return;
         }
@@ -144,7 +144,7 @@ impl Parts {
     }
 
     /// A point with a sign or a text.
-    pub(super) fn point(&mut self, paint: Paint, at: Point3, text: Option<String>, origin: Origin) {
+    pub(crate) fn point(&mut self, paint: Paint, at: Point3, text: Option<String>, origin: Origin) {
         if !at.is_finite() {
             return;
         }
@@ -160,7 +160,7 @@ impl Parts {
     }
 
     /// Triangles, with segments along the edges that are drawn.
-    pub(super) fn faces(&mut self, paint: Paint, faces: &Faces, origin: Origin) {
+    pub(in crate::display) fn faces(&mut self, paint: Paint, faces: &Faces, origin: Origin) {
         if !faces.points.iter().all(|p| p.is_finite()) {
             return;
         }
@@ -186,7 +186,7 @@ impl Parts {
     }
 
     /// Whether the parts take more bytes than this, about.
-    pub(super) fn bytes_above(&self, most: usize) -> bool {
+    pub(crate) fn bytes_above(&self, most: usize) -> bool {
         let of = |group: &Group| {
             12 * (group.points.len() + group.normals.len())
                 + 4 * (group.colours.len() + group.gaussian.len() + group.mean.len())

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{DocumentView, ObjectView};
+use super::{CombMeasure, DocumentView, ObjectView, Probed};
 
 /// What the session tells a face.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -53,9 +53,22 @@ pub enum Event {
         cancelled: bool,
         milliseconds: f64,
     },
-    /// The geometry of objects that changed, by the hash of its bytes: `GET /geometry/<hash>`, unless they come in a
-    /// binary frame. Objects without geometry any more have none.
+    /// The geometry of objects that changed, by the hash of its bytes: `GET /geometry/<hash>`, unless they came in a
+    /// binary frame just before. Such a frame is the 16 bytes of the hash, and the geometry. Objects without geometry any
+    /// more have none.
     Preview { solution: u64, draft: bool, objects: Vec<(Uuid, Option<String>)> },
+    /// What [`Ask::Analyse`](super::Ask::Analyse) asked for, of the objects of which it has changed; found like that of
+    /// `Preview`. `left_out` says what there was too much of.
+    Analysed {
+        solution: u64,
+        draft: bool,
+        objects: Vec<(Uuid, Option<String>)>,
+        comb: Option<CombMeasure>,
+        left_out: Vec<String>,
+    },
+    /// What is at the places that [`Ask::Probe`](super::Ask::Probe) of that round named, in their order; none where there
+    /// is no such curve or surface.
+    Probed { solution: u64, round: u32, probes: Vec<Option<Probed>> },
     /// Something that people should know.
     Notice(Notice),
 }

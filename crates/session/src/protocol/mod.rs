@@ -10,6 +10,7 @@
 
 #![allow(missing_docs, reason = "the fields of a variant are told of in its own line")]
 
+mod analysis;
 mod control;
 mod edit;
 mod event;
@@ -17,6 +18,9 @@ mod preview;
 mod request;
 mod view;
 
+pub use analysis::{
+    AnalysisView, BendView, CircleView, CombMeasure, CombView, IsocurvesView, Probe, ProbePlace, Probed,
+};
 pub use control::{Control, GraphView, GripView, ListItemView, ListModeView, RoundingView, Setting};
 pub use edit::{Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange};
 pub use event::{

@@ -82,8 +82,14 @@ pub enum PartKind {
     Arrows,
     /// Points, each a cross.
     Points,
-    /// Control points, each a square, and the polygon between them is a `Curves` part of its own.
+    /// Control points, each a square.
     ControlPoints,
+    /// The polygons and nets between control points: segments.
+    Hull,
+    /// Curvature combs, teeth and the line over their tips: segments.
+    Comb,
+    /// Osculating circles: segments.
+    Circles,
     /// Squares of planes: segments.
     Planes,
     /// Texts.

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::Edit;
+use super::{AnalysisView, Edit, Probe};
 
 /// What a face asks of the session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -41,11 +41,15 @@ pub enum Ask {
     Lock { on: bool },
     /// Shows the inside of a cluster: its objects and results come as those of `within`.
     Enter { within: Vec<Uuid> },
-    /// Part of the data of a port, as a panel shows it, from row `from`; a path counts as a row.
+    /// Part of the data of a port, as a panel shows it, from row `from`; a path counts as a row. With `exact`, numbers,
+    /// points and vectors have all their digits: what is kept again from such rows is the same.
     Rows {
         port: Uuid,
         from: u32,
         count: u32,
+        #[serde(default)]
+        #[cfg_attr(feature = "typescript", ts(optional, as = "Option<bool>"))]
+        exact: bool,
         #[serde(default)]
         within: Vec<Uuid>,
     },
@@ -61,6 +65,12 @@ pub enum Ask {
     Settle { keep: bool },
     /// The preview as coarse as it may be while a slider is dragged, or as fine as the document says.
     Draft { on: bool },
+    /// What of the form of curves and surfaces this face wants to see; nothing ends it.
+    Analyse { analysis: Option<AnalysisView> },
+    /// The places whose curvature this face wants to know, instead of those before; they come as
+    /// [`Event::Probed`](super::Event::Probed), again whenever it has changed.
+    /// `round` is the face's own number of the question, which answers name.
+    Probe { round: u32, probes: Vec<Probe> },
 }
 
 /// The formats that a document is saved in.

@@ -12,7 +12,7 @@ import { runStore } from "../../state/run";
 import { uiStore } from "../../state/ui";
 import { addPort, change, enter, reshape, selection, set } from "../edits";
 import { documentStore } from "../../state/document";
-import { openEditor } from "../open";
+import { isViewer, openEditor, turnViewer } from "../open";
 import { canvasStore } from "../store";
 import { LINE, menu, type Item } from "./items";
 import { portItems, portMenu } from "./portMenu";
@@ -51,6 +51,12 @@ export function objectMenu(object: ObjectView): Item[] {
     messages(object),
     LINE,
     ...(object.control ? controlItems(object, object.control) : []),
+    isViewer(object) && {
+      is: "do",
+      label: t("canvas.menu.viewerText"),
+      on: !canvasStore.getState().drawing.has(object.id),
+      run: () => turnViewer(object.id),
+    },
     ...(isPort ? [LINE, ...portItems(object, own, "input")] : []),
     LINE,
     !isPort && ports(object, "input"),

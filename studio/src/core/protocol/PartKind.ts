@@ -3,4 +3,4 @@
 /**
  * What a part draws.
  */
-export type PartKind = "mesh" | "edges" | "isocurves" | "curves" | "arrows" | "points" | "controlPoints" | "planes" | "texts";
+export type PartKind = "mesh" | "edges" | "isocurves" | "curves" | "arrows" | "points" | "controlPoints" | "hull" | "comb" | "circles" | "planes" | "texts";
