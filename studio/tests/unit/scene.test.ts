@@ -142,6 +142,9 @@ describe("pieces", () => {
     expect([0, 3, 8, 11, 12].map((at) => pieceAt(ordered, at)?.index)).toEqual([0, 1, 1, 2, undefined]);
     const mixed = part({ pieces: [piece(9, 3, 2), piece(0, 3, 0), piece(3, 6, 1)] });
     expect([0, 8, 11].map((at) => pieceAt(mixed, at)?.index)).toEqual([0, 1, 2]);
+    const several = part({ pieces: [{ ...piece(0, 3, 5), items: 4 }, piece(12, 6, 9)] });
+    expect([0, 2, 3, 11, 12].map((at) => pieceAt(several, at)?.index)).toEqual([5, 5, 6, 8, 9]);
+    expect(pieceAt(several, 7)).toMatchObject({ start: 6, count: 3, index: 7 });
   });
 });
 

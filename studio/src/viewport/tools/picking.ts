@@ -222,10 +222,17 @@ export function pieceAt({ pieces }: Pick["part"], at: number): Piece | undefined
     const middle = (low + high) >> 1;
     const piece = pieces[middle] as Piece;
     if (at < piece.start) high = middle - 1;
-    else if (at >= piece.start + piece.count) low = middle + 1;
-    else return piece;
+    else if (at >= piece.start + piece.count * (piece.items ?? 1)) low = middle + 1;
+    else return itemAt(piece, at);
   }
-  return pieces.find(({ start, count }) => at >= start && at < start + count);
+  const found = pieces.find(({ start, count, items = 1 }) => at >= start && at < start + count * items);
+  return found && itemAt(found, at);
+}
+
+/** The one item of a piece of several. */
+function itemAt(piece: Piece, at: number): Piece {
+  const away = Math.floor((at - piece.start) / piece.count);
+  return { ...piece, index: piece.index + away, start: piece.start + away * piece.count, items: 1 };
 }
 
 function minus(a: Point3, b: Point3): Vector3 {
