@@ -7,17 +7,12 @@ PYTHON ?= python3
 # Off by default, tested all the same.
 KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 
-.PHONY: test-server studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
+.PHONY: studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
 
-test: test-studio test-rust test-python
+test: test-studio test-rust test-python test-browser
 
 test-rust:
-	cargo test --workspace --exclude katydid-kernel-bench --exclude katydid-server --features $(KERNEL_FEATURES)
-	cargo test -p katydid-server --lib
-
-# The studio's server from outside, over its socket. Not part of `make test` yet: some of these tests fail on a busy machine.
-test-server:
-	cargo test -p katydid-server --tests
+	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed
@@ -30,10 +25,11 @@ test-studio: studio/node_modules/installed
 	studio/with-node npm test
 	studio/with-node npm run build
 
-# The page in Chromium, served by the binary. Not part of `make test` yet: these tests have to settle first.
-test-browser: studio/node_modules/installed
+# The page in Chromium, served by the binary; then the viewport alone.
+test-browser: test-studio
 	cargo build --release -p katydid
-	CHROMIUM=$$(studio/chromium) studio/with-node npx playwright test
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:viewport
 
 studio/node_modules/installed: studio/package-lock.json
 	studio/with-node npm ci --no-audit --no-fund

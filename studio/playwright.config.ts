@@ -6,19 +6,41 @@ import { defineConfig } from "@playwright/test";
 
 /** The binary with the page in it; `make test` builds it. */
 const binary = process.env.KATYDID ?? "../target/release/katydid";
-const port = 6599;
+/**
+ * With `PREVIEW=1` the page comes out of `dist/` and only the rest from the binary: what was changed in the page is
+ * tested after `npm run build` alone.
+ */
+const preview = Boolean(process.env.PREVIEW);
+const first = Number(process.env.PORT ?? 6598);
+const [port, own] = preview ? [first, first + 1] : [first + 1, first];
+const address = (at: number) => `http://127.0.0.1:${at}`;
+// What the tests open and save is kept apart from what the person at the keyboard does.
 const state = mkdtempSync(join(tmpdir(), "katydid-e2e-"));
+
+const studio = {
+  command: `${binary} studio --no-open --port ${port}`,
+  url: `${address(port)}/api/start`,
+  env: { XDG_STATE_HOME: state },
+  reuseExistingServer: false,
+};
+const page = {
+  command: `node_modules/.bin/vite preview --host 127.0.0.1 --port ${own} --strictPort`,
+  url: address(own),
+  env: { KATYDID_STUDIO: address(port) },
+  reuseExistingServer: false,
+};
 
 export default defineConfig({
   testDir: "e2e",
+  snapshotPathTemplate: "{testDir}/pictures/{arg}{ext}",
   timeout: 60_000,
   expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
   // Two processors, one of them for the server.
   workers: 1,
-  retries: process.env.CI ? 1 : 0,
   reporter: [["line"]],
   use: {
-    baseURL: `http://127.0.0.1:${port}`,
+    baseURL: address(preview ? own : port),
+    actionTimeout: 20_000,
     viewport: { width: 1280, height: 800 },
     trace: "retain-on-failure",
     launchOptions: {
@@ -26,10 +48,5 @@ export default defineConfig({
       args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"],
     },
   },
-  webServer: {
-    command: `${binary} studio --no-open --port ${port}`,
-    url: `http://127.0.0.1:${port}/api/start`,
-    env: { XDG_STATE_HOME: state },
-    reuseExistingServer: false,
-  },
+  webServer: preview ? [studio, page] : [studio],
 });

@@ -1,7 +1,8 @@
 /** What hands do on the canvas. */
-import { expect, type Locator, type Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 
 import { openNew } from "./open";
+import { expect } from "./test";
 
 export type At = readonly [number, number];
 
@@ -23,15 +24,17 @@ export async function spot(page: Page, [x, y]: At): Promise<{ x: number; y: numb
   return { x: (box?.x ?? 0) + x, y: (box?.y ?? 0) + y };
 }
 
-/** Searches at a place and takes the first find. The new object is given back. */
-export async function place(page: Page, words: string, at: At): Promise<Locator> {
+/** Searches at a place and takes the first find, or the one of this name. The new object is given back. */
+export async function place(page: Page, words: string, at: At, name?: string): Promise<Locator> {
   const before = await ids(page);
   const { x, y } = await spot(page, at);
   await page.mouse.dblclick(x, y);
   const field = page.getByRole("combobox", { name: "Search for a component" });
   await field.fill(words);
-  await expect(page.getByRole("listbox").getByRole("option").first()).toBeVisible();
-  await page.keyboard.press("Enter");
+  const finds = page.getByRole("listbox", { name: "Search for a component" }).getByRole("option");
+  await expect(finds.first()).toBeVisible();
+  if (name === undefined) await page.keyboard.press("Enter");
+  else await finds.filter({ hasText: name }).first().click();
   await expect(field).toHaveCount(0);
   return newest(page, before);
 }

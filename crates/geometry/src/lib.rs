@@ -40,6 +40,7 @@ pub mod brep;
 mod catenary;
 mod circle;
 pub mod cloud;
+pub mod construct;
 mod curve;
 mod ellipse;
 mod error;
@@ -56,6 +57,7 @@ mod linear;
 mod longest_rectangle;
 mod matrix;
 mod mesh;
+mod meshing;
 pub mod morph;
 mod nurbs;
 mod plane;
@@ -106,6 +108,7 @@ pub use mesh::{
     Decimation, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, RemeshOptions, Remeshed,
     Smoothing, SurfaceMeshing,
 };
+pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,

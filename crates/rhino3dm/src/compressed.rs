@@ -9,6 +9,7 @@ pub use stored::StoredBuffer;
 
 use flate2::write::ZlibEncoder;
 use flate2::{Compression, Decompress, FlushDecompress, Status};
+use miniz_oxide::inflate::decompress_slice_iter_to_slice;
 
 use crate::chunk::{Context, Reader, Writer};
 use crate::{Error, Result, typecode};
@@ -20,6 +21,9 @@ const PLAIN: usize = 128;
 /// Streams are some three hundredths longer at this level than at the highest, which openNURBS uses, and take a quarter
 /// of its time.
 const LEVEL: u32 = 6;
+/// Content no longer than the window of deflate is inflated without one. The window takes more room than many a small
+/// archive with all that is read from it.
+const WINDOW: usize = 1 << 15;
 /// Buffers of fewer bytes together are not worth the start of other threads.
 #[cfg(feature = "parallel")]
 const PARALLEL: usize = 1 << 15;
@@ -100,6 +104,17 @@ impl CompressedBuffer<'_> {
 
 /// Inflates a zlib stream that must fill `room` exactly.
 fn inflate(stream: &[u8], room: &mut [u8]) -> std::result::Result<(), String> {
+    if room.len() <= WINDOW {
+        let made = decompress_slice_iter_to_slice(room, std::iter::once(stream), true, false);
+        if made == Ok(room.len()) {
+            return Ok(());
+        }
+    }
+    // What is wrong with a stream is told in one place, whatever its length.
+    inflate_with_window(stream, room)
+}
+
+fn inflate_with_window(stream: &[u8], room: &mut [u8]) -> std::result::Result<(), String> {
     let size = room.len() as u64;
     let mut state = Decompress::new(true);
     let status = state.decompress(stream, room, FlushDecompress::Finish).map_err(|e| e.to_string())?;

@@ -69,7 +69,10 @@ async fn a_slider_of_three_hundred_objects() {
         tokio::time::sleep(Duration::from_millis(500)).await;
         let mut all = Vec::new();
         for k in 0..60 {
-            all.push(change(&mut face, slider, 20.0 + f64::from(k) / 10.0).await);
+            all.push(
+                change(&mut face, slider, 20.0 + f64::from(k + 1) / 10.0 + 10.0 * f64::from(u8::from(draft)))
+                    .await,
+            );
         }
         let of = |part: f64, value: fn(&Change) -> f64| {
             share(&mut all.iter().map(value).collect::<Vec<_>>(), part)
@@ -128,7 +131,7 @@ async fn a_mesh_of_a_million_triangles() {
     let (mut encode, mut fetch, mut bytes) = (Vec::new(), Vec::new(), 0);
     let before = memory();
     for k in 0..100 {
-        let made = change(&mut face, slider, 1.0 + f64::from(k) / 10.0).await;
+        let made = change(&mut face, slider, 1.0 + f64::from(k + 1) / 10.0).await;
         encode.push(made.previews - made.results);
         let hash = face.hashes[&out].clone().unwrap();
         let start = Instant::now();

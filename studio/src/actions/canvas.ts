@@ -2,3 +2,4 @@
 import "./canvasEdit";
 import "./canvasObjects";
 import "./canvasView";
+import "./canvasViews";

@@ -16,9 +16,12 @@ import { register } from "./registry";
 
 const some = () => selection().length > 0;
 
-async function quietly(what: Parameters<typeof ask>[0]): Promise<void> {
+/** Goes a step back or forth, and says which it was. */
+async function stepped(way: "undo" | "redo"): Promise<void> {
+  const step = documentStore.getState().document?.[way] ?? "";
   try {
-    await ask(what);
+    await ask({ ask: way });
+    say(t(way === "undo" ? "canvas.undone" : "canvas.redone", { step }));
   } catch {
     // What was refused stands in the line below.
   }
@@ -70,7 +73,7 @@ register(
     keys: ["Mod+Z"],
     group: "edit",
     isEnabled: () => Boolean(documentStore.getState().document?.undo),
-    run: () => quietly({ ask: "undo" }),
+    run: () => stepped("undo"),
   },
   {
     id: "edit.redo",
@@ -78,7 +81,7 @@ register(
     keys: ["Mod+Y", "Mod+Shift+Z"],
     group: "edit",
     isEnabled: () => Boolean(documentStore.getState().document?.redo),
-    run: () => quietly({ ask: "redo" }),
+    run: () => stepped("redo"),
   },
   {
     id: "edit.cut",

@@ -1,6 +1,6 @@
 /** How the canvas is looked at. */
 
-import { openSearch } from "../canvas/open";
+import { openRadial, openSearch } from "../canvas/open";
 import { selection } from "../canvas/edits";
 import { canvasStore, keep } from "../canvas/store";
 import { zoomBy, zoomExtents, zoomTo } from "../canvas/view";
@@ -15,6 +15,14 @@ register(
     group: "canvas",
     scope: "canvas",
     run: () => openSearch(),
+  },
+  {
+    id: "canvas.radial",
+    label: "canvas.radial",
+    keys: ["Shift+Space"],
+    group: "canvas",
+    scope: "canvas",
+    run: () => openRadial(),
   },
   {
     id: "edit.find",
@@ -77,6 +85,20 @@ register(
     group: "canvas",
     isOn: () => uiStore.getState().profiler,
     run: () => uiStore.setState({ profiler: !uiStore.getState().profiler }),
+  },
+  {
+    id: "canvas.aligning",
+    label: "canvas.aligning",
+    group: "canvas",
+    isOn: () => canvasStore.getState().aligning,
+    run: () => keep({ aligning: !canvasStore.getState().aligning }),
+  },
+  {
+    id: "canvas.snapping",
+    label: "canvas.menu.snapping",
+    group: "canvas",
+    isOn: () => canvasStore.getState().snapping,
+    run: () => keep({ snapping: !canvasStore.getState().snapping }),
   },
   {
     id: "canvas.ribbon",

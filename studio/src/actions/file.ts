@@ -1,4 +1,5 @@
 import { goTo, open } from "../app/files";
+import { chooseToInsert } from "../app/insert";
 import { place } from "../app/place";
 import { showDialog } from "../dialogs/store";
 import { documentStore } from "../state/document";
@@ -16,6 +17,8 @@ register(
     run: async () => goTo(await open({ new: true })),
   },
   { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
+  { id: "file.documents", label: "documents.action", group: "file", keys: ["Mod+Shift+K"], run: () => showDialog("documents") },
+  { id: "file.insert", label: "insert.action", group: "file", isEnabled: isOpen, run: chooseToInsert },
   {
     id: "file.save",
     label: "action.save",

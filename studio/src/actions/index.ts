@@ -4,3 +4,4 @@ import "./canvas";
 import "./solution";
 import "./view";
 import "./help";
+import "./helpComponent";

@@ -3,6 +3,7 @@ import { useEffect, useState } from "react";
 import { t } from "../i18n";
 import { lineStore } from "../state/session";
 import { DEFINITIONS, goTo, isNamed, MODELS, upload } from "./files";
+import { askAbout, insert, insertPlace } from "./insert";
 
 /** Files dropped anywhere on the page: definitions open, a .3dm model is given to the document. */
 export function DropZone({ document }: { document?: string }) {
@@ -22,7 +23,7 @@ export function DropZone({ document }: { document?: string }) {
       event.preventDefault();
       setOver(false);
       const file = event.dataTransfer?.files[0];
-      if (file) void take(file, document);
+      if (file) void letGo(file, event, document);
     };
     addEventListener("dragover", drag);
     addEventListener("dragleave", leave);
@@ -34,6 +35,14 @@ export function DropZone({ document }: { document?: string }) {
     };
   }, [document]);
   return over ? <div className="dropping">{t("drop.here")}</div> : null;
+}
+
+/** A definition that is let go on another: Alt inserts it there, Ctrl opens it; else it is asked. */
+async function letGo(file: File, event: DragEvent, document?: string): Promise<void> {
+  if (!document || !isNamed(file.name, DEFINITIONS) || event.ctrlKey || event.metaKey) return await take(file, document);
+  const at = insertPlace(event);
+  if (event.altKey) await insert(file, at, "loose");
+  else askAbout(file, at);
 }
 
 /** Opens a file, or gives a model to a document. */

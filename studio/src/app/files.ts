@@ -57,6 +57,13 @@ export async function upload(file: File, document?: string): Promise<string> {
   return ((await response.json()) as { document: string }).document;
 }
 
+/** A definition as text: files that are none are read by the server and written anew. */
+export async function definitionText(file: File): Promise<string> {
+  if (!isNamed(file.name, [".gh"])) return await file.text();
+  const document = await upload(file);
+  return await (await checked(await fetch(address("api/save", { document, format: "ghx" })))).text();
+}
+
 /** Has the browser keep the document as a file. */
 export function download(document: string, format: DownloadFormat): Promise<void> {
   return keep(address("api/save", { document, format }));
@@ -65,6 +72,11 @@ export function download(document: string, format: DownloadFormat): Promise<void
 /** Has the browser keep what the definition makes as a file. */
 export function exportAs(document: string, format: ExportFormat): Promise<void> {
   return keep(address("api/export", { document, format }));
+}
+
+/** Has the browser keep a picture of the definition itself: all of its canvas. */
+export function exportCanvas(document: string, format: "svg" | "png"): Promise<void> {
+  return keep(address("api/export", { document, format, canvas: "true" }));
 }
 
 async function keep(from: string): Promise<void> {

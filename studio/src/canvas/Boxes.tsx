@@ -2,6 +2,7 @@ import { ConnectBox } from "./search/ConnectBox";
 import { FindBox } from "./search/FindBox";
 import { SearchBox } from "./search/SearchBox";
 import { ContextMenu } from "./menus/ContextMenu";
+import { Radial } from "./menus/Radial";
 import { Editor } from "./editors/Editor";
 import { Tip } from "./tips/Tip";
 
@@ -11,6 +12,7 @@ export function Boxes() {
     <>
       <Tip />
       <ContextMenu />
+      <Radial />
       <SearchBox />
       <ConnectBox />
       <FindBox />

@@ -6,6 +6,8 @@ import "./notes.css";
 import "./faces.css";
 import "./fields.css";
 import "./boxes.css";
+import "./more.css";
+import "./colours.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";
@@ -17,10 +19,12 @@ import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
 import { uiStore } from "../state/ui";
+import { AlignWidget } from "./AlignWidget";
 import { Boxes } from "./Boxes";
 import { Crumbs } from "./Crumbs";
 import { FarLayer } from "./FarLayer";
 import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
+import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
 import { Near, useCanvas } from "./hooks";
@@ -31,8 +35,11 @@ import { Group, Scribble, Sketch } from "./nodes/Notes";
 import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
+import { tellEdits } from "./tell";
 import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
+import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
+import { ZoomBox } from "./ZoomBox";
 
 /** Names of our own: xyflow has types such as `group` with a look that nobody asked for. */
 const NODE_TYPES: NodeTypes = {
@@ -52,6 +59,8 @@ const NO_WIRES: WireEdge[] = [];
 /** The canvas: the definition, and everything that hands do with it. It needs the stores and nothing else. */
 export function Canvas() {
   useEffect(() => void loadCatalogue(), []);
+  useEffect(() => tellEdits(), []);
+  useEffect(loadViews, []);
   return (
     <div className="canvas-pane">
       <Ribbon />
@@ -70,6 +79,7 @@ export function Canvas() {
 function Ground({ children }: { children: ReactNode }) {
   const ground = useRef<HTMLDivElement>(null);
   const placing = useCanvas((canvas) => canvas.placing !== undefined);
+  const finding = useCanvas((canvas) => canvas.found !== undefined);
   const wiring = useCanvas((canvas) => canvas.wire?.how);
 
   useEffect(() => {
@@ -112,7 +122,7 @@ function Ground({ children }: { children: ReactNode }) {
   return (
     <div
       ref={ground}
-      className={`ground ${placing ? "placing" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
+      className={`ground ${placing ? "placing" : ""} ${finding ? "finding" : ""} ${wiring ? `wiring-${wiring}` : ""}`}
       role="group"
       aria-label={t("canvas.title")}
       aria-describedby="canvas-help"
@@ -122,6 +132,8 @@ function Ground({ children }: { children: ReactNode }) {
       onPointerLeave={hoverOut}
       onDoubleClick={(event) => doubleClick(event.nativeEvent)}
       onContextMenu={(event) => event.preventDefault()}
+      // A middle click pastes the marked text on some systems: here it opens the ring of commands.
+      onAuxClick={(event) => event.preventDefault()}
       onKeyDown={(event) => keyDown(event)}
       onPaste={(event) => {
         if (event.target instanceof Element && event.target.matches("input, textarea")) return;
@@ -211,6 +223,9 @@ function Flow() {
       >
         {far ? <FarLayer /> : null}
         <Overlay />
+        <AlignWidget />
+        <ZoomBox />
+        <FoundArrows />
       </ReactFlow>
     </Near.Provider>
   );

@@ -18,13 +18,17 @@ export function FarLayer() {
   const [x, y, zoom] = useFlowStore((flow) => flow.transform);
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);
+  const found = useCanvas((canvas) => canvas.found);
   const theme = useTheme();
   const colours = useRef<FarColours | undefined>(undefined);
 
   useEffect(() => {
     colours.current = undefined;
   }, [theme]);
-  useEffect(() => paint(sheet, list, { x, y, zoom }, [width, height], colours), [list, x, y, zoom, width, height, theme]);
+  useEffect(
+    () => paint(sheet, list, { x, y, zoom }, [width, height], colours, found),
+    [list, x, y, zoom, width, height, theme, found],
+  );
 
   return <canvas ref={sheet} className="far" aria-hidden="true" />;
 }
@@ -68,6 +72,7 @@ function paint(
   lens: Lens,
   [width, height]: readonly [number, number],
   colours: RefObject<FarColours | undefined>,
+  found: ReadonlySet<string> | undefined,
 ): void {
   const canvas = sheet.current;
   const context = canvas?.getContext("2d");
@@ -81,5 +86,5 @@ function paint(
     canvas.style.height = `${height}px`;
   }
   colours.current ??= farColours(canvas);
-  paintFar(context, list, lens, [width, height], dense, colours.current);
+  paintFar(context, list, lens, [width, height], dense, colours.current, found);
 }

@@ -7,8 +7,9 @@ import { catalogueStore } from "../state/catalogue";
 import { DRAGGED } from "./gestures/more";
 import { useCanvas } from "./hooks";
 import { place } from "./edits";
+import { keyboardPlace } from "./open";
 import { canvasStore } from "./store";
-import { canvasPoint, paneSize } from "./view";
+import { canvasPoint } from "./view";
 
 /** The component tabs: a click and then a click on the canvas places, or a drag does. */
 export function Ribbon() {
@@ -18,6 +19,7 @@ export function Ribbon() {
   const all = tabs(entries);
   const [chosen, setChosen] = useState<string | undefined>(undefined);
   const [open, setOpen] = useState<string | undefined>(undefined);
+  const list = useRef<HTMLDivElement>(null);
   const home = entries.find((entry) => entry.guid === pointed);
   useEffect(() => {
     if (!home) return;
@@ -28,12 +30,14 @@ export function Ribbon() {
   const tab = all.find((one) => one.name === chosen) ?? all[0];
   const step = (by: number) => {
     const at = all.findIndex((one) => one === tab);
-    setChosen(all[(at + by + all.length) % all.length]?.name);
+    const next = (at + by + all.length) % all.length;
+    setChosen(all[next]?.name);
     setOpen(undefined);
+    list.current?.querySelectorAll<HTMLElement>('[role="tab"]')[next]?.focus();
   };
   return (
     <div className="ribbon">
-      <div role="tablist" aria-label={t("canvas.ribbon")}>
+      <div role="tablist" ref={list} aria-label={t("canvas.ribbon")}>
         {all.map(({ name }) => (
           <button
             key={name}
@@ -131,9 +135,8 @@ function Entry({ entry, short, pointed, onDone }: EntryProps) {
         event.dataTransfer.effectAllowed = "copy";
       }}
       onClick={(event) => {
-        // A key has no place on the canvas to click at: the middle will do.
-        const [w, h] = paneSize();
-        if (event.detail === 0) void place({ component: entry.guid, with: null }, canvasPoint([w / 2, h / 2]));
+        // A key has no place on the canvas to click at.
+        if (event.detail === 0) void place({ component: entry.guid, with: null }, canvasPoint(keyboardPlace()));
         else canvasStore.setState({ placing: entry, pointedAt: undefined });
         onDone();
       }}

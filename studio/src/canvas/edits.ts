@@ -1,12 +1,13 @@
 /** The edits that gestures, menus and controls of the canvas ask for. */
 
-import type { Point } from "../core/geometry";
+import { holds, type Point } from "../core/geometry";
 import { leaves } from "../core/groups";
 import type { Grip } from "../core/hit";
 import type { Placing } from "../core/initial";
 import { latest, type Latest } from "../core/latest";
 import { NO_SHIFTS } from "../core/places";
 import type { Control } from "../core/protocol/Control";
+import type { Edit } from "../core/protocol/Edit";
 import type { Initial } from "../core/protocol/Initial";
 import type { ObjectChange } from "../core/protocol/ObjectChange";
 import type { PortChange } from "../core/protocol/PortChange";
@@ -16,6 +17,7 @@ import { ask, edit, newGesture } from "../state/session";
 import { select, uiStore } from "../state/ui";
 import type { Wiring } from "./gestures/chart";
 import { canvasStore } from "./store";
+import { paneSize, reveal, windowPoint } from "./view";
 
 /** The selected objects that are still there, in the order of drawing. */
 export function selection(): string[] {
@@ -24,13 +26,15 @@ export function selection(): string[] {
   return order.filter((id) => chosen.has(id));
 }
 
-/** Places a component and selects it. */
+/** Places a component, selects it, and goes there; it is brought into view where it is out of it. */
 export async function place(what: Pick<Placing, "component" | "with">, at: Point): Promise<string | undefined> {
   const id = crypto.randomUUID();
   const done = await edit({ do: "place", id, component: what.component, at: [...at], with: what.with });
-  if (!done) return undefined;
+  if (done?.event !== "done") return undefined;
   select([id]);
   canvasStore.setState({ active: id });
+  await mirrored(done.revision);
+  if (!holds([0, 0, ...paneSize()], windowPoint(at))) reveal(id);
   return id;
 }
 
@@ -41,7 +45,7 @@ export async function placeWired(component: string, at: Point, from: Grip): Prom
 }
 
 /** Waits until the mirror shows what an edit made, so that nothing jumps back in between. */
-async function mirrored(revision: number): Promise<void> {
+export async function mirrored(revision: number): Promise<void> {
   if (documentStore.getState().revision >= revision) return;
   await new Promise<void>((resolve) => {
     const stop = documentStore.subscribe((mirror) => {
@@ -57,10 +61,16 @@ async function mirrored(revision: number): Promise<void> {
 }
 
 /** Moves objects by a step; groups take their members along. */
-export async function moveBy(ids: Iterable<string>, [dx, dy]: Point, gesture: number | null = null): Promise<void> {
+export async function moveBy(ids: Iterable<string>, by: Point, gesture: number | null = null): Promise<void> {
+  const { objects } = documentStore.getState();
+  await moveEach(new Map([...leaves(ids, objects)].map((id) => [id, by])), gesture);
+}
+
+/** Moves each of these objects by its own step. */
+export async function moveEach(steps: ReadonlyMap<string, Point>, gesture: number | null = null): Promise<void> {
   const { objects } = documentStore.getState();
   const places: [string, [number, number]][] = [];
-  for (const id of leaves(ids, objects)) {
+  for (const [id, [dx, dy]] of steps) {
     const bounds = objects.get(id)?.bounds;
     if (bounds) places.push([id, [bounds[0] + dx, bounds[1] + dy]]);
   }
@@ -89,16 +99,18 @@ export async function remove(ids: readonly string[]): Promise<void> {
   for (const object of ids) await edit({ do: "removeAndJoin", object }, gesture);
 }
 
-/** Carries out what a wire was drawn for, from whichever end it was drawn. */
-export function joinGrips(from: Grip, to: Grip, how: Wiring): void {
-  if (how === "move") {
-    // Parameters have one id for both sides: which is meant is said with it.
-    const rewire = { do: "rewire" as const, from: from.port, to: to.port, input: from.side === "input" };
-    void edit(rewire);
-    return;
-  }
+/** Carries out what a wire was drawn for, from whichever end it was drawn. Gives whether it was taken. */
+export async function joinGrips(from: Grip, to: Grip, how: Wiring): Promise<boolean> {
   const [output, input] = from.side === "output" ? [from, to] : [to, from];
-  void edit({ do: "connect", from: output.port, to: input.port, how });
+  const change: Edit =
+    how === "move"
+      ? // Parameters have one id for both sides: which is meant is said with it.
+        { do: "rewire", from: from.port, to: to.port, input: from.side === "input" }
+      : { do: "connect", from: output.port, to: input.port, how };
+  const done = await edit(change);
+  if (done?.event !== "done") return false;
+  await mirrored(done.revision);
+  return true;
 }
 
 export function unwire(from: string, to: string): void {

@@ -7,6 +7,8 @@ import type { FarColours } from "./farColours";
 
 /** Texts smaller than this many pixels are left out. */
 const READABLE = 4.5;
+/** How much of what was not found is seen while something is searched for. */
+const FAINT = 0.22;
 const FONT = "system-ui, sans-serif";
 
 export function paintFar(
@@ -16,15 +18,25 @@ export function paintFar(
   [width, height]: readonly [number, number],
   dense: number,
   colours: FarColours,
+  found?: ReadonlySet<string>,
 ): void {
+  const shown = (box: FarBox) => (found && !found.has(box.id) ? FAINT : 1);
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.clearRect(0, 0, width * dense, height * dense);
   context.setTransform(lens.zoom * dense, 0, 0, lens.zoom * dense, lens.x * dense, lens.y * dense);
   const field: Rect = [-lens.x / lens.zoom, -lens.y / lens.zoom, width / lens.zoom, height / lens.zoom];
   const pixel = 1 / lens.zoom;
-  for (const box of list.groups) if (meets(box.rect, field)) paintGroup(context, box, pixel, colours);
-  paintWires(context, list.wires, field, pixel, colours);
-  for (const box of list.boxes) if (meets(box.rect, field)) paintBox(context, box, pixel, colours);
+  const paint = (boxes: readonly FarBox[], one: typeof paintBox) => {
+    for (const box of boxes) {
+      if (!meets(box.rect, field)) continue;
+      context.globalAlpha = shown(box);
+      one(context, box, pixel, colours);
+    }
+  };
+  paint(list.groups, paintGroup);
+  paintWires(context, list.wires, field, pixel, colours, found ? FAINT : 1);
+  paint(list.boxes, paintBox);
+  context.globalAlpha = 1;
 }
 
 function paintGroup(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
@@ -46,6 +58,7 @@ function paintWires(
   field: Rect,
   pixel: number,
   colours: FarColours,
+  seen: number,
 ): void {
   const paths = new Map<string, { path: Path2D; wire: FarWire }>();
   for (const wire of wires) {
@@ -60,11 +73,10 @@ function paintWires(
   }
   for (const { path, wire } of paths.values()) {
     context.strokeStyle = colours.wire[wire.look.colour];
-    context.globalAlpha = wire.look.opacity;
+    context.globalAlpha = wire.look.opacity * seen;
     context.lineWidth = Math.max(wire.look.width * 0.7, pixel);
     context.stroke(path);
   }
-  context.globalAlpha = 1;
 }
 
 function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {

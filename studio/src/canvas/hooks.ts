@@ -1,6 +1,6 @@
 /** Narrow reads of the stores: an element is drawn again for what it shows, and for nothing else. */
 
-import { createContext, useContext } from "react";
+import { createContext, useContext, useEffect, useLayoutEffect } from "react";
 import { useStore } from "zustand";
 
 import type { CatalogueEntry } from "../core/catalogue";
@@ -12,6 +12,7 @@ import { documentStore } from "../state/document";
 import { runStore } from "../state/run";
 import { uiStore } from "../state/ui";
 import { canvasStore, type CanvasState } from "./store";
+import { objectElement, paneElement } from "./view";
 
 export function useResult(id: string): ResultView | undefined {
   return useStore(runStore, (run) => run.results.get(id));
@@ -32,6 +33,11 @@ export function useSelected(id: string): boolean {
 /** Whether the pointer is on an object, here or in the viewport. */
 export function useHovered(id: string): boolean {
   return useStore(uiStore, (ui) => ui.hovered === id);
+}
+
+/** Whether an object is among what was searched for on the canvas. */
+export function useFound(id: string): boolean {
+  return useStore(canvasStore, (canvas) => canvas.found?.has(id) === true);
 }
 
 export function useFullNames(): boolean {
@@ -55,4 +61,23 @@ export const Near = createContext(false);
 
 export function useNear(): boolean {
   return useContext(Near);
+}
+
+/**
+ * The object that the keyboard is at has the focus, as soon as it is in sight, while the focus is on the canvas at all.
+ * One that goes, by Undo or out of sight, leaves it to the canvas: keys go on working.
+ */
+export function useFocus(id: string, active: boolean): void {
+  useEffect(() => {
+    const holder = document.activeElement;
+    const isOnCanvas = holder === paneElement() || (holder instanceof HTMLElement && holder.dataset.object !== undefined);
+    if (active && isOnCanvas) objectElement(id)?.focus({ preventScroll: true });
+  }, [id, active]);
+  useLayoutEffect(
+    () => () => {
+      const holder = document.activeElement?.closest<HTMLElement>("[data-object]");
+      if (holder?.dataset.object === id) paneElement()?.focus({ preventScroll: true });
+    },
+    [id],
+  );
 }

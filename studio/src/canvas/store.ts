@@ -12,8 +12,10 @@ import type { Elastic, Target } from "./gestures/chart";
 
 export interface MenuAt {
   pixel: Point;
+  /** Whether it opens upwards from the pixel. */
+  above?: boolean;
   at: Point;
-  target: Target | { is: "centre"; id: string };
+  target: Target | { is: "centre"; id: string } | { is: "zoom" | "views" };
 }
 
 export interface SearchAt {
@@ -49,6 +51,8 @@ export interface CanvasState {
   window: { rect: Rect; crossing: boolean } | undefined;
   wire: Elastic | undefined;
   menu: MenuAt | undefined;
+  /** The pixel about which the ring of commands is open. */
+  radial: Point | undefined;
   search: SearchAt | undefined;
   tip: TipAt | undefined;
   editor: EditorAt | undefined;
@@ -62,6 +66,10 @@ export interface CanvasState {
   connecting: Grip | undefined;
   /** Whether the box that finds objects of the document is open. */
   finding: boolean;
+  /** The Param Viewers that draw the tree and do not list its paths, where the document does not say. */
+  drawing: ReadonlySet<string>;
+  /** What was found: everything else is faint. */
+  found: ReadonlySet<string> | undefined;
   /** A wire that a menu speaks of. */
   hotWire: { from: string; to: string } | undefined;
   /** The object that the keyboard is at. */
@@ -72,6 +80,8 @@ export interface CanvasState {
   /** Whether things that are dragged line up with others. */
   snapping: boolean;
   ribbon: boolean;
+  /** Whether handles for lining up stand around a selection. */
+  aligning: boolean;
   /** What was last said for screen readers. */
   said: string;
 }
@@ -82,19 +92,21 @@ interface Kept {
   scheme: MouseScheme;
   snapping: boolean;
   ribbon: boolean;
+  aligning: boolean;
 }
 
 /** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
 function kept(): Kept {
-  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true };
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true };
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
     if (typeof found !== "object" || found === null) return usual;
-    const { scheme, snapping, ribbon } = found as Record<string, unknown>;
+    const { scheme, snapping, ribbon, aligning } = found as Record<string, unknown>;
     return {
       scheme: scheme === "figma" ? "figma" : "grasshopper",
       snapping: snapping !== false,
       ribbon: ribbon !== false,
+      aligning: aligning !== false,
     };
   } catch {
     return usual;
@@ -108,6 +120,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   window: undefined,
   wire: undefined,
   menu: undefined,
+  radial: undefined,
   search: undefined,
   tip: undefined,
   editor: undefined,
@@ -116,6 +129,8 @@ export const canvasStore = createStore<CanvasState>(() => ({
   pointedAt: undefined,
   connecting: undefined,
   finding: false,
+  drawing: new Set(),
+  found: undefined,
   hotWire: undefined,
   active: undefined,
   distance: "usual",
@@ -126,15 +141,15 @@ export const canvasStore = createStore<CanvasState>(() => ({
 /** Changes what a browser remembers. */
 export function keep(change: Partial<Kept>): void {
   canvasStore.setState(change);
-  const { scheme, snapping, ribbon } = canvasStore.getState();
+  const { scheme, snapping, ribbon, aligning } = canvasStore.getState();
   try {
-    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon }));
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning }));
   } catch {
     // It holds for this page then.
   }
 }
 
-/** Tells screen readers something. */
-export function say(said: string): void {
-  canvasStore.setState({ said });
+/** Tells screen readers something. The same words twice are another text, or the second time would not be heard. */
+export function say(words: string): void {
+  canvasStore.setState(({ said }) => ({ said: said === words ? `${words}\u00a0` : words }));
 }

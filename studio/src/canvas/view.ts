@@ -30,6 +30,11 @@ export function paneElement(): HTMLElement | undefined {
   return pane;
 }
 
+/** The element of an object, while it is in sight. */
+export function objectElement(id: string): HTMLElement | undefined {
+  return pane?.querySelector<HTMLElement>(`[data-object="${CSS.escape(id)}"]`) ?? undefined;
+}
+
 export function lens(): Lens {
   return flow?.getViewport() ?? { x: 0, y: 0, zoom: 1 };
 }

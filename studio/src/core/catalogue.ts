@@ -80,6 +80,7 @@ export const IDS = {
   slider: "57da07bd-ecab-415d-9d86-af36d7073abc",
   scribble: "7f5c6c55-f846-4a08-9c9a-cfdc285cc6fe",
   point: "fbac3e32-f100-4292-8692-77240a42fd1a",
+  viewer: "72a29b54-2e48-474b-a400-d2124c4edf79",
 } as const;
 
 /** The component of a name, a new one before an old one. */

@@ -2,16 +2,21 @@
 
 import type { ObjectView } from "./protocol/ObjectView";
 
+/** What is written on an object. */
+function writtenOn({ control }: ObjectView): string {
+  if (control?.is === "panel" || control?.is === "scribble") return control.text;
+  return control?.is === "group" ? control.label : "";
+}
+
+/** What an object is listed as: the first line that is written on it, else its own name, else that of its type. */
+export function headOf(object: ObjectView): string {
+  const texts = [writtenOn(object), object.nickname, object.name].map((text) => text.trim());
+  return (texts.find((text) => text !== "") ?? "").split("\n")[0]?.trim() ?? "";
+}
+
 /** The texts that an object is found by: its names, and what is written on it. */
 export function wordsOf(object: ObjectView): string[] {
-  const { control } = object;
-  const written =
-    control?.is === "panel" || control?.is === "scribble"
-      ? control.text
-      : control?.is === "group"
-        ? control.label
-        : "";
-  return [object.nickname, object.name, written].map((text) => text.trim()).filter((text) => text !== "");
+  return [object.nickname, object.name, writtenOn(object)].map((text) => text.trim()).filter((text) => text !== "");
 }
 
 /** The objects with a text that holds the query; those that begin with it first, then in the order given. */

@@ -3,17 +3,17 @@
 import { clamp, type Point } from "./geometry";
 import type { GraphView } from "./protocol/GraphView";
 
-/** The functions that can be chosen. Where the handles of a new one begin is the session's affair. */
-export const GRAPHS = [
-  "Bezier",
-  "Gaussian",
-  "Linear",
-  "Parabola",
-  "Perlin",
-  "Power",
-  "Sine",
-  "Sine Summation",
-] as const;
+/**
+ * The functions that can be chosen: those of which it is known how files name them. Others that a file has are drawn
+ * and their handles dragged all the same. Where the handles of a new one begin is the session's affair.
+ */
+export const GRAPHS = ["Bezier", "Sine"] as const;
+
+/** What a menu of functions offers: those that can be chosen, and the one that is there. */
+export function graphChoices(now: string): string[] {
+  const known: readonly string[] = GRAPHS;
+  return now === "" || known.includes(now) ? [...known] : [...known, now].sort();
+}
 
 /** The handles that are places to be dragged; others hold numbers of the function, such as an exponent. */
 export function draggable({ name, handles }: GraphView): number[] {

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import { exportAs, place, type ExportFormat } from "../app";
+import { exportAs, exportCanvas, place, type ExportFormat } from "../app";
 import { t, type Key } from "../i18n";
 import { Dialog } from "./Dialog";
 
@@ -8,13 +8,13 @@ const FORMATS: ExportFormat[] = ["3dm", "glb", "obj", "stl", "svg", "png"];
 
 /** What the definition makes, as a file of another program. */
 export function Export() {
-  const [state, setState] = useState<{ busy?: ExportFormat; wrong?: string }>({});
+  const [state, setState] = useState<{ busy?: string; wrong?: string }>({});
   const id = place(location.search).document;
-  const run = async (format: ExportFormat) => {
+  const run = async (format: ExportFormat, make = exportAs) => {
     if (!id) return;
     setState({ busy: format });
     try {
-      await exportAs(id, format);
+      await make(id, format);
       setState({});
     } catch (error) {
       setState({ wrong: error instanceof Error ? error.message : String(error) });
@@ -36,6 +36,19 @@ export function Export() {
           ))}
         </tbody>
       </table>
+      <h3>{t("export.canvas")}</h3>
+      <div className="row">
+        {(["svg", "png"] as const).map((format) => (
+          <button
+            key={format}
+            type="button"
+            disabled={state.busy !== undefined}
+            onClick={() => void run(format, (document) => exportCanvas(document, format))}
+          >
+            {t(`export.canvas.${format}`)}
+          </button>
+        ))}
+      </div>
       <p role="status">{state.busy && t("export.busy")}</p>
       {state.wrong && <p role="alert">{state.wrong}</p>}
     </Dialog>

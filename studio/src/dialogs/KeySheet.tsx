@@ -5,6 +5,24 @@ import { Dialog } from "./Dialog";
 
 const GROUPS: Action["group"][] = ["file", "edit", "canvas", "object", "view", "solution", "help"];
 
+/** What hands do on the canvas that is no key. */
+const GESTURES = [
+  "double",
+  "wire",
+  "void",
+  "relay",
+  "window",
+  "pan",
+  "zoom",
+  "radial",
+  "copy",
+  "room",
+  "free",
+  "point",
+  "fine",
+  "drop",
+] as const;
+
 /** All keys that do something, by group. */
 export function KeySheet() {
   const actions = allActions().filter((action) => action.keys?.length);
@@ -29,6 +47,17 @@ export function KeySheet() {
             </tbody>
           </table>
         ))}
+      <table>
+        <caption>{t("gesture.title")}</caption>
+        <tbody>
+          {GESTURES.map((gesture) => (
+            <tr key={gesture}>
+              <th scope="row">{t(`gesture.${gesture}`)}</th>
+              <td>{t(`gesture.${gesture}.what`)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
     </Dialog>
   );
 }

@@ -1,8 +1,14 @@
 import { useStore } from "zustand";
 
+import "./dialogs.css";
+
 import { About } from "./About";
+import { CanvasViews } from "./CanvasViews";
+import { ComponentHelp } from "./ComponentHelp";
 import { DocumentSettings } from "./DocumentSettings";
+import { Documents } from "./Documents";
 import { Export } from "./Export";
+import { Insert } from "./Insert";
 import { KeySheet } from "./KeySheet";
 import { Palette } from "./Palette";
 import { SaveAs } from "./SaveAs";
@@ -24,6 +30,14 @@ export function Dialogs() {
       return <Export />;
     case "about":
       return <About />;
+    case "help":
+      return <ComponentHelp />;
+    case "views":
+      return <CanvasViews />;
+    case "documents":
+      return <Documents />;
+    case "insert":
+      return <Insert />;
     case undefined:
       return null;
   }

@@ -2,10 +2,21 @@
 
 import { createStore } from "zustand/vanilla";
 
-export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about";
+export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about" | "insert" | "documents" | "help" | "views";
 
-export const dialogStore = createStore<{ open: DialogName | undefined }>(() => ({ open: undefined }));
+interface Dialogs {
+  open: DialogName | undefined;
+  /** The component that the help window is about. */
+  component: string | undefined;
+}
+
+export const dialogStore = createStore<Dialogs>(() => ({ open: undefined, component: undefined }));
 
 export function showDialog(open: DialogName | undefined): void {
   dialogStore.setState({ open });
+}
+
+/** Opens the help window on a component type. */
+export function showHelp(component: string): void {
+  dialogStore.setState({ open: "help", component });
 }

@@ -1,8 +1,9 @@
 /** All that people read, in English: one table a part. Another language is another table with the same keys. */
 import { app } from "./en/app";
 import { canvas } from "./en/canvas";
+import { canvasMore } from "./en/canvasMore";
 import { viewport } from "./en/viewport";
 
-export const en = { ...app, ...canvas, ...viewport } as const;
+export const en = { ...app, ...canvas, ...canvasMore, ...viewport } as const;
 
 export type Key = keyof typeof en;

@@ -14,9 +14,11 @@ export interface Line {
   state: ConnectionState;
   /** What went wrong last, for the line at the bottom; it goes when the next request succeeds. */
   complaint: string | undefined;
+  /** The last edit of this face that was taken whole; those of a drag are not told one by one. */
+  edited: { what: Edit["do"]; revision: number } | undefined;
 }
 
-export const lineStore = createStore<Line>(() => ({ state: "closed", complaint: undefined }));
+export const lineStore = createStore<Line>(() => ({ state: "closed", complaint: undefined, edited: undefined }));
 
 let connection: Connection | undefined;
 
@@ -54,7 +56,11 @@ export async function ask(what: Ask): Promise<Answer> {
 /** Edits what is shown. Edits with the same gesture are one step for Undo. A refusal is shown, not thrown. */
 export async function edit(change: Edit, gesture: number | null = null): Promise<Answer | undefined> {
   try {
-    return await ask({ ask: "edit", edit: change, gesture, within: documentStore.getState().within });
+    const answer = await ask({ ask: "edit", edit: change, gesture, within: documentStore.getState().within });
+    if (gesture === null && answer.event === "done") {
+      lineStore.setState({ edited: { what: change.do, revision: answer.revision } });
+    }
+    return answer;
   } catch (error) {
     if (error instanceof Refusal) return undefined;
     throw error;

@@ -1,5 +1,7 @@
 /** Edits of a document in the page: those that the canvas's gestures make. Others are refused by name. */
 
+import { around } from "../../src/core/geometry";
+import type { Alignment } from "../../src/core/protocol/Alignment";
 import type { Edit } from "../../src/core/protocol/Edit";
 import type { ObjectView } from "../../src/core/protocol/ObjectView";
 import type { PortView } from "../../src/core/protocol/PortView";
@@ -35,6 +37,8 @@ export function applyEdit(objects: ObjectView[], edit: Edit): Applied {
         return { ...one, bounds: [x, y, one.bounds[2], one.bounds[3]] };
       });
     }
+    case "align":
+      return aligned(objects, edit.objects, edit.how);
     case "resize":
       return change([edit.object], (one) => ({ ...one, bounds: edit.bounds }));
     case "remove": {
@@ -90,6 +94,27 @@ export function applyEdit(objects: ObjectView[], edit: Edit): Applied {
     default:
       throw new Error(`${edit.do} is not known here`);
   }
+}
+
+/** Lines objects up by the rectangle around them. Spreading is not known here. */
+function aligned(objects: ObjectView[], ids: readonly string[], how: Alignment): Applied {
+  const all = around(objects.filter((one) => ids.includes(one.id)).map((one) => one.bounds)) ?? [0, 0, 0, 0];
+  const [x, y, w, h] = all;
+  const place: Partial<Record<Alignment, (own: ObjectView["bounds"]) => [number, number]>> = {
+    left: (own) => [x, own[1]],
+    centre: (own) => [x + (w - own[2]) / 2, own[1]],
+    right: (own) => [x + w - own[2], own[1]],
+    top: (own) => [own[0], y],
+    middle: (own) => [own[0], y + (h - own[3]) / 2],
+    bottom: (own) => [own[0], y + h - own[3]],
+  };
+  const to = place[how];
+  if (!to) throw new Error(`${how} is not known here`);
+  const moved = objects.map((one): ObjectView => {
+    const [left, top] = to(one.bounds);
+    return ids.includes(one.id) ? { ...one, bounds: [left, top, one.bounds[2], one.bounds[3]] } : one;
+  });
+  return { objects: moved, made: [] };
 }
 
 function changedPort(port: PortView, change: Extract<Edit, { do: "changePort" }>["change"]): PortView {

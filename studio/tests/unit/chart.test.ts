@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import { IDLE, step, type Effect, type Gesture, type State, type Target, type World } from "../../src/canvas/gestures/chart";
+import { IDLE, step, type Button, type Effect, type Gesture, type State, type Target, type World } from "../../src/canvas/gestures/chart";
 import type { Point } from "../../src/core/geometry";
 import type { Grip } from "../../src/core/hit";
 import { NO_KEYS, type Keys } from "../../src/core/selection";
@@ -25,7 +25,7 @@ class Hand {
     return this;
   }
 
-  down(at: Point, target: Target = { is: "void" }, button: "left" | "pan" | "right" = "left"): this {
+  down(at: Point, target: Target = { is: "void" }, button: Button = "left"): this {
     return this.take({ on: "down", button, target, at, pixel: at, keys: this.keys });
   }
 
@@ -191,4 +191,26 @@ test("whatever comes, a gesture ends", () => {
     expect(hand.last("window")?.window).toBeUndefined();
     expect(hand.last("wire")?.wire).toBeUndefined();
   }
+});
+
+describe("the middle button", () => {
+  test("opens the ring where it is clicked, and pans when it is dragged", () => {
+    const hand = new Hand().down([5, 5], A, "middle").up([6, 6], A);
+    expect(hand.last("radial")).toEqual({ do: "radial", target: A, pixel: [6, 6] });
+    expect(hand.state).toEqual(IDLE);
+    const dragged = new Hand().down([5, 5], A, "middle").move([25, 5]).up([25, 5]);
+    expect(dragged.done).toEqual(["pan"]);
+    expect(new Hand().down([5, 5], A, "middle").up([40, 5]).done).toEqual(["pan"]);
+  });
+});
+
+describe("Alt on the empty canvas", () => {
+  test("makes room from where it began, until it is let go or abandoned", () => {
+    const hand = new Hand().with({ alt: true }).down([10, 10]).move([60, 12]);
+    expect(hand.last("spread")).toEqual({ do: "spread", from: [10, 10], to: [60, 12], drop: false });
+    hand.up([70, 12]);
+    expect(hand.last("spread")).toEqual({ do: "spread", from: [10, 10], to: [70, 12], drop: true });
+    const undone = new Hand().with({ alt: true }).down([10, 10]).move([60, 12]).take({ on: "cancel" });
+    expect(undone.done.at(-1)).toBe("undrag");
+  });
 });

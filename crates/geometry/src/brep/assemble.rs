@@ -217,6 +217,24 @@ impl Parts {
         Some((other, if turned { 1 - end } else { end }))
     }
 
+    /// The naked trim that goes on at an end of a naked one, and its end there: found by going round the vertex.
+    pub(super) fn next_naked(&self, start: TrimEnd) -> Option<TrimEnd> {
+        let mut here = start;
+        for _ in 0..LONGEST_WALK {
+            let next = self.turned(here)?;
+            if self.is_singular(next.0) {
+                here = (next.0, 1 - next.1);
+                continue;
+            }
+            let edge = self.edge_of(next.0)?;
+            if self.trim_count(edge) == 1 {
+                return Some(next);
+            }
+            here = self.across(next)?;
+        }
+        None
+    }
+
     /// Gives a vertex to the end of the edge at the end of a trim, and to all trims there.
     fn set_end(&mut self, (trim, end): TrimEnd, vertex: usize) -> bool {
         let Some(place) = self.edge_of(trim) else { return false };

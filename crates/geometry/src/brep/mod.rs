@@ -9,24 +9,38 @@
 
 mod assemble;
 mod bounds;
+mod build;
+mod cap;
 mod edge;
+mod edges;
+mod edit;
 mod face;
+pub(crate) mod flatten;
 mod iso;
+mod join;
 mod loop_;
+mod of_surface;
+mod orient;
 mod part;
 mod parts;
+pub(crate) mod planar;
 mod region;
 mod solid;
+mod subset;
+mod tolerances;
 mod trim;
 mod validity;
 mod vertex;
 
+pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;
 pub use face::Face;
 pub use iso::iso_of;
+pub use join::Joined;
 pub use loop_::{Loop, LoopKind};
 pub use part::CurvePart;
 pub use parts::Parts;
+pub use planar::PlanarFaces;
 pub use region::{FaceSide, Region, RegionKind, Regions};
 pub use solid::Solidity;
 pub use trim::{Iso, Trim, TrimKind};

@@ -11,15 +11,15 @@ use crate::linear::Banded;
 use crate::{Error, Point3, Result};
 
 /// How lines of points in one direction are interpolated: parameters and knots are the same for all of them.
-struct Lines {
+pub(super) struct Lines {
     degree: usize,
     periodic: bool,
     parameters: Vec<f64>,
-    knots: Vec<f64>,
+    pub(super) knots: Vec<f64>,
 }
 
 impl Lines {
-    fn new(degree: usize, periodic: bool, count: usize, parameters: Vec<f64>) -> Result<Self> {
+    pub(super) fn new(degree: usize, periodic: bool, count: usize, parameters: Vec<f64>) -> Result<Self> {
         if degree == 0 || degree > MAX_DEGREE {
             return Err(Error::OutOfRange { what: "degree", value: degree as f64, must: "from 1 to 31" });
         }
@@ -52,7 +52,7 @@ impl Lines {
     }
 
     /// The control points of the line through `points`.
-    fn solve(&self, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
+    pub(super) fn solve(&self, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
         let (n, p) = (points.len(), self.degree);
         let mut values = [0.0; MAX_DEGREE + 1];
         // In a periodic line unknown i is control point i + (degree − 1)/2, which acts most at point i; folding

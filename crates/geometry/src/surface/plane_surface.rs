@@ -70,7 +70,7 @@ impl PlaneSurface {
     }
 
     /// The derivatives by u and by v, the same everywhere.
-    pub(super) fn partials(&self) -> [Vector3; 2] {
+    pub(crate) fn partials(&self) -> [Vector3; 2] {
         let speed = |d: usize| self.extents[d].length() / self.domains[d].length();
         [self.plane.x_axis * speed(0), self.plane.y_axis * speed(1)]
     }

@@ -3,12 +3,12 @@
 
 use flate2::{Decompress, FlushDecompress, Status};
 
-use super::{Content, PLAIN, Packed, inflate};
+use super::{Content, PLAIN, Packed, WINDOW, inflate};
 use crate::chunk::{Reader, Writer};
 use crate::{Error, Result};
 
 /// Bytes inflated at a time when only their checksum is wanted.
-const STEP: usize = 1 << 15;
+const STEP: usize = 1 << 12;
 
 /// Bytes as an archive stores them: deflated when they are many. What is read from an archive has been seen to inflate.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -90,9 +90,13 @@ impl Writer {
 
 /// The checksum of what a zlib stream inflates to, which must be `size` bytes, without room for all of it.
 fn inflated_crc(stream: &[u8], size: usize) -> std::result::Result<u32, String> {
+    if size <= WINDOW {
+        let mut room = vec![0; size];
+        return inflate(stream, &mut room).map(|()| crc32fast::hash(&room));
+    }
+    let mut room = [0; STEP];
     let mut state = Decompress::new(true);
     let mut crc = crc32fast::Hasher::new();
-    let mut room = vec![0; STEP.min(size)];
     loop {
         let (read, made) = (state.total_in(), state.total_out());
         let left = usize::try_from(read).ok().and_then(|read| stream.get(read..)).unwrap_or_default();

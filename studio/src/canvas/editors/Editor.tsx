@@ -1,14 +1,17 @@
-import { useEffect, useRef, type ReactNode } from "react";
+import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 
+import type { Point } from "../../core/geometry";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { useCanvas, useObject } from "../hooks";
-import { below, closeBoxes } from "../open";
+import { besideObject, closeBoxes } from "../open";
 import type { EditorAt } from "../store";
 import { GradientEditor } from "./GradientEditor";
-import { GroupEditor, NicknameEditor } from "./NameEditors";
-import { DigitsEditor, DomainsEditor, GenesEditor, GraphEditor, KnobEditor } from "./NumberEditors";
+import { GroupEditor, NicknameEditor, PaperEditor } from "./NameEditors";
+import { GraphEditor } from "./GraphEditor";
+import { DigitsEditor, DomainsEditor, GenesEditor, KnobEditor } from "./NumberEditors";
 import { ExpressionEditor, ScriptView, ValuesEditor } from "./PortEditors";
+import { SwatchEditor } from "./SwatchEditor";
 import { SliderEditor } from "./SliderEditor";
 import { ListEditor } from "./ListEditor";
 import { ButtonEditor, CherryEditor, PathsEditor } from "./TextEditors";
@@ -51,7 +54,11 @@ function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
     case "graph":
       return <GraphEditor object={object} graph={control} />;
     case "group":
-      return <GroupEditor object={object} />;
+      return <GroupEditor object={object} group={control} />;
+    case "swatch":
+      return <SwatchEditor object={object} swatch={control} />;
+    case "panel":
+      return <PaperEditor object={object} panel={control} />;
     case "button":
       return <ButtonEditor object={object} button={control} />;
     case "paths":
@@ -66,7 +73,12 @@ function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
 /** The box itself: Escape and a press elsewhere close it. */
 function Sheet({ object, children }: { object: ObjectView; children: ReactNode }) {
   const box = useRef<HTMLDivElement>(null);
-  const [left, top] = below(object.id);
+  const [[left, top], setPlace] = useState<Point>([-9999, 0]);
+  // It opens where it leaves the object in sight: how large it is, is known once it is there.
+  useLayoutEffect(() => {
+    const element = box.current;
+    if (element) setPlace(besideObject(object.id, [element.offsetWidth, element.offsetHeight]));
+  }, [object.id]);
   useEffect(() => {
     box.current?.querySelector<HTMLElement>("input, textarea, select, button, [tabindex]")?.focus();
     const close = (event: PointerEvent) => {

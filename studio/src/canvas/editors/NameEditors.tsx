@@ -1,9 +1,11 @@
 import { useState } from "react";
 
+import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
-import { edit } from "../../state/session";
+import { edit, newGesture } from "../../state/session";
 import { change } from "../edits";
+import { ColourPicker } from "./ColourPicker";
 import { Form, TextLine } from "./fields";
 
 export function NicknameEditor({ object }: { object: ObjectView }) {
@@ -15,12 +17,31 @@ export function NicknameEditor({ object }: { object: ObjectView }) {
   );
 }
 
-export function GroupEditor({ object }: { object: ObjectView }) {
-  const [label, setLabel] = useState(object.control?.is === "group" ? object.control.label : "");
-  const take = () => void edit({ do: "changeGroup", group: object.id, change: { is: "label", text: label } });
+/** A group's label and colour, with how far it lets the canvas through. */
+export function GroupEditor({ object, group }: { object: ObjectView; group: Extract<Control, { is: "group" }> }) {
+  const [label, setLabel] = useState(group.label);
+  const [colour, setColour] = useState(group.colour);
+  const take = () => {
+    const gesture = newGesture();
+    const changed = (how: Parameters<typeof edit>[0]) => void edit(how, gesture);
+    if (label !== group.label) changed({ do: "changeGroup", group: object.id, change: { is: "label", text: label } });
+    if (colour !== group.colour) changed({ do: "changeGroup", group: object.id, change: { is: "colour", colour } });
+  };
   return (
     <Form title={t("canvas.group")} onTake={take}>
       <TextLine label={t("canvas.menu.label")} value={label} take={setLabel} />
+      <ColourPicker value={colour} take={setColour} />
+    </Form>
+  );
+}
+
+/** The colour of a panel's paper. */
+export function PaperEditor({ object, panel }: { object: ObjectView; panel: Extract<Control, { is: "panel" }> }) {
+  const [colour, setColour] = useState(panel.colour);
+  const take = () => void edit({ do: "changePanel", object: object.id, change: { is: "colour", colour } });
+  return (
+    <Form title={t("canvas.menu.colour")} onTake={take}>
+      <ColourPicker value={colour} take={setColour} />
     </Form>
   );
 }

@@ -1,13 +1,12 @@
 import { useState } from "react";
 
-import { GRAPHS } from "../../core/graph";
 import { clamp } from "../../core/geometry";
 import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { rounded } from "../../core/slider";
 import { t } from "../../i18n";
 import { reshape } from "../edits";
-import { Form, Line, NumberLine, SwitchLine, TextLine } from "./fields";
+import { Form, NumberLine, SwitchLine, TextLine } from "./fields";
 
 type Of<K extends Control["is"]> = Extract<Control, { is: K }>;
 
@@ -104,40 +103,6 @@ export function DomainsEditor({ object, control }: { object: ObjectView; control
             value={form.domains[axis][1]}
             take={(value) => put(axis, 1, value)}
           />
-        </div>
-      ))}
-    </Form>
-  );
-}
-
-export function GraphEditor({ object, graph }: { object: ObjectView; graph: Of<"graph"> }) {
-  const [form, setForm] = useState(graph);
-  const put = (which: "x" | "y", end: 0 | 1, value: number) => {
-    const domain: [number, number] = [form[which][0], form[which][1]];
-    domain[end] = value;
-    setForm({ ...form, [which]: domain });
-  };
-  const known = GRAPHS.some((name) => name === form.graph.name);
-  const choose = (name: string) =>
-    setForm({ ...form, graph: name === graph.graph.name ? graph.graph : { name, handles: [] } });
-  return (
-    <Form title={t("canvas.graph.title")} onTake={() => reshape(object.id, form)}>
-      <Line label={t("canvas.menu.graph")}>
-        {(id) => (
-          <select id={id} value={form.graph.name} onChange={(event) => choose(event.target.value)}>
-            {known ? null : <option value={form.graph.name}>{form.graph.name || t("canvas.graph.none")}</option>}
-            {GRAPHS.map((name) => (
-              <option key={name} value={name}>
-                {name}
-              </option>
-            ))}
-          </select>
-        )}
-      </Line>
-      {(["x", "y"] as const).map((which) => (
-        <div key={which}>
-          <NumberLine label={t("canvas.domain.from", { axis: which })} value={form[which][0]} take={(value) => put(which, 0, value)} />
-          <NumberLine label={t("canvas.domain.to", { axis: which })} value={form[which][1]} take={(value) => put(which, 1, value)} />
         </div>
       ))}
     </Form>

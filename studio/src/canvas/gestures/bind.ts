@@ -4,7 +4,7 @@ import { NO_KEYS, type Keys } from "../../core/selection";
 import { wheelMeans } from "../../core/wheel";
 import { canvasStore } from "../store";
 import { canvasPoint, look, lens, paneSize, panBy, pixelOf, zoomAt } from "../view";
-import { IDLE, step, type Gesture, type Pointer, type State } from "./chart";
+import { IDLE, step, type Button, type Gesture, type Pointer, type State } from "./chart";
 import { carryOut, forgetDrag } from "./effects";
 import { namedAt, targetAt, world } from "./world";
 
@@ -44,8 +44,9 @@ function elementOf(target: EventTarget | null): Element | null {
   return target instanceof Element ? target : null;
 }
 
-function buttonOf(event: Mouse): "left" | "pan" | "right" | undefined {
-  if (event.button === 1 || (event.button === 0 && spaceHeld)) return "pan";
+function buttonOf(event: Mouse): Button | undefined {
+  if (event.button === 0 && spaceHeld) return "pan";
+  if (event.button === 1) return "middle";
   if (event.button === 2) return "right";
   return event.button === 0 ? "left" : undefined;
 }
@@ -54,7 +55,7 @@ export function pointerDown(event: Mouse): void {
   const element = elementOf(event.target);
   const button = buttonOf(event);
   if (button === undefined || (button === "left" && element?.closest("[data-own]"))) return;
-  canvasStore.setState({ tip: undefined, menu: undefined });
+  canvasStore.setState({ tip: undefined, menu: undefined, radial: undefined });
   const pointer = pointerOf(event);
   last = pointer;
   if (event.pointerType === "touch") {
@@ -88,7 +89,7 @@ let creeping: number | undefined;
 /** While something is dragged at the edge, the canvas creeps under it. */
 function creep(): void {
   creeping = undefined;
-  if (state.is !== "dragging" && state.is !== "wiring" && state.is !== "window") return;
+  if (state.is !== "dragging" && state.is !== "spreading" && state.is !== "wiring" && state.is !== "window") return;
   const [w, h] = paneSize();
   const pull = (at: number, room: number) => (at < EDGE ? EDGE - at : at > room - EDGE ? room - EDGE - at : 0);
   const limit = (by: number) => Math.max(-24, Math.min(24, by * 0.5));

@@ -25,8 +25,11 @@ export interface Pointer {
   keys: Keys;
 }
 
+/** Space with the left button pans at once; the middle button only when it is dragged. */
+export type Button = "left" | "pan" | "middle" | "right";
+
 export type Gesture =
-  | ({ on: "down"; button: "left" | "pan" | "right"; target: Target } & Pointer)
+  | ({ on: "down"; button: Button; target: Target } & Pointer)
   | ({ on: "move" } & Pointer)
   | ({ on: "up"; target: Target } & Pointer)
   | { on: "cancel" };
@@ -36,9 +39,12 @@ export type State =
   /** The left button is down and has hardly moved. */
   | { is: "pressed"; target: Target; start: Pointer; wasSelected: boolean }
   | { is: "rightPressed"; target: Target; start: Pointer }
+  | { is: "middlePressed"; target: Target; start: Pointer }
   | { is: "panning"; pixel: Point }
   | { is: "window"; start: Pointer }
   | { is: "dragging"; start: Point }
+  /** Alt on the empty canvas: all that lies farther on gives way. */
+  | { is: "spreading"; from: Point }
   | { is: "wiring"; grip: Grip };
 
 /** An elastic wire, from a grip to the pointer or to the grip that it would take hold of. */
@@ -56,11 +62,13 @@ export type Effect =
   | { do: "take"; rect: Rect; crossing: boolean; how: Picking }
   | { do: "drag"; by: Point; keys: Keys }
   | { do: "drop"; by: Point; keys: Keys }
+  | { do: "spread"; from: Point; to: Point; drop: boolean }
   | { do: "undrag" }
   | { do: "wire"; wire: Elastic | undefined }
   | { do: "join"; from: Grip; to: Grip; how: Wiring }
   | { do: "release"; grip: Grip; at: Point; pixel: Point }
   | { do: "menu"; target: Target; at: Point; pixel: Point }
+  | { do: "radial"; target: Target; pixel: Point }
   | { do: "pick"; target: Target; keys: Keys };
 
 export interface World {
@@ -98,6 +106,7 @@ function undone(state: State): Effect[] {
     case "window":
       return [{ do: "window", window: undefined }];
     case "dragging":
+    case "spreading":
       return [{ do: "undrag" }];
     case "wiring":
       return [{ do: "wire", wire: undefined }];
@@ -111,6 +120,7 @@ function down(gesture: Extract<Gesture, { on: "down" }>, world: World): Outcome 
   const start: Pointer = { at, pixel, keys };
   if (gesture.button === "pan") return [{ is: "panning", pixel }, []];
   if (gesture.button === "right") return [{ is: "rightPressed", target, start }, []];
+  if (gesture.button === "middle") return [{ is: "middlePressed", target, start }, []];
   if (target.is === "grip") {
     return [{ is: "wiring", grip: target.grip }, [elastic(target.grip, gesture, world)]];
   }
@@ -135,10 +145,14 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
       return [{ is: "panning", pixel: pointer.pixel }, [{ do: "pan", by }]];
     }
     case "rightPressed":
+    case "middlePressed":
       if (distance(pointer.pixel, state.start.pixel) < STRAY) return [state, []];
       return moved({ is: "panning", pixel: state.start.pixel }, pointer, world);
     case "pressed":
       if (distance(pointer.pixel, state.start.pixel) < STRAY) return [state, []];
+      if (state.target.is === "void" && state.start.keys.alt) {
+        return moved({ is: "spreading", from: state.start.at }, pointer, world);
+      }
       if (asWindow(state.target, state.start.keys)) {
         return moved({ is: "window", start: state.start }, pointer, world);
       }
@@ -148,6 +162,8 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
       return [state, [{ do: "window", window: frame(state.start, pointer) }]];
     case "dragging":
       return [state, [{ do: "drag", by: offset(state.start, pointer.at), keys: pointer.keys }]];
+    case "spreading":
+      return [state, [{ do: "spread", from: state.from, to: pointer.at, drop: false }]];
     case "wiring":
       return [state, [elastic(state.grip, pointer, world)]];
   }
@@ -156,7 +172,7 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
 function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World): Outcome {
   const { at, pixel, keys } = gesture;
   // A busy page may tell of the way only when it is over.
-  if ((state.is === "pressed" || state.is === "rightPressed") && distance(pixel, state.start.pixel) >= STRAY) {
+  if ("start" in state && "target" in state && distance(pixel, state.start.pixel) >= STRAY) {
     const [next, effects] = moved(state, gesture, world);
     if (next.is !== state.is) {
       const [end, more] = up(next, gesture, world);
@@ -169,6 +185,8 @@ function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World)
       return [IDLE, []];
     case "rightPressed":
       return [IDLE, [{ do: "menu", target: state.target, at, pixel }]];
+    case "middlePressed":
+      return [IDLE, [{ do: "radial", target: state.target, pixel }]];
     case "pressed":
       return [IDLE, clicked(state)];
     case "window": {
@@ -178,6 +196,8 @@ function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World)
     }
     case "dragging":
       return [IDLE, [{ do: "drop", by: offset(state.start, at), keys }]];
+    case "spreading":
+      return [IDLE, [{ do: "spread", from: state.from, to: at, drop: true }]];
     case "wiring": {
       const how = wiring(keys);
       const end = world.gripNear(at, (grip) => joins(state.grip, grip, how));

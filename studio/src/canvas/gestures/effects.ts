@@ -4,15 +4,16 @@ import { snap } from "../../core/align";
 import { around, inside, type Point, type Rect } from "../../core/geometry";
 import { isGroup, leaves } from "../../core/groups";
 import { NO_SHIFTS } from "../../core/places";
+import { spreadSteps } from "../../core/spread";
 import { picked, windowed, type Keys } from "../../core/selection";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { documentStore } from "../../state/document";
 import { select, uiStore } from "../../state/ui";
-import { duplicate, joinGrips, moveBy, selection } from "../edits";
-import { openSearch } from "../open";
+import { duplicate, joinGrips, moveBy, moveEach, selection } from "../edits";
+import { openRadial, openSearch } from "../open";
 import { canvasStore } from "../store";
 import { lens, panBy } from "../view";
-import type { Effect } from "./chart";
+import type { Effect, Target } from "./chart";
 import { rectNow } from "./world";
 
 export function carryOut(effect: Effect): void {
@@ -36,6 +37,9 @@ export function carryOut(effect: Effect): void {
     case "drop":
       drop(effect.by, effect.keys);
       return;
+    case "spread":
+      spread(effect.from, effect.to, effect.drop);
+      return;
     case "undrag":
       canvasStore.setState({ shifts: NO_SHIFTS, ghosts: [], guides: [] });
       return;
@@ -43,18 +47,31 @@ export function carryOut(effect: Effect): void {
       canvasStore.setState({ wire: effect.wire });
       return;
     case "join":
-      joinGrips(effect.from, effect.to, effect.how);
+      void joinGrips(effect.from, effect.to, effect.how);
       return;
     case "release":
       openSearch(effect.pixel, effect.grip);
       return;
     case "menu":
+      pickForMenu(effect.target);
       canvasStore.setState({ menu: { pixel: effect.pixel, at: effect.at, target: effect.target }, tip: undefined });
+      return;
+    case "radial":
+      pickForMenu(effect.target);
+      openRadial(effect.pixel);
       return;
     case "pick":
       if (effect.target.is === "object" && effect.keys.ctrl && effect.keys.alt) pointAt(effect.target.id);
       return;
   }
+}
+
+/** What a menu is opened on is selected: commands in it are about the selection. A group's menu is about both. */
+function pickForMenu(target: Target): void {
+  const id = target.is === "object" && !target.group ? target.id : target.is === "grip" ? target.grip.object : undefined;
+  if (id === undefined || uiStore.getState().selection.has(id)) return;
+  select([id]);
+  canvasStore.setState({ active: id });
 }
 
 /** Shows in the tabs where an object's component lives. */
@@ -137,6 +154,15 @@ function drop(by: Point, keys: Keys): void {
   dragged = undefined;
   if (keys.alt) void duplicate(selection(), step.by);
   else void moveBy(selection(), step.by);
+}
+
+/** Makes room: shown while the hand goes on, asked for when it is done. */
+function spread(from: Point, to: Point, done: boolean): void {
+  const { objects } = documentStore.getState();
+  const rects = [...objects.values()].filter((object) => !isGroup(object)).map((object) => [object.id, object.bounds] as const);
+  const steps = spreadSteps(rects, from, to);
+  canvasStore.setState({ shifts: steps });
+  if (done) void moveEach(steps);
 }
 
 /** Forgets what was gathered for a drag that came to nothing. */

@@ -15,7 +15,7 @@ import { edit } from "../../state/session";
 import { select, uiStore } from "../../state/ui";
 import { moveBy, place, selection } from "../edits";
 import { spoken } from "../nodes/Frame";
-import { activate, focusCanvas, openSearch } from "../open";
+import { activate, focusCanvas, openRadial, openSearch } from "../open";
 import { canvasStore, say } from "../store";
 import { canvasPoint, pixelOf, reveal, windowPoint } from "../view";
 import { cancelGesture } from "./bind";
@@ -107,7 +107,8 @@ function ownKey(event: ReactKeyboardEvent, element: Element | null): boolean {
     case "C":
       return connect(active, event.shiftKey);
     case " ":
-      openSearch();
+      if (event.shiftKey) openRadial();
+      else openSearch();
       return true;
     case "ContextMenu":
       return menu(active);
@@ -174,8 +175,8 @@ export function goTo(id: string, extend: boolean): void {
   canvasStore.setState({ active: id });
   reveal(id);
   say(spoken(object, lookOf(object, runStore.getState().results.get(id)), true));
-  // The element may only be there after the next drawing.
-  requestAnimationFrame(() => requestAnimationFrame(focusCanvas));
+  // Where its element is out of sight, it takes the focus from the canvas when it comes.
+  focusCanvas();
 }
 
 /** Goes into an object's own control when it has one, else does what a double-click does. */

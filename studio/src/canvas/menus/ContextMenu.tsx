@@ -10,6 +10,7 @@ import type { Item } from "./items";
 import { Menu } from "./Menu";
 import { objectMenu } from "./objectMenu";
 import { portMenu } from "./portMenu";
+import { viewsMenu, zoomMenu } from "./zoomMenu";
 
 /** The menu of what lay below the pointer, or of what the keyboard is at. */
 export function ContextMenu() {
@@ -28,7 +29,7 @@ export function ContextMenu() {
   if (!at) return null;
   const items = itemsOf(at);
   if (items.length === 0) return null;
-  return <Menu key={at.pixel.join()} items={items} pixel={at.pixel} label={t("canvas.menu")} onClose={closeBoxes} />;
+  return <Menu key={at.pixel.join()} items={items} pixel={at.pixel} above={at.above ?? false} label={t("canvas.menu")} onClose={closeBoxes} />;
 }
 
 function itemsOf({ target, pixel, at }: MenuAt): Item[] {
@@ -36,6 +37,10 @@ function itemsOf({ target, pixel, at }: MenuAt): Item[] {
   switch (target.is) {
     case "void":
       return canvasMenu(pixel);
+    case "zoom":
+      return zoomMenu();
+    case "views":
+      return viewsMenu();
     case "wire":
       return wireMenu(target.from, target.to, at);
     case "grip": {

@@ -7,6 +7,8 @@ import type { Item } from "./items";
 interface MenuProps {
   items: readonly Item[];
   pixel: Point;
+  /** Whether it opens upwards. */
+  above?: boolean;
   label: string;
   /** Something was chosen, or all menus are to be closed. */
   onClose(): void;
@@ -15,7 +17,7 @@ interface MenuProps {
 }
 
 /** A menu: arrows go through it, Enter chooses, the left arrow and Escape go back. */
-export function Menu({ items, pixel, label, onClose, onBack }: MenuProps) {
+export function Menu({ items, pixel, above = false, label, onClose, onBack }: MenuProps) {
   const beside = onBack !== undefined;
   const box = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState<Point>(pixel);
@@ -27,8 +29,8 @@ export function Menu({ items, pixel, label, onClose, onBack }: MenuProps) {
     if (!element || beside) return;
     const [width, height] = paneSize();
     const fit = (at: number, size: number, room: number) => Math.max(Math.min(at, room - size - 6), 6);
-    setPlace([fit(pixel[0], element.offsetWidth, width), fit(pixel[1], element.offsetHeight, height)]);
-  }, [pixel, beside]);
+    setPlace([fit(pixel[0], element.offsetWidth, width), fit(pixel[1] - (above ? element.offsetHeight + 4 : 0), element.offsetHeight, height)]);
+  }, [pixel, above, beside]);
   useEffect(() => {
     focusables(box.current)[0]?.focus({ preventScroll: true });
   }, []);
@@ -113,14 +115,6 @@ function Entry({ item, open, onOpen, onClose }: EntryProps) {
       return <p className={`message ${item.level}`}>{item.text}</p>;
     case "field":
       return <Field {...item} onClose={onClose} />;
-    case "colour":
-      return (
-        <label className="item">
-          <span className="mark" />
-          {item.label}
-          <input type="color" defaultValue={item.value} onBlur={(event) => item.take(event.target.value)} />
-        </label>
-      );
     case "more":
       return <More item={item} open={open} onOpen={onOpen} onClose={onClose} />;
     case "do":

@@ -1,6 +1,5 @@
 /** The menus of the empty canvas, of groups, and of wires. */
 
-import { fromHex, hex } from "../../core/colours";
 import type { Point } from "../../core/geometry";
 import type { Control } from "../../core/protocol/Control";
 import type { GroupChange } from "../../core/protocol/GroupChange";
@@ -8,13 +7,13 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { edit } from "../../state/session";
 import { remove, selection, unwire } from "../edits";
-import { openSearch } from "../open";
+import { openEditor, openSearch } from "../open";
 import { canvasStore, keep } from "../store";
 import { LINE, menu, type Item } from "./items";
 import { registered } from "./objectMenu";
 
 export function canvasMenu(pixel: Point): Item[] {
-  const { scheme, snapping, ribbon } = canvasStore.getState();
+  const { scheme } = canvasStore.getState();
   const some = selection().length > 0;
   return menu(
     { is: "do", label: t("canvas.menu.search"), keys: "Space", run: () => openSearch(pixel) },
@@ -30,8 +29,9 @@ export function canvasMenu(pixel: Point): Item[] {
     LINE,
     registered("canvas.fullNames"),
     registered("canvas.profiler"),
-    { is: "do", label: t("canvas.menu.snapping"), on: snapping, run: () => keep({ snapping: !snapping }) },
-    { is: "do", label: t("canvas.menu.ribbon"), on: ribbon, run: () => keep({ ribbon: !ribbon }) },
+    registered("canvas.snapping"),
+    registered("canvas.aligning"),
+    registered("canvas.ribbon"),
     {
       is: "more",
       label: t("canvas.menu.mouse"),
@@ -76,14 +76,7 @@ export function groupMenu(object: ObjectView, group: Extract<Control, { is: "gro
   const members = new Set(group.members);
   return menu(
     { is: "field", label: t("canvas.menu.label"), value: group.label, take: (text) => change({ is: "label", text }) },
-    {
-      is: "colour",
-      label: t("canvas.menu.colour"),
-      value: hex(group.colour),
-      take(next) {
-        if (next !== hex(group.colour)) change({ is: "colour", colour: fromHex(next, group.colour[3]) });
-      },
-    },
+    { is: "do", label: t("canvas.menu.paper"), run: () => openEditor(object.id, "control") },
     { is: "more", label: t("canvas.menu.border"), items: borders },
     LINE,
     {

@@ -5,7 +5,6 @@ export type Item =
   | { is: "line" }
   | { is: "more"; label: string; items: Item[] }
   | { is: "field"; label: string; value: string; take(text: string): void }
-  | { is: "colour"; label: string; value: string; take(hex: string): void }
   | { is: "told"; level: string; text: string };
 
 export const LINE: Item = { is: "line" };

@@ -2,21 +2,20 @@
 
 import { shownKeys } from "../../actions/keys";
 import { action } from "../../actions/registry";
-import { hex, fromHex } from "../../core/colours";
 import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PanelChange } from "../../core/protocol/PanelChange";
-import { GRAPHS } from "../../core/graph";
+import { graphChoices } from "../../core/graph";
 import { t, type Key } from "../../i18n";
 import { edit } from "../../state/session";
 import { runStore } from "../../state/run";
 import { uiStore } from "../../state/ui";
-import { change, enter, reshape, selection, set } from "../edits";
+import { addPort, change, enter, reshape, selection, set } from "../edits";
 import { documentStore } from "../../state/document";
-import { openEditor } from "../open";
+import { isViewer, openEditor, turnViewer } from "../open";
 import { canvasStore } from "../store";
 import { LINE, menu, type Item } from "./items";
-import { portItems } from "./portMenu";
+import { portItems, portMenu } from "./portMenu";
 
 /** What the menu is about: the whole selection when the object is in it. */
 function concerned(object: ObjectView): string[] {
@@ -52,7 +51,16 @@ export function objectMenu(object: ObjectView): Item[] {
     messages(object),
     LINE,
     ...(object.control ? controlItems(object, object.control) : []),
+    isViewer(object) && {
+      is: "do",
+      label: t("canvas.menu.viewerText"),
+      on: !canvasStore.getState().drawing.has(object.id),
+      run: () => turnViewer(object.id),
+    },
     ...(isPort ? [LINE, ...portItems(object, own, "input")] : []),
+    LINE,
+    !isPort && ports(object, "input"),
+    !isPort && ports(object, "output"),
     LINE,
     object.kind === "cluster" && {
       is: "do",
@@ -83,6 +91,21 @@ export function objectMenu(object: ObjectView): Item[] {
     registered("object.bake"),
     registered("help.component"),
   );
+}
+
+/** The menus of its ports, for hands that cannot point at them. */
+function ports(object: ObjectView, side: "input" | "output"): Item | undefined {
+  const all = side === "input" ? object.inputs : object.outputs;
+  const varies = side === "input" ? object.variableInputs : object.variableOutputs;
+  const items = all.map((port): Item => ({ is: "more", label: port.name, items: portMenu(object, port, side) }));
+  const add: Item = {
+    is: "do",
+    label: t("canvas.port.addLast"),
+    run: () => addPort(object.id, side === "input", all.length),
+  };
+  if (items.length === 0 && !varies) return undefined;
+  const label = t(side === "input" ? "canvas.menu.inputs" : "canvas.menu.outputs");
+  return { is: "more", label, items: menu(...items, LINE, varies && add) };
 }
 
 function joins(object: ObjectView): boolean {
@@ -127,8 +150,6 @@ function controlItems(object: ObjectView, control: Control): Item[] {
         { is: "do", label: t("canvas.true"), on: control.on, run: () => set(object.id, { is: "switch", on: true }) },
         { is: "do", label: t("canvas.false"), on: !control.on, run: () => set(object.id, { is: "switch", on: false }) },
       ];
-    case "swatch":
-      return [colour(control.colour, (next) => set(object.id, { is: "colour", colour: next }))];
     case "script":
     case "formula":
       return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "script") }];
@@ -148,17 +169,6 @@ function controlItems(object: ObjectView, control: Control): Item[] {
     default:
       return [open];
   }
-}
-
-function colour(value: readonly [number, number, number, number], take: (next: [number, number, number, number]) => void): Item {
-  return {
-    is: "colour",
-    label: t("canvas.menu.colour"),
-    value: hex(value),
-    take(next) {
-      if (next !== hex(value)) take(fromHex(next, value[3]));
-    },
-  };
 }
 
 type PanelControl = Extract<Control, { is: "panel" }>;
@@ -188,17 +198,18 @@ function panelItems(object: ObjectView, panel: PanelControl): Item[] {
     { is: "do", label: t("canvas.menu.write"), run: () => canvasStore.setState({ writing: object.id }) },
     ...switches,
     { is: "more", label: t("canvas.panel.alignment"), items: sides },
-    colour(panel.colour, (next) => changed({ is: "colour", colour: next })),
+    { is: "do", label: t("canvas.menu.paper"), run: () => openEditor(object.id, "control") },
   ];
 }
 
 function graphTypes(object: ObjectView, control: Extract<Control, { is: "graph" }>): Item {
-  const items = GRAPHS.map(
+  const { graph } = control;
+  const items = graphChoices(graph.name).map(
     (name): Item => ({
       is: "do",
       label: name,
-      on: control.graph.name === name,
-      run: () => reshape(object.id, { ...control, graph: { name, handles: [] } }),
+      on: graph.name === name,
+      run: () => name !== graph.name && reshape(object.id, { ...control, graph: { name, handles: [] } }),
     }),
   );
   return { is: "more", label: t("canvas.menu.graph"), items };

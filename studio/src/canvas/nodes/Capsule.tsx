@@ -3,13 +3,16 @@ import { memo } from "react";
 
 import { capsuleLayout, portSize, tornPath } from "../../core/capsule";
 import { modifiers, portName, sign } from "../../core/ports";
+import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import { t } from "../../i18n";
-import { addPort, removePort } from "../edits";
+import { addPort, removePort, reshape } from "../edits";
 import type { CanvasNode } from "../flow";
-import { useFullNames, useNear } from "../hooks";
+import { useCanvas, useFullNames, useNear } from "../hooks";
+import { isViewer } from "../open";
 import { Frame } from "./Frame";
+import { LinesFace, ViewerFace } from "./ShowFaces";
 
 /** A component or cluster: names of inputs on the left, the band with its name, names of outputs on the right. */
 export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
@@ -147,14 +150,40 @@ function Origin({ object }: { object: ObjectView }) {
   return <div className="origin">{object.support.plugin ?? t("canvas.unsupported")}</div>;
 }
 
+/** A parameter that is no higher than this shows its name, and nothing else that it might have to show. */
+const SHOWS_ABOVE = 32;
+
+/** What a large parameter shows of itself. */
+function inside(object: ObjectView, size: readonly [number, number], drawing: boolean) {
+  const { control } = object;
+  if (isViewer(object)) return { kind: "face-viewer", face: <ViewerFace object={object} text={!drawing} size={size} /> };
+  if (control?.is === "cherry") return lines(object, [`${control.path} (${control.index})`]);
+  if (control?.is === "paths") return lines(object, control.rules.map(([from, to]) => `${from} → ${to}`));
+  return undefined;
+}
+
+function lines(object: ObjectView, told: readonly string[]) {
+  return { kind: "face-lines", face: <LinesFace object={object} lines={told} /> };
+}
+
 /** A floating parameter: a small capsule that is its own port. */
 export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>) {
   const { object, size } = data;
   const full = useFullNames();
   const own = object.inputs[0] ?? object.outputs[0];
   const name = (full ? object.name : object.nickname.trim()) || object.name;
+  const drawing = useCanvas((canvas) => canvas.drawing.has(object.id));
+  const shown = size[1] > SHOWS_ABOVE ? inside(object, size, drawing) : undefined;
+  if (shown) {
+    return (
+      <Frame object={object} kind={`capsule control ${shown.kind}`} style={{ width: size[0], height: size[1] }}>
+        {shown.face}
+      </Frame>
+    );
+  }
   return (
     <Frame object={object} kind="capsule parameter" style={{ width: size[0], height: size[1] }}>
+      {object.control?.is === "recorder" ? <RecordMark object={object} recorder={object.control} /> : null}
       <span className="title">
         {name}
         {own ? <Marks marks={modifiers(own)} /> : null}
@@ -163,6 +192,24 @@ export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>
     </Frame>
   );
 });
+
+/** Whether a Data Recorder records: a press turns it. */
+function RecordMark({ object, recorder }: { object: ObjectView; recorder: Extract<Control, { is: "recorder" }> }) {
+  return (
+    <button
+      type="button"
+      className={recorder.recording ? "record on" : "record"}
+      tabIndex={-1}
+      data-own
+      data-inner
+      aria-pressed={recorder.recording}
+      aria-label={t("canvas.menu.recording")}
+      title={t("canvas.menu.recording")}
+      onClick={() => reshape(object.id, { ...recorder, recording: !recorder.recording })}
+      onDoubleClick={(event) => event.stopPropagation()}
+    />
+  );
+}
 
 /** A dot on a wire. */
 export const Relay = memo(function Relay({ data }: NodeProps<CanvasNode>) {

@@ -6,7 +6,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import type { ResultView } from "../../core/protocol/ResultView";
 import { t } from "../../i18n";
-import { useCanvas, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
+import { useCanvas, useFocus, useFound, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
 import { portName } from "../../core/ports";
 
 interface FrameProps {
@@ -25,8 +25,10 @@ export function Frame({ object, kind, style, filled = true, children }: FramePro
   const selected = useSelected(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
   const hovered = useHovered(object.id);
+  const found = useFound(object.id);
   const look = lookOf(object, result);
-  const states = [selected ? "selected" : "", filled ? "filled" : "", hovered ? "hovered" : ""];
+  useFocus(object.id, active);
+  const states = [selected ? "selected" : "", filled ? "filled" : "", hovered ? "hovered" : "", found ? "found" : ""];
   const classes = ["object", kind, `look-${look}`, ...states];
   return (
     <div

@@ -10,7 +10,7 @@ import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
 import { reshape } from "../edits";
 import type { CanvasNode } from "../flow";
-import { useCanvas, useFullNames, useSelected } from "../hooks";
+import { useCanvas, useFocus, useFound, useFullNames, useSelected } from "../hooks";
 import { closeBoxes } from "../open";
 import { canvasStore } from "../store";
 
@@ -18,8 +18,10 @@ import { canvasStore } from "../store";
 export const Group = memo(function Group({ data, positionAbsoluteX, positionAbsoluteY }: NodeProps<CanvasNode>) {
   const { object, size } = data;
   const selected = useSelected(object.id);
+  const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
   const full = useFullNames();
+  useFocus(object.id, active);
   const { control } = object;
   if (control?.is !== "group") return null;
   const label = control.label.trim();
@@ -27,7 +29,7 @@ export const Group = memo(function Group({ data, positionAbsoluteX, positionAbso
   const strong = luminance(control.colour) * (control.colour[3] / 255) < 0.12 && control.colour[3] > 140;
   return (
     <div
-      className={`group as-${control.border} ${selected ? "selected" : ""} ${strong ? "strong" : ""}`}
+      className={`group as-${control.border} ${selected ? "selected" : ""} ${strong ? "strong" : ""} ${found ? "found" : ""}`}
       style={{ width: size[0], height: size[1], ...(blob === "" ? { background: css(control.colour) } : {}) }}
       role="group"
       aria-roledescription={t("canvas.group")}
@@ -63,8 +65,10 @@ type ScribbleControl = Extract<Control, { is: "scribble" }>;
 export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positionAbsoluteY }: NodeProps<CanvasNode>) {
   const { object, size } = data;
   const selected = useSelected(object.id);
+  const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
   const writing = useCanvas((canvas) => canvas.writing === object.id);
+  useFocus(object.id, active);
   const { control } = object;
   if (control?.is !== "scribble") return null;
   const [a, b] = control.corners;
@@ -81,7 +85,7 @@ export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positi
     : {};
   return (
     <div
-      className={`scribble ${selected ? "selected" : ""} ${turned ? "turned" : ""}`}
+      className={`scribble ${selected ? "selected" : ""} ${turned ? "turned" : ""} ${found ? "found" : ""}`}
       style={{ width: size[0], height: size[1], ...text }}
       role="note"
       tabIndex={active ? 0 : -1}
@@ -128,12 +132,13 @@ function Writing({ object, scribble }: { object: ObjectView; scribble: ScribbleC
 export const Sketch = memo(function Sketch({ data }: NodeProps<CanvasNode>) {
   const { object, size } = data;
   const selected = useSelected(object.id);
+  const found = useFound(object.id);
   const { control } = object;
   if (control?.is !== "sketch") return null;
   const [x, y] = object.bounds;
   return (
     <div
-      className={`sketch ${selected ? "selected" : ""}`}
+      className={`sketch ${selected ? "selected" : ""} ${found ? "found" : ""}`}
       style={{ width: size[0], height: size[1] }}
       role="img"
       aria-label={t("canvas.sketch")}

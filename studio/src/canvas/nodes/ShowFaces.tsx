@@ -1,7 +1,8 @@
+import { pathNumbers, treePicture } from "../../core/treePicture";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { useOutput } from "../hooks";
-import { useRows } from "../rows";
+import { usePaths, type PathRow } from "../paths";
 
 /** An Image Sampler: the picture that it reads. */
 export function ImageFace({ object, file, hash }: { object: ObjectView; file: string; hash: string | null }) {
@@ -13,46 +14,55 @@ export function ImageFace({ object, file, hash }: { object: ObjectView; file: st
   );
 }
 
-/** A Param Viewer: the tree as a picture of branches, or its paths as a list. */
-export function ViewerFace({ object, text, size }: { object: ObjectView; text: boolean; size: readonly [number, number] }) {
-  const port = object.outputs[0]?.id ?? object.id;
-  const output = useOutput(port);
-  const rows = useRows(object.inputs[0]?.id ?? port, 0, text ? 60 : 0, output);
-  if (!output || output.items === 0) return <span className="no-picture">{t("canvas.empty")}</span>;
-  if (!text) return <Tree branches={output.branches} items={output.items} size={size} />;
-  const paths = rows?.rows.filter((row) => row.is === "path") ?? [];
+/** What is set on a Cherry Picker or Path Mapper, below its name. */
+export function LinesFace({ object, lines }: { object: ObjectView; lines: readonly string[] }) {
   return (
-    <div className="paths nowheel" data-scrolls>
-      <p>{t("canvas.data.count", { items: output.items, branches: output.branches })}</p>
-      {paths.map((row, k) => (
-        <p key={k}>
-          <span>{row.path}</span> <span>N = {row.items}</span>
-        </p>
+    <div className="lines-face">
+      <strong>{object.nickname.trim() || object.name}</strong>
+      {lines.map((line, k) => (
+        <span key={k}>{line}</span>
       ))}
     </div>
   );
 }
 
-const MOST_DRAWN = 48;
+/** As many branches as a picture can show and a list need hold. */
+const MOST_PATHS = 120;
 
-/** Branches about a trunk: as many as there are, as far as they can be told apart. */
-function Tree({ branches, items, size: [width, height] }: { branches: number; items: number; size: readonly [number, number] }) {
+/** A Param Viewer: the tree as a picture of branches, or its paths as a list. */
+export function ViewerFace({ object, text, size }: { object: ObjectView; text: boolean; size: readonly [number, number] }) {
+  const port = object.outputs[0]?.id ?? object.id;
+  const output = useOutput(port);
+  const paths = usePaths(object.inputs[0]?.id ?? port, MOST_PATHS, output);
+  if (!output || output.items === 0) return <span className="no-picture">{t("canvas.empty")}</span>;
+  const count = t("canvas.data.count", { items: output.items, branches: output.branches });
+  if (!text) return <Tree title={count} paths={paths ?? []} size={size} />;
+  return (
+    <div className="paths nowheel" data-scrolls>
+      <p>{count}</p>
+      {(paths ?? []).map(({ path, items }, k) => (
+        <p key={k}>
+          <span>{path}</span> <span>N = {items}</span>
+        </p>
+      ))}
+      {paths && output.branches > paths.length ? <p>{t("canvas.data.more", { count: output.branches - paths.length })}</p> : null}
+    </div>
+  );
+}
+
+function Tree({ title, paths, size: [width, height] }: { title: string; paths: readonly PathRow[]; size: readonly [number, number] }) {
   const radius = Math.max(Math.min(width, height) / 2 - 10, 4);
-  const count = Math.min(branches, MOST_DRAWN);
-  const lines = Array.from({ length: count }, (_, k) => {
-    const angle = (2 * Math.PI * k) / count - Math.PI / 2;
-    return [Math.cos(angle) * radius, Math.sin(angle) * radius] as const;
-  });
+  const { twigs, leaves } = treePicture(paths.map(({ path }) => pathNumbers(path)), radius);
+  const dot = Math.max(1.2, 4 - leaves.length / 16);
   return (
     <svg className="tree" width={width} height={height} viewBox={`${-width / 2} ${-height / 2} ${width} ${height}`}>
-      <title>{t("canvas.data.count", { items, branches })}</title>
-      {lines.map(([x, y], k) => (
-        <g key={k}>
-          <line x1={0} y1={0} x2={x} y2={y} />
-          <circle cx={x} cy={y} r={Math.max(1.5, 4 - count / 16)} />
-        </g>
+      <title>{title}</title>
+      {twigs.map(({ from, to }, k) => (
+        <line key={k} x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />
       ))}
-      <circle className="trunk" r={4} />
+      {leaves.map(([x, y], k) => (
+        <circle key={k} cx={x} cy={y} r={dot} />
+      ))}
     </svg>
   );
 }

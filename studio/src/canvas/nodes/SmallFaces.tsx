@@ -1,10 +1,12 @@
-import { useEffect, useState, type KeyboardEvent, type PointerEvent } from "react";
+import { useState, type KeyboardEvent, type PointerEvent } from "react";
 
-import { css, fromHex, hex, inkOn, type Colour } from "../../core/colours";
+import { css, type Colour } from "../../core/colours";
+import { colourText } from "../../core/hsv";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { textWidth } from "../../core/text";
 import { t } from "../../i18n";
-import { liveSetting, set } from "../edits";
+import { set } from "../edits";
+import { openEditor } from "../open";
 
 /** The room for a name at the left, 0 where there is not enough of it. */
 export function titleRoom(object: ObjectView, width: number, need: number): number {
@@ -97,47 +99,23 @@ export function ButtonFace({ object, width }: { object: ObjectView; width: numbe
   );
 }
 
-/** A Colour Swatch or Picker: a double-click opens the colours of the system. */
+/** A Colour Swatch or Picker: a press on it opens the picker. */
 export function SwatchFace({ object, colour, width }: { object: ObjectView; colour: Colour; width: number }) {
-  const [live, setLive] = useState<Colour | undefined>(undefined);
-  useEffect(() => setLive(undefined), [colour]);
-  const shown = live ?? colour;
   const room = titleRoom(object, width, 24);
-  const setting = useLiveColour(object.id);
   return (
     <>
       <Title object={object} room={room} />
-      <label className={`swatch ink-${inkOn(shown)}`} style={{ left: room + 3, background: css(shown) }}>
-        <input
-          type="color"
-          tabIndex={-1}
-          data-inner
-          data-own
-          aria-label={object.nickname.trim() || object.name}
-          value={hex(shown)}
-          onChange={(event) => {
-            const next = fromHex(event.target.value, colour[3]);
-            setLive(next);
-            setting.send(next);
-          }}
-          onBlur={setting.end}
-        />
-      </label>
+      <button
+        type="button"
+        className="swatch"
+        style={{ left: room + 3, background: `linear-gradient(${css(colour)}, ${css(colour)}), var(--canvas-checks)` }}
+        tabIndex={-1}
+        data-inner
+        data-own
+        aria-label={t("canvas.colour.of", { name: object.nickname.trim() || object.name, colour: colourText(colour) })}
+        onClick={() => openEditor(object.id, "control")}
+        onDoubleClick={(event) => event.stopPropagation()}
+      />
     </>
   );
-}
-
-/** The colours that pass while the system's box is open are one step for Undo. */
-function useLiveColour(object: string) {
-  const [open] = useState<{ now: ReturnType<typeof liveSetting> | undefined }>({ now: undefined });
-  return {
-    send(colour: [number, number, number, number]) {
-      open.now ??= liveSetting(object);
-      open.now.send({ is: "colour", colour });
-    },
-    end() {
-      open.now?.end();
-      open.now = undefined;
-    },
-  };
 }

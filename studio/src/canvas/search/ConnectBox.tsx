@@ -73,11 +73,12 @@ function candidates(from: Grip): Candidate[] {
       if (!grip || !joins(from, grip, "replace")) continue;
       const label = nameOf(grip);
       const fits = from.side === "output" ? fit(kind, port.kind) : fit(port.kind, kind);
-      const run = () => {
-        joinGrips(from, grip, from.side === "output" && port.sources.length > 0 ? "add" : "replace");
-        say(t("canvas.connect.done", { from: nameOf(from), to: label }));
+      const run = async () => {
+        const how = from.side === "output" && port.sources.length > 0 ? "add" : "replace";
+        const joined = await joinGrips(from, grip, how);
+        if (joined) say(t("canvas.connect.done", { from: nameOf(from), to: label }));
       };
-      found.push({ key: grip.object + grip.port, label, hint: port.kind, words: label.toLowerCase(), grip, fits, run });
+      found.push({ key: grip.object + grip.port, label, hint: port.kind, words: label.toLowerCase(), grip, fits, run: () => void run() });
     }
   }
   return found.sort((a, b) => b.fits - a.fits);

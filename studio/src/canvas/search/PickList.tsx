@@ -21,6 +21,7 @@ interface PickListProps {
   /** Whether that nothing is found is said before anything is typed. */
   always?: boolean;
   picks(query: string): Pick[];
+  onQuery?(query: string): void;
   onHighlight?(key: string | undefined): void;
 }
 
@@ -28,7 +29,7 @@ const WIDTH = 320;
 const HEIGHT = 380;
 
 /** A field to type in and a list to choose from: arrows go through it, Enter takes, Escape closes. */
-export function PickList({ pixel, label, prompt, none, always = false, picks, onHighlight }: PickListProps) {
+export function PickList({ pixel, label, prompt, none, always = false, picks, onQuery, onHighlight }: PickListProps) {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState(0);
   const field = useRef<HTMLInputElement>(null);
@@ -39,6 +40,7 @@ export function PickList({ pixel, label, prompt, none, always = false, picks, on
   const key = found[chosen]?.key;
 
   useEffect(() => field.current?.focus(), []);
+  useEffect(() => onQuery?.(query), [query, onQuery]);
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest" });
     onHighlight?.(key);

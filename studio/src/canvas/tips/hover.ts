@@ -32,8 +32,8 @@ export function hoverOver(event: PointerEvent): void {
   const { object, port } = here;
   const pixel = pixelOf(event);
   timer = setTimeout(() => {
-    const { menu, search, editor } = canvasStore.getState();
-    if (!isBusy() && !menu && !search && !editor) canvasStore.setState({ tip: { pixel, object, port } });
+    const { menu, radial, search, editor } = canvasStore.getState();
+    if (!isBusy() && !menu && !radial && !search && !editor) canvasStore.setState({ tip: { pixel, object, port } });
   }, REST);
 }
 

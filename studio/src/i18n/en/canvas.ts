@@ -47,6 +47,7 @@ export const canvas = {
   "canvas.data.more": "… and {count} more rows",
   "canvas.data.count": "{items} items in {branches} branches",
 
+  "canvas.port.addLast": "Add one more",
   "canvas.port.add": "Add a port here",
   "canvas.port.remove": "Remove {name}",
 
@@ -119,7 +120,7 @@ export const canvas = {
   "canvas.gradient.left": "Left",
   "canvas.gradient.right": "Right",
   "canvas.gradient.add": "Add a grip",
-  "canvas.gradient.remove": "Remove",
+  "canvas.gradient.remove": "Remove it",
 
   "canvas.graph.title": "Graph mapper",
   "canvas.graph.none": "No graph",
@@ -167,6 +168,8 @@ export const canvas = {
   "canvas.menu.explode": "Explode cluster",
   "canvas.menu.find": "Show in the tabs",
   "canvas.menu.deleteJoin": "Delete and join wires",
+  "canvas.menu.inputs": "Inputs",
+  "canvas.menu.outputs": "Outputs",
   "canvas.menu.connect": "Connect …",
   "canvas.menu.wires": "Wire display",
   "canvas.menu.disconnect": "Disconnect",
@@ -230,6 +233,8 @@ export const canvas = {
   "canvas.align.bottom": "Align bottom",
   "canvas.align.spreadAcross": "Spread evenly across",
   "canvas.align.spreadDown": "Spread evenly down",
+  "canvas.undone": "Taken back: {step}",
+  "canvas.redone": "Made again: {step}",
   "canvas.copied": "{count} objects copied",
   "canvas.pasted": "{count} objects pasted",
 } as const;

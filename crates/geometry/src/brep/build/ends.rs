@@ -1,0 +1,112 @@
+//! Curves of a loop brought to meet end to end.
+
+use super::Path;
+use crate::{Curve, Error, Line, LineCurve, NurbsCurve, Point3, PolyCurve, PolylineCurve, Result};
+
+/// Gaps up to this part of the loop's size are closed.
+const LARGEST_GAP: f64 = 1e-3;
+
+/// Moves the ends of neighbours to one place. A straight curve keeps its end, so that it stays on its line.
+pub(super) fn close_gaps(paths: &mut [Path]) -> Result<()> {
+    if paths.is_empty() {
+        return Err(Error::degenerate("loop", "it has no pieces"));
+    }
+    let ends: Vec<[Point3; 2]> = paths.iter().map(|p| [p.curve.start(), p.curve.end()]).collect();
+    let all = ends.iter().flatten().copied();
+    if !all.clone().all(Point3::is_finite) {
+        return Err(Error::NotFinite("end of a loop's curve"));
+    }
+    let size = crate::BoundingBox::from_points(paths.iter().flat_map(|p| p.curve.hull_points()))
+        .map_or(0.0, |b| b.diagonal().length());
+    let count = paths.len();
+    let mut wanted = ends.clone();
+    for i in 0..count {
+        let j = (i + 1) % count;
+        let (a, b) = (ends[i][1], ends[j][0]);
+        if a == b {
+            continue;
+        }
+        if !(a.distance_to(b) <= LARGEST_GAP * size) {
+            return Err(Error::Invalid {
+                what: "loop",
+                why: format!("pieces {i} and {j} are {} apart in the parameter plane", a.distance_to(b)),
+            });
+        }
+        let straight = |k: usize| matches!(paths[k].curve, Curve::Line(_));
+        let meeting = match (straight(i), straight(j)) {
+            (true, false) => a,
+            (false, true) => b,
+            _ if is_axial(&paths[i].curve) && is_axial(&paths[j].curve) => {
+                corner(&paths[i].curve, &paths[j].curve)
+            }
+            _ => a.lerp(b, 0.5),
+        };
+        wanted[i][1] = meeting;
+        wanted[j][0] = meeting;
+    }
+    for ((path, old), new) in paths.iter_mut().zip(ends).zip(wanted) {
+        if old != new {
+            path.curve = with_ends(&path.curve, new)?;
+        }
+    }
+    Ok(())
+}
+
+fn is_axial(curve: &Curve) -> bool {
+    let (a, b) = (curve.start(), curve.end());
+    matches!(curve, Curve::Line(_)) && (a.x == b.x || a.y == b.y)
+}
+
+/// Where two axial lines meet; the first one's end when they run along each other.
+fn corner(first: &Curve, second: &Curve) -> Point3 {
+    let (a, b) = (first.end(), second.start());
+    let upright = |c: &Curve| c.start().x == c.end().x;
+    match (upright(first), upright(second)) {
+        (true, false) => Point3::new(a.x, b.y, 0.0),
+        (false, true) => Point3::new(b.x, a.y, 0.0),
+        _ => a,
+    }
+}
+
+/// The curve with its ends moved: the control points there move, nothing else.
+pub(crate) fn with_ends(curve: &Curve, [start, end]: [Point3; 2]) -> Result<Curve> {
+    Ok(match curve {
+        Curve::Line(c) => LineCurve { line: Line::new(start, end), domain: c.domain }.into(),
+        Curve::Polyline(c) => {
+            let mut points = c.points().to_vec();
+            set_ends(&mut points, start, end);
+            PolylineCurve::with_parameters(points, c.parameters().to_vec())?.into()
+        }
+        Curve::Arc(_) => with_ends(&curve.to_nurbs()?.into(), [start, end])?,
+        Curve::Nurbs(c) => {
+            let c = c.clamped()?;
+            let mut points = c.control_points();
+            set_ends(&mut points, start, end);
+            let knots = c.knots().to_vec();
+            if c.is_rational() {
+                NurbsCurve::with_weights(c.degree(), &points, &c.weights(), knots)?.into()
+            } else {
+                NurbsCurve::new(c.degree(), points, knots)?.into()
+            }
+        }
+        Curve::Poly(c) => {
+            let mut segments = c.segments().to_vec();
+            if let Some(first) = segments.first_mut() {
+                *first = with_ends(first, [start, first.end()])?;
+            }
+            if let Some(last) = segments.last_mut() {
+                *last = with_ends(last, [last.start(), end])?;
+            }
+            PolyCurve::with_parameters(segments, c.parameters().to_vec())?.into()
+        }
+    })
+}
+
+fn set_ends(points: &mut [Point3], start: Point3, end: Point3) {
+    if let Some(first) = points.first_mut() {
+        *first = start;
+    }
+    if let Some(last) = points.last_mut() {
+        *last = end;
+    }
+}

@@ -1,0 +1,43 @@
+//! Surfaces and solids from points, curves and faces.
+//!
+//! Every function gives sound breps ([`Brep::is_valid`](crate::Brep::is_valid)) or says why not. Lines, arcs and
+//! other conics stay exact wherever the construction allows it.
+
+mod extrude;
+mod loft;
+mod primitives;
+mod revolve;
+
+pub use extrude::{
+    extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
+};
+pub use loft::{LoftOptions, LoftStyle, loft, ruled};
+pub use primitives::{box_brep, cone, cylinder, plane_surface, quad_sphere, sphere, torus};
+pub use revolve::{rail_revolve, revolve};
+
+use crate::{Curve, Error, Result, Tolerance};
+
+/// Refuses curves and tolerances that no construction can work with.
+fn check(curves: &[&Curve], tolerance: &Tolerance) -> Result<f64> {
+    for curve in curves {
+        let domain = curve.domain();
+        if !(domain.is_increasing() && domain.is_finite()) {
+            return Err(Error::Invalid {
+                what: "curve",
+                why: format!("its domain {} to {} does not increase", domain.start, domain.end),
+            });
+        }
+        if !curve.hull_points().iter().all(|p| p.is_finite()) {
+            return Err(Error::NotFinite("curve"));
+        }
+    }
+    tolerance.positive_distance()
+}
+
+/// The plane of a closed curve, for a cap.
+fn cap_plane(profile: &Curve, limit: f64) -> Result<crate::Plane> {
+    if !profile.is_closed() {
+        return Err(Error::degenerate("profile", "it is open, and has no caps"));
+    }
+    profile.plane(limit).ok_or(Error::degenerate("profile", "it is not planar, and has no caps"))
+}

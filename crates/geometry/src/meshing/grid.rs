@@ -1,0 +1,337 @@
+//! Cells over the parameters of a face: a grid of lines, and cells halved where the limits ask for it.
+
+use super::bend::{Bend, Bender};
+use super::need;
+use super::settings::Limits;
+use crate::{Error, Result};
+
+/// Places between two lines of the first grid: cells are halved at most ten times each way.
+pub(super) const PLACES: u32 = 1 << 10;
+/// Most cells of a face.
+const MOST: usize = 8_000_000;
+/// Most rectangles over which bounds are computed.
+const PROBES: f64 = 60_000.0;
+
+/// A rectangle of the grid, in places; halved or a cell.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Node {
+    /// The first and last place in u and in v.
+    pub(super) range: [[u32; 2]; 2],
+    /// Its first half; the second one follows it.
+    pub(super) halves: Option<u32>,
+}
+
+/// Cells over a rectangle of parameters.
+pub(super) struct Grid {
+    /// The lines of the first grid, in u and v, where pieces of the surface meet among them.
+    pub(super) lines: [Vec<f64>; 2],
+    /// The rectangles between the lines, v running fastest, and then what they are halved into.
+    pub(super) nodes: Vec<Node>,
+    probes: Probes,
+}
+
+/// Bounds on a grid of rectangles of their own.
+struct Probes {
+    lines: [Vec<f64>; 2],
+    bends: Vec<Bend>,
+}
+
+impl Probes {
+    fn new(bender: &Bender<'_>, lines: [Vec<f64>; 2]) -> Self {
+        let mut bends = Vec::with_capacity(lines[0].len() * lines[1].len());
+        for u in lines[0].windows(2) {
+            for v in lines[1].windows(2) {
+                bends.push(bender.over([[u[0], u[1]], [v[0], v[1]]]));
+            }
+        }
+        Self { lines, bends }
+    }
+
+    /// The rectangles that a range of parameters reaches into.
+    fn reached(&self, d: usize, [from, to]: [f64; 2]) -> [usize; 2] {
+        let lines = &self.lines[d];
+        let last = lines.len().saturating_sub(2);
+        let start = lines.partition_point(|&t| t <= from).saturating_sub(1).min(last);
+        let end = lines.partition_point(|&t| t < to).saturating_sub(1).min(last);
+        [start, end.max(start)]
+    }
+
+    fn over(&self, rectangle: [[f64; 2]; 2]) -> Bend {
+        let [u, v] = [0, 1].map(|d| self.reached(d, rectangle[d]));
+        let columns = self.lines[1].len().saturating_sub(1);
+        let mut out = Bend::default();
+        for i in u[0]..=u[1] {
+            for bend in self.bends.get(i * columns + v[0]..=i * columns + v[1]).unwrap_or(&[]) {
+                out = out.max(bend);
+            }
+        }
+        out
+    }
+}
+
+impl Grid {
+    /// The cells over the rectangle that `breaks` span: their lines are those of the grid, whatever the limits.
+    ///
+    /// # Errors
+    /// The limits ask for more than eight million cells.
+    pub(super) fn new(
+        bender: &Bender<'_>,
+        breaks: [Vec<f64>; 2],
+        limits: &Limits,
+        flat: bool,
+    ) -> Result<Self> {
+        let flat = flat && limits.simple_planes;
+        let probes = probes(bender, &breaks, limits);
+        let mut counts = [0, 1].map(|d| counts(&probes, &breaks[d], d, limits));
+        adjust(&probes, &breaks, &mut counts, limits, flat);
+        let lines = [0, 1].map(|d| divided(&breaks[d], &counts[d]));
+        let cells = (lines[0].len() - 1).saturating_mul(lines[1].len() - 1);
+        if cells > MOST || lines.iter().any(|l| l.len() > (u32::MAX / PLACES) as usize) {
+            return Err(too_many(cells));
+        }
+        let mut grid = Self { lines, nodes: Vec::with_capacity(cells), probes };
+        for i in 0..grid.lines[0].len() as u32 - 1 {
+            for j in 0..grid.lines[1].len() as u32 - 1 {
+                let range = [i, j].map(|k| [k * PLACES, (k + 1) * PLACES]);
+                grid.nodes.push(Node { range, halves: None });
+            }
+        }
+        if limits.refine {
+            grid.refine(limits)?;
+        }
+        Ok(grid)
+    }
+
+    fn refine(&mut self, limits: &Limits) -> Result<()> {
+        let mut k = 0;
+        while let Some(&node) = self.nodes.get(k) {
+            let rectangle = self.rectangle(&node);
+            let size = rectangle.map(|[a, b]| b - a);
+            let bend = self.probes.over(rectangle);
+            if let Some(d) = need::halving(&bend, size, limits) {
+                self.halve(k, d)?;
+            }
+            k += 1;
+        }
+        Ok(())
+    }
+
+    /// Halves a cell, unless it is as small as cells get.
+    fn halve(&mut self, k: usize, d: usize) -> Result<()> {
+        let first = self.nodes.len();
+        if first > 2 * MOST {
+            return Err(too_many(first));
+        }
+        let Some(node) = self.nodes.get_mut(k) else { return Ok(()) };
+        let [from, to] = node.range[d];
+        if to - from < 2 {
+            return Ok(());
+        }
+        let middle = from + (to - from) / 2;
+        let (mut low, mut high) = (*node, *node);
+        low.range[d][1] = middle;
+        high.range[d][0] = middle;
+        node.halves = Some(first as u32);
+        self.nodes.extend([low, high]);
+        Ok(())
+    }
+
+    /// The parameter at a place along one direction.
+    pub(super) fn parameter(&self, d: usize, place: u32) -> f64 {
+        let lines = &self.lines[d];
+        let (line, part) = ((place / PLACES) as usize, place % PLACES);
+        let at = |k: usize| lines.get(k).copied().unwrap_or(f64::NAN);
+        if part == 0 {
+            at(line)
+        } else {
+            at(line) + (at(line + 1) - at(line)) * (f64::from(part) / f64::from(PLACES))
+        }
+    }
+
+    /// The place at a parameter, if there is one at exactly this parameter.
+    pub(super) fn place(&self, d: usize, t: f64) -> Option<u32> {
+        let lines = &self.lines[d];
+        let line = lines.partition_point(|&x| x <= t).checked_sub(1)?;
+        let start = *lines.get(line)?;
+        let part = match lines.get(line + 1) {
+            Some(&end) => ((t - start) / (end - start) * f64::from(PLACES)).round() as u32,
+            None => 0,
+        };
+        let place = line as u32 * PLACES + part;
+        (self.parameter(d, place) == t).then_some(place)
+    }
+
+    /// The parameters that a node covers.
+    pub(super) fn rectangle(&self, node: &Node) -> [[f64; 2]; 2] {
+        [0, 1].map(|d| node.range[d].map(|place| self.parameter(d, place)))
+    }
+
+    /// The parameters at which corners of cells lie on a line, strictly inside a range, in order. The line is at a
+    /// place of direction `d`.
+    pub(super) fn places_on(&self, d: usize, line: u32, range: [f64; 2]) -> Vec<f64> {
+        let value = self.parameter(d, line);
+        let mut found = Vec::new();
+        let around = if d == 0 { [[value; 2], range] } else { [range, [value; 2]] };
+        self.visit(
+            around,
+            |_| true,
+            |_, node| {
+                if node.range[d].contains(&line) {
+                    found.extend(node.range[1 - d]);
+                }
+            },
+        );
+        found.sort_unstable();
+        found.dedup();
+        let parameters = found.into_iter().map(|place| self.parameter(1 - d, place));
+        parameters.filter(|&t| t > range[0] && t < range[1]).collect()
+    }
+
+    /// The bounds over a rectangle.
+    pub(super) fn bend(&self, rectangle: [[f64; 2]; 2]) -> Bend {
+        self.probes.over(rectangle)
+    }
+
+    /// Calls for every cell that a closed rectangle touches and `wanted` lets through.
+    pub(super) fn visit(
+        &self,
+        rectangle: [[f64; 2]; 2],
+        mut wanted: impl FnMut([[f64; 2]; 2]) -> bool,
+        mut visit: impl FnMut(usize, &Node),
+    ) {
+        let [u, v] = [0, 1].map(|d| {
+            let lines = &self.lines[d];
+            let last = lines.len().saturating_sub(2);
+            let start = lines.partition_point(|&t| t < rectangle[d][0]).saturating_sub(1).min(last);
+            let end = lines.partition_point(|&t| t <= rectangle[d][1]).saturating_sub(1).min(last);
+            [start, end]
+        });
+        let columns = self.lines[1].len().saturating_sub(1);
+        let mut stack = Vec::new();
+        for i in u[0]..=u[1] {
+            for j in v[0]..=v[1] {
+                stack.push(i * columns + j);
+                while let Some(k) = stack.pop() {
+                    let Some(node) = self.nodes.get(k) else { continue };
+                    let own = self.rectangle(node);
+                    let apart = (0..2).any(|d| own[d][0] > rectangle[d][1] || own[d][1] < rectangle[d][0]);
+                    if apart || !wanted(own) {
+                        continue;
+                    }
+                    match node.halves {
+                        Some(first) => stack.extend([first as usize, first as usize + 1]),
+                        None => visit(k, node),
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn too_many(cells: usize) -> Error {
+    Error::OutOfRange { what: "number of mesh cells", value: cells as f64, must: "at most 8 million a face" }
+}
+
+/// Bounds over rectangles of some three by three cells each.
+fn probes(bender: &Bender<'_>, breaks: &[Vec<f64>; 2], limits: &Limits) -> Probes {
+    let coarse = Probes::new(bender, breaks.clone());
+    let mut finest = [0, 1].map(|d| vec![1.0_f64; breaks[d].len().saturating_sub(1)]);
+    let columns = finest[1].len();
+    for (i, u) in breaks[0].windows(2).enumerate() {
+        for (j, v) in breaks[1].windows(2).enumerate() {
+            let Some(bend) = coarse.bends.get(i * columns + j) else { continue };
+            let n = need::parts(bend, [u[1] - u[0], v[1] - v[0]], limits);
+            // Normals should not turn far inside one either.
+            let turned = |d: usize, wide: f64| (bend.turn[d] * wide / 0.6).min(16.0) * 3.0;
+            finest[0][i] = finest[0][i].max(n[0]).max(turned(0, u[1] - u[0]));
+            finest[1][j] = finest[1][j].max(n[1]).max(turned(1, v[1] - v[0]));
+        }
+    }
+    if finest.iter().flatten().all(|&n| n <= 3.0) {
+        return coarse;
+    }
+    let mut each =
+        finest.map(|list| list.iter().map(|n| (n / 3.0).ceil().clamp(1.0, 64.0)).collect::<Vec<_>>());
+    let total = |each: &[Vec<f64>; 2]| each[0].iter().sum::<f64>() * each[1].iter().sum::<f64>();
+    while total(&each) > PROBES && each.iter().flatten().any(|&n| n > 1.0) {
+        each.iter_mut().flatten().for_each(|n| *n = (*n / 1.3).ceil().min(*n - 1.0).max(1.0));
+    }
+    let lines = [0, 1].map(|d| {
+        let counts: Vec<u32> = each[d].iter().map(|&n| n as u32).collect();
+        divided(&breaks[d], &counts)
+    });
+    Probes::new(bender, lines)
+}
+
+/// For every stretch between breaks the number of parts of the first grid: that of the place that asks for the most,
+/// halved as often as the place that asks for the least allows.
+fn counts(probes: &Probes, breaks: &[f64], d: usize, limits: &Limits) -> Vec<u32> {
+    let (lines, across) = (&probes.lines[d], &probes.lines[1 - d]);
+    let columns = probes.lines[1].len().saturating_sub(1);
+    breaks
+        .windows(2)
+        .map(|stretch| {
+            let [first, last] = probes.reached(d, [stretch[0], stretch[1]]);
+            let (mut most, mut least) = (0.0_f64, f64::INFINITY);
+            for i in first..=last {
+                let Some(own) = lines.get(i..=i + 1).map(|w| w[1] - w[0]) else { continue };
+                for (j, w) in across.windows(2).enumerate() {
+                    let other = w[1] - w[0];
+                    let (place, size) = if d == 0 {
+                        (i * columns + j, [own, other])
+                    } else {
+                        (j * columns + i, [other, own])
+                    };
+                    let Some(bend) = probes.bends.get(place) else { continue };
+                    let density = need::parts(bend, size, limits)[d] / own;
+                    most = most.max(density);
+                    least = least.min(density);
+                }
+            }
+            let wide = stretch[1] - stretch[0];
+            let most = (most * wide - 1e-6).ceil().max(1.0);
+            let least = (least * wide).max(1.0);
+            let halvings = (most / least).log2().floor().clamp(0.0, 9.0);
+            (most / halvings.exp2()).ceil().clamp(1.0, 1e6) as u32
+        })
+        .collect()
+}
+
+/// Brings the number of cells of the first grid between its bounds.
+fn adjust(probes: &Probes, breaks: &[Vec<f64>; 2], counts: &mut [Vec<u32>; 2], limits: &Limits, flat: bool) {
+    let whole = |counts: &[Vec<u32>; 2]| {
+        counts.each_ref().map(|list| list.iter().map(|&n| f64::from(n)).sum::<f64>().max(1.0))
+    };
+    if !flat {
+        let mean = probes.bends.iter().fold([0.0; 2], |s, b| [s[0] + b.speed[0], s[1] + b.speed[1]]);
+        let sides = [0, 1].map(|d| match breaks[d].as_slice() {
+            [first, .., last] => (last - first) * mean[d],
+            _ => 0.0,
+        });
+        for _ in 0..64 {
+            let [n, m] = whole(counts);
+            if n * m >= limits.min_count as f64 {
+                break;
+            }
+            let long = usize::from(sides[1] / m > sides[0] / n);
+            counts[long].iter_mut().for_each(|n| *n += 1);
+        }
+    }
+    while whole(counts).iter().product::<f64>() > limits.max_count as f64 {
+        let long = usize::from(whole(counts)[1] > whole(counts)[0]);
+        if counts[long].iter().all(|&n| n == 1) {
+            break;
+        }
+        counts[long].iter_mut().for_each(|n| *n = (*n * 7 / 8).max(1));
+    }
+}
+
+/// Each stretch in so many equal parts.
+fn divided(breaks: &[f64], counts: &[u32]) -> Vec<f64> {
+    let mut out = Vec::with_capacity(counts.iter().map(|&n| n as usize).sum::<usize>() + 1);
+    for (w, &n) in breaks.windows(2).zip(counts) {
+        out.extend((0..n).map(|k| w[0] + (w[1] - w[0]) * (f64::from(k) / f64::from(n))));
+    }
+    out.extend(breaks.last());
+    out
+}

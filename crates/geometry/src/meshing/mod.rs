@@ -1,0 +1,21 @@
+//! Meshes of surfaces and breps within tolerances.
+
+mod bend;
+mod brep;
+mod clip;
+mod corner_cutting;
+mod edges;
+mod fill;
+mod grid;
+mod need;
+mod outline;
+mod patch;
+mod result;
+mod ring;
+mod settings;
+mod side;
+mod surface;
+mod track;
+
+pub use result::{BrepMesh, FaceMesh};
+pub use settings::MeshSettings;

@@ -1,0 +1,168 @@
+//! Surfaces through compatible curves.
+
+use super::curve::Controls;
+use super::evaluate::basis;
+use super::knots::MAX_DEGREE;
+use super::surface_interpolate::Lines;
+use super::surface_refine::transposed;
+use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
+use super::{KnotSpacing, NurbsCurve, NurbsSurface};
+use crate::linear::Banded;
+use crate::{Error, Result};
+
+/// How a surface runs across the curves that it is made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Skinning {
+    /// A cubic through them.
+    Through,
+    /// Straight from each to the next.
+    Straight,
+    /// The curves' control points are the surface's.
+    Near,
+}
+
+/// The parameters of sections: means of the distances of their control points, each line of them by its own length.
+/// When closed there is one more, of the first section again.
+pub(crate) fn section_parameters(
+    curves: &[NurbsCurve],
+    closed: bool,
+    spacing: KnotSpacing,
+) -> Result<Vec<f64>> {
+    let steps = if closed { curves.len() } else { curves.len().saturating_sub(1) };
+    let mut out = vec![0.0];
+    let mut t = 0.0;
+    for i in 0..steps {
+        let (Some(a), Some(b)) = (curves.get(i), curves.get((i + 1) % curves.len())) else { continue };
+        let distances = a.control_points().into_iter().zip(b.control_points()).map(|(p, q)| p.distance_to(q));
+        let mean = distances.sum::<f64>() / a.point_count().max(1) as f64;
+        let step = match spacing {
+            KnotSpacing::Uniform => 1.0,
+            KnotSpacing::Chord => mean,
+            KnotSpacing::SquareRootChord => mean.sqrt(),
+        };
+        if !(mean > 0.0 && t + step > t) {
+            return Err(Error::degenerate("sections", "two neighbours coincide"));
+        }
+        t += step;
+        out.push(t);
+    }
+    let least = 1e-9 * t;
+    if out.windows(2).any(|w| !(w[1] - w[0] > least)) {
+        return Err(Error::degenerate("sections", "two neighbours all but coincide"));
+    }
+    Ok(out)
+}
+
+/// The surface of compatible curves: u runs along them, v across, at `parameters`.
+pub(crate) fn skinned(
+    curves: &[NurbsCurve],
+    style: Skinning,
+    parameters: &[f64],
+    closed: bool,
+) -> Result<NurbsSurface> {
+    let first = curves.first().ok_or(Error::degenerate("sections", "there are none"))?;
+    let (count, rows) = (first.point_count(), curves.len());
+    // Column by column: the control points of the same number in all sections.
+    let net: Vec<[f64; 4]> = curves.iter().flat_map(NurbsCurve::homogeneous_points).collect();
+    let columns = transposed(&net, count);
+    let rational = curves.iter().any(NurbsCurve::is_rational);
+    let (degree, knots, columns) = match style {
+        Skinning::Near => near(&columns, rows, closed)?,
+        Skinning::Straight => straight(&columns, rows, parameters, closed),
+        Skinning::Through if rows == 2 => straight(&columns, rows, parameters, false),
+        Skinning::Through if closed => around(&columns, rows, parameters)?,
+        Skinning::Through => through(&columns, rows, parameters)?,
+    };
+    let across = columns.len() / count;
+    let knots = [first.knots().to_vec(), knots];
+    let (degrees, counts) = ([first.degree(), degree], [count, across]);
+    if !rational {
+        let plain = columns.iter().map(|p| [p[0], p[1], p[2]]).collect();
+        return NurbsSurface::from_controls(degrees, counts, Controls::Plain(plain), knots);
+    }
+    if !columns.iter().all(|p| p[3] > 0.0) {
+        return Err(Error::degenerate(
+            "sections",
+            "their weights are too different for a surface between them",
+        ));
+    }
+    NurbsSurface::from_controls(degrees, counts, Controls::Rational(columns), knots)
+}
+
+type Across = (usize, Vec<f64>, Vec<[f64; 4]>);
+
+fn near(columns: &[[f64; 4]], rows: usize, closed: bool) -> Result<Across> {
+    let degree = if closed { 3 } else { 3.min(rows - 1) };
+    if !closed {
+        return Ok((degree, clamped_uniform_knots(degree, rows)?, columns.to_vec()));
+    }
+    let knots = periodic_uniform_knots(degree, rows + degree)?;
+    let repeated =
+        |column: &[[f64; 4]]| column.iter().cycle().take(rows + degree).copied().collect::<Vec<_>>();
+    Ok((degree, knots, columns.chunks(rows).flat_map(repeated).collect()))
+}
+
+fn straight(columns: &[[f64; 4]], rows: usize, parameters: &[f64], closed: bool) -> Across {
+    let count = rows + usize::from(closed);
+    let repeated = |column: &[[f64; 4]]| column.iter().cycle().take(count).copied().collect::<Vec<_>>();
+    (1, parameters.to_vec(), columns.chunks(rows).flat_map(repeated).collect())
+}
+
+/// The closed cubic with its knots at the parameters.
+fn around(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Across> {
+    let lines = Lines::new(3, true, rows, parameters.to_vec())?;
+    let mut out = Vec::with_capacity(columns.len() + 3 * columns.len() / rows);
+    for column in columns.chunks(rows) {
+        let places = lines.solve(&column.iter().map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>())?;
+        let weights = lines.solve(&column.iter().map(|p| [p[3], 0.0, 0.0]).collect::<Vec<_>>())?;
+        out.extend(places.iter().zip(&weights).map(|(p, w)| [p[0], p[1], p[2], w[0]]));
+    }
+    Ok((3, lines.knots, out))
+}
+
+/// The cubic with its knots at the parameters, whose derivatives at the ends are those of the parabolas through the
+/// first and the last three sections (Bessel's rule): linear in the sections, so that rational ones stay exact.
+fn through(columns: &[[f64; 4]], rows: usize, t: &[f64]) -> Result<Across> {
+    let n = rows;
+    let mut knots = vec![t[0]; 2];
+    knots.extend_from_slice(t);
+    knots.extend([t[n - 1]; 2]);
+    let mut out = Vec::with_capacity(columns.len() / n * (n + 2));
+    for column in columns.chunks(n) {
+        let slope = |a: usize, b: usize, c: usize| -> [f64; 4] {
+            let (h0, h1) = (t[b] - t[a], t[c] - t[b]);
+            std::array::from_fn(|k| {
+                let (v0, v1) = ((column[b][k] - column[a][k]) / h0, (column[c][k] - column[b][k]) / h1);
+                v0 - (v1 - v0) * (h0 / (h0 + h1))
+            })
+        };
+        let (first, last) = (column[0], column[n - 1]);
+        let (start, end) = (slope(0, 1, 2), slope(n - 1, n - 2, n - 3));
+        let second: [f64; 4] = std::array::from_fn(|k| first[k] + start[k] * (t[1] - t[0]) / 3.0);
+        let before: [f64; 4] = std::array::from_fn(|k| last[k] - end[k] * (t[n - 1] - t[n - 2]) / 3.0);
+        let mut right = vec![first, second];
+        right.extend_from_slice(&column[1..n - 1]);
+        right.extend([before, last]);
+        let places = solve(&knots, t, right.iter().map(|p| [p[0], p[1], p[2]]).collect())?;
+        let weights = solve(&knots, t, right.iter().map(|p| [p[3], 0.0, 0.0]).collect())?;
+        out.extend(places.iter().zip(&weights).map(|(p, w)| [p[0], p[1], p[2], w[0]]));
+    }
+    Ok((3, knots, out))
+}
+
+/// Control points of the cubic with knots at `t` whose first and last two are given and which passes the rest.
+fn solve(knots: &[f64], t: &[f64], right: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>> {
+    let n = t.len();
+    let mut system = Banded::new(n + 2, 1, right);
+    for i in [0, 1, n, n + 1] {
+        system.add(i, i, 1.0);
+    }
+    let mut values = [0.0; MAX_DEGREE + 1];
+    for (i, &u) in t.iter().enumerate().take(n - 1).skip(1) {
+        basis(3, knots, i, u, &mut values);
+        for (k, &value) in values.iter().enumerate().take(3) {
+            system.add(i + 1, i + k, value);
+        }
+    }
+    system.solve_totally_positive().ok_or(Error::degenerate("sections", "the interpolation has no solution"))
+}

@@ -1,0 +1,166 @@
+//! Every constructor of breps on random and degenerate inputs, from a seed.
+
+#![allow(unreachable_pub, dead_code, reason = "shared by tests that each use a part")]
+
+pub mod random;
+
+use katydid_geometry::construct::{self, LoftOptions, LoftStyle};
+use katydid_geometry::{
+    Box3, Brep, Cone, Curve, Cylinder, Error, Interval, Line, Plane, Point3, Result, Sphere, Tolerance,
+    Torus, Vector3,
+};
+use random::{Random, closed, curve, open};
+
+pub const TOLERANCE: Tolerance = Tolerance { absolute: 0.001, angle: std::f64::consts::PI / 180.0 };
+
+/// A constructor by name, with random input for it.
+pub type Case = (&'static str, fn(&mut Random) -> Result<Vec<Brep>>);
+
+fn one(brep: Result<Brep>) -> Result<Vec<Brep>> {
+    brep.map(|b| vec![b])
+}
+
+fn family(random: &mut Random) -> Result<Vec<Curve>> {
+    let count = 2 + random.below(4);
+    if random.one_in(2) {
+        let base = Plane::XY;
+        return (0..count)
+            .map(|k| {
+                let plane = base.offset(random.between(0.5, 2.0) * k as f64);
+                closed(random, &plane)
+            })
+            .collect();
+    }
+    (0..count).map(|_| if random.one_in(8) { curve(random) } else { open(random) }).collect()
+}
+
+pub fn cases() -> Vec<Case> {
+    vec![
+        ("box", |r| {
+            let shape = Box3 { plane: r.plane(9.0), x: r.range(5.0), y: r.range(5.0), z: r.range(5.0) };
+            one(construct::box_brep(&shape))
+        }),
+        ("sphere", |r| one(construct::sphere(&Sphere::new(r.plane(9.0), r.size())?))),
+        ("quad sphere", |r| one(construct::quad_sphere(&Sphere::new(r.plane(9.0), r.size())?))),
+        ("cylinder", |r| {
+            let shape = Cylinder::new(r.plane(9.0), r.size(), r.range(5.0))?;
+            one(construct::cylinder(&shape, [r.one_in(2), r.one_in(2)]))
+        }),
+        ("cone", |r| {
+            let shape = Cone::new(r.plane(9.0), r.between(-5.0, 5.0), r.size())?;
+            one(construct::cone(&shape, r.one_in(2)))
+        }),
+        ("torus", |r| one(construct::torus(&Torus::new(r.plane(9.0), r.size(), r.size())?))),
+        ("plane surface", |r| one(construct::plane_surface(&r.plane(9.0), r.range(5.0), r.range(5.0)))),
+        ("extrude", |r| {
+            let profile = curve(r)?;
+            let direction = if r.one_in(12) { Vector3::ZERO } else { r.vector(5.0) };
+            one(construct::extrude(&profile, direction, r.one_in(2), &TOLERANCE))
+        }),
+        ("extrude along", |r| {
+            let (profile, path) = (curve(r)?, curve(r)?);
+            one(construct::extrude_along(&profile, &path, r.one_in(2), &TOLERANCE))
+        }),
+        ("extrude to point", |r| {
+            let profile = curve(r)?;
+            let apex = if r.one_in(8) { profile.start() } else { r.point(9.0) };
+            one(construct::extrude_to_point(&profile, apex, r.one_in(2), &TOLERANCE))
+        }),
+        ("extrude brep", |r| {
+            let base = base(r)?;
+            one(match r.below(3) {
+                0 => construct::extrude_brep(&base, r.vector(5.0), &TOLERANCE),
+                1 => construct::extrude_brep_along(&base, &open(r)?, &TOLERANCE),
+                _ => construct::extrude_brep_to_point(&base, r.point(9.0), &TOLERANCE),
+            })
+        }),
+        ("planar faces", |r| {
+            let plane = r.plane(9.0);
+            let mut curves = Vec::new();
+            for _ in 0..1 + r.below(4) {
+                let place = plane.with_origin(plane.at(r.between(-3.0, 3.0), r.between(-3.0, 3.0), 0.0));
+                curves.push(closed(r, &place)?);
+            }
+            if r.one_in(4) {
+                curves.push(curve(r)?);
+            }
+            Ok(Brep::planar_faces(&curves, &TOLERANCE)?.breps)
+        }),
+        ("ruled", |r| one(construct::ruled(&curve(r)?, &curve(r)?, &TOLERANCE))),
+        ("loft", |r| {
+            let styles = [
+                LoftStyle::Normal,
+                LoftStyle::Loose,
+                LoftStyle::Tight,
+                LoftStyle::Straight,
+                LoftStyle::Uniform,
+            ];
+            let options = LoftOptions {
+                style: styles[r.below(5)],
+                closed: r.one_in(3),
+                adjust: r.one_in(2),
+                rebuild: r.one_in(6).then_some(8),
+                refit: r.one_in(6).then_some(0.01),
+                start: r.one_in(10).then(|| r.point(9.0)),
+                end: None,
+            };
+            one(construct::loft(&family(r)?, &options, &TOLERANCE))
+        }),
+        ("revolve", |r| {
+            let axis = Line::new(r.point(5.0), r.point(5.0));
+            let profile = if r.one_in(4) { on_axis(r, &axis)? } else { curve(r)? };
+            let turn = if r.one_in(2) { 6.3 } else { r.between(0.1, 6.0) };
+            one(construct::revolve(&profile, axis, Interval::new(0.0, turn), &TOLERANCE))
+        }),
+        ("rail revolve", |r| {
+            let axis = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 1.0));
+            let rail = if r.one_in(3) { curve(r)? } else { closed(r, &Plane::XY)? };
+            let profile = if r.one_in(2) { on_axis(r, &axis)? } else { curve(r)? };
+            one(construct::rail_revolve(&profile, &rail, axis, r.one_in(2), &TOLERANCE))
+        }),
+        ("cap", |r| {
+            let plane = r.plane(9.0);
+            let tube = construct::extrude(&closed(r, &plane)?, r.vector(5.0), false, &TOLERANCE)?;
+            Ok(vec![tube.capped(&TOLERANCE)?.0])
+        }),
+        ("join", |r| {
+            let solid = base(r)?;
+            let solid = construct::extrude_brep(&solid, r.vector(4.0), &TOLERANCE)?;
+            let mut faces = solid.exploded()?;
+            if r.one_in(2) {
+                faces.pop();
+            }
+            for face in &mut faces {
+                if r.one_in(3) {
+                    *face = face.clone().flipped();
+                }
+            }
+            Ok(Brep::join(&faces, &TOLERANCE)?.breps)
+        }),
+    ]
+}
+
+/// A curve from one place of an axis to another.
+fn on_axis(random: &mut Random, axis: &Line) -> Result<Curve> {
+    let (a, b) = (axis.at(random.between(-1.0, 1.0)), axis.at(random.between(-1.0, 2.0)));
+    let via = random.point(5.0);
+    if random.one_in(3) {
+        return Ok(katydid_geometry::Arc::through(a, via, b)?.into());
+    }
+    Ok(katydid_geometry::PolylineCurve::new(vec![a, via, b])?.into())
+}
+
+/// An open brep.
+fn base(random: &mut Random) -> Result<Brep> {
+    let plane = random.plane(5.0);
+    match random.below(3) {
+        0 => {
+            let outer = closed(random, &plane)?;
+            let inner = outer.transformed(&katydid_geometry::Xform::scale(plane.origin, 0.5))?;
+            let found = Brep::planar_faces(&[outer, inner], &TOLERANCE)?;
+            found.breps.into_iter().next().ok_or(Error::Unsupported("a region without area"))
+        }
+        1 => construct::extrude(&open(random)?, random.vector(4.0), false, &TOLERANCE),
+        _ => construct::extrude(&closed(random, &plane)?, random.vector(4.0), false, &TOLERANCE),
+    }
+}

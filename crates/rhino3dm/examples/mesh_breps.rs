@@ -1,0 +1,184 @@
+//! Meshes every brep of archives and judges the meshes: `mesh_breps FRACTION PATH…`
+//!
+//! FRACTION is the tolerance as a fraction of each brep's size. Said of every brep that is wrong in some way: solids
+//! whose mesh is open, triangles that look backwards, places farther from the surface than the tolerance; and the sums.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "an example stops at the first thing wrong")]
+
+use std::time::Instant;
+
+use katydid_3dm::{Limits, Model, Object};
+use katydid_geometry::brep::Brep;
+use katydid_geometry::{BrepMesh, Direction, MeshSettings, Point3, Quadrant, Surface};
+
+#[derive(Default, Debug)]
+struct Sums {
+    breps: usize,
+    faces: usize,
+    solids: usize,
+    failed: usize,
+    open: usize,
+    backwards: usize,
+    far: usize,
+    triangles: usize,
+    seconds: f64,
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let fraction: f64 = arguments[0].parse().unwrap();
+    let only: Option<usize> = std::env::var("ONLY").ok().map(|s| s.parse().unwrap());
+    let mut sums = Sums::default();
+    for path in &arguments[1..] {
+        let bytes = std::fs::read(path).unwrap();
+        let Ok(model) = Model::read(&bytes, &Limits::default()) else {
+            println!("{path}: not read");
+            continue;
+        };
+        let name = path.rsplit('/').next().unwrap_or(path);
+        for (place, object) in model.objects.iter().enumerate() {
+            if only.is_some_and(|k| k != place) {
+                continue;
+            }
+            match &object.geometry {
+                Object::Brep(b) => judge(&format!("{name} {place}"), &b.brep, fraction, &mut sums),
+                Object::Extrusion(e) => {
+                    if let Some(b) = e.to_brep() {
+                        judge(&format!("{name} {place} extrusion"), &b.brep, fraction, &mut sums);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    println!("{sums:?}");
+}
+
+fn judge(name: &str, brep: &Brep, fraction: f64, sums: &mut Sums) {
+    let Some(bounds) = brep.bounds_of_faces() else { return };
+    let tolerance = fraction * bounds.diagonal().length();
+    sums.breps += 1;
+    let start = Instant::now();
+    let mesh = match brep.mesh(&MeshSettings::within(tolerance)) {
+        Ok(mesh) => mesh,
+        Err(why) => {
+            println!("{name}: {why}; {} faults", brep.faults().len());
+            sums.failed += 1;
+            return;
+        }
+    };
+    let took = start.elapsed().as_secs_f64();
+    sums.seconds += took;
+    sums.faces += mesh.faces().len();
+    sums.triangles += mesh.triangle_count();
+    let mut said = Vec::new();
+    if took > 1.0 {
+        said.push(format!(
+            "{took:.1} s for {} triangles, {} faces",
+            mesh.triangle_count(),
+            mesh.faces().len()
+        ));
+    }
+    if brep.is_solid() {
+        sums.solids += 1;
+        let one = mesh.welded().unwrap();
+        if !(one.is_closed() && one.is_oriented()) {
+            sums.open += 1;
+            let naked = one.edges().iter().filter(|e| e.faces == 1).count();
+            let many = one.edges().iter().filter(|e| e.faces > 2).count();
+            said.push(format!("open: {naked} naked, {many} crowded; oriented {}", one.is_oriented()));
+        }
+    }
+    let (backwards, worst) = looked_at(brep, &mesh);
+    if !backwards.is_empty() {
+        sums.backwards += 1;
+        said.push(format!("backwards {} {:?}", backwards.len(), &backwards[..backwards.len().min(3)]));
+    }
+    if worst.0 > tolerance * 1.000_001 {
+        sums.far += 1;
+        let edges = brep.edges().iter().map(|e| e.tolerance).fold(0.0, f64::max);
+        said.push(format!(
+            "{:.3} of the tolerance in face {} at {:?} edges {:.3}",
+            worst.0 / tolerance,
+            worst.1,
+            worst.2,
+            edges / tolerance
+        ));
+    }
+    if !said.is_empty() {
+        println!(
+            "{name} ({} faces, {} triangles, {} faults): {}",
+            mesh.faces().len(),
+            mesh.triangle_count(),
+            brep.faults().len(),
+            said.join("; ")
+        );
+    }
+}
+
+/// The triangles that look away from the normal, as (face, height, area), and the greatest distance from a surface.
+fn looked_at(brep: &Brep, mesh: &BrepMesh) -> (Vec<(usize, f64)>, (f64, usize, Point3)) {
+    let mut backwards = Vec::new();
+    let mut worst = (0.0, 0, Point3::ORIGIN);
+    let total: usize = mesh.triangle_count();
+    let every = (total / 20_000).max(1);
+    let steps = 10;
+    for face in mesh.faces() {
+        let surface = brep.face_surface(face.face).unwrap();
+        let turned = brep.faces()[face.face].reversed;
+        for (k, corners) in face.faces.iter().flat_map(|f| f.triangles()).enumerate() {
+            let uv = corners.map(|v| face.parameters[v as usize]);
+            let [a, b, c] = corners.map(|v| mesh.points()[face.places[v as usize] as usize]);
+            let normal = (b - a).cross(c - a);
+            let long = (b - a).length().max((c - a).length()).max((c - b).length());
+            let height = normal.length() / long;
+            let mean = |x: [f64; 3]| (x[0] + x[1] + x[2]) / 3.0;
+            if let Some(n) = surface.normal_at(mean(uv.map(|p| p.x)), mean(uv.map(|p| p.y))) {
+                let n = if turned { -n } else { n };
+                if normal.dot(n) < 0.0 && height > 1e-9 * long {
+                    backwards.push((face.face, height));
+                }
+            }
+            if k % every != 0 {
+                continue;
+            }
+            for i in 0..=steps {
+                for j in 0..=steps - i {
+                    let w = [i as f64, j as f64, (steps - i - j) as f64].map(|x| x / steps as f64);
+                    let at = |p: [f64; 3]| p[0] * w[0] + p[1] * w[1] + p[2] * w[2];
+                    let p = Point3::new(at([a.x, b.x, c.x]), at([a.y, b.y, c.y]), at([a.z, b.z, c.z]));
+                    let far = distance(surface, p, [at(uv.map(|p| p.x)), at(uv.map(|p| p.y))]);
+                    if far > worst.0 {
+                        worst = (far, face.face, p);
+                    }
+                }
+            }
+        }
+    }
+    (backwards, worst)
+}
+
+/// The distance from the surface near parameters, by Gauss–Newton steps.
+fn distance(surface: &Surface, p: Point3, start: [f64; 2]) -> f64 {
+    let mut best = f64::INFINITY;
+    let [mut u, mut v] = start;
+    let domain = Direction::BOTH.map(|d| surface.domain(d));
+    for _ in 0..8 {
+        let d = surface.derivatives(u, v, 1, Quadrant::new(u >= domain[0].end, v >= domain[1].end));
+        let r = p - d.point();
+        let far = r.length();
+        if far >= best * (1.0 - 1e-6) {
+            break;
+        }
+        best = far;
+        let (a, b) = (d.get(1, 0), d.get(0, 1));
+        let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
+        let det = e * g - f * f;
+        if !(det > 1e-12 * e * g) {
+            break;
+        }
+        u = domain[0].clamp(u + (g * r.dot(a) - f * r.dot(b)) / det);
+        v = domain[1].clamp(v + (e * r.dot(b) - f * r.dot(a)) / det);
+    }
+    best
+}

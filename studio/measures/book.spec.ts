@@ -1,0 +1,61 @@
+import { existsSync } from "node:fs";
+
+import { test, type CDPSession, type Page } from "@playwright/test";
+
+import { watch } from "./watch";
+
+const BOOK = process.env.KATYDID_BOOK ?? "../../shared/data/gh/the-book/TheEssentialMathematics_3rdEdition.gh";
+
+test("the book's own file is opened, moved and zoomed", async ({ page }) => {
+  test.skip(!existsSync(BOOK), "the book's file is not here");
+  await watch(page);
+  await page.goto("/");
+  const start = Date.now();
+  await page.locator("input[type=file]").setInputFiles(BOOK);
+  await page.waitForURL(/document=/);
+  await page.waitForFunction(() => document.querySelector("canvas.far, [data-object]"));
+  const shown = Date.now() - start;
+  await page.waitForFunction(() => window.watched.drawn > 0);
+  const drawn = Date.now() - start;
+  await page.getByRole("status").filter({ hasText: /^Solved/ }).waitFor();
+  console.log(`on the canvas after ${shown} ms, the first geometry after ${drawn} ms, solved after ${Date.now() - start} ms`);
+  await page.waitForTimeout(3000);
+  await page.screenshot({ path: "test-results/book.png" });
+  const cdp = await page.context().newCDPSession(page);
+  await cdp.send("Performance.enable");
+  await frames(page, cdp, "all of it", 0);
+  for (const times of [6, 12]) {
+    await frames(page, cdp, `zoomed in ${times} times`, times);
+  }
+  await page.screenshot({ path: "test-results/book-near.png" });
+});
+
+/** Zooms by the wheel, then moves the canvas by the right button, as hands do; prints the cost of a frame. */
+async function frames(page: Page, cdp: CDPSession, what: string, zoom: number): Promise<void> {
+  const box = (await page.getByRole("group", { name: "Definition", exact: true }).boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  for (let k = 0; k < zoom; k++) {
+    await page.mouse.wheel(0, -120);
+    await page.waitForTimeout(50);
+  }
+  await page.waitForTimeout(1000);
+  const before = await metrics(cdp);
+  await page.mouse.down({ button: "right" });
+  const gaps: number[] = [];
+  for (let k = 0; k < 40; k++) {
+    const away = k < 20 ? k : 40 - k;
+    await page.mouse.move(x + away * 24, y + away * 12);
+    gaps.push(await page.evaluate(() => new Promise<number>((done) => requestAnimationFrame((now) => done(now)))));
+  }
+  await page.mouse.up({ button: "right" });
+  const after = await metrics(cdp);
+  const each = (name: string) => (((after[name]! - before[name]!) * 1000) / 40).toFixed(1);
+  const count = await page.evaluate(() => document.querySelectorAll(".react-flow__node").length);
+  console.log(`${what}: ${count} nodes, main thread ${each("TaskDuration")} ms a frame, script ${each("ScriptDuration")} ms`);
+}
+
+async function metrics(cdp: CDPSession): Promise<Record<string, number>> {
+  const { metrics } = await cdp.send("Performance.getMetrics");
+  return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
+}

@@ -1,0 +1,64 @@
+/** Notes in the page what came over the socket and when a picture was drawn, without touching the page's own code. */
+import type { Page } from "@playwright/test";
+
+import type {} from "../src/viewport/current";
+
+export interface Watched {
+  /** When the last input event arrived. */
+  input: number;
+  /** When the last solve was heard of, and how long it took on the server. */
+  solved: number;
+  took: number;
+  /** When the last geometry was named. */
+  previews: number;
+  count: number;
+  /** When the picture was drawn that came after it. */
+  drawn: number;
+}
+
+declare global {
+  interface Window {
+    watched: Watched;
+  }
+}
+
+export async function watch(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const watched = { input: 0, solved: 0, took: 0, previews: 0, count: 0, drawn: 0 };
+    window.watched = watched;
+    for (const kind of ["pointermove", "pointerdown", "keydown", "change"]) {
+      addEventListener(kind, (event) => (watched.input = event.timeStamp), { capture: true });
+    }
+    const Plain = window.WebSocket;
+    window.WebSocket = class extends Plain {
+      constructor(...of: ConstructorParameters<typeof WebSocket>) {
+        super(...of);
+        this.addEventListener("message", ({ data }: MessageEvent) => {
+          if (typeof data !== "string") return;
+          const start = data.slice(0, 40);
+          if (start.includes('"preview"')) {
+            watched.previews = performance.now();
+            watched.count += 1;
+            wait(window.__studio?.viewport?.stats()?.frames ?? 0);
+          } else if (start.includes('"results"') && /"finished":true/.test(data.slice(-200))) {
+            watched.solved = performance.now();
+            watched.took = Number(/"milliseconds":([\d.e-]+)\}?$/.exec(data)?.[1] ?? 0);
+          }
+        });
+      }
+    };
+    function wait(before: number): void {
+      const look = () => {
+        if ((window.__studio?.viewport?.stats()?.frames ?? 0) > before) watched.drawn = performance.now();
+        else requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    }
+  });
+}
+
+/** The value below which so large a part of them lies. */
+export function share(list: readonly number[], part: number): number {
+  const sorted = [...list].sort((a, b) => a - b);
+  return sorted[Math.round((sorted.length - 1) * part)] ?? Number.NaN;
+}
