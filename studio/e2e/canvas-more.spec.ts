@@ -1,6 +1,8 @@
-import { expect, test, type Page } from "@playwright/test";
+import type { Page } from "@playwright/test";
 
+import { isAccessible } from "./access";
 import { centre, drag, ground, newest, ids, openCanvas, place, spot } from "./canvas";
+import { expect, test } from "./test";
 
 /** The page without a server knows few components, and no help. */
 const alone = Boolean(process.env.CANVAS_PAGE);
@@ -45,6 +47,7 @@ test("the ring on an object selects it and acts on it, by keyboard too", async (
   await expect(ring(page)).toHaveCount(0);
   await page.keyboard.press("Shift+Space");
   await expect(ring(page)).toBeFocused();
+  await isAccessible(page);
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
@@ -57,6 +60,7 @@ test("handles around a selection line it up", async ({ page }) => {
   await ground(page).press("Control+a");
   const handle = page.getByRole("button", { name: "Align left" });
   await expect(handle).toBeVisible();
+  await isAccessible(page);
   await handle.click();
   await expect.poll(async () => Math.round(((await one.boundingBox())?.x ?? 0) - ((await two.boundingBox())?.x ?? 1))).toBe(0);
   await page.mouse.click(...at(await spot(page, [480, 420])));
@@ -74,6 +78,7 @@ test("the zoom box zooms by percents and fits; views of the canvas are kept and 
   await dialog.getByRole("textbox").fill("Near the sum");
   await dialog.getByRole("button", { name: "Keep as a view" }).click();
   await expect(dialog.getByRole("button", { name: "Go to Near the sum" })).toBeVisible();
+  await isAccessible(page);
   await page.keyboard.press("Escape");
   await zoom(page).click();
   await page.getByRole("menuitemcheckbox", { name: "50 %", exact: true }).click();
@@ -96,6 +101,7 @@ test("F1 helps with the selected component", async ({ page }) => {
   await page.keyboard.press("F1");
   const dialog = page.getByRole("dialog", { name: "Addition" });
   await expect(dialog.getByRole("table", { name: "Inputs" })).toContainText("A");
+  await isAccessible(page);
   await page.keyboard.press("Escape");
   await expect(dialog).toHaveCount(0);
 });
@@ -165,6 +171,7 @@ test("a colour is picked with its opacity, and all of it is one step for Undo", 
   await face.click();
   const field = page.getByRole("textbox", { name: "Colour", exact: true });
   await field.fill("#10203040");
+  await isAccessible(page);
   await page.getByRole("slider", { name: "Hue" }).focus();
   await page.keyboard.press("ArrowRight");
   await page.getByRole("button", { name: "OK", exact: true }).click();

@@ -43,7 +43,7 @@ const analyses = ANALYSES.filter((name) => name !== "none").map((analysis): Acti
   run: () => settingsStore.setState((now) => ({ analysis: now.analysis === analysis ? ("none" as Analysis) : analysis, range: undefined })),
 }));
 
-const toggle = (name: "comb" | "circle"): Action => ({
+const toggle = (name: "comb" | "circle" | "controls"): Action => ({
   ...base,
   id: `viewport.analysis.${name}`,
   label: `viewport.analysis.${name}`,
@@ -139,6 +139,14 @@ register(
   ...analyses,
   toggle("comb"),
   toggle("circle"),
+  toggle("controls"),
+  {
+    ...base,
+    id: "viewport.section",
+    label: "viewport.section.on",
+    isOn: () => settingsStore.getState().section.isOn,
+    run: () => settingsStore.setState(({ section }) => ({ section: { ...section, isOn: !section.isOn } })),
+  },
   { ...base, id: "viewport.save", label: "viewport.save", run: savePicture },
   step("turnLeft", "viewport.turnLeft", "ArrowLeft", orbit(1, 0)),
   step("turnRight", "viewport.turnRight", "ArrowRight", orbit(-1, 0)),

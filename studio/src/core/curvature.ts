@@ -4,7 +4,8 @@
  * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes" (3DPVT 2004): over each triangle
  * the second fundamental form is fitted to how the vertex normals change along the edges, then averaged at the vertices
  * with each one's share of the triangle. With the exact normals of a surface this is a second-order estimate; the sign
- * is positive where the surface bends away from its normal, as at the outside of a sphere.
+ * of the mean curvature is the kernel's: positive where the surface bends towards its normal, negative at the outside of a
+ * sphere.
  */
 
 type Numbers = Float32Array | Int8Array;
@@ -37,9 +38,15 @@ export function estimateCurvatures(
     const weight = forms[vertex * 4 + 3] || 1;
     const [e, f, g] = [0, 1, 2].map((part) => (forms[vertex * 4 + part] ?? 0) / weight) as Vec;
     gaussian[vertex] = e * g - f * f;
-    mean[vertex] = (e + g) / 2;
+    mean[vertex] = -(e + g) / 2;
   }
   return { gaussian, mean };
+}
+
+/** The greater or the lesser principal curvature, from their product and half their sum. */
+export function principal({ gaussian, mean }: Curvatures, which: "greater" | "lesser"): Float32Array {
+  const sign = which === "greater" ? 1 : -1;
+  return mean.map((half, at) => half + sign * Math.sqrt(Math.max(half * half - (gaussian[at] ?? 0), 0)));
 }
 
 /** Two unit vectors across each normal, six numbers a vertex. */

@@ -142,8 +142,9 @@ function readPieces(part: Fields, used: number): Piece[] {
     const piece = new Fields(entry, `a piece of ${part.name}`);
     const [output, index] = [piece.whole("output"), piece.whole("index")];
     const [start, count] = [piece.whole("start"), piece.whole("count")];
-    if (start + count > used) throw new PreviewError(`${piece.name} goes beyond its part`);
-    return { output, path: piece.text("path"), index, start, count };
+    const items = piece.isNull("items") ? 1 : piece.whole("items");
+    if (start + count * items > used) throw new PreviewError(`${piece.name} goes beyond its part`);
+    return { output, path: piece.text("path"), index, start, count, items };
   });
 }
 

@@ -6,6 +6,7 @@ import type { Edit } from "../core/protocol/Edit";
 import { createStore } from "zustand/vanilla";
 
 import { documentStore, takeDocument } from "./document";
+import { takeAnalysis } from "./analysis";
 import { takeRun } from "./run";
 import { takeGeometry, takePreview } from "./preview";
 
@@ -32,6 +33,7 @@ export function join(document: string, token: string): void {
       takeDocument(event);
       takeRun(event);
       takePreview(event);
+      takeAnalysis(event);
     },
     geometry: takeGeometry,
     state: (state) => lineStore.setState({ state }),

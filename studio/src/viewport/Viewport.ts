@@ -2,18 +2,19 @@
 
 import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 
-import { centre, radius } from "../core/bounds";
+import { centre, radius, union } from "../core/bounds";
 import type { Bounds, Preview, Rgba } from "../core/preview";
 import { rectangle } from "../core/screen";
+import { placeOf } from "../core/section";
 import { FalseColours } from "./analysis";
 import { isSoftware } from "./graphics";
 import { Panes, type PlacedPane } from "./panes";
-import { lookOf, type ObjectState } from "./scene/looks";
+import { lookOf, toolLook, type ObjectState } from "./scene/looks";
 import { Model } from "./scene/model";
 import { Painter } from "./scene/painter";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
 import { readTheme, type Theme } from "./theme";
-import { TOOL, showCircle, showComb } from "./tools/curveAnalysis";
+import { isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
 import { TextLayer } from "./overlay/texts";
@@ -36,9 +37,6 @@ export interface Options {
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 200_000;
 const REST = 350;
-/** Comb and circle: of their own colour, which no theme changes. */
-const COMB_COLOUR: Rgba = [196, 92, 16, 255];
-const CIRCLE_COLOUR: Rgba = [112, 60, 190, 255];
 
 export class Viewport {
   readonly canvas: HTMLCanvasElement;
@@ -103,17 +101,19 @@ export class Viewport {
   }
 
   clear(): void {
-    this.model.clear();
+    this.clearWhere((id) => !isTool(id));
     this.#isFitted = false;
+  }
+
+  clearWhere(isMeant: (object: string) => boolean): void {
+    for (const id of [...this.model.objects.keys()]) if (isMeant(id)) this.model.drop(id);
     this.#refresh();
   }
 
   surround(around: Surroundings): void {
-    const combChanges = around.selection !== this.#around.selection;
     this.#around = around;
     this.#areLooksStale = true;
     this.invalidate();
-    if (combChanges) this.#showComb();
   }
 
   /** Takes up other colours of the page. */
@@ -140,14 +140,7 @@ export class Viewport {
     const { left, top, ...placed } = this.panes.at(x, y);
     this.#settle();
     const box = rectangle(x - left, y - top, u - left, v - top);
-    return inWindow(this.model, this.#view({ left, top, ...placed }), box, u < x).filter((id) => !id.startsWith(TOOL));
-  }
-
-  pointAt(pick: Pick | undefined): void {
-    if (this.#settings.circle) {
-      showCircle(this.model, pick, CIRCLE_COLOUR);
-      this.invalidate();
-    }
+    return inWindow(this.model, this.#view({ left, top, ...placed }), box, u < x).filter((id) => !isTool(id));
   }
 
   zoomExtents(isStill: boolean): void {
@@ -159,9 +152,14 @@ export class Viewport {
     this.panes.fit(this.#boxes(this.#around.selection), [this.panes.active], isStill);
   }
 
+  /** The box around what the document shows. */
+  documentBounds(): Bounds | null {
+    return this.#boxes().reduce<Bounds | null>(union, null);
+  }
+
   /** The boxes of the objects that are shown, or of some of them. */
   #boxes(only?: ReadonlySet<string>): Bounds[] {
-    const objects = [...this.model.objects.values()].filter(({ id }) => !only || only.has(id));
+    const objects = [...this.model.objects.values()].filter(({ id }) => !isTool(id) && (!only || only.has(id)));
     return objects.flatMap(({ bounds, id }) => (bounds && !this.#around.isHidden(id) ? [bounds] : []));
   }
 
@@ -274,21 +272,12 @@ export class Viewport {
       this.panes.layout = settings.layout;
       if (settings.layout === "four") this.panes.fit(this.#boxes(), this.panes.all().filter((pane) => pane !== this.panes.active), true);
     }
-    if (settings.comb !== before.comb || settings.combScale !== before.combScale) this.#showComb();
-    if (!settings.circle && before.circle) showCircle(this.model, undefined, CIRCLE_COLOUR);
-    this.invalidate();
-  }
-
-  #showComb(): void {
-    const selection = this.#settings.comb ? this.#around.selection : new Set<string>();
-    showComb(this.model, selection, this.#settings.combScale, COMB_COLOUR);
     this.invalidate();
   }
 
   #refresh(): void {
     this.#areLooksStale = true;
     this.#areColoursStale = true;
-    if (this.#settings.comb) this.#showComb();
     this.invalidate();
   }
 
@@ -323,6 +312,8 @@ export class Viewport {
     if (this.#areLooksStale) this.#look();
     if (this.#areColoursStale) this.#colour();
     this.model.settle();
+    const { isOn, normal, at } = this.#settings.section;
+    this.model.section = isOn ? { normal, at: placeOf(at, normal, this.documentBounds()) } : undefined;
     if (!this.#isFitted && this.model.bounds) {
       this.#isFitted = true;
       this.panes.fit(this.#boxes(), this.panes.all(), true);
@@ -335,7 +326,10 @@ export class Viewport {
     const { ink, plaster, ground } = this.#theme;
     const palette = { normal, selected, ink, plaster, background: ground };
     for (const { id, parts } of this.model.objects.values()) {
-      if (id.startsWith(TOOL)) continue;
+      if (isTool(id)) {
+        for (const entry of parts) this.model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
+        continue;
+      }
       const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(id) };
       for (const entry of parts) {
         const look = lookOf(entry.part.kind, entry.part.colour, state, this.#settings.mode, palette, this.#settings.shown);

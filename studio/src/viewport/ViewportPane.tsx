@@ -7,7 +7,9 @@ import { documentStore } from "../state/document";
 import { openViewport } from "./pane/open";
 import type { Options } from "./Viewport";
 import { viewportStore } from "./settings";
+import { CombLegend } from "./toolbar/CombLegend";
 import { Legend } from "./toolbar/Legend";
+import { PlaceList } from "./toolbar/PlaceList";
 import { Toolbar } from "./toolbar/Toolbar";
 import "./viewport.css";
 
@@ -31,6 +33,10 @@ export function ViewportPane({ options }: { options?: Options }) {
         <div className="viewport-host" ref={host} hidden={!hasGraphics} />
         {!hasGraphics && <p className="viewport-notice">{t("viewport.noGraphics")}</p>}
         <Legend />
+        <div className="viewport-notes">
+          <CombLegend />
+          <PlaceList />
+        </div>
         <Pointed />
         <Notice />
       </div>

@@ -1,6 +1,6 @@
 /** False colours: the numbers at the positions of every surface, and the range they are coloured over. */
 
-import { estimateCurvatures, type Curvatures } from "../core/curvature";
+import { estimateCurvatures, principal, type Curvatures } from "../core/curvature";
 import { usefulRange } from "../core/falseColour";
 import type { PreviewPart } from "../core/preview";
 import type { Model } from "./scene/model";
@@ -18,6 +18,7 @@ const LARGE = 10_000;
 
 export class FalseColours {
   #known = new WeakMap<PreviewPart, Curvatures | "on its way">();
+  #principals = new WeakMap<PreviewPart, { greater?: Float32Array; lesser?: Float32Array }>();
   #waiting = new Map<number, PreviewPart>();
   #worker: Worker | undefined;
   #next = 0;
@@ -52,11 +53,19 @@ export class FalseColours {
   }
 
   #numbers(part: PreviewPart, analysis: Analysis): { values: Float32Array; exact: boolean } | undefined {
-    if (analysis !== "gaussian" && analysis !== "mean") return undefined;
-    const own = analysis === "gaussian" ? part.values : part.mean;
-    if (own) return { values: own, exact: true };
-    const known = this.#known.get(part) ?? this.#estimate(part);
-    return known && known !== "on its way" ? { values: known[analysis], exact: false } : undefined;
+    if (analysis === "none" || analysis === "zebra") return undefined;
+    const { values: gaussian, mean } = part;
+    const exact = gaussian !== null && mean !== null;
+    const known = exact ? { gaussian, mean } : (this.#known.get(part) ?? this.#estimate(part));
+    if (!known || known === "on its way") return undefined;
+    return { values: analysis === "gaussian" || analysis === "mean" ? known[analysis] : this.#principal(part, known, analysis), exact };
+  }
+
+  #principal(part: PreviewPart, curvatures: Curvatures, which: "greater" | "lesser"): Float32Array {
+    const own = this.#principals.get(part) ?? {};
+    const found = own[which] ?? principal(curvatures, which);
+    this.#principals.set(part, { ...own, [which]: found });
+    return found;
   }
 
   #estimate(part: PreviewPart): Curvatures | undefined {

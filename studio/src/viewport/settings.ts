@@ -2,15 +2,26 @@
 
 import { createStore } from "zustand/vanilla";
 
+import type { Point3 } from "../core/preview";
 import type { Projection } from "./camera";
 import { DISPLAY_MODES, type DisplayMode, type Layers } from "./scene/looks";
 import type { Layout, ViewName } from "./views";
 
-export type Analysis = "none" | "gaussian" | "mean" | "zebra";
-export const ANALYSES: readonly Analysis[] = ["none", "gaussian", "mean", "zebra"];
+/** The colours of surfaces: Gaussian and mean curvature, the greater and the lesser of the principal ones, stripes. */
+export type Analysis = "none" | "gaussian" | "mean" | "greater" | "lesser" | "zebra";
+export const ANALYSES: readonly Analysis[] = ["none", "gaussian", "mean", "greater", "lesser", "zebra"];
 
 export interface Shown extends Layers {
   grid: boolean;
+}
+
+/** A plane that cuts the view: what lies before it, along its normal, is not drawn. */
+export interface Section {
+  isOn: boolean;
+  /** A unit vector. */
+  normal: Point3;
+  /** How far along the normal the plane is from the origin; undefined until it is put somewhere: through the middle. */
+  at: number | undefined;
 }
 
 export interface ViewportSettings {
@@ -23,10 +34,26 @@ export interface ViewportSettings {
   stripes: number;
   /** Zebra stripes that stand upright. */
   across: boolean;
+  /** Whether all that is shown is looked at, or what is selected. */
+  ofAll: boolean;
   comb: boolean;
-  /** How long the comb's longest tooth is, in hundredths of the model's size. */
+  /** How long the comb's longest tooth is about, in hundredths of the size of what is looked at. */
   combScale: number;
+  /** Teeth in each span. */
+  combTeeth: number;
+  /** Whether isocurves of surfaces have combs. */
+  combSurfaces: boolean;
+  /** The osculating circle under the pointer. */
   circle: boolean;
+  /** So many circles along each curve. */
+  circles: number;
+  /** Control polygons and nets. */
+  controls: boolean;
+  /** So many isocurves between two knots. */
+  isocurves: number;
+  /** Isocurves along u in red and along v in green. */
+  directions: boolean;
+  section: Section;
   trackpad: boolean;
   snap: boolean;
 }
@@ -54,9 +81,17 @@ const USUAL: ViewportSettings = {
   range: undefined,
   stripes: 6,
   across: false,
+  ofAll: false,
   comb: false,
   combScale: 20,
+  combTeeth: 12,
+  combSurfaces: false,
   circle: false,
+  circles: 0,
+  controls: false,
+  isocurves: 0,
+  directions: false,
+  section: { isOn: false, normal: [0, 1, 0], at: undefined },
   trackpad: false,
   snap: true,
 };

@@ -1,16 +1,16 @@
 import { describe, expect, it } from "vitest";
 
-import { circleThrough, combOf, runsOf } from "../../src/core/comb";
-import { estimateCurvatures } from "../../src/core/curvature";
+import { circlePoints } from "../../src/core/circle";
+import { estimateCurvatures, principal } from "../../src/core/curvature";
 import type { Point3 } from "../../src/core/preview";
 import { sphere, surface, torus } from "./shapes";
 
 describe("curvatures of meshes", () => {
-  it("of a sphere are 1/r² and 1/r", () => {
+  it("of a sphere are 1/r² and, seen from outside, −1/r", () => {
     const { positions, normals, indices } = sphere(5, 48, 24);
     const { gaussian, mean } = estimateCurvatures(positions, normals, indices);
     for (const value of gaussian) expect(value).toBeCloseTo(1 / 25, 3);
-    for (const value of mean) expect(value).toBeCloseTo(1 / 5, 3);
+    for (const value of mean) expect(value).toBeCloseTo(-1 / 5, 3);
   });
 
   it("of a torus are the closed forms", () => {
@@ -22,7 +22,10 @@ describe("curvatures of meshes", () => {
       const around = cosine / (major + minor * cosine);
       const vertex = row * (columns + 1) + 40;
       expect(gaussian[vertex]).toBeCloseTo(around / minor, 2.6);
-      expect(mean[vertex]).toBeCloseTo((around + 1 / minor) / 2, 2.6);
+      expect(mean[vertex]).toBeCloseTo(-(around + 1 / minor) / 2, 2.6);
+      const [greater, lesser] = [-around, -1 / minor];
+      expect(principal({ gaussian, mean }, "greater")[vertex]).toBeCloseTo(greater, 1.9);
+      expect(principal({ gaussian, mean }, "lesser")[vertex]).toBeCloseTo(lesser, 1.9);
     }
   });
 
@@ -52,38 +55,11 @@ describe("curvatures of meshes", () => {
   });
 });
 
-describe("how curves bend", () => {
-  const helix = (count: number): Point3[] =>
-    Array.from({ length: count + 1 }, (_, at) => {
-      const angle = (at / count) * 4 * Math.PI;
-      return [2 * Math.cos(angle), 2 * Math.sin(angle), angle];
-    });
-
-  it("a circle through three points is the circle, however they are spaced", () => {
-    const on = (angle: number): Point3 => [3 + 2 * Math.cos(angle), 4 + 2 * Math.sin(angle), 7];
-    const circle = circleThrough(on(0), on(0.1), on(1.9));
-    expect(circle?.radius).toBeCloseTo(2, 10);
-    circle?.centre.forEach((value, axis) => expect(value).toBeCloseTo([3, 4, 7][axis] ?? 0, 10));
-  });
-
-  it("a comb of a helix is as long as its curvature a/(a²+b²) and points away from the axis", () => {
-    const { teeth } = combOf(helix(400), 5);
-    const [foot, tip] = teeth[200] as [Point3, Point3];
-    expect(Math.hypot(tip[0] - foot[0], tip[1] - foot[1], tip[2] - foot[2])).toBeCloseTo((5 * 2) / 5, 3);
-    expect(Math.hypot(tip[0], tip[1])).toBeGreaterThan(Math.hypot(foot[0], foot[1]));
-  });
-
-  it("a line has no circle, and a comb without length", () => {
-    expect(circleThrough([0, 0, 0], [1, 1, 1], [2, 2, 2])).toBeUndefined();
-    expect(circleThrough([0, 0, 0], [0, 0, 0], [0, 0, 0])).toBeUndefined();
-    const { teeth } = combOf([[0, 0, 0], [1, 0, 0], [2, 0, 0]], 10);
-    expect(teeth).toEqual([[[1, 0, 0], [1, 0, 0]]]);
-  });
-
-  it("segments that follow each other are one run", () => {
-    const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 1, 0, 0, 2, 0, 0, 5, 5, 5, 6, 6, 6]);
-    expect(runsOf(positions, null).map((run) => run.length)).toEqual([3, 2]);
-    const shared = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0]);
-    expect(runsOf(shared, Uint16Array.from([0, 1, 1, 2])).map((run) => run.length)).toEqual([3]);
+describe("circles", () => {
+  it("go once around their centre, from where they touch", () => {
+    const points = circlePoints({ centre: [3, 4, 7], radius: 2, x: [0, 1, 0], y: [0, 0, 1] }, 60);
+    expect(points[0]).toEqual([3, 6, 7]);
+    for (const point of points) expect(Math.hypot(point[0] - 3, point[1] - 4, point[2] - 7)).toBeCloseTo(2, 12);
+    points.at(-1)?.forEach((value: number, axis: number) => expect(value).toBeCloseTo((points[0] as Point3)[axis] ?? 0, 12));
   });
 });

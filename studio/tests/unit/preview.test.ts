@@ -41,7 +41,7 @@ describe("a preview", () => {
     expect([...(part?.positions ?? [])]).toEqual([0, 0, 0, 1, 0, 0, 0, 2, 0]);
     expect([...(part?.normals ?? [])]).toEqual([0, 0, 127, 0, 0, 127, 0, 0, 127]);
     expect([...(part?.indices ?? [])]).toEqual([0, 1, 2]);
-    expect(part?.pieces).toEqual([{ output: 0, path: "{0}", index: 0, start: 0, count: 3 }]);
+    expect(part?.pieces).toEqual([{ output: 0, path: "{0}", index: 0, start: 0, count: 3, items: 1 }]);
     expect(part?.positions.buffer).toBe(bytes.buffer);
   });
 
@@ -118,7 +118,7 @@ describe("what is refused", () => {
     ["values of another count", { values: { type: "f32", offset: 0, count: 2 } }],
     ["colours of another count", { colours: { type: "u8", offset: 0, count: 9 } }],
     ["indices beyond the positions", { indices: { type: "u32", offset: 0, count: 9 } }],
-    ["a piece beyond the part", { pieces: [{ output: 0, path: "{0}", index: 0, start: 1, count: 3 }] }],
+    ["a piece beyond the part", { pieces: [{ output: 0, path: "{0}", index: 0, start: 1, count: 3, items: 1 }] }],
     ["a piece that is no object", { pieces: [7] }],
     ["a colour beyond 255", { colour: [0, 0, 0, 256] }],
     ["a width below nothing", { width: -1 }],

@@ -12,7 +12,8 @@ import { merge, segmentSlots, segmentsOf, type Member } from "../../src/viewport
 import { readSettings } from "../../src/viewport/settings";
 import { parseColour } from "../../src/viewport/theme";
 import { pieceAt } from "../../src/viewport/tools/picking";
-import { dragged, keepsPoints, pointsOf } from "../../src/viewport/tools/pointHandles";
+import { keepsPoints, pointsOf } from "../../src/viewport/tools/pointHandles";
+import { dragged, draggedAlong } from "../../src/viewport/tools/rays";
 import { poseOf, type ViewName } from "../../src/viewport/views";
 
 const part = (change: Partial<PreviewPart>): PreviewPart => ({
@@ -142,6 +143,9 @@ describe("pieces", () => {
     expect([0, 3, 8, 11, 12].map((at) => pieceAt(ordered, at)?.index)).toEqual([0, 1, 1, 2, undefined]);
     const mixed = part({ pieces: [piece(9, 3, 2), piece(0, 3, 0), piece(3, 6, 1)] });
     expect([0, 8, 11].map((at) => pieceAt(mixed, at)?.index)).toEqual([0, 1, 2]);
+    const several = part({ pieces: [{ ...piece(0, 3, 5), items: 4 }, piece(12, 6, 9)] });
+    expect([0, 2, 3, 11, 12].map((at) => pieceAt(several, at)?.index)).toEqual([5, 5, 6, 8, 9]);
+    expect(pieceAt(several, 7)).toMatchObject({ start: 6, count: 3, index: 7 });
   });
 });
 
@@ -165,6 +169,16 @@ describe("points that are dragged", () => {
     const at = dragged(placed(view), from, ...seen(view, to), upright);
     at?.forEach((value, axis) => expect(value).toBeCloseTo(to[axis] ?? 0, 5));
     expect(at).toBeDefined();
+  });
+
+  it("go along one axis alone when they are held to it", () => {
+    for (const [view, axis, to] of [["perspective", 0, [9, 5, 3]], ["perspective", 2, [4, 5, -2]], ["front", 2, [4, 5, 8]]] as const) {
+      const along = [0, 1, 2].map((each) => (each === axis ? 1 : 0)) as unknown as Point3;
+      const at = draggedAlong(placed(view), [4, 5, 3], along, ...seen(view, [...to]));
+      at?.forEach((value, each) => expect(value).toBeCloseTo(to[each] ?? 0, 5));
+      expect(at).toBeDefined();
+    }
+    expect(draggedAlong(placed("top"), [0, 0, 0], [0, 0, 1], 300, 200)).toBeUndefined();
   });
 
   it("stay where they are when the plane is seen along itself", () => {

@@ -41,9 +41,9 @@ test.describe("fingers", () => {
 
 test.describe("points of a Point parameter", () => {
   /** A session that keeps two points, and what was asked of it. */
-  async function open(page: Page): Promise<Request[]> {
+  async function open(page: Page, points = ["{0, 0, 0}", "{2, 3, 1}"]): Promise<Request[]> {
     const asked: Request[] = [];
-    let text = ["{0, 0, 0}", "{2, 3, 1}"];
+    let text = points;
     await page.routeWebSocket(/\/socket/, (socket) => {
       socket.onMessage((data) => {
         const request = JSON.parse(String(data)) as Request;
@@ -90,7 +90,22 @@ test.describe("points of a Point parameter", () => {
     const edits = kept(asked);
     expect(edits.at(-1)?.values).toBe("{0}\n{0, 0, 0}\n{5, -1, 1}");
     expect(new Set(edits.map(({ gesture }) => gesture)).size).toBe(1);
+    expect(asked.some(({ ask }) => ask.ask === "rows" && ask.exact)).toBe(true);
     expect(asked.filter(({ ask }) => ask.ask === "draft").map(({ ask }) => ask.ask === "draft" && ask.on)).toEqual([true, false]);
+  });
+
+  test("keep all digits of what is not moved, and go along one axis when they are held to it", async ({ page }) => {
+    const asked = await open(page, ["{0, 0, 0}", "{2, 3, 1.0000000000000002}"]);
+    const from = await place(page, [2, 3, 1]);
+    const to = await place(page, [6, 5, 1]);
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(from[0] + 5, from[1], { steps: 2 });
+    await page.keyboard.press("x");
+    await page.mouse.move(...to, { steps: 3 });
+    await expect(page.locator(".viewport-readout")).toContainText(/^x · /);
+    await page.mouse.up();
+    await expect.poll(() => kept(asked).at(-1)?.values?.split("\n")[2]).toMatch(/^\{[4-8](\.\d)?, 3, 1\.0000000000000002\}$/);
   });
 
   test("go back with Escape, and are moved with the keyboard alone", async ({ page }) => {

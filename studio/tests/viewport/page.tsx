@@ -7,6 +7,7 @@ import "../../src/app/tokens.css";
 import "../../src/app/app.css";
 import { followKeys } from "../../src/actions/keys";
 import { documentStore } from "../../src/state/document";
+import { takeAnalysis } from "../../src/state/analysis";
 import { takeGeometry, takePreview } from "../../src/state/preview";
 import { join } from "../../src/state/session";
 import { select, uiStore } from "../../src/state/ui";
@@ -31,7 +32,7 @@ function feed(...previews: TestPreview[]): void {
   takePreview({ event: "preview", solution, draft: false, objects });
 }
 
-const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, writeFrame, writePreview, million, floor, timePick, join, show: (_on: boolean) => {} };
+const test = { feed, scenes, select, uiStore, settingsStore, documentStore, takeGeometry, takePreview, takeAnalysis, writeFrame, writePreview, million, floor, timePick, join, show: (_on: boolean) => {} };
 declare global {
   interface Window {
     test: typeof test;

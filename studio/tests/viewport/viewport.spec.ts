@@ -285,15 +285,32 @@ test.describe("ways to look", () => {
     await expect(legend.getByLabel("Least value")).toHaveValue(/-0\.04/);
   });
 
-  test("a comb and a circle stand on the curves that are asked for", async ({ page }) => {
-    await open(page, "scene=everything&bare");
-    const before = await stats(page);
-    await page.evaluate(() => window.test.select(["helix"]));
-    await set(page, { comb: true });
-    await expect.poll(async () => (await stats(page)).segments).toBeGreaterThan(before.segments + 400);
-    await set(page, { comb: false, circle: true });
-    await page.mouse.move(...at(await place(page, [12 + 2.5, 9, 0])));
-    await expect.poll(async () => (await stats(page)).objects).toBe(before.objects + 1);
+  test("what is cut away is neither seen nor picked, and the plane is moved by hand and by keys", async ({ page }) => {
+    await open(page, "scene=box&bare");
+    await page.mouse.click(...at(await place(page, [-3, -5, 2])));
+    expect(await selection(page)).toEqual(["box"]);
+    await page.evaluate(() => window.test.select([]));
+    const front = await place(page, [-3, -5, 2]);
+    await page.mouse.move(5, 500);
+    await expect.poll(async () => isRed(await pixel(page, ...front))).toBe(true);
+    await set(page, { section: { isOn: true, normal: [0, 0, 1], at: -6 }, shown: { grid: false, edges: true, isocurves: true, points: true, controlPoints: true, texts: true } });
+    expect(isRed(await pixel(page, ...front))).toBe(false);
+    await page.mouse.click(...at(front));
+    expect(await selection(page)).toEqual([]);
+    const handle = page.getByRole("button", { name: "Section plane, -6 from the origin" });
+    await handle.focus();
+    await page.keyboard.press("ArrowUp");
+    const before = await page.evaluate(() => window.test.settingsStore.getState().section.at!);
+    expect(before).toBeGreaterThan(-6);
+    await expect(page.getByRole("button", { name: `Section plane, ${before} from the origin` })).toBeVisible();
+    const box = (await page.locator(".viewport-section-handle").boundingBox())!;
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 - 80, { steps: 4 });
+    await page.mouse.up();
+    expect(await page.evaluate(() => window.test.settingsStore.getState().section.at!)).toBeGreaterThan(before + 1);
+    await set(page, { section: { isOn: false, normal: [0, 0, 1], at: undefined } });
+    expect(isRed(await pixel(page, ...front))).toBe(true);
   });
 
   test("texts stand where they belong, and scripts in them are text", async ({ page }) => {

@@ -32,6 +32,7 @@ mod trim;
 mod validity;
 mod vertex;
 
+pub(crate) use build::with_ends;
 pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;
 pub use face::Face;

@@ -3,17 +3,21 @@
 //! Every function gives sound breps ([`Brep::is_valid`](crate::Brep::is_valid)) or says why not. Lines, arcs and
 //! other conics stay exact wherever the construction allows it.
 
+mod edge_surface;
 mod extrude;
 mod loft;
 mod primitives;
 mod revolve;
+mod sweep;
 
+pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{
     extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
 };
 pub use loft::{LoftOptions, LoftStyle, loft, ruled};
 pub use primitives::{box_brep, cone, cylinder, plane_surface, quad_sphere, sphere, torus};
 pub use revolve::{rail_revolve, revolve};
+pub use sweep::{Miter, PipeCap, SweepFrame, SweepOptions, pipe, pipe_variable, sweep_one, sweep_two};
 
 use crate::{Curve, Error, Result, Tolerance};
 

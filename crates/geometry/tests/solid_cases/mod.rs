@@ -4,7 +4,7 @@
 
 pub mod random;
 
-use katydid_geometry::construct::{self, LoftOptions, LoftStyle};
+use katydid_geometry::construct::{self, LoftOptions, LoftStyle, Miter, PipeCap, SweepFrame, SweepOptions};
 use katydid_geometry::{
     Box3, Brep, Cone, Curve, Cylinder, Error, Interval, Line, Plane, Point3, Result, Sphere, Tolerance,
     Torus, Vector3,
@@ -118,6 +118,74 @@ pub fn cases() -> Vec<Case> {
             let profile = if r.one_in(2) { on_axis(r, &axis)? } else { curve(r)? };
             one(construct::rail_revolve(&profile, &rail, axis, r.one_in(2), &TOLERANCE))
         }),
+        ("edge surface", |r| {
+            let (a, b, c, d) = (r.point(4.0), r.point(4.0), r.point(4.0), r.point(4.0));
+            let side = |r: &mut Random, p: Point3, q: Point3| -> Result<Curve> {
+                let side: Curve = match r.below(4) {
+                    0 => katydid_geometry::Arc::through(p, r.point(4.0), q)?.into(),
+                    1 => katydid_geometry::NurbsCurve::bezier(&[p, r.point(4.0), r.point(4.0), q])?.into(),
+                    2 => katydid_geometry::PolylineCurve::new(vec![p, r.point(4.0), q])?.into(),
+                    _ => Line::new(p, q).into(),
+                };
+                Ok(if r.one_in(2) { side.reversed() } else { side })
+            };
+            let sides = match r.below(4) {
+                0 => vec![side(r, a, b)?, side(r, d, c)?],
+                1 => vec![side(r, a, b)?, side(r, b, c)?, side(r, c, a)?],
+                2 => vec![side(r, a, b)?, side(r, c, d)?, side(r, b, c)?, side(r, d, a)?],
+                _ => vec![side(r, a, b)?, side(r, b, c)?, side(r, c, d)?, side(r, d, a)?],
+            };
+            one(construct::edge_surface(&sides, &TOLERANCE))
+        }),
+        ("four point surface", |r| {
+            let d = r.one_in(2).then(|| r.point(3.0));
+            one(construct::four_point_surface(r.point(3.0), r.point(3.0), r.point(3.0), d))
+        }),
+        ("sweep one", |r| {
+            let rail = rail(r)?;
+            let mut sections = Vec::new();
+            for _ in 0..1 + r.below(3) {
+                let t = rail.domain().at(r.between(0.0, 1.0));
+                let frame = rail.perpendicular_frame_at(t).unwrap_or(Plane::XY);
+                let small = if r.one_in(2) { closed(r, &frame)? } else { open(r)? };
+                let scaled = small.transformed(&katydid_geometry::Xform::scale(frame.origin, 0.1))?;
+                sections.push(scaled);
+            }
+            let frame = if r.one_in(3) { SweepFrame::Roadlike(Vector3::Z) } else { SweepFrame::Freeform };
+            let miter = [Miter::None, Miter::Trim, Miter::Rotate][r.below(3)];
+            construct::sweep_one(&rail, &sections, &SweepOptions { frame, miter }, &TOLERANCE)
+        }),
+        ("sweep two", |r| {
+            let first = rail(r)?;
+            let second = match r.below(3) {
+                0 => rail(r)?,
+                _ => first.transformed(&katydid_geometry::Xform::translation(r.vector(2.0)))?,
+            };
+            let mut sections = Vec::new();
+            for _ in 0..1 + r.below(3) {
+                let x = if r.one_in(4) { 0.0 } else { r.between(0.0, 1.0) };
+                let (p, q) = (first.point_at(first.domain().at(x)), second.point_at(second.domain().at(x)));
+                let section: Curve = match r.below(3) {
+                    0 => katydid_geometry::Arc::through(p, p.lerp(q, 0.5) + r.vector(1.0), q)?.into(),
+                    1 => katydid_geometry::NurbsCurve::bezier(&[p, r.point(4.0), q])?.into(),
+                    _ => Line::new(p, q).into(),
+                };
+                sections.push(if r.one_in(3) { section.reversed() } else { section });
+            }
+            construct::sweep_two([&first, &second], &sections, r.one_in(2), &TOLERANCE)
+        }),
+        ("pipe", |r| {
+            let rail = rail(r)?;
+            let cap = [PipeCap::None, PipeCap::Flat, PipeCap::Round][r.below(3)];
+            let radius = if r.one_in(12) { r.size() } else { r.between(0.01, 0.4) };
+            if r.one_in(3) {
+                let radii: Vec<(f64, f64)> = (0..1 + r.below(4))
+                    .map(|_| (rail.domain().at(r.between(0.0, 1.0)), r.between(0.05, 0.4)))
+                    .collect();
+                return one(construct::pipe_variable(&rail, &radii, cap, &TOLERANCE));
+            }
+            one(construct::pipe(&rail, radius, cap, &TOLERANCE))
+        }),
         ("cap", |r| {
             let plane = r.plane(9.0);
             let tube = construct::extrude(&closed(r, &plane)?, r.vector(5.0), false, &TOLERANCE)?;
@@ -138,6 +206,37 @@ pub fn cases() -> Vec<Case> {
             Ok(Brep::join(&faces, &TOLERANCE)?.breps)
         }),
     ]
+}
+
+/// A rail as designers draw them, now and then a wild one.
+fn rail(random: &mut Random) -> Result<Curve> {
+    if random.one_in(5) {
+        return curve(random);
+    }
+    let plane = random.plane(5.0);
+    Ok(match random.below(5) {
+        0 => closed(random, &plane)?,
+        1 => {
+            let points = (0..3 + random.below(3))
+                .map(|k| Point3::new(2.0 * k as f64, random.between(-1.0, 1.0), random.between(-1.0, 1.0)));
+            katydid_geometry::PolylineCurve::new(points.collect())?.into()
+        }
+        2 => {
+            let points: Vec<Point3> = (0..3 + random.below(4))
+                .map(|k| Point3::new(2.0 * k as f64, random.between(-1.0, 1.0), random.between(-1.0, 1.0)))
+                .collect();
+            katydid_geometry::NurbsCurve::interpolate(
+                3,
+                &points,
+                katydid_geometry::KnotSpacing::Chord,
+                None,
+                None,
+            )?
+            .into()
+        }
+        3 => Line::new(random.point(5.0), random.point(5.0)).into(),
+        _ => katydid_geometry::Arc::through(random.point(5.0), random.point(5.0), random.point(5.0))?.into(),
+    })
 }
 
 /// A curve from one place of an axis to another.

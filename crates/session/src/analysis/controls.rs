@@ -73,7 +73,7 @@ fn corners(sheet: &mut Sheet, points: &[Point3], weights: &[f64], degree: Option
     for (k, (point, weight)) in points.iter().zip(weights).enumerate() {
         let mut text = if k == 0 { std::mem::take(&mut degree) } else { String::new() };
         if is_weighted(weight) {
-            let weight = katydid_data::text::number(*weight);
+            let weight = katydid_data::text::number((weight * 1e4).round() / 1e4);
             text = if text.is_empty() { format!("w = {weight}") } else { format!("{text}, w = {weight}") };
         }
         if !text.is_empty() {

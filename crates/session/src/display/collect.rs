@@ -28,6 +28,8 @@ pub(super) struct Collector {
     pub(super) is_draft: bool,
     fineness: Fineness,
     curves: Smoothness,
+    /// Whether curves are coarser than they will be.
+    has_coarse_curves: bool,
     /// Of all triangles, the share that may be drawn.
     keep: f64,
     /// The size of the largest surface, in model units.
@@ -37,10 +39,15 @@ pub(super) struct Collector {
 }
 
 impl Collector {
-    /// For the things of a scene, with `share` triangles at most.
-    pub(super) fn new(scene: &Scene, fineness: Fineness, share: usize) -> Self {
+    /// For the things of a scene, with `share` triangles at most; `all_curves` are shown, of this and other objects.
+    pub(super) fn new(scene: &Scene, fineness: Fineness, share: usize, all_curves: usize) -> Self {
         let things = scene.things.iter();
-        let curves = things.clone().filter(|thing| matches!(thing.form, Form::Curve(_))).count();
+        let curves = count::curves(scene);
+        let finest = Smoothness::for_curves(curves);
+        let curves = match fineness {
+            Fineness::Draft { .. } => Smoothness::dragged(curves, all_curves),
+            Fineness::Coarse | Fineness::Smooth => finest,
+        };
         let mut colours = HashSet::new();
         for thing in things.clone() {
             if colours.len() > MOST_COLOURS {
@@ -57,7 +64,8 @@ impl Collector {
             parts: Parts::new(colours.len() > MOST_COLOURS),
             is_draft: false,
             fineness,
-            curves: Smoothness::for_curves(curves),
+            has_coarse_curves: curves != finest,
+            curves,
             keep: (share as f64 / all as f64).min(1.0),
             largest: things.map(size).fold(0.0, f64::max),
             reduced: 0,
@@ -98,6 +106,7 @@ impl Collector {
             }
             Form::Lines(points) => self.parts.line(wide(PartKind::Curves), points, origin),
             Form::Curve(curve) => {
+                self.is_draft |= self.has_coarse_curves;
                 let points = self.curves.points(curve);
                 self.parts.line(wide(PartKind::Curves), &points, origin);
             }

@@ -27,6 +27,11 @@ pub(super) fn triangles(scene: &Scene) -> usize {
     scene.things.iter().map(|thing| of_form(&thing.form)).sum()
 }
 
+/// The curves of a scene.
+pub(super) fn curves(scene: &Scene) -> usize {
+    scene.things.iter().filter(|thing| matches!(thing.form, Form::Curve(_))).count()
+}
+
 /// Shares out a number of triangles: who needs less than an even share keeps all, the others share what is left.
 pub(super) fn shares(counts: &[usize], all: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..counts.len()).collect();

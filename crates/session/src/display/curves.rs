@@ -4,7 +4,7 @@ use katydid_geometry::{Curve, Point3, PolylineLimits};
 use katydid_scene::tessellated;
 
 /// How far the segments of a curve stray from it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Smoothness {
     /// As a part of the curve's size.
     distance: f64,
@@ -12,13 +12,23 @@ pub(crate) struct Smoothness {
     angle: f64,
 }
 
-/// With more curves than this, each is drawn with fewer segments.
+/// With more curves than this in one object, each is drawn with fewer segments.
 const MANY: usize = 2000;
+/// And with more than this in all, while something is dragged.
+const MANY_DRAGGED: usize = 60;
 
 impl Smoothness {
+    const FINE: Self = Self { distance: 2e-4, angle: 0.09 };
+    const COARSE: Self = Self { distance: 1e-3, angle: 0.26 };
+
     /// That of an object which shows so many curves.
     pub(crate) fn for_curves(count: usize) -> Self {
-        if count > MANY { Self { distance: 1e-3, angle: 0.26 } } else { Self { distance: 2e-4, angle: 0.09 } }
+        if count > MANY { Self::COARSE } else { Self::FINE }
+    }
+
+    /// That of an object which shows so many curves of `all` while something is dragged.
+    pub(crate) fn dragged(count: usize, all: usize) -> Self {
+        if all > MANY_DRAGGED { Self::COARSE } else { Self::for_curves(count) }
     }
 
     /// The points of a curve.

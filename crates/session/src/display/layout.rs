@@ -58,7 +58,7 @@ fn origin(bounds: &BoundingBox) -> Point3 {
 fn add(group: &Group, branches: &[Path], origin: Point3, arrays: &mut Arrays, parts: &mut Vec<Part>) {
     let positions = arrays.positions(&group.points, origin);
     let colours = (group.colours.len() == group.points.len()).then(|| arrays.colours(&group.colours));
-    let pieces = |stretches: &[Stretch]| stretches.iter().map(|stretch| piece(stretch, branches)).collect();
+    let pieces = |stretches: &[Stretch]| pieces(stretches, branches);
     let part = |kind| Part {
         kind,
         colour: group.colour,
@@ -104,15 +104,27 @@ fn add(group: &Group, branches: &[Path], origin: Point3, arrays: &mut Arrays, pa
     }
 }
 
-fn piece(stretch: &Stretch, branches: &[Path]) -> Piece {
-    let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    Piece {
-        output: stretch.origin.output,
-        path: branches.get(stretch.origin.branch as usize).map(ToString::to_string).unwrap_or_default(),
-        index: stretch.origin.index,
-        start: small(stretch.start),
-        count: small(stretch.count),
+/// Stretches of one branch that follow each other and take as much each are one piece: of many points, a piece each would
+/// be longer than the points.
+fn pieces(stretches: &[Stretch], branches: &[Path]) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut branch = None;
+    for Stretch { origin, start, count } in stretches {
+        let [start, count] = [*start, *count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+        if let Some(last) = pieces.last_mut()
+            && branch == Some(origin.branch)
+            && (last.output, last.count) == (origin.output, count)
+            && last.index.checked_add(last.items) == Some(origin.index)
+            && last.count.checked_mul(last.items).and_then(|n| n.checked_add(last.start)) == Some(start)
+        {
+            last.items += 1;
+            continue;
+        }
+        branch = Some(origin.branch);
+        let path = branches.get(origin.branch as usize).map(ToString::to_string).unwrap_or_default();
+        pieces.push(Piece { output: origin.output, path, index: origin.index, start, count, items: 1 });
     }
+    pieces
 }
 
 fn range(values: &[f32]) -> [f64; 2] {

@@ -102,10 +102,12 @@ pub fn encode(
         Fineness::Draft { triangles, .. } => count::shares(&counts, triangles),
         Fineness::Coarse | Fineness::Smooth => vec![count::MOST; counts.len()],
     };
+    let curves = scenes.iter().flatten().map(|(scene, _)| count::curves(scene)).sum();
     let jobs: Vec<_> = shown.iter().zip(scenes).zip(shares).collect();
     let previews = each(&jobs, |((one, scene), share)| {
         let (scene, left_out) = scene.as_ref().filter(|_| go_on())?;
-        Some(preview(one.object.id, scene, left_out, fineness, *share))
+        let collector = Collector::new(scene, fineness, *share, curves);
+        Some(preview(one.object.id, scene, left_out, collector))
     });
     previews.into_iter().flatten().collect()
 }
@@ -117,8 +119,7 @@ pub(crate) fn scene(shown: &Shown<'_>, rules: &Rules) -> (Scene, Vec<String>) {
     (painter.scene, left_out)
 }
 
-fn preview(object: Uuid, scene: &Scene, left_out: &[String], fineness: Fineness, share: usize) -> Preview {
-    let mut collector = Collector::new(scene, fineness, share);
+fn preview(object: Uuid, scene: &Scene, left_out: &[String], mut collector: Collector) -> Preview {
     scene.things.iter().for_each(|thing| collector.thing(thing));
     let mut left_out = left_out.to_vec();
     left_out.extend(collector.complaint());

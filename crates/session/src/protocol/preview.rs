@@ -96,7 +96,7 @@ pub enum PartKind {
     Texts,
 }
 
-/// A stretch of a part that is one item.
+/// A stretch of a part that is one item, or several in a row that take as much each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Piece {
@@ -104,12 +104,24 @@ pub struct Piece {
     pub output: u32,
     /// The path of the item's branch.
     pub path: String,
-    /// The index of the item in it.
+    /// The index of the (first) item in it.
     pub index: u32,
     /// The first index (or position, where there are no indices) that belongs to it.
     pub start: u32,
-    /// How many do.
+    /// How many do, of each item.
     pub count: u32,
+    /// How many items; 1 where nothing is said.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    #[cfg_attr(feature = "typescript", ts(optional, as = "Option<u32>"))]
+    pub items: u32,
+}
+
+fn one() -> u32 {
+    1
+}
+
+fn is_one(items: &u32) -> bool {
+    *items == 1
 }
 
 /// Where an array lies.

@@ -1,5 +1,6 @@
 /** A viewport on the page, joined to what the stores know and to the hands on it. */
 
+import { radius } from "../../core/bounds";
 import type { Rgba } from "../../core/preview";
 import type { DocumentView } from "../../core/protocol/DocumentView";
 import { t } from "../../i18n";
@@ -7,12 +8,15 @@ import { documentStore } from "../../state/document";
 import { lineStore } from "../../state/session";
 import { select, uiStore } from "../../state/ui";
 import { setCurrentViewport } from "../current";
-import { geometry } from "../geometry";
+import { analysisGeometry, geometry } from "../geometry";
 import { settingsStore, viewportStore } from "../settings";
 import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
-import { TOOL } from "../tools/curveAnalysis";
+import { besides } from "../tools/beside";
+import { Looker } from "../tools/looker";
+import { Probes } from "../tools/probes";
 import type { Pick } from "../tools/picking";
+import { SectionHandle } from "../tools/sectionHandle";
 import { Viewport, type Options, type Surroundings } from "../Viewport";
 import { viewOf } from "../views";
 import { PaneFrames } from "./frames";
@@ -20,6 +24,9 @@ import { PaneFrames } from "./frames";
 /** The colours of previews where no document says others: Grasshopper's. */
 const NORMAL: Rgba = [150, 0, 0, 100];
 const SELECTED: Rgba = [0, 150, 0, 100];
+
+/** What is drawn of the places that are looked at. */
+const PLACES = "tool:places";
 
 export function isStill(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -41,6 +48,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
       clear: () => viewport.clear(),
       failed: (object, reason) => complain(object, reason),
     }),
+    analysisGeometry.listen({ ...besides(viewport), failed: (object, reason) => complain(object, reason) }),
     uiStore.subscribe(() => viewport.surround(surroundings())),
     documentStore.subscribe(() => viewport.surround(surroundings())),
     followTheme(() => viewport.retheme()),
@@ -57,14 +65,24 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     },
   });
   const handles = new PointHandles(host, viewport);
+  const section = new SectionHandle(host, viewport);
+  const looker = new Looker();
+  const probes = new Probes({
+    show: (preview) => (preview ? viewport.put(PLACES, preview) : viewport.drop(PLACES)),
+    size: () => radius(viewport.documentBounds() ?? [[0, 0, 0], [1, 1, 1]]),
+  });
   viewport.afterDraw = (placed) => {
     frames.place(placed, viewport.panes.active);
     handles.place(placed);
+    section.place(placed);
   };
-  const controls = hands(viewport, host);
+  const controls = hands(viewport, host, probes);
   return () => {
     controls.dispose();
+    looker.dispose();
+    probes.dispose();
     handles.dispose();
+    section.dispose();
     frames.dispose();
     for (const stop of stops) stop();
     setCurrentViewport(undefined);
@@ -107,7 +125,7 @@ function followTheme(changed: () => void): () => void {
   };
 }
 
-function hands(viewport: Viewport, host: HTMLElement): PointerControls {
+function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerControls {
   const { panes } = viewport;
   const band = document.createElement("div");
   band.className = "viewport-window";
@@ -118,7 +136,7 @@ function hands(viewport: Viewport, host: HTMLElement): PointerControls {
   const hover = () => {
     request = 0;
     const pick = waiting && !controls.isBusy() ? viewport.pickAt(...waiting) : undefined;
-    pointAt(viewport, pick, waiting);
+    pointAt(probes, pick, waiting);
   };
   const controls: PointerControls = new PointerControls({
     element: viewport.canvas,
@@ -136,8 +154,9 @@ function hands(viewport: Viewport, host: HTMLElement): PointerControls {
     },
     click(x, y, how) {
       const pick = viewport.pickAt(x, y);
-      choose(pick && !pick.object.startsWith(TOOL) ? [pick.object] : [], how);
+      choose(pick ? [pick.object] : [], how);
     },
+    mark: (x, y) => probes.pin(viewport.pickAt(x, y)),
     window(corners, done, how) {
       band.hidden = done || !corners;
       if (!corners) return;
@@ -162,9 +181,9 @@ function choose(ids: readonly string[], how: "replace" | "add" | "remove"): void
   else select([...selection].filter((id) => !ids.includes(id)));
 }
 
-function pointAt(viewport: Viewport, pick: Pick | undefined, at: [number, number] | undefined): void {
-  const object = pick && !pick.object.startsWith(TOOL) ? pick.object : undefined;
-  viewport.pointAt(pick);
+function pointAt(probes: Probes, pick: Pick | undefined, at: [number, number] | undefined): void {
+  const object = pick?.object;
+  probes.point(settingsStore.getState().circle ? pick : undefined);
   if (uiStore.getState().hovered !== object) uiStore.setState({ hovered: object });
   const { pointed } = viewportStore.getState();
   if (!pick || !object || !at) {

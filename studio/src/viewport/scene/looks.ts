@@ -50,6 +50,18 @@ export function lookOf(
   return state.hovered ? brighter(colour) : colour;
 }
 
+/** The colours of what stands beside the model for looking closely; lines of their own colours keep them. */
+export function toolLook(kind: PartKind, own: Rgba | null, { ink, background }: Pick<Palette, "ink" | "background">): Rgba {
+  const [red, green, blue] = own ?? TOOL_COLOURS[kind] ?? ink;
+  return readable([red, green, blue, kind === "hull" || kind === "isocurves" ? FAINT : 255], background);
+}
+
+const TOOL_COLOURS: Partial<Record<PartKind, Rgba>> = {
+  comb: [196, 92, 16, 255],
+  circles: [112, 60, 190, 255],
+  arrows: [112, 60, 190, 255],
+};
+
 function isShown(kind: PartKind, mode: DisplayMode, layers: Layers): boolean {
   switch (kind) {
     case "mesh":

@@ -25,6 +25,8 @@ export interface SharedUniforms {
   uStripesAcross: IUniform<number>;
   uPaper: IUniform<Vector3>;
   uInk: IUniform<Vector3>;
+  /** The plane that cuts the view, in the coordinates of the eye. */
+  uSection: IUniform<Vector4>;
   [name: string]: IUniform;
 }
 
@@ -47,6 +49,7 @@ function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
     uStripesAcross: { value: 0 },
     uPaper: { value: new Vector3(1, 1, 1) },
     uInk: { value: new Vector3() },
+    uSection: { value: new Vector4(0, 0, 0, -1) },
   };
 }
 

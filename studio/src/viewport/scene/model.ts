@@ -43,6 +43,8 @@ export class Model {
   /** What is drawn is moved by −origin, so that single precision is enough. */
   origin: Point3 = [0, 0, 0];
   bounds: Bounds | null = null;
+  /** The plane that cuts the view, where there is one. */
+  section: { normal: Point3; at: number } | undefined;
   /** Another number after each change of geometry. */
   version = 0;
   #batches = new Map<string, Batch[]>();

@@ -1,6 +1,6 @@
 /** Draws the model into a pane, as the settings say. */
 
-import { Color, SRGBColorSpace, type Camera, type WebGLRenderer } from "three";
+import { Color, SRGBColorSpace, Vector3, type Camera, type WebGLRenderer } from "three";
 
 import type { PlacedPane } from "../panes";
 import type { ViewportSettings } from "../settings";
@@ -78,8 +78,25 @@ export class Painter {
     const ratio = this.#renderer.getPixelRatio();
     this.#model.materials.shared.uView.value.set(width * ratio, height * ratio);
     if (this.#theme) this.#grid.prepare(pane.rig, camera, this.#model.origin, height, this.#theme.grid);
+    this.#cut(camera);
     this.#model.sortSurfaces(camera.matrixWorldInverse);
     this.#renderer.render(this.#model.scene, camera);
+  }
+
+  /** Says where the view is cut: in the coordinates of the eye. */
+  #cut(camera: Camera): void {
+    const plane = this.#model.materials.shared.uSection.value;
+    const { section } = this.#model;
+    if (!section) {
+      plane.set(0, 0, 0, -1);
+      return;
+    }
+    const { normal, at } = section;
+    const across = new Vector3(...normal);
+    // A point of the plane, where drawing has it.
+    const on = across.clone().multiplyScalar(at).sub(new Vector3(...this.#model.origin)).applyMatrix4(camera.matrixWorldInverse);
+    across.transformDirection(camera.matrixWorldInverse);
+    plane.set(across.x, across.y, across.z, -across.dot(on));
   }
 
   /** Makes the shadow anew: the graphics card forgot it. */

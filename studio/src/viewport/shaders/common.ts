@@ -31,6 +31,13 @@ bool drawn(vec4 colour) {
   return true;
 }
 
+// How far a place in the coordinates of the eye is beyond the plane that cuts the view.
+uniform vec4 uSection;
+
+float beyond(vec3 view) {
+  return dot(uSection.xyz, view) + uSection.w;
+}
+
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 
 // A little nearer to the eye, so that what lies on a surface is not swallowed by its triangles.

@@ -6,10 +6,13 @@ import { COMMON_VERTEX } from "./common";
 export const THIN_VERTEX = /* glsl */ `
 ${COMMON_VERTEX}
 in vec3 position;
+out float vBeyond;
 
 void main() {
   vLook = look();
-  gl_Position = drawn(vLook) ? projectionMatrix * nearer(modelViewMatrix * vec4(position, 1.0)) : NOWHERE;
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  vBeyond = beyond(view.xyz);
+  gl_Position = drawn(vLook) ? projectionMatrix * nearer(view) : NOWHERE;
 }
 `;
 
@@ -24,6 +27,7 @@ in vec3 from;
 in vec3 to;
 out float vAcross;
 out float vHalf;
+out float vBeyond;
 
 void main() {
   vLook = look();
@@ -44,6 +48,7 @@ void main() {
     if (a.z > limit) a = mix(b, a, (limit - b.z) / (a.z - b.z));
     if (b.z > limit) b = mix(a, b, (limit - a.z) / (b.z - a.z));
   }
+  vBeyond = beyond(position.y < 0.5 ? a.xyz : b.xyz);
   vec4 p = projectionMatrix * a;
   vec4 q = projectionMatrix * b;
   vec2 along = (q.xy / q.w - p.xy / p.w) * uView;
@@ -64,9 +69,11 @@ void main() {
 export const LINE_FRAGMENT = /* glsl */ `
 precision highp float;
 in vec4 vLook;
+in float vBeyond;
 layout(location = 0) out vec4 oColour;
 
 void main() {
+  if (vBeyond > 0.0) discard;
   oColour = vLook;
 }
 `;
@@ -76,9 +83,11 @@ precision highp float;
 in vec4 vLook;
 in float vAcross;
 in float vHalf;
+in float vBeyond;
 layout(location = 0) out vec4 oColour;
 
 void main() {
+  if (vBeyond > 0.0) discard;
   float cover = clamp(vHalf + 0.5 - abs(vAcross), 0.0, 1.0);
   if (cover < 0.02) discard;
   oColour = vec4(vLook.rgb, vLook.a * cover);
@@ -97,12 +106,13 @@ out vec2 vAlong;
 void main() {
   vLook = look();
   vec4 a = projectionMatrix * (modelViewMatrix * vec4(from, 1.0));
-  vec4 b = projectionMatrix * nearer(modelViewMatrix * vec4(to, 1.0));
+  vec4 end = modelViewMatrix * vec4(to, 1.0);
+  vec4 b = projectionMatrix * nearer(end);
   vec2 along = (b.xy / b.w - a.xy / max(a.w, 1e-6)) * uView * 0.5;
   float size = length(along);
   // Seen along its axis, or shorter than its head, an arrow has a smaller head.
   float head = min(uWidth, size);
-  if (!drawn(vLook) || a.w <= 0.0 || head < 1.0) {
+  if (!drawn(vLook) || beyond(end.xyz) > 0.0 || a.w <= 0.0 || head < 1.0) {
     gl_Position = NOWHERE;
     return;
   }

@@ -13,6 +13,7 @@ in float value;
 out vec3 vView;
 out vec3 vNormal;
 out float vValue;
+out float vBeyond;
 
 void main() {
   vLook = look();
@@ -23,6 +24,7 @@ void main() {
   if ((uHas & 2) != 0) vLook = vec4(colour.rgb, vLook.a * colour.a);
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   vView = view.xyz;
+  vBeyond = beyond(view.xyz);
   vNormal = (uHas & 1) != 0 ? normalMatrix * normal : vec3(0.0);
   vValue = value;
   gl_Position = projectionMatrix * view;
@@ -50,6 +52,7 @@ in vec4 vLook;
 in vec3 vView;
 in vec3 vNormal;
 in float vValue;
+in float vBeyond;
 layout(location = 0) out vec4 oColour;
 
 vec3 toEye() {
@@ -110,6 +113,7 @@ float contour(vec3 eye) {
 }
 
 void main() {
+  if (vBeyond > 0.0) discard;
   vec3 eye = toEye();
   vec3 normal = facing(eye);
   vec4 colour = vec4(vLook.rgb, vLook.a * uAlpha);

@@ -9,7 +9,8 @@ in vec3 position;
 
 void main() {
   vLook = look();
-  gl_Position = drawn(vLook) ? projectionMatrix * nearer(modelViewMatrix * vec4(position, 1.0)) : NOWHERE;
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = drawn(vLook) && beyond(view.xyz) <= 0.0 ? projectionMatrix * nearer(view) : NOWHERE;
   gl_PointSize = uWidth;
 }
 `;

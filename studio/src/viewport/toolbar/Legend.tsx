@@ -2,7 +2,9 @@ import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 
 import { colourAt, shortNumber } from "../../core/falseColour";
+import { unitSuffix } from "../../core/units";
 import { t, type Key } from "../../i18n";
+import { documentStore } from "../../state/document";
 import { settingsStore, viewportStore } from "../settings";
 
 const STOPS = Array.from({ length: 9 }, (_, at) => `rgb(${colourAt(1 - at / 8).slice(0, 3).join(" ")})`).join(", ");
@@ -13,7 +15,8 @@ export function Legend() {
   const analysis = useStore(settingsStore, (settings) => settings.analysis);
   const typed = useStore(settingsStore, (settings) => settings.range);
   const legend = useStore(viewportStore, (state) => state.legend);
-  if (analysis !== "gaussian" && analysis !== "mean") return null;
+  const units = useStore(documentStore, (mirror) => mirror.document?.units);
+  if (analysis === "none" || analysis === "zebra") return null;
   const what = t(`viewport.analysis.${analysis}` as Key);
   const range = typed ?? legend?.range;
   if (!range) return <p className="viewport-legend">{t("viewport.legend.none")}</p>;
@@ -21,7 +24,7 @@ export function Legend() {
   const set = (next: readonly [number, number]) => settingsStore.setState({ range: next });
   return (
     <section className="viewport-legend" aria-label={t("viewport.legend", { what })}>
-      <h2>{what}</h2>
+      <h2>{what + unitSuffix(units, analysis === "gaussian" ? -2 : -1).replace(" ", ", ")}</h2>
       <Bound label="viewport.legend.greatest" value={greatest} onChange={(value) => set([Math.min(least, value), value])} />
       <div className="viewport-scale">
         <div className="viewport-ramp" style={{ background: `linear-gradient(${STOPS})` }} />

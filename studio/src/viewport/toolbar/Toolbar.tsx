@@ -4,10 +4,13 @@ import { action } from "../../actions/registry";
 import { shownKeys } from "../../actions/keys";
 import { t, type Key } from "../../i18n";
 import { DISPLAY_MODES } from "../scene/looks";
-import { ANALYSES, settingsStore, viewportStore, type Shown } from "../settings";
+import { settingsStore, viewportStore, type Shown } from "../settings";
 import { VIEW_NAMES, type ViewName } from "../views";
+import { AnalysisSheet } from "./AnalysisSheet";
+import { Check } from "./fields";
 import { Icon, type IconName } from "./icons";
 import { Popover } from "./Popover";
+import { SectionSheet } from "./SectionSheet";
 
 /** A button for an action, with its keys in the tooltip. */
 function ActionButton({ id, icon, isOn }: { id: string; icon: IconName; isOn?: boolean }) {
@@ -62,17 +65,9 @@ export function Toolbar() {
       <span className="viewport-gap" />
       <ShowSheet />
       <AnalysisSheet />
+      <SectionSheet />
       <ActionButton id="viewport.save" icon="save" />
     </div>
-  );
-}
-
-function Check({ label, checked, onChange }: { label: Key; checked: boolean; onChange: (on: boolean) => void }) {
-  return (
-    <label className="viewport-check">
-      <input type="checkbox" checked={checked} onChange={({ target }) => onChange(target.checked)} />
-      {t(label)}
-    </label>
   );
 }
 
@@ -92,50 +87,5 @@ function ShowSheet() {
       <Check label="viewport.snap" checked={snap} onChange={(on) => settingsStore.setState({ snap: on })} />
       <Check label="viewport.trackpad" checked={trackpad} onChange={(on) => settingsStore.setState({ trackpad: on })} />
     </Popover>
-  );
-}
-
-function AnalysisSheet() {
-  const { analysis, stripes, across, comb, combScale, circle } = useStore(settingsStore);
-  return (
-    <Popover label={t("viewport.analysis")} icon="analysis">
-      <fieldset>
-        <legend>{t("viewport.analysis")}</legend>
-        {ANALYSES.map((name) => (
-          <label className="viewport-check" key={name}>
-            <input
-              type="radio"
-              name="viewport-analysis"
-              checked={analysis === name}
-              onChange={() => settingsStore.setState({ analysis: name, range: undefined })}
-            />
-            {t(`viewport.analysis.${name}` as Key)}
-          </label>
-        ))}
-      </fieldset>
-      {analysis === "zebra" && (
-        <>
-          <Range label="viewport.analysis.stripes" value={stripes} most={40} onChange={(value) => settingsStore.setState({ stripes: value })} />
-          <Check label="viewport.analysis.across" checked={across} onChange={(on) => settingsStore.setState({ across: on })} />
-        </>
-      )}
-      <fieldset>
-        <legend>{t("viewport.analysis.of")}</legend>
-        <Check label="viewport.analysis.comb" checked={comb} onChange={(on) => settingsStore.setState({ comb: on })} />
-        {comb && (
-          <Range label="viewport.analysis.combScale" value={combScale} most={100} onChange={(value) => settingsStore.setState({ combScale: value })} />
-        )}
-        <Check label="viewport.analysis.circle" checked={circle} onChange={(on) => settingsStore.setState({ circle: on })} />
-      </fieldset>
-    </Popover>
-  );
-}
-
-function Range({ label, value, most, onChange }: { label: Key; value: number; most: number; onChange: (value: number) => void }) {
-  return (
-    <label className="viewport-range">
-      {t(label)}
-      <input type="range" min={1} max={most} value={value} onChange={({ target }) => onChange(target.valueAsNumber)} />
-    </label>
   );
 }

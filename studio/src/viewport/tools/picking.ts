@@ -10,7 +10,9 @@ import { centre, radius } from "../../core/bounds";
 import type { Point3, PreviewPart } from "../../core/preview";
 import type { Piece } from "../../core/protocol/Piece";
 import { nearestOnSegment } from "../../core/screen";
+import { dot } from "../../core/section";
 import type { Model, ModelObject, ModelPart } from "../scene/model";
+import { isTool } from "./beside";
 import { buildTree } from "./treeWorker";
 
 export interface Pick {
@@ -64,7 +66,7 @@ export class Picker {
     let best: Candidate | undefined;
     for (const [object, entry] of this.#visible((kind) => kind !== "mesh" && kind !== "texts")) {
       const candidate = nearestLine(view, object, entry, x, y, this.#model.origin);
-      if (!candidate || (surface && candidate.depth > surface.depth + HIDES * (1 - surface.depth) + 1e-6)) continue;
+      if (!candidate || this.#beyond(candidate.point) > 0 || (surface && candidate.depth > surface.depth + HIDES * (1 - surface.depth) + 1e-6)) continue;
       if (!best || rank(candidate) < rank(best) || (rank(candidate) === rank(best) && candidate.depth < best.depth)) {
         best = candidate;
       }
@@ -75,6 +77,7 @@ export class Picker {
 
   *#visible(wanted: (kind: PreviewPart["kind"]) => boolean): Generator<[ModelObject, ModelPart]> {
     for (const object of this.#model.objects.values()) {
+      if (isTool(object.id)) continue;
       for (const entry of object.parts) {
         if (wanted(entry.part.kind) && this.#model.table.get(entry.slot)[3] > 0) yield [object, entry];
       }
@@ -85,6 +88,8 @@ export class Picker {
     let best: Candidate | undefined;
     let nearest = Infinity;
     const local = new Ray();
+    const [from, to] = this.#visibleAlong(ray);
+    nearest = to;
     for (const [object, entry] of this.#visible((kind) => kind === "mesh")) {
       if (!entry.bounds) continue;
       const offset = minus(object.preview.origin, this.#model.origin);
@@ -92,7 +97,7 @@ export class Picker {
       local.origin.sub(offset);
       const tree = this.#tree(entry.part);
       if (!tree) continue;
-      const hit = tree.raycastFirst(local, DoubleSide, 0, nearest);
+      const hit = tree.raycastFirst(local, DoubleSide, from, nearest);
       if (!hit || hit.distance >= nearest) continue;
       nearest = hit.distance;
       const point = hit.point.clone().add(offset);
@@ -105,6 +110,23 @@ export class Picker {
       };
     }
     return best;
+  }
+
+  /** From where to where a ray is on the side of the section that is drawn. */
+  #visibleAlong({ origin, direction }: Ray): [number, number] {
+    const { section } = this.#model;
+    if (!section) return [0, Infinity];
+    const normal = new Vector3(...section.normal);
+    const [off, rise] = [this.#beyond(plus(origin, this.#model.origin)), direction.dot(normal)];
+    if (Math.abs(rise) < 1e-12) return off > 0 ? [0, 0] : [0, Infinity];
+    const at = -off / rise;
+    return rise < 0 ? [Math.max(at, 0), Infinity] : [0, Math.max(at, 0)];
+  }
+
+  /** How far a point is beyond the section; less than 0 where it is drawn. */
+  #beyond(point: Point3): number {
+    const { section } = this.#model;
+    return section ? dot(point, section.normal) - section.at : -1;
   }
 
   #tree(part: PreviewPart): MeshBVH | undefined {
@@ -222,10 +244,17 @@ export function pieceAt({ pieces }: Pick["part"], at: number): Piece | undefined
     const middle = (low + high) >> 1;
     const piece = pieces[middle] as Piece;
     if (at < piece.start) high = middle - 1;
-    else if (at >= piece.start + piece.count) low = middle + 1;
-    else return piece;
+    else if (at >= piece.start + piece.count * (piece.items ?? 1)) low = middle + 1;
+    else return itemAt(piece, at);
   }
-  return pieces.find(({ start, count }) => at >= start && at < start + count);
+  const found = pieces.find(({ start, count, items = 1 }) => at >= start && at < start + count * items);
+  return found && itemAt(found, at);
+}
+
+/** The one item of a piece of several. */
+function itemAt(piece: Piece, at: number): Piece {
+  const away = Math.floor((at - piece.start) / piece.count);
+  return { ...piece, index: piece.index + away, start: piece.start + away * piece.count, items: 1 };
 }
 
 function minus(a: Point3, b: Point3): Vector3 {

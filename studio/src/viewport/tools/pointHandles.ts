@@ -3,8 +3,6 @@
  * What the document keeps changes as they go; one drag is one step for Undo.
  */
 
-import { Plane, Vector3 } from "three";
-
 import { gridSteps, snap } from "../../core/gridSteps";
 import { parsePoint, rowsText, withPoint } from "../../core/pointText";
 import type { Point3 } from "../../core/preview";
@@ -19,6 +17,7 @@ import type { PlacedPane } from "../panes";
 import { settingsStore } from "../settings";
 import type { Viewport } from "../Viewport";
 import { gridPlane } from "../views";
+import { dragged, draggedAlong } from "./rays";
 
 /** More handles than this hide the model. */
 const MOST = 200;
@@ -29,6 +28,26 @@ interface Held {
   object: ObjectView;
   rows: readonly Row[];
   points: { row: number; point: Point3 }[];
+}
+
+type Axis = 0 | 1 | 2;
+const AXES = ["x", "y", "z"] as const;
+
+function unit(axis: Axis): Point3 {
+  return [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
+}
+
+/** The axis along which it has moved most. */
+function greatest(to: Point3, from: Point3): Axis {
+  const moves = to.map((value, axis) => Math.abs(value - (from[axis] ?? 0)));
+  return moves.indexOf(Math.max(...moves)) as Axis;
+}
+
+/** The axes of the view's grid, or the one upright to it. */
+function planar({ pane }: PlacedPane, upright: boolean): readonly Axis[] {
+  const plane = gridPlane(pane.rig.pose);
+  const across = plane === "xy" ? 2 : plane === "xz" ? 1 : 0;
+  return ([0, 1, 2] as const).filter((axis) => (axis === across) === upright);
 }
 
 /** Whether an object is a Point parameter that keeps its points itself. */
@@ -43,7 +62,8 @@ export class PointHandles {
   #viewport: Viewport;
   #held: Held | undefined;
   #buttons: HTMLButtonElement[] = [];
-  #drag: { at: number; gesture: number; pane: PlacedPane; before: Point3 } | undefined;
+  #drag: { at: number; gesture: number; pane: PlacedPane; before: Point3; lock: Axis | undefined } | undefined;
+  #readout: HTMLElement;
   #isSending = false;
   #next: (() => void) | undefined;
   #asked = 0;
@@ -54,7 +74,10 @@ export class PointHandles {
     this.#viewport = viewport;
     this.#layer = document.createElement("div");
     this.#layer.className = "viewport-handles";
-    host.append(this.#layer);
+    this.#readout = document.createElement("div");
+    this.#readout.className = "viewport-pointed viewport-readout";
+    this.#readout.hidden = true;
+    host.append(this.#layer, this.#readout);
     const look = () => void this.#look();
     this.#stops = [
       uiStore.subscribe((now, before) => now.selection !== before.selection && look()),
@@ -82,6 +105,7 @@ export class PointHandles {
   dispose(): void {
     for (const stop of this.#stops) stop();
     this.#layer.remove();
+    this.#readout.remove();
   }
 
   /** Finds the selected parameter and what it keeps. */
@@ -94,7 +118,7 @@ export class PointHandles {
     try {
       const port = object.inputs[0]?.id ?? object.id;
       const { within } = documentStore.getState();
-      const answer = await ask({ ask: "rows", port, from: 0, count: MOST * 2, within });
+      const answer = await ask({ ask: "rows", port, from: 0, count: MOST * 2, exact: true, within });
       if (asked !== this.#asked || this.#drag) return;
       const isAll = answer.event === "rows" && answer.page.rows.length === answer.page.total;
       this.#hold(isAll ? { object, rows: answer.page.rows, points: pointsOf(answer.page.rows) } : undefined);
@@ -142,16 +166,25 @@ export class PointHandles {
     if (event.button !== 0 || !held) return;
     button.setPointerCapture(event.pointerId);
     const { panes } = this.#viewport;
-    this.#drag = { at, gesture: newGesture(), pane: panes.placedOf(panes.active), before: held.point };
+    this.#drag = { at, gesture: newGesture(), pane: panes.placedOf(panes.active), before: held.point, lock: undefined };
     void ask({ ask: "draft", on: true }).catch(() => {});
   }
 
   #move(event: PointerEvent, at: number): void {
     if (this.#drag?.at !== at) return;
     const box = this.#viewport.canvas.getBoundingClientRect();
-    const { pane, before, gesture } = this.#drag;
-    const target = dragged(pane, before, event.clientX - box.left, event.clientY - box.top, event.altKey);
-    if (target) this.#put(at, this.#snapped(target, pane, event.altKey, before), gesture);
+    const { pane, before, gesture, lock } = this.#drag;
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const free = dragged(pane, before, x, y, event.altKey);
+    const axis = lock ?? (event.shiftKey && free ? greatest(free, before) : undefined);
+    const target = axis === undefined ? free : draggedAlong(pane, before, unit(axis), x, y);
+    if (!target) return;
+    const point = this.#snapped(target, pane, axis === undefined ? planar(pane, event.altKey) : [axis], before);
+    this.#put(at, point, gesture);
+    this.#readout.hidden = false;
+    this.#readout.style.transform = `translate(${x + 16}px, ${y + 18}px)`;
+    const place = point.map((value) => Number(value.toPrecision(7))).join(", ");
+    this.#readout.textContent = axis === undefined ? place : `${AXES[axis]} · ${place}`;
   }
 
   #end(keep: boolean): void {
@@ -159,6 +192,7 @@ export class PointHandles {
     if (!drag) return;
     this.#drag = undefined;
     this.#next = undefined;
+    this.#readout.hidden = true;
     const done = keep ? Promise.resolve() : ask({ ask: "abandon", gesture: drag.gesture }).then(() => {});
     if (keep) this.#send(drag.at, drag.gesture);
     done.catch(() => {}).finally(() => void ask({ ask: "draft", on: false }).catch(() => {}));
@@ -169,6 +203,14 @@ export class PointHandles {
     if (event.key === "Escape" && this.#drag) {
       event.stopPropagation();
       return this.#end(false);
+    }
+    const axis = AXES.indexOf(event.key.toLowerCase() as "x");
+    if (this.#drag && axis >= 0) {
+      event.preventDefault();
+      event.stopPropagation();
+      // The same key again lets it go anywhere.
+      this.#drag.lock = this.#drag.lock === axis ? undefined : (axis as Axis);
+      return;
     }
     const steps: Record<string, [number, number, number]> = {
       ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
@@ -186,14 +228,12 @@ export class PointHandles {
     this.#put(at, moved as unknown as Point3, this.#keyGesture);
   }
 
-  #snapped(point: Point3, { pane, height }: PlacedPane, upright: boolean, before: Point3): Point3 {
-    if (!settingsStore.getState().snap) return point;
-    const step = gridSteps(pane.rig.pixel(height)).minor;
-    const plane = gridPlane(pane.rig.pose);
-    const fixed = plane === "xy" ? 2 : plane === "xz" ? 1 : 0;
+  /** On the grid along the axes that it is moved along; the other coordinates stay as they are, to the last digit. */
+  #snapped(point: Point3, { pane, height }: PlacedPane, moved: readonly Axis[], before: Point3): Point3 {
+    const step = settingsStore.getState().snap ? gridSteps(pane.rig.pixel(height)).minor : 0;
     return point.map((value, axis) => {
-      const moves = upright ? axis === fixed : axis !== fixed;
-      return moves ? snap(value, step) : (before[axis] ?? value);
+      if (!moved.includes(axis as Axis)) return before[axis] ?? value;
+      return step > 0 ? snap(value, step) : value;
     }) as unknown as Point3;
   }
 
@@ -235,28 +275,4 @@ export function pointsOf(rows: readonly Row[]): { row: number; point: Point3 }[]
     const point = row.is === "item" ? parsePoint(row.text) : undefined;
     return point ? [{ row: index, point }] : [];
   });
-}
-
-/** Where a point comes to under the pointer: in the plane of the view's grid through it, or upright to that plane. */
-export function dragged({ pane, left, top, width, height }: PlacedPane, from: Point3, x: number, y: number, upright: boolean): Point3 | undefined {
-  const [u, v] = [((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2];
-  const { origin, direction } = pane.rig.ray(u, v, width / height);
-  const plane = gridPlane(pane.rig.pose);
-  const across = new Vector3().setComponent(plane === "xy" ? 2 : plane === "xz" ? 1 : 0, 1);
-  const start = new Vector3(...from);
-  if (!upright) return meet(origin, direction, across, start)?.toArray();
-  // Upright: in the plane through the line across that faces the eye most.
-  const side = across.clone().cross(direction);
-  if (side.length() < 1e-6) return undefined;
-  const facing = side.cross(across).normalize();
-  const met = meet(origin, direction, facing, start);
-  return met && start.addScaledVector(across, met.sub(start).dot(across)).toArray();
-}
-
-function meet(origin: Vector3, direction: Vector3, normal: Vector3, through: Vector3): Vector3 | undefined {
-  // A plane seen along itself is met anywhere, or nowhere.
-  if (Math.abs(direction.dot(normal)) < 1e-4) return undefined;
-  const plane = new Plane().setFromNormalAndCoplanarPoint(normal, through);
-  const along = -plane.distanceToPoint(origin) / direction.dot(normal);
-  return along > 0 ? origin.clone().addScaledVector(direction, along) : undefined;
 }

@@ -16,6 +16,8 @@ export interface PointerTarget {
   /** The pointer rests or moves without a button; undefined when it has left. */
   hover(x: number | undefined, y: number | undefined): void;
   click(x: number, y: number, how: "replace" | "add" | "remove"): void;
+  /** A click with Alt: to keep what is under the pointer. */
+  mark(x: number, y: number): void;
   /** A window is drawn; `done` when the button goes up, undefined corners when it is abandoned. */
   window(corners: [number, number, number, number] | undefined, done: boolean, how: "replace" | "add" | "remove"): void;
   /** Plan views are moved, not turned, by the right button. */
@@ -117,7 +119,8 @@ export class PointerControls {
     const gesture = this.#gesture;
     if (gesture === "pinch" && this.#fingers.size > 0) return;
     this.#gesture = "none";
-    if (gesture === "press") this.#target.click(...this.#start, how(event));
+    if (gesture === "press" && event.altKey) this.#target.mark(...this.#start);
+    else if (gesture === "press") this.#target.click(...this.#start, how(event));
     else if (gesture === "window") this.#target.window([...this.#start, x, y], true, how(event));
     if (event.pointerType === "mouse") this.#target.hover(x, y);
   }

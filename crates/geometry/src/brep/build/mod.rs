@@ -2,6 +2,8 @@
 
 mod ends;
 
+pub(crate) use ends::with_ends;
+
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};
 use crate::{Curve, Error, Point3, Result, Surface};
 

@@ -96,16 +96,17 @@ impl Parts {
             }
         }
         let mut second = edge.clone();
-        let [first_curve, second_curve] = halves.map(|half| {
+        let [first_part, second_part] = halves.map(|half| {
+            let part = CurvePart::whole(self.curves_3d.len(), half.domain());
             self.curves_3d.push(Some(half));
-            self.curves_3d.len() - 1
+            part
         });
-        second.part = CurvePart::whole(second_curve, after);
+        second.part = second_part;
         second.vertices = [Some(vertex), edge.vertices[1]];
         second.trims.clear();
         self.edges.push(second);
         if let Some(first) = self.edges.get_mut(place) {
-            first.part = CurvePart::whole(first_curve, before);
+            first.part = first_part;
             first.vertices = [edge.vertices[0], Some(vertex)];
         }
         for (trim, cut) in trims {

@@ -1,0 +1,204 @@
+//! Pipes: circles along a rail.
+
+use super::super::check;
+use super::run::{Corner, Kind, Run, Upright, connect, runs};
+use super::section::Frame;
+use super::skinning::Motion;
+use crate::nurbs::{Skinning, skinned};
+use crate::{
+    Arc, ArcCurve, Brep, Circle, Curve, Direction, Error, Interval, Line, NurbsCurve, Plane, Result,
+    RevolutionSurface, Surface, Tolerance, Vector3,
+};
+
+/// How the ends of a pipe are closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum PipeCap {
+    /// Not at all.
+    #[default]
+    None,
+    /// By discs.
+    Flat,
+    /// By hemispheres.
+    Round,
+}
+
+/// The pipe of one radius around a rail: exact cylinders along straight lines and tori along arcs, elsewhere a cubic
+/// through circles that is within the tolerance half-way between them. At kinks parts meet in the plane between both
+/// directions. A closed rail has no ends to cap.
+///
+/// # Errors
+/// A radius that is not finite and above 0, a rail without length or that turns straight back, or faces that do not
+/// meet.
+pub fn pipe(rail: &Curve, radius: f64, cap: PipeCap, tolerance: &Tolerance) -> Result<Brep> {
+    pipe_variable(rail, &[(rail.domain().start, radius)], cap, tolerance)
+}
+
+/// The pipe around a rail whose radius is given at parameters of it: between them it goes over smoothly without
+/// going beyond (F. Fritsch and R. Carlson, *Monotone piecewise cubic interpolation*, 1980), before the first and
+/// after the last it stays.
+///
+/// # Errors
+/// As [`pipe`]; also when no radius is given, or two for one parameter.
+pub fn pipe_variable(
+    rail: &Curve,
+    radii: &[(f64, f64)],
+    cap: PipeCap,
+    tolerance: &Tolerance,
+) -> Result<Brep> {
+    let limit = check(&[rail], tolerance)?;
+    let mut given = radii.to_vec();
+    given.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (t, r) in &given {
+        if !t.is_finite() {
+            return Err(Error::NotFinite("parameter of a radius"));
+        }
+        if !(*r > 0.0 && r.is_finite()) {
+            return Err(Error::OutOfRange { what: "radius", value: *r, must: "finite and greater than 0" });
+        }
+    }
+    if given.is_empty() || given.windows(2).any(|w| w[0].0 == w[1].0) {
+        return Err(Error::Invalid {
+            what: "radii of a pipe",
+            why: "each parameter needs one, and one only".into(),
+        });
+    }
+    let closed = rail.is_closed();
+    let mut runs = runs(rail)?;
+    connect(&mut runs, closed, Upright::Free, Corner::Cut, false)?;
+    let radius = Radius::new(rail, &given)?;
+    let mut faces = Vec::new();
+    for run in &runs {
+        let surface = tube(run, &radius, closed && runs.len() == 1, limit)?;
+        faces.push(Brep::from_kinked_surface(&surface, tolerance)?);
+    }
+    if !closed {
+        match cap {
+            PipeCap::None => {}
+            PipeCap::Flat => {
+                let (pipe, count) = Brep::joined_into_one(&faces, tolerance)?.capped(tolerance)?;
+                if count == 2 && pipe.is_solid() {
+                    return Ok(pipe);
+                }
+                return Err(Error::degenerate("pipe", "its ends could not be capped"));
+            }
+            PipeCap::Round => {
+                for at_end in [false, true] {
+                    let Some(run) = (if at_end { runs.last() } else { runs.first() }) else { continue };
+                    faces.push(hemisphere(run, &radius, at_end)?);
+                }
+            }
+        }
+    }
+    Brep::joined_into_one(&faces, tolerance)
+}
+
+/// The radius along the rail, by its length.
+struct Radius {
+    places: Vec<f64>,
+    values: Vec<f64>,
+    slopes: Vec<f64>,
+}
+
+impl Radius {
+    fn new(rail: &Curve, given: &[(f64, f64)]) -> Result<Self> {
+        let domain = rail.domain();
+        let place = |t: f64| rail.length_between(Interval::new(domain.start, domain.clamp(t)));
+        let mut kept: Vec<(f64, f64)> = given.iter().map(|(t, r)| (place(*t), *r)).collect();
+        kept.dedup_by(|b, a| b.0 <= a.0);
+        let (places, values): (Vec<f64>, Vec<f64>) = kept.into_iter().unzip();
+        let steps: Vec<f64> =
+            places.windows(2).zip(values.windows(2)).map(|(t, r)| (r[1] - r[0]) / (t[1] - t[0])).collect();
+        // Level at both ends, and wherever the radius turns from growing to shrinking.
+        let mut slopes = vec![0.0; values.len()];
+        for i in 1..values.len().saturating_sub(1) {
+            let (a, b) = (steps[i - 1], steps[i]);
+            if a * b > 0.0 {
+                slopes[i] = 2.0 * a * b / (a + b);
+            }
+        }
+        Ok(Self { places, values, slopes })
+    }
+
+    fn is_constant(&self, reach: Interval) -> bool {
+        let at = |x: f64| self.at(reach.at(x));
+        self.values.len() == 1 || (0..=16).all(|k| at(f64::from(k) / 16.0) == at(0.0))
+    }
+
+    fn at(&self, place: f64) -> f64 {
+        let (first, last) = (self.values[0], self.values[self.values.len() - 1]);
+        let next = self.places.partition_point(|p| *p <= place);
+        if next == 0 {
+            return first;
+        }
+        if next == self.places.len() {
+            return last;
+        }
+        let i = next - 1;
+        let h = self.places[next] - self.places[i];
+        let x = (place - self.places[i]) / h;
+        let (y, x2, x3) = (1.0 - x, x * x, x * x * x);
+        (2.0 * x3 - 3.0 * x2 + 1.0) * self.values[i]
+            + (3.0 * x2 - 2.0 * x3) * self.values[next]
+            + x * y * y * h * self.slopes[i]
+            - x2 * y * h * self.slopes[next]
+    }
+}
+
+/// The circle of a radius about the origin of the plane, as a section.
+fn circle(radius: f64) -> Result<NurbsCurve> {
+    Circle::new(Plane::XY, radius)?.to_nurbs()
+}
+
+fn tube(run: &Run, radius: &Radius, closed: bool, limit: f64) -> Result<Surface> {
+    let domain = run.curve.domain();
+    let unit = circle(1.0)?;
+    let place = |t: f64| run.reach.start + run.curve.length_between(Interval::new(domain.start, t));
+    let at = |ts: &[f64]| -> Result<Vec<NurbsCurve>> {
+        let frames = run.frames(ts, Upright::Free)?;
+        let scaled = |frame: &Frame, r: f64| Frame { axes: frame.axes.map(|a| a * r), ..*frame };
+        frames.iter().zip(ts).map(|(frame, t)| scaled(frame, radius.at(place(*t))).placed(&unit)).collect()
+    };
+    let even = radius.is_constant(run.reach);
+    let square = run.slants == [[Vector3::ZERO; 3]; 2];
+    match run.kind {
+        Kind::Straight if even => {
+            let ends = at(&[domain.start, domain.end])?;
+            return Ok(skinned(&ends, Skinning::Straight, &[domain.start, domain.end], false)?.into());
+        }
+        Kind::Circular(arc) if even && square => {
+            let plane = run.end_plane(false, Upright::Free)?;
+            let section: Curve = Circle::new(plane, radius.at(run.reach.start))?.into();
+            let axis = Line::new(arc.circle.center(), arc.circle.center() + arc.circle.plane.z_axis);
+            let angle = Interval::new(0.0, arc.angle.length());
+            let turned = RevolutionSurface::new(section, axis, angle)?.transposed();
+            return Surface::from(turned).with_domain(Direction::V, domain);
+        }
+        _ => {}
+    }
+    let mut breaks: Vec<f64> = run.curve.smooth_stretches().iter().map(|s| s.start).collect();
+    let inside =
+        radius.places.iter().map(|p| p - run.reach.start).filter(|p| *p > 0.0 && *p < run.reach.length());
+    breaks.extend(inside.filter_map(|p| run.curve.parameter_at_length(p)));
+    breaks.sort_by(f64::total_cmp);
+    // Frames that do not close after a round give an open seam, whose rims meet all the same.
+    let meets = closed && {
+        let [a, b] = [run.end_plane(false, Upright::Free)?, run.end_plane(true, Upright::Free)?];
+        a.x_axis.dot(b.x_axis) > 1.0 - 1e-18
+    };
+    let motion = Motion { domain, breaks, closed: meets && square, at: &at };
+    Ok(motion.surface(0.5 * limit)?.into())
+}
+
+/// The half of a sphere beyond an end of the rail.
+fn hemisphere(run: &Run, radius: &Radius, at_end: bool) -> Result<Brep> {
+    let plane = run.end_plane(at_end, Upright::Free)?;
+    let r = radius.at(if at_end { run.reach.end } else { run.reach.start });
+    let outward = if at_end { plane.z_axis } else { -plane.z_axis };
+    let side = Plane::from_axes(plane.origin, plane.x_axis, outward)?;
+    let quarter =
+        Arc { circle: Circle::new(side, r)?, angle: Interval::new(0.0, std::f64::consts::FRAC_PI_2) };
+    let axis = Line::new(plane.origin, plane.origin + outward);
+    let turn = Interval::new(0.0, std::f64::consts::TAU);
+    let profile: Curve = ArcCurve::from(quarter).into();
+    Brep::from_surface(RevolutionSurface::new(profile, axis, turn)?.into())
+}
