@@ -172,21 +172,23 @@ function Flow() {
   const shifts = useCanvas((canvas) => canvas.shifts);
   const [nodeMaker] = useState(() => new NodeMaker());
   const [edgeMaker] = useState(() => new EdgeMaker());
+  const seen = useFirstLook();
   const far = distance === "far";
+  // Nothing is mounted before it is known how far away it is looked at: thousands of objects would all come and go.
+  const mounted = seen && !far;
   const nodes = useMemo(
-    () => (far ? NO_NODES : nodeMaker.make(objects, order, shifts, full)),
-    [far, nodeMaker, objects, order, shifts, full],
+    () => (mounted ? nodeMaker.make(objects, order, shifts, full) : NO_NODES),
+    [mounted, nodeMaker, objects, order, shifts, full],
   );
   const edges = useMemo(
-    () => (far ? NO_WIRES : edgeMaker.make(objects, outputs)),
-    [far, edgeMaker, objects, outputs],
+    () => (mounted ? edgeMaker.make(objects, outputs) : NO_WIRES),
+    [mounted, edgeMaker, objects, outputs],
   );
 
   useEffect(() => {
     setFlow(flow);
     return () => setFlow(undefined);
   }, [flow]);
-  useFirstLook();
 
   return (
     <Near.Provider value={distance === "near"}>
@@ -231,20 +233,22 @@ function Flow() {
   );
 }
 
-/** A document that is shown for the first time is shown whole; so is the inside of a cluster. */
-function useFirstLook(): void {
+/** A document that is shown for the first time is shown whole; so is the inside of a cluster. Gives whether it was. */
+function useFirstLook(): boolean {
   const within = useStore(documentStore, (mirror) => mirror.within.join());
   const here = useStore(documentStore, (mirror) => mirror.document !== undefined);
   const [looked, setLooked] = useState<string | undefined>(undefined);
   useEffect(() => {
-    if (!here || looked === within) return;
-    setLooked(within);
+    if (!here || looked === within) return undefined;
     // The window has its size only after the first drawing.
-    requestAnimationFrame(() => {
+    const request = requestAnimationFrame(() => {
       zoomExtents(undefined, false);
       takeLens(lens());
+      setLooked(within);
     });
+    return () => cancelAnimationFrame(request);
   }, [here, within, looked]);
+  return looked === within;
 }
 
 /** What is said to screen readers while something is done. */

@@ -18,6 +18,9 @@ export interface GeometryListener {
   failed(object: string, reason: string): void;
 }
 
+/** As many are fetched at a time: a browser has six connections to a server, and refuses thousands of requests at once. */
+const MOST_FETCHES = 6;
+
 interface Entry {
   /** The hash of what is shown, and the geometry itself. */
   shown: string | undefined;
@@ -41,6 +44,9 @@ export class GeometryStore implements GeometrySink {
   #listeners = new Set<GeometryListener>();
   #fetch: Fetcher;
   #entries = new Map<string, Entry>();
+  #fetches = 0;
+  /** Those who wait for their turn to fetch. */
+  #line: (() => void)[] = [];
 
   constructor(fetcher: Fetcher = fetchGeometry) {
     this.#fetch = fetcher;
@@ -95,10 +101,22 @@ export class GeometryStore implements GeometrySink {
     const stop = new AbortController();
     entry.stop = stop;
     try {
-      const bytes = await this.#fetch(hash, stop.signal);
-      if (!stop.signal.aborted) this.#take(object, entry, hash, () => decodePreview(bytes));
+      const bytes = await this.#inTurn(stop.signal, () => this.#fetch(hash, stop.signal));
+      if (bytes && !stop.signal.aborted) this.#take(object, entry, hash, () => decodePreview(bytes));
     } catch (error) {
       if (!stop.signal.aborted) this.#fail(object, entry, error);
+    }
+  }
+
+  /** Fetches when it is its turn; nothing where it was stopped meanwhile. */
+  async #inTurn<T>(signal: AbortSignal, fetch: () => Promise<T>): Promise<T | undefined> {
+    while (this.#fetches >= MOST_FETCHES) await new Promise<void>((go) => this.#line.push(go));
+    this.#fetches += 1;
+    try {
+      return signal.aborted ? undefined : await fetch();
+    } finally {
+      this.#fetches -= 1;
+      this.#line.shift()?.();
     }
   }
 

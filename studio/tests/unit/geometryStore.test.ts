@@ -72,6 +72,21 @@ describe("the geometry of objects", () => {
     expect(buffer).toBe(frames.get(hash("1")));
   });
 
+  it("is fetched by a few at a time, each in its turn, and not at all when it is not wanted any more", async () => {
+    store.changed(Array.from({ length: 1000 }, (_, k): [string, string] => [`o${k}`, `${k}`]), NONE);
+    await wait();
+    expect(asked.map(({ hash }) => hash)).toEqual(["0", "1", "2", "3", "4", "5"]);
+    store.changed(Array.from({ length: 980 }, (_, k): [string, null] => [`o${k + 10}`, null]), NONE);
+    asked[1]?.refuse(new Error("gone"));
+    await wait();
+    for (let done = 0; done < asked.length; ) {
+      for (const one of asked.slice(done)) one.answer(bytesOf(`o${one.hash}`, done++));
+      await wait();
+    }
+    expect(asked.map(({ hash }) => Number(hash))).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 990, 991, 992, 993, 994, 995, 996, 997, 998, 999]);
+    expect(log.filter((line) => line.startsWith("put")).length).toBe(19);
+  });
+
   it("is the newest: what is older is stopped and never shown", async () => {
     store.changed([["a", "1"]], NONE);
     await wait();
