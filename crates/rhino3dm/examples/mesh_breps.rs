@@ -174,7 +174,7 @@ fn distance(surface: &Surface, p: Point3, start: [f64; 2]) -> f64 {
         let (a, b) = (d.get(1, 0), d.get(0, 1));
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
         let det = e * g - f * f;
-        if !(det > 1e-12 * e * g) {
+        if det.is_nan() || det <= 1e-12 * e * g {
             break;
         }
         u = domain[0].clamp(u + (g * r.dot(a) - f * r.dot(b)) / det);
