@@ -27,7 +27,7 @@ for (const scheme of ["light", "dark"] as const) {
     test("the dialogs", async ({ page }) => {
       await openFromGallery(page, /Anchor, vector, tip/);
       const dialog = page.getByRole("dialog");
-      for (const keys of ["Control+k", "?", "Control+,", "Control+Shift+S", "Control+Shift+E"]) {
+      for (const keys of ["Control+k", "?", "Control+,", "Control+Shift+S", "Control+Shift+E", "Control+Shift+K"]) {
         await page.keyboard.press(keys);
         await expect(dialog).toBeVisible();
         await isAccessible(page, dialog);
@@ -72,8 +72,16 @@ for (const scheme of ["light", "dark"] as const) {
       await isAccessible(page, page.locator(".pop-menu"));
       await page.keyboard.press("Escape");
       await page.keyboard.press("F3");
-      await page.keyboard.type("note");
+      await page.keyboard.type("Division");
       await isAccessible(page, list);
+      await page.keyboard.press("Enter");
+      for (const keys of ["F1", "Control+Shift+V"]) {
+        await page.keyboard.press(keys);
+        await expect(page.getByRole("dialog")).toBeVisible();
+        await isAccessible(page, page.getByRole("dialog"));
+        await page.keyboard.press("Escape");
+        await expect(page.getByRole("dialog")).toHaveCount(0);
+      }
     });
 
     test("the player", async ({ page }) => {

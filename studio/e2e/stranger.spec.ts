@@ -101,7 +101,7 @@ test("with the mouse: place, wire, slide, read, group, take back, make again, sa
   expect(readFileSync(file, "utf8")).toContain("<Archive");
 
   await page.getByRole("menuitem", { name: "File" }).click();
-  await page.getByRole("menuitem", { name: /^Open/ }).click();
+  await page.getByRole("menuitem", { name: /^Open …/ }).click();
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByText("Open a file …").click()]);
   await chooser.setFiles(file);
   await onWorkbench(page);
