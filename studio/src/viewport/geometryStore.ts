@@ -20,6 +20,8 @@ export interface GeometryListener {
 
 /** As many are fetched at a time: a browser has six connections to a server, and refuses thousands of requests at once. */
 const MOST_FETCHES = 6;
+/** While many more wait, what was fetched is shown together after so many milliseconds: not a picture for each of them. */
+const TOGETHER = 250;
 
 interface Entry {
   /** The hash of what is shown, and the geometry itself. */
@@ -47,6 +49,9 @@ export class GeometryStore implements GeometrySink {
   #fetches = 0;
   /** Those who wait for their turn to fetch. */
   #line: (() => void)[] = [];
+  /** What was fetched and is not shown yet. */
+  #fetched: (() => void)[] = [];
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(fetcher: Fetcher = fetchGeometry) {
     this.#fetch = fetcher;
@@ -102,10 +107,21 @@ export class GeometryStore implements GeometrySink {
     entry.stop = stop;
     try {
       const bytes = await this.#inTurn(stop.signal, () => this.#fetch(hash, stop.signal));
-      if (bytes && !stop.signal.aborted) this.#take(object, entry, hash, () => decodePreview(bytes));
+      if (!bytes) return;
+      this.#fetched.push(() => {
+        if (!stop.signal.aborted) this.#take(object, entry, hash, () => decodePreview(bytes));
+      });
+      if (this.#line.length <= MOST_FETCHES) this.#showFetched();
+      else this.#timer ??= setTimeout(() => this.#showFetched(), TOGETHER);
     } catch (error) {
       if (!stop.signal.aborted) this.#fail(object, entry, error);
     }
+  }
+
+  #showFetched(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    for (const show of this.#fetched.splice(0)) show();
   }
 
   /** Fetches when it is its turn; nothing where it was stopped meanwhile. */
