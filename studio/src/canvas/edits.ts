@@ -125,8 +125,10 @@ export function changePort(port: string, how: PortChange): void {
   void edit({ do: "changePort", port, change: how });
 }
 
-export function set(object: string, to: Setting): void {
-  void edit({ do: "set", object, to });
+/** Sets a value; done when the mirror shows it. */
+export async function set(object: string, to: Setting): Promise<void> {
+  const done = await edit({ do: "set", object, to });
+  if (done?.event === "done") await mirrored(done.revision);
 }
 
 export function reshape(object: string, control: Control, gesture: number | null = null): void {

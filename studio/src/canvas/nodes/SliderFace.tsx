@@ -27,8 +27,19 @@ export function SliderFace({ object, slider, width }: { object: ObjectView; slid
   const [live, setLive] = useState<number | undefined>(undefined);
   const [typing, setTyping] = useState(false);
   const value = live ?? slider.value;
-  // What was dragged to holds until the session has answered.
-  useEffect(() => setLive(undefined), [slider]);
+  const unanswered = useRef(0);
+  // What was dragged or gone to holds until the session has answered, to the last of keys that follow each other fast.
+  useEffect(() => {
+    if (unanswered.current === 0) setLive(undefined);
+  }, [slider]);
+  const step = (next: number) => {
+    setLive(next);
+    unanswered.current += 1;
+    void set(object.id, { is: "number", value: snapped(slider, next) }).finally(() => {
+      unanswered.current -= 1;
+      if (unanswered.current === 0) setLive(undefined);
+    });
+  };
 
   const name = object.nickname.trim() || object.name;
   const named = textWidth(name, TEXT) + 14;
@@ -44,6 +55,7 @@ export function SliderFace({ object, slider, width }: { object: ObjectView; slid
           slider={slider}
           value={value}
           onLive={setLive}
+          onStep={step}
           trackWidth={width - room - 22 - widest(slider) * 0.56 * TEXT}
         />
         {typing ? (
@@ -86,9 +98,11 @@ interface TrackProps {
   value: number;
   trackWidth: number;
   onLive(value: number | undefined): void;
+  /** A key went to a value. */
+  onStep(value: number): void;
 }
 
-function Track({ object, slider, value, trackWidth, onLive }: TrackProps) {
+function Track({ object, slider, value, trackWidth, onLive, onStep }: TrackProps) {
   const shown = useRef(value);
   shown.current = value;
   const at = position(slider, value);
@@ -123,8 +137,8 @@ function Track({ object, slider, value, trackWidth, onLive }: TrackProps) {
     if (next === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    onLive(next);
-    set(object.id, { is: "number", value: snapped(slider, next) });
+    shown.current = next;
+    onStep(next);
   };
 
   return (
