@@ -37,6 +37,8 @@ export default defineConfig({
   expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
   // Two processors, one of them for the server.
   workers: 1,
+  // Where everything else runs beside it a browser can be late; what then needs a second try is named.
+  retries: process.env.CI ? 2 : 0,
   reporter: [["line"]],
   use: {
     baseURL: address(preview ? own : port),

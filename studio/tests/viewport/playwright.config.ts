@@ -8,6 +8,7 @@ export default defineConfig({
   timeout: 120_000,
   expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
   workers: 1,
+  retries: process.env.CI ? 2 : 0,
   reporter: [["line"]],
   use: {
     baseURL: "http://127.0.0.1:6597",
