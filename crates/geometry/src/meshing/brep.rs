@@ -42,6 +42,10 @@ impl Brep {
     /// Cells along the parameters, as large as bounds of the second derivatives allow, are kept where they lie inside
     /// a face; between them and the edges is a Delaunay triangulation.
     ///
+    /// Known not to hold yet: a few breps of real models are farther off than the settings allow, and some have triangles
+    /// that look the other way, mostly beside poles; kinks inside trimmed faces are not followed. The example
+    /// `mesh_breps` of `katydid-3dm` names them.
+    ///
     /// # Errors
     /// A limit that is no number, a mesh with too many points, or a face that has no surface or no loop.
     pub fn mesh(&self, settings: &MeshSettings) -> Result<BrepMesh> {
