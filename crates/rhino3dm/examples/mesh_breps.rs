@@ -137,12 +137,6 @@ fn looked_at(brep: &Brep, mesh: &BrepMesh) -> (Vec<(usize, f64)>, (f64, usize, P
                 let n = if turned { -n } else { n };
                 if normal.dot(n) < 0.0 && height > 1e-9 * long {
                     backwards.push((face.face, height));
-                    if std::env::var("VERBOSE").is_ok() && backwards.len() < 4 {
-                        println!(
-                            "  {uv:?} places {:?} {a:?} {b:?} {c:?}",
-                            corners.map(|v| face.places[v as usize])
-                        );
-                    }
                 }
             }
             if k % every != 0 {
