@@ -13,14 +13,13 @@ pub(super) fn parts(bend: &Bend, [h, k]: [f64; 2], limits: &Limits) -> [f64; 2] 
     let mut n = distance_parts(bend, [h, k], sides, limits.distance);
     n[0] = n[0].max(h * bend.turn[0] / limits.angle);
     n[1] = n[1].max(k * bend.turn[1] / limits.angle);
-    for _ in 0..60 {
+    for _ in 0..20 {
         let cell = [h / n[0], k / n[1]];
-        let shortest = (sides[0] / n[0]).min(sides[1] / n[1]);
-        if !(bend.shear(cell) > SHEAR * shortest) {
+        let sides = [sides[0] / n[0], sides[1] / n[1]];
+        if !is_sheared(bend, cell, sides, limits, 1.0) {
             break;
         }
-        let d = direction_of(&bend.along, cell, [sides[0] / n[0], sides[1] / n[1]]);
-        n[d] *= 1.25;
+        n[direction_of(&bend.along, cell, sides)] *= 1.25;
     }
     if limits.aspect.is_finite() {
         for d in 0..2 {
@@ -80,7 +79,7 @@ pub(super) fn halving(bend: &Bend, cell: [f64; 2], limits: &Limits) -> Option<us
     if bend.distance(cell) > limits.distance * (1.0 + 1e-9) {
         return either(direction_of(&bend.off, cell, sides));
     }
-    if bend.shear(cell) > 1.6 * SHEAR * sides[0].min(sides[1]) {
+    if is_sheared(bend, cell, sides, limits, 1.6) {
         return either(direction_of(&bend.along, cell, sides));
     }
     for d in 0..2 {
@@ -90,6 +89,11 @@ pub(super) fn halving(bend: &Bend, cell: [f64; 2], limits: &Limits) -> Option<us
     }
     let long = usize::from(sides[1] > sides[0]);
     (sides[long] > 1.5 * limits.aspect * sides[1 - long] && room(&long)).then_some(long)
+}
+
+/// Whether a cell is sheared too far, by more than may be overlooked.
+fn is_sheared(bend: &Bend, cell: [f64; 2], sides: [f64; 2], limits: &Limits, slack: f64) -> bool {
+    bend.shear(cell) > (slack * SHEAR * sides[0].min(sides[1])).max(0.25 * limits.distance)
 }
 
 /// The direction that brings a sum of second-order terms down faster.
