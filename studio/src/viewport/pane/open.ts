@@ -17,7 +17,8 @@ import { Looker } from "../tools/looker";
 import { Probes } from "../tools/probes";
 import type { Pick } from "../tools/picking";
 import { SectionHandle } from "../tools/sectionHandle";
-import { Viewport, type Options, type Surroundings } from "../Viewport";
+import { Viewport, type Options } from "../Viewport";
+import type { Surroundings } from "../surroundings";
 import { viewOf } from "../views";
 import { PaneFrames } from "./frames";
 
@@ -94,15 +95,14 @@ function surroundings(): Surroundings {
   const { document, objects } = documentStore.getState();
   const { selection, hovered } = uiStore.getState();
   const colour = (of: keyof Pick4<DocumentView>, usual: Rgba): Rgba => document?.[of] ?? usual;
+  const hidden = new Set<string>();
+  for (const { id, hidden: isHidden, disabled } of objects.values()) if (isHidden || disabled) hidden.add(id);
   return {
     normal: colour("previewNormal", NORMAL),
     selected: colour("previewSelected", SELECTED),
     selection,
     hovered,
-    isHidden(id) {
-      const object = objects.get(id);
-      return object !== undefined && (object.hidden || object.disabled);
-    },
+    hidden,
   };
 }
 
