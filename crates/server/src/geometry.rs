@@ -26,7 +26,9 @@ impl Geometry {
     /// Writes the geometry behind others that go through the socket in one frame: the 16 bytes of its hash, its length
     /// (`u32`), four zeros, its bytes, and zeros up to a multiple of 8. `false` where the hash is none.
     pub(crate) fn write(&self, frame: &mut Vec<u8>) -> bool {
-        let (Some(hash), Ok(length)) = (self.hash_bytes(), u32::try_from(self.bytes.len())) else { return false };
+        let (Some(hash), Ok(length)) = (self.hash_bytes(), u32::try_from(self.bytes.len())) else {
+            return false;
+        };
         frame.reserve(self.framed_size());
         frame.extend_from_slice(&hash);
         frame.extend_from_slice(&u64::from(length).to_le_bytes());

@@ -17,7 +17,7 @@ import { readTheme, type Theme } from "./theme";
 import { isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
-import { areAlike, type Surroundings } from "./surroundings";
+import { areAlike, isHidden, type Surroundings } from "./surroundings";
 import { TextLayer } from "./overlay/texts";
 
 
@@ -157,7 +157,7 @@ export class Viewport {
   /** The boxes of the objects that are shown, or of some of them. */
   #boxes(only?: ReadonlySet<string>): Bounds[] {
     const objects = [...this.model.objects.values()].filter(({ id }) => !isTool(id) && (!only || only.has(id)));
-    return objects.flatMap(({ bounds, id }) => (bounds && !this.#around.hidden.has(id) ? [bounds] : []));
+    return objects.flatMap(({ bounds, id }) => (bounds && !isHidden(this.#around, id) ? [bounds] : []));
   }
 
   /** The camera of a pane, and its size. */
@@ -319,7 +319,7 @@ export class Viewport {
 
   #look(): void {
     this.#areLooksStale = false;
-    const { normal, selected, selection, hovered, hidden } = this.#around;
+    const { normal, selected, selection, hovered } = this.#around;
     const { ink, plaster, ground } = this.#theme;
     const palette = { normal, selected, ink, plaster, background: ground };
     for (const { id, parts } of this.model.objects.values()) {
@@ -327,7 +327,7 @@ export class Viewport {
         for (const entry of parts) this.model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
         continue;
       }
-      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: hidden.has(id) };
+      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(this.#around, id) };
       for (const entry of parts) {
         const look = lookOf(entry.part.kind, entry.part.colour, state, this.#settings.mode, palette, this.#settings.shown);
         this.model.setColour(entry, look);

@@ -52,6 +52,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     analysisGeometry.listen({ ...besides(viewport), failed: (object, reason) => complain(object, reason) }),
     uiStore.subscribe(() => viewport.surround(surroundings())),
     documentStore.subscribe(() => viewport.surround(surroundings())),
+    settingsStore.subscribe((now, before) => now.previews !== before.previews && viewport.surround(surroundings())),
     followTheme(() => viewport.retheme()),
   ];
   const frames = new PaneFrames(host, {
@@ -91,9 +92,12 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   };
 }
 
+const NONE: ReadonlySet<string> = new Set();
+
 function surroundings(): Surroundings {
   const { document, objects } = documentStore.getState();
   const { selection, hovered } = uiStore.getState();
+  const { previews } = settingsStore.getState();
   const colour = (of: keyof Pick4<DocumentView>, usual: Rgba): Rgba => document?.[of] ?? usual;
   const hidden = new Set<string>();
   for (const { id, hidden: isHidden, disabled } of objects.values()) if (isHidden || disabled) hidden.add(id);
@@ -103,6 +107,7 @@ function surroundings(): Surroundings {
     selection,
     hovered,
     hidden,
+    only: previews === "all" ? undefined : previews === "selected" ? selection : NONE,
   };
 }
 
