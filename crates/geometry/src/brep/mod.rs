@@ -25,6 +25,7 @@ mod orient;
 mod part;
 mod parts;
 pub(crate) mod planar;
+mod properties;
 mod region;
 mod solid;
 mod subset;
@@ -48,7 +49,6 @@ pub use planar::PlanarFaces;
 pub use region::{FaceSide, Region, RegionKind, Regions};
 pub use solid::Solidity;
 pub use trim::{Iso, Trim, TrimKind};
-pub(crate) use trimmed::lifted;
 pub use validity::Fault;
 pub use vertex::Vertex;
 

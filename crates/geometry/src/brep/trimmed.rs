@@ -8,8 +8,6 @@ mod lift;
 mod pull_back;
 mod split;
 
-pub(crate) use lift::lifted;
-
 use super::Brep;
 use crate::region::{FillRule, Region};
 use crate::{
