@@ -46,7 +46,7 @@ fn of_cell(surface: &Surface, reversed: bool, cell: &Cell, tolerance: &Tolerance
 /// A loop as pieces without kinks; lines along sides of the domain lie exactly there.
 fn pieces(surface: &Surface, curve: &Curve, tolerance: &Tolerance) -> Result<Vec<Piece>> {
     let mut out = Vec::new();
-    for piece in curve.smooth_runs(tolerance)?.iter().flat_map(|run| parts(run)) {
+    for piece in curve.smooth_runs(tolerance)?.iter().flat_map(parts) {
         let piece = match piece.as_line(1e-12 * piece.bounding_box().diagonal().length()) {
             Some(line) => LineCurve { line, domain: piece.domain() }.into(),
             None => piece,
