@@ -1,14 +1,21 @@
 //! The Surface tab.
 
 mod analysis;
+mod boundary;
 mod boxes;
+mod caps;
 mod curvature;
 mod extrude;
+mod frame;
 mod freeform;
 mod loft;
 mod measure;
+mod pipe;
 mod primitive;
 pub(crate) mod sphere;
+mod sweep;
+#[cfg(test)]
+mod trial;
 mod util;
 
 use std::sync::Arc as Shared;
