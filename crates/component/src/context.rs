@@ -157,4 +157,10 @@ impl<'a> Context<'a> {
     pub fn check(&self) -> Result<(), Message> {
         self.call.budget.check()
     }
+
+    /// The same as a question that other threads may ask: whether the work shall stop.
+    pub fn stop(&self) -> impl Fn() -> bool + Sync + use<'a> {
+        let budget = self.call.budget;
+        move || budget.check().is_err()
+    }
 }

@@ -2,7 +2,7 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::RawObject;
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
+    Arc, Box3, Brep, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
     Surface, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
@@ -128,6 +128,7 @@ items! {
     TwistedBoxes, TwistedBox, TwistedBox, |x| Value::TwistedBox(Shared::new(*x)), Value::TwistedBox(x) => *x;
     Curves, Curve, Shared<Curve>, |x| Value::Curve(x.clone()), Value::Curve(x) => x;
     Surfaces, Surface, Shared<Surface>, |x| Value::Surface(x.clone()), Value::Surface(x) => x;
+    Breps, Brep, Shared<Brep>, |x| Value::Brep(x.clone()), Value::Brep(x) => x;
     Meshes, Mesh, Shared<Mesh>, |x| Value::Mesh(x.clone()), Value::Mesh(x) => x;
     MeshFaces, MeshFace, MeshFace, |x| Value::MeshFace(*x), Value::MeshFace(x) => x;
     Transforms, Transform, Xform, |x| Value::Transform(Shared::new(*x)), Value::Transform(x) => *x;

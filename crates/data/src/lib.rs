@@ -14,6 +14,7 @@
 //! assert_eq!(grafted.paths()[2], Path::from([0, 2]));
 //! ```
 
+mod brep;
 pub mod cast;
 mod colour;
 mod column;

@@ -3,7 +3,7 @@
 //! Numbers have up to six decimals with trailing zeros cut; lengths carry the document's unit.
 
 use katydid_3dm::{BrepSummary, RawObject};
-use katydid_geometry::{Curve, MeshFace, Point3, Tolerance, Units};
+use katydid_geometry::{Brep, Curve, MeshFace, Point3, Tolerance, Units};
 
 use crate::{Content, Domain2, Location, Path, Value};
 
@@ -82,6 +82,7 @@ pub fn value(value: &Value, style: &Style) -> String {
         Value::TwistedBox(_) => "Twisted Box".to_owned(),
         Value::Curve(c) => curve(c, style).to_owned(),
         Value::Surface(_) => "Untrimmed Surface".to_owned(),
+        Value::Brep(b) => brep(b).to_owned(),
         Value::Mesh(mesh) => format!("Mesh (V:{}  F:{})", mesh.vertices().len(), mesh.faces().len()),
         Value::MeshFace(MeshFace::Triangle([a, b, c])) => format!("T{{{a};{b};{c}}}"),
         Value::MeshFace(MeshFace::Quad([a, b, c, d])) => format!("Q{{{a};{b};{c};{d}}}"),
@@ -188,6 +189,16 @@ fn location(place: &Location) -> String {
 
 fn two_decimals(p: Point3) -> String {
     format!("{:.2},{:.2},{:.2}", p.x, p.y, p.z)
+}
+
+/// A brep tells whether it is closed; one of a single face, whether that is trimmed.
+fn brep(brep: &Brep) -> &'static str {
+    match brep.faces() {
+        _ if brep.is_solid() => "Closed Brep",
+        [_] if brep.as_surface().is_some() => "Untrimmed Surface",
+        [_] => "Trimmed Surface",
+        _ => "Open Brep",
+    }
 }
 
 /// Geometry that is kept whole goes by its class; a brep tells whether it is closed.

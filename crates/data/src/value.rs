@@ -2,7 +2,7 @@ use std::sync::Arc as Shared;
 
 use katydid_3dm::{Limits, Object, RawObject, UserData};
 use katydid_geometry::{
-    Arc, Box3, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
+    Arc, Box3, Brep, Circle, Curve, Field, Interval, Line, Matrix, Mesh, MeshFace, Plane, Point3, Rectangle,
     Surface, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
@@ -43,6 +43,7 @@ pub enum Value {
     TwistedBox(Shared<TwistedBox>),
     Curve(Shared<Curve>),
     Surface(Shared<Surface>),
+    Brep(Shared<Brep>),
     Mesh(Shared<Mesh>),
     MeshFace(MeshFace),
     Transform(Shared<Xform>),
@@ -85,6 +86,7 @@ impl Value {
             Self::TwistedBox(_) => Kind::TwistedBox,
             Self::Curve(_) => Kind::Curve,
             Self::Surface(_) => Kind::Surface,
+            Self::Brep(_) => Kind::Brep,
             Self::Mesh(_) => Kind::Mesh,
             Self::MeshFace(_) => Kind::MeshFace,
             Self::Transform(_) => Kind::Transform,
@@ -159,6 +161,7 @@ impl Value {
         Some(match self {
             Self::Curve(c) => Shared::as_ptr(c).addr(),
             Self::Surface(s) => Shared::as_ptr(s).addr(),
+            Self::Brep(b) => Shared::as_ptr(b).addr(),
             Self::Mesh(m) => Shared::as_ptr(m).addr(),
             Self::Kept(k) => Shared::as_ptr(k).addr(),
             Self::Content(c) => Shared::as_ptr(c).addr(),
@@ -209,6 +212,7 @@ from! {
     Shared<Curve>, Curve;
     Surface, Surface;
     Shared<Surface>, Surface;
+    Shared<Brep>, Brep;
     Mesh, Mesh;
     Shared<Mesh>, Mesh;
     MeshFace, MeshFace;

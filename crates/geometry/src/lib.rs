@@ -58,6 +58,7 @@ mod longest_rectangle;
 mod matrix;
 mod mesh;
 mod meshing;
+mod moments;
 pub mod morph;
 mod nurbs;
 mod plane;
@@ -109,6 +110,7 @@ pub use mesh::{
     Smoothing, SurfaceMeshing,
 };
 pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
+pub use moments::MassProperties;
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,

@@ -25,6 +25,9 @@ fn results_are_valid_or_refused() {
         let begun = std::time::Instant::now();
         let mut why = std::collections::BTreeMap::<String, usize>::new();
         for seed in 0..count() {
+            if std::env::var("SOLID_WHY").is_ok_and(|x| x == "2") {
+                println!("    seed {seed}, {:?}", begun.elapsed());
+            }
             let made = catch_unwind(AssertUnwindSafe(|| make(&mut Random(seed))));
             let Ok(made) = made else { panic!("{name}, seed {seed}: panicked") };
             match made {

@@ -1,21 +1,42 @@
-//! What is kept as a program wrote it, such as a brep: drawn by the meshes that it brought, and by its edges.
+//! Breps, meshed and drawn with their edges; and what is kept as a program wrote it, drawn by the meshes that it
+//! brought.
 
 use std::sync::Arc as Shared;
+use std::time::{Duration, Instant};
 
-use katydid_3dm::{Limits, Model, ModelObject, RawObject};
+use katydid_3dm::{Limits, Model, ModelObject, Object, RawObject};
 use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
-use katydid_geometry::{Curve, Plane, Point3};
+use katydid_geometry::{Brep, Curve, MeshSettings, Plane, Point3};
 
 use crate::{Facets, Form, Place, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
 const SMOOTH: f64 = 5e-4;
 
+/// A brep that takes longer than this to mesh is drawn by its edges.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// A brep, shaded and with its edges; by its edges alone when it cannot be meshed.
+pub(crate) fn of_brep(brep: &Brep) -> Result<Form, String> {
+    let since = Instant::now();
+    let mesh = brep.mesh_unless(&MeshSettings::default(), &|| since.elapsed() > PATIENCE);
+    let mesh =
+        mesh.and_then(|mesh| mesh.to_mesh()).map_err(|error| format!("a Brep cannot be meshed: {error}"))?;
+    let edges = (0..brep.edges().len()).filter_map(|edge| brep.edge_as_curve(edge).ok().flatten());
+    Ok(Form::Surface(Shared::new(Facets::made(mesh, edges.map(|edge| line(&edge)).collect()))))
+}
+
 /// The forms of a kept object.
 pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
     let class = raw.class_name();
     let object =
         raw.parse(&Limits::default()).map_err(|error| format!("a {class} cannot be read: {error}"))?;
+    if let Object::Brep(brep) = &object
+        && brep.render_meshes.iter().flatten().next().is_none()
+        && let Ok(form) = of_brep(&brep.brep)
+    {
+        return Ok(vec![form]);
+    }
     let model = Model { objects: vec![ModelObject::from(object)], ..Model::default() };
     let exchanged = Exchanged::from_model(&model);
     if exchanged.things.is_empty() {

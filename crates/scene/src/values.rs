@@ -61,6 +61,10 @@ impl Values {
                 Some(facets) => Form::Surface(Shared::new(facets)),
                 None => return self.leave_out(of, "a surface without a NURBS form"),
             },
+            Value::Brep(brep) => match solids::of_brep(brep) {
+                Ok(form) => form,
+                Err(why) => return self.leave_out(of, &why),
+            },
             Value::Group(group) => {
                 for member in group.members.iter().flatten() {
                     self.add(scene, member, look, rules, of);
@@ -96,6 +100,7 @@ fn key(value: &Value) -> Option<Key> {
         Value::Point(p) => Key::Numbers([p.x, p.y, p.z].map(f64::to_bits)),
         Value::Curve(shared) => Key::Place(Shared::as_ptr(shared) as usize),
         Value::Surface(shared) => Key::Place(Shared::as_ptr(shared) as usize),
+        Value::Brep(shared) => Key::Place(Shared::as_ptr(shared) as usize),
         Value::Mesh(shared) => Key::Place(Shared::as_ptr(shared) as usize),
         Value::Box(shared) => Key::Place(Shared::as_ptr(shared) as usize),
         Value::Plane(shared) => Key::Place(Shared::as_ptr(shared) as usize),

@@ -38,35 +38,65 @@ pub(crate) fn port(
     let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, &mut messages) };
     // An expression may give another type than the port's.
     let tree = cast_to(tree, kind, rules, &mut messages);
-    let tree =
-        if kind == Kind::Surface && !object.is_floating() { computable(tree, &mut messages) } else { tree };
+    let tree = match kind {
+        Kind::Surface if !object.is_floating() => one_surface(tree, &mut messages),
+        Kind::Brep if !object.is_floating() => breps(tree, &mut messages),
+        _ => tree,
+    };
     Collected { tree, messages }
 }
 
-/// Components compute with the surface of a kept brep of one untrimmed face, turned over or not; for others they
-/// have nothing to compute with. (Parameters pass all of them through as they are.)
-fn computable(tree: Tree, messages: &mut Vec<Message>) -> Tree {
+/// Components that ask for a surface compute with that of a brep's only face, trimmed or not, turned over or not. For
+/// breps of several faces they have nothing to compute with. (Parameters pass all of them through as they are.)
+fn one_surface(tree: Tree, messages: &mut Vec<Message>) -> Tree {
+    let surface = |brep: &Value| {
+        let brep = brep.brep().ok_or_else(|| "it has no faces".to_owned())??;
+        match (brep.faces(), brep.face_surface(0)) {
+            ([_], Some(surface)) => Ok(Value::from(surface.clone())),
+            _ => Err("it has several faces".to_owned()),
+        }
+    };
+    replaced(tree, "computed with as a surface", messages, surface)
+}
+
+/// Breps that are kept as a program wrote them are read for the components that ask for breps.
+fn breps(tree: Tree, messages: &mut Vec<Message>) -> Tree {
+    replaced(tree, "read", messages, |kept| match (kept, kept.brep()) {
+        (Value::Kept(_), Some(brep)) => Ok(Value::Brep(brep?)),
+        _ => Ok(kept.clone()),
+    })
+}
+
+/// The tree with another value in the place of every brep, and nothing where there is none.
+fn replaced(
+    tree: Tree,
+    done: &str,
+    messages: &mut Vec<Message>,
+    make: impl Fn(&Value) -> Result<Value, String>,
+) -> Tree {
     let column = tree.column();
-    if !column.iter().any(|item| matches!(item, Some(Value::Kept(_)))) {
+    let is_brep = |item: &Option<Value>| matches!(item, Some(Value::Kept(_) | Value::Brep(_)));
+    if !column.iter().any(|item| is_brep(&item)) {
         return tree;
     }
     let mut refused = None;
     let usable = column.iter().map(|item| match item {
-        Some(Value::Kept(brep)) => match brep.bare_surface() {
-            Ok(Some(bare)) => Some(Value::from(bare.surface)),
-            _ => {
-                refused.get_or_insert(brep);
+        Some(brep) if is_brep(&Some(brep.clone())) => match make(&brep) {
+            Ok(value) => Some(value),
+            Err(why) => {
+                refused.get_or_insert((brep, why));
                 None
             }
         },
         item => item,
     });
     let usable = Column::of_options(usable.collect());
-    if let Some(first) = refused {
-        messages.push(Message::warning(format!(
-            "A {} that is trimmed or of several faces cannot be computed with yet",
-            first.class_name()
-        )));
+    if let Some((first, why)) = refused {
+        let class = match &first {
+            Value::Kept(raw) => raw.class_name(),
+            other => other.kind().to_string(),
+        };
+        messages.push(Message::warning(format!("A {class} cannot be {done}: {why}")));
     }
     tree.with_column(usable)
 }

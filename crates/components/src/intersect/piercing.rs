@@ -3,9 +3,10 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_data::Value;
 use katydid_geometry::intersect::{SurfaceIntersections, curve_with_surface};
-use katydid_geometry::{Curve, Line, Mesh, MeshTree, Point3, PolylineLimits, Surface, Vector3};
+use katydid_geometry::{Brep, Curve, Line, Mesh, MeshTree, Point3, PolylineLimits, Surface, Vector3};
+
+use crate::surface::prepared::prepared;
 
 /// What a curve and a surface have in common.
 struct Piercing {
@@ -48,15 +49,30 @@ impl Piercing {
     }
 }
 
-/// The bare surface that a Brep is.
-fn bare(brep: &Value) -> Result<&Surface, Message> {
-    match brep {
-        Value::Surface(surface) => Ok(surface),
-        other => Err(Message::error(format!(
-            "A {} that is no bare surface is not supported here yet",
-            other.kind().name()
-        ))),
+/// The stretches and points that a curve and a Brep have in common.
+type Meeting = (Vec<Shared<Curve>>, Vec<Point3>);
+
+/// Where a curve meets a Brep; only there where it does so first, if that is wanted.
+fn pierced(
+    context: &Context<'_>,
+    curve: &Curve,
+    brep: &Shared<Brep>,
+    first: bool,
+) -> Result<Meeting, Message> {
+    let search = prepared(context, brep)?;
+    let mut found = search.curve_crossings(curve, context.tolerance().absolute)?;
+    if !found.complete {
+        context.warn("Curve and Brep lie so close together that some meetings may be missing");
     }
+    if first {
+        let point = found.crossings.first().map_or(f64::INFINITY, |c| c.t);
+        let stretch = found.overlaps.first().map_or(f64::INFINITY, |o| o.start);
+        found.crossings.truncate(usize::from(point <= stretch));
+        found.overlaps.truncate(usize::from(stretch < point));
+    }
+    context.items(found.crossings.len().saturating_add(found.overlaps.len()))?;
+    let stretches = found.overlaps.iter().map(|o| curve.trimmed(*o).map(Shared::new));
+    Ok((stretches.collect::<Result<_, _>>()?, found.crossings.iter().map(|c| c.point).collect()))
 }
 
 /// Whether the object is set to give the first meeting only.
@@ -120,7 +136,7 @@ fn surface_line_first(
 
 /// Where a line between its ends meets a Brep, in the order of the line.
 ///
-/// It takes bare surfaces; other Breps are not supported yet.
+/// Trimmed parts do not count. A point on an edge is given once.
 #[component(
     "ed0742f9-6647-4d95-9dfd-9ad17080ae9c",
     name = "Brep | Line",
@@ -132,14 +148,13 @@ fn surface_line_first(
 fn brep_line(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, &line.into(), bare(&brep)?, only_first(context))?;
-    Ok((met.curves.clone(), met.points()))
+    pierced(context, &line.into(), &brep, only_first(context))
 }
 
 /// Where a line between its ends meets a Brep. Another form of the component of the same name.
@@ -155,8 +170,8 @@ fn brep_line(
 fn brep_line_first(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
@@ -164,8 +179,7 @@ fn brep_line_first(
     #[port("First", "F", default = false)]
     first: bool,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, &line.into(), bare(&brep)?, first)?;
-    Ok((met.curves.clone(), met.points()))
+    pierced(context, &line.into(), &brep, first)
 }
 
 /// Where a curve meets a surface, in the order of the curve.
@@ -203,7 +217,7 @@ fn surface_curve(
 
 /// Where a curve meets a Brep, in the order of the curve.
 ///
-/// It takes bare surfaces; other Breps are not supported yet.
+/// Trimmed parts do not count. A point on an edge is given once.
 #[component(
     "20ef81e8-df15-4a0c-acf1-993a7607cafb",
     name = "Brep | Curve",
@@ -215,14 +229,13 @@ fn surface_curve(
 fn brep_curve(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, curve, bare(&brep)?, false)?;
-    Ok((met.curves.clone(), met.points()))
+    pierced(context, curve, &brep, false)
 }
 
 /// Where a curve passes through a mesh, in the order of the curve.
@@ -286,6 +299,24 @@ mod tests {
 
     fn p(x: f64, y: f64, z: f64) -> Point3 {
         Point3::new(x, y, z)
+    }
+
+    #[test]
+    fn solids_are_pierced() {
+        let side = Interval::new(0.0, 2.0);
+        let block = Box3 { plane: Plane::XY, x: side, y: side, z: side };
+        let through = |from: Point3, to: Point3| {
+            Trial::of("Brep | Line").item(block).item(Line::new(from, to)).run().outputs
+        };
+        assert_eq!(texts(&through(p(1.0, 1.0, -1.0), p(1.0, 1.0, 9.0))[1]), ["{0;0}: {1, 1, 0}, {1, 1, 2}"]);
+        // Through an edge and a corner: each once.
+        assert_eq!(through(p(-1.0, 1.0, -1.0), p(3.0, 1.0, 3.0))[1].item_count(), 2);
+        assert_eq!(through(p(-1.0, -1.0, -1.0), p(3.0, 3.0, 3.0))[1].item_count(), 2);
+        let along = through(p(-1.0, 1.0, 2.0), p(3.0, 1.0, 2.0));
+        assert_eq!((along[0].item_count(), along[1].item_count()), (1, 0));
+        let round: Curve = Circle::new(Plane::XY.with_origin(p(0.0, 0.0, 1.0)), 1.0).unwrap().into();
+        let met = Trial::of("Brep | Curve").item(block).item(round).run().outputs;
+        assert_eq!(met[1].item_count(), 2);
     }
 
     fn ball() -> Surface {

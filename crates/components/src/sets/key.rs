@@ -75,6 +75,7 @@ impl Key {
             Value::Vector(v) => Self::Numbers("vector", [bits(v.x), bits(v.y), bits(v.z)]),
             Value::Curve(shared) => object(shared),
             Value::Surface(shared) => object(shared),
+            Value::Brep(shared) => object(shared),
             Value::Mesh(shared) => object(shared),
             Value::Material(shared) => object(shared),
             Value::Group(shared) => object(shared),

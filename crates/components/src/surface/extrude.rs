@@ -1,122 +1,159 @@
 //! Surface / Freeform: extrusions. A closed profile gives an open surface, as it does in Grasshopper: its ends are
-//! not capped.
+//! not capped. A surface gives a solid.
 
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::{Curve, Line, NurbsSurface, Plane, Point3, SumSurface, Surface, Vector3, Xform};
+use katydid_geometry::{Brep, Curve, Line, Plane, Point3, Vector3, Xform, construct};
 
-use super::{shared, warning};
+use super::warning;
 
-/// The curve that is extruded.
-fn profile(context: &Context<'_>, geometry: &Geometry) -> Result<Curve, Message> {
-    match cast::value(&geometry.0, Kind::Curve, context.rules()) {
-        Some(Value::Curve(curve)) => Ok((*curve).clone()),
-        _ => Err(Message::error(format!("A {} cannot be extruded yet, only curves", geometry.0.kind()))),
+/// What is extruded.
+enum Base {
+    /// A curve, which gives a surface.
+    Curve(Shared<Curve>),
+    /// Faces, which give a solid.
+    Faces(Shared<Brep>),
+}
+
+impl Base {
+    fn of(context: &Context<'_>, geometry: &Geometry) -> Result<Self, Message> {
+        if let Some(Value::Curve(curve)) = cast::value(&geometry.0, Kind::Curve, context.rules()) {
+            return Ok(Self::Curve(curve));
+        }
+        let faces = cast::value(&geometry.0, Kind::Brep, context.rules()).and_then(|value| value.brep());
+        let faces = faces.transpose().map_err(Message::warning)?;
+        let faces = faces.ok_or_else(|| {
+            Message::error(format!("A {} cannot be extruded, only curves and surfaces", geometry.0.kind()))
+        })?;
+        if faces.naked_edges().is_empty() {
+            return Err(Message::error("A closed Brep cannot be extruded: it has no open edges"));
+        }
+        Ok(Self::Faces(faces))
+    }
+
+    fn transformed(self, xform: &Xform) -> Result<Self, Message> {
+        Ok(match self {
+            Self::Curve(curve) => Self::Curve(Shared::new(curve.transformed(xform).map_err(warning)?)),
+            Self::Faces(brep) => Self::Faces(Shared::new(brep.transformed(xform).map_err(warning)?)),
+        })
+    }
+
+    fn extruded(&self, context: &Context<'_>, direction: Vector3) -> Result<Value, Message> {
+        let tolerance = context.tolerance();
+        let made = match self {
+            Self::Curve(curve) => construct::extrude(curve, direction, false, &tolerance),
+            Self::Faces(brep) => construct::extrude_brep(brep, direction, &tolerance),
+        };
+        Ok(Value::from(made.map_err(warning)?))
     }
 }
 
-fn extruded(curve: Curve, direction: Vector3) -> Result<Shared<Surface>, Message> {
-    Ok(shared(SumSurface::extrusion(curve, direction).map_err(warning)?))
-}
-
-/// Moves a curve along a vector and gives the surface that it sweeps.
+/// Moves a curve or a surface along a vector and gives what it sweeps.
 ///
-/// Closed curves are not capped. Surfaces, whose extrusion is a solid, cannot be extruded yet.
+/// A curve gives a surface, with a face for each stretch without a kink; closed curves are not capped. A surface gives
+/// a solid.
 #[component("962034e9-cc27-4394-afc4-5c16e3447cf9", name = "Extrude", nick = "Extr", at = "Surface/Freeform")]
-#[output("Extrusion", "E", "The surface: u runs along the curve, v along the vector by length.", kind = Brep)]
+#[output("Extrusion", "E", "The surface or solid: u runs along the curve, v along the vector by length.", kind = Brep)]
 fn extrude(
     context: &Context<'_>,
-    /// The curve.
+    /// The curve or surface.
     #[port("Base", "B")]
     base: Geometry,
     /// In which direction and how far; not 0.
     #[port("Direction", "D")]
     direction: Vector3,
-) -> Result<Shared<Surface>, Message> {
-    extruded(profile(context, &base)?, direction)
+) -> Result<Value, Message> {
+    Base::of(context, &base)?.extruded(context, direction)
 }
 
-/// Brings a curve from one plane to another, moves it along a line from there, and gives the surface that it sweeps.
+/// Brings a curve or a surface from one plane to another, moves it along a line from there, and gives what it sweeps.
 ///
-/// Closed curves are not capped. Surfaces cannot be extruded yet.
+/// A curve gives a surface, closed curves are not capped; a surface gives a solid.
 #[component(
     "8efd5eb9-a896-486e-9f98-d8d1a07a49f3",
     name = "Extrude Linear",
     nick = "Extrude",
     at = "Surface/Freeform"
 )]
-#[output("Extrusion", "E", "The surface: u runs along the curve, v along the line by length.", kind = Brep)]
+#[output("Extrusion", "E", "The surface or solid: u runs along the curve, v along the line by length.", kind = Brep)]
 fn extrude_linear(
     context: &Context<'_>,
-    /// The curve.
+    /// The curve or surface.
     #[port("Profile", "P")]
     base: Geometry,
-    /// The plane that the curve is seen in.
+    /// The plane that the profile is seen in.
     #[port("Orientation (P)", "Po", default = Plane::XY)]
     from: Plane,
-    /// The line along which the curve is moved.
+    /// The line along which the profile is moved.
     #[port("Axis", "A", default = Line::new(Point3::new(10.0, 0.0, 0.0), Point3::new(10.0, 0.0, 1.0)))]
     axis: Line,
-    /// The plane to which the curve is brought; without it the one square to the line at its start.
+    /// The plane to which the profile is brought; without it the one square to the line at its start.
     #[port("Orientation (A)", "Ao")]
     to: Option<Plane>,
-) -> Result<Shared<Surface>, Message> {
+) -> Result<Value, Message> {
     let to = match to {
         Some(plane) => plane,
         None => Plane::from_normal(axis.from, axis.direction()).map_err(warning)?,
     };
-    let curve = profile(context, &base)?.transformed(&Xform::plane_to_plane(&from, &to)).map_err(warning)?;
-    extruded(curve, axis.direction())
+    let base = Base::of(context, &base)?.transformed(&Xform::plane_to_plane(&from, &to))?;
+    base.extruded(context, axis.direction())
 }
 
-/// Straight lines from all points of a curve to a tip.
+/// Straight lines from all points of a curve, or of the edges of a surface, to a tip.
 ///
-/// Closed curves are not capped. Surfaces cannot be extruded yet.
+/// A curve gives a surface, closed curves are not capped; a surface gives a solid.
 #[component(
     "be6636b2-2f1a-4d42-897b-fdef429b6f17",
     name = "Extrude Point",
     nick = "Extr",
     at = "Surface/Freeform"
 )]
-#[output("Extrusion", "E", "The surface: u runs along the curve, v from it, at 0, to the tip, at 1.", kind = Brep)]
+#[output("Extrusion", "E", "The surface or solid: u runs along the curve, v from it, at 0, to the tip, at 1.", kind = Brep)]
 fn extrude_point(
     context: &Context<'_>,
-    /// The curve.
+    /// The curve or surface.
     #[port("Base", "B")]
     base: Geometry,
     /// The tip.
     #[port("Point", "P")]
     tip: Point3,
-) -> Result<Shared<Surface>, Message> {
-    let curve = profile(context, &base)?.to_nurbs().map_err(warning)?;
-    Ok(shared(NurbsSurface::to_apex(&curve, tip).map_err(warning)?))
+) -> Result<Value, Message> {
+    let tolerance = context.tolerance();
+    let made = match Base::of(context, &base)? {
+        Base::Curve(curve) => construct::extrude_to_point(&curve, tip, false, &tolerance),
+        Base::Faces(brep) => construct::extrude_brep_to_point(&brep, tip, &tolerance),
+    };
+    Ok(Value::from(made.map_err(warning)?))
 }
 
-/// Moves a curve along another one without turning it, and gives the surface that it sweeps.
+/// Moves a curve or a surface along a curve without turning it, and gives what it sweeps.
 ///
-/// The curve stays where it is at the start of the other. Closed curves are not capped. Surfaces cannot be extruded
-/// yet.
+/// It stays where it is at the start of the other. A curve gives a surface, closed curves are not capped; a surface
+/// gives a solid.
 #[component(
     "38a5638b-6d01-4417-bf11-976d925f8a71",
     name = "Extrude Along",
     nick = "ExtrCrv",
     at = "Surface/Freeform"
 )]
-#[output("Extrusion", "E", "The surface: u runs along the base, v along the curve.", kind = Brep)]
+#[output("Extrusion", "E", "The surface or solid: u runs along the base, v along the curve.", kind = Brep)]
 fn extrude_along(
     context: &Context<'_>,
-    /// The curve that is moved.
+    /// The curve or surface that is moved.
     #[port("Base", "B")]
     base: Geometry,
     /// The curve along which it is moved.
     #[port("Curve", "C")]
     along: &Curve,
-) -> Result<Shared<Surface>, Message> {
-    let back = -along.start().to_vector();
-    let sum = SumSurface::new(profile(context, &base)?, along.clone(), back);
-    Ok(shared(sum.map_err(warning)?))
+) -> Result<Value, Message> {
+    let tolerance = context.tolerance();
+    let made = match Base::of(context, &base)? {
+        Base::Curve(curve) => construct::extrude_along(&curve, along, false, &tolerance),
+        Base::Faces(brep) => construct::extrude_brep_along(&brep, along, &tolerance),
+    };
+    Ok(Value::from(made.map_err(warning)?))
 }
 
 #[cfg(test)]
@@ -125,7 +162,30 @@ mod tests {
 
     use katydid_component::testing::Trial;
     use katydid_data::Value;
-    use katydid_geometry::{Box3, Circle, Direction, Interval, Line, Plane, Point3, Surface, Vector3};
+    use katydid_geometry::{
+        Box3, Circle, Direction, Interval, Line, Plane, Point3, Rectangle, Surface, Vector3,
+    };
+
+    use crate::surface::trial::{breps, mesh_volume};
+
+    #[test]
+    fn surfaces_give_solids() {
+        let rings = [2.0, 1.0].map(|radius| Circle { plane: Plane::XY, radius });
+        let ring = Trial::of("Boundary Surfaces").list(rings).run().outputs[0].column().get(0).unwrap();
+        let up = Vector3::new(0.0, 0.0, 3.0);
+        let solid = &breps(Trial::of("Extrude").item(ring.clone()).item(up))[0];
+        assert!(solid.is_solid());
+        assert!((mesh_volume(solid) - 9.0 * PI).abs() < 1e-2);
+        let tip = Point3::new(0.0, 0.0, 3.0);
+        let solid = &breps(Trial::of("Extrude Point").item(ring.clone()).item(tip))[0];
+        assert!((mesh_volume(solid) - 3.0 * PI).abs() < 1e-2);
+        let rail = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 2.0));
+        let solid = &breps(Trial::of("Extrude Along").item(ring).item(rail))[0];
+        assert!((mesh_volume(solid) - 6.0 * PI).abs() < 1e-2);
+        let square = Rectangle { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT };
+        let walls = &breps(Trial::of("Extrude").item(square).item(up))[0];
+        assert_eq!((walls.faces().len(), walls.is_solid()), (4, false));
+    }
 
     fn surface(trial: Trial) -> Surface {
         match trial.run().outputs[0].column().get(0) {
@@ -144,7 +204,8 @@ mod tests {
         assert!(!tube.is_solid());
         assert!(!Trial::of("Extrude").item(circle).item(Vector3::ZERO).message().is_empty());
         let b = Box3 { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT, z: Interval::UNIT };
-        assert!(Trial::of("Extrude").item(b).item(Vector3::Z).message().contains("Box"));
+        assert!(Trial::of("Extrude").item(b).item(Vector3::Z).message().contains("closed Brep"));
+        assert!(Trial::of("Extrude").item(Point3::ORIGIN).item(Vector3::Z).message().contains("Point"));
 
         let linear = surface(Trial::of("Extrude Linear").item(circle));
         assert!(linear.point_at(0.0, 1.0).distance_to(Point3::new(11.0, 0.0, 1.0)) < 1e-15);

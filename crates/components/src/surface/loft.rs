@@ -3,18 +3,19 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::LoftOptions;
+use katydid_data::{LoftOptions, Value};
+use katydid_geometry::construct::{self, LoftStyle};
 use katydid_geometry::{
-    Curve, Direction, KnotSpacing, NurbsCurve, NurbsSurface, Point3, Surface, compatible_curves,
+    Curve, KnotSpacing, NurbsCurve, NurbsSurface, Surface, clamped_uniform_knots, compatible_curves,
 };
 
 use super::{shared, warning};
 
 /// A surface through section curves, in the order of the list.
 ///
-/// Every section is used in its own direction; sections that run against each other twist the surface. Through three
-/// and more sections it is smooth, unless the options say otherwise. Between its sections it may differ a little from
-/// Rhino's.
+/// Every section is used in its own direction; sections that run against each other twist the surface, unless the
+/// options adjust them. Through three and more sections it is smooth, unless the options say otherwise. It has a face
+/// for each part without a kink.
 #[component("a7a41d0a-2188-4f7a-82cc-1a2c4e4ec850", name = "Loft", nick = "Loft", at = "Surface/Freeform")]
 #[output("Loft", "L", "The surface: u runs along the sections, v from one to the next.", kind = Brep)]
 fn loft(
@@ -25,66 +26,146 @@ fn loft(
     /// How the sections are joined.
     #[port("Options", "O", default = LoftOptions::default())]
     options: LoftOptions,
-) -> Result<Shared<Surface>, Message> {
-    let mut sections: Vec<Curve> = curves.present().map(|c| (*c).clone()).collect();
+) -> Result<Value, Message> {
+    let sections: Vec<Curve> = curves.present().map(|c| (*c).clone()).collect();
     if sections.len() < 2 {
         return Err(Message::warning("A loft needs at least two sections"));
     }
-    if options.adjust {
-        adjust(context, &mut sections);
+    let style = match options.kind {
+        0 => LoftStyle::Normal,
+        1 => LoftStyle::Loose,
+        2 => LoftStyle::Tight,
+        3 => LoftStyle::Straight,
+        4 => return Err(Message::error("Developable lofts are not supported")),
+        5 => LoftStyle::Uniform,
+        other => return Err(Message::error(format!("There is no loft of type {other}"))),
+    };
+    let controls: usize = sections.iter().map(|c| c.hull_points().len()).sum();
+    context.bytes(controls.saturating_mul(sections.len()).saturating_mul(32))?;
+    let made = construct::loft(
+        &sections,
+        &construct::LoftOptions {
+            style,
+            closed: options.closed,
+            adjust: options.adjust,
+            rebuild: usize::try_from(options.rebuild).ok().filter(|n| *n > 0),
+            refit: Some(options.refit).filter(|t| *t > 0.0),
+            ..construct::LoftOptions::default()
+        },
+        &context.tolerance(),
+    );
+    Ok(Value::from(made.map_err(warning)?))
+}
+
+/// A surface whose control points are those of the sections, in the order of the list.
+///
+/// It passes near the inner sections, not through them.
+#[component(
+    "5c270622-ee80-45a4-b07a-bd8ffede92a2",
+    name = "Control Point Loft",
+    nick = "CPLoft",
+    at = "Surface/Freeform"
+)]
+#[output("Surface", "S", "The surface: u runs along the sections, v from one to the next.")]
+fn control_point_loft(
+    context: &Context<'_>,
+    /// The sections, at least two.
+    #[port("Curves", "C")]
+    curves: List<Shared<Curve>>,
+    /// The degree from section to section; at most one less than there are sections.
+    #[port("Degree", "D", default = 3)]
+    degree: i32,
+) -> Result<Shared<Surface>, Message> {
+    let sections = compatible(context, &curves)?;
+    let degree = usize::try_from(degree).ok().filter(|d| (1..=11).contains(d));
+    let degree = degree.ok_or_else(|| Message::error("The degree is a number from 1 to 11"))?;
+    let (Some(first), n) = (sections.first(), sections.len()) else {
+        return Err(Message::warning("A loft needs at least two sections"));
+    };
+    let degrees = [first.degree(), degree.min(n - 1)];
+    let counts = [first.point_count(), n];
+    let knots = [first.knots().to_vec(), clamped_uniform_knots(degrees[1], n).map_err(warning)?];
+    let made = if first.is_rational() {
+        NurbsSurface::rational(degrees, counts, net(&sections, NurbsCurve::homogeneous_points), knots)
+    } else {
+        NurbsSurface::new(degrees, counts, net(&sections, NurbsCurve::control_points), knots)
+    };
+    Ok(shared(made.map_err(warning)?))
+}
+
+/// A surface through sections that are each taken at even lengths, in the order of the list.
+///
+/// Where the sections have different control points it is lighter than a loft, and off them by a little between the
+/// places that are taken.
+#[component(
+    "342aa574-1327-4bc2-8daf-203da2a45676",
+    name = "Fit Loft",
+    nick = "FitLoft",
+    at = "Surface/Freeform"
+)]
+#[output("Surface", "S", "The surface: u runs along the sections, v from one to the next.")]
+fn fit_loft(
+    context: &Context<'_>,
+    /// The sections, at least two.
+    #[port("Curves", "C")]
+    curves: List<Shared<Curve>>,
+    /// At how many places a section is taken: more than the degree along it.
+    #[port("Count U", "Nu", default = 10)]
+    count: i32,
+    /// The degree along the sections.
+    #[port("Degree U", "Du", default = 3)]
+    degree_u: i32,
+    /// The degree from section to section; at most one less than there are sections.
+    #[port("Degree V", "Dv", default = 3)]
+    degree_v: i32,
+) -> Result<Shared<Surface>, Message> {
+    let sections: Vec<Shared<Curve>> = curves.present().collect();
+    if sections.len() < 2 {
+        return Err(Message::warning("A loft needs at least two sections"));
     }
-    let sections = sections.iter().map(|c| simplified(c, &options)).collect::<Result<Vec<_>, Message>>()?;
-    let mut sections = compatible_curves(&sections).map_err(warning)?;
+    let degree = |d: i32| usize::try_from(d).ok().filter(|d| (1..=11).contains(d));
+    let (Some(along), Some(across)) = (degree(degree_u), degree(degree_v)) else {
+        return Err(Message::error("A degree is a number from 1 to 11"));
+    };
+    let count = usize::try_from(count).ok().filter(|n| *n > along);
+    let count =
+        count.ok_or_else(|| Message::error("The count must be above the degree along the sections"))?;
+    context.bytes(count.saturating_mul(sections.len()).saturating_mul(256))?;
+    let mut points = Vec::with_capacity(count * sections.len());
+    let rows = sections
+        .iter()
+        .map(|section| {
+            context.check()?;
+            let mut places = section.divide_by_count(count - 1).map_err(warning)?;
+            places.truncate(count - 1);
+            places.push(section.domain().end);
+            Ok(places.into_iter().map(|t| section.point_at(t)).collect::<Vec<_>>())
+        })
+        .collect::<Result<Vec<_>, Message>>()?;
+    for k in 0..count {
+        points.extend(rows.iter().filter_map(|row| row.get(k)).copied());
+    }
+    let degrees = [along, across.min(sections.len() - 1)];
+    let made = NurbsSurface::interpolate(
+        degrees,
+        [count, sections.len()],
+        &points,
+        KnotSpacing::Chord,
+        [false, false],
+    );
+    Ok(shared(made.map_err(warning)?))
+}
+
+/// The sections with the same degree and knots.
+fn compatible(context: &Context<'_>, curves: &List<'_, Shared<Curve>>) -> Result<Vec<NurbsCurve>, Message> {
+    let sections = curves.present().map(|c| c.to_nurbs()).collect::<Result<Vec<_>, _>>().map_err(warning)?;
+    if sections.len() < 2 {
+        return Err(Message::warning("A loft needs at least two sections"));
+    }
+    let sections = compatible_curves(&sections).map_err(warning)?;
     let controls = sections.first().map_or(0, NurbsCurve::point_count);
     context.bytes(controls.saturating_mul(sections.len()).saturating_mul(32))?;
-    if sections.len() == 2 && !(options.closed && options.kind == 1) && options.kind != 4 {
-        let [a, b] = sections.as_slice() else { return Err(Message::error("Internal error: two sections")) };
-        return Ok(shared(NurbsSurface::ruled(a, b).map_err(warning)?));
-    }
-    let made = match options.kind {
-        0 => smooth(&sections, KnotSpacing::Chord, options.closed),
-        2 => smooth(&sections, KnotSpacing::SquareRootChord, options.closed),
-        5 => smooth(&sections, KnotSpacing::Uniform, options.closed),
-        1 => netted(&sections, 3, options.closed),
-        3 => {
-            if options.closed {
-                sections.extend(sections.first().cloned());
-            }
-            netted(&sections, 1, false)
-        }
-        4 => Err(Message::error("Developable lofts cannot be made yet")),
-        other => Err(Message::error(format!("There is no loft of type {other}"))),
-    };
-    Ok(shared(made?))
-}
-
-/// Turns open sections round whose ends lie nearer to the other ends of the section before.
-fn adjust(context: &Context<'_>, sections: &mut [Curve]) {
-    let tolerance = context.tolerance().absolute;
-    if sections.iter().any(|c| c.start().distance_to(c.end()) <= tolerance) {
-        context.warn("The seams of closed sections are used as they are: they cannot be adjusted yet");
-        return;
-    }
-    for i in 1..sections.len() {
-        let Some([before, section]) = sections.get_mut(i - 1..=i) else { continue };
-        let along = before.start().distance_to(section.start()) + before.end().distance_to(section.end());
-        let against = before.start().distance_to(section.end()) + before.end().distance_to(section.start());
-        if against < along {
-            *section = section.reversed();
-        }
-    }
-}
-
-/// The NURBS form of a section, rebuilt or refitted as the options say.
-fn simplified(curve: &Curve, options: &LoftOptions) -> Result<NurbsCurve, Message> {
-    if options.rebuild > 0 {
-        let count = usize::try_from(options.rebuild).unwrap_or(2).max(2);
-        return Ok(curve.rebuilt((count - 1).min(3), count, false).map_err(warning)?.curve);
-    }
-    if options.refit > 0.0 {
-        return Ok(curve.refitted(3, options.refit).map_err(warning)?.curve);
-    }
-    curve.to_nurbs().map_err(warning)
+    Ok(sections)
 }
 
 /// One number or point of every control point of every section: all sections of the first control point, then all of
@@ -93,59 +174,6 @@ fn net<T>(sections: &[NurbsCurve], of: impl Fn(&NurbsCurve) -> Vec<T>) -> Vec<T>
     let mut columns: Vec<_> = sections.iter().map(|s| of(s).into_iter()).collect();
     let n = sections.first().map_or(0, NurbsCurve::point_count);
     (0..n).flat_map(|_| columns.iter_mut().filter_map(Iterator::next).collect::<Vec<T>>()).collect()
-}
-
-/// The surface whose control points are those of the sections.
-fn netted(sections: &[NurbsCurve], degree: usize, closed: bool) -> Result<NurbsSurface, Message> {
-    let (Some(first), n) = (sections.first(), sections.len()) else {
-        return Err(Message::error("Internal error: no sections"));
-    };
-    let m = first.point_count();
-    let degree = degree.min(if closed { n } else { n - 1 });
-    // Only the knots across are wanted of this one: the sections bring their own.
-    let across = NurbsSurface::uniform([1, degree], [2, n], &vec![Point3::ORIGIN; 2 * n], [false, closed]);
-    let knots = [first.knots().to_vec(), across.map_err(warning)?.knots(Direction::V).to_vec()];
-    let wrapped: Vec<NurbsCurve> = if closed {
-        sections.iter().chain(sections.iter().take(degree)).cloned().collect()
-    } else {
-        sections.to_vec()
-    };
-    let (degrees, counts) = ([first.degree(), degree], [m, wrapped.len()]);
-    let made = if first.is_rational() {
-        NurbsSurface::rational(degrees, counts, net(&wrapped, NurbsCurve::homogeneous_points), knots)
-    } else {
-        NurbsSurface::new(degrees, counts, net(&wrapped, NurbsCurve::control_points), knots)
-    };
-    made.map_err(warning)
-}
-
-/// The surface through the sections, each control point interpolated across.
-fn smooth(sections: &[NurbsCurve], spacing: KnotSpacing, closed: bool) -> Result<NurbsSurface, Message> {
-    let (Some(first), n) = (sections.first(), sections.len()) else {
-        return Err(Message::error("Internal error: no sections"));
-    };
-    let m = first.point_count();
-    let weights = first.weights();
-    let same = |s: &NurbsCurve| s.weights().iter().zip(&weights).all(|(a, b)| (a - b).abs() <= 1e-9 * b);
-    if !sections.iter().all(same) {
-        return Err(Message::error(
-            "Sections of different weights can only be lofted straight or loosely yet",
-        ));
-    }
-    let degree = if closed { 3 } else { (n - 1).min(3) };
-    let points = net(sections, NurbsCurve::control_points);
-    // Along the sections degree 1 leaves the points as they are.
-    let across = NurbsSurface::interpolate([1, degree], [m, n], &points, spacing, [false, closed]);
-    let across = across.map_err(warning)?;
-    let knots = [first.knots().to_vec(), across.knots(Direction::V).to_vec()];
-    let (degrees, counts) = ([first.degree(), degree], across.counts());
-    let made = if first.is_rational() {
-        let weights: Vec<f64> = weights.iter().flat_map(|w| std::iter::repeat_n(*w, counts[1])).collect();
-        NurbsSurface::with_weights(degrees, counts, &across.control_points(), &weights, knots)
-    } else {
-        NurbsSurface::new(degrees, counts, across.control_points(), knots)
-    };
-    made.map_err(warning)
 }
 
 /// How a loft joins its sections.
@@ -183,7 +211,9 @@ fn loft_options(
 mod tests {
     use katydid_component::testing::Trial;
     use katydid_data::{LoftOptions, Value};
-    use katydid_geometry::{Circle, Direction, Line, Plane, Point3, Surface};
+    use katydid_geometry::{Brep, Circle, Direction, Line, Plane, Point3, Surface};
+
+    use crate::surface::trial::{breps, mesh_volume};
 
     fn surface(trial: Trial) -> Surface {
         match trial.run().outputs[0].column().get(0) {
@@ -218,29 +248,28 @@ mod tests {
 
     #[test]
     fn sections_lie_on_the_surface_but_for_loose_ones() {
+        let nearest = |brep: &Brep, p: Point3| {
+            let surfaces = (0..brep.faces().len()).filter_map(|face| brep.face_surface(face));
+            surfaces.map(|s| s.closest_point(p).unwrap().distance).fold(f64::INFINITY, f64::min)
+        };
         for kind in [0, 2, 3, 5] {
-            let made = surface(loft(rings(4), LoftOptions { kind, ..LoftOptions::default() }));
+            let made = &breps(loft(rings(4), LoftOptions { kind, ..LoftOptions::default() }))[0];
+            assert_eq!(made.faces().len(), if kind == 3 { 3 } else { 1 });
             for ring in rings(4) {
                 for angle in [0.0, 0.7, 2.0, 5.0] {
-                    assert!(made.closest_point(ring.at(angle)).unwrap().distance < 1e-9, "{kind}");
+                    assert!(nearest(made, ring.at(angle)) < 1e-9, "{kind}");
                 }
             }
         }
-        let loose = surface(loft(rings(4), LoftOptions { kind: 1, ..LoftOptions::default() }));
-        let inside = rings(4)[1].at(0.7);
-        assert!(loose.closest_point(inside).unwrap().distance > 0.1);
-        assert!(
-            loft(rings(3), LoftOptions { kind: 4, ..LoftOptions::default() })
-                .message()
-                .contains("Developable")
-        );
-        assert!(
-            loft(rings(3), LoftOptions { kind: 9, ..LoftOptions::default() }).message().contains("type 9")
-        );
+        let loose = &breps(loft(rings(4), LoftOptions { kind: 1, ..LoftOptions::default() }))[0];
+        assert!(nearest(loose, rings(4)[1].at(0.7)) > 0.1);
+        let message = |kind: i32| loft(rings(3), LoftOptions { kind, ..LoftOptions::default() }).message();
+        assert!(message(4).contains("Developable"));
+        assert!(message(9).contains("type 9"));
     }
 
     #[test]
-    fn closed_lofts_return() {
+    fn closed_lofts_are_solid() {
         // Four circles round an axis.
         let axes = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
         let round = || {
@@ -252,9 +281,23 @@ mod tests {
             .to_vec()
         };
         for kind in [0, 1, 3] {
-            let made = surface(loft(round(), LoftOptions { closed: true, kind, ..LoftOptions::default() }));
-            assert!(made.is_closed(Direction::V) && made.is_closed(Direction::U), "{kind}");
+            let made = breps(loft(round(), LoftOptions { closed: true, kind, ..LoftOptions::default() }));
+            assert!(made[0].is_solid(), "{kind}");
+            assert!(mesh_volume(&made[0]) > 10.0, "{kind}: its normals point outward");
         }
+    }
+
+    #[test]
+    fn lofts_of_control_points_and_of_places() {
+        let loose = surface(Trial::of("Control Point Loft").list(rings(4)).item(2));
+        assert_eq!(loose.point_at(0.0, loose.domain(Direction::V).end), rings(4)[3].at(0.0));
+        assert!(loose.closest_point(rings(4)[1].at(0.7)).unwrap().distance > 0.1);
+        assert!(Trial::of("Control Point Loft").list(rings(4)).item(0).message().contains("1 to 11"));
+        let fitted = surface(Trial::of("Fit Loft").list(rings(4)).item(21).item(3).item(3));
+        for ring in rings(4) {
+            assert!(fitted.closest_point(ring.at(0.7)).unwrap().distance < 1e-3);
+        }
+        assert!(Trial::of("Fit Loft").list(rings(4)).item(3).item(3).message().contains("above"));
     }
 
     #[test]

@@ -1,14 +1,24 @@
 //! The Surface tab.
 
 mod analysis;
+mod boundary;
 mod boxes;
+mod caps;
 mod curvature;
 mod extrude;
+mod frame;
 mod freeform;
+mod inside;
 mod loft;
 mod measure;
+mod parts;
+mod pipe;
+pub(crate) mod prepared;
 mod primitive;
 pub(crate) mod sphere;
+mod sweep;
+#[cfg(test)]
+mod trial;
 mod util;
 
 use std::sync::Arc as Shared;

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc as Shared;
 
 use katydid_component::{Message, component};
-use katydid_data::Geometry;
-use katydid_geometry::{Cone, Cylinder, Interval, Plane, PlaneSurface, Point3, Sphere, Surface};
+use katydid_data::{Geometry, Value};
+use katydid_geometry::{Cone, Cylinder, Interval, Plane, PlaneSurface, Point3, Sphere, Surface, construct};
 
 use super::{over, shared, warning};
 use crate::transform::around;
@@ -30,6 +30,25 @@ fn sphere(
     radius: f64,
 ) -> Result<Shared<Surface>, Message> {
     sphere_surface(Sphere::new(base, radius)?)
+}
+
+/// A sphere of six four-sided surfaces, without poles.
+#[component(
+    "361790d6-9d66-4808-8c5a-8de9c218c227",
+    name = "Quad Sphere",
+    nick = "QSph",
+    at = "Surface/Primitive"
+)]
+#[output("Sphere", "S", "The sphere, a closed Brep of six faces.", kind = Brep)]
+fn quad_sphere(
+    /// Its origin is the centre.
+    #[port("Base", "B", default = Plane::XY)]
+    base: Plane,
+    /// The radius, greater than 0.
+    #[port("Radius", "R", default = 1.0)]
+    radius: f64,
+) -> Result<Value, Message> {
+    Ok(Value::from(construct::quad_sphere(&Sphere::new(base, radius)?).map_err(warning)?))
 }
 
 /// A cylinder without caps.

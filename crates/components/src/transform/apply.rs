@@ -45,6 +45,7 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
         Value::TwistedBox(b) => Value::from(TwistedBox { corners: b.corners.map(|p| xform.point(p)) }),
         Value::Curve(curve) => Value::from(curve.transformed(xform)?),
         Value::Surface(surface) => Value::from(surface.transformed(xform)?),
+        Value::Brep(brep) => Value::from(brep.transformed(xform)?),
         Value::Mesh(mesh) => Value::from(mesh.transformed(xform)?),
         Value::Group(group) => {
             if depth > DEEPEST {

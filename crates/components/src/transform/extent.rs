@@ -23,6 +23,9 @@ fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
         Value::Surface(surface) => {
             surface.bounding_box_in(plane).map_or_else(|_| Vec::new(), |b| b.corners().to_vec())
         }
+        Value::Brep(brep) => {
+            brep.bounding_box_in(plane).map_or_else(|_| Vec::new(), |b| b.corners().to_vec())
+        }
         Value::Circle(_) | Value::Arc(_) => match cast::value(value, Kind::Curve, &cast::Rules::default()) {
             Some(Value::Curve(curve)) => curve.bounding_box_in(plane).corners().to_vec(),
             _ => Vec::new(),

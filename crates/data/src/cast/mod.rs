@@ -41,6 +41,10 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         let bare = brep.bare_surface().ok().flatten()?;
         return self::value(&Value::from(bare.surface), kind, rules);
     }
+    if let (Value::Brep(brep), Kind::Domain2 | Kind::Plane) = (value, kind) {
+        let [_] = brep.faces() else { return None };
+        return self::value(&Value::from(brep.face_surface(0)?.clone()), kind, rules);
+    }
     if let Value::Content(content) = value {
         return self::content(value, content, kind, rules);
     }
@@ -90,7 +94,9 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         Kind::Surface | Kind::Brep => match value {
             // A surface without trims is a brep of one face.
             Value::Surface(_) => Some(value.clone()),
+            Value::Brep(brep) => (brep.faces().len() == 1).then(|| value.clone()),
             Value::Kept(_) => kept(value, kind),
+            Value::Box(_) if kind == Kind::Brep => value.brep()?.ok().map(Value::from),
             _ => curve::surface(value, rules).map(Value::from),
         },
         Kind::SubD | Kind::PointCloud => kept(value, kind),

@@ -76,6 +76,10 @@ pub(crate) fn bounds(value: &Value) -> Option<BoundingBox> {
         Value::Box(b) => BoundingBox::from_points(b.corners()),
         Value::TwistedBox(b) => BoundingBox::from_points(b.corners),
         Value::Surface(surface) => surface.bounding_box().ok(),
+        Value::Brep(brep) => {
+            let around = brep.bounding_box_in(&Plane::XY).ok()?;
+            BoundingBox::from_points(around.corners())
+        }
         Value::Content(content) => match &**content {
             Content::Object(object) => bounds(object.geometry.as_ref()?),
             Content::Instance(instance) => instance.bounds(),

@@ -1,7 +1,7 @@
 //! The form of an object: what formats take of it.
 
 use katydid_3dm::{BrepObject, CachedMesh, Extrusion, Object, PointCloud};
-use katydid_geometry::{Curve, Interval, Mesh, Plane, Surface, Vector3, Xform};
+use katydid_geometry::{Brep, Curve, Interval, Mesh, MeshSettings, Plane, Surface, Vector3, Xform};
 
 use super::drawn::{self, Styles};
 use super::facets::{borders, facets};
@@ -61,7 +61,8 @@ impl Shapes<'_> {
         Shape::Faces { facets, edges: borders(surface) }
     }
 
-    /// A brep by the meshes that its program kept beside it. One that is nothing but a surface is faceted here.
+    /// A brep by the meshes that its program kept beside it. One that brought none, or is nothing but a surface, is
+    /// meshed here.
     fn brep(&self, object: &BrepObject, left_out: &mut Vec<LeftOut>) -> Told<Shape> {
         if let Some(bare) = object.bare_surface() {
             return Ok(self.faces(&bare.surface, bare.is_reversed));
@@ -78,9 +79,20 @@ impl Shapes<'_> {
                 LeftOut::new("face of a Brep", count - kept.len(), "no mesh of it is kept in the model"),
             );
         }
-        let facets =
-            if kept.is_empty() { None } else { Some(Mesh::join(&kept).map_err(|error| error.to_string())?) };
+        let facets = if kept.is_empty() {
+            self.meshed(&object.brep)
+        } else {
+            Some(Mesh::join(&kept).map_err(|error| error.to_string())?)
+        };
         Ok(Shape::Faces { facets, edges })
+    }
+
+    /// The mesh of a brep within the tolerance; none for one that cannot be meshed.
+    fn meshed(&self, brep: &Brep) -> Option<Mesh> {
+        let bounds = brep.bounds_of_faces()?;
+        let distance = self.scene.tolerance_for(self.tolerance, &bounds);
+        let settings = MeshSettings { min_count: 4, ..MeshSettings::within(distance) };
+        brep.mesh(&settings).and_then(|mesh| mesh.welded()).ok().filter(|mesh| !mesh.faces().is_empty())
     }
 }
 

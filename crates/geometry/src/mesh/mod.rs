@@ -9,6 +9,7 @@ mod edit;
 mod face;
 mod hits;
 mod measure;
+mod moments;
 mod neighbours;
 mod of_surface;
 mod offset;

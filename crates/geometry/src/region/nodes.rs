@@ -9,6 +9,8 @@ use crate::{BoundingBox, Curve, Error, Interval, Point3, Result};
 /// The most pairs of parts, and of parts of them, that are looked at.
 const MOST_PAIRS: usize = 4_000_000;
 const MOST_VISITS: u64 = 100_000_000;
+/// The most pairs of cuts that are compared where parts run beside each other.
+const MOST_COMPARED: u64 = 50_000_000;
 
 /// The parts cut at nodes.
 #[derive(Debug)]
@@ -172,6 +174,15 @@ impl Cuts<'_> {
     /// What cuts one of two parts that run beside each other cuts the other too.
     fn carry_over(&mut self) -> Result<()> {
         let beside = std::mem::take(&mut self.beside);
+        // The points of the cuts of each part that others run beside.
+        let mut known: Vec<Vec<Point3>> = vec![Vec::new(); self.lists.len()];
+        for b in &beside {
+            if known[b.other].is_empty() {
+                let curve = self.curve(b.other);
+                known[b.other] = self.lists[b.other].iter().map(|s| curve.point_at(s.0)).collect();
+            }
+        }
+        let mut compared = 0_u64;
         // A cut goes on from the other to a third.
         for _ in 0..4 {
             let mut added = false;
@@ -181,18 +192,18 @@ impl Cuts<'_> {
                     .copied()
                     .filter(|s| b.range.start < s.0 && s.0 < b.range.end)
                     .collect();
-                let mut known: Vec<Point3> = Vec::new();
-                if !inner.is_empty() {
-                    known.extend(self.lists[b.other].iter().map(|s| self.curve(b.other).point_at(s.0)));
-                }
                 for (t, place) in inner {
+                    compared += known[b.other].len() as u64;
+                    if compared > MOST_COMPARED {
+                        return Err(too_much());
+                    }
                     let p = self.curve(b.part).point_at(t);
-                    if known.iter().any(|q| q.distance_to(p) <= self.tolerance) {
+                    if known[b.other].iter().any(|q| q.distance_to(p) <= self.tolerance) {
                         continue;
                     }
                     if let Some(foot) = self.curve(b.other).closest_point_within(p, 2.0 * self.tolerance)? {
                         self.lists[b.other].push((foot.parameter, place));
-                        known.push(foot.point);
+                        known[b.other].push(foot.point);
                         added = true;
                     }
                 }

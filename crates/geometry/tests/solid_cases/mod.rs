@@ -6,8 +6,8 @@ pub mod random;
 
 use katydid_geometry::construct::{self, LoftOptions, LoftStyle, Miter, PipeCap, SweepFrame, SweepOptions};
 use katydid_geometry::{
-    Box3, Brep, Cone, Curve, Cylinder, Error, Interval, Line, Plane, Point3, Result, Sphere, Tolerance,
-    Torus, Vector3,
+    Box3, Brep, Cone, Curve, Cylinder, Error, Interval, Line, Plane, Point3, Result, Sphere, Surface,
+    Tolerance, Torus, Vector3,
 };
 use random::{Random, closed, curve, open};
 
@@ -186,6 +186,60 @@ pub fn cases() -> Vec<Case> {
             }
             one(construct::pipe(&rail, radius, cap, &TOLERANCE))
         }),
+        ("trimmed surface", |r| {
+            let surface = surface(r)?;
+            let mut loops = Vec::new();
+            for _ in 0..1 + r.below(3) {
+                loops.push(parameter_loop(r, &surface)?);
+            }
+            Brep::from_parameter_loops(&surface, &loops, &TOLERANCE)
+        }),
+        ("pulled holes", |r| {
+            let surface = surface(r)?;
+            let whole = Brep::from_surface(surface.clone())?;
+            let mut curves = Vec::new();
+            for _ in 0..1 + r.below(2) {
+                let [u, v] =
+                    katydid_geometry::Direction::BOTH.map(|d| surface.domain(d).at(r.between(0.1, 0.9)));
+                let Some(frame) = surface.frame_at(u, v) else { continue };
+                let small = closed(r, &frame)?;
+                let small = small.transformed(&katydid_geometry::Xform::scale(frame.origin, 0.2))?;
+                curves.extend(surface.pull_curve(&small, &TOLERANCE)?);
+            }
+            let curves: Vec<Curve> = curves.into_iter().filter(Curve::is_closed).collect();
+            if r.one_in(2) {
+                whole.face_with_holes(0, &curves, &TOLERANCE)
+            } else {
+                whole.face_inside(0, &curves, &TOLERANCE)
+            }
+        }),
+        ("split face", |r| {
+            let surface = surface(r)?;
+            let loops = [parameter_loop(r, &surface)?];
+            let trimmed = Brep::from_parameter_loops(&surface, &loops, &TOLERANCE)?;
+            let whole = trimmed.into_iter().next().ok_or(Error::Unsupported("an empty region"))?;
+            let [u, v] = katydid_geometry::Direction::BOTH.map(|d| surface.domain(d).at(r.between(0.1, 0.9)));
+            let mut out = whole.face_split_at(0, [&[u], &[v]], &TOLERANCE)?;
+            out.push(whole.shrunk_face(0, &TOLERANCE)?);
+            out.push(whole.untrimmed_face(0)?);
+            out.push(surface.isotrimmed(
+                Interval::new(u, surface.domain(katydid_geometry::Direction::U).end),
+                Interval::new(v, v + 1.0),
+            )?);
+            Ok(out)
+        }),
+        ("copy trims", |r| {
+            let source = surface(r)?;
+            let loops = [parameter_loop(r, &source)?];
+            let trimmed = Brep::from_parameter_loops(&source, &loops, &TOLERANCE)?;
+            let whole = trimmed.into_iter().next().ok_or(Error::Unsupported("an empty region"))?;
+            let target = surface(r)?;
+            if r.one_in(3) {
+                whole.retrimmed(0, &target, &TOLERANCE)
+            } else {
+                whole.copied_trims(0, &target, &TOLERANCE)
+            }
+        }),
         ("cap", |r| {
             let plane = r.plane(9.0);
             let tube = construct::extrude(&closed(r, &plane)?, r.vector(5.0), false, &TOLERANCE)?;
@@ -206,6 +260,43 @@ pub fn cases() -> Vec<Case> {
             Ok(Brep::join(&faces, &TOLERANCE)?.breps)
         }),
     ]
+}
+
+/// A surface of any kind, of a size that curves fit on.
+fn surface(random: &mut Random) -> Result<Surface> {
+    let plane = random.plane(5.0);
+    Ok(match random.below(7) {
+        0 => katydid_geometry::PlaneSurface::new(plane, Interval::new(-3.0, 3.0), Interval::new(-2.0, 4.0))?
+            .into(),
+        1 => Sphere::new(plane, random.between(2.0, 5.0))?.into(),
+        2 => Cylinder::new(plane, random.between(1.0, 3.0), Interval::new(0.0, 6.0))?.into(),
+        3 => Torus::new(plane, 5.0, random.between(1.0, 3.0))?.into(),
+        4 => Cone::new(plane, 4.0, 3.0)?.into(),
+        5 => katydid_geometry::SumSurface::new(open(random)?, open(random)?, Vector3::ZERO)?.into(),
+        _ => {
+            let points: Vec<Point3> = (0..25)
+                .map(|k| {
+                    Point3::new(2.0 * f64::from(k / 5), 2.0 * f64::from(k % 5), random.between(-1.0, 1.0))
+                })
+                .collect();
+            katydid_geometry::NurbsSurface::clamped_uniform([3, 3], [5, 5], &points)?.into()
+        }
+    })
+}
+
+/// A closed curve in the parameter plane of a surface, now and then over its sides.
+fn parameter_loop(random: &mut Random, surface: &Surface) -> Result<Curve> {
+    let [u, v] = katydid_geometry::Direction::BOTH.map(|d| surface.domain(d));
+    let shape = closed(random, &Plane::XY)?;
+    let (x, y) = (random.between(0.05, 0.95), random.between(0.05, 0.95));
+    let size = random.between(0.02, 0.12);
+    let map = katydid_geometry::Xform::from_columns(
+        Vector3::X * (size * u.length()),
+        Vector3::Y * (size * v.length()),
+        Vector3::Z,
+        Point3::new(u.at(x), v.at(y), 0.0),
+    );
+    shape.transformed(&map)
 }
 
 /// A rail as designers draw them, now and then a wild one.

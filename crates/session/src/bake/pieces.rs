@@ -1,6 +1,6 @@
 //! Values as objects of a model.
 
-use katydid_3dm::{BlockReference, Model, Object};
+use katydid_3dm::{BlockReference, BrepObject, Model, Object};
 use katydid_data::{Content, Kind, ModelObject, Value, cast};
 
 use super::content::Blocks;
@@ -22,6 +22,10 @@ pub(super) fn of(
             }
         }
         Value::Surface(surface) => pieces.push(Object::Surface((**surface).clone())),
+        Value::Brep(brep) => {
+            let object = BrepObject { bounds: brep.bounds_of_faces(), ..BrepObject::from((**brep).clone()) };
+            pieces.push(Object::Brep(Box::new(object)));
+        }
         Value::Mesh(mesh) => pieces.push(Object::from((**mesh).clone())),
         Value::Box(_) | Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {
             Some(Value::Mesh(mesh)) => pieces.push(Object::from((*mesh).clone())),

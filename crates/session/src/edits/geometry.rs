@@ -1,6 +1,6 @@
 //! Geometry as a definition keeps it: openNURBS objects, packed as .NET packs them.
 
-use katydid_3dm::Object as Archived;
+use katydid_3dm::{BrepObject, Object as Archived};
 use katydid_data::{Tree, Value};
 use katydid_definition::document::{Branch, OnData, Persistent, Stored, StoredGeometry};
 
@@ -28,6 +28,12 @@ fn stored(value: &Value) -> Result<Stored, String> {
     }
     let (object, type_name) = match value {
         Value::Curve(curve) => (Archived::Curve((**curve).clone()), "GH_Curve"),
+        Value::Surface(_) | Value::Brep(_) => {
+            let brep = value.brep().transpose()?.ok_or_else(|| "a surface without faces".to_owned())?;
+            let object = BrepObject { bounds: brep.bounds_of_faces(), ..BrepObject::from((*brep).clone()) };
+            let name = if brep.faces().len() == 1 { "GH_Surface" } else { "GH_Brep" };
+            (Archived::Brep(Box::new(object)), name)
+        }
         Value::Mesh(mesh) => (Archived::from((**mesh).clone()), "GH_Mesh"),
         Value::Kept(raw) => (Archived::Kept((**raw).clone()), kept_type(&raw.class_name())),
         other => return Err(format!("a {} cannot be kept in a definition yet", other.kind())),

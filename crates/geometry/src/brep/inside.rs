@@ -1,0 +1,333 @@
+//! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
+
+use std::sync::Arc as Shared;
+
+use super::Brep;
+use crate::region::Outline;
+use crate::{
+    BoundingBox, ClosestOnCurve, ClosestOnSurface, Containment, Curve, Error, Line, Plane, Point3, Result,
+    Vector3,
+    intersect::{self, ContactKind},
+};
+
+/// A face prepared for questions: its surface and its loops.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    pub(super) face: usize,
+    pub(super) closest: ClosestOnSurface,
+    outlines: Vec<Outline>,
+    loops: Vec<Curve>,
+    pub(super) bounds: BoundingBox,
+    pub(super) reversed: bool,
+}
+
+impl Sheet {
+    /// How often the loops run round a pair of parameters: once on the face.
+    pub(super) fn covers(&self, u: f64, v: f64) -> bool {
+        self.outlines.iter().map(|outline| outline.winding([u, v])).sum::<i32>() != 0
+    }
+}
+
+/// Which part of a brep a point lies on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BrepPlace {
+    /// Inside a face, at a pair of its surface's parameters.
+    Face {
+        /// The face.
+        face: usize,
+        /// The parameters.
+        uv: [f64; 2],
+    },
+    /// On an edge, at a parameter of the edge.
+    Edge {
+        /// The edge.
+        edge: usize,
+        /// The parameter.
+        parameter: f64,
+    },
+}
+
+/// The point of a brep nearest to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BrepPoint {
+    /// Where on the brep it lies.
+    pub place: BrepPlace,
+    /// The point.
+    pub point: Point3,
+    /// Its distance.
+    pub distance: f64,
+    /// The normal of the face there, as the face is turned; at an edge that of a face beside it. `None` where the
+    /// surface has none.
+    pub normal: Option<Vector3>,
+}
+
+/// A brep prepared for many questions about nearest points and about what lies inside.
+#[derive(Debug)]
+pub struct ClosestOnBrep {
+    brep: Shared<Brep>,
+    sheets: Vec<Sheet>,
+    edges: Vec<(usize, Curve, BoundingBox)>,
+    solid: bool,
+    bounds: BoundingBox,
+}
+
+impl ClosestOnBrep {
+    /// Prepares a brep.
+    ///
+    /// # Errors
+    /// The brep has no faces, or one whose surface has no NURBS form.
+    pub fn new(brep: Shared<Brep>) -> Result<Self> {
+        let mut sheets = Vec::new();
+        for (face, own) in brep.faces().iter().enumerate().filter(|(_, f)| !f.deleted) {
+            let Some(surface) = brep.face_surface(face) else { continue };
+            let loops = brep.face_loops(face)?;
+            sheets.push(Sheet {
+                face,
+                closest: ClosestOnSurface::new(surface)?,
+                outlines: loops.iter().map(|curve| Outline::new(curve, &Plane::XY)).collect(),
+                loops,
+                bounds: surface.bounding_box()?,
+                reversed: own.reversed,
+            });
+        }
+        let mut edges = Vec::new();
+        for edge in 0..brep.edges().len() {
+            if let Some(curve) = brep.edge_as_curve(edge)? {
+                let bounds = curve.bounding_box();
+                edges.push((edge, curve, bounds));
+            }
+        }
+        let all = sheets.iter().map(|s| s.bounds).reduce(|a, b| a.union(&b));
+        let bounds = all.ok_or(Error::degenerate("brep", "it has no faces"))?;
+        let solid = brep.is_solid();
+        Ok(Self { brep, sheets, edges, solid, bounds })
+    }
+
+    /// The brep.
+    pub fn brep(&self) -> &Brep {
+        &self.brep
+    }
+
+    /// The faces.
+    pub(super) fn sheets(&self) -> &[Sheet] {
+        &self.sheets
+    }
+
+    /// The edges that have curves, with their places and boxes.
+    pub(super) fn edge_curves(&self) -> &[(usize, Curve, BoundingBox)] {
+        &self.edges
+    }
+
+    /// Whether the brep is closed, so that points can lie inside.
+    pub fn is_solid(&self) -> bool {
+        self.solid
+    }
+
+    /// The nearest point of the brep, trims respected; edges of zero distance count before faces.
+    ///
+    /// # Errors
+    /// The point is not finite, or so far away that the square of the distance overflows.
+    pub fn nearest(&self, q: Point3) -> Result<BrepPoint> {
+        let mut best: Option<BrepPoint> = None;
+        let reach = |best: &Option<BrepPoint>| best.map_or(f64::INFINITY, |b| b.distance);
+        let mut order: Vec<usize> = (0..self.edges.len()).collect();
+        order.sort_by(|a, b| self.edges[*a].2.distance_to(q).total_cmp(&self.edges[*b].2.distance_to(q)));
+        for k in order {
+            let (edge, curve, bounds) = &self.edges[k];
+            if bounds.distance_to(q) > reach(&best) {
+                break;
+            }
+            let near = ClosestOnCurve::new(curve).nearest(q)?;
+            if near.distance < reach(&best) {
+                let place = BrepPlace::Edge { edge: *edge, parameter: near.parameter };
+                best = Some(BrepPoint { place, point: near.point, distance: near.distance, normal: None });
+            }
+        }
+        let mut order: Vec<&Sheet> = self.sheets.iter().collect();
+        order.sort_by(|a, b| a.bounds.distance_to(q).total_cmp(&b.bounds.distance_to(q)));
+        for sheet in order {
+            if sheet.bounds.distance_to(q) >= reach(&best) {
+                break;
+            }
+            if let Some(found) = self.nearest_on(sheet, q, reach(&best))? {
+                best = Some(found);
+            }
+        }
+        let mut best = best.ok_or(Error::degenerate("brep", "it has no faces"))?;
+        if let BrepPlace::Edge { edge, .. } = best.place {
+            best.normal = self.normal_beside(edge, best.point)?;
+        }
+        Ok(best)
+    }
+
+    /// The nearest point inside a face, when it is nearer than a limit.
+    fn nearest_on(&self, sheet: &Sheet, q: Point3, limit: f64) -> Result<Option<BrepPoint>> {
+        let found = |u: f64, v: f64, point: Point3, distance: f64| {
+            let normal = self.brep.face_surface(sheet.face).and_then(|s| s.normal_at(u, v));
+            let normal = normal.map(|n| if sheet.reversed { -n } else { n });
+            BrepPoint { place: BrepPlace::Face { face: sheet.face, uv: [u, v] }, point, distance, normal }
+        };
+        let Some(first) = sheet.closest.nearest_within(q, limit)? else { return Ok(None) };
+        if !(first.distance < limit) {
+            return Ok(None);
+        }
+        if sheet.covers(first.u, first.v) {
+            return Ok(Some(found(first.u, first.v, first.point, first.distance)));
+        }
+        // What is nearest was cut away: other feet may not be.
+        let others = sheet.closest.local_closest_points(q)?;
+        let kept = others.points.iter().find(|p| p.distance < limit && sheet.covers(p.u, p.v));
+        Ok(kept.map(|p| found(p.u, p.v, p.point, p.distance)))
+    }
+
+    fn normal_beside(&self, edge: usize, point: Point3) -> Result<Option<Vector3>> {
+        let trims = self.brep.edges().get(edge).map_or(&[] as &[usize], |e| &e.trims);
+        let Some(face) = trims.first().and_then(|t| self.brep.face_of(*t)) else { return Ok(None) };
+        let Some(sheet) = self.sheets.iter().find(|s| s.face == face) else { return Ok(None) };
+        let near = sheet.closest.nearest(point)?;
+        let normal = self.brep.face_surface(face).and_then(|s| s.normal_at(near.u, near.v));
+        Ok(normal.map(|n| if sheet.reversed { -n } else { n }))
+    }
+
+    /// Whether a point lies inside a solid, outside, or within the tolerance of its faces.
+    ///
+    /// By the parity of crossings with a ray that stays clear of edges and of tangency; of several rays the first such
+    /// one decides.
+    ///
+    /// # Errors
+    /// The brep is not closed, the point not finite, or every ray tried comes too near to an edge.
+    pub fn contains(&self, p: Point3, tolerance: f64) -> Result<Containment> {
+        if !self.solid {
+            return Err(Error::degenerate("brep", "it is not closed, and has no inside"));
+        }
+        if !p.is_finite() {
+            return Err(Error::NotFinite("point to test"));
+        }
+        if self.bounds.distance_to(p) > tolerance {
+            return Ok(Containment::Outside);
+        }
+        if self.nearest(p)?.distance <= tolerance {
+            return Ok(Containment::On);
+        }
+        let size = self.bounds.diagonal().length();
+        for direction in RAYS {
+            let way = Vector3::new(direction[0], direction[1], direction[2]);
+            let Some(way) = way.unitized() else { continue };
+            if let (count, true) = self.crossings(p, way * (2.0 * size), 1e-6 * size)? {
+                return Ok(side(count));
+            }
+        }
+        Err(Error::degenerate("point to test", "every ray from it comes too near to an edge"))
+    }
+
+    /// How often a segment from a point crosses the faces, and whether it stays clear of edges and tangency.
+    fn crossings(&self, p: Point3, way: Vector3, clear: f64) -> Result<(usize, bool)> {
+        let line: Curve = Line::new(p, p + way).into();
+        let mut count = 0;
+        for sheet in &self.sheets {
+            if !meets(&sheet.bounds, p, way) {
+                continue;
+            }
+            let Some(surface) = self.brep.face_surface(sheet.face) else { continue };
+            let found = intersect::curve_with_surface(&line, surface, 1e-9 * way.length())?;
+            if !found.overlaps.is_empty() || !found.complete {
+                return Ok((count, false));
+            }
+            for crossing in &found.crossings {
+                let covered = sheet.covers(crossing.u, crossing.v);
+                let beside = self.near_loop(sheet, crossing.point, clear)?;
+                if beside || (crossing.kind != ContactKind::Transversal && covered) {
+                    return Ok((count, false));
+                }
+                count += usize::from(covered);
+            }
+        }
+        Ok((count, true))
+    }
+
+    pub(super) fn near_loop(&self, sheet: &Sheet, p: Point3, clear: f64) -> Result<bool> {
+        for trim in self.brep.trims_of(sheet.face) {
+            let Some(edge) = self.brep.trims().get(trim).and_then(|t| t.edge) else { continue };
+            let Some((_, curve, bounds)) = self.edges.iter().find(|(e, ..)| *e == edge) else { continue };
+            if bounds.distance_to(p) <= clear && curve.closest_point_within(p, clear)?.is_some() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether parameters lie on a face rather than on what was cut away.
+    pub fn covers(&self, face: usize, u: f64, v: f64, tolerance: f64) -> Result<Containment> {
+        let sheet = self
+            .sheets
+            .iter()
+            .find(|s| s.face == face)
+            .ok_or(Error::degenerate("brep", "there is no such face"))?;
+        let uv = Point3::new(u, v, 0.0);
+        for curve in &sheet.loops {
+            if curve.closest_point_within(uv, tolerance.max(f64::MIN_POSITIVE))?.is_some() {
+                return Ok(Containment::On);
+            }
+        }
+        Ok(if sheet.covers(u, v) { Containment::Inside } else { Containment::Outside })
+    }
+}
+
+/// Directions of rays, none of them along an axis or a likely edge.
+const RAYS: [[f64; 3]; 10] = [
+    [0.577_1, 0.211_3, 0.788_9],
+    [-0.313_7, 0.889_1, 0.333_3],
+    [0.119_7, -0.683_9, 0.719_7],
+    [-0.871_3, -0.213_1, 0.441_9],
+    [0.739_1, 0.607_3, -0.291_1],
+    [-0.409_9, 0.387_1, -0.826_1],
+    [0.233_9, -0.911_3, -0.338_9],
+    [-0.617_7, -0.573_9, -0.537_1],
+    [0.917_3, -0.163_1, 0.363_7],
+    [-0.071_9, 0.997_1, -0.023_3],
+];
+
+fn side(crossings: usize) -> Containment {
+    if crossings % 2 == 1 { Containment::Inside } else { Containment::Outside }
+}
+
+/// Whether a segment comes into a box.
+fn meets(bounds: &BoundingBox, p: Point3, way: Vector3) -> bool {
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    let slabs = [
+        (p.x, way.x, bounds.min.x, bounds.max.x),
+        (p.y, way.y, bounds.min.y, bounds.max.y),
+        (p.z, way.z, bounds.min.z, bounds.max.z),
+    ];
+    for (at, step, from, to) in slabs {
+        if step == 0.0 {
+            if at < from || at > to {
+                return false;
+            }
+            continue;
+        }
+        let (a, b) = ((from - at) / step, (to - at) / step);
+        low = low.max(a.min(b) - 1e-9);
+        high = high.min(a.max(b) + 1e-9);
+    }
+    low <= high
+}
+
+impl Brep {
+    /// The point of the brep nearest to another, trims respected; for many questions see [`ClosestOnBrep`].
+    ///
+    /// # Errors
+    /// The brep has no faces, or the point is not finite.
+    pub fn closest_point(&self, q: Point3) -> Result<BrepPoint> {
+        ClosestOnBrep::new(Shared::new(self.clone()))?.nearest(q)
+    }
+
+    /// Whether a point lies inside a solid, outside, or within the tolerance of its faces; for many questions see
+    /// [`ClosestOnBrep::contains`].
+    ///
+    /// # Errors
+    /// As [`ClosestOnBrep::contains`].
+    pub fn contains(&self, p: Point3, tolerance: f64) -> Result<Containment> {
+        ClosestOnBrep::new(Shared::new(self.clone()))?.contains(p, tolerance)
+    }
+}

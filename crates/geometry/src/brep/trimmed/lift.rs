@@ -1,0 +1,199 @@
+//! Curves of the parameter plane lifted to their surface.
+
+use crate::brep::with_ends;
+use crate::{
+    ClosestOnSurface, Curve, Direction, Error, Interval, LineCurve, NurbsCurve, Point3, Result, Surface,
+    Vector3, Xform,
+};
+
+/// The most halvings of one stretch.
+const DEEPEST: u32 = 12;
+/// Places inside a piece at which it is compared with what it stands for.
+const PROBES: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// The image of a curve in the parameter plane, within the tolerance: exact on planes and along lines of constant
+/// parameter, elsewhere a cubic with the curve's own parameter.
+pub(crate) fn lifted(surface: &Surface, flat: &Curve, limit: f64) -> Result<Curve> {
+    if let Surface::Plane(plane) = surface {
+        let [u, v] = [plane.domain(Direction::U), plane.domain(Direction::V)];
+        let corner = plane.point_at(u.start, v.start);
+        let x = (plane.point_at(u.end, v.start) - corner) / u.length();
+        let y = (plane.point_at(u.start, v.end) - corner) / v.length();
+        let origin = corner - x * u.start - y * v.start;
+        return flat.transformed(&Xform::from_columns(x, y, plane.plane().z_axis, origin));
+    }
+    if let Some(curve) = along_isocurve(surface, flat)? {
+        return Ok(curve);
+    }
+    let formula = |t: f64, below: bool| -> Result<(Point3, Vector3)> {
+        let [place, slope] = flat.jet_at::<2>(t, below);
+        let d = surface.derivatives(place.x, place.y, 1, surface.inner_quadrant(place.x, place.y));
+        Ok((d.point(), d.get(1, 0) * slope.x + d.get(0, 1) * slope.y))
+    };
+    let curve = followed(&flat.smooth_stretches(), limit, formula)?;
+    Ok(curve.into())
+}
+
+/// The isocurve under a straight axial line.
+fn along_isocurve(surface: &Surface, flat: &Curve) -> Result<Option<Curve>> {
+    let Curve::Line(LineCurve { line, .. }) = flat else { return Ok(None) };
+    let (a, b) = (line.from, line.to);
+    let (direction, constant, from, to) = if a.y == b.y && a.x != b.x {
+        (Direction::U, a.y, a.x, b.x)
+    } else if a.x == b.x && a.y != b.y {
+        (Direction::V, a.x, a.y, b.y)
+    } else {
+        return Ok(None);
+    };
+    let range = Interval::new(from.min(to), from.max(to));
+    let domain = surface.domain(direction);
+    let Some(range) = range.intersection(domain).filter(|r| r.is_increasing()) else { return Ok(None) };
+    let whole = surface.isocurve(direction, constant)?;
+    let part = whole.trimmed(range)?;
+    Ok(Some(if from > to { part.reversed() } else { part }))
+}
+
+/// The cubic through points and derivatives of a formula, halved until it is within the limit of it.
+pub(super) fn followed(
+    stretches: &[Interval],
+    limit: f64,
+    mut formula: impl FnMut(f64, bool) -> Result<(Point3, Vector3)>,
+) -> Result<NurbsCurve> {
+    let (mut points, mut slopes, mut places) = (Vec::new(), Vec::new(), Vec::new());
+    let mut parts: Vec<NurbsCurve> = Vec::new();
+    for stretch in stretches {
+        points.clear();
+        slopes.clear();
+        places.clear();
+        let first = formula(stretch.start, false)?;
+        let last = formula(stretch.end, true)?;
+        points.push(first.0);
+        slopes.push(first.1);
+        places.push(stretch.start);
+        let mut stack = vec![(stretch.start, first, stretch.end, last, 0)];
+        while let Some((s, a, t, b, depth)) = stack.pop() {
+            let h = t - s;
+            let hermite = NurbsCurve::hermite(a.0, a.1 * h, b.0, b.1 * h)?;
+            let mut worst = 0.0_f64;
+            for x in PROBES {
+                worst = worst.max(formula(s + h * x, false)?.0.distance_to(hermite.point_at(x)));
+            }
+            // A stretch is looked at in halves at least once.
+            if (worst <= limit && depth > 0) || worst == 0.0 {
+                points.push(b.0);
+                slopes.push(b.1);
+                places.push(t);
+                continue;
+            }
+            if depth >= DEEPEST {
+                return Err(Error::degenerate("trim", "its image cannot be followed within the tolerance"));
+            }
+            let middle = s + 0.5 * h;
+            let m = formula(middle, false)?;
+            stack.push((middle, m, t, b, depth + 1));
+            stack.push((s, a, middle, m, depth + 1));
+        }
+        parts.push(NurbsCurve::hermite_through(&points, &slopes, &places)?);
+    }
+    joined(parts)
+}
+
+/// Pieces end to end as one curve, with full knots between them.
+fn joined(parts: Vec<NurbsCurve>) -> Result<NurbsCurve> {
+    if let [only] = parts.as_slice() {
+        return Ok(only.clone());
+    }
+    let domain =
+        parts.first().zip(parts.last()).map(|(a, b)| Interval::new(a.domain().start, b.domain().end));
+    let mut places: Vec<f64> = parts.iter().map(|p| p.domain().start).collect();
+    places.extend(domain.map(|d| d.end));
+    let segments = parts.into_iter().map(Curve::from).collect();
+    let chain: Curve = crate::PolyCurve::with_parameters(segments, places)?.into();
+    chain.to_nurbs()
+}
+
+/// A curve of the parameter plane whose z has become a hair off 0, put back.
+pub(super) fn in_parameter_plane(curve: &Curve) -> Result<Curve> {
+    crate::brep::flatten::flattened(curve, &crate::Plane::XY)
+}
+
+/// The parameters along a curve that lies on a surface or near it.
+pub(super) struct Foot<'a> {
+    surface: &'a Surface,
+    index: ClosestOnSurface,
+    periods: [Option<f64>; 2],
+    last: Option<[f64; 2]>,
+}
+
+impl<'a> Foot<'a> {
+    pub(super) fn new(surface: &'a Surface) -> Result<Self> {
+        let periods = Direction::BOTH
+            .map(|d| surface.is_closed(d).then(|| surface.domain(d).length()).filter(|p| *p > 0.0));
+        Ok(Self { surface, index: ClosestOnSurface::new(surface)?, periods, last: None })
+    }
+
+    /// The place nearest to a point, on that turn of a closed surface that is nearest to a known place.
+    pub(super) fn at(&mut self, p: Point3, near: Option<[f64; 2]>) -> Result<[f64; 2]> {
+        let found = self.index.nearest(p)?;
+        let mut uv = [found.u, found.v];
+        if let Some(near) = near.or(self.last) {
+            for k in 0..2 {
+                if let Some(period) = self.periods[k] {
+                    uv[k] += ((near[k] - uv[k]) / period).round() * period;
+                }
+            }
+            // Along a singular side every parameter is as good: the known one is.
+            for (k, direction) in Direction::BOTH.into_iter().enumerate() {
+                let across = self.surface.domain(direction.other());
+                let other = uv[1 - k];
+                let sides = match direction {
+                    Direction::U => [crate::Side::South, crate::Side::North],
+                    Direction::V => [crate::Side::West, crate::Side::East],
+                };
+                let least = 1e-9 * across.length();
+                if ((other - across.start).abs() < least && self.surface.is_singular(sides[0]))
+                    || ((other - across.end).abs() < least && self.surface.is_singular(sides[1]))
+                {
+                    uv[k] = near[k];
+                }
+            }
+        }
+        self.last = Some(uv);
+        Ok(uv)
+    }
+
+    /// The derivative of the parameters of a point that moves with a velocity.
+    pub(super) fn slope(&self, uv: [f64; 2], velocity: Vector3) -> Option<[f64; 2]> {
+        let inside = Direction::BOTH.map(|d| {
+            let k = d.index();
+            match self.periods[k] {
+                Some(_) => self.surface.domain(d).wrapped(uv[k]),
+                None => self.surface.domain(d).clamp(uv[k]),
+            }
+        });
+        let [u, v] = inside;
+        let d = self.surface.derivatives(u, v, 1, self.surface.inner_quadrant(u, v));
+        let (a, b) = (d.get(1, 0), d.get(0, 1));
+        let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
+        let determinant = e * g - f * f;
+        if !(determinant > 1e-12 * e * g) {
+            return None;
+        }
+        let (p, q) = (velocity.dot(a), velocity.dot(b));
+        Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
+    }
+
+    /// The image of parameters on any turn.
+    pub(super) fn image(&self, uv: Point3) -> Point3 {
+        let inside = Direction::BOTH.map(|d| {
+            let (t, domain) = (if d == Direction::U { uv.x } else { uv.y }, self.surface.domain(d));
+            if self.periods[d.index()].is_some() && !domain.contains(t) { domain.wrapped(t) } else { t }
+        });
+        self.surface.point_at(inside[0], inside[1])
+    }
+}
+
+/// A curve of the parameter plane made to end exactly where asked.
+pub(super) fn ending(curve: &Curve, ends: [Point3; 2]) -> Result<Curve> {
+    with_ends(curve, ends)
+}
