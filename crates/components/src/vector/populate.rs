@@ -181,7 +181,8 @@ fn populate_geometry(
     if let (Value::Surface(_) | Value::Brep(_) | Value::Kept(_), Some(brep)) =
         (&geometry.0, geometry.0.brep())
     {
-        let sown = Sown::new(&*brep.map_err(Message::warning)?)?;
+        let brep = brep.map_err(Message::warning)?;
+        let sown = Sown::new(&brep)?;
         return strew(context, (count, seed), &points, (sown.total / n).sqrt(), |random| {
             sown.at([random.next_double(), random.next_double(), random.next_double()])
         });
