@@ -104,7 +104,7 @@ fn open_breps_and_holes() {
     assert_eq!(section.curves.len(), 2);
     assert!((length(&section) - 4.0).abs() < 1e-9);
     let outline = plate.section(&Plane::XY, &TOLERANCE).unwrap();
-    assert!((length(&outline) - 4.0 * TAU).abs() < 1e-9);
+    assert!((length(&outline) - 4.0 * TAU).abs() < 1e-9, "{outline:?}");
     let drilled = construct::extrude_brep(&plate, Vector3::new(0.0, 0.0, 2.0), &TOLERANCE).unwrap();
     assert_eq!(sound(&drilled, &Plane::XY.offset(1.0)).curves.len(), 2);
     assert_eq!(sound(&drilled, &Plane::YZ.offset(0.5)).curves.len(), 2);

@@ -62,11 +62,11 @@ fn of_brep(
 fn cut(context: &Context<'_>, shape: &Value, plane: &Plane, depth: usize) -> Result<Vec<Value>, Message> {
     let to = |kind| cast::value(shape, kind, context.rules());
     Ok(match shape {
-        Value::Brep(brep) => of_brep(context, &sections(context, brep)?, plane)?.0,
+        Value::Brep(brep) => of_brep(context, sections(context, brep)?.as_ref(), plane)?.0,
         Value::Kept(_) if shape.brep().is_some() => match shape.brep() {
             Some(brep) => {
                 let brep = brep.map_err(Message::warning)?;
-                of_brep(context, &sections(context, &brep)?, plane)?.0
+                of_brep(context, sections(context, &brep)?.as_ref(), plane)?.0
             }
             None => Vec::new(),
         },
@@ -247,7 +247,7 @@ fn brep_plane(
 ) -> Result<(Vec<Value>, Vec<Point3>), Message> {
     if let (Value::Brep(_) | Value::Kept(_) | Value::Box(_), Some(brep)) = (&brep, brep.brep()) {
         let brep = brep.map_err(Message::warning)?;
-        return of_brep(context, &*sections(context, &brep)?, &plane);
+        return of_brep(context, sections(context, &brep)?.as_ref(), &plane);
     }
     let curves = cut(context, &brep, &plane, 0)?;
     let mut points = Vec::new();

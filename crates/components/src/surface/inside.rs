@@ -144,7 +144,7 @@ fn samples(context: &Context<'_>, shape: &Value, depth: usize) -> Result<Vec<Poi
                 shape.brep().ok_or_else(|| Message::warning("It has no faces"))?.map_err(Message::warning)?;
             let size = brep.bounds_of_faces().map_or(1.0, |b| b.diagonal().length());
             let settings = katydid_geometry::MeshSettings::within(1e-2 * size);
-            let mesh = brep.mesh(&settings).and_then(|m| m.to_mesh());
+            let mesh = brep.mesh_unless(&settings, &context.stop()).and_then(|m| m.to_mesh());
             samples(context, &Value::from(mesh.map_err(warning)?), depth + 1)
         }
         Value::Group(group) if depth < DEEPEST => {

@@ -16,9 +16,11 @@ mod pipe;
 pub(crate) mod prepared;
 mod primitive;
 pub(crate) mod sphere;
+mod subd;
 mod sweep;
 #[cfg(test)]
 mod trial;
+mod trims;
 mod util;
 
 use std::sync::Arc as Shared;

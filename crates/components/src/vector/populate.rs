@@ -4,7 +4,9 @@ use std::collections::HashMap;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::{ArcLength, Box3, Brep, Interval, Plane, Point2, Point3, Rectangle, Vector3};
+use katydid_geometry::{
+    ArcLength, Box3, Brep, Interval, MeshSettings, Plane, Point2, Point3, Rectangle, Vector3,
+};
 
 use super::hit;
 use crate::sets::dotnet_random::DotNetRandom;
@@ -181,7 +183,8 @@ fn populate_geometry(
     if let (Value::Surface(_) | Value::Brep(_) | Value::Kept(_), Some(brep)) =
         (&geometry.0, geometry.0.brep())
     {
-        let sown = Sown::new(&*brep.map_err(Message::warning)?)?;
+        let brep = brep.map_err(Message::warning)?;
+        let sown = Sown::new(context, &brep)?;
         return strew(context, (count, seed), &points, (sown.total / n).sqrt(), |random| {
             sown.at([random.next_double(), random.next_double(), random.next_double()])
         });
@@ -234,9 +237,9 @@ impl<'a> Sown<'a> {
     /// How fine the triangles are, in parts of the size.
     const FINE: f64 = 1e-3;
 
-    fn new(brep: &'a Brep) -> Result<Self, Message> {
+    fn new(context: &Context<'_>, brep: &'a Brep) -> Result<Self, Message> {
         let size = brep.bounds_of_faces().map_or(1.0, |b| b.diagonal().length());
-        let mesh = brep.mesh(&katydid_geometry::MeshSettings::within(Self::FINE * size))?;
+        let mesh = brep.mesh_unless(&MeshSettings::within(Self::FINE * size), &context.stop())?;
         let (mut patches, mut total) = (Vec::new(), 0.0);
         for face in mesh.faces() {
             for [a, b, c] in face.faces.iter().flat_map(|f| f.triangles()) {

@@ -72,7 +72,13 @@ impl ClosestOnBrep {
         let overlaps = &out.overlaps;
         out.crossings.retain(|c| !overlaps.iter().any(|o| o.start - least <= c.t && c.t <= o.end + least));
         // Both faces beside an edge have found what lies on it.
-        out.crossings.dedup_by(|b, a| b.point.distance_to(a.point) <= 2.0 * tolerance && b.face != a.face);
+        let same = |a: &BrepCrossing, b: &BrepCrossing| a.point.distance_to(b.point) <= 2.0 * tolerance;
+        out.crossings.dedup_by(|b, a| same(a, b));
+        // The start of a closed curve is its end.
+        let first = out.crossings.first().copied();
+        if curve.is_closed() && out.crossings.len() > 1 {
+            out.crossings.pop_if(|last| first.is_some_and(|first| same(&first, last)));
+        }
         Ok(out)
     }
 

@@ -47,11 +47,7 @@ impl Cut<'_> {
             }
         };
         for curve in whole {
-            for piece in self.inside(&curve, &ends)? {
-                if !self.runs_along(&piece, &flat)? {
-                    out.curves.push(piece);
-                }
-            }
+            out.curves.extend(self.inside(&curve, &ends, &flat)?);
         }
         Ok(())
     }
@@ -80,8 +76,9 @@ impl Cut<'_> {
         Ok(self.sheet.covers(u, v))
     }
 
-    /// The parts of a curve on the surface that lie in the face, ending exactly where its edges meet the plane.
-    fn inside(&self, curve: &Curve, ends: &[(Point3, f64)]) -> Result<Vec<Curve>> {
+    /// The parts of a curve on the surface that lie in the face, ending exactly where its edges meet the plane; not
+    /// those along edges that lie in the plane, which are counted by themselves.
+    fn inside(&self, curve: &Curve, ends: &[(Point3, f64)], flat: &[&Curve]) -> Result<Vec<Curve>> {
         let tolerance = self.sections.tolerance.absolute;
         let domain = curve.domain();
         let least = 1e-9 * domain.length();
@@ -98,6 +95,9 @@ impl Cut<'_> {
         }
         let mut runs: Vec<[f64; 2]> = Vec::new();
         for w in stops.windows(2) {
+            if self.runs_along(curve, [w[0], w[1]], flat)? {
+                continue;
+            }
             for run in self.runs([w[0], w[1]], curve)? {
                 match runs.last_mut() {
                     Some(last) if run[0] - last[1] <= least => last[1] = run[1],
@@ -162,14 +162,13 @@ impl Cut<'_> {
         Ok(runs.map(|(_, w)| [w[0], w[1]]).collect())
     }
 
-    /// Whether a piece is a stretch of an edge in the plane, which is counted with the edges.
-    fn runs_along(&self, piece: &Curve, flat: &[&Curve]) -> Result<bool> {
+    /// Whether a stretch is one of an edge in the plane.
+    fn runs_along(&self, curve: &Curve, [a, b]: [f64; 2], flat: &[&Curve]) -> Result<bool> {
         let near = 2.0 * self.sections.tolerance.absolute;
-        let domain = piece.domain();
         for edge in flat {
             let mut all = true;
             for x in [0.5, 0.2, 0.8] {
-                all = all && edge.closest_point_within(piece.point_at(domain.at(x)), near)?.is_some();
+                all = all && edge.closest_point_within(curve.point_at(a + (b - a) * x), near)?.is_some();
             }
             if all {
                 return Ok(true);
