@@ -104,7 +104,8 @@ fn summarise(session: &Session, args: &RunArgs) {
 
 fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
     let is_model = extension(path) == "3dm";
-    let baked = bake(session.engine(), BakeOptions { blocks: args.blocks && is_model });
+    let baked =
+        bake(session.engine(), BakeOptions { blocks: args.blocks && is_model, ..BakeOptions::default() });
     let mut left_out = baked.left_out;
     let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     if is_model {

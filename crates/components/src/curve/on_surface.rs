@@ -3,32 +3,41 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_geometry::{Curve, Direction, Interval, KnotSpacing, NurbsCurve, Point3, Surface, Xform};
+use katydid_geometry::{Brep, Curve, Direction, Interval, KnotSpacing, NurbsCurve, Point3, Surface, Xform};
 
 use super::{measured, shared, warning};
 
 /// The curves of constant parameter through a place: that along u, and that along v.
-fn isocurves(surface: &Surface, at: Point3) -> [Option<Shared<Curve>>; 2] {
-    let curve = |along, constant| surface.isocurve(along, constant).ok().map(shared);
-    [curve(Direction::U, at.y), curve(Direction::V, at.x)]
+fn isocurves(brep: &Brep, at: Point3) -> Result<[Vec<Shared<Curve>>; 2], Message> {
+    let [_] = brep.faces() else {
+        return Err(Message::error("A Brep of several faces has no parameters: take it apart"));
+    };
+    let curves = |along, constant| -> Result<Vec<Shared<Curve>>, Message> {
+        if let Some((surface, _)) = brep.as_surface() {
+            return Ok(surface.isocurve(along, constant).ok().map(shared).into_iter().collect());
+        }
+        let parts = brep.face_isocurves(0, along, constant).map_err(warning)?;
+        Ok(parts.into_iter().map(shared).collect())
+    };
+    Ok([curves(Direction::U, at.y)?, curves(Direction::V, at.x)?])
 }
 
 /// The two curves on a surface that run through a place along u and along v.
 ///
-/// Their domains are those of the surface. A curve that is a single point, such as at a pole, is left out.
+/// Their domains are those of the surface. Where trims cut a curve there are several. A curve that is a single point, such as at a pole, is left out.
 #[component("d1d57181-d594-41e8-8efb-041e29f8a5ca", name = "Iso Curve", nick = "Iso", at = "Curve/Spline")]
 #[output("U Isocurve", "U", "The curve along which u varies.")]
 #[output("V Isocurve", "V", "The curve along which v varies.")]
 fn iso_curve(
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The parameters of the place, u as x and v as y.
     #[port("UV point", "uv")]
     at: Point3,
-) -> (Vec<Shared<Curve>>, Vec<Shared<Curve>>) {
-    let [u, v] = isocurves(surface, at);
-    (u.into_iter().collect(), v.into_iter().collect())
+) -> Result<(Vec<Shared<Curve>>, Vec<Shared<Curve>>), Message> {
+    let [u, v] = isocurves(&surface, at)?;
+    Ok((u, v))
 }
 
 /// The two curves on a surface that run through a place along u and along v.
@@ -44,13 +53,13 @@ fn iso_curve(
 fn single_iso_curve(
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The parameters of the place, u as x and v as y.
     #[port("UV point", "uv")]
     at: Point3,
-) -> (Option<Shared<Curve>>, Option<Shared<Curve>>) {
-    let [u, v] = isocurves(surface, at);
-    (u, v)
+) -> Result<(Option<Shared<Curve>>, Option<Shared<Curve>>), Message> {
+    let [u, v] = isocurves(&surface, at)?.map(|curves| curves.into_iter().next());
+    Ok((u, v))
 }
 
 /// A smooth curve on a surface through places that are given by their parameters.

@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Kind, Value, cast};
-use katydid_geometry::{Curve, Mesh, Point3, Surface, Vector3};
+use katydid_geometry::{Brep, Curve, Mesh, Point3, Surface, Vector3};
 
 use super::{shared, warning};
 
@@ -12,6 +12,7 @@ use super::{shared, warning};
 enum Ground {
     Surface(Shared<Surface>),
     Mesh(Shared<Mesh>),
+    Brep(Shared<Brep>),
 }
 
 impl Ground {
@@ -19,12 +20,15 @@ impl Ground {
         if let Value::Mesh(mesh) = value {
             return Ok(Self::Mesh(mesh.clone()));
         }
+        if let (Value::Brep(_) | Value::Kept(_), Some(brep)) = (value, value.brep()) {
+            return Ok(Self::Brep(brep.map_err(Message::warning)?));
+        }
         let to = |kind| cast::value(value, kind, context.rules());
         match (to(Kind::Surface), to(Kind::Mesh)) {
             (Some(Value::Surface(surface)), _) => Ok(Self::Surface(surface)),
             (_, Some(Value::Mesh(mesh))) => Ok(Self::Mesh(mesh)),
             _ => Err(Message::error(format!(
-                "Curves cannot be brought onto a {} yet: only onto bare surfaces, boxes and meshes",
+                "Curves cannot be brought onto a {} yet: only onto Breps, boxes and meshes",
                 value.kind().name()
             ))),
         }
@@ -33,8 +37,8 @@ impl Ground {
 
 /// Projects a curve onto a surface or mesh along a direction, forwards and backwards.
 ///
-/// Every part of the surface that the curve meets on its way gives a curve. Where it meets nothing there is none. It
-/// takes bare surfaces, boxes and meshes; other Breps are not supported yet.
+/// Every part of the Brep that the curve meets on its way gives a curve, within the trims. Where it meets nothing there
+/// is none.
 #[component("d7ee52ff-89b8-4d1a-8662-3e0dd391d0af", name = "Project", nick = "Project", at = "Curve/Util")]
 #[output("Curve", "C", "The projected curves.")]
 fn project(
@@ -42,7 +46,7 @@ fn project(
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// The surface, box or mesh.
+    /// The Brep, box or mesh.
     #[port("Brep", "B", kind = Geometry)]
     brep: Value,
     /// The direction; its length and sense do not matter.
@@ -53,6 +57,7 @@ fn project(
     let curves = match Ground::of(context, &brep)? {
         Ground::Surface(surface) => surface.project_curve(curve, direction, &tolerance),
         Ground::Mesh(mesh) => mesh.project_curve(curve, direction, tolerance.absolute),
+        Ground::Brep(brep) => brep.project_curve(curve, direction, &tolerance),
     };
     Ok(curves.map_err(warning)?.into_iter().map(Shared::new).collect())
 }
@@ -75,6 +80,10 @@ fn pull_curve(
     let tolerance = context.tolerance();
     let curves = match Ground::of(context, &surface)? {
         Ground::Surface(surface) => surface.pull_curve(curve, &tolerance).map_err(warning)?,
+        Ground::Brep(brep) => match (brep.faces(), brep.face_surface(0)) {
+            ([_], Some(surface)) => surface.pull_curve(curve, &tolerance).map_err(warning)?,
+            _ => return Err(Message::error("A curve can be pulled to one face only: take the Brep apart")),
+        },
         Ground::Mesh(mesh) => vec![mesh.pull_curve(curve, tolerance.absolute).map_err(warning)?.into()],
     };
     if curves.len() > 1 {

@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
+use katydid_geometry::brep::ClosestOnBrep;
 use katydid_geometry::intersect::{NearestPair, nearest_on_curves, nearest_to_shape};
 use katydid_geometry::{
     ClosestOnSurface, Continuity, Curve, Interval, MeshTree, Plane, Point3, Tolerance, Vector3,
@@ -32,7 +33,7 @@ fn curve_proximity(
     Ok((pair.point_a, pair.point_b, pair.distance))
 }
 
-/// Where a curve comes nearest to any geometry; `None` for what is no point, curve, surface or mesh.
+/// Where a curve comes nearest to any geometry; `None` for what is no point, curve, Brep or mesh.
 fn nearest(curve: &Curve, other: &Value, tolerance: f64) -> Result<Option<NearestPair>, Message> {
     let to_point = |q: Point3| -> Result<NearestPair, Message> {
         let near = curve.closest_point(q)?;
@@ -45,6 +46,13 @@ fn nearest(curve: &Curve, other: &Value, tolerance: f64) -> Result<Option<Neares
             let closest = ClosestOnSurface::new(surface)?;
             nearest_to_shape(curve, tolerance, |p| Ok(closest.nearest(p)?.point))?
         }
+        Value::Brep(_) | Value::Kept(_) if other.brep().is_some() => match other.brep() {
+            Some(brep) => {
+                let closest = ClosestOnBrep::new(brep.map_err(Message::warning)?)?;
+                nearest_to_shape(curve, tolerance, |p| Ok(closest.nearest(p)?.point))?
+            }
+            None => return Ok(None),
+        },
         Value::Mesh(mesh) => {
             let tree = MeshTree::new(mesh);
             nearest_to_shape(curve, tolerance, |p| tree.nearest(p))?
@@ -60,7 +68,7 @@ fn nearest(curve: &Curve, other: &Value, tolerance: f64) -> Result<Option<Neares
     }))
 }
 
-/// Which of several things a curve comes nearest to: points, curves, surfaces or meshes.
+/// Which of several things a curve comes nearest to: points, curves, Breps or meshes.
 ///
 /// Of equally near ones the first counts. Nulls, and types that nothing can be near to yet, are passed over.
 #[component(

@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
 use katydid_geometry::intersect::{curve_curve, curve_with_surface, nearest_to_shape};
-use katydid_geometry::{BoundingBox, Curve, Mesh, MeshTree, Point3, Surface};
+use katydid_geometry::{BoundingBox, Curve, Mesh, MeshSettings, MeshTree, Point3, Surface};
 
 /// Something that can touch, prepared to be asked often.
 struct Body {
@@ -37,6 +37,17 @@ impl Body {
                 shape: Shape::Surface(surface.clone(), std::cell::OnceCell::new()),
             }),
             Value::Mesh(m) => mesh(m),
+            // A Brep by a mesh within the tolerance, or a thousandth of its size where that is more.
+            Value::Brep(_) | Value::Kept(_) if value.brep().is_some() => match value.brep() {
+                Some(brep) => {
+                    let brep = brep.map_err(Message::warning)?;
+                    let size = brep.bounds_of_faces().map_or(1.0, |b| b.diagonal().length());
+                    let fine = context.tolerance().absolute.max(1e-3 * size);
+                    let made = brep.mesh_unless(&MeshSettings::within(fine), &context.stop());
+                    mesh(&made.and_then(|made| made.to_mesh())?)
+                }
+                None => None,
+            },
             _ => match (to(Kind::Curve), to(Kind::Mesh)) {
                 (Some(Value::Curve(curve)), _) => {
                     Some(Self { bounds: curve.bounding_box(), shape: Shape::Curve(curve) })

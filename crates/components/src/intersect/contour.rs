@@ -1,11 +1,14 @@
 //! Intersect / Mathematical: sections by planes.
 
+use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Path, Tree, TreeBuilder, Value, cast};
+use katydid_geometry::brep::BrepSections;
 use katydid_geometry::intersect::surface_plane;
-use katydid_geometry::{Curve, Interval, Mesh, Plane, Point3, PolylineCurve, Vector3};
+use katydid_geometry::{Brep, Curve, Interval, Mesh, Plane, Point3, PolylineCurve, Vector3};
 
 use super::planes;
 use crate::transform::around;
@@ -19,10 +22,54 @@ fn of_mesh(mesh: &Mesh, plane: &Plane) -> Result<Vec<Value>, Message> {
     Ok(chains.into_iter().filter_map(|c| PolylineCurve::new(c).ok()).map(|c| Curve::from(c).into()).collect())
 }
 
+/// The Breps that were cut last, prepared for more planes.
+type Kept = RefCell<Vec<(Shared<Brep>, Rc<BrepSections>)>>;
+/// How many Breps are kept.
+const KEPT: usize = 32;
+
+/// A Brep prepared to be cut, once in a run.
+fn sections(context: &Context<'_>, brep: &Shared<Brep>) -> Result<Rc<BrepSections>, Message> {
+    let kept = context.prepared(|| Ok(Kept::default()))?;
+    let same = |other: &Shared<Brep>| Shared::ptr_eq(other, brep) || **other == **brep;
+    if let Some((_, found)) = kept.borrow().iter().find(|(other, _)| same(other)) {
+        return Ok(found.clone());
+    }
+    context.check()?;
+    let made = BrepSections::new(brep.clone(), &context.tolerance());
+    let made = Rc::new(made.map_err(|e| Message::warning(e.to_string()))?);
+    let mut kept = kept.borrow_mut();
+    if kept.len() >= KEPT {
+        kept.remove(0);
+    }
+    kept.push((brep.clone(), made.clone()));
+    Ok(made)
+}
+
+/// The curves in which a plane cuts a Brep, and the points where it touches it.
+fn of_brep(
+    context: &Context<'_>,
+    brep: &BrepSections,
+    plane: &Plane,
+) -> Result<(Vec<Value>, Vec<Point3>), Message> {
+    let section = brep.cut(plane).map_err(|e| Message::warning(e.to_string()))?;
+    if !section.complete {
+        context.warn("A face lies so close to the plane that some curves may be missing");
+    }
+    Ok((section.curves.into_iter().map(Value::from).collect(), section.points))
+}
+
 /// What a plane cuts out of a thing: points of curves, curves of surfaces and meshes.
 fn cut(context: &Context<'_>, shape: &Value, plane: &Plane, depth: usize) -> Result<Vec<Value>, Message> {
     let to = |kind| cast::value(shape, kind, context.rules());
     Ok(match shape {
+        Value::Brep(brep) => of_brep(context, sections(context, brep)?.as_ref(), plane)?.0,
+        Value::Kept(_) if shape.brep().is_some() => match shape.brep() {
+            Some(brep) => {
+                let brep = brep.map_err(Message::warning)?;
+                of_brep(context, sections(context, &brep)?.as_ref(), plane)?.0
+            }
+            None => Vec::new(),
+        },
         Value::Surface(surface) => {
             let section = surface_plane(surface, plane, &context.tolerance())?;
             if !section.complete {
@@ -57,11 +104,19 @@ fn cut(context: &Context<'_>, shape: &Value, plane: &Plane, depth: usize) -> Res
         Value::Point(_) => Vec::new(),
         other => {
             return Err(Message::error(format!(
-                "Sections of a {} are not supported yet: only of curves, bare surfaces, boxes and meshes",
+                "Sections of a {} are not supported yet: only of curves, Breps, boxes and meshes",
                 other.kind().name()
             )));
         }
     })
+}
+
+/// A Brep that is kept as it was written, read once for all planes; anything else as it is.
+fn readable(shape: Value) -> Result<Value, Message> {
+    match (&shape, shape.brep()) {
+        (Value::Kept(_), Some(brep)) => Ok(Value::Brep(brep.map_err(Message::warning)?)),
+        _ => Ok(shape),
+    }
 }
 
 /// The sections of a thing, a branch for each plane.
@@ -83,7 +138,7 @@ fn contours(context: &Context<'_>, shape: &Value, planes: &[Plane]) -> Result<Tr
 /// Cuts a thing with parallel planes at equal distances: those through a point and at every multiple of the distance
 /// on both sides of it that meet the thing.
 ///
-/// Surfaces give curves, meshes and boxes polylines, and curves points. Where a flat part lies in a plane its outline
+/// Breps give curves, meshes and boxes polylines, and curves points. Where a flat part lies in a plane its outline
 /// is given.
 #[component(
     "3b112fb6-3eba-42d2-ba75-0f903c18faab",
@@ -94,7 +149,7 @@ fn contours(context: &Context<'_>, shape: &Value, planes: &[Plane]) -> Result<Tr
 #[output("Contours", "C", "The sections, a branch for each plane, in the direction of the normal.")]
 fn contour(
     context: &Context<'_>,
-    /// The curve, surface, box or mesh.
+    /// The curve, Brep, box or mesh.
     #[port("Shape", "S")]
     shape: Geometry,
     /// A point that a plane goes through.
@@ -108,6 +163,7 @@ fn contour(
     distance: f64,
 ) -> Result<Tree, Message> {
     let first = Plane::from_normal(point, direction)?;
+    let shape = Geometry(readable(shape.0)?);
     let Some(extent) = around(&shape.0, &first) else {
         return match &shape.0 {
             Value::Kept(_) => contours(context, &shape.0, &[first]),
@@ -127,7 +183,7 @@ fn contour(
 #[output("Contours", "C", "The sections, a branch for each plane.")]
 fn contour_ex(
     context: &Context<'_>,
-    /// The curve, surface, box or mesh.
+    /// The curve, Brep, box or mesh.
     #[port("Shape", "S")]
     shape: Geometry,
     /// The plane that the others are parallel to.
@@ -140,7 +196,8 @@ fn contour_ex(
     #[port("Distances", "D", optional)]
     distances: List<f64>,
 ) -> Result<Tree, Message> {
-    contours(context, &shape.0, &planes::placed(&plane, &offsets, &distances)?)
+    let shape = readable(shape.0)?;
+    contours(context, &shape, &planes::placed(&plane, &offsets, &distances)?)
 }
 
 /// The polylines in which a plane cuts a mesh. Sections of closed meshes are closed.
@@ -168,10 +225,9 @@ fn mesh_plane(
     Ok(curves.map(|c| Shared::new(c.into())).collect())
 }
 
-/// The curves in which a plane cuts a surface.
+/// The curves in which a plane cuts a Brep: closed ones where the Brep is closed.
 ///
-/// It takes bare surfaces; other Breps are not supported yet. Where the surface only touches the plane nothing is
-/// given.
+/// A face that lies in the plane gives its outline; where a face or an edge only touches the plane there is no curve.
 #[component(
     "4fe828e8-fa95-4cc5-9a8c-c33856ecc783",
     name = "Brep | Plane",
@@ -179,16 +235,20 @@ fn mesh_plane(
     at = "Intersect/Mathematical"
 )]
 #[output("Curves", "C", "The curves, joined where they meet.")]
-#[output("Points", "P", "Points where a corner of the surface only touches the plane.")]
+#[output("Points", "P", "Points where a corner or an edge only touches the plane.")]
 fn brep_plane(
     context: &Context<'_>,
-    /// The surface.
+    /// The Brep.
     #[port("Brep", "B", kind = Brep)]
     brep: Value,
     /// The plane, without end.
     #[port("Plane", "P", default = Plane::XY)]
     plane: Plane,
 ) -> Result<(Vec<Value>, Vec<Point3>), Message> {
+    if let (Value::Brep(_) | Value::Kept(_) | Value::Box(_), Some(brep)) = (&brep, brep.brep()) {
+        let brep = brep.map_err(Message::warning)?;
+        return of_brep(context, sections(context, &brep)?.as_ref(), &plane);
+    }
     let curves = cut(context, &brep, &plane, 0)?;
     let mut points = Vec::new();
     if let (Value::Surface(surface), true) = (&brep, curves.is_empty()) {
@@ -245,6 +305,22 @@ mod tests {
             .collect();
         assert_eq!(points, ["{0;0;0}: {0, 0, -1}", "{0;0;1}: {1, 0, 0}, {-1, 0, 0}", "{0;0;2}: {0, 0, 1}"]);
         assert!(contour(cube().into(), 0.0).message().contains("greater than 0"));
+    }
+
+    #[test]
+    fn solids() {
+        let can = katydid_geometry::construct::cylinder(
+            &Cylinder::new(Plane::XY, 1.0, Interval::new(0.0, 2.0)).unwrap(),
+            [true; 2],
+        );
+        let can = Value::from(can.unwrap());
+        let cuts = Trial::of_guid("3b112fb6-3eba-42d2-ba75-0f903c18faab").item(can.clone()).default();
+        let cuts = cuts.item(Vector3::Z).item(1.0).run().outputs[0].clone();
+        assert_eq!(lengths(&cuts), [0, 1, 2].map(|k| format!("{{0;0;{k}}}: 6.283185")));
+        let section = Trial::of("Brep | Plane").item(can).item(Plane::YZ).run().outputs;
+        assert_eq!(lengths(&section[0]), ["{0;0}: 8"]);
+        let block = Trial::of("Brep | Plane").item(cube()).item(Plane::XY).run().outputs;
+        assert_eq!(lengths(&block[0]), ["{0;0}: 8"]);
     }
 
     #[test]

@@ -3,59 +3,55 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_data::Value;
-use katydid_geometry::intersect::{SurfaceIntersections, curve_with_surface};
-use katydid_geometry::{Curve, Line, Mesh, MeshTree, Point3, PolylineLimits, Surface, Vector3};
+use katydid_geometry::brep::BrepCrossing;
+use katydid_geometry::{Brep, Curve, Line, Mesh, MeshTree, Point3, PolylineLimits, Vector3};
 
-/// What a curve and a surface have in common.
+use crate::surface::prepared::prepared;
+
+/// The stretches and points that a curve and a Brep have in common.
+type Meeting = (Vec<Shared<Curve>>, Vec<Point3>);
+
+/// What a curve and a Brep have in common.
 struct Piercing {
-    found: SurfaceIntersections,
-    /// The stretches that lie in the surface.
+    crossings: Vec<BrepCrossing>,
+    /// The stretches that lie in faces.
     curves: Vec<Shared<Curve>>,
 }
 
 impl Piercing {
-    fn new(context: &Context<'_>, curve: &Curve, surface: &Surface, first: bool) -> Result<Self, Message> {
-        let mut found = curve_with_surface(curve, surface, context.tolerance().absolute)?;
+    /// Where a curve meets a Brep; only there where it does so first, if that is wanted.
+    fn new(context: &Context<'_>, curve: &Curve, brep: &Shared<Brep>, first: bool) -> Result<Self, Message> {
+        let search = prepared(context, brep)?;
+        let mut found = search.curve_crossings(curve, context.tolerance().absolute)?;
         if !found.complete {
-            context.warn("Curve and surface lie so close together that some meetings may be missing");
+            context.warn("Curve and Brep lie so close together that some meetings may be missing");
         }
         if first {
-            let start = |found: &SurfaceIntersections| {
-                let point = found.crossings.first().map_or(f64::INFINITY, |c| c.t);
-                (point, found.overlaps.first().map_or(f64::INFINITY, |o| o.t.start))
-            };
-            let (point, stretch) = start(&found);
+            let point = found.crossings.first().map_or(f64::INFINITY, |c| c.t);
+            let stretch = found.overlaps.first().map_or(f64::INFINITY, |o| o.start);
             found.crossings.truncate(usize::from(point <= stretch));
             found.overlaps.truncate(usize::from(stretch < point));
         }
         context.items(found.crossings.len().saturating_mul(6))?;
-        let stretches = found.overlaps.iter().map(|o| curve.trimmed(o.t).map(Shared::new));
-        let curves = stretches.collect::<Result<_, _>>()?;
-        Ok(Self { found, curves })
+        let stretches = found.overlaps.iter().map(|o| curve.trimmed(*o).map(Shared::new));
+        Ok(Self { curves: stretches.collect::<Result<_, _>>()?, crossings: found.crossings })
     }
 
     fn points(&self) -> Vec<Point3> {
-        self.found.crossings.iter().map(|c| c.point).collect()
+        self.crossings.iter().map(|c| c.point).collect()
     }
 
     fn parameters(&self) -> Vec<Point3> {
-        self.found.crossings.iter().map(|c| Point3::new(c.u, c.v, 0.0)).collect()
+        self.crossings.iter().map(|c| Point3::new(c.uv[0], c.uv[1], 0.0)).collect()
     }
 
-    fn normals(&self, surface: &Surface) -> Vec<Option<Vector3>> {
-        self.found.crossings.iter().map(|c| surface.normal_at(c.u, c.v)).collect()
+    fn normals(&self) -> Vec<Option<Vector3>> {
+        self.crossings.iter().map(|c| c.normal).collect()
     }
-}
 
-/// The bare surface that a Brep is.
-fn bare(brep: &Value) -> Result<&Surface, Message> {
-    match brep {
-        Value::Surface(surface) => Ok(surface),
-        other => Err(Message::error(format!(
-            "A {} that is no bare surface is not supported here yet",
-            other.kind().name()
-        ))),
+    fn meeting(self) -> Meeting {
+        let points = self.points();
+        (self.curves, points)
     }
 }
 
@@ -81,13 +77,13 @@ fn surface_line(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>, Vec<Point3>, Vec<Option<Vector3>>), Message> {
-    let met = Piercing::new(context, &line.into(), surface, only_first(context))?;
-    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals(surface)))
+    let met = Piercing::new(context, &line.into(), &surface, only_first(context))?;
+    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals()))
 }
 
 /// Where a line between its ends meets a surface. Another form of the component of the same name.
@@ -106,7 +102,7 @@ fn surface_line_first(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
@@ -114,13 +110,13 @@ fn surface_line_first(
     #[port("First", "F", default = false)]
     first: bool,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>, Vec<Point3>, Vec<Option<Vector3>>), Message> {
-    let met = Piercing::new(context, &line.into(), surface, first)?;
-    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals(surface)))
+    let met = Piercing::new(context, &line.into(), &surface, first)?;
+    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals()))
 }
 
 /// Where a line between its ends meets a Brep, in the order of the line.
 ///
-/// It takes bare surfaces; other Breps are not supported yet.
+/// Trimmed parts do not count. A point on an edge is given once.
 #[component(
     "ed0742f9-6647-4d95-9dfd-9ad17080ae9c",
     name = "Brep | Line",
@@ -132,14 +128,13 @@ fn surface_line_first(
 fn brep_line(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, &line.into(), bare(&brep)?, only_first(context))?;
-    Ok((met.curves.clone(), met.points()))
+    Ok(Piercing::new(context, &line.into(), &brep, only_first(context))?.meeting())
 }
 
 /// Where a line between its ends meets a Brep. Another form of the component of the same name.
@@ -155,8 +150,8 @@ fn brep_line(
 fn brep_line_first(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The line.
     #[port("Line", "L")]
     line: Line,
@@ -164,8 +159,7 @@ fn brep_line_first(
     #[port("First", "F", default = false)]
     first: bool,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, &line.into(), bare(&brep)?, first)?;
-    Ok((met.curves.clone(), met.points()))
+    Ok(Piercing::new(context, &line.into(), &brep, first)?.meeting())
 }
 
 /// Where a curve meets a surface, in the order of the curve.
@@ -187,7 +181,7 @@ fn surface_curve(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
@@ -195,15 +189,15 @@ fn surface_curve(
     (Vec<Shared<Curve>>, Vec<Point3>, Vec<Point3>, Vec<Option<Vector3>>, Vec<f64>, Vec<Option<Vector3>>),
     Message,
 > {
-    let met = Piercing::new(context, curve, surface, false)?;
-    let places: Vec<f64> = met.found.crossings.iter().map(|c| c.t).collect();
+    let met = Piercing::new(context, curve, &surface, false)?;
+    let places: Vec<f64> = met.crossings.iter().map(|c| c.t).collect();
     let tangents = places.iter().map(|&t| curve.tangent_at(t)).collect();
-    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals(surface), places, tangents))
+    Ok((met.curves.clone(), met.points(), met.parameters(), met.normals(), places, tangents))
 }
 
 /// Where a curve meets a Brep, in the order of the curve.
 ///
-/// It takes bare surfaces; other Breps are not supported yet.
+/// Trimmed parts do not count. A point on an edge is given once.
 #[component(
     "20ef81e8-df15-4a0c-acf1-993a7607cafb",
     name = "Brep | Curve",
@@ -215,14 +209,13 @@ fn surface_curve(
 fn brep_curve(
     context: &Context<'_>,
     /// The Brep.
-    #[port("Brep", "B", kind = Brep)]
-    brep: Value,
+    #[port("Brep", "B")]
+    brep: Shared<Brep>,
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
 ) -> Result<(Vec<Shared<Curve>>, Vec<Point3>), Message> {
-    let met = Piercing::new(context, curve, bare(&brep)?, false)?;
-    Ok((met.curves.clone(), met.points()))
+    Ok(Piercing::new(context, curve, &brep, false)?.meeting())
 }
 
 /// Where a curve passes through a mesh, in the order of the curve.
@@ -288,6 +281,24 @@ mod tests {
         Point3::new(x, y, z)
     }
 
+    #[test]
+    fn solids_are_pierced() {
+        let side = Interval::new(0.0, 2.0);
+        let block = Box3 { plane: Plane::XY, x: side, y: side, z: side };
+        let through = |from: Point3, to: Point3| {
+            Trial::of("Brep | Line").item(block).item(Line::new(from, to)).run().outputs
+        };
+        assert_eq!(texts(&through(p(1.0, 1.0, -1.0), p(1.0, 1.0, 9.0))[1]), ["{0;0}: {1, 1, 0}, {1, 1, 2}"]);
+        // Through an edge and a corner: each once.
+        assert_eq!(through(p(-1.0, 1.0, -1.0), p(3.0, 1.0, 3.0))[1].item_count(), 2);
+        assert_eq!(through(p(-1.0, -1.0, -1.0), p(3.0, 3.0, 3.0))[1].item_count(), 2);
+        let along = through(p(-1.0, 1.0, 2.0), p(3.0, 1.0, 2.0));
+        assert_eq!((along[0].item_count(), along[1].item_count()), (1, 0));
+        let round: Curve = Circle::new(Plane::XY.with_origin(p(0.0, 0.0, 1.0)), 1.0).unwrap().into();
+        let met = Trial::of("Brep | Curve").item(block).item(round).run().outputs;
+        assert_eq!(met[1].item_count(), 2);
+    }
+
     fn ball() -> Surface {
         Sphere::around(Point3::ORIGIN, 5.0).unwrap().into()
     }
@@ -313,8 +324,7 @@ mod tests {
         let along = Line::new(p(-1.0, 1.0, 0.0), p(1.5, 1.0, 0.0));
         let stretch = Trial::of("Surface | Line").item(flat).item(along).run().outputs;
         let length = Trial::of_guid("c75b62fa-0a33-4da7-a5bd-03fd0068fd93").tree(stretch[0].clone());
-        // As far as it is within the tolerance of the surface.
-        assert!(length.texts(0).join("").starts_with("{0;0}: 1.50"));
+        assert_eq!(length.texts(0), ["{0;0}: 1.5"]);
     }
 
     #[test]

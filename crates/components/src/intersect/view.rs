@@ -2,15 +2,16 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::intersect::{curve_curve, curve_with_surface};
-use katydid_geometry::{Curve, Line, MeshTree, Plane, Point3, Surface, Vector3};
+use katydid_geometry::brep::ClosestOnBrep;
+use katydid_geometry::intersect::curve_curve;
+use katydid_geometry::{Curve, Line, MeshTree, Plane, Point3, Vector3};
 
 use crate::vector::hit;
 
 /// Something that stops a ray.
 enum Obstacle {
     Curve(std::sync::Arc<Curve>),
-    Surface(std::sync::Arc<Surface>),
+    Brep(Box<ClosestOnBrep>),
     /// A mesh that is asked often.
     Tree(Box<MeshTree>),
     /// A mesh that is asked once.
@@ -25,7 +26,10 @@ impl Obstacle {
             if many { Self::Tree(Box::new(MeshTree::new(&mesh))) } else { Self::Mesh(mesh) }
         };
         match value {
-            Value::Surface(surface) => Some(Self::Surface(surface.clone())),
+            Value::Surface(_) | Value::Brep(_) | Value::Kept(_) => {
+                let search = ClosestOnBrep::new(value.brep()?.ok()?).ok()?;
+                Some(Self::Brep(Box::new(search)))
+            }
             Value::Mesh(m) => Some(mesh(m.clone())),
             _ => match (to(Kind::Curve), to(Kind::Mesh)) {
                 (Some(Value::Curve(curve)), _) => Some(Self::Curve(curve)),
@@ -46,10 +50,10 @@ impl Obstacle {
                 let crossings = found.crossings.iter().map(|c| c.a);
                 first(&mut crossings.chain(found.overlaps.iter().map(|o| o.a.start))).map(|t| t / reach)
             }
-            Self::Surface(surface) => {
-                let found = curve_with_surface(&Curve::from(*ray), surface, tolerance)?;
+            Self::Brep(search) => {
+                let found = search.curve_crossings(&Curve::from(*ray), tolerance)?;
                 let crossings = found.crossings.iter().map(|c| c.t);
-                first(&mut crossings.chain(found.overlaps.iter().map(|o| o.t.start))).map(|t| t / reach)
+                first(&mut crossings.chain(found.overlaps.iter().map(|o| o.start))).map(|t| t / reach)
             }
             Self::Tree(tree) => tree.line_hits(ray.from, ray.direction(), [0.0, 1.0])?.first().map(|h| h.t),
             Self::Mesh(mesh) => {

@@ -1,8 +1,11 @@
-//! Surface / Analysis: places on surfaces, their sizes and control points. Trims do not count.
+//! Surface / Analysis: places on surfaces, their sizes and control points. Trims count where that is said.
+
+use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_geometry::{Direction, Plane, Point3, Surface, Vector3};
+use katydid_geometry::{Brep, Containment, Direction, Plane, Point3, Surface, Vector3};
 
+use super::prepared::prepared;
 use super::{uv, warning};
 
 /// The point, the unit normal and the tangent plane at a pair of parameters.
@@ -180,14 +183,24 @@ fn is_planar(
 )]
 #[output("Inclusion", "I", "Whether it does; the edge counts.")]
 fn point_in_trim(
+    context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Brep>,
     /// The parameters, u as x and v as y.
     #[port("UV Point", "P")]
     at: Point3,
-) -> bool {
-    surface.domain(Direction::U).contains(at.x) && surface.domain(Direction::V).contains(at.y)
+) -> Result<bool, Message> {
+    let ([_], Some(whole)) = (surface.faces(), surface.face_surface(0)) else {
+        return Err(Message::error("A Brep of several faces has no parameters: take it apart"));
+    };
+    let (u, v) = uv(at)?;
+    let domains = Direction::BOTH.map(|d| whole.domain(d));
+    if !(domains[0].contains(u) && domains[1].contains(v)) {
+        return Ok(false);
+    }
+    let near = 1e-9 * domains[0].length().min(domains[1].length());
+    Ok(prepared(context, &surface)?.covers(0, u, v, near).map_err(warning)? != Containment::Outside)
 }
 
 #[cfg(test)]

@@ -1,12 +1,67 @@
-//! Surface / Analysis: areas and volumes.
+//! Surface / Analysis: areas, volumes and moments.
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::Point3;
+use katydid_geometry::{Error, MassProperties, Point3, Vector3};
 
-/// The area of a surface, a mesh, a box, or the region inside a closed flat curve.
+use super::warning;
+
+/// Areas and volumes of Breps are measured to this part of themselves.
+const FRACTION: f64 = 1e-11;
+
+/// What the area of a shape is like. Nothing with a warning where it has none.
+fn of_area(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, Message> {
+    match geometry {
+        Value::Mesh(mesh) => mesh.area_properties().map_err(warning),
+        Value::Kept(_) | Value::Brep(_) | Value::Surface(_) | Value::Box(_) => {
+            let brep = solid(geometry)?;
+            measured(context, brep.area_properties(FRACTION, || context.check().is_ok()))
+        }
+        other => match cast::value(other, Kind::Curve, context.rules()) {
+            Some(Value::Curve(curve)) => curve.area_properties(context.tolerance().absolute).map_err(warning),
+            _ => Err(Message::warning(format!("A {} has no area", other.kind()))),
+        },
+    }
+}
+
+/// What the volume of a shape is like. Nothing with a warning where it has none.
+fn of_volume(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, Message> {
+    match geometry {
+        Value::Mesh(mesh) => {
+            if !mesh.is_closed() {
+                context.warn("The mesh is open: its volume means nothing");
+            }
+            mesh.volume_properties().map_err(warning)
+        }
+        Value::Kept(_) | Value::Brep(_) | Value::Surface(_) | Value::Box(_) => {
+            let brep = solid(geometry)?;
+            if !brep.is_solid() {
+                let what = if brep.faces().len() == 1 { "An open surface" } else { "An open Brep" };
+                return Err(Message::warning(format!("{what} has no volume")));
+            }
+            measured(context, brep.volume_properties(FRACTION, || context.check().is_ok()))
+        }
+        other => Err(Message::warning(format!("A {} has no volume", other.kind()))),
+    }
+}
+
+/// The Brep that a shape is or stands for.
+fn solid(geometry: &Value) -> Result<std::sync::Arc<katydid_geometry::Brep>, Message> {
+    match geometry.brep() {
+        Some(brep) => brep.map_err(Message::warning),
+        None => Err(Message::warning(format!("A {} has no faces", geometry.kind()))),
+    }
+}
+
+/// A result, or why there is none: that the work was stopped is for the user to know first.
+fn measured(context: &Context<'_>, found: Result<MassProperties, Error>) -> Result<MassProperties, Message> {
+    context.check()?;
+    found.map_err(warning)
+}
+
+/// The area of a Brep, a surface, a mesh, a box, or the region inside a closed flat curve.
 ///
-/// A curve that is open or not flat has none: a warning.
+/// Trimmed parts do not count. A curve that is open or not flat has none: a warning.
 #[component(
     "2e205f24-9279-47b2-b414-d06dcd0b21a7",
     name = "Area",
@@ -21,36 +76,34 @@ fn area(
     /// The geometry.
     #[port("Geometry", "G")]
     geometry: Geometry,
-) -> Result<(Option<f64>, Option<Point3>), Message> {
-    match &geometry.0 {
-        Value::Mesh(mesh) => {
-            let (area, center) = mesh.area_and_centroid();
-            Ok((Some(area), center))
-        }
-        Value::Surface(surface) => {
-            let found = surface.area().map_err(|e| Message::warning(e.to_string()))?;
-            Ok((Some(found.area), Some(found.centroid)))
-        }
-        Value::Box(b) => Ok((Some(b.area().abs()), Some(b.center()))),
-        Value::Rectangle(r) => Ok((Some(r.area().abs()), Some(r.center()))),
-        Value::Circle(c) => Ok((Some(std::f64::consts::PI * c.radius * c.radius), Some(c.center()))),
-        Value::Kept(object) => {
-            Err(Message::error(format!("The area of a {} cannot be measured yet", object.class_name())))
-        }
-        other => match cast::value(other, Kind::Curve, context.rules()) {
-            Some(Value::Curve(curve)) => {
-                let found = curve.area_and_centroid(context.tolerance().absolute);
-                let (area, center) = found.map_err(|e| Message::warning(e.to_string()))?;
-                Ok((Some(area), Some(center)))
-            }
-            _ => Err(Message::warning(format!("A {} has no area", other.kind()))),
-        },
-    }
+) -> Result<(f64, Point3), Message> {
+    let found = of_area(context, &geometry.0)?;
+    Ok((found.amount, found.centroid))
 }
 
-/// The volume inside a closed mesh, a box, a sphere or a torus.
+/// The area of a Brep.
+#[component(
+    "ab766b01-a3f5-4257-831a-fc84d7b288b4",
+    name = "Brep Area",
+    nick = "Area",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Area", "A", "Its area.")]
+#[output("Centroid", "C", "The centroid of the area.")]
+fn brep_area(
+    context: &Context<'_>,
+    /// The Brep.
+    #[port("Brep", "B")]
+    brep: Geometry,
+) -> Result<(f64, Point3), Message> {
+    let found = of_area(context, &brep.0)?;
+    Ok((found.amount, found.centroid))
+}
+
+/// The volume inside a closed Brep, a closed mesh or a box.
 ///
-/// The volume of an open mesh means nothing: a warning. That of other closed surfaces cannot be measured yet.
+/// The volume of an open mesh means nothing: a warning. An open Brep has none.
 #[component(
     "224f7648-5956-4b26-80d9-8d771f3dfd5d",
     name = "Volume",
@@ -65,53 +118,250 @@ fn volume(
     /// The geometry.
     #[port("Geometry", "G")]
     geometry: Geometry,
-) -> Result<(Option<f64>, Option<Point3>), Message> {
-    match &geometry.0 {
-        Value::Mesh(mesh) => {
-            if !mesh.is_closed() {
-                context.warn("The mesh is open: its volume means nothing");
-            }
-            let (volume, center) = mesh.volume_and_centroid();
-            Ok((Some(volume.abs()), center))
-        }
-        Value::Surface(surface) if surface.is_solid() => {
-            let tolerance = context.tolerance().absolute;
-            if let Some(sphere) = surface.as_sphere(tolerance) {
-                Ok((Some(sphere.volume()), Some(sphere.center())))
-            } else if let Some(torus) = surface.as_torus(tolerance) {
-                Ok((Some(torus.volume()), Some(torus.plane.origin)))
-            } else {
-                Err(Message::error("The volume of this surface cannot be measured yet"))
-            }
-        }
-        Value::Surface(_) => Err(Message::warning("An open surface has no volume")),
-        Value::Box(b) => Ok((Some(b.volume().abs()), Some(b.center()))),
-        Value::Kept(object) => {
-            Err(Message::error(format!("The volume of a {} cannot be measured yet", object.class_name())))
-        }
-        other => Err(Message::warning(format!("A {} has no volume", other.kind()))),
-    }
+) -> Result<(f64, Point3), Message> {
+    let found = of_volume(context, &geometry.0)?;
+    Ok((found.amount, found.centroid))
+}
+
+/// The volume inside a closed Brep.
+#[component(
+    "c72d0184-bb99-4af4-a629-4662e1c3d428",
+    name = "Brep Volume",
+    nick = "Volume",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Volume", "V", "Its volume.")]
+#[output("Centroid", "C", "The centroid of the volume.")]
+fn brep_volume(
+    context: &Context<'_>,
+    /// The Brep.
+    #[port("Brep", "B")]
+    brep: Geometry,
+) -> Result<(f64, Point3), Message> {
+    let found = of_volume(context, &brep.0)?;
+    Ok((found.amount, found.centroid))
+}
+
+/// Amount, centroid, inertia with its error, second moments with theirs, and radii of gyration.
+type WithErrors = (f64, Point3, Vector3, Vector3, Vector3, Vector3, Vector3);
+
+fn with_errors(found: &MassProperties) -> WithErrors {
+    let [x, y, z, ..] = found.second_moments;
+    // The moments are as good, in proportion, as the amount.
+    let part = found.error / found.amount;
+    let inertia = found.inertia_about(found.centroid);
+    let second = Vector3::new(x, y, z);
+    let gyration = found.gyration_about(found.centroid);
+    (found.amount, found.centroid, inertia, inertia * part, second, second * part, gyration)
+}
+
+/// How the area of a shape is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "c98c1666-5f29-4bb8-aafd-bb5a708e8a95",
+    name = "Area Moments",
+    nick = "AMoments",
+    at = "Surface/Analysis"
+)]
+#[output("Area", "A", "The area.")]
+#[output("Centroid", "C", "The centroid of the area.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Inertia (error)", "I±", "How far these may be off.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Secondary (error)", "S±", "How far these may be off.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn area_moments(
+    context: &Context<'_>,
+    /// A Brep, a mesh or a closed flat curve.
+    #[port("Geometry", "G")]
+    geometry: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3, Vector3, Vector3), Message> {
+    Ok(with_errors(&of_area(context, &geometry.0)?))
+}
+
+/// How the area of a Brep is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "5d2fb801-2905-4a55-9d48-bbb22c73ad13",
+    name = "Brep Area Moments",
+    nick = "AMoments",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Area", "A", "The area.")]
+#[output("Centroid", "C", "The centroid of the area.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Inertia (error)", "I±", "How far these may be off.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Secondary (error)", "S±", "How far these may be off.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn brep_area_moments(
+    context: &Context<'_>,
+    /// The Brep.
+    #[port("Brep", "B")]
+    brep: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3, Vector3, Vector3), Message> {
+    Ok(with_errors(&of_area(context, &brep.0)?))
+}
+
+/// How a volume is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "4b5f79e1-c2b3-4b9c-b97d-470145a3ca74",
+    name = "Volume Moments",
+    nick = "VMoments",
+    at = "Surface/Analysis"
+)]
+#[output("Volume", "V", "The volume.")]
+#[output("Centroid", "C", "The centroid of the volume.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Inertia (error)", "I±", "How far these may be off.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Secondary (error)", "S±", "How far these may be off.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn volume_moments(
+    context: &Context<'_>,
+    /// A closed Brep or mesh.
+    #[port("Geometry", "G")]
+    geometry: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3, Vector3, Vector3), Message> {
+    Ok(with_errors(&of_volume(context, &geometry.0)?))
+}
+
+/// How the volume of a Brep is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "ffdfcfc5-3933-4c38-b680-8bb530e243ff",
+    name = "Brep Volume Moments",
+    nick = "VMoments",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Volume", "V", "The volume.")]
+#[output("Centroid", "C", "The centroid of the volume.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Inertia (error)", "I±", "How far these may be off.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Secondary (error)", "S±", "How far these may be off.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn brep_volume_moments(
+    context: &Context<'_>,
+    /// The Brep.
+    #[port("Brep", "B")]
+    brep: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3, Vector3, Vector3), Message> {
+    Ok(with_errors(&of_volume(context, &brep.0)?))
+}
+
+/// Amount, centroid, inertia, second moments and radii of gyration.
+type WithoutErrors = (f64, Point3, Vector3, Vector3, Vector3);
+
+fn without_errors(found: &MassProperties) -> WithoutErrors {
+    let (amount, centroid, inertia, _, second, _, gyration) = with_errors(found);
+    (amount, centroid, inertia, second, gyration)
+}
+
+/// How the area of a shape is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "1eb7b856-ec7d-40b6-a76c-f216a11df37c",
+    name = "Area Moments",
+    nick = "AMoments",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Area", "A", "The area.")]
+#[output("Centroid", "C", "The centroid of the area.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn plain_area_moments(
+    context: &Context<'_>,
+    /// A Brep, a mesh or a closed flat curve.
+    #[port("Geometry", "G")]
+    geometry: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3), Message> {
+    Ok(without_errors(&of_area(context, &geometry.0)?))
+}
+
+/// How a volume is spread about its centroid: moments about lines through it along the world axes.
+#[component(
+    "2e685fd9-7b8f-461b-b330-44857b099937",
+    name = "Volume Moments",
+    nick = "VMoments",
+    at = "Surface/Analysis",
+    old
+)]
+#[output("Volume", "V", "The volume.")]
+#[output("Centroid", "C", "The centroid of the volume.")]
+#[output("Inertia", "I", "The moments of inertia about the x, y and z axis through the centroid.")]
+#[output("Secondary", "S", "The integrals of the squared distances from the centroid along x, y and z.")]
+#[output("Gyration", "G", "The radii of gyration about the x, y and z axis through the centroid.")]
+fn plain_volume_moments(
+    context: &Context<'_>,
+    /// A closed Brep or mesh.
+    #[port("Geometry", "G")]
+    geometry: Geometry,
+) -> Result<(f64, Point3, Vector3, Vector3, Vector3), Message> {
+    Ok(without_errors(&of_volume(context, &geometry.0)?))
 }
 
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
-    use katydid_geometry::{Box3, Circle, Interval, Line, Mesh, Plane, Point3};
+    use katydid_data::Value;
+    use katydid_geometry::{
+        Box3, Brep, Circle, Cylinder, Interval, Line, Mesh, Plane, Point3, Surface, Tolerance, construct,
+    };
+
+    fn block() -> Box3 {
+        let unit = Interval::new(0.0, 2.0);
+        Box3 { plane: Plane::XY, x: unit, y: unit, z: unit }
+    }
+
+    fn can() -> Brep {
+        construct::cylinder(&Cylinder::new(Plane::XY, 1.0, Interval::new(0.0, 2.0)).unwrap(), [true; 2])
+            .unwrap()
+    }
 
     #[test]
     fn areas_and_volumes() {
-        let unit = Interval::new(0.0, 2.0);
-        let b = Box3 { plane: Plane::XY, x: unit, y: unit, z: unit };
         let circle = Circle { plane: Plane::XY, radius: 1.0 };
-        let area = |v: katydid_data::Value| Trial::of("Area").item(v).texts(0).join("");
+        let area = |v: Value| Trial::of("Area").item(v).texts(0).join("");
         assert_eq!(area(circle.into()), "{0}: 3.141593");
-        assert_eq!(area(b.into()), "{0}: 24");
-        assert_eq!(area(Mesh::cuboid(&b, 1, 1, 1).unwrap().into()), "{0}: 24");
+        assert_eq!(area(block().into()), "{0}: 24");
+        assert_eq!(area(Mesh::cuboid(&block(), 1, 1, 1).unwrap().into()), "{0}: 24");
+        assert_eq!(area(can().into()), "{0}: 18.849556");
         let line = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
         assert!(Trial::of("Area").item(line).message().contains("open"));
-        let volume = |v: katydid_data::Value| Trial::of("Volume").item(v);
-        assert_eq!(volume(Mesh::cuboid(&b, 2, 2, 2).unwrap().into()).texts(0), ["{0}: 8"]);
-        assert_eq!(volume(b.into()).texts(1), ["{0}: {1, 1, 1}"]);
+        let volume = |v: Value| Trial::of("Volume").item(v);
+        assert_eq!(volume(Mesh::cuboid(&block(), 2, 2, 2).unwrap().into()).texts(0), ["{0}: 8"]);
+        assert_eq!(volume(block().into()).texts(1), ["{0}: {1, 1, 1}"]);
+        assert_eq!(volume(can().into()).texts(0), ["{0}: 6.283185"]);
+        let tube: Surface = Cylinder::new(Plane::XY, 1.0, Interval::UNIT).unwrap().into();
+        assert!(volume(tube.into()).message().contains("open surface"));
         assert!(volume(circle.into()).message().contains("no volume"));
+    }
+
+    #[test]
+    fn plates_with_holes() {
+        let round = |r: f64| Circle { plane: Plane::XY, radius: r }.into();
+        let rings = Brep::planar_faces(&[round(3.0), round(1.0)], &Tolerance::default()).unwrap();
+        let found = Trial::of("Area").item(Value::from(rings.breps[0].clone())).texts(0);
+        assert_eq!(found, ["{0}: 25.132741"]);
+    }
+
+    #[test]
+    fn moments() {
+        let body = || Trial::of("Volume Moments").item(can());
+        // A cylinder of radius 1 and height 2 about its middle: m (3 r² + h²) / 12, and m r² / 2 about the axis.
+        let (cross, axial) = (std::f64::consts::TAU * 7.0 / 12.0, std::f64::consts::PI);
+        assert_eq!(body().texts(2), [format!("{{0}}: {{{cross:.6}, {cross:.6}, {axial:.6}}}")]);
+        assert_eq!(body().texts(6), ["{0}: {0.763763, 0.763763, 0.707107}"]);
+        let plate = Trial::of("Area Moments").item(Circle { plane: Plane::XY, radius: 2.0 }).texts(4);
+        let quarter = 4.0 * std::f64::consts::PI;
+        assert_eq!(plate, [format!("{{0}}: {{{quarter:.6}, {quarter:.6}, 0}}")]);
+        assert!(
+            Trial::of("Volume Moments")
+                .item(Line::new(Point3::ORIGIN, Point3::ORIGIN))
+                .message()
+                .contains("no volume")
+        );
     }
 }

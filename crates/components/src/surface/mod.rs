@@ -9,15 +9,20 @@ mod edges;
 mod extrude;
 mod frame;
 mod freeform;
+mod inside;
 mod loft;
 mod measure;
 mod offset;
+mod parts;
 mod pipe;
+pub(crate) mod prepared;
 mod primitive;
 pub(crate) mod sphere;
+mod subd;
 mod sweep;
 #[cfg(test)]
 mod trial;
+mod trims;
 mod util;
 
 use std::sync::Arc as Shared;

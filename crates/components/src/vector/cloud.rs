@@ -84,7 +84,7 @@ fn closest_points(
 
 /// The nearest point on any of several pieces of geometry.
 ///
-/// Works with points, planes, curves, meshes and boxes (on their skin). Nulls are skipped.
+/// Works with points, planes, curves, Breps, meshes and boxes (on their skin). Nulls are skipped.
 #[component("902289da-28dc-454b-98d4-b8f8aa234516", name = "Pull Point", nick = "Pull", at = "Vector/Point")]
 #[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
 #[output("Distance", "D", "The distance to it.")]
@@ -146,7 +146,7 @@ fn early_pull_point(
 
 /// Follows a direction from a point to the first geometry that it meets.
 ///
-/// Where nothing lies ahead, what lies behind is taken. Works with meshes, boxes and planes.
+/// Where nothing lies ahead, what lies behind is taken. Works with Breps, meshes, boxes and planes.
 #[component(
     "5184b8cb-b71e-4def-a590-cd2c9bc58906",
     name = "Project Point",

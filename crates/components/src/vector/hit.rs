@@ -1,8 +1,11 @@
 //! The point of any geometry nearest to a point, and where a line meets geometry.
 
+use std::sync::Arc as Shared;
+
 use katydid_component::Message;
 use katydid_data::{Kind, Value, cast};
-use katydid_geometry::{Box3, Mesh, Point3, Vector3};
+use katydid_geometry::brep::ClosestOnBrep;
+use katydid_geometry::{Box3, Brep, Curve, Line, Mesh, Point3, Vector3};
 
 /// The point of `geometry` nearest to `p`. A box counts as its skin, a rectangle as its outline.
 ///
@@ -21,6 +24,10 @@ pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Mes
                 _ => None,
             }
         }
+        Value::Brep(_) | Value::Kept(_) if geometry.brep().is_some() => match geometry.brep() {
+            Some(brep) => Some(brep.map_err(Message::warning)?.closest_point(p)?.point),
+            None => None,
+        },
         Value::Box(b) => Some(nearest(skin(b).iter().map(|&t| on_triangle(t, p)), p).unwrap_or(p)),
         Value::Mesh(mesh) => nearest(triangles(mesh).map(|t| on_triangle(t, p)), p),
         Value::Group(group) => {
@@ -48,6 +55,12 @@ pub(crate) fn along(geometry: &Value, p: Point3, direction: Vector3) -> Result<V
     Ok(match geometry {
         Value::Mesh(mesh) => triangles(mesh).filter_map(|t| through_triangle(t, p, direction)).collect(),
         Value::Box(b) => skin(b).into_iter().filter_map(|t| through_triangle(t, p, direction)).collect(),
+        Value::Surface(_) | Value::Brep(_) | Value::Kept(_) if geometry.brep().is_some() => {
+            match geometry.brep() {
+                Some(brep) => through_brep(&*brep.map_err(Message::warning)?, p, direction)?,
+                None => Vec::new(),
+            }
+        }
         Value::Plane(plane) => {
             let speed = direction.dot(plane.z_axis);
             if speed == 0.0 { Vec::new() } else { vec![-plane.signed_distance(p) / speed] }
@@ -59,6 +72,19 @@ pub(crate) fn along(geometry: &Value, p: Point3, direction: Vector3) -> Result<V
             )));
         }
     })
+}
+
+/// The parameters t at which the line `p` + t `direction` meets a Brep. Of a stretch in a face its ends count.
+fn through_brep(brep: &Brep, p: Point3, direction: Vector3) -> Result<Vec<f64>, Message> {
+    let (Some(bounds), speed) = (brep.bounds_of_faces(), direction.length()) else { return Ok(Vec::new()) };
+    let reach = bounds.max_distance_to(p).max(1e-9) * 1.01;
+    let unit = direction / speed;
+    let line: Curve = Line::new(p - unit * reach, p + unit * reach).into();
+    let found = ClosestOnBrep::new(Shared::new(brep.clone()))?.curve_crossings(&line, 1e-9 * reach)?;
+    let domain = line.domain();
+    let ends = found.overlaps.iter().flat_map(|o| [o.start, o.end]);
+    let places = found.crossings.iter().map(|c| c.t).chain(ends);
+    Ok(places.map(|t| (2.0 * domain.normalized(t) - 1.0) * reach / speed).collect())
 }
 
 type Triangle = [Point3; 3];

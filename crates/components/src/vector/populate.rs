@@ -4,7 +4,9 @@ use std::collections::HashMap;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::{ArcLength, Box3, Interval, Plane, Point3, Rectangle, Vector3};
+use katydid_geometry::{
+    ArcLength, Box3, Brep, Interval, MeshSettings, Plane, Point2, Point3, Rectangle, Vector3,
+};
 
 use super::hit;
 use crate::sets::dotnet_random::DotNetRandom;
@@ -178,6 +180,15 @@ fn populate_geometry(
     points: List<Point3>,
 ) -> Result<Vec<Point3>, Message> {
     let n = f64::from(count.max(1));
+    if let (Value::Surface(_) | Value::Brep(_) | Value::Kept(_), Some(brep)) =
+        (&geometry.0, geometry.0.brep())
+    {
+        let brep = brep.map_err(Message::warning)?;
+        let sown = Sown::new(context, &brep)?;
+        return strew(context, (count, seed), &points, (sown.total / n).sqrt(), |random| {
+            sown.at([random.next_double(), random.next_double(), random.next_double()])
+        });
+    }
     let mesh = match &geometry.0 {
         Value::Mesh(_) | Value::Box(_) => cast::value(&geometry.0, Kind::Mesh, context.rules()),
         _ => None,
@@ -210,6 +221,49 @@ fn populate_geometry(
     strew(context, (count, seed), &points, total / n, |random| {
         Some(curve.point_at(lengths.parameter_at(random.next_double() * total)))
     })
+}
+
+/// A triangle of a face in its parameters, and the areas of all up to it.
+type Patch = (f64, usize, [Point2; 3]);
+
+/// A Brep as triangles, from which points are picked by area.
+struct Sown<'a> {
+    brep: &'a Brep,
+    patches: Vec<Patch>,
+    total: f64,
+}
+
+impl<'a> Sown<'a> {
+    /// How fine the triangles are, in parts of the size.
+    const FINE: f64 = 1e-3;
+
+    fn new(context: &Context<'_>, brep: &'a Brep) -> Result<Self, Message> {
+        let size = brep.bounds_of_faces().map_or(1.0, |b| b.diagonal().length());
+        let mesh = brep.mesh_unless(&MeshSettings::within(Self::FINE * size), &context.stop())?;
+        let (mut patches, mut total) = (Vec::new(), 0.0);
+        for face in mesh.faces() {
+            for [a, b, c] in face.faces.iter().flat_map(|f| f.triangles()) {
+                let place = |i: u32| {
+                    let point = face.places.get(i as usize).and_then(|p| mesh.points().get(*p as usize));
+                    Some((*point?, *face.parameters.get(i as usize)?))
+                };
+                let (Some(a), Some(b), Some(c)) = (place(a), place(b), place(c)) else { continue };
+                total += 0.5 * (b.0 - a.0).cross(c.0 - a.0).length();
+                patches.push((total, face.face, [a.1, b.1, c.1]));
+            }
+        }
+        Ok(Self { brep, patches, total })
+    }
+
+    /// The point on a face for three numbers from 0 to 1.
+    fn at(&self, [pick, u, v]: [f64; 3]) -> Option<Point3> {
+        let at = pick * self.total;
+        let found = self.patches.get(self.patches.partition_point(|t| t.0 <= at)).or(self.patches.last())?;
+        let (_, face, [a, b, c]) = found;
+        let (s, t) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+        let mix = |a: f64, b: f64, c: f64| a + (b - a) * s + (c - a) * t;
+        Some(self.brep.face_surface(*face)?.point_at(mix(a.x, b.x, c.x), mix(a.y, b.y, c.y)))
+    }
 }
 
 #[cfg(test)]

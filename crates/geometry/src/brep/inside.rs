@@ -1,5 +1,7 @@
 //! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
 
+use std::sync::Arc as Shared;
+
 use super::Brep;
 use crate::region::Outline;
 use crate::{
@@ -10,18 +12,18 @@ use crate::{
 
 /// A face prepared for questions: its surface and its loops.
 #[derive(Debug)]
-struct Sheet {
-    face: usize,
-    closest: ClosestOnSurface,
+pub(super) struct Sheet {
+    pub(super) face: usize,
+    pub(super) closest: ClosestOnSurface,
     outlines: Vec<Outline>,
     loops: Vec<Curve>,
-    bounds: BoundingBox,
-    reversed: bool,
+    pub(super) bounds: BoundingBox,
+    pub(super) reversed: bool,
 }
 
 impl Sheet {
     /// How often the loops run round a pair of parameters: once on the face.
-    fn covers(&self, u: f64, v: f64) -> bool {
+    pub(super) fn covers(&self, u: f64, v: f64) -> bool {
         self.outlines.iter().map(|outline| outline.winding([u, v])).sum::<i32>() != 0
     }
 }
@@ -61,20 +63,20 @@ pub struct BrepPoint {
 
 /// A brep prepared for many questions about nearest points and about what lies inside.
 #[derive(Debug)]
-pub struct ClosestOnBrep<'a> {
-    brep: &'a Brep,
+pub struct ClosestOnBrep {
+    brep: Shared<Brep>,
     sheets: Vec<Sheet>,
     edges: Vec<(usize, Curve, BoundingBox)>,
     solid: bool,
     bounds: BoundingBox,
 }
 
-impl<'a> ClosestOnBrep<'a> {
+impl ClosestOnBrep {
     /// Prepares a brep.
     ///
     /// # Errors
     /// The brep has no faces, or one whose surface has no NURBS form.
-    pub fn new(brep: &'a Brep) -> Result<Self> {
+    pub fn new(brep: Shared<Brep>) -> Result<Self> {
         let mut sheets = Vec::new();
         for (face, own) in brep.faces().iter().enumerate().filter(|(_, f)| !f.deleted) {
             let Some(surface) = brep.face_surface(face) else { continue };
@@ -97,7 +99,28 @@ impl<'a> ClosestOnBrep<'a> {
         }
         let all = sheets.iter().map(|s| s.bounds).reduce(|a, b| a.union(&b));
         let bounds = all.ok_or(Error::degenerate("brep", "it has no faces"))?;
-        Ok(Self { brep, sheets, edges, solid: brep.is_solid(), bounds })
+        let solid = brep.is_solid();
+        Ok(Self { brep, sheets, edges, solid, bounds })
+    }
+
+    /// The brep.
+    pub fn brep(&self) -> &Brep {
+        &self.brep
+    }
+
+    /// The faces.
+    pub(super) fn sheets(&self) -> &[Sheet] {
+        &self.sheets
+    }
+
+    /// The edges that have curves, with their places and boxes.
+    pub(super) fn edge_curves(&self) -> &[(usize, Curve, BoundingBox)] {
+        &self.edges
+    }
+
+    /// Whether the brep is closed, so that points can lie inside.
+    pub fn is_solid(&self) -> bool {
+        self.solid
     }
 
     /// The nearest point of the brep, trims respected; edges of zero distance count before faces.
@@ -222,7 +245,7 @@ impl<'a> ClosestOnBrep<'a> {
         Ok((count, true))
     }
 
-    fn near_loop(&self, sheet: &Sheet, p: Point3, clear: f64) -> Result<bool> {
+    pub(super) fn near_loop(&self, sheet: &Sheet, p: Point3, clear: f64) -> Result<bool> {
         for trim in self.brep.trims_of(sheet.face) {
             let Some(edge) = self.brep.trims().get(trim).and_then(|t| t.edge) else { continue };
             let Some((_, curve, bounds)) = self.edges.iter().find(|(e, ..)| *e == edge) else { continue };
@@ -296,7 +319,7 @@ impl Brep {
     /// # Errors
     /// The brep has no faces, or the point is not finite.
     pub fn closest_point(&self, q: Point3) -> Result<BrepPoint> {
-        ClosestOnBrep::new(self)?.nearest(q)
+        ClosestOnBrep::new(Shared::new(self.clone()))?.nearest(q)
     }
 
     /// Whether a point lies inside a solid, outside, or within the tolerance of its faces; for many questions see
@@ -305,6 +328,6 @@ impl Brep {
     /// # Errors
     /// As [`ClosestOnBrep::contains`].
     pub fn contains(&self, p: Point3, tolerance: f64) -> Result<Containment> {
-        ClosestOnBrep::new(self)?.contains(p, tolerance)
+        ClosestOnBrep::new(Shared::new(self.clone()))?.contains(p, tolerance)
     }
 }

@@ -45,7 +45,10 @@ impl Curve {
         let mut close = |contact: Option<(f64, f64, Vec<f64>)>| {
             let Some((low, high, best)) = contact else { return };
             let flat = |t: f64| plane.signed_distance(self.point_at(t)).abs();
-            let long = self.point_at(low).distance_to(self.point_at(high)) > 1e3 * tolerance.max(1e-12);
+            // By the middle too: the stretch may be a whole closed curve.
+            let from = self.point_at(low);
+            let far = [0.5 * (low + high), high].map(|t| self.point_at(t).distance_to(from));
+            let long = far[0].max(far[1]) > 1e3 * tolerance.max(1e-12);
             let stays = (0..=16).all(|k| flat(low + (high - low) * f64::from(k) / 16.0) <= tolerance);
             if long && stays {
                 out.push(Interval::new(low, high));

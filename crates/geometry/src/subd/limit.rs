@@ -71,7 +71,7 @@ struct Face {
 }
 
 /// A control net as far as subdivision needs it.
-struct Cage {
+pub(super) struct Cage {
     points: Vec<Vector3>,
     kinds: Vec<Kind>,
     edges: Vec<Edge>,
@@ -79,7 +79,7 @@ struct Cage {
 }
 
 impl Cage {
-    fn of(net: &SubDNet) -> Self {
+    pub(super) fn of(net: &SubDNet) -> Self {
         let edge = |edge: &super::SubDEdge| {
             let faces = match edge.faces.as_slice() {
                 [a, b] if edge.tag != SubDEdgeTag::Crease => Some([a.index, b.index]),
@@ -166,7 +166,7 @@ impl Cage {
     }
 
     /// The cage of four times as many faces: vertices, then a point of each edge, then one of each face.
-    fn subdivided(&self) -> Self {
+    pub(super) fn subdivided(&self) -> Self {
         let (vertices, edges) = (self.points.len(), self.edges.len());
         let middles: Vec<Vector3> = self.faces.iter().map(|face| self.middle(face)).collect();
         let mut points = self.moved(&middles);
@@ -320,8 +320,13 @@ impl Cage {
         rings
     }
 
-    /// A cage of quads with its vertices on the limit surface.
-    fn on_limit(&self) -> Result<Mesh> {
+    /// The ends of an edge.
+    pub(super) fn ends(&self, edge: usize) -> Option<[usize; 2]> {
+        Some(self.edges.get(edge)?.ends)
+    }
+
+    /// The places on the limit surface of the vertices of a cage of quads.
+    pub(super) fn limit_places(&self) -> Vec<Point3> {
         let rings = self.rings();
         let mut opposite = vec![Vector3::ZERO; self.points.len()];
         for face in &self.faces {
@@ -341,7 +346,12 @@ impl Cage {
             };
             Point3::ORIGIN + place
         };
-        let vertices = rings.iter().enumerate().map(place).collect();
+        rings.iter().enumerate().map(place).collect()
+    }
+
+    /// A cage of quads with its vertices on the limit surface.
+    fn on_limit(&self) -> Result<Mesh> {
+        let vertices = self.limit_places();
         let index = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
         let quad = |face: &Face| match *face.corners.as_slice() {
             [a, b, c, d] => Some(MeshFace::Quad([a, b, c, d].map(index))),

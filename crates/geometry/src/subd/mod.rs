@@ -1,16 +1,19 @@
 //! Subdivision surfaces of Catmull and Clark (1978) by their control nets, with the tags, creases and sharpness of
 //! Rhino's SubD, and their surface as a mesh.
 
+mod cage;
 mod consistency;
 mod edge;
 mod face;
 mod limit;
 mod net;
+mod trace;
 mod vertex;
 
 #[cfg(test)]
 mod tests;
 
+pub use cage::FromMesh;
 pub use edge::{SubDEdge, SubDEdgeTag};
 pub use face::SubDFace;
 pub use net::SubDNet;

@@ -6,9 +6,9 @@ use crate::{Error, Point3, Result};
 /// A consistent control net.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubDNet {
-    vertices: Vec<SubDVertex>,
-    edges: Vec<SubDEdge>,
-    faces: Vec<SubDFace>,
+    pub(super) vertices: Vec<SubDVertex>,
+    pub(super) edges: Vec<SubDEdge>,
+    pub(super) faces: Vec<SubDFace>,
 }
 
 impl SubDNet {

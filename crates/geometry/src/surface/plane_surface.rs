@@ -63,6 +63,13 @@ impl PlaneSurface {
         [at(0, u), at(1, v)]
     }
 
+    /// The parameters of a point's shadow on the plane; they may lie outside the domain.
+    pub fn parameters_of(&self, p: Point3) -> [f64; 2] {
+        let [x, y, _] = self.plane.coordinates(p);
+        let at = |d: Direction, value: f64| self.domain(d).at(self.extents()[d.index()].normalized(value));
+        [at(Direction::U, x), at(Direction::V, y)]
+    }
+
     /// The point at (u, v).
     pub fn point_at(&self, u: f64, v: f64) -> Point3 {
         let [x, y] = self.coordinates(u, v);
