@@ -86,6 +86,12 @@ fn sum(sheet: &mut Sheet, surface: &SumSurface) -> Result<Put> {
             return Ok(Put { id, chart: Chart { is_exact: is_same, ..Chart::SAME } });
         }
     };
+    // Programs integrate over extrusions of b-splines less well than over the same surface as a b-spline.
+    if !matches!(swept, Curve::Line(_) | Curve::Arc(_)) {
+        let is_exact = !matches!(swept, Curve::Poly(_));
+        let id = spline(sheet, &surface.to_nurbs()?)?;
+        return Ok(Put { id, chart: Chart { is_exact, ..Chart::SAME } });
+    }
     let Some(along) = ruling.line.unit_direction() else {
         return Err(katydid_geometry::Error::Degenerate {
             what: "extrusion",
