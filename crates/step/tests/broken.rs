@@ -1,5 +1,7 @@
 //! Bytes that nobody vouches for: an error or a document, never a panic, and never for long.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 use katydid_geometry::{Brep, Cylinder, Interval, Plane, Point3, Sphere};
 use katydid_step::{Document, Part, Shape, read, write};
 use proptest::prelude::*;

@@ -1,5 +1,7 @@
 //! What is written is read again: shapes, names, colours, layers, units.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
 use katydid_geometry::{
     Arc, Brep, Circle, Cone, Curve, Cylinder, Interval, Line, NurbsCurve, Plane, Point3, PolylineCurve,
     Sphere, Surface, Torus, Vector3,

@@ -15,6 +15,13 @@ pub(super) struct Representation {
     pub(super) name: String,
 }
 
+/// Representations with their groups and where they stand.
+pub(super) struct Placed {
+    pub(super) representations: Vec<(u64, usize, Xform)>,
+    /// Why some could not be placed.
+    pub(super) errors: Vec<Error>,
+}
+
 /// One representation placed in another.
 struct Link {
     child: usize,
@@ -124,7 +131,7 @@ impl Graph {
     ///
     /// # Errors
     /// Assemblies hold each other in a circle, or there are too many parts.
-    pub(super) fn placed(&self, most: usize) -> Result<(Vec<(u64, usize, Xform)>, Vec<Error>)> {
+    pub(super) fn placed(&self, most: usize) -> Result<Placed> {
         let mut out = Vec::new();
         let mut errors = Vec::new();
         let mut stack: Vec<(usize, Xform, usize)> =
@@ -153,7 +160,7 @@ impl Graph {
                 }
             }
         }
-        Ok((out, errors))
+        Ok(Placed { representations: out, errors })
     }
 
     /// The representations in groups, without links yet.

@@ -142,6 +142,14 @@ impl Ground {
         })
     }
 
+    /// The value of a parameter where the surface closes, for one near there.
+    pub(super) fn on_seam(&self, d: usize, value: f64) -> f64 {
+        let (Form::Free { surface, .. }, Some(period)) = (&self.form, self.periods[d]) else { return value };
+        let start = surface.domain(Direction::BOTH[d]).start;
+        let nearest = start + period * ((value - start) / period).round();
+        if (value - nearest).abs() <= 1e-3 * period { nearest } else { value }
+    }
+
     pub(super) fn point(&self, uv: [f64; 2]) -> Point3 {
         self.surface.point_at(uv[0], uv[1])
     }
@@ -190,8 +198,7 @@ impl Ground {
 
     /// Ranges that end exactly at poles, and that are a whole turn exactly.
     fn snapped(&self, mut ranges: [Interval; 2]) -> [Interval; 2] {
-        for d in 0..2 {
-            let range = &mut ranges[d];
+        for (d, range) in ranges.iter_mut().enumerate() {
             let near = SAME * range.length().max(1.0);
             for pole in self.poles[d].iter().flatten() {
                 if (range.start - pole).abs() <= near {

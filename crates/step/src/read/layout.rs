@@ -180,9 +180,9 @@ enum Cut {
 }
 
 impl Laying<'_> {
-    fn flat(&self, one: Use) -> Result<Flat> {
+    fn flat(&self, one: Use, is_seam: bool) -> Result<Flat> {
         let edge = self.topology.edge(one.edge)?;
-        let flat = pull(self.ground, &edge.curve, self.tolerance)?;
+        let flat = pull(self.ground, &edge.curve, self.tolerance, is_seam)?;
         Ok(if one.reversed { flat.reversed() } else { flat })
     }
 
@@ -196,7 +196,8 @@ impl Laying<'_> {
         let mut pieces: Vec<Piece> = Vec::new();
         let mut poles = Vec::new();
         for one in uses {
-            let flat = self.flat(*one)?;
+            let is_seam = uses.iter().filter(|other| other.edge == one.edge).count() > 1;
+            let flat = self.flat(*one, is_seam)?;
             let (pole, at) = (flat.poles[0], flat.curve.start());
             let (mut from, mut by) = ([at.x, at.y], [0.0; 2]);
             if let Some(last) = pieces.last() {

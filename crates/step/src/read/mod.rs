@@ -69,13 +69,13 @@ pub fn read_with(bytes: &[u8], limits: &Limits) -> Result<Document> {
     };
     let graph = Graph::of(&file, &space);
     let styles = Styles::of(&file);
-    let (placed, errors) = graph.placed(limits.parts)?;
+    let placed = graph.placed(limits.parts)?;
     let document = Document { metres: main.metres, tolerance, ..Document::default() };
     let mut items = Items { graph: &graph, styles: &styles, limits, document, known: HashMap::new() };
-    for error in errors {
+    for error in placed.errors {
         items.document.left_out.push(LeftOut::new("assembly", error.to_string()));
     }
-    for (id, group, motion) in &placed {
+    for (id, group, motion) in &placed.representations {
         let Some(representation) = graph.representations.get(id) else { continue };
         let space = match space(representation.context) {
             Ok(space) => space,
@@ -89,7 +89,7 @@ pub fn read_with(bytes: &[u8], limits: &Limits) -> Result<Document> {
             items.add(&space, *item, Standing { motion, name, holder: None, depth: 0 })?;
         }
     }
-    if placed.is_empty() {
+    if placed.representations.is_empty() {
         add_loose(&mut items, &Space { file: &file, scale: 1.0, units: main, tolerance, budget: &budget })?;
     }
     let mut document = items.document;

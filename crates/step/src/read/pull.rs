@@ -8,6 +8,8 @@ use katydid_geometry::{Curve, Line, LineCurve, NurbsCurve, Point3, brep};
 const PLACES: usize = 12;
 /// Pieces of a fitted curve are halved so often at most.
 const MOST_HALVINGS: u32 = 10;
+/// How far a seam may stray from its parameter, as a part of its size.
+const STRAY: f64 = 1e-3;
 /// Most places looked at along one edge.
 const MOST_PLACES: usize = 2000;
 
@@ -34,8 +36,8 @@ struct Place {
 }
 
 /// Pulls an edge onto the ground of a face: exactly where it is a line or an arc in a plane, or runs along a parameter;
-/// else within a distance.
-pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64) -> Result<Flat> {
+/// else within a distance. A seam runs along a parameter, however far it strays from there.
+pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64, is_seam: bool) -> Result<Flat> {
     if let Form::Plane(plane) = &ground.form {
         return Ok(Flat { curve: brep::flattened(edge, plane)?, poles: [None, None] });
     }
@@ -44,14 +46,16 @@ pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64) -> Result<Flat
         return Err(katydid_geometry::Error::Degenerate { what: "edge", why: "it has no places" }.into());
     };
     let poles = [first.pole, last.pole];
+    let straight = if is_seam { STRAY * edge.bounding_box().diagonal().length() } else { tolerance };
     for d in 0..2 {
         let still = |place: &Place| {
             let mut moved = place.uv;
             moved[d] = first.uv[d];
-            ground.point(moved).distance_to(ground.point(place.uv)) <= tolerance
+            ground.point(moved).distance_to(ground.point(place.uv)) <= straight
         };
         // A place at a pole may be anywhere along it.
         let reference = places.iter().find(|place| place.pole.is_none()).unwrap_or(first).uv[d];
+        let reference = if is_seam { ground.on_seam(d, reference) } else { reference };
         let is_still = places.iter().all(|place| {
             let mut moved = *place;
             moved.uv[d] = if place.pole.is_some() { first.uv[d] } else { place.uv[d] };
@@ -141,10 +145,10 @@ fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Re
             });
             if !is_near && depth < MOST_HALVINGS && middle > a.t && middle < b.t && points.len() < 20_000 {
                 let mut uv = ground.parameters(edge.point_at(middle))?;
-                for d in 0..2 {
+                for (d, value) in uv.iter_mut().enumerate() {
                     if let Some(period) = ground.periods[d] {
                         let guess = 0.5 * (a.uv[d] + b.uv[d]);
-                        uv[d] += period * ((guess - uv[d]) / period).round();
+                        *value += period * ((guess - *value) / period).round();
                     }
                 }
                 let place = Place { t: middle, uv, pole: None };
@@ -186,7 +190,7 @@ fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4]
         // Least squares of x·du + y·dv = the edge's derivative.
         let (xx, xy, yy) = (x.dot(x), x.dot(y), y.dot(y));
         let determinant = xx * yy - xy * xy;
-        if !(determinant > 1e-14 * xx * yy) {
+        if determinant.is_nan() || determinant <= 1e-14 * xx * yy {
             return chord;
         }
         let (p, q) = (x.dot(jet[1]), y.dot(jet[1]));

@@ -143,7 +143,7 @@ impl Topology {
         }
         let vertices = [self.vertex(space, key.0, key.0)?, self.vertex(space, key.1, key.1)?];
         let line = Line::new(self.points[vertices[0]], self.points[vertices[1]]);
-        if !(line.length() > 0.0) {
+        if line.length() == 0.0 {
             return Ok(None);
         }
         self.edges.push(Edge { curve: LineCurve::new(line).into(), vertices });
