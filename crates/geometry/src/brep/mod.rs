@@ -44,6 +44,7 @@ pub(crate) use build::with_ends;
 pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;
 pub use face::Face;
+pub use flatten::flattened;
 pub use inside::{BrepPlace, BrepPoint, ClosestOnBrep};
 pub use iso::iso_of;
 pub use join::Joined;
