@@ -5,7 +5,7 @@ import { selectedMembers } from "../canvas/edits";
 import { t, type Key } from "../i18n";
 import { Dialog } from "./Dialog";
 
-const FORMATS: ExportFormat[] = ["3dm", "glb", "obj", "stl", "svg", "png"];
+const FORMATS: ExportFormat[] = ["3dm", "step", "glb", "obj", "stl", "svg", "png"];
 
 /** A picture shows what the viewport does. */
 const isPicture = (format: ExportFormat) => format === "png" || format === "svg";

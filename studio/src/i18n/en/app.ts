@@ -40,6 +40,7 @@ export const app = {
   "export.glb": "glTF: meshes and lines for web viewers",
   "export.obj": "Wavefront: meshes and lines",
   "export.png": "A picture of the model",
+  "export.step": "STEP: exact curves, surfaces and solids for CAD and CAM programs",
   "export.stl": "Meshes for printing",
   "export.selected": "Models: only what the selected objects have",
   "export.svg": "Curves in the plane, in true size",
