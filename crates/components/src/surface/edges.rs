@@ -232,7 +232,7 @@ fn edges_from_faces(
     let faces = (0..brep.faces().len()).map(|face| brep.sub_brep(&[face])).collect::<Result<Vec<_>, _>>();
     let faces = faces.map_err(warning)?;
     let mut wanted = vec![false; faces.len()];
-    let prepared = faces.iter().map(ClosestOnBrep::new).collect::<Vec<_>>();
+    let prepared: Vec<_> = faces.into_iter().map(|face| ClosestOnBrep::new(Shared::new(face))).collect();
     for p in points.present() {
         context.check()?;
         let mut nearest: Option<(f64, usize)> = None;
