@@ -114,7 +114,8 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
         write_file(path, &bytes)?;
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
-        let scene = katydid_exchange::Scene::from_model(&baked.model);
+        let conversion = katydid_exchange::Conversion { exact: format.is_exact(), ..Default::default() };
+        let scene = katydid_exchange::Scene::from_model_with(&baked.model, &conversion);
         let lost = scene_file::write(&scene, format, katydid_exchange::Options::default(), path)?;
         left_out.extend(lost.iter().map(ToString::to_string));
     }

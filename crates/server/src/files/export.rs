@@ -49,7 +49,8 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
             let format = Format::from_extension(other)
                 .ok_or_else(|| format!("'{other}' is no format that can be written"))?;
             let baked = bake(engine, wishes.baking()?);
-            let scene = katydid_exchange::Scene::from_model(&baked.model);
+            let conversion = katydid_exchange::Conversion { exact: format.is_exact(), ..Default::default() };
+            let scene = katydid_exchange::Scene::from_model_with(&baked.model, &conversion);
             let mut bytes = Vec::new();
             katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
                 .map_err(|error| error.to_string())?;
@@ -64,6 +65,7 @@ fn content_type(format: Format) -> &'static str {
         Format::Stl => "model/stl",
         Format::Glb => "model/gltf-binary",
         Format::Gltf => "model/gltf+json",
+        Format::Step => "model/step",
         Format::Svg => "image/svg+xml",
         Format::Ply => "application/octet-stream",
     }
