@@ -159,6 +159,7 @@ test("a definition that is let go with Alt comes into this one; without, it is a
   test.skip(alone && !process.env.CANVAS_PAGE?.includes("workbench"), "the page without a server has no dialogs");
   await letGo(page, text, [420, 260], false);
   const dialog = page.getByRole("dialog", { name: "piece.ghx" });
+  await isAccessible(page, dialog);
   await dialog.getByRole("button", { name: /^Insert as a group/ }).click();
   await expect(page.locator("[data-group]")).toContainText("piece");
 });

@@ -50,7 +50,8 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     let is_partial = model_file::tell(&args.from, &model);
     match Format::from_extension(&to) {
         Some(format) => {
-            let conversion = Conversion { tolerance: args.tolerance, hidden: args.hidden };
+            let conversion =
+                Conversion { tolerance: args.tolerance, hidden: args.hidden, exact: format.is_exact() };
             write_scene(args, &Scene::from_model_with(&model, &conversion), format)?;
         }
         None => write_model(args, &model)?,

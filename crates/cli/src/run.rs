@@ -104,7 +104,8 @@ fn summarise(session: &Session, args: &RunArgs) {
 
 fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
     let is_model = extension(path) == "3dm";
-    let baked = bake(session.engine(), BakeOptions { blocks: args.blocks && is_model });
+    let baked =
+        bake(session.engine(), BakeOptions { blocks: args.blocks && is_model, ..BakeOptions::default() });
     let mut left_out = baked.left_out;
     let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     if is_model {
@@ -113,7 +114,8 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
         write_file(path, &bytes)?;
     } else {
         let format = Format::from_extension(&extension(path)).unwrap_or_default();
-        let scene = katydid_exchange::Scene::from_model(&baked.model);
+        let conversion = katydid_exchange::Conversion { exact: format.is_exact(), ..Default::default() };
+        let scene = katydid_exchange::Scene::from_model_with(&baked.model, &conversion);
         let lost = scene_file::write(&scene, format, katydid_exchange::Options::default(), path)?;
         left_out.extend(lost.iter().map(ToString::to_string));
     }

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::{Error, LeftOut, Result, Scene, View, gltf, obj, ply, stl, svg};
+use crate::{Error, LeftOut, Result, Scene, View, gltf, obj, ply, step, stl, svg};
 
 /// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -18,13 +18,16 @@ pub enum Format {
     Glb,
     /// glTF 2.0 as text, its data inside as base 64.
     Gltf,
+    /// STEP: points, curves, surfaces and solids exactly.
+    Step,
     /// SVG 1.1: a drawing of the scene as seen from one side. It is written, not read.
     Svg,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 6] = [Self::Obj, Self::Stl, Self::Ply, Self::Glb, Self::Gltf, Self::Svg];
+    pub const ALL: [Self; 7] =
+        [Self::Obj, Self::Stl, Self::Ply, Self::Glb, Self::Gltf, Self::Step, Self::Svg];
 
     /// The extension of its files, without the dot and in lower case.
     pub const fn extension(self) -> &'static str {
@@ -34,13 +37,23 @@ impl Format {
             Self::Ply => "ply",
             Self::Glb => "glb",
             Self::Gltf => "gltf",
+            Self::Step => "step",
             Self::Svg => "svg",
         }
     }
 
     /// The format of files with that extension, without the dot and in lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.extension() == extension)
+        match extension {
+            "stp" | "p21" => Some(Self::Step),
+            _ => Self::ALL.into_iter().find(|format| format.extension() == extension),
+        }
+    }
+
+    /// Whether the format holds surfaces and solids exactly: then [`Conversion::exact`](crate::Conversion::exact)
+    /// should be set.
+    pub const fn is_exact(self) -> bool {
+        matches!(self, Self::Step)
     }
 }
 
@@ -68,6 +81,8 @@ pub struct Options {
 /// destination that fails. What was written until then is no whole file.
 pub fn write(scene: &Scene, format: Format, options: &Options, out: &mut dyn Write) -> Result<Vec<LeftOut>> {
     scene.check_finite(format)?;
+    let faceted = if format.is_exact() { None } else { scene.faceted(options.tolerance) };
+    let scene = faceted.as_ref().unwrap_or(scene);
     let mut left_out = scene.left_out.clone();
     let more = match format {
         Format::Obj => obj::write(scene, options, out)?,
@@ -75,6 +90,7 @@ pub fn write(scene: &Scene, format: Format, options: &Options, out: &mut dyn Wri
         Format::Ply => ply::write(scene, options, out)?,
         Format::Glb => gltf::write_glb(scene, options, out)?,
         Format::Gltf => gltf::write_gltf(scene, options, out)?,
+        Format::Step => step::write(scene, out)?,
         Format::Svg => svg::write(scene, options, out)?,
     };
     more.into_iter().for_each(|one| LeftOut::add(&mut left_out, one));
@@ -95,7 +111,7 @@ pub fn write_materials(scene: &Scene, out: &mut dyn Write) -> Result<()> {
     obj::write_materials(scene, out)
 }
 
-/// Reads a file: its points, polylines and meshes.
+/// Reads a file: its points, curves, meshes and breps.
 ///
 /// # Errors
 /// The bytes do not keep to the format, or it is SVG. A .gltf file whose data lies in other files needs
@@ -121,6 +137,7 @@ pub fn read_with(
         Format::Stl => stl::read(bytes),
         Format::Ply => ply::read(bytes),
         Format::Glb | Format::Gltf => gltf::read(bytes, fetch),
+        Format::Step => step::read(bytes),
         Format::Svg => Err(Error::Unsupported("SVG can be written, but not read".into())),
     }
 }

@@ -1,4 +1,4 @@
-//! Geometry in other programs' files: OBJ, STL, PLY, glTF and GLB to read and write, SVG to write.
+//! Geometry in other programs' files: OBJ, STL, PLY, glTF, GLB and STEP to read and write, SVG to write.
 //!
 //! A [`Scene`] is what is to be written: points, curves, meshes, areas and text with names, colours and layers, most often made of a
 //! [`Model`](katydid_3dm::Model). [`write()`] sends it to any destination piece by piece, and tells what the format
@@ -29,6 +29,7 @@ mod obj;
 mod piece;
 mod ply;
 mod scene;
+mod step;
 mod stl;
 mod svg;
 mod text;

@@ -67,6 +67,8 @@ pub(crate) fn pieces<'a>(scene: &'a Scene, options: &Options) -> (Vec<Piece<'a>>
                 let why = "solids are not meshed yet: its edges stand for it";
                 LeftOut::add(&mut left_out, LeftOut::new(thing.shape.kind(), 1, why));
             }
+            // Breps became facets before.
+            Shape::Brep(_) => {}
             Shape::Region(region) => {
                 region.boundaries.iter().for_each(polyline);
                 let why = "only drawings are filled: its boundaries stand for it";

@@ -120,7 +120,8 @@ fn surfaces_have_facets_and_borders() {
     let mut model = Model::default();
     let ball: Surface = Sphere::around(Point3::ORIGIN, 1.0).unwrap().into();
     model.objects.push(Object::Surface(ball).into());
-    let scene = Scene::from_model_with(&model, &Conversion { tolerance: Some(1e-4), hidden: false });
+    let scene =
+        Scene::from_model_with(&model, &Conversion { tolerance: Some(1e-4), hidden: false, exact: false });
     let Shape::Faces { facets: Some(mesh), edges } = &scene.things[0].shape else { panic!() };
     assert_eq!(edges.len(), 1);
     let ratio = mesh.area() / (4.0 * std::f64::consts::PI);
@@ -152,7 +153,8 @@ fn every_real_model_is_written_in_every_format() {
     let (mut models, mut things) = (0, 0);
     for path in files {
         let Ok(model) = Model::read(&std::fs::read(&path).unwrap(), &Limits::default()) else { continue };
-        let scene = Scene::from_model_with(&model, &Conversion { tolerance: Some(0.1), hidden: false });
+        let scene =
+            Scene::from_model_with(&model, &Conversion { tolerance: Some(0.1), hidden: false, exact: false });
         models += 1;
         things += scene.things.len();
         let mut visible = model.objects.iter().filter(|o| o.attributes.mode != ObjectMode::InDefinition);

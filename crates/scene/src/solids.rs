@@ -55,6 +55,10 @@ fn forms(shape: Shape) -> Vec<Form> {
             region.boundaries.into_iter().map(|curve| Form::Curve(Shared::new(curve))).collect()
         }
         Shape::Text(label) => writing(label).into_iter().collect(),
+        Shape::Brep(brep) => {
+            let size = brep.bounds_of_faces().map_or(1.0, |bounds| bounds.diagonal().length());
+            forms(Shape::of_brep(&brep, SMOOTH * size))
+        }
         Shape::Faces { facets: Some(mesh), edges } => {
             let borders = edges.iter().map(line).collect();
             vec![Form::Surface(Shared::new(Facets::made(mesh, borders)))]

@@ -48,11 +48,23 @@ fn items(mut tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Me
                     Err(_) => Value::Surface(surface),
                 }
             }
+            Value::Brep(_) | Value::Kept(_) => unit_face(&value, rules).unwrap_or(value),
             other => other,
         };
         tree = map::<Value>(&tree, rules, unit);
     }
     tree
+}
+
+/// The only face of a brep over 0…1 in both directions, trimmed as it was; nothing for other breps.
+fn unit_face(value: &Value, rules: &cast::Rules) -> Option<Value> {
+    let brep = value.brep()?.ok()?;
+    let ([face], Some(surface)) = (brep.faces(), brep.face_surface(0)) else { return None };
+    let unit = surface.with_domain(Direction::U, Interval::UNIT);
+    let unit = unit.and_then(|s| s.with_domain(Direction::V, Interval::UNIT)).ok()?;
+    let made = brep.copied_trims(0, &unit, &rules.tolerance).ok()?;
+    let [only] = <[_; 1]>::try_from(made).ok()?;
+    Some(Value::from(if face.reversed { only.flipped() } else { only }))
 }
 
 /// Every item of type `T`, which the data is cast to, through `f`.

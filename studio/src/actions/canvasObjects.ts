@@ -1,11 +1,12 @@
 /** What is done with the selected objects: states, groups, clusters, lining up. */
 
-import { change, enter, selection } from "../canvas/edits";
+import { exportAs, place } from "../app";
+import { change, enter, selectedMembers, selection } from "../canvas/edits";
 import { openEditor } from "../canvas/open";
 import type { Alignment } from "../core/protocol/Alignment";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { documentStore } from "../state/document";
-import { edit } from "../state/session";
+import { edit, lineStore } from "../state/session";
 import { select } from "../state/ui";
 import { register, type Action } from "./registry";
 
@@ -30,6 +31,17 @@ async function cluster(): Promise<void> {
   const id = crypto.randomUUID();
   const done = await edit({ do: "makeCluster", id, objects: selection() });
   if (done) select([id]);
+}
+
+/** Has the browser keep what the selected objects have, as a model that Rhino opens. */
+async function bake(): Promise<void> {
+  const id = place(location.search).document;
+  if (!id) return;
+  try {
+    await exportAs(id, "3dm", selectedMembers());
+  } catch (error) {
+    lineStore.setState({ complaint: error instanceof Error ? error.message : String(error) });
+  }
 }
 
 register(
@@ -58,6 +70,15 @@ register(
       const on = all.some((object) => !object.disabled);
       change(all.map((object) => object.id), { is: "disabled", on });
     },
+  },
+  {
+    id: "object.bake",
+    label: "canvas.action.bake",
+    keys: ["Insert"],
+    group: "object",
+    scope: "canvas",
+    isEnabled: some,
+    run: bake,
   },
   {
     id: "object.rename",

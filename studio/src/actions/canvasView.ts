@@ -80,6 +80,13 @@ register(
     run: () => uiStore.setState({ fullNames: !uiStore.getState().fullNames }),
   },
   {
+    id: "canvas.icons",
+    label: "canvas.action.icons",
+    group: "canvas",
+    isOn: () => canvasStore.getState().icons,
+    run: () => keep({ icons: !canvasStore.getState().icons }),
+  },
+  {
     id: "canvas.profiler",
     label: "canvas.action.profiler",
     group: "canvas",

@@ -4,7 +4,7 @@ import { t } from "../i18n";
 import { uiStore } from "../state/ui";
 import { currentViewport } from "../viewport/current";
 import { DISPLAY_MODES } from "../viewport/scene/looks";
-import { ANALYSES, settingsStore, type Analysis } from "../viewport/settings";
+import { ANALYSES, PREVIEWS, settingsStore, type Analysis } from "../viewport/settings";
 import { VIEW_NAMES, type ViewName } from "../viewport/views";
 import { register, type Action } from "./registry";
 
@@ -33,6 +33,14 @@ const modes = DISPLAY_MODES.map((mode): Action => ({
   keys: [MODE_KEYS[mode]],
   isOn: () => settingsStore.getState().mode === mode,
   run: () => settingsStore.setState({ mode }),
+}));
+
+const previews = PREVIEWS.map((name): Action => ({
+  ...base,
+  id: `viewport.previews.${name}`,
+  label: `viewport.previews.${name}`,
+  isOn: () => settingsStore.getState().previews === name,
+  run: () => settingsStore.setState({ previews: name }),
 }));
 
 const analyses = ANALYSES.filter((name) => name !== "none").map((analysis): Action => ({
@@ -128,6 +136,7 @@ register(
     run: () => settingsStore.setState(({ layout }) => ({ layout: layout === "four" ? "one" : "four" })),
   },
   ...modes,
+  ...previews,
   {
     ...base,
     id: "viewport.grid",

@@ -60,8 +60,8 @@ export async function upload(file: File, document?: string): Promise<string> {
 /** A definition as text: files that are none are read by the server and written anew. */
 export async function definitionText(file: File): Promise<string> {
   if (!isNamed(file.name, [".gh"])) return await file.text();
-  const document = await upload(file);
-  return await (await checked(await fetch(address("api/save", { document, format: "ghx" })))).text();
+  const asked = { name: file.name, format: "ghx" };
+  return await (await checked(await fetch(address("api/convert", asked), { method: "POST", body: file }))).text();
 }
 
 /** Has the browser keep the document as a file. */
@@ -69,9 +69,10 @@ export function download(document: string, format: DownloadFormat): Promise<void
   return keep(address("api/save", { document, format }));
 }
 
-/** Has the browser keep what the definition makes as a file. */
-export function exportAs(document: string, format: ExportFormat): Promise<void> {
-  return keep(address("api/export", { document, format }));
+/** Has the browser keep what the definition makes, or what some of its objects have, as a file. */
+export function exportAs(document: string, format: ExportFormat, objects: readonly string[] = []): Promise<void> {
+  const wishes = objects.length > 0 ? { document, format, objects: objects.join(",") } : { document, format };
+  return keep(address("api/export", wishes));
 }
 
 /** Has the browser keep a picture of the definition itself: all of its canvas. */

@@ -26,6 +26,11 @@ export function selection(): string[] {
   return order.filter((id) => chosen.has(id));
 }
 
+/** The selected objects, those of a group in its place. */
+export function selectedMembers(): string[] {
+  return [...leaves(selection(), documentStore.getState().objects)];
+}
+
 /** Places a component, selects it, and goes there; it is brought into view where it is out of it. */
 export async function place(what: Pick<Placing, "component" | "with">, at: Point): Promise<string | undefined> {
   const id = crypto.randomUUID();

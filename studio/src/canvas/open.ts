@@ -8,7 +8,7 @@ import type { Grip } from "../core/hit";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { documentStore } from "../state/document";
 import { canvasStore, type EditorAt } from "./store";
-import { enter, reshape, set } from "./edits";
+import { enter, set } from "./edits";
 import { rectNow } from "./gestures/world";
 import { canvasPoint, lens, paneElement, paneSize, windowPoint } from "./view";
 
@@ -80,9 +80,9 @@ export function focusCanvas(): void {
   (object ?? pane)?.focus({ preventScroll: true });
 }
 
-/** Whether an object is a Param Viewer of which the document does not say how it shows the tree. */
+/** Whether an object is a Param Viewer. */
 export function isViewer(object: ObjectView): boolean {
-  return object.component === IDS.viewer && object.control === null;
+  return object.component === IDS.viewer;
 }
 
 /** Has a Param Viewer draw the tree, or list its paths. */
@@ -111,9 +111,6 @@ export function activate(id: string): void {
       return;
     case "toggle":
       set(id, { is: "switch", on: !object.control.on });
-      return;
-    case "viewer":
-      reshape(id, { ...object.control, text: !object.control.text });
       return;
     case "script":
     case "formula":

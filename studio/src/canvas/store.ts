@@ -82,6 +82,8 @@ export interface CanvasState {
   ribbon: boolean;
   /** Whether handles for lining up stand around a selection. */
   aligning: boolean;
+  /** Whether capsules show pictures for names. */
+  icons: boolean;
   /** What was last said for screen readers. */
   said: string;
 }
@@ -93,20 +95,22 @@ interface Kept {
   snapping: boolean;
   ribbon: boolean;
   aligning: boolean;
+  icons: boolean;
 }
 
 /** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
 function kept(): Kept {
-  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true };
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true, icons: false };
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
     if (typeof found !== "object" || found === null) return usual;
-    const { scheme, snapping, ribbon, aligning } = found as Record<string, unknown>;
+    const { scheme, snapping, ribbon, aligning, icons } = found as Record<string, unknown>;
     return {
       scheme: scheme === "figma" ? "figma" : "grasshopper",
       snapping: snapping !== false,
       ribbon: ribbon !== false,
       aligning: aligning !== false,
+      icons: icons === true,
     };
   } catch {
     return usual;
@@ -141,9 +145,9 @@ export const canvasStore = createStore<CanvasState>(() => ({
 /** Changes what a browser remembers. */
 export function keep(change: Partial<Kept>): void {
   canvasStore.setState(change);
-  const { scheme, snapping, ribbon, aligning } = canvasStore.getState();
+  const { scheme, snapping, ribbon, aligning, icons } = canvasStore.getState();
   try {
-    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning }));
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning, icons }));
   } catch {
     // It holds for this page then.
   }

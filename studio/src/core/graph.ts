@@ -7,7 +7,7 @@ import type { GraphView } from "./protocol/GraphView";
  * The functions that can be chosen: those of which it is known how files name them. Others that a file has are drawn
  * and their handles dragged all the same. Where the handles of a new one begin is the session's affair.
  */
-export const GRAPHS = ["Bezier", "Sine"] as const;
+export const GRAPHS = ["Bezier", "Gaussian", "Linear", "Parabola", "Sine"] as const;
 
 /** What a menu of functions offers: those that can be chosen, and the one that is there. */
 export function graphChoices(now: string): string[] {

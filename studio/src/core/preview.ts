@@ -61,17 +61,17 @@ function corners(kind: PartKind): number {
   return kind === "points" || kind === "controlPoints" || kind === "texts" ? 1 : 2;
 }
 
-/** Reads a preview from byte `from` on, a multiple of 8, or throws a `PreviewError` that says what is wrong with it. */
-export function decodePreview(bytes: ArrayBuffer, from = 0): Preview {
-  if (bytes.byteLength < from + FIXED) throw new PreviewError("shorter than its own beginning");
-  const view = new DataView(bytes, from);
+/** Reads a preview, or throws a `PreviewError` that says what is wrong with it. */
+export function decodePreview(bytes: ArrayBuffer): Preview {
+  if (bytes.byteLength < FIXED) throw new PreviewError("shorter than its own beginning");
+  const view = new DataView(bytes);
   if (view.getUint32(0, true) !== PREVIEW_MAGIC) throw new PreviewError("not a preview");
   const version = view.getUint16(4, true);
   if (version !== PREVIEW_VERSION) throw new PreviewError(`of version ${version}, not ${PREVIEW_VERSION}`);
   const length = view.getUint32(8, true);
   if (length > view.byteLength - FIXED) throw new PreviewError("shorter than its head says");
-  const start = from + Math.ceil((FIXED + length) / ALIGNMENT) * ALIGNMENT;
-  const head = new Fields(readHead(new Uint8Array(bytes, from + FIXED, length)), "head");
+  const start = Math.ceil((FIXED + length) / ALIGNMENT) * ALIGNMENT;
+  const head = new Fields(readHead(new Uint8Array(bytes, FIXED, length)), "head");
   const arrays = new Arrays(bytes, Math.min(start, bytes.byteLength));
   return {
     object: head.text("object"),

@@ -1,15 +1,21 @@
 import { useState } from "react";
 
 import { exportAs, exportCanvas, place, type ExportFormat } from "../app";
+import { selectedMembers } from "../canvas/edits";
 import { t, type Key } from "../i18n";
 import { Dialog } from "./Dialog";
 
 const FORMATS: ExportFormat[] = ["3dm", "glb", "obj", "stl", "svg", "png"];
 
+/** A picture shows what the viewport does. */
+const isPicture = (format: ExportFormat) => format === "png" || format === "svg";
+
 /** What the definition makes, as a file of another program. */
 export function Export() {
   const [state, setState] = useState<{ busy?: string; wrong?: string }>({});
   const id = place(location.search).document;
+  const chosen = selectedMembers();
+  const [isPart, setIsPart] = useState(false);
   const run = async (format: ExportFormat, make = exportAs) => {
     if (!id) return;
     setState({ busy: format });
@@ -27,7 +33,11 @@ export function Export() {
           {FORMATS.map((format) => (
             <tr key={format}>
               <th scope="row">
-                <button type="button" disabled={state.busy !== undefined} onClick={() => void run(format)}>
+                  <button
+                  type="button"
+                  disabled={state.busy !== undefined}
+                  onClick={() => void run(format, (document, as) => exportAs(document, as, isPart && !isPicture(format) ? chosen : []))}
+                >
                   .{format}
                 </button>
               </th>
@@ -36,6 +46,11 @@ export function Export() {
           ))}
         </tbody>
       </table>
+      {chosen.length > 0 && (
+        <label>
+          <input type="checkbox" checked={isPart} onChange={(event) => setIsPart(event.target.checked)} /> {t("export.selected")}
+        </label>
+      )}
       <h3>{t("export.canvas")}</h3>
       <div className="row">
         {(["svg", "png"] as const).map((format) => (

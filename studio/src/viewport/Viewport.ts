@@ -17,16 +17,9 @@ import { readTheme, type Theme } from "./theme";
 import { isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
+import { areAlike, isHidden, type Surroundings } from "./surroundings";
 import { TextLayer } from "./overlay/texts";
 
-/** What the document says of objects and colours. */
-export interface Surroundings {
-  normal: Rgba;
-  selected: Rgba;
-  selection: ReadonlySet<string>;
-  hovered: string | undefined;
-  isHidden(object: string): boolean;
-}
 
 export interface Options {
   /** Smooth borders; off where pictures are compared, and where the graphics card is software. */
@@ -36,6 +29,8 @@ export interface Options {
 
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 200_000;
+/** A point costs it as much as so many of them. */
+const POINT_COST = 20;
 const REST = 350;
 
 export class Viewport {
@@ -111,6 +106,8 @@ export class Viewport {
   }
 
   surround(around: Surroundings): void {
+    // Most of what is edited or pointed at leaves the picture as it is, and a picture in software costs much.
+    if (areAlike(around, this.#around)) return;
     this.#around = around;
     this.#areLooksStale = true;
     this.invalidate();
@@ -160,7 +157,7 @@ export class Viewport {
   /** The boxes of the objects that are shown, or of some of them. */
   #boxes(only?: ReadonlySet<string>): Bounds[] {
     const objects = [...this.model.objects.values()].filter(({ id }) => !isTool(id) && (!only || only.has(id)));
-    return objects.flatMap(({ bounds, id }) => (bounds && !this.#around.isHidden(id) ? [bounds] : []));
+    return objects.flatMap(({ bounds, id }) => (bounds && !isHidden(this.#around, id) ? [bounds] : []));
   }
 
   /** The camera of a pane, and its size. */
@@ -302,8 +299,8 @@ export class Viewport {
   }
 
   #isHeavy(): boolean {
-    const { triangles, segments } = this.model.counts();
-    return this.isSoftware && triangles + segments > HEAVY;
+    const { triangles, segments, points } = this.model.counts();
+    return this.isSoftware && triangles + segments + points * POINT_COST > HEAVY;
   }
 
   /** Batches, looks and false colours as they are to be now. */
@@ -322,7 +319,7 @@ export class Viewport {
 
   #look(): void {
     this.#areLooksStale = false;
-    const { normal, selected, selection, hovered, isHidden } = this.#around;
+    const { normal, selected, selection, hovered } = this.#around;
     const { ink, plaster, ground } = this.#theme;
     const palette = { normal, selected, ink, plaster, background: ground };
     for (const { id, parts } of this.model.objects.values()) {
@@ -330,7 +327,7 @@ export class Viewport {
         for (const entry of parts) this.model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
         continue;
       }
-      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(id) };
+      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(this.#around, id) };
       for (const entry of parts) {
         const look = lookOf(entry.part.kind, entry.part.colour, state, this.#settings.mode, palette, this.#settings.shown);
         this.model.setColour(entry, look);

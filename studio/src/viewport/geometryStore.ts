@@ -3,7 +3,7 @@
  * others are fetched by their hash; what is newer stops what is older, and what is already here is not fetched.
  */
 
-import { HASH_BYTES, type Frames } from "../core/frames";
+import { bytesOf, type Framed, type Frames } from "../core/frames";
 import { decodePreview, type Preview } from "../core/preview";
 import type { GeometrySink } from "../state/preview";
 
@@ -89,7 +89,7 @@ export class GeometryStore implements GeometrySink {
     if (entry.shown !== undefined) this.#tell((listener) => listener.drop(object));
   }
 
-  #want(object: string, hash: string, frame: ArrayBuffer | undefined): void {
+  #want(object: string, hash: string, framed: Framed | undefined): void {
     const entry = this.#entries.get(object) ?? { ...NOTHING };
     this.#entries.set(object, entry);
     if (entry.wanted === hash) return;
@@ -98,7 +98,7 @@ export class GeometryStore implements GeometrySink {
     entry.wanted = undefined;
     if (entry.shown === hash) return;
     entry.wanted = hash;
-    if (frame) this.#take(object, entry, hash, () => decodePreview(frame, HASH_BYTES));
+    if (framed) this.#take(object, entry, hash, () => decodePreview(bytesOf(framed)));
     else void this.#get(object, entry, hash);
   }
 

@@ -24,8 +24,13 @@ export interface Section {
   at: number | undefined;
 }
 
+/** Which objects are shown: all that preview, of them the selected ones, or none. */
+export const PREVIEWS = ["all", "selected", "none"] as const;
+export type Previews = (typeof PREVIEWS)[number];
+
 export interface ViewportSettings {
   mode: DisplayMode;
+  previews: Previews;
   layout: Layout;
   shown: Shown;
   analysis: Analysis;
@@ -75,6 +80,7 @@ export interface ViewportState {
 
 const USUAL: ViewportSettings = {
   mode: "shaded",
+  previews: "all",
   layout: "one",
   shown: { grid: true, edges: true, isocurves: true, points: true, controlPoints: true, texts: true },
   analysis: "none",

@@ -88,7 +88,7 @@ export function sampleState(): DocumentState {
     right: colour as [number, number, number, number],
   }));
   const gradient = control("Gradient", [610, 350, 170, 30], { is: "gradient", grips, linear: true });
-  const viewer = control("Param Viewer", [610, 400, 90, 90], { is: "viewer", text: false });
+  const viewer = { ...control("Param Viewer", [610, 400, 90, 90], { is: "formula", text: "" }), control: null };
   const script = component("C# Script", "C#", [730, 410], ["x: Generic Data", "y: Generic Data"], ["out: Text", "A: Generic Data"], {
     control: { is: "script", language: "C#", text: "A = x;" },
     support: { is: "no", plugin: null, reason: "Scripts in C# do not run here" },

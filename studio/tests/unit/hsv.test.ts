@@ -45,7 +45,8 @@ describe("colours that are typed", () => {
 });
 
 test("a menu of graphs offers what can be made, and what is there", () => {
-  expect(graphChoices("")).toEqual(["Bezier", "Sine"]);
-  expect(graphChoices("Sine")).toEqual(["Bezier", "Sine"]);
-  expect(graphChoices("Perlin")).toEqual(["Bezier", "Perlin", "Sine"]);
+  const known = ["Bezier", "Gaussian", "Linear", "Parabola", "Sine"];
+  expect(graphChoices("")).toEqual(known);
+  expect(graphChoices("Sine")).toEqual(known);
+  expect(graphChoices("Perlin")).toEqual(["Bezier", "Gaussian", "Linear", "Parabola", "Perlin", "Sine"]);
 });

@@ -94,8 +94,9 @@ function boundsOf(parts: TestPart[], origin: number[]): [[number, number, number
 export function writeFrame(name: string, preview: ArrayBuffer): { hash: string; frame: ArrayBuffer } {
   const hash = new Uint8Array(16);
   hash.set(new TextEncoder().encode(name).slice(0, 16));
-  const bytes = new Uint8Array(16 + preview.byteLength);
+  const bytes = new Uint8Array(24 + Math.ceil(preview.byteLength / 8) * 8);
   bytes.set(hash);
-  bytes.set(new Uint8Array(preview), 16);
+  new DataView(bytes.buffer).setUint32(16, preview.byteLength, true);
+  bytes.set(new Uint8Array(preview), 24);
   return { hash: [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join(""), frame: bytes.buffer };
 }

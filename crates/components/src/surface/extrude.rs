@@ -3,7 +3,7 @@
 
 use std::sync::Arc as Shared;
 
-use katydid_component::{Context, Message, component};
+use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
 use katydid_geometry::{Brep, Curve, Line, Plane, Point3, Vector3, Xform, construct};
 
@@ -156,6 +156,42 @@ fn extrude_along(
     Ok(Value::from(made.map_err(warning)?))
 }
 
+/// The solid between two heights over a flat closed polyline, whose sides lean inwards.
+///
+/// The polyline is its section at height 0; heights count along the normal about which it runs counter-clockwise. Sides
+/// may meet at the top, not below it: roofs are not supported.
+#[component(
+    "ae57e09b-a1e4-4d05-8491-abd232213bc9",
+    name = "Extrude Angled",
+    nick = "ExtrAng",
+    at = "Surface/Freeform"
+)]
+#[output("Shape", "S", "The solid.", kind = Brep)]
+fn extrude_angled(
+    context: &Context<'_>,
+    /// The polyline.
+    #[port("Polyline", "P")]
+    polyline: &Curve,
+    /// The height of the bottom.
+    #[port("Base height", "Hb", default = 0.0)]
+    base: f64,
+    /// The height of the top.
+    #[port("Top height", "Ht", default = 1.0)]
+    top: f64,
+    /// How far the sides lean inwards, in radians from upright, one for each segment; the last one counts for the
+    /// rest.
+    #[port("Angles", "A", default = 0.0)]
+    angles: List<f64>,
+) -> Result<Value, Message> {
+    let corners = polyline.as_polyline().ok_or_else(|| Message::warning("The curve is not a polyline"))?;
+    if !polyline.is_closed() {
+        return Err(Message::warning("The polyline is open"));
+    }
+    let angles: Vec<f64> = angles.present().collect();
+    let made = construct::extrude_angled(&corners, [base, top], &angles, &context.tolerance());
+    Ok(Value::from(made.map_err(warning)?))
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{PI, TAU};
@@ -185,6 +221,17 @@ mod tests {
         let square = Rectangle { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT };
         let walls = &breps(Trial::of("Extrude").item(square).item(up))[0];
         assert_eq!((walls.faces().len(), walls.is_solid()), (4, false));
+    }
+
+    #[test]
+    fn sides_that_lean() {
+        let square = Rectangle { plane: Plane::XY, x: Interval::new(0.0, 2.0), y: Interval::new(0.0, 2.0) };
+        let leaning = |angle: f64| Trial::of("Extrude Angled").item(square).item(0.0).item(1.0).list([angle]);
+        assert!((mesh_volume(&breps(leaning(0.0))[0]) - 4.0).abs() < 1e-9);
+        assert!((mesh_volume(&breps(leaning(0.5_f64.atan()))[0]) - 7.0 / 3.0).abs() < 1e-9);
+        assert!(leaning(1.2).message().contains("meet"));
+        let circle = Circle { plane: Plane::XY, radius: 1.0 };
+        assert!(Trial::of("Extrude Angled").item(circle).message().contains("not a polyline"));
     }
 
     fn surface(trial: Trial) -> Surface {

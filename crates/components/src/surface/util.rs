@@ -3,7 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_data::{Domain2, Item, Tree, TreeBuilder};
+use katydid_data::{Domain2, Item, Tree, TreeBuilder, Value};
 use katydid_geometry::{Direction, Interval, Plane, Point3, Surface, Vector3};
 
 use super::{shared, warning};
@@ -197,34 +197,38 @@ fn isotrim(
 /// Turns a surface over, so that its normals point to the other side.
 ///
 /// With a guide, only when its normal is opposed to the guide's where the guide is nearest to the middle of the surface.
-/// The surface is walked through backwards in u, over the same domain.
+/// A surface without trims is walked through backwards in u then, over the same domain.
 #[component("c3d1f2b8-8596-4e8d-8861-c28ba8ffb4f4", name = "Flip", nick = "Flip", at = "Surface/Util")]
-#[output("Surface", "S", "The surface.")]
+#[output("Surface", "S", "The surface.", kind = Surface)]
 #[output("Result", "R", "Whether it was turned over.")]
 fn flip(
     /// The surface.
-    #[port("Surface", "S")]
-    surface: Shared<Surface>,
+    #[port("Surface", "S", kind = Brep)]
+    surface: Value,
     /// A surface whose normal side is wanted.
     #[port("Guide", "G")]
     guide: Option<Shared<Surface>>,
-) -> Result<(Shared<Surface>, bool), Message> {
-    let opposed = match guide {
-        None => true,
-        Some(guide) => {
-            let [u, v] = Direction::BOTH.map(|d| surface.domain(d).middle());
-            let near = guide.closest_point(surface.point_at(u, v))?;
-            match (surface.normal_at(u, v), guide.normal_at(near.u, near.v)) {
-                (Some(own), Some(wanted)) => own.dot(wanted) < 0.0,
+) -> Result<(Value, bool), Message> {
+    let brep = surface.brep().transpose().map_err(Message::warning)?;
+    let brep = brep.ok_or_else(|| Message::error(format!("A {} has no faces", surface.kind())))?;
+    let opposed = match (guide, brep.face_surface(0)) {
+        (Some(guide), Some(own)) => {
+            let [u, v] = Direction::BOTH.map(|d| own.domain(d).middle());
+            let near = guide.closest_point(own.point_at(u, v))?;
+            let reversed = brep.faces().first().is_some_and(|face| face.reversed);
+            match (own.normal_at(u, v), guide.normal_at(near.u, near.v)) {
+                (Some(own), Some(wanted)) => (own.dot(wanted) < 0.0) != reversed,
                 _ => false,
             }
         }
+        _ => true,
     };
     if !opposed {
         return Ok((surface, false));
     }
-    let turned = surface.reversed(Direction::U).with_domain(Direction::U, surface.domain(Direction::U));
-    Ok((shared(turned.map_err(warning)?), true))
+    let Value::Surface(whole) = &surface else { return Ok((Value::from((*brep).clone().flipped()), true)) };
+    let turned = whole.reversed(Direction::U).with_domain(Direction::U, whole.domain(Direction::U));
+    Ok((Value::from(turned.map_err(warning)?), true))
 }
 
 /// A surface without its trims.

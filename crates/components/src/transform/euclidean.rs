@@ -221,7 +221,7 @@ fn orient(
 
 /// Moves geometry straight away from other geometry: from the emitter's point nearest to its middle.
 ///
-/// Geometry whose middle lies on the emitter has no way to go: that is an error.
+/// Geometry whose middle lies on the emitter has no way to go: it stays where it is, with a warning.
 #[component(
     "dd9f597a-4db0-42b1-9cb2-5607ec97db09",
     name = "Move Away From",
@@ -245,9 +245,10 @@ fn move_away_from(
     let nothing = || Message::error("There is nothing to measure the direction from");
     let middle = around(&geometry.0, &Plane::XY).ok_or_else(nothing)?.center();
     let from = hit::closest(&emitter.0, middle)?.ok_or_else(nothing)?;
-    let motion = (middle - from).with_length(distance);
-    let motion =
-        motion.ok_or_else(|| Message::error("The geometry lies on the emitter: no way leads away"))?;
+    let motion = (middle - from).with_length(distance).unwrap_or_else(|| {
+        context.warn("The geometry lies on the emitter: no way leads away");
+        Vector3::ZERO
+    });
     transformed(context, Some(geometry), Xform::translation(motion))
 }
 

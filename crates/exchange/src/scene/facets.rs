@@ -1,6 +1,36 @@
 //! Surfaces as meshes, and their borders as curves.
 
-use katydid_geometry::{Curve, Mesh, Side, Surface, SurfaceMeshing};
+use katydid_geometry::{Brep, Curve, Mesh, MeshSettings, Side, Surface, SurfaceMeshing};
+
+use super::{Scene, Shape};
+
+impl Scene {
+    /// The scene with facets and edges in the place of breps; nothing when it has no breps.
+    pub(crate) fn faceted(&self, tolerance: Option<f64>) -> Option<Self> {
+        if !self.things.iter().any(|thing| matches!(thing.shape, Shape::Brep(_))) {
+            return None;
+        }
+        let mut scene = self.clone();
+        for thing in &mut scene.things {
+            if let Shape::Brep(brep) = &thing.shape {
+                let bounds = brep.bounds_of_faces();
+                let within = bounds.map_or(self.tolerance, |bounds| self.tolerance_for(tolerance, &bounds));
+                thing.shape = Shape::of_brep(brep, within);
+            }
+        }
+        Some(scene)
+    }
+}
+
+impl Shape {
+    /// A brep as facets within a distance, and its edges.
+    pub fn of_brep(brep: &Brep, tolerance: f64) -> Self {
+        let mesh = brep.mesh(&MeshSettings::within(tolerance)).and_then(|mesh| mesh.to_mesh());
+        let edges = 0..brep.edges().len();
+        let edges = edges.filter_map(|edge| brep.edge_as_curve(edge).ok().flatten()).collect();
+        Self::Faces { facets: mesh.ok().filter(|mesh| !mesh.faces().is_empty()), edges }
+    }
+}
 
 /// A surface as a mesh within a distance, or as near to that as a mesh of sensible size gets; nothing when there is
 /// none at all.

@@ -21,6 +21,8 @@ pub struct Conversion {
     pub tolerance: Option<f64>,
     /// Take objects along that are hidden or lie on hidden layers.
     pub hidden: bool,
+    /// Keep surfaces and solids exact, as [`Shape::Brep`], instead of taking facets.
+    pub exact: bool,
 }
 
 /// Blocks in blocks deeper than this are left out, and so is what makes more things than this: a few blocks that hold
@@ -160,8 +162,7 @@ impl<'a> Objects<'a> {
         object: &ModelObject,
         placement: &Placement<'_>,
     ) -> std::result::Result<Shape, String> {
-        let shapes =
-            Shapes { scene: &self.scene, styles: &self.styles, tolerance: self.conversion.tolerance };
+        let shapes = Shapes { scene: &self.scene, styles: &self.styles, conversion: self.conversion };
         let mut left_out = Vec::new();
         let shape = match placement.motion {
             None => shapes.of(&object.geometry, &mut left_out),
@@ -207,7 +208,7 @@ impl<'a> Objects<'a> {
     /// faces on such a layer have no colour of their own.
     fn colour(&self, attributes: &Attributes, shape: &Shape, placement: &Placement<'_>) -> Option<[u8; 4]> {
         let of_lines = self.line_colour(attributes, placement);
-        if !matches!(shape, Shape::Mesh(_) | Shape::Faces { .. }) {
+        if !matches!(shape, Shape::Mesh(_) | Shape::Faces { .. } | Shape::Brep(_)) {
             return of_lines;
         }
         let is_black = |colour: &[u8; 4]| colour.iter().take(3).all(|part| *part == 0);

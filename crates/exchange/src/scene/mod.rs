@@ -9,7 +9,9 @@ mod shape;
 mod to_model;
 mod tree;
 
-use katydid_geometry::{BoundingBox, Curve, Mesh, Point3, Units, Vector3};
+use std::sync::Arc;
+
+use katydid_geometry::{BoundingBox, Brep, Curve, Mesh, Point3, Units, Vector3};
 
 pub use from_model::Conversion;
 pub use label::{Fill, Label, LabelSize, Region};
@@ -102,6 +104,8 @@ pub enum Shape {
         /// The edges, exactly.
         edges: Vec<Curve>,
     },
+    /// A surface or a solid exactly. Formats of meshes and drawings take its facets and edges.
+    Brep(Arc<Brep>),
 }
 
 impl Shape {
@@ -114,6 +118,7 @@ impl Shape {
             Self::Mesh(_) => "mesh",
             Self::Region(_) => "hatch",
             Self::Text(_) => "text",
+            Self::Brep(_) => "brep",
             Self::Faces { facets: Some(_), .. } => "surface",
             Self::Faces { facets: None, .. } => "brep without a mesh",
         }

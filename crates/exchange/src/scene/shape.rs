@@ -1,11 +1,15 @@
 //! The form of an object: what formats take of it.
 
 use katydid_3dm::{BrepObject, CachedMesh, Extrusion, Object, PointCloud};
+<<<<<<< HEAD
 use katydid_geometry::{Brep, Curve, Interval, Mesh, MeshSettings, Plane, Surface, Vector3, Xform};
+=======
+use katydid_geometry::{Brep, Curve, Interval, Mesh, Plane, Surface, Vector3, Xform};
+>>>>>>> step
 
 use super::drawn::{self, Styles};
 use super::facets::{borders, facets};
-use super::{LeftOut, PointSet, Region, Scene, Shape};
+use super::{Conversion, LeftOut, PointSet, Region, Scene, Shape};
 
 type Told<T> = std::result::Result<T, String>;
 
@@ -18,8 +22,7 @@ const NOT_FINITE: &str = "a coordinate is not a finite number";
 pub(super) struct Shapes<'a> {
     pub(super) scene: &'a Scene,
     pub(super) styles: &'a Styles,
-    /// How far facets may be from their surfaces, when somebody says.
-    pub(super) tolerance: Option<f64>,
+    pub(super) conversion: &'a Conversion,
 }
 
 impl Shapes<'_> {
@@ -30,11 +33,20 @@ impl Shapes<'_> {
             Object::PointCloud(cloud) => points(cloud),
             Object::Curve(curve) => Ok(Shape::Curve(curve.clone())),
             Object::CurveForm(form) => form.to_curve().map(Shape::Curve).map_err(|error| error.to_string()),
+            Object::Surface(surface) if self.conversion.exact => whole(surface),
             Object::Surface(surface) => Ok(self.faces(surface, false)),
+            Object::SurfaceForm(form) if self.conversion.exact => {
+                form.to_surface().map_err(|error| error.to_string()).and_then(|surface| whole(&surface))
+            }
             Object::SurfaceForm(form) => form
                 .to_surface()
                 .map(|surface| self.faces(&surface, false))
                 .map_err(|error| error.to_string()),
+            Object::Brep(brep) if self.conversion.exact => exact(brep),
+            Object::Extrusion(extrusion) if self.conversion.exact => extrusion
+                .to_brep()
+                .map(|object| exact(&object))
+                .unwrap_or_else(|| Err("its form as a brep cannot be made".into())),
             Object::Brep(brep) => self.brep(brep, left_out),
             Object::Extrusion(extrusion) => swept(extrusion),
             Object::Mesh(_) => mesh(geometry).map(Shape::Mesh),
@@ -54,7 +66,7 @@ impl Shapes<'_> {
 
     fn faces(&self, surface: &Surface, is_reversed: bool) -> Shape {
         let tolerance = match surface.bounding_box() {
-            Ok(bounds) => self.scene.tolerance_for(self.tolerance, &bounds),
+            Ok(bounds) => self.scene.tolerance_for(self.conversion.tolerance, &bounds),
             Err(_) => self.scene.tolerance,
         };
         let facets = facets(surface, tolerance).map(|mesh| if is_reversed { mesh.flipped() } else { mesh });
@@ -94,6 +106,21 @@ impl Shapes<'_> {
         let settings = MeshSettings { min_count: 4, ..MeshSettings::within(distance) };
         brep.mesh(&settings).and_then(|mesh| mesh.welded()).ok().filter(|mesh| !mesh.faces().is_empty())
     }
+}
+
+/// A surface as a brep of one face.
+fn whole(surface: &Surface) -> Told<Shape> {
+    Brep::from_surface(surface.clone())
+        .map(|brep| Shape::Brep(brep.into()))
+        .map_err(|error| error.to_string())
+}
+
+/// A brep of which every face, edge and trim is what the kernel has.
+fn exact(object: &BrepObject) -> Told<Shape> {
+    if object.brep.faces().is_empty() {
+        return Err("it has no faces".into());
+    }
+    Ok(Shape::Brep(object.brep.clone().into()))
 }
 
 /// The mesh of a face: that for display, else that for analysis.
@@ -216,6 +243,7 @@ pub(super) fn placed(shape: &Shape, motion: &Xform) -> Told<Shape> {
             Shape::Region(Region { boundaries: moved.collect::<Told<_>>()?, fill: region.fill })
         }
         Shape::Text(label) => Shape::Text(label.moved(motion).ok_or(NOT_FINITE)?),
+        Shape::Brep(brep) => Shape::Brep(brep.transformed(motion).map_err(told)?.into()),
         Shape::Faces { facets, edges } => Shape::Faces {
             facets: facets.as_ref().map(|mesh| mesh.transformed(motion)).transpose().map_err(told)?,
             edges: edges.iter().filter_map(|edge| edge.transformed(motion).ok()).collect(),

@@ -1,6 +1,6 @@
 //! A scene as a model.
 
-use katydid_3dm::{Attributes, Model, ModelObject, Object, PointCloud, TextDot};
+use katydid_3dm::{Attributes, BrepObject, Model, ModelObject, Object, PointCloud, TextDot};
 
 use super::{Label, LabelSize, PointSet, Region, Scene, Shape, Thing};
 
@@ -43,6 +43,7 @@ fn geometry(shape: &Shape) -> Vec<Object> {
         Shape::Curve(curve) => vec![Object::Curve(curve.clone())],
         Shape::Mesh(mesh) | Shape::Faces { facets: Some(mesh), .. } => vec![Object::from(mesh.clone())],
         Shape::Text(label) => vec![dot(label)],
+        Shape::Brep(brep) => vec![Object::Brep(Box::new(BrepObject::from(brep.as_ref().clone())))],
         Shape::Region(Region { boundaries: edges, .. }) | Shape::Faces { facets: None, edges } => {
             edges.iter().map(|edge| Object::Curve(edge.clone())).collect()
         }

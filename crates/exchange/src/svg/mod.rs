@@ -85,6 +85,8 @@ impl<'a> Lines<'a> {
                 Self::Area(flat.collect(), region.fill)
             }
             Shape::Text(label) => Self::Text(Flat::of(label, page)),
+            // Breps became facets and edges before.
+            Shape::Brep(_) => Self::Curves(Vec::new()),
             Shape::Faces { facets: Some(mesh), edges: none } if none.is_empty() => edges(mesh),
             Shape::Faces { edges, .. } => {
                 Self::Curves(edges.iter().filter_map(|c| c.transformed(page).ok()).collect())

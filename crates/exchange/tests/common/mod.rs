@@ -72,7 +72,7 @@ pub(crate) fn summary(scene: &Scene, scale: f64) -> Summary {
                 length += vertices.windows(2).map(|w| w[0].distance_to(w[1])).sum::<f64>() * scale;
                 points.extend(vertices);
             }
-            Shape::Faces { .. } | Shape::Region(_) | Shape::Text(_) => {}
+            Shape::Faces { .. } | Shape::Brep(_) | Shape::Region(_) | Shape::Text(_) => {}
         }
     }
     let points = points.into_iter().map(|p| Point3::ORIGIN + p.to_vector() * scale);

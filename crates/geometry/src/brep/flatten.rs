@@ -7,7 +7,7 @@ use crate::{
 
 /// The shadow of a curve on a plane in the plane's coordinates: x and y, with z exactly 0. Exact; arcs that are
 /// parallel to the plane stay arcs.
-pub(crate) fn flattened(curve: &Curve, plane: &Plane) -> Result<Curve> {
+pub fn flattened(curve: &Curve, plane: &Plane) -> Result<Curve> {
     let at = |p: Point3| {
         let [x, y, _] = plane.coordinates(p);
         Point3::new(x, y, 0.0)

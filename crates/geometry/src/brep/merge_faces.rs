@@ -1,7 +1,7 @@
 //! Neighbouring faces in one plane made one.
 
 use super::Brep;
-use crate::{Curve, Plane, Result, Tolerance, Vector3};
+use crate::{Continuity, Curve, Plane, Result, Tolerance, Vector3};
 
 /// Faces that become one, with the plane that they lie in, its normal as that of the first face.
 struct Group {
@@ -27,7 +27,10 @@ impl Brep {
         let rest = self.sub_brep(&rest)?;
         let mut pieces = if rest.faces().is_empty() { Vec::new() } else { vec![rest] };
         for group in &groups {
-            let found = Self::planar_faces(&self.border(&group.faces)?, tolerance)?;
+            let border = crate::join_curves(&self.border(&group.faces)?, limit, false);
+            let border =
+                border.into_iter().map(|rim| from_a_kink(rim, tolerance)).collect::<Result<Vec<_>>>()?;
+            let found = Self::planar_faces(&border, tolerance)?;
             if !found.left.is_empty() || found.breps.is_empty() {
                 pieces.push(self.sub_brep(&group.faces)?);
                 continue;
@@ -125,6 +128,23 @@ impl Brep {
             out.extend(self.edge_as_curve(edge)?);
         }
         Ok(out)
+    }
+}
+
+/// A closed curve that starts at one of its kinks, if it has any: no edge begins where nothing turns.
+fn from_a_kink(rim: Curve, tolerance: &Tolerance) -> Result<Curve> {
+    let domain = rim.domain();
+    let turn = match (rim.tangent_at(domain.start), rim.tangent_at(domain.end)) {
+        (Some(start), Some(end)) => end.angle_to(start).unwrap_or(0.0),
+        _ => 0.0,
+    };
+    if !rim.is_closed() || turn > tolerance.angle {
+        return Ok(rim);
+    }
+    let loose = Tolerance { absolute: f64::INFINITY, angle: tolerance.angle };
+    match rim.discontinuities(Continuity::G1, &loose).first() {
+        Some(kink) => rim.with_seam(*kink),
+        None => Ok(rim),
     }
 }
 

@@ -5,19 +5,29 @@
 
 mod edge_surface;
 mod extrude;
+mod fragment;
 mod loft;
+mod network;
+mod offset;
+mod patch;
 mod primitives;
 mod revolve;
 mod sweep;
+mod tapered;
 
 pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{
     extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
 };
+pub use fragment::fragment_patch;
 pub use loft::{LoftOptions, LoftStyle, loft, ruled};
+pub use network::network_surface;
+pub use offset::{offset_brep, offset_surface, offset_surface_loosely};
+pub use patch::{PatchOptions, patch};
 pub use primitives::{box_brep, cone, cylinder, plane_surface, quad_sphere, sphere, torus};
 pub use revolve::{rail_revolve, revolve};
 pub use sweep::{Miter, PipeCap, SweepFrame, SweepOptions, pipe, pipe_variable, sweep_one, sweep_two};
+pub use tapered::extrude_angled;
 
 use crate::{Curve, Error, Result, Tolerance};
 

@@ -40,10 +40,11 @@ pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, herm
 pub use curve::NurbsCurve;
 pub(crate) use curve::{Controls, project};
 pub use deviation::Approximation;
+pub(crate) use evaluate::basis;
 pub use interpolate::KnotSpacing;
 pub use knots::{MAX_DEGREE, check_knots, span_index};
 pub use least_squares::{ExactCondition, LeastSquares, placed_knots};
-pub(crate) use skin::{Skinning, section_parameters, skinned};
+pub(crate) use skin::{Skinning, curve_through, section_parameters, skinned, surface_through};
 pub use surface::{Direction, NurbsSurface, Quadrant};
 pub(crate) use surface_evaluate::MAX_ORDER;
 pub use surface_evaluate::SurfaceDerivatives;

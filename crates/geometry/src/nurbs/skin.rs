@@ -8,7 +8,7 @@ use super::surface_refine::transposed;
 use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
 use super::{KnotSpacing, NurbsCurve, NurbsSurface};
 use crate::linear::Banded;
-use crate::{Error, Result};
+use crate::{Error, Point3, Result};
 
 /// How a surface runs across the curves that it is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,6 +106,44 @@ fn straight(columns: &[[f64; 4]], rows: usize, parameters: &[f64], closed: bool)
     let count = rows + usize::from(closed);
     let repeated = |column: &[[f64; 4]]| column.iter().cycle().take(count).copied().collect::<Vec<_>>();
     (1, parameters.to_vec(), columns.chunks(rows).flat_map(repeated).collect())
+}
+
+/// The curve through points at parameters that a surface through sections follows: a cubic with its knots there, a
+/// line through two points.
+pub(crate) fn curve_through(points: &[Point3], parameters: &[f64]) -> Result<NurbsCurve> {
+    let columns: Vec<[f64; 4]> = points.iter().map(|p| [p.x, p.y, p.z, 1.0]).collect();
+    let (degree, knots, controls) = line_through(&columns, points.len(), parameters)?;
+    NurbsCurve::new(degree, controls.iter().map(|p| Point3::new(p[0], p[1], p[2])).collect(), knots)
+}
+
+/// The surface through a grid of points, v running fastest, at parameters: cubic with its knots there, straight across
+/// two rows of points.
+pub(crate) fn surface_through(points: &[Point3], parameters: [&[f64]; 2]) -> Result<NurbsSurface> {
+    let [us, vs] = parameters;
+    if points.len() != us.len() * vs.len() {
+        return Err(Error::degenerate("grid of points", "its parameters do not fit"));
+    }
+    let net: Vec<[f64; 4]> = points.iter().map(|p| [p.x, p.y, p.z, 1.0]).collect();
+    let (degree_v, knots_v, net) = line_through(&net, vs.len(), vs)?;
+    let across = net.len() / us.len();
+    let (degree_u, knots_u, net) = line_through(&transposed(&net, across), us.len(), us)?;
+    let along = net.len() / across;
+    let net = transposed(&net, along).iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
+    NurbsSurface::new([degree_u, degree_v], [along, across], net, [knots_u, knots_v])
+}
+
+fn line_through(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Across> {
+    if rows < 2 || parameters.len() != rows || parameters.windows(2).any(|w| !(w[1] > w[0])) {
+        return Err(Error::Invalid {
+            what: "parameters of points",
+            why: "they must increase, two or more".into(),
+        });
+    }
+    if rows == 2 {
+        Ok(straight(columns, rows, parameters, false))
+    } else {
+        through(columns, rows, parameters)
+    }
 }
 
 /// The closed cubic with its knots at the parameters.

@@ -172,6 +172,11 @@ impl Actor {
                 let _ = answer.send(());
             }
             Command::With(inquiry) => self.inquire(inquiry),
+            Command::Picture(name, answer) => {
+                let places = self.faces.places();
+                let found = places.iter().find_map(|within| self.editor.picture(&name, within).ok()?);
+                let _ = answer.send(found);
+            }
             Command::About(answer) => {
                 let _ = answer.send(self.about());
             }

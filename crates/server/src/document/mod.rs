@@ -51,6 +51,8 @@ pub(crate) enum Command {
     Model(Arc<RhinoModel>, oneshot::Sender<()>),
     /// Something to be done with the results when no solve is running.
     With(Inquiry),
+    /// A picture that it holds, by its name, with its media type.
+    Picture(String, oneshot::Sender<Option<(Vec<u8>, &'static str)>>),
     /// How it stands.
     About(oneshot::Sender<About>),
     /// What the worker tells.

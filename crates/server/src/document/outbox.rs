@@ -273,18 +273,18 @@ impl Parcel {
         }
     }
 
-    /// Small geometry goes before the event that names it: who hears of it has it.
+    /// Small geometry goes before the event that names it, all of it in one frame: who hears of it has it. A frame for
+    /// each object would cost the page more than what is in them.
     fn frames(&mut self, drawings: &Drawings) {
-        let mut room = MOST_FRAMES;
+        let mut frame = Vec::new();
         for geometry in drawings.by_object.values().flatten() {
-            let size = geometry.bytes.len();
-            if size <= LARGEST_FRAME
-                && size <= room
-                && let Some(frame) = geometry.framed()
-            {
-                room -= size;
-                self.messages.push(Message::Binary(frame));
+            let is_small = geometry.bytes.len() <= LARGEST_FRAME;
+            if is_small && frame.len() + geometry.framed_size() <= MOST_FRAMES {
+                geometry.write(&mut frame);
             }
+        }
+        if !frame.is_empty() {
+            self.messages.push(Message::Binary(frame.into()));
         }
     }
 }
@@ -354,7 +354,9 @@ mod tests {
             unreachable!("{:?}", parcel.messages)
         };
         assert_eq!(frame[..16], [10; 16], "the frame says its hash");
-        assert_eq!(frame[16..], [7; 100]);
+        assert_eq!(frame[16..24], [100, 0, 0, 0, 0, 0, 0, 0], "and its length");
+        assert_eq!(frame[24..124], [7; 100]);
+        assert_eq!(frame[124..], [0; 4]);
         assert!(text.contains(&"0a".repeat(16)) && text.contains(&"ff".repeat(16)));
     }
 }

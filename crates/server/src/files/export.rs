@@ -4,6 +4,7 @@ use katydid_exchange::Format;
 use katydid_picture::{HiddenLines, Options, View};
 use katydid_session::{BakeOptions, bake};
 use katydid_solver::Engine;
+use uuid::Uuid;
 
 /// How a file is made.
 #[derive(Debug, Clone, Default, serde::Deserialize)]
@@ -18,6 +19,17 @@ pub(crate) struct Wishes {
     /// Whether the definition itself is drawn.
     #[serde(default)]
     canvas: bool,
+    /// The ids of objects, with commas between: only what they have.
+    objects: Option<String>,
+}
+
+impl Wishes {
+    fn baking(&self) -> Result<BakeOptions, String> {
+        let read = |id: &str| Uuid::try_parse(id).map_err(|_| format!("'{id}' is no id of an object"));
+        let objects = self.objects.as_deref().filter(|ids| !ids.is_empty());
+        let objects = objects.map(|ids| ids.split(',').map(read).collect()).transpose()?;
+        Ok(BakeOptions { objects, ..BakeOptions::default() })
+    }
 }
 
 /// The longer side of a picture of pixels.
@@ -27,7 +39,7 @@ const LONGEST: f64 = 8192.0;
 pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'static str), String> {
     match wishes.format.as_str() {
         "3dm" => {
-            let baked = bake(engine, BakeOptions::default());
+            let baked = bake(engine, wishes.baking()?);
             let (bytes, _) = baked.model.write_what_fits(70).map_err(|error| error.to_string())?;
             Ok((bytes, "model/vnd.3dm"))
         }
@@ -36,8 +48,9 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
         other => {
             let format = Format::from_extension(other)
                 .ok_or_else(|| format!("'{other}' is no format that can be written"))?;
-            let baked = bake(engine, BakeOptions::default());
-            let scene = katydid_exchange::Scene::from_model(&baked.model);
+            let baked = bake(engine, wishes.baking()?);
+            let conversion = katydid_exchange::Conversion { exact: format.is_exact(), ..Default::default() };
+            let scene = katydid_exchange::Scene::from_model_with(&baked.model, &conversion);
             let mut bytes = Vec::new();
             katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
                 .map_err(|error| error.to_string())?;
@@ -52,6 +65,7 @@ fn content_type(format: Format) -> &'static str {
         Format::Stl => "model/stl",
         Format::Glb => "model/gltf-binary",
         Format::Gltf => "model/gltf+json",
+        Format::Step => "model/step",
         Format::Svg => "image/svg+xml",
         Format::Ply => "application/octet-stream",
     }

@@ -177,6 +177,28 @@ pub(crate) async fn save(Extract(state): Extract<Arc<State>>, query: Question<Sa
     Ok(kept(&download.name, "application/octet-stream", download.bytes))
 }
 
+/// What a definition that is sent is called, and the form that it is wanted in.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Converting {
+    name: String,
+    format: String,
+}
+
+/// A definition in another form; no document is opened.
+pub(crate) async fn convert(query: Question<Converting>, body: Bytes) -> Answer<Response> {
+    let Converting { name, format } = asked(query)?;
+    let unknown = || Refused::bad("a definition is a .gh, .ghx or .kd file");
+    let from = Form::of(Path::new(&name)).ok_or_else(unknown)?;
+    let to = Form::from_extension(&format).ok_or_else(unknown)?;
+    let stem = Path::new(&name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let bytes = blocking(move || {
+        let source = Source::sent(&name, from, &body)?;
+        files::write(to, &source.document).map(|(bytes, _)| bytes)
+    })
+    .await?;
+    Ok(kept(&format!("{stem}.{}", to.extension()), "application/octet-stream", bytes))
+}
+
 /// Which document.
 #[derive(Debug, Deserialize)]
 pub(crate) struct Exporting {
@@ -256,6 +278,11 @@ pub(crate) async fn geometry(
     Ok((headers, Body::from(bytes)).into_response())
 }
 
-pub(crate) async fn image(Named(_): Named<String>) -> Answer<Response> {
-    Err(Refused::missing("picture"))
+pub(crate) async fn image(
+    Extract(state): Extract<Arc<State>>,
+    Named(name): Named<String>,
+) -> Answer<Response> {
+    let (bytes, kind) = state.documents.picture(&name).await.ok_or_else(|| Refused::missing("picture"))?;
+    let headers = [(CONTENT_TYPE, kind), (CACHE_CONTROL, "private, max-age=3600, immutable")];
+    Ok((headers, Body::from(bytes)).into_response())
 }

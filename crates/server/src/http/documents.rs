@@ -63,6 +63,17 @@ impl Documents {
         list
     }
 
+    /// A picture that one of them holds, by its name, with its media type.
+    pub(crate) async fn picture(&self, name: &str) -> Option<(Vec<u8>, &'static str)> {
+        for (_, handle) in self.all() {
+            let found = handle.ask(|answer| Command::Picture(name.to_owned(), answer)).await.flatten();
+            if found.is_some() {
+                return found;
+            }
+        }
+        None
+    }
+
     /// Closes those that nobody shows and that hold nothing unsaved.
     pub(crate) async fn close_idle(&self) {
         for (id, handle) in self.all() {

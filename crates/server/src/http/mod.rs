@@ -54,10 +54,12 @@ impl State {
 /// All addresses, behind the guard.
 pub(crate) fn router(state: Arc<State>) -> Router {
     let upload = post(api::upload).layer(DefaultBodyLimit::max(state.most_upload));
+    let convert = post(api::convert).layer(DefaultBodyLimit::max(state.most_upload));
     Router::new()
         .route("/api/start", get(api::start))
         .route("/api/open", post(api::open))
         .route("/api/upload", upload)
+        .route("/api/convert", convert)
         .route("/api/save", get(api::save))
         .route("/api/export", get(api::export))
         .route("/api/components", get(api::components))

@@ -144,11 +144,23 @@ impl Face {
                 Some(event)
             }
             Message::Binary(bytes) => {
-                self.frames.push(bytes.to_vec());
+                self.take_frame(&bytes);
                 None
             }
             _ => None,
         }
+    }
+
+    /// Takes a frame apart: each geometry behind its hash.
+    fn take_frame(&mut self, frame: &[u8]) {
+        let mut at = 0;
+        while at < frame.len() {
+            let length = u32::from_le_bytes(frame[at + 16..at + 20].try_into().unwrap()) as usize;
+            let bytes = &frame[at + 24..at + 24 + length];
+            self.frames.push([&frame[at..at + 16], bytes].concat());
+            at += (24 + length).next_multiple_of(8);
+        }
+        assert_eq!(at, frame.len(), "geometry fills its frame");
     }
 
     fn take(&mut self, event: &Event) {

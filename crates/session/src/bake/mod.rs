@@ -4,6 +4,8 @@ mod blocks;
 mod content;
 mod pieces;
 
+use std::collections::HashSet;
+
 use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
 use katydid_component::{Access, Matching};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
@@ -19,10 +21,12 @@ const CUSTOM_PREVIEW: Uuid = uuid!("537b0419-bbc2-4ff4-bf08-afe526367b2c");
 const MARK: &str = "RH_OUT";
 
 /// How geometry is put into a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct BakeOptions {
     /// Geometry that repeats at other places becomes a block and references to it.
     pub blocks: bool,
+    /// Only what these objects have, by their ids, whether it is previewed or not.
+    pub objects: Option<HashSet<Uuid>>,
 }
 
 /// A model, and what of the results it does not hold.
@@ -35,7 +39,7 @@ pub struct Baked {
 }
 
 /// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`),
-/// or, where nothing is, all that is previewed.
+/// or, where nothing is, all that is previewed. The options may name the objects instead.
 ///
 /// Each object of the definition has a layer of its name, but model objects have what is said of them: name, layer,
 /// colour, groups, state and user text; blocks, layers and linetypes go into the tables. What comes out of a Custom Preview has the colour of its
@@ -50,9 +54,10 @@ pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     let inputs = Inputs::new(engine);
     let marked = marked(document);
     for (index, object) in document.objects.iter().enumerate() {
-        let shown = match &marked {
-            Some(marked) => marked.contains(&index),
-            None => !object.hidden && !object.locked && !object.is_annotation(),
+        let shown = match (&options.objects, &marked) {
+            (Some(objects), _) => objects.contains(&object.id),
+            (None, Some(marked)) => marked.contains(&index),
+            (None, None) => !object.hidden && !object.locked && !object.is_annotation(),
         };
         let Some(report) = engine.report(index).filter(|_| shown) else { continue };
         for tree in &report.outputs {

@@ -302,6 +302,16 @@ impl Editor {
         edits::copy(&self.open(within)?, objects)
     }
 
+    /// The picture of that name that an Image Sampler keeps in what `within` leads to, with its media type. Names stand
+    /// in the [views](crate::protocol::Control::Image) of such objects.
+    ///
+    /// # Errors
+    /// There is no such cluster.
+    pub fn picture(&self, name: &str, within: &[Uuid]) -> Result<Option<(Vec<u8>, &'static str)>, Refusal> {
+        let find = |document: &Document| crate::view::picture::find(document, name);
+        if within.is_empty() { Ok(find(&self.document)) } else { Ok(find(&self.open(within)?)) }
+    }
+
     /// Everything a face needs to show the document, or the inside of the cluster that `within` leads to.
     ///
     /// # Errors

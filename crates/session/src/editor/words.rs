@@ -1,7 +1,7 @@
 //! What edits are called in Undo and Redo.
 
 use katydid_component::registry;
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::{Document, Object, ids};
 use uuid::Uuid;
 
 use crate::protocol::{Alignment, Connection, Edit, GroupChange, ObjectChange, PortChange, Setting};
@@ -18,9 +18,7 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
         ids => format!("{} objects", ids.len()),
     };
     match edit {
-        Edit::Place { component, .. } => {
-            format!("Place {}", registry::by_guid(*component).map_or("object", |component| component.name))
-        }
+        Edit::Place { component, .. } => format!("Place {}", kind(*component)),
         Edit::Paste { .. } => "Paste".to_owned(),
         Edit::Duplicate { objects, .. } => format!("Duplicate {}", some(objects)),
         Edit::Remove { objects } => format!("Delete {}", some(objects)),
@@ -92,4 +90,13 @@ fn called(object: &Object) -> String {
     let title = object.title();
     let title = if title.is_empty() { "object" } else { title };
     title.chars().filter(|letter| !letter.is_control()).take(MOST_LETTERS).collect()
+}
+
+/// What objects of that kind are called.
+fn kind(component: Uuid) -> &'static str {
+    match component {
+        ids::SCRIBBLE => "Scribble",
+        ids::GROUP => "Group",
+        other => registry::by_guid(other).map_or("object", |component| component.name),
+    }
 }

@@ -226,7 +226,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
         (Control::Sketch { lines, colour, width }, Some(Special::Sketch(_))) => {
             lists::sketch(object, lines, *colour, *width)?
         }
-        (Control::Script { .. } | Control::Viewer { .. }, _) => {
+        (Control::Script { .. }, _) => {
             return Err(unfit(object, "this cannot be changed here"));
         }
         _ => return Err(unfit(object, "it is not a control of that kind")),

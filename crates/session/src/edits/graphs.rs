@@ -56,6 +56,9 @@ pub(super) fn shape(object: &mut Object, x: [f64; 2], y: [f64; 2], graph: &Graph
 fn container(name: &str) -> Option<Uuid> {
     Some(match name {
         "Bezier" => uuid!("7026a6d2-9b94-4314-b6d3-6850eff942fe"),
+        "Gaussian" => uuid!("fc8a272c-7c77-4916-90d8-926409e00b74"),
+        "Linear" => uuid!("71629651-0343-46d7-ac9e-d6041f9fe66b"),
+        "Parabola" => uuid!("30d3a94f-e362-43f1-9ce1-2e2dabbf7265"),
         "Sine" => uuid!("7d54f77a-a866-49ed-95eb-b1f9fb25a1f1"),
         _ => return None,
     })
@@ -65,6 +68,9 @@ fn container(name: &str) -> Option<Uuid> {
 fn first(name: &str) -> Vec<[f64; 2]> {
     match name {
         "Bezier" => vec![[0.0, 0.0], [0.5, 0.0], [0.5, 1.0], [1.0, 1.0]],
+        "Gaussian" => vec![[0.5, 0.9], [0.65, 0.45]],
+        "Linear" => vec![[0.0, 0.0], [1.0, 1.0]],
+        "Parabola" => vec![[0.5, 0.1], [0.9, 0.9]],
         "Sine" => vec![[0.25, 0.9], [0.75, 0.1]],
         _ => Vec::new(),
     }

@@ -55,8 +55,6 @@ pub enum Control {
     Cherry { path: String, index: i32 },
     /// Data Recorder.
     Recorder { recording: bool, limit: Option<i32> },
-    /// Parameter Viewer: whether it draws the tree or lists its paths.
-    Viewer { text: bool },
     /// Get Number and the like: what the caller is asked, and the limits of the answer.
     Contextual { prompt: String, minimum: Option<f64>, maximum: Option<f64> },
     /// Group. Members may be groups.

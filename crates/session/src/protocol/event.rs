@@ -54,8 +54,9 @@ pub enum Event {
         milliseconds: f64,
     },
     /// The geometry of objects that changed, by the hash of its bytes: `GET /geometry/<hash>`, unless they came in a
-    /// binary frame just before. Such a frame is the 16 bytes of the hash, and the geometry. Objects without geometry any
-    /// more have none.
+    /// binary frame just before. Such a frame holds the geometry of several, each at a multiple of 8 bytes: the 16 bytes
+    /// of the hash, the length (`u32`, little-endian), four zeros, the geometry. Objects without geometry any more have
+    /// none.
     Preview { solution: u64, draft: bool, objects: Vec<(Uuid, Option<String>)> },
     /// What [`Ask::Analyse`](super::Ask::Analyse) asked for, of the objects of which it has changed; found like that of
     /// `Preview`. `left_out` says what there was too much of.

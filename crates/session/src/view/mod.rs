@@ -3,6 +3,7 @@
 mod control;
 mod implied;
 mod object;
+pub(crate) mod picture;
 mod port;
 pub(crate) mod size;
 mod strip;

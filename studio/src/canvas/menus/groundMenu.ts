@@ -27,6 +27,7 @@ export function canvasMenu(pixel: Point): Item[] {
     registered("view.zoomSelected"),
     registered("solution.recompute"),
     LINE,
+    registered("canvas.icons"),
     registered("canvas.fullNames"),
     registered("canvas.profiler"),
     registered("canvas.snapping"),

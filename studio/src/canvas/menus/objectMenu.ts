@@ -153,10 +153,6 @@ function controlItems(object: ObjectView, control: Control): Item[] {
     case "script":
     case "formula":
       return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "script") }];
-    case "viewer": {
-      const flip = () => reshape(object.id, { ...control, text: !control.text });
-      return [{ is: "do", label: t("canvas.menu.viewerText"), on: control.text, run: flip }];
-    }
     case "recorder": {
       const flip = () => reshape(object.id, { ...control, recording: !control.recording });
       return [{ is: "do", label: t("canvas.menu.recording"), on: control.recording, run: flip }];

@@ -9,10 +9,14 @@ import type { PortView } from "../../core/protocol/PortView";
 import { t } from "../../i18n";
 import { addPort, removePort, reshape } from "../edits";
 import type { CanvasNode } from "../flow";
+import { Glyph } from "../glyphs";
 import { useCanvas, useFullNames, useNear } from "../hooks";
 import { isViewer } from "../open";
 import { Frame } from "./Frame";
 import { LinesFace, ViewerFace } from "./ShowFaces";
+
+/** How high the picture of a component is at most. */
+const GLYPH = 34;
 
 /** A component or cluster: names of inputs on the left, the band with its name, names of outputs on the right. */
 export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
@@ -33,7 +37,7 @@ export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
       ) : null}
       <Names side="input" object={object} ports={object.inputs} width={from - 3} full={full} />
       <div className={layout.upright ? "band upright" : "band"} style={{ left: from, width: to - from, fontSize: layout.nameSize }}>
-        <span>{name}</span>
+        <Name object={object} name={name} room={[to - from, height]} />
       </div>
       <Names side="output" object={object} ports={object.outputs} width={width - to - 3} full={full} />
       {object.kind === "component" ? <MorePorts object={object} /> : null}
@@ -41,6 +45,13 @@ export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
     </Frame>
   );
 });
+
+/** What a capsule is called, or its picture where those are on. */
+function Name({ object, name, room: [width, height] }: { object: ObjectView; name: string; room: readonly [number, number] }) {
+  const icons = useCanvas((canvas) => canvas.icons);
+  if (!icons || object.kind === "cluster") return <span>{name}</span>;
+  return <Glyph component={object.component} name={name} size={Math.min(GLYPH, height - 2, width * 1.35)} />;
+}
 
 interface NamesProps {
   side: "input" | "output";
@@ -185,7 +196,7 @@ export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>
     <Frame object={object} kind="capsule parameter" style={{ width: size[0], height: size[1] }}>
       {object.control?.is === "recorder" ? <RecordMark object={object} recorder={object.control} /> : null}
       <span className="title">
-        {name}
+        <Name object={object} name={name} room={size} />
         {own ? <Marks marks={modifiers(own)} /> : null}
       </span>
       <Origin object={object} />

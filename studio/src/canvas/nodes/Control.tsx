@@ -11,7 +11,7 @@ import { GraphFace } from "./GraphFace";
 import { PanelNode } from "./PanelNode";
 import { SliderFace } from "./SliderFace";
 import { ValueListFace } from "./ValueListFace";
-import { ImageFace, ViewerFace } from "./ShowFaces";
+import { ImageFace } from "./ShowFaces";
 import { Capsule, Parameter } from "./Capsule";
 
 /** An object that its user sets, or that shows something: its control says which. */
@@ -58,8 +58,6 @@ function face(object: ObjectView, [width, height]: readonly [number, number]): R
       return <GradientFace object={object} gradient={control} width={width} />;
     case "image":
       return <ImageFace object={object} file={control.file} hash={control.hash} />;
-    case "viewer":
-      return <ViewerFace object={object} text={control.text} size={[width, height]} />;
     default:
       return undefined;
   }

@@ -41,6 +41,7 @@ export const app = {
   "export.obj": "Wavefront: meshes and lines",
   "export.png": "A picture of the model",
   "export.stl": "Meshes for printing",
+  "export.selected": "Models: only what the selected objects have",
   "export.svg": "Curves in the plane, in true size",
   "export.title": "Export geometry",
   "files.failed": "The server answered with an error ({status}).",

@@ -17,7 +17,8 @@ import { Looker } from "../tools/looker";
 import { Probes } from "../tools/probes";
 import type { Pick } from "../tools/picking";
 import { SectionHandle } from "../tools/sectionHandle";
-import { Viewport, type Options, type Surroundings } from "../Viewport";
+import { Viewport, type Options } from "../Viewport";
+import type { Surroundings } from "../surroundings";
 import { viewOf } from "../views";
 import { PaneFrames } from "./frames";
 
@@ -51,6 +52,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     analysisGeometry.listen({ ...besides(viewport), failed: (object, reason) => complain(object, reason) }),
     uiStore.subscribe(() => viewport.surround(surroundings())),
     documentStore.subscribe(() => viewport.surround(surroundings())),
+    settingsStore.subscribe((now, before) => now.previews !== before.previews && viewport.surround(surroundings())),
     followTheme(() => viewport.retheme()),
   ];
   const frames = new PaneFrames(host, {
@@ -90,19 +92,22 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   };
 }
 
+const NONE: ReadonlySet<string> = new Set();
+
 function surroundings(): Surroundings {
   const { document, objects } = documentStore.getState();
   const { selection, hovered } = uiStore.getState();
+  const { previews } = settingsStore.getState();
   const colour = (of: keyof Pick4<DocumentView>, usual: Rgba): Rgba => document?.[of] ?? usual;
+  const hidden = new Set<string>();
+  for (const { id, hidden: isHidden, disabled } of objects.values()) if (isHidden || disabled) hidden.add(id);
   return {
     normal: colour("previewNormal", NORMAL),
     selected: colour("previewSelected", SELECTED),
     selection,
     hovered,
-    isHidden(id) {
-      const object = objects.get(id);
-      return object !== undefined && (object.hidden || object.disabled);
-    },
+    hidden,
+    only: previews === "all" ? undefined : previews === "selected" ? selection : NONE,
   };
 }
 

@@ -9,6 +9,7 @@ import {
 import { boundsOfPositions, centre, radius } from "../../core/bounds";
 import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
+import { SHAPE } from "../shaders/point";
 import type { Materials } from "./materials";
 
 /** The layer that only the camera of the ground's shadow sees. */
@@ -29,6 +30,8 @@ const LINE = 1.4;
 const THINNER: Partial<Record<Merged["kind"], number>> = { isocurves: 1, planes: 1 };
 const POINT = 9;
 const CONTROL_POINT = 7;
+/** In quick pictures points are plain dots: a cross costs software ten times as much. */
+const QUICK_POINT = 3;
 const HEAD = 11;
 
 export interface Drawable {
@@ -43,6 +46,7 @@ export interface Drawable {
   middle: Vector3;
   triangles: number;
   segments: number;
+  points: number;
   /** Other numbers at the positions. */
   setValues(values: Float32Array | null): void;
   dispose(): void;
@@ -70,6 +74,7 @@ export function makeDrawable(merged: Merged, materials: Materials, budget: LineB
     middle: sphere.center,
     triangles: kind === "mesh" ? used / 3 : 0,
     segments: 0,
+    points: kind === "points" || kind === "controlPoints" ? used : 0,
     surface: undefined,
     behind: [],
     setValues() {},
@@ -143,9 +148,10 @@ function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials
   const size = merged.width || (isControl ? CONTROL_POINT : POINT);
   points.onBeforeRender = () => {
     materials.setLook(materials.points, merged.slots);
-    uniform(materials.points, "uWidth", Math.round(size * pixels()));
+    const { isQuick } = materials;
+    uniform(materials.points, "uWidth", Math.round((isQuick ? Math.min(size, QUICK_POINT) : size) * pixels()));
     uniform(materials.points, "uStroke", Math.max(1, Math.round((isControl ? 1.2 : 1.5) * pixels())));
-    uniform(materials.points, "uShape", isControl ? 1 : 0);
+    uniform(materials.points, "uShape", isQuick ? SHAPE.dot : isControl ? SHAPE.square : SHAPE.cross);
   };
   points.renderOrder = 1;
   return still(points);

@@ -55,6 +55,8 @@ function sharedUniforms(table: IUniform<DataTexture>): SharedUniforms {
 
 export class Materials {
   readonly shared: SharedUniforms;
+  /** Whether the picture is a quick one. */
+  isQuick = false;
   readonly #table: ColourTable;
   /** Surfaces that hide what is behind them. */
   readonly opaque: RawShaderMaterial;

@@ -171,12 +171,13 @@ export class Model {
     }
   }
 
-  counts(): { parts: number; triangles: number; segments: number; drawables: number } {
-    const counts = { parts: 0, triangles: 0, segments: 0, drawables: this.#drawables.size };
+  counts(): { parts: number; triangles: number; segments: number; points: number; drawables: number } {
+    const counts = { parts: 0, triangles: 0, segments: 0, points: 0, drawables: this.#drawables.size };
     for (const { parts } of this.objects.values()) counts.parts += parts.length;
-    for (const { triangles, segments } of this.#drawables) {
+    for (const { triangles, segments, points } of this.#drawables) {
       counts.triangles += triangles;
       counts.segments += segments;
+      counts.points += points;
     }
     return counts;
   }

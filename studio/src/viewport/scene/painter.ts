@@ -44,6 +44,7 @@ export class Painter {
     shared.uAlpha.value = isGhosted ? GHOST : 1;
     translucent.depthWrite = !isGhosted;
     const isSolid = isPaper || analysis !== "none";
+    this.#model.materials.isQuick = isQuick;
     this.#model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", !isQuick);
     this.#grid.mesh.visible = shown.grid;
     this.#theme = theme;

@@ -2,6 +2,9 @@
 
 import { COMMON_VERTEX } from "./common";
 
+/** What `uShape` says. */
+export const SHAPE = { cross: 0, square: 1, dot: 2 } as const;
+
 export const POINT_VERTEX = /* glsl */ `
 ${COMMON_VERTEX}
 uniform float uWidth;
@@ -26,6 +29,10 @@ in vec4 vLook;
 layout(location = 0) out vec4 oColour;
 
 void main() {
+  if (uShape == 2) {
+    oColour = vLook;
+    return;
+  }
   vec2 place = (gl_PointCoord - 0.5) * uWidth;
   if (uShape == 0) {
     // A cross with a border of paper, so that it shows on its own colour.

@@ -4,7 +4,7 @@ import { action } from "../../actions/registry";
 import { shownKeys } from "../../actions/keys";
 import { t, type Key } from "../../i18n";
 import { DISPLAY_MODES } from "../scene/looks";
-import { settingsStore, viewportStore, type Shown } from "../settings";
+import { PREVIEWS, settingsStore, viewportStore, type Shown } from "../settings";
 import { VIEW_NAMES, type ViewName } from "../views";
 import { AnalysisSheet } from "./AnalysisSheet";
 import { Check } from "./fields";
@@ -72,7 +72,7 @@ export function Toolbar() {
 }
 
 function ShowSheet() {
-  const { shown, trackpad, snap } = useStore(settingsStore);
+  const { shown, previews, trackpad, snap } = useStore(settingsStore);
   return (
     <Popover label={t("viewport.show")} icon="show">
       {SHOWN.map((name) => (
@@ -83,6 +83,15 @@ function ShowSheet() {
           onChange={(on) => settingsStore.setState({ shown: { ...shown, [name]: on } })}
         />
       ))}
+      <hr />
+      <div role="group" aria-label={t("viewport.previews")}>
+        {PREVIEWS.map((name) => (
+          <label key={name} className="viewport-check">
+            <input type="radio" name="previews" checked={previews === name} onChange={() => settingsStore.setState({ previews: name })} />
+            {t(`viewport.previews.${name}`)}
+          </label>
+        ))}
+      </div>
       <hr />
       <Check label="viewport.snap" checked={snap} onChange={(on) => settingsStore.setState({ snap: on })} />
       <Check label="viewport.trackpad" checked={trackpad} onChange={(on) => settingsStore.setState({ trackpad: on })} />

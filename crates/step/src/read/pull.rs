@@ -1,0 +1,208 @@
+//! Edges in the parameter planes of their faces.
+
+use super::ground::{Form, Ground, Pole};
+use crate::Result;
+use katydid_geometry::{Curve, Line, LineCurve, NurbsCurve, Point3, brep};
+
+/// Places looked at in each smooth piece of an edge.
+const PLACES: usize = 12;
+/// Pieces of a fitted curve are halved so often at most.
+const MOST_HALVINGS: u32 = 10;
+/// How far a seam may stray from its parameter, as a part of its size.
+const STRAY: f64 = 1e-3;
+/// Most places looked at along one edge.
+const MOST_PLACES: usize = 2000;
+
+/// An edge in a parameter plane, walked as the edge is.
+#[derive(Clone)]
+pub(super) struct Flat {
+    pub(super) curve: Curve,
+    /// The poles at its ends.
+    pub(super) poles: [Option<Pole>; 2],
+}
+
+impl Flat {
+    pub(super) fn reversed(&self) -> Self {
+        Self { curve: self.curve.reversed(), poles: [self.poles[1], self.poles[0]] }
+    }
+}
+
+/// A place along an edge.
+#[derive(Clone, Copy)]
+struct Place {
+    t: f64,
+    uv: [f64; 2],
+    pole: Option<Pole>,
+}
+
+/// Pulls an edge onto the ground of a face: exactly where it is a line or an arc in a plane, or runs along a parameter;
+/// else within a distance. A seam runs along a parameter, however far it strays from there.
+pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64, is_seam: bool) -> Result<Flat> {
+    if let Form::Plane(plane) = &ground.form {
+        return Ok(Flat { curve: brep::flattened(edge, plane)?, poles: [None, None] });
+    }
+    let places = places(ground, edge, tolerance)?;
+    let (Some(first), Some(last)) = (places.first(), places.last()) else {
+        return Err(katydid_geometry::Error::Degenerate { what: "edge", why: "it has no places" }.into());
+    };
+    let poles = [first.pole, last.pole];
+    let straight = if is_seam { STRAY * edge.bounding_box().diagonal().length() } else { tolerance };
+    for d in 0..2 {
+        let still = |place: &Place| {
+            let mut moved = place.uv;
+            moved[d] = first.uv[d];
+            ground.point(moved).distance_to(ground.point(place.uv)) <= straight
+        };
+        // A place at a pole may be anywhere along it.
+        let reference = places.iter().find(|place| place.pole.is_none()).unwrap_or(first).uv[d];
+        let reference = if is_seam { ground.on_seam(d, reference) } else { reference };
+        let is_still = places.iter().all(|place| {
+            let mut moved = *place;
+            moved.uv[d] = if place.pole.is_some() { first.uv[d] } else { place.uv[d] };
+            still(&moved)
+        });
+        if is_still {
+            let at = |place: &Place| {
+                let mut uv = place.uv;
+                uv[d] = reference;
+                Point3::new(uv[0], uv[1], 0.0)
+            };
+            let line = Line::new(at(first), at(last));
+            return Ok(Flat { curve: LineCurve { line, domain: edge.domain() }.into(), poles });
+        }
+    }
+    Ok(Flat { curve: fitted(ground, edge, &places, tolerance)?, poles })
+}
+
+/// Parameters of an edge at which its smooth pieces meet.
+fn joints(edge: &Curve) -> Vec<f64> {
+    let domain = edge.domain();
+    let mut out = vec![domain.start];
+    match edge {
+        Curve::Nurbs(c) => out.extend(c.span_parameters()),
+        Curve::Polyline(c) => out.extend(c.parameters()),
+        Curve::Poly(c) => out.extend(c.parameters()),
+        Curve::Line(_) | Curve::Arc(_) => {}
+    }
+    out.push(domain.end);
+    out.dedup_by(|a, b| *a <= *b);
+    out
+}
+
+/// Places along an edge, near enough that neighbours are less than half a turn apart.
+fn places(ground: &Ground, edge: &Curve, tolerance: f64) -> Result<Vec<Place>> {
+    let joints = joints(edge);
+    let each = PLACES.min(MOST_PLACES / joints.len().max(1)).max(2);
+    let mut out: Vec<Place> = Vec::new();
+    for span in joints.windows(2) {
+        let from = usize::from(!out.is_empty());
+        for k in from..=each {
+            let t = if k == each { span[1] } else { span[0] + (span[1] - span[0]) * k as f64 / each as f64 };
+            let uv = ground.parameters(edge.point_at(t))?;
+            let pole = ground.pole(uv, tolerance);
+            out.push(Place { t, uv, pole });
+        }
+    }
+    unwrap(ground, &mut out);
+    Ok(out)
+}
+
+/// Makes the parameters of places go on from one to the next; those at poles take their neighbour's.
+fn unwrap(ground: &Ground, places: &mut [Place]) {
+    for d in 0..2 {
+        let is_free = |place: &Place| place.pole.is_some_and(|pole| pole.free == d);
+        let mut last: Option<f64> = None;
+        for place in places.iter_mut().filter(|place| !is_free(place)) {
+            if let (Some(last), Some(period)) = (last, ground.periods[d]) {
+                place.uv[d] += period * ((last - place.uv[d]) / period).round();
+            }
+            last = Some(place.uv[d]);
+        }
+        let known: Vec<Option<f64>> = places.iter().map(|p| (!is_free(p)).then_some(p.uv[d])).collect();
+        for (k, place) in places.iter_mut().enumerate().filter(|(k, _)| known[*k].is_none()) {
+            let after = known[k..].iter().flatten().next();
+            let before = known[..k].iter().rev().flatten().next();
+            if let Some(value) = after.or(before) {
+                place.uv[d] = *value;
+            }
+        }
+    }
+}
+
+/// Cubic pieces through places, with the directions of the edge, halved until they are within the distance.
+fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Result<Curve> {
+    let mut points: Vec<Point3> = Vec::new();
+    let mut knots: Vec<f64> = Vec::new();
+    let domain = edge.domain();
+    for pair in places.windows(2) {
+        let mut stack = vec![(pair[0], pair[1], 0)];
+        while let Some((a, b, depth)) = stack.pop() {
+            let piece = hermite(ground, edge, &a, &b);
+            let middle = 0.5 * (a.t + b.t);
+            let is_near = [0.25, 0.5, 0.75].iter().all(|x| {
+                let uv = bezier(&piece, *x);
+                ground.point(uv).distance_to(edge.point_at(a.t + (b.t - a.t) * x)) <= tolerance
+            });
+            if !is_near && depth < MOST_HALVINGS && middle > a.t && middle < b.t && points.len() < 20_000 {
+                let mut uv = ground.parameters(edge.point_at(middle))?;
+                for (d, value) in uv.iter_mut().enumerate() {
+                    if let Some(period) = ground.periods[d] {
+                        let guess = 0.5 * (a.uv[d] + b.uv[d]);
+                        *value += period * ((guess - *value) / period).round();
+                    }
+                }
+                let place = Place { t: middle, uv, pole: None };
+                stack.push((place, b, depth + 1));
+                stack.push((a, place, depth + 1));
+                continue;
+            }
+            if points.is_empty() {
+                points.push(flat(piece[0]));
+                knots.extend([a.t; 3]);
+            }
+            points.extend(piece[1..].iter().map(|uv| flat(*uv)));
+            knots.extend([b.t; 3]);
+        }
+    }
+    if let Some(last) = knots.last_mut() {
+        *last = domain.end;
+    }
+    let count = knots.len();
+    knots.iter_mut().skip(count.saturating_sub(3)).for_each(|t| *t = domain.end);
+    Ok(NurbsCurve::new(3, points, knots)?.into())
+}
+
+fn flat(uv: [f64; 2]) -> Point3 {
+    Point3::new(uv[0], uv[1], 0.0)
+}
+
+/// The four points of a cubic from one place to the next.
+fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4] {
+    let third = (b.t - a.t) / 3.0;
+    let chord = [0, 1].map(|d| (b.uv[d] - a.uv[d]) / (b.t - a.t));
+    let slope = |place: &Place, from_below: bool| {
+        if place.pole.is_some() {
+            return chord;
+        }
+        let mut jet = [katydid_geometry::Vector3::ZERO; 2];
+        edge.derivatives_into(place.t, from_below, &mut jet);
+        let [x, y] = ground.partials(place.uv);
+        // Least squares of x·du + y·dv = the edge's derivative.
+        let (xx, xy, yy) = (x.dot(x), x.dot(y), y.dot(y));
+        let determinant = xx * yy - xy * xy;
+        if determinant.is_nan() || determinant <= 1e-14 * xx * yy {
+            return chord;
+        }
+        let (p, q) = (x.dot(jet[1]), y.dot(jet[1]));
+        [(p * yy - q * xy) / determinant, (q * xx - p * xy) / determinant]
+    };
+    let (s, e) = (slope(a, false), slope(b, true));
+    let at = |uv: [f64; 2], slope: [f64; 2], h: f64| [uv[0] + slope[0] * h, uv[1] + slope[1] * h];
+    [a.uv, at(a.uv, s, third), at(b.uv, e, -third), b.uv]
+}
+
+fn bezier(p: &[[f64; 2]; 4], x: f64) -> [f64; 2] {
+    let y = 1.0 - x;
+    let w = [y * y * y, 3.0 * x * y * y, 3.0 * x * x * y, x * x * x];
+    [0, 1].map(|d| (0..4).map(|k| w[k] * p[k][d]).sum())
+}

@@ -1,0 +1,105 @@
+//! What is written is read again: shapes, names, colours, layers, units.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
+
+use katydid_geometry::{
+    Arc, Brep, Circle, Cone, Curve, Cylinder, Interval, Line, NurbsCurve, Plane, Point3, PolylineCurve,
+    Sphere, Surface, Torus, Vector3,
+};
+use katydid_step::{Document, Part, Shape, read, write};
+
+fn written(document: &Document) -> Vec<u8> {
+    let mut file = Vec::new();
+    assert_eq!(write(document, &mut file).unwrap(), []);
+    file
+}
+
+fn again(shape: Shape) -> Shape {
+    let document = Document { parts: vec![Part::named("it", shape)], ..Document::default() };
+    let read = read(&written(&document)).unwrap();
+    assert_eq!(read.left_out, []);
+    assert_eq!(read.parts.len(), 1);
+    assert_eq!(read.parts[0].name, "it");
+    read.parts[0].shape.clone()
+}
+
+#[test]
+fn whole_surfaces_stay_what_they_are() {
+    let plane = Plane::from_normal(Point3::new(1.0, 2.0, 3.0), Vector3::new(1.0, 1.0, 2.0)).unwrap();
+    let surfaces: [(Surface, bool); 4] = [
+        (Sphere::new(plane, 5.0).unwrap().into(), true),
+        (Torus::new(plane, 5.0, 2.0).unwrap().into(), true),
+        (Cylinder::new(plane, 5.0, Interval::new(1.0, 4.0)).unwrap().into(), false),
+        (Cone::new(plane, -4.0, 3.0).unwrap().into(), false),
+    ];
+    for (surface, is_solid) in surfaces {
+        let brep = Brep::from_surface(surface).unwrap();
+        let Shape::Brep(back) = again(Shape::Brep(brep.clone().into())) else { panic!() };
+        assert!(back.is_valid(), "{:?}", back.faults());
+        assert_eq!(back.is_solid(), is_solid);
+        assert_eq!(back.faces().len(), 1);
+        assert_eq!(back.edges().len(), brep.edges().len());
+        assert!(matches!(back.face_surface(0), Some(Surface::Revolution(_))));
+        let apart = |a: Point3, b: Point3| a.distance_to(b);
+        let (ours, theirs) = (brep.bounds_of_faces().unwrap(), back.bounds_of_faces().unwrap());
+        assert!(apart(ours.min, theirs.min) < 1e-9 && apart(ours.max, theirs.max) < 1e-9);
+    }
+}
+
+#[test]
+fn curves_and_points_stay_where_they_are() {
+    let points: Vec<Point3> = (0..6).map(|k| Point3::new(f64::from(k), f64::from(k * k), 1.0)).collect();
+    let arc = Arc::new(Circle::new(Plane::XY, 3.0).unwrap(), Interval::new(-1.0, 2.0)).unwrap();
+    let curves: [Curve; 5] = [
+        Line::new(Point3::ORIGIN, Point3::new(1.0, 2.0, 3.0)).into(),
+        katydid_geometry::ArcCurve::new(arc).into(),
+        Circle::new(Plane::XZ, 2.0).unwrap().into(),
+        PolylineCurve::new(points.clone()).unwrap().into(),
+        NurbsCurve::clamped_uniform(3, &points).unwrap().into(),
+    ];
+    for curve in curves {
+        let Shape::Curve(back) = again(Shape::Curve(curve.clone())) else { panic!() };
+        for k in 0..=20 {
+            let x = f64::from(k) / 20.0;
+            let (p, q) = (curve.point_at(curve.domain().at(x)), back.point_at(back.domain().at(x)));
+            assert!(p.distance_to(q) < 1e-12, "{curve:?}");
+        }
+    }
+    assert_eq!(again(Shape::Points(points.clone())), Shape::Points(points));
+}
+
+#[test]
+fn names_colours_layers_and_units_are_kept() {
+    let ball = Brep::from_surface(Sphere::around(Point3::ORIGIN, 1.0).unwrap().into()).unwrap();
+    for metres in [1e-3, 1e-2, 1.0, 0.0254, 0.3048, 0.123] {
+        let part = |name: &str, shape: Shape| Part {
+            name: name.into(),
+            layer: Some("outer::bäll".into()),
+            colour: Some([10, 200, 30, 128]),
+            shape,
+        };
+        let line: Curve = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).into();
+        let mut curve = part("it's a \\ line 球", Shape::Curve(line));
+        curve.colour = Some([1, 2, 3, 255]);
+        let parts = vec![part("bäll \"1\"", Shape::Brep(ball.clone().into())), curve];
+        let document = Document { metres, parts, ..Document::default() };
+        let back = read(&written(&document)).unwrap();
+        assert!((back.metres - metres).abs() < 1e-15);
+        for (ours, theirs) in document.parts.iter().zip(&back.parts) {
+            assert_eq!((&ours.name, &ours.layer, ours.colour), (&theirs.name, &theirs.layer, theirs.colour));
+        }
+    }
+}
+
+#[test]
+fn an_empty_document_is_a_file_too() {
+    assert_eq!(read(&written(&Document::default())).unwrap().parts, []);
+}
+
+#[test]
+fn the_same_document_makes_the_same_bytes() {
+    let ball = Brep::from_surface(Sphere::around(Point3::ORIGIN, 1.0).unwrap().into()).unwrap();
+    let document =
+        Document { parts: vec![Part::named("a", Shape::Brep(ball.into()))], ..Document::default() };
+    assert_eq!(written(&document), written(&document));
+}
