@@ -1,11 +1,7 @@
 //! The form of an object: what formats take of it.
 
 use katydid_3dm::{BrepObject, CachedMesh, Extrusion, Object, PointCloud};
-<<<<<<< HEAD
 use katydid_geometry::{Brep, Curve, Interval, Mesh, MeshSettings, Plane, Surface, Vector3, Xform};
-=======
-use katydid_geometry::{Brep, Curve, Interval, Mesh, Plane, Surface, Vector3, Xform};
->>>>>>> step
 
 use super::drawn::{self, Styles};
 use super::facets::{borders, facets};

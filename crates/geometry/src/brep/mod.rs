@@ -44,11 +44,8 @@ pub(crate) use build::with_ends;
 pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;
 pub use face::Face;
-<<<<<<< HEAD
-pub use inside::{BrepPlace, BrepPoint, ClosestOnBrep};
-=======
 pub use flatten::flattened;
->>>>>>> step
+pub use inside::{BrepPlace, BrepPoint, ClosestOnBrep};
 pub use iso::iso_of;
 pub use join::Joined;
 pub use loop_::{Loop, LoopKind};
