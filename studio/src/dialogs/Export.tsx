@@ -4,7 +4,7 @@ import { exportAs, exportCanvas, place, type ExportFormat } from "../app";
 import { t, type Key } from "../i18n";
 import { Dialog } from "./Dialog";
 
-const FORMATS: ExportFormat[] = ["3dm", "glb", "obj", "stl", "svg", "png"];
+const FORMATS: ExportFormat[] = ["3dm", "step", "glb", "obj", "stl", "svg", "png"];
 
 /** What the definition makes, as a file of another program. */
 export function Export() {

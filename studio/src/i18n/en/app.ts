@@ -40,6 +40,7 @@ export const app = {
   "export.glb": "glTF: meshes and lines for web viewers",
   "export.obj": "Wavefront: meshes and lines",
   "export.png": "A picture of the model",
+  "export.step": "STEP: surfaces and solids exactly, for CAD programs",
   "export.stl": "Meshes for printing",
   "export.svg": "Curves in the plane, in true size",
   "export.title": "Export geometry",
