@@ -82,7 +82,7 @@ pub(crate) struct RunArgs {
     #[command(flatten)]
     pub(crate) definition: DefinitionArgs,
 
-    /// Save the geometry: .3dm, .obj, .stl, .ply, .glb, .gltf or .svg. What is previewed, or what Context Bake or an RH_OUT group marks
+    /// Save the geometry: .3dm, .step, .obj, .stl, .ply, .glb, .gltf or .svg. What is previewed, or what Context Bake or an RH_OUT group marks
     #[arg(short, long = "output", value_name = "OUT")]
     pub(crate) output: Vec<PathBuf>,
 
@@ -164,17 +164,17 @@ pub(crate) struct CheckArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Models: .3dm (any version), .obj, .stl, .ply, .glb and .gltf are read; .3dm, .obj, .stl, .ply, .glb, .gltf and .svg are
-written. What the new file cannot hold is told by class and count on standard error.
+Models: .3dm (any version), .step, .obj, .stl, .ply, .glb and .gltf are read; .3dm, .step, .obj, .stl, .ply, .glb,
+.gltf and .svg are written. What the new file cannot hold is told by class and count on standard error.
 
 A .3dm file in which anything is broken is refused with the place and the reason, unless --lenient is given.
 
 The exit code is 0 when the file was written, 1 when it was written but --lenient had to skip something, 2 when a file
 could not be opened or written or the call was wrong.")]
 pub(crate) struct ConvertArgs {
-    /// The file to read: a definition (.gh, .ghx, .kd, .ghuser) or a model (.3dm, .obj, .stl, .ply, .glb, .gltf)
+    /// The file to read: a definition (.gh, .ghx, .kd, .ghuser) or a model (.3dm, .step, .obj, .stl, .ply, .glb, .gltf)
     pub(crate) from: PathBuf,
-    /// The file to write: .gh, .ghx or .kd for a definition, .3dm, .obj, .stl, .ply, .glb, .gltf or .svg for a model
+    /// The file to write: .gh, .ghx or .kd for a definition, .3dm, .step, .obj, .stl, .ply, .glb, .gltf or .svg for a model
     pub(crate) to: PathBuf,
 
     /// The version of a .3dm file: 4 to 8, or 40 to 80; as it was when not given

@@ -186,11 +186,14 @@ impl Ground {
         for (d, direction) in Direction::BOTH.into_iter().enumerate() {
             let domain = surface.domain(direction);
             let slack = SLACK * domain.length();
-            if let (Some(period), Some(wide)) = (self.periods[d], domain.expanded(slack))
-                && !wide.includes(ranges[d], false)
-            {
-                let start = domain.start + (ranges[d].start - domain.start).rem_euclid(period);
-                surface = surface.with_seam(direction, domain.clamp(start))?;
+            if let (Some(period), Some(wide)) = (self.periods[d], domain.expanded(slack)) {
+                // Whole periods away is the same place.
+                let turns = ((domain.middle() - ranges[d].middle()) / period).round();
+                let range = ranges[d].shifted(period * turns);
+                if !wide.includes(range, false) {
+                    let start = domain.start + (range.start - domain.start).rem_euclid(period);
+                    surface = surface.with_seam(direction, domain.clamp(start))?;
+                }
             }
         }
         Ok(surface)
