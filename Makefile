@@ -7,7 +7,7 @@ PYTHON ?= python3
 # Off by default, tested all the same.
 KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 
-.PHONY: studio test-studio test-browser test lint docs test-rust test-python bench bench-kernel oracle fuzz clean
+.PHONY: studio test-studio test-browser test lint docs test-rust test-python test-step bench bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -17,8 +17,18 @@ test-rust:
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed
 	cargo build --release -p katydid
-	$(VENV)/bin/python -m pytest -q python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
+	$(VENV)/bin/python -m pytest -q --ignore=python-tests/step python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
 		crates/rhino3dm/tests/tables_peer.py
+
+# What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
+test-step: $(VENV)-step/installed
+	cargo build --release -p katydid
+	$(VENV)-step/bin/python -m pytest -q python-tests/step
+
+$(VENV)-step/installed: python-tests/step/requirements.txt
+	$(PYTHON) -m venv $(VENV)-step
+	$(VENV)-step/bin/pip install -q -r python-tests/step/requirements.txt
+	touch $@
 
 # The page's own parts, without a browser; then the page, which the binary takes in.
 test-studio: studio/node_modules/installed

@@ -98,7 +98,7 @@ impl Shapes<'_> {
     /// The mesh of a brep within the tolerance; none for one that cannot be meshed.
     fn meshed(&self, brep: &Brep) -> Option<Mesh> {
         let bounds = brep.bounds_of_faces()?;
-        let distance = self.scene.tolerance_for(self.tolerance, &bounds);
+        let distance = self.scene.tolerance_for(self.conversion.tolerance, &bounds);
         let settings = MeshSettings { min_count: 4, ..MeshSettings::within(distance) };
         brep.mesh(&settings).and_then(|mesh| mesh.welded()).ok().filter(|mesh| !mesh.faces().is_empty())
     }

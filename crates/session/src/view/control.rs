@@ -113,9 +113,10 @@ pub(crate) fn control(object: &Object) -> Option<Control> {
         Special::DataRecorder(recorder) => {
             Control::Recorder { recording: recorder.recording, limit: recorder.limit }
         }
-        Special::ImageSampler(sampler) => {
-            Control::Image { hash: sampler.image.as_deref().and_then(super::picture::hash), file: sampler.file }
-        }
+        Special::ImageSampler(sampler) => Control::Image {
+            hash: sampler.image.as_deref().and_then(super::picture::hash),
+            file: sampler.file,
+        },
         Special::Contextual(input) => {
             Control::Contextual { prompt: input.prompt, minimum: input.minimum, maximum: input.maximum }
         }
