@@ -28,8 +28,31 @@ pub(super) fn put(sheet: &mut Sheet, surface: &Surface) -> Result<Put> {
         }
         Surface::Sum(s) => sum(sheet, s),
         Surface::Revolution(s) => revolution(sheet, s),
-        Surface::Nurbs(s) => Ok(Put { id: spline(sheet, s)?, chart: Chart::SAME }),
+        Surface::Nurbs(s) => match flat_patch(s) {
+            Some(plane) => {
+                let frame = frame(sheet, &plane);
+                Ok(Put { id: sheet.put(format_args!("PLANE('',{frame})")), chart: Chart::NONE })
+            }
+            None => Ok(Put { id: spline(sheet, s)?, chart: Chart::SAME }),
+        },
     }
+}
+
+/// The plane of a surface between four points of one plane, which Rhino has for flat faces. On a plane edges lie
+/// exactly; onto a b-spline programs project them.
+fn flat_patch(surface: &NurbsSurface) -> Option<Plane> {
+    if surface.degrees() != [1, 1] || surface.counts() != [2, 2] || surface.is_rational() {
+        return None;
+    }
+    let [a, b, c, d] = *surface.control_points().as_slice() else { return None };
+    let size = (d - a).length().max((c - b).length());
+    // The surface runs from a along v to b, and along u to c.
+    let plane = Plane::from_axes(a, c - a, b - a).ok()?;
+    let normal = plane.z_axis;
+    let is_flat = plane.signed_distance(d).abs() <= ROUNDING * size;
+    let turns = [[a, c, b], [c, d, a], [d, b, c], [b, a, d]];
+    let is_convex = turns.iter().all(|[at, u, v]| (*u - *at).cross(*v - *at).dot(normal) > ROUNDING * size * size);
+    (is_flat && is_convex).then_some(plane)
 }
 
 fn spline(sheet: &mut Sheet, surface: &NurbsSurface) -> Result<Id> {
