@@ -73,7 +73,7 @@ fn wrong_calls_say_why() {
     for (words, reason) in [
         (
             vec!["convert", text(&model), text(&with("dwg"))],
-            "can be converted to .3dm, .obj, .stl, .ply, .glb, .gltf or .svg",
+            "can be converted to .3dm, .obj, .stl, .ply, .glb, .gltf, .step or .svg",
         ),
         (vec!["convert", EXAMPLE, text(&with("obj"))], "use katydid run -o"),
         (vec!["convert", text(&model), text(&with("obj")), "--version", "7"], "--version is for .3dm files"),
