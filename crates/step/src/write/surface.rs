@@ -51,7 +51,8 @@ fn flat_patch(surface: &NurbsSurface) -> Option<Plane> {
     let normal = plane.z_axis;
     let is_flat = plane.signed_distance(d).abs() <= ROUNDING * size;
     let turns = [[a, c, b], [c, d, a], [d, b, c], [b, a, d]];
-    let is_convex = turns.iter().all(|[at, u, v]| (*u - *at).cross(*v - *at).dot(normal) > ROUNDING * size * size);
+    let is_convex =
+        turns.iter().all(|[at, u, v]| (*u - *at).cross(*v - *at).dot(normal) > ROUNDING * size * size);
     (is_flat && is_convex).then_some(plane)
 }
 
