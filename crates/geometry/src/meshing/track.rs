@@ -154,10 +154,28 @@ impl<'a> Track<'a> {
     }
 
     /// The place nearest to a point that lies at a share of the length, more or less.
+    ///
+    /// A spiral comes by the same point again and again: what is near along it is looked at first, and the rest only
+    /// where nothing is found there.
     pub(super) fn nearest(&self, p: Point3, share: f64) -> f64 {
+        /// How far to look, in shares of the length.
+        const REACHES: [f64; 3] = [0.005, 0.03, 0.1];
+        /// Nearer than this part of the length is found.
+        const FOUND: f64 = 1e-7;
         let guess = lookup(&self.table, 1, share);
-        let (low, high) = (lookup(&self.table, 1, share - 0.1), lookup(&self.table, 1, share + 0.1));
-        self.nearest_between(p, guess, [low, high])
+        let mut best = (f64::INFINITY, guess);
+        for reach in REACHES {
+            let range = [share - reach, share + reach].map(|share| lookup(&self.table, 1, share));
+            let place = self.nearest_between(p, guess, range);
+            let distance = self.point(place).distance_to(p);
+            if distance < best.0 {
+                best = (distance, place);
+            }
+            if distance <= FOUND * self.length {
+                break;
+            }
+        }
+        best.1
     }
 
     /// The place nearest to a point in a range where there is only one, by Newton's method in a shrinking bracket.
