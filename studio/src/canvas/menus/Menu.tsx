@@ -196,11 +196,13 @@ function More({ item, open, onOpen, onClose }: EntryProps & { item: Extract<Item
 }
 
 function Field({ label, value, take, onClose }: Extract<Item, { is: "field" }> & { onClose(): void }) {
-  const done = useRef(false);
+  // The focus may go and come again: what was taken once is not taken twice, and what Escape left is not taken at all.
+  const taken = useRef(value);
+  const isLeft = useRef(false);
   const finish = (text: string) => {
-    if (done.current) return;
-    done.current = true;
-    if (text !== value) take(text);
+    if (isLeft.current || text === taken.current) return;
+    taken.current = text;
+    take(text);
   };
   return (
     <label className="item field-item">
@@ -216,7 +218,7 @@ function Field({ label, value, take, onClose }: Extract<Item, { is: "field" }> &
             finish(event.currentTarget.value);
             onClose();
           } else if (event.key === "Escape") {
-            done.current = true;
+            isLeft.current = true;
             onClose();
           } else if (!["ArrowDown", "ArrowUp", "Tab"].includes(event.key)) event.stopPropagation();
           if (event.key === "Enter" || event.key === "Escape") event.stopPropagation();
