@@ -100,7 +100,7 @@ function surroundings(): Surroundings {
   const { previews } = settingsStore.getState();
   const colour = (of: keyof Pick4<DocumentView>, usual: Rgba): Rgba => document?.[of] ?? usual;
   const hidden = new Set<string>();
-  for (const { id, hidden: isHidden, disabled } of objects.values()) if (isHidden || disabled) hidden.add(id);
+  for (const [id, object] of objects) if (object.hidden || object.disabled) hidden.add(id);
   return {
     normal: colour("previewNormal", NORMAL),
     selected: colour("previewSelected", SELECTED),
