@@ -1,5 +1,20 @@
 //! Adaptive numerical integration.
 
+/// Half of the abscissae and weights of the Gauss–Legendre rules of 6 and 10 points on −1…1, by the distance from the
+/// middle (M. Abramowitz, I. Stegun, *Handbook of Mathematical Functions*, 1964, table 25.4).
+pub(crate) const GAUSS_6: [[f64; 2]; 3] = [
+    [0.238_619_186_083_196_92, 0.467_913_934_572_691_04],
+    [0.661_209_386_466_264_5, 0.360_761_573_048_138_6],
+    [0.932_469_514_203_152, 0.171_324_492_379_170_34],
+];
+pub(crate) const GAUSS_10: [[f64; 2]; 5] = [
+    [0.148_874_338_981_631_22, 0.295_524_224_714_752_87],
+    [0.433_395_394_129_247_2, 0.269_266_719_309_996_35],
+    [0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
+    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
+    [0.973_906_528_517_171_7, 0.066_671_344_308_688_14],
+];
+
 /// Abscissae of the 15-point Kronrod rule in 0…1 half-width, largest first; every second one belongs to the 7-point
 /// Gauss rule (R. Piessens et al., *QUADPACK*, 1983, routine QK15).
 const NODES: [f64; 8] = [

@@ -1,14 +1,9 @@
 //! Which side of a closed brep is the inside.
 
 use super::{Brep, CurvePart, Parts, Solidity, Trim};
+use crate::quadrature::GAUSS_6;
 use crate::{Curve, Direction, Interval, Point3, Surface};
 
-/// The Gauss–Legendre rule of 6 points on −1…1: places above 0 and their weights.
-const GAUSS: [(f64, f64); 3] = [
-    (0.238_619_186_083_196_9, 0.467_913_934_572_691_05),
-    (0.661_209_386_466_264_5, 0.360_761_573_048_138_6),
-    (0.932_469_514_203_152, 0.171_324_492_379_170_35),
-];
 /// Parts into which a range is divided where it has no knots to say.
 const PARTS: usize = 8;
 
@@ -20,7 +15,7 @@ fn integral(range: Interval, breaks: &[f64], mut f: impl FnMut(f64) -> f64) -> f
     let mut sum = 0.0;
     for w in stops.windows(2) {
         let (middle, half) = (0.5 * (w[0] + w[1]), 0.5 * (w[1] - w[0]));
-        for (x, weight) in GAUSS {
+        for [x, weight] in GAUSS_6 {
             sum += weight * half * (f(middle - half * x) + f(middle + half * x));
         }
     }

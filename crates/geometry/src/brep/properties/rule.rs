@@ -1,20 +1,8 @@
 //! Adaptive Gauss–Legendre rules for several functions at once.
 
+use crate::quadrature::{GAUSS_6, GAUSS_10};
 use crate::{Error, Result};
 
-/// Half of the abscissae and weights of the rules of 6 and 10 points on −1…1.
-const GAUSS_6: [[f64; 2]; 3] = [
-    [0.238_619_186_083_196_92, 0.467_913_934_572_691_04],
-    [0.661_209_386_466_264_5, 0.360_761_573_048_138_6],
-    [0.932_469_514_203_152, 0.171_324_492_379_170_34],
-];
-const GAUSS_10: [[f64; 2]; 5] = [
-    [0.148_874_338_981_631_22, 0.295_524_224_714_752_87],
-    [0.433_395_394_129_247_2, 0.269_266_719_309_996_35],
-    [0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
-    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
-    [0.973_906_528_517_171_7, 0.066_671_344_308_688_14],
-];
 /// The most halvings of a range.
 const DEEPEST: u32 = 40;
 /// The most ranges that one integral is divided into.
