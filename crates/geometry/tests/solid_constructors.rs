@@ -26,7 +26,7 @@ fn wrong(brep: &Brep) -> Vec<String> {
     let mut wrong: Vec<String> = brep.faults().iter().map(|fault| fault.to_string()).collect();
     for edge in 0..brep.edges().len() {
         let Some(apart) = brep.edge_deviation(edge) else { continue };
-        if !(apart <= 2.0 * TOLERANCE.absolute) {
+        if apart.is_nan() || apart > 2.0 * TOLERANCE.absolute {
             wrong.push(format!("edge {edge} is {apart} off"));
         }
     }
