@@ -1,66 +1,128 @@
-//! Every constructor gives sound breps or says why not, over random and degenerate inputs.
+//! Every constructor gives sound breps or says why not, over random and degenerate inputs of all sizes.
+//!
+//! `KATYDID_CASES=1000 cargo test --release -p katydid-geometry --test solid_constructors -- --nocapture` runs a thousand
+//! seeds of each; `KATYDID_CASE="variable pipe"` those of one constructor, with the reasons of refusals.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
 
 mod solid_cases;
 
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
 
+use katydid_geometry::{Brep, Error, Result};
 use solid_cases::random::Random;
-use solid_cases::{TOLERANCE, cases};
+use solid_cases::{Case, TOLERANCE, cases, count};
 
-/// Inputs for each constructor; 1,000 when the whole set is asked for.
-fn count() -> u64 {
-    std::env::var("SOLID_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(100)
+/// What a constructor may take for one input, in seconds: far more than any takes, and far less than a hang.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// How long the area of a face is looked for.
+const LOOK: Duration = Duration::from_millis(200);
+
+/// What is wrong with a brep that a constructor gave.
+fn wrong(brep: &Brep) -> Vec<String> {
+    let mut wrong: Vec<String> = brep.faults().iter().map(|fault| fault.to_string()).collect();
+    for edge in 0..brep.edges().len() {
+        let Some(apart) = brep.edge_deviation(edge) else { continue };
+        if apart.is_nan() || apart > 2.0 * TOLERANCE.absolute {
+            wrong.push(format!("edge {edge} is {apart} off"));
+        }
+    }
+    for face in 0..brep.faces().len() {
+        let begun = Instant::now();
+        let area =
+            brep.sub_brep(&[face]).and_then(|face| face.area_properties(1e-2, || begun.elapsed() < LOOK));
+        match area {
+            Ok(area) if area.amount > 0.0 && area.amount.is_finite() => {}
+            Ok(area) => wrong.push(format!("face {face} has an area of {}", area.amount)),
+            // A sliver may take more work than it is worth.
+            Err(Error::Invalid { what: "integral", .. }) => {}
+            Err(error) => wrong.push(format!("face {face} has no area: {error}")),
+        }
+    }
+    wrong
+}
+
+/// What came of the seeds of one constructor.
+#[derive(Default)]
+struct Tally {
+    good: usize,
+    solid: usize,
+    /// How often each reason was given, and for which seed first.
+    refused: BTreeMap<String, (usize, u64)>,
+    wrong: Vec<String>,
+    slowest: (Duration, u64),
+}
+
+impl Tally {
+    fn add(&mut self, seed: u64, made: Result<Vec<Brep>>) {
+        match made {
+            Ok(breps) => {
+                for brep in breps {
+                    self.wrong.extend(wrong(&brep).into_iter().map(|why| format!("seed {seed}: {why}")));
+                    self.good += 1;
+                    self.solid += usize::from(brep.is_solid());
+                }
+            }
+            Err(error) => self.refused.entry(reason(&error)).or_insert((0, seed)).0 += 1,
+        }
+    }
+}
+
+/// An error without its numbers.
+fn reason(error: &Error) -> String {
+    error.to_string().chars().filter(|c| !c.is_ascii_digit()).take(90).collect()
+}
+
+fn tally((_, make): &Case, seeds: u64) -> Tally {
+    let mut tally = Tally::default();
+    for seed in 0..seeds {
+        let begun = Instant::now();
+        let made = catch_unwind(AssertUnwindSafe(|| make(&mut Random::of(seed))));
+        tally.slowest = tally.slowest.max((begun.elapsed(), seed));
+        match made {
+            Ok(made) => tally.add(seed, made),
+            Err(_) => tally.wrong.push(format!("seed {seed}: it panicked")),
+        }
+    }
+    if tally.slowest.0 > PATIENCE {
+        tally.wrong.push(format!("seed {} took {:?}", tally.slowest.1, tally.slowest.0));
+    }
+    tally
 }
 
 #[test]
 fn results_are_valid_or_refused() {
-    let only = std::env::var("SOLID_CASE").ok();
-    for (name, make) in cases() {
+    let only = std::env::var("KATYDID_CASE").ok();
+    let seeds = count(12);
+    let mut wrong = Vec::new();
+    for case in cases() {
+        let name = case.0;
         if only.as_ref().is_some_and(|only| only != name) {
             continue;
         }
-        let (mut good, mut refused, mut solid) = (0, 0, 0);
-        let begun = std::time::Instant::now();
-        let mut why = std::collections::BTreeMap::<String, usize>::new();
-        for seed in 0..count() {
-            if std::env::var("SOLID_WHY").is_ok_and(|x| x == "2") {
-                println!("    seed {seed}, {:?}", begun.elapsed());
-            }
-            let made = catch_unwind(AssertUnwindSafe(|| make(&mut Random(seed))));
-            let Ok(made) = made else { panic!("{name}, seed {seed}: panicked") };
-            match made {
-                Ok(breps) => {
-                    for brep in breps {
-                        let faults = brep.faults();
-                        assert!(faults.is_empty(), "{name}, seed {seed}: {faults:?}");
-                        for edge in 0..brep.edges().len() {
-                            let apart = brep.edge_deviation(edge).unwrap();
-                            assert!(
-                                apart <= 2.0 * TOLERANCE.absolute,
-                                "{name}, seed {seed}: edge {edge} is {apart} off"
-                            );
-                        }
-                        good += 1;
-                        solid += usize::from(brep.is_solid());
-                    }
-                }
-                Err(error) => {
-                    refused += 1;
-                    let text: String =
-                        error.to_string().chars().filter(|c| !c.is_ascii_digit()).take(90).collect();
-                    if std::env::var("SOLID_WHY").is_ok_and(|x| !x.is_empty()) {
-                        println!("    {seed}: {error}");
-                    }
-                    *why.entry(text).or_default() += 1;
-                }
-            }
+        let tally = tally(&case, seeds);
+        let refused: usize = tally.refused.values().map(|(times, _)| times).sum();
+        println!(
+            "{name}: {} breps, {} of them solid, {refused} inputs refused, {} wrong, slowest seed {} with {:?}",
+            tally.good,
+            tally.solid,
+            tally.wrong.len(),
+            tally.slowest.1,
+            tally.slowest.0
+        );
+        for (text, (times, seed)) in tally.refused.iter().filter(|_| only.is_some() || seeds > 100) {
+            println!("    {times} × {text} (seed {seed})");
         }
-        println!("{name}: {good} breps, {solid} of them solid, {refused} refused, {:?}", begun.elapsed());
-        for (text, times) in why {
-            println!("    {times} × {text}");
+        for why in tally.wrong.iter().take(12) {
+            println!("    {why}");
         }
-        assert!(good > 0, "{name} never gave anything");
+        wrong.extend(tally.wrong.into_iter().map(|why| format!("{name}, {why}")));
+        if tally.good == 0 {
+            wrong.push(format!("{name} never gave anything"));
+        }
     }
+    assert!(wrong.is_empty(), "{} wrong: {:#?}", wrong.len(), wrong.iter().take(20).collect::<Vec<_>>());
 }

@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (name, make) in solid_cases::cases() {
         let mut model = Model::default();
         for seed in 0..count {
-            for brep in make(&mut Random(seed)).into_iter().flatten() {
+            for brep in make(&mut Random::of(seed)).into_iter().flatten() {
                 let id = uuid::Uuid::from_u128(0x50_11D5_0000 + model.objects.len() as u128 + 1);
                 let closed = if brep.is_solid() { "closed" } else { "open" };
                 let attributes =

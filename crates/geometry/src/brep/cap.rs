@@ -5,6 +5,10 @@ use super::planar::{Rim, add_planar_face};
 use super::{Brep, Builder};
 use crate::{Curve, Plane, Point3, Result, Tolerance};
 
+/// How far a rim may be off its plane whatever the tolerance, as a part of its size: holes smaller than the tolerance
+/// would lie in any plane.
+const FLAT: f64 = 0.01;
+
 /// A closed chain of naked edges, each with whether it is walked backwards, in the sense that a face which fills it
 /// must run.
 #[derive(Debug, Clone)]
@@ -92,7 +96,7 @@ impl Brep {
         }
     }
 
-    /// The brep with every hole that is planar within the tolerance filled by a face, and how many were. Rims in one
+    /// The brep with every hole that is planar within the tolerance filled by a face, and how many were; what is off by more than a hundredth of its size is not planar. Rims in one
     /// plane that lie inside each other and run in opposite senses become one face with holes. When nothing is left
     /// open the result is a solid with its normals outward.
     ///
@@ -132,13 +136,14 @@ impl Brep {
         let mut hole = Hole { edges, plane: Plane::XY };
         let points: Vec<Point3> = hole.edges.iter().flat_map(|(_, _, c)| c.hull_points()).collect();
         let Ok((plane, _)) = Plane::fit(&points) else { return Ok(None) };
+        let size = crate::BoundingBox::from_points(points).map_or(0.0, |b| b.diagonal().length());
+        let limit = limit.min(FLAT * size);
         let flat = hole.edges.iter().all(|(_, _, c)| {
             let heights = c.extent_along(plane.z_axis);
             let own = plane.origin.to_vector().dot(plane.z_axis);
             (heights.start - own).abs().max((heights.end - own).abs()) <= limit
         });
         let area = hole.area(&plane);
-        let size = crate::BoundingBox::from_points(points).map_or(0.0, |b| b.diagonal().length());
         if !flat || !(area.abs() > 1e-12 * size * size) {
             return Ok(None);
         }
@@ -175,6 +180,8 @@ fn nested(holes: Vec<Hole>, limit: f64) -> Vec<(Plane, Vec<Rim>)> {
 fn encloses(big: &Hole, small: &Hole, limit: f64) -> bool {
     let opposite = big.plane.z_axis.dot(small.plane.z_axis) < 0.0;
     let points = small.polygon();
+    let size = crate::BoundingBox::from_points(points.iter().copied()).map_or(0.0, |b| b.diagonal().length());
+    let limit = limit.min(FLAT * size);
     let flat = points.iter().all(|p| big.plane.signed_distance(*p).abs() <= limit);
     opposite
         && flat

@@ -20,7 +20,8 @@ impl Brep {
     }
 
     /// The brep of a surface cut along its kinks: one face for every smooth part. A kink is a line of constant
-    /// parameter across which the tangent turns by more than `tolerance.angle`.
+    /// parameter across which the tangent turns by more than `tolerance.angle`. Parts that are only a curve or a point
+    /// are left out: those of a straight piece drawn along itself, or turned about itself.
     ///
     /// # Errors
     /// As [`Brep::from_surface`].
@@ -104,16 +105,16 @@ struct Grid {
 /// The faces between cuts in both directions, joined.
 fn patches(surface: &Surface, cuts: &[Vec<f64>; 2]) -> Result<Brep> {
     check_area(surface)?;
+    let mut bare = Vec::new();
     let counts = [cuts[0].len() - 1, cuts[1].len() - 1];
     let mut cells = Vec::with_capacity(counts[0] * counts[1]);
     for u in cuts[0].windows(2) {
         for v in cuts[1].windows(2) {
             let ranges = [Interval::new(u[0], u[1]), Interval::new(v[0], v[1])];
-            cells.push(if counts == [1, 1] {
-                surface.clone()
-            } else {
-                surface.sub_surface(ranges[0], ranges[1])?
-            });
+            let cell =
+                if counts == [1, 1] { surface.clone() } else { surface.sub_surface(ranges[0], ranges[1])? };
+            bare.push(check_area(&cell).is_err());
+            cells.push(cell);
         }
     }
     let nodes = Nodes {
@@ -133,7 +134,9 @@ fn patches(surface: &Surface, cuts: &[Vec<f64>; 2]) -> Result<Brep> {
     grid.join_nodes()?;
     for i in 0..counts[0] {
         for j in 0..counts[1] {
-            grid.face(i, j)?;
+            if bare.get(i * counts[1] + j) == Some(&false) {
+                grid.face(i, j)?;
+            }
         }
     }
     grid.builder.finish(f64::INFINITY)

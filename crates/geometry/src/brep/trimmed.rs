@@ -7,6 +7,7 @@ mod cells;
 mod lift;
 mod pull_back;
 mod split;
+mod unroll;
 
 use super::Brep;
 use crate::region::{FillRule, Region};

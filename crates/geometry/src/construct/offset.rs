@@ -11,12 +11,12 @@ const MOST: usize = 600;
 
 /// The surface at a distance from another along its normals, over the same domain: exact for planes and for lines and
 /// arcs turned about an axis, elsewhere a bicubic through so many of its points that half-way between them it is
-/// within the tolerance. Where the distance is above a radius of curvature the result folds over, which is not looked
-/// for.
+/// within the tolerance. A distance of a radius of curvature or more, at which the result would fold over, is refused
+/// where one of those points shows it.
 ///
 /// # Errors
-/// A distance that is not finite, a surface with kinks or without normals, an offset that shrinks to a point, or one
-/// that cannot be followed within the tolerance.
+/// A distance that is not finite, a surface with kinks or without normals, an offset that folds over, shrinks to a
+/// point or passes the axis it is turned about, or one that cannot be followed within the tolerance.
 pub fn offset_surface(surface: &Surface, distance: f64, tolerance: &Tolerance) -> Result<Surface> {
     let limit = tolerance.positive_distance()?;
     if !distance.is_finite() {
@@ -49,8 +49,7 @@ pub fn offset_brep(brep: &Brep, distance: f64, trimmed: bool, tolerance: &Tolera
         let whole = brep.sub_brep(&[place])?.as_surface().is_some();
         let smooth = Brep::from_kinked_surface(surface, tolerance)?;
         if trimmed && !whole {
-            let moved = offset_surface(surface, distance, tolerance)?;
-            faces.extend(brep.copied_trims(place, &moved, tolerance)?.into_iter().map(turn));
+            faces.extend(trimmed_offset(brep, place, distance, tolerance)?.into_iter().map(turn));
             continue;
         }
         for part in 0..smooth.faces().len() {
@@ -59,6 +58,15 @@ pub fn offset_brep(brep: &Brep, distance: f64, trimmed: bool, tolerance: &Tolera
         }
     }
     if faces.len() == 1 { Ok(faces) } else { Ok(Brep::join(&faces, tolerance)?.breps) }
+}
+
+/// A trimmed face at a distance. Where the surface folds over beyond the trims, only the part inside them is taken.
+fn trimmed_offset(brep: &Brep, face: usize, distance: f64, tolerance: &Tolerance) -> Result<Vec<Brep>> {
+    let of = |brep: &Brep, face: usize| {
+        let surface = brep.face_surface(face).ok_or(Error::degenerate("brep", "a face has no surface"))?;
+        brep.copied_trims(face, &offset_surface(surface, distance, tolerance)?, tolerance)
+    };
+    of(brep, face).or_else(|error| of(&brep.shrunk_face(face, tolerance)?, 0).map_err(|_| error))
 }
 
 /// The surface whose control points are those of another, each moved along the normal at its Greville parameters: as
@@ -135,7 +143,12 @@ fn turned_offset(surface: &Surface, turned: &RevolutionSurface, distance: f64) -
             }
             let mut moved = *arc;
             moved.arc.circle.radius = radius;
-            moved.into()
+            let moved: Curve = moved.into();
+            let least = |curve: &Curve| curve.extent_along(here).start - axis.from.to_vector().dot(here);
+            if least(&moved) < least(profile).min(0.0) - 1e-9 * radius {
+                return Err(Error::degenerate("offset", "it would pass its axis"));
+            }
+            moved
         }
         _ => return Ok(None),
     };
@@ -160,6 +173,23 @@ fn normal(surface: &Surface, u: f64, v: f64) -> Result<Vector3> {
     surface.normal_at(nearer(u, du.middle()), nearer(v, dv.middle())).ok_or(none)
 }
 
+/// Refuses a distance at which a surface folds over: one not below a radius of curvature on its side. Points without
+/// normals are passed over.
+fn check_folds(surface: &Surface, distance: f64, us: &[f64], vs: &[f64]) -> Result<()> {
+    for &u in us {
+        for &v in vs {
+            let Ok(bend) = surface.curvature_at(u, v) else { continue };
+            if bend.principal.iter().any(|k| distance * k >= 1.0) {
+                return Err(Error::degenerate(
+                    "offset",
+                    "it folds over: the distance is not below a radius of curvature",
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
 fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
     let spans = Direction::BOTH.map(|d| surface.span_parameters(d));
     let at =
@@ -172,6 +202,7 @@ fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
         inner.chain(spans.last().copied()).collect()
     };
     let mut parts = spans.each_ref().map(|s| if s.len() > 4 { 2 } else { 4 });
+    check_folds(surface, distance, &places(&spans[0], 8), &places(&spans[1], 8))?;
     loop {
         let [us, vs] = [0, 1].map(|k: usize| places(&spans[k], parts[k]));
         if us.len() > MOST || vs.len() > MOST {
@@ -200,6 +231,7 @@ fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
         let (hu, hv) = (halves(&us), halves(&vs));
         let missed = [miss(&hu, &vs)?, miss(&us, &hv)?];
         if missed.iter().sum::<f64>() <= 0.5 * limit {
+            check_folds(surface, distance, &us, &vs)?;
             return Ok(made.into());
         }
         let worse = missed[0].max(missed[1]);
@@ -269,6 +301,25 @@ mod tests {
         assert!((side - 0.2).abs() < 1e-4);
         let loose = offset_surface_loosely(&surface, 0.2).unwrap();
         assert_eq!(loose.counts(), [5, 5]);
+    }
+
+    /// A parabolic trough of curvature 2 a at its bottom folds over from a distance of 1 / (2 a) inwards.
+    #[test]
+    fn folds_are_refused() {
+        let a = 0.5;
+        // x from −2 to 2 and z = a x² as a quadratic Bézier.
+        let points = [(-2.0, 4.0 * a), (0.0, -4.0 * a), (2.0, 4.0 * a)].map(|(x, z)| Point3::new(x, 0.0, z));
+        let profile = crate::NurbsCurve::bezier(&points).unwrap();
+        let trough: Surface = SumSurface::extrusion(profile.into(), Vector3::Y).unwrap().into();
+        let inward = trough.normal_at(trough.domain(Direction::U).middle(), 0.5).unwrap().z.signum();
+        let offset = |d: f64| offset_surface(&trough, d * inward, &tolerance());
+        assert!(offset(0.9).is_ok() && offset(-3.0).is_ok());
+        assert!(offset(1.1).is_err_and(|e| e.to_string().contains("folds over")));
+        // A torus grown beyond its own hole.
+        let ring: Surface = Torus::new(Plane::XY, 2.0, 1.0).unwrap().into();
+        let out = ring.normal_at(0.0, 0.0).unwrap().x.signum();
+        assert!(offset_surface(&ring, 0.9 * out, &tolerance()).is_ok());
+        assert!(offset_surface(&ring, 1.1 * out, &tolerance()).is_err());
     }
 
     #[test]

@@ -46,7 +46,7 @@ impl SubD {
 
 /// What a vertex does, once edges whose sharpness is used up no longer count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Smooth,
     Dart,
     Crease,
@@ -54,10 +54,10 @@ enum Kind {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Edge {
-    ends: [usize; 2],
+pub(super) struct Edge {
+    pub(super) ends: [usize; 2],
     /// The faces on both sides; nothing for a crease.
-    faces: Option<[usize; 2]>,
+    pub(super) faces: Option<[usize; 2]>,
     sharpness: [f64; 2],
     /// The weight of the opposite end, at each end.
     weights: [f64; 2],
@@ -65,17 +65,17 @@ struct Edge {
 
 /// A face by its corners; side i joins corner i and the next.
 #[derive(Debug, Clone)]
-struct Face {
-    corners: Vec<usize>,
-    sides: Vec<usize>,
+pub(super) struct Face {
+    pub(super) corners: Vec<usize>,
+    pub(super) sides: Vec<usize>,
 }
 
 /// A control net as far as subdivision needs it.
 pub(super) struct Cage {
-    points: Vec<Vector3>,
-    kinds: Vec<Kind>,
-    edges: Vec<Edge>,
-    faces: Vec<Face>,
+    pub(super) points: Vec<Vector3>,
+    pub(super) kinds: Vec<Kind>,
+    pub(super) edges: Vec<Edge>,
+    pub(super) faces: Vec<Face>,
 }
 
 impl Cage {

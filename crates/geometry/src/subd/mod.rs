@@ -7,6 +7,8 @@ mod edge;
 mod face;
 mod limit;
 mod net;
+mod patches;
+mod pipe;
 mod trace;
 mod vertex;
 
@@ -17,6 +19,7 @@ pub use cage::FromMesh;
 pub use edge::{SubDEdge, SubDEdgeTag};
 pub use face::SubDFace;
 pub use net::SubDNet;
+pub use pipe::{MultiPipe, MultiPipeCap, MultiPipeNetwork};
 pub use vertex::{SubDVertex, SubDVertexTag};
 
 use crate::{Error, Result};

@@ -5,13 +5,24 @@ use katydid_geometry::{
     PolylineCurve, Result, Vector3,
 };
 
-/// The generator splitmix64 (S. Vigna).
-pub struct Random(pub u64);
+/// The generator splitmix64 (S. Vigna), and how large what it makes is.
+pub struct Random {
+    state: u64,
+    /// What lengths are multiplied by.
+    pub scale: f64,
+}
 
 impl Random {
+    /// That of a seed. Every eighth makes things of a size from 1e-6 to 1e6, the others of a few units.
+    pub fn of(seed: u64) -> Self {
+        let power = (seed / 8 % 13) as i32 - 6;
+        let scale = if seed % 8 == 7 { 10.0_f64.powi(power) } else { 1.0 };
+        Self { state: seed, scale }
+    }
+
     pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
@@ -30,25 +41,32 @@ impl Random {
         a + (b - a) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
+    /// A direction, of any length up to √3.
+    pub fn way(&mut self) -> Vector3 {
+        Vector3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0))
+    }
+
     pub fn vector(&mut self, size: f64) -> Vector3 {
-        Vector3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
+        self.way() * (size * self.scale)
     }
 
     /// A point, now and then on a grid so that coincidences happen.
     pub fn point(&mut self, size: f64) -> Point3 {
-        let p = self.vector(size).to_point();
-        if self.one_in(4) { Point3::new(p.x.round(), p.y.round(), p.z.round()) } else { p }
+        let p = self.way() * size;
+        let p = if self.one_in(4) { Vector3::new(p.x.round(), p.y.round(), p.z.round()) } else { p };
+        (p * self.scale).to_point()
     }
 
     pub fn plane(&mut self, size: f64) -> Plane {
         if self.one_in(3) {
             return Plane::XY;
         }
-        let (origin, x, y) = (self.point(size), self.vector(1.0), self.vector(1.0));
+        let (origin, x, y) = (self.point(size), self.way(), self.way());
         Plane::from_axes(origin, x, y).unwrap_or(Plane::XY)
     }
 
     pub fn range(&mut self, size: f64) -> Interval {
+        let size = size * self.scale;
         let (a, b) = (self.between(-size, size), self.between(-size, size));
         if self.one_in(20) { Interval::new(a, a) } else { Interval::new(a.min(b), a.max(b)) }
     }
@@ -62,18 +80,18 @@ impl Random {
             3 => f64::NAN,
             4 => f64::INFINITY,
             5 => 1e4,
-            _ => self.between(0.1, 5.0),
+            _ => self.between(0.1, 5.0) * self.scale,
         }
     }
 }
 
 /// A closed planar curve.
 pub fn closed(random: &mut Random, plane: &Plane) -> Result<Curve> {
-    let r = random.between(0.2, 4.0);
-    let at = |x: f64, y: f64| plane.at(x, y, 0.0);
+    let (r, scale) = (random.between(0.2, 4.0), random.scale);
+    let at = |x: f64, y: f64| plane.at(x * scale, y * scale, 0.0);
     Ok(match random.below(6) {
-        0 => Circle::new(*plane, r)?.into(),
-        1 => Ellipse { plane: *plane, rx: r, ry: 0.3 * r + 0.1 }.to_nurbs()?.into(),
+        0 => Circle::new(*plane, r * scale)?.into(),
+        1 => Ellipse { plane: *plane, rx: r * scale, ry: (0.3 * r + 0.1) * scale }.to_nurbs()?.into(),
         2 => {
             let mut corners = vec![at(-r, -1.0), at(r, -1.0), at(r, 1.0), at(-r, 1.0)];
             corners.push(corners[0]);
@@ -131,9 +149,9 @@ pub fn open(random: &mut Random) -> Result<Curve> {
         4 => {
             // A gentle wave, as designers draw them.
             let count = 4 + random.below(6);
-            let step = random.between(0.5, 2.0);
+            let (step, scale) = (random.between(0.5, 2.0), random.scale);
             let points: Vec<Point3> = (0..count)
-                .map(|k| Point3::new(step * k as f64, random.between(-1.0, 1.0), random.between(-1.0, 1.0)))
+                .map(|k| (Vector3::X * (step * scale * k as f64) + random.vector(1.0)).to_point())
                 .collect();
             NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, None, None)?.into()
         }
@@ -160,22 +178,42 @@ pub fn open(random: &mut Random) -> Result<Curve> {
 
 /// Any curve, now and then a degenerate one.
 pub fn curve(random: &mut Random) -> Result<Curve> {
-    if random.one_in(16) {
-        let p = random.point(5.0);
-        return Ok(match random.below(4) {
-            0 => Line::new(p, p).into(),
-            1 => PolylineCurve::new(vec![p, p, p])?.into(),
-            2 => NurbsCurve::new(2, vec![p; 3], vec![0.0, 0.0, 1.0, 1.0])?.into(),
-            _ => {
-                // There and back again.
-                let q = random.point(5.0);
-                PolylineCurve::new(vec![p, q, p])?.into()
-            }
-        });
+    if random.one_in(10) {
+        return degenerate(random);
     }
     if random.one_in(3) {
         let plane = random.plane(5.0);
         return closed(random, &plane);
     }
     open(random)
+}
+
+/// A curve of no length, on a line, that runs back over itself, touches itself, or has parts far too short.
+pub fn degenerate(random: &mut Random) -> Result<Curve> {
+    let (p, q, r) = (random.point(5.0), random.point(5.0), random.point(5.0));
+    let near = p + random.way() * 1e-7;
+    let polyline = |corners: Vec<Point3>| -> Result<Curve> { Ok(PolylineCurve::new(corners)?.into()) };
+    Ok(match random.below(14) {
+        0 => Line::new(p, p).into(),
+        1 => polyline(vec![p, p, p])?,
+        2 => NurbsCurve::new(2, vec![p; 3], vec![0.0, 0.0, 1.0, 1.0])?.into(),
+        // There and back again.
+        3 => polyline(vec![p, q, p])?,
+        4 => polyline(vec![p, p.lerp(q, 0.5), q])?,
+        5 => polyline(vec![p, q, p.lerp(q, 0.3), r])?,
+        6 => polyline(vec![p, near, q, r])?,
+        // A corner touches the middle of another side.
+        7 => polyline(vec![p, q, r, p.lerp(q, 0.5), p])?,
+        // A figure of eight.
+        8 => polyline(vec![p, q, p.lerp(q, 0.5) + (r - p), q + (r - p), p])?,
+        9 => NurbsCurve::clamped_uniform(3, &[p, p, p, q, r])?.into(),
+        10 => NurbsCurve::clamped_uniform(3, &[p, p.lerp(q, 0.3), p.lerp(q, 0.6), q])?.into(),
+        11 => NurbsCurve::with_weights(2, &[p, q, r], &[1.0, 1e-6, 1.0], vec![0.0, 0.0, 1.0, 1.0])?.into(),
+        // A kink and a stretch without length inside one curve.
+        12 => {
+            let knots = vec![0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0];
+            NurbsCurve::new(2, vec![p, p.lerp(q, 0.5), q, q, q, r, p], knots)?.into()
+        }
+        _ => NurbsCurve::periodic_uniform(3, &[p, q, r, p.lerp(r, 0.2)])?.into(),
+    })
 }

@@ -1,0 +1,156 @@
+//! Breps with one rule of validity broken at a time: the checks name the reason, and nothing that takes breps panics,
+//! hangs or gives numbers that are none.
+//!
+//! `KATYDID_CASES=10000 cargo test --release -p katydid-geometry --test broken_breps` breaks each shape so often at random.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
+
+mod broken;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use broken::{Dice, break_at_random, cuboid, impossible, shapes, ways};
+use katydid_geometry::MeshSettings;
+use katydid_geometry::brep::{Brep, BrepSections, ClosestOnBrep, Solidity};
+use katydid_geometry::{Curve, Direction, Line, Plane, Point3, Tolerance, Vector3, Xform, construct};
+
+#[test]
+fn every_broken_rule_is_named() {
+    assert_eq!(cuboid().faults(), []);
+    for way in ways() {
+        let mut parts = cuboid().into_parts();
+        (way.change)(&mut parts);
+        // Lists that are emptied leave names of what is gone: that is refused at once.
+        match Brep::from_parts(parts) {
+            Ok(brep) => {
+                let faults = brep.faults();
+                let named = faults.iter().any(|f| f.part == way.part && f.why.contains(way.why));
+                assert!(named, "{}: '{}' is not among {faults:?}", way.part, way.why);
+                assert!(!brep.is_valid());
+            }
+            Err(_) => assert_eq!(way.part, "brep", "{}", way.why),
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    for (name, change) in impossible() {
+        let mut parts = cuboid().into_parts();
+        change(&mut parts);
+        assert!(Brep::from_parts(parts).is_err(), "{name}");
+    }
+}
+
+/// An edge may have three faces, and a face may look the wrong way: that is sound, but no solid.
+#[test]
+fn sound_breps_that_are_no_solids() {
+    let solid = cuboid();
+    assert!(solid.is_solid());
+    let mut parts = solid.clone().into_parts();
+    parts.faces[0].reversed ^= true;
+    let turned = Brep::from_parts(parts).unwrap();
+    assert!(turned.is_valid() && turned.solid_orientation() == Solidity::Unknown);
+    let tolerance = Tolerance::default();
+    let fin = Curve::from(Line::new(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0)));
+    let fin = construct::extrude(&fin, Vector3::new(0.0, -2.0, -2.0), false, &tolerance).unwrap();
+    for joined in Brep::join(&[solid, fin], &tolerance).unwrap().breps {
+        assert!(joined.is_valid());
+    }
+}
+
+/// Everything that takes a brep; a result or an error, but no panic.
+fn try_everything(brep: &Brep) {
+    let tolerance = Tolerance::default();
+    let _ = brep.faults();
+    let _ = (brep.is_solid(), brep.is_manifold(), brep.as_surface(), brep.solid_orientation());
+    let begun = Instant::now();
+    let go_on = || begun.elapsed() < Duration::from_secs(2);
+    for properties in [brep.area_properties(1e-2, go_on), brep.volume_properties(1e-2, go_on)] {
+        assert!(properties.is_err() || properties.is_ok_and(|p| p.amount.is_finite()));
+    }
+    let plane = Plane::XY.offset(0.5);
+    if let Ok(sections) = BrepSections::new(Arc::new(brep.clone()), &tolerance) {
+        for plane in [plane, Plane::YZ, Plane::XY] {
+            let _ = sections.cut(&plane);
+        }
+    }
+    let beam: Curve = Line::new(Point3::new(0.5, 0.4, -9.0), Point3::new(0.6, 0.5, 9.0)).into();
+    if let Ok(search) = ClosestOnBrep::new(Arc::new(brep.clone())) {
+        let _ = search.curve_crossings(&beam, 1e-3);
+        let _ =
+            (search.nearest(Point3::new(1.0, 1.0, 9.0)), search.contains(Point3::new(0.5, 0.5, 0.5), 1e-3));
+    }
+    let _ = (brep.naked_loops(), brep.bounds_of_faces(), brep.bounding_box_in(&Plane::XY));
+    let results = [
+        brep.transformed(&Xform::scale(Point3::ORIGIN, 2.0)),
+        brep.with_coplanar_faces_merged(&tolerance),
+        brep.capped(&tolerance).map(|c| c.0),
+        construct::extrude_brep(brep, Vector3::Z, &tolerance),
+        Ok(brep.clone().flipped()),
+        Ok(brep.clone().turned_outward()),
+        Ok(Brep::merged(&[brep.clone(), brep.clone()])),
+    ];
+    drop(results);
+    let _ = Brep::join(&[brep.clone(), cuboid()], &tolerance);
+    let _ = construct::offset_brep(brep, 0.1, true, &tolerance);
+    let _ = (brep.exploded(), brep.connected_components());
+    for face in 0..brep.faces().len().min(3) {
+        let _ = (brep.face_region(face, &tolerance), brep.face_wires(face, 1));
+        let _ = (brep.untrimmed_face(face), brep.shrunk_face(face, &tolerance));
+        let _ = brep.face_split_at(face, [&[0.5], &[0.5]], &tolerance);
+        let _ = brep.face_isocurves(face, Direction::U, 0.5);
+    }
+    for edge in 0..brep.edges().len() {
+        let _ = (brep.edge_as_curve(edge), brep.edge_deviation(edge), brep.edge_point(edge, 0.5));
+    }
+}
+
+fn mesh(brep: &Brep) {
+    let coarse = MeshSettings { max_distance: 0.1, max_count: 2_000, ..MeshSettings::default() };
+    if let Ok(mesh) = brep.mesh(&coarse) {
+        assert!(mesh.points().iter().all(|p| p.is_finite()));
+        let _ = (mesh.to_mesh(), mesh.welded());
+    }
+}
+
+fn survives(name: &str, brep: &Brep) {
+    let begun = Instant::now();
+    let done = catch_unwind(AssertUnwindSafe(|| try_everything(brep)));
+    assert!(done.is_ok(), "{name} makes something panic");
+    assert!(begun.elapsed().as_secs() < 60, "{name} takes {:?}", begun.elapsed());
+}
+
+#[test]
+fn nothing_panics_on_broken_breps() {
+    for (k, way) in ways().into_iter().enumerate() {
+        for (name, brep) in shapes() {
+            let mut parts = brep.into_parts();
+            // A way that a shape has no place for is passed over.
+            let changed = catch_unwind(AssertUnwindSafe(|| (way.change)(&mut parts)));
+            let Ok(brep) = Brep::from_parts(parts) else { continue };
+            if changed.is_ok() {
+                let done = catch_unwind(AssertUnwindSafe(|| mesh(&brep)));
+                assert!(done.is_ok(), "{name} with way {k} makes the mesher panic");
+                survives(&format!("{name} with way {k} ({}: {})", way.part, way.why), &brep);
+            }
+        }
+    }
+}
+
+/// Without meshing, which takes minutes where trims are moved far away at random.
+#[test]
+fn nothing_panics_on_breps_broken_at_random() {
+    let cases: u64 = std::env::var("KATYDID_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(20);
+    for (name, brep) in shapes() {
+        for seed in 0..cases {
+            let mut parts = brep.clone().into_parts();
+            break_at_random(&mut parts, &mut Dice(seed));
+            if let Ok(brep) = Brep::from_parts(parts) {
+                survives(&format!("{name} broken by seed {seed}"), &brep);
+            }
+        }
+    }
+}
