@@ -47,7 +47,8 @@ fn values() -> impl Strategy<Value = Vec<Json>> {
                 given.into_iter().filter_map(|(name, data)| Some(value(name, "{0}", &data?))).collect();
             // It stands for the tolerance: see `request`.
             values.extend(
-                tolerance.map(|t| json!({ "ParamName": "tolerance", "InnerTree": { t.to_string(): [] } })),
+                tolerance
+                    .map(|t: i32| json!({ "ParamName": "tolerance", "InnerTree": { t.to_string(): [] } })),
             );
             values
         })
@@ -129,6 +130,7 @@ fn runnable() -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn real_definitions_give_what_solving_them_by_hand_gives() {
+    katydid_components::link();
     let files = runnable();
     let (mut with_inputs, mut set) = (0, 0);
     for (name, bytes) in &files {
