@@ -216,7 +216,7 @@ fn endless() -> Document {
     let count = maker.get("Get Integer", "n");
     let series = maker.named("Series", "S");
     maker.wire(count, 0, series, 2);
-    let cross = maker.named("Expression", "E");
+    let cross = maker.named("Negative", "Neg");
     maker.wire(series, 0, cross, 0);
     maker.out("RH_OUT:s", cross);
     let quick = maker.named("Pi", "Pi");
