@@ -131,7 +131,7 @@ fn a_definition_is_described() {
         })
     };
     let expected = json!({
-        "Description": "", "CacheKey": "md5_922DBA670C19CC935C3C9EB28D81A405",
+        "Description": "smoke definition mini_sum", "CacheKey": "md5_922DBA670C19CC935C3C9EB28D81A405",
         "InputNames": ["A", "B"], "OutputNames": ["RH_OUT:sum"], "Icon": null,
         "Inputs": [input("A", "2.0"), input("B", "3.0")],
         "Outputs": [{"Name": "RH_OUT:sum", "Nickname": null, "ParamType": "Number"}],

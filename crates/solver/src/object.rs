@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
 use katydid_data::{Column, Kind, Path, Tree};
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::{Document, Object, Special};
 
 use crate::report::{ObjectReport, Status};
 use crate::{Options, cluster, collect, modifiers};
@@ -66,11 +66,18 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
     report
 }
 
-/// The report of an object without inputs, a slider say, that gives what was brought in place of what it keeps.
+/// The report of an object that hands nothing on, a slider say: it gives what was brought in place of what it keeps.
 fn brought(turn: &Turn<'_>, index: usize, object: &Object) -> Option<ObjectReport> {
     let tree = turn.brought.get(&(index, 0))?;
     let component = registry::by_guid(object.component);
-    if component.is_some_and(|component| !component.inputs.is_empty()) {
+    let hands_on = match object.special() {
+        // A slider, toggle or list gives what it keeps, whatever comes over a wire.
+        None | Some(Special::Contextual(_) | Special::Panel(_)) => {
+            component.is_some_and(|component| !component.inputs.is_empty())
+        }
+        Some(_) => false,
+    };
+    if hands_on {
         return None;
     }
     let mut messages = Vec::new();
