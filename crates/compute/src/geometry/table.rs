@@ -85,6 +85,7 @@ impl Endpoints {
         super::mass::enter(&mut table);
         super::mesh::enter(&mut table);
         super::mesh_make::enter(&mut table);
+        super::mesh_round::enter(&mut table);
         super::nurbs_curve::enter(&mut table);
         super::nurbs_surface::enter(&mut table);
         super::subd::enter(&mut table);
