@@ -136,10 +136,9 @@ fn divisions() {
         ask("curve/dividebylength-curve_double_bool", json!([line(), 8, true])),
         json!([0.0, 8.0, 16.0])
     );
-    assert_eq!(
-        ask("curve/dividebylength-curve_double_bool_bool", json!([line(), 8, true, true])),
-        json!([20.0, 12.0, 4.0])
-    );
+    let back = ask("curve/dividebylength-curve_double_bool_bool", json!([line(), 8, true, true]));
+    [20.0, 12.0, 4.0].iter().enumerate().for_each(|(i, t)| near(&back[i], *t));
+    assert_eq!(back.as_array().unwrap().len(), 3);
     assert_eq!(ask("curve/dividebylength-curve_double_bool", json!([line(), 80, true])), Json::Null);
     assert_eq!(ask("curve/divideequidistant-curve_double", json!([line(), 10])).as_array().unwrap().len(), 3);
     let contour =
