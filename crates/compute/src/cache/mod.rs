@@ -1,0 +1,1 @@
+//! Definitions kept for the next request, within a bound of memory.
