@@ -15,7 +15,7 @@ use katydid_component::Cancel;
 use tokio::sync::oneshot;
 
 use crate::lock::held;
-pub(crate) use queue::{Client, Places};
+pub(crate) use queue::{Client, Places, SLICE};
 use queue::{Queue, Ticket};
 
 /// So many threads may have been given up at a time; beyond that their places stay taken.
@@ -138,7 +138,8 @@ impl Pool {
             let _ = tell_begun.send(());
             stepped(work(), tell)
         });
-        let ticket = held(&self.shared.queue).queue.put(client, |_| work as Work).map_err(|_| Undone::Full)?;
+        let ticket =
+            held(&self.shared.queue).queue.put(client, |_| work as Work).map_err(|_| Undone::Full)?;
         self.shared.wake.notify_one();
         let mut waiting =
             Waiting { shared: Arc::downgrade(&self.shared), client, ticket, cancel, is_over: false };
@@ -277,8 +278,7 @@ impl Shared {
             0 => WHILE,
             _ => inner.queue.next_slow(now).unwrap_or(WHILE).min(WHILE),
         };
-        let (mut inner, _) =
-            self.wake.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
+        let (mut inner, _) = self.wake.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
         inner.queue.take(Instant::now())
     }
 }
