@@ -21,6 +21,7 @@ mod fault;
 pub mod reply;
 pub mod request;
 pub mod solve;
+pub mod wire;
 
 pub use compute::{Compute, Located, Settings};
 pub use definition::{Definition, Description};

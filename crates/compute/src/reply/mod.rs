@@ -1,6 +1,14 @@
 //! The JSON that goes back.
 
+mod messages;
+mod tree;
+
 use serde::Serialize;
+
+use crate::request::DATA_VERSION;
+
+pub(crate) use messages::Messages;
+pub use tree::{OutputItem, OutputTree};
 
 /// What `POST /grasshopper` replies, in the order and with the names that its clients know.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -15,6 +23,8 @@ pub struct Reply {
     pub pointer: String,
     /// Whether the reply may be kept.
     pub cachesolve: bool,
+    /// The data of every output, in the order of the document.
+    pub values: Vec<OutputTree>,
     /// What components warned of.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
@@ -27,10 +37,11 @@ impl Default for Reply {
     fn default() -> Self {
         Self {
             modelunits: "Millimeters",
-            dataversion: 7,
+            dataversion: DATA_VERSION,
             algo: "",
             pointer: String::new(),
             cachesolve: false,
+            values: Vec::new(),
             warnings: Vec::new(),
             errors: Vec::new(),
         }
