@@ -18,6 +18,7 @@ pub mod cache;
 mod compute;
 pub mod definition;
 mod fault;
+pub mod geometry;
 pub mod reply;
 pub mod request;
 pub mod solve;

@@ -201,7 +201,7 @@ fn geometry_goes_there_and_back() {
     there_and_back(Curve::from(circle.to_nurbs().unwrap()));
     there_and_back(Curve::from(Line::new(Point3::ORIGIN, Point3::new(1.0, 2.0, 3.0))));
     let sphere = Sphere::around(Point3::ORIGIN, 5.0).unwrap();
-    there_and_back(Surface::from(sphere.to_revolution().unwrap()));
+    there_and_back(Surface::from(sphere.to_revolution()));
     there_and_back(construct::sphere(&sphere).unwrap());
     let cube = Box3::from(BoundingBox { min: Point3::ORIGIN, max: Point3::new(1.0, 2.0, 3.0) });
     there_and_back(construct::box_brep(&cube).unwrap());
@@ -245,7 +245,7 @@ fn values_have_the_names_of_their_types() {
     assert_eq!(name(circle.into()).unwrap().0, "Rhino.Geometry.Circle");
     assert_eq!(name(Curve::from(circle).into()).unwrap().0, "Rhino.Geometry.ArcCurve");
     let sphere = Sphere::around(Point3::ORIGIN, 5.0).unwrap();
-    assert_eq!(name(Surface::from(sphere.to_revolution().unwrap()).into()).unwrap().0, "Rhino.Geometry.Brep");
+    assert_eq!(name(Surface::from(sphere.to_revolution()).into()).unwrap().0, "Rhino.Geometry.Brep");
     assert_eq!(encode(&Value::Path([0, 1].into()), 70), None);
 }
 

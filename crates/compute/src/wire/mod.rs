@@ -15,7 +15,9 @@ mod structs;
 mod values;
 
 pub use geometry::{GeometryBase, Subdivision};
+pub(crate) use numbers::number;
 pub use object::{decode_object, encode_object};
+pub(crate) use read::unwrapped;
 pub use read::{Members, Read};
 pub use settings::MeshingParameters;
 pub use structs::Ray;
