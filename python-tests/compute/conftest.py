@@ -44,9 +44,9 @@ def url():
 def node(tmp_path_factory):
     """A folder outside of the repository with the clients from npm; none of it stays."""
     folder = tmp_path_factory.mktemp("npm")
-    packages = ["compute-rhino3d@0.12.1", "rhino3dm@8.35.0", "compute-rhino3d.appserver@0.1.12"]
+    packages = ["compute-rhino3d@0.12.1", "rhino3dm@8.35.0"]
     installed = subprocess.run(
-        ["npm", "install", "--no-audit", "--no-fund", "--prefix", folder, *packages[:2]], capture_output=True, text=True
+        ["npm", "install", "--no-audit", "--no-fund", "--prefix", folder, *packages], capture_output=True, text=True
     )
     assert installed.returncode == 0, installed.stderr
     return folder / "node_modules"

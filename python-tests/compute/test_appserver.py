@@ -1,36 +1,85 @@
-"""appserver, as web teams run it, with the server behind it."""
+"""appserver, which web teams put before a compute server: it has the definitions, and names its own address as pointer.
 
+It is not in npm's registry. With APPSERVER naming a checkout (`npm install` done), the real one is run; what it sends, as it
+was recorded, is sent in either case.
+"""
+
+import hashlib
+import json
 import os
 import shutil
 import socket
 import subprocess
+import threading
 import time
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 
 import pytest
 import requests
 from conftest import serving
 
+KEY = {"RhinoComputeKey": "my-key"}
+NAMES = ["mini_sum.gh", "mini_groups.gh"]
 
-def free_port():
+
+@pytest.fixture
+def host(tools):
+    """Serves definitions by the MD5 of their files, as appserver does."""
+    files = {}
+    for name in NAMES:
+        data = (tools / "fixtures" / "defs" / name).read_bytes()
+        files["/definition/" + hashlib.md5(data).hexdigest()] = data
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self):
+            data = files.get(self.path)
+            self.send_response(200 if data else 404)
+            self.send_header("Content-Length", str(len(data or b"")))
+            self.end_headers()
+            self.wfile.write(data or b"")
+
+        def log_message(self, *_):
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"127.0.0.1:{server.server_port}", list(files)
+    server.shutdown()
+
+
+def test_what_it_sends(host, tools):
+    own, paths = host
+    recorded = json.loads((tools / "fixtures" / "appserver_0.1.12_requests.json").read_text())
+    with serving("--allow-url", own, "--key", "my-key") as (url, _):
+        for path in paths:
+            pointer = f"http://{own}{path}"
+            for one in recorded:
+                body = json.loads(one["body"]) if one["body"] else None
+                if body and "pointer" in body:
+                    body["pointer"] = pointer
+                got = requests.request(one["method"], url + one["path"], json=body, headers=KEY, timeout=60)
+                assert got.status_code == 200, f"{one['path']}: {got.text}"
+                if one["path"] == "/io":
+                    assert got.json()["Inputs"] and got.json()["Outputs"]
+                if one["path"] == "/grasshopper":
+                    assert got.json()["values"]
+    with serving("--key", "my-key") as (url, _):
+        got = requests.post(f"{url}/io", json={"pointer": f"http://{own}{paths[0]}"}, headers=KEY, timeout=60)
+        assert got.status_code == 403 and got.json()["cause"] == "refused"
+
+
+@pytest.mark.skipif("APPSERVER" not in os.environ, reason="APPSERVER names no checkout of appserver")
+def test_the_real_one(tools):
+    home = Path(os.environ["APPSERVER"])
+    for name in NAMES:
+        shutil.copy(tools / "fixtures" / "defs" / name, home / "src" / "files" / name)
     with socket.socket() as one:
         one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
-
-
-@pytest.fixture(scope="module")
-def appserver(tmp_path_factory, tools):
-    folder = tmp_path_factory.mktemp("appserver")
-    package = os.environ.get("APPSERVER_PACKAGE", "compute-rhino3d-appserver@0.1.12")
-    packed = subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--prefix", folder, package], capture_output=True, text=True)
-    if packed.returncode != 0:
-        pytest.skip(f"appserver cannot be had: {packed.stderr[-300:]}")
-    home = next(path.parent for path in folder.glob("node_modules/*/package.json") if "appserver" in path.parent.name)
-    for name in ["mini_sum.gh", "mini_groups.gh"]:
-        shutil.copy(tools / "fixtures" / "defs" / name, home / "src" / "files" / name)
-    port = free_port()
+        port = one.getsockname()[1]
     with serving("--allow-url", f"127.0.0.1:{port}", "--allow-url", f"localhost:{port}") as (url, _):
         env = {**os.environ, "RHINO_COMPUTE_URL": url + "/", "PORT": str(port), "APP_URL": f"http://127.0.0.1:{port}/"}
-        process = subprocess.Popen(["node", "src/bin/www"], cwd=home, env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(["node", "src/bin/www"], cwd=home, env=env, stdout=subprocess.DEVNULL)
         try:
             own = f"http://127.0.0.1:{port}"
             for _ in range(100):
@@ -39,20 +88,15 @@ def appserver(tmp_path_factory, tools):
                     break
                 except requests.ConnectionError:
                     time.sleep(0.2)
-            yield own
+            described = requests.get(f"{own}/mini_sum.gh", headers={"Accept": "application/json"}, timeout=60)
+            assert {"A", "B"} <= {one["name"] for one in described.json()["inputs"]}
+            solved = requests.post(
+                f"{own}/solve", json={"definition": "mini_sum.gh", "inputs": {"A": 4, "B": 5}}, timeout=60
+            )
+            assert solved.status_code == 200, solved.text
+            data = next(iter(solved.json()["values"][0]["InnerTree"].values()))[0]["data"]
+            assert float(data) == 9
+            assert requests.get(f"{own}/solve/mini_sum.gh?A=4&B=6", timeout=60).status_code == 200
         finally:
             process.terminate()
             process.wait(timeout=20)
-
-
-def test_definitions_are_described_and_solved(appserver):
-    described = requests.get(f"{appserver}/mini_sum.gh", headers={"Accept": "application/json"}, timeout=60)
-    assert described.status_code == 200, described.text
-    names = [one["name"] for one in described.json()["inputs"]]
-    assert "A" in names and "B" in names
-    solved = requests.post(f"{appserver}/solve", json={"definition": "mini_sum.gh", "inputs": {"A": 4, "B": 5}}, timeout=60)
-    assert solved.status_code == 200, solved.text
-    data = next(iter(solved.json()["values"][0]["InnerTree"].values()))[0]["data"]
-    assert float(data) == 9
-    by_address = requests.get(f"{appserver}/solve/mini_sum.gh?A=4&B=6", timeout=60)
-    assert by_address.status_code == 200, by_address.text

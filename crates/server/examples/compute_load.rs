@@ -77,7 +77,8 @@ fn is_right(body: &[u8], expected: &[Vec<f64>]) -> bool {
 
 /// A number for each turn, the same in each run (the constants are Knuth's, for a congruential generator).
 fn case_of(turn: usize, count: usize) -> usize {
-    let mixed = (turn as u64 + 1).wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    let mixed =
+        (turn as u64 + 1).wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (mixed >> 33) as usize % count
 }
 
@@ -92,8 +93,10 @@ fn main() -> Outcome<()> {
         .iter()
         .map(|case| {
             let body = case["body"].as_str().unwrap_or_default();
-            let head =
-                format!("POST /grasshopper HTTP/1.1\r\nHost: {host}\r\nContent-Length: {}\r\n\r\n", body.len());
+            let head = format!(
+                "POST /grasshopper HTTP/1.1\r\nHost: {host}\r\nContent-Length: {}\r\n\r\n",
+                body.len()
+            );
             let expected = serde_json::from_value(case["expected"].clone()).unwrap_or_default();
             Case { request: [head.as_bytes(), body.as_bytes()].concat(), expected }
         })
@@ -119,7 +122,10 @@ fn main() -> Outcome<()> {
                 })
             })
             .collect();
-        threads.into_iter().map(|thread| thread.join().unwrap_or_else(|_| Err("a client failed".into()))).collect()
+        threads
+            .into_iter()
+            .map(|thread| thread.join().unwrap_or_else(|_| Err("a client failed".into())))
+            .collect()
     });
     let seconds = start.elapsed().as_secs_f64();
     let (mut times, mut beyond, mut wrong) = (Vec::new(), Vec::new(), 0);

@@ -5,7 +5,6 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use axum::http::StatusCode;
 use serde_json::json;
 
-use super::query::Query;
 use super::refusal::Refusal;
 use super::route::Route;
 use super::sent::{JSON, Sent};
@@ -16,7 +15,7 @@ const COMPUTE: &str = "8.0.0.0";
 /// And of Rhino: clients choose by the first number.
 const RHINO: &str = "8.0.0.0";
 
-pub(crate) fn answer(service: &Service, route: Route, _query: &Query) -> Sent {
+pub(crate) fn answer(service: &Service, route: Route) -> Sent {
     let version = env!("CARGO_PKG_VERSION");
     match route {
         Route::Home => Sent::text("compute.rhino3d"),

@@ -135,11 +135,6 @@ fn packing(headers: &HeaderMap) -> Result<Packing, Refusal> {
 }
 
 impl Received {
-    /// The size as it came.
-    pub(crate) fn len(&self) -> usize {
-        self.bytes.len()
-    }
-
     /// The bytes, unpacked. Not for a thread that serves: it may take a while.
     pub(crate) fn unpacked(mut self) -> Result<Unpacked, Refusal> {
         let packed = match self.packing {

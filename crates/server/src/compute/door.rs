@@ -133,7 +133,7 @@ async fn routed(
         Route::Docs => openapi::page().packed(packs),
         Route::Sdk => geometry::list().packed(packs),
         Route::SdkSource => return Err(Refusal::unsupported("the source of a client")),
-        other => about::answer(service, other, &query),
+        other => about::answer(service, other),
     };
     Ok(sent.into_response())
 }

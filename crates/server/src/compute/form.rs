@@ -1,6 +1,6 @@
 //! Results as a file in place of JSON.
 
-use katydid_compute::{Solution, SolveRequest};
+use katydid_compute::Solution;
 use katydid_exchange::{Conversion, Format, Scene};
 
 use super::refusal::Refusal;
@@ -55,13 +55,5 @@ impl Form {
                 Ok(Sent::new(content_type(format), bytes).named(&format!("result.{extension}")))
             }
         }
-    }
-}
-
-/// The archive version that a request asks for.
-pub(crate) fn archive_version(request: &SolveRequest) -> i32 {
-    match request.data_version {
-        version @ 5..=8 => version * 10,
-        _ => 70,
     }
 }

@@ -8,7 +8,7 @@ use katydid_compute::{Bounds, Cause, Definition, Fault, Located, Solution, Solve
 use katydid_solver::Listener;
 
 use super::body::Received;
-use super::form::{Form, archive_version};
+use super::form::Form;
 use super::pool::Step;
 use super::query::Query;
 use super::refusal::Refusal;
@@ -60,7 +60,7 @@ pub(crate) struct Reins {
 }
 
 impl Reins {
-    fn bounds(&self) -> Result<Bounds, Refusal> {
+    pub(crate) fn bounds(&self) -> Result<Bounds, Refusal> {
         let time = self.end.map(|end| end.saturating_duration_since(Instant::now()));
         if time.is_some_and(|time| time.is_zero()) {
             return Err(self.late());
@@ -76,7 +76,7 @@ impl Reins {
     }
 
     /// A fault in the words of whoever set the limits: what the solver was told is what was left of the time.
-    fn refusal(&self, fault: Fault) -> Refusal {
+    pub(crate) fn refusal(&self, fault: Fault) -> Refusal {
         match fault.cause {
             Cause::TimedOut => self.late(),
             _ => fault.into(),
@@ -178,8 +178,13 @@ fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Resul
         Located::Here(definition) => Ok(definition),
         Located::Url(url) => {
             let time = reins.end.map(|end| end.saturating_duration_since(Instant::now()));
-            let bytes = service.runtime.block_on(service.fetcher.definition(&url, time))?;
-            Ok(service.compute.load_bytes(url, &bytes)?)
+            let fetched = service.runtime.block_on(service.fetcher.definition(&url, time));
+            match (fetched, request.algo.as_deref().filter(|algo| !algo.trim().is_empty())) {
+                (Ok(bytes), _) => Ok(service.compute.load_bytes(url, &bytes)?),
+                // What cannot be fetched may have been sent along.
+                (Err(_), Some(algo)) => Ok(service.compute.load(algo)?),
+                (Err(refusal), None) => Err(refusal),
+            }
         }
     }
 }
@@ -212,6 +217,11 @@ fn solved(
     bounds: &Bounds,
     decode: Duration,
 ) -> Came {
+    if definition.interface().outputs.is_empty() {
+        return Err(Refusal::bad(
+            "the definition has no outputs: it needs a Context Bake, a Context Print or a group called RH_OUT:name",
+        ));
+    }
     if wish == Wish::Results(None) {
         let answer = service.compute.answer(definition, request, bounds);
         let answer = answer.map_err(|fault| reins.refusal(fault))?;
@@ -223,7 +233,7 @@ fn solved(
     let solution = service.compute.solve(definition, request, bounds);
     let solution = solution.map_err(|fault| reins.refusal(fault))?;
     let timings = Timings { decode: decode + solution.timings().decode, ..solution.timings() };
-    let solved = Solved { version: archive_version(request), timings, solution };
+    let solved = Solved { version: request.archive(), timings, solution };
     match wish {
         Wish::Results(form) => solved.sent(form).map(Outcome::Sent),
         _ => Ok(Outcome::Kept(Box::new(solved))),
