@@ -16,7 +16,7 @@ async fn results_as_files() {
         assert!(answer.header("server-timing").contains("solve;dur="));
         answer
     };
-    let model = katydid_3dm::Model::read(&file("3dm").await.body).unwrap();
+    let model = katydid_3dm::Model::read(&file("3dm").await.body, &Default::default()).unwrap();
     assert_eq!(model.objects.len(), 1);
     assert!(file("glb").await.body.starts_with(b"glTF"));
     // Eighty bytes, the number of triangles, and fifty bytes each.
@@ -29,5 +29,5 @@ async fn results_as_files() {
     // Numbers are no geometry: the file has none.
     let answer = compute.post("/grasshopper?format=3dm", &json!({"algo": gh(SUM)})).await;
     assert_eq!(answer.status, 200);
-    assert!(katydid_3dm::Model::read(&answer.body).unwrap().objects.is_empty());
+    assert!(katydid_3dm::Model::read(&answer.body, &Default::default()).unwrap().objects.is_empty());
 }
