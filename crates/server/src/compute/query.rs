@@ -34,10 +34,10 @@ fn unpacked(text: &str) -> String {
     let mut out = Vec::with_capacity(bytes.len());
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
-        let hex = bytes.get(at + 1..at + 3).and_then(|two| std::str::from_utf8(two).ok());
-        match (byte, hex.and_then(|two| u8::from_str_radix(two, 16).ok())) {
-            (b'%', Some(value)) => {
-                out.push(value);
+        let digit = |at: usize| char::from(*bytes.get(at)?).to_digit(16);
+        match (byte, digit(at + 1).zip(digit(at + 2))) {
+            (b'%', Some((high, low))) => {
+                out.push((high * 16 + low) as u8);
                 at += 2;
             }
             (b'+', _) => out.push(b' '),

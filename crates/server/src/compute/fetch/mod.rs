@@ -154,12 +154,13 @@ impl Fetcher {
         if url.len() > LONGEST {
             return Err(no_address());
         }
-        let uri: Uri = url.trim().parse().map_err(|_| no_address())?;
-        let (usual, is_secure) = match uri.scheme_str() {
-            Some(scheme) if scheme.eq_ignore_ascii_case("http") => (80, false),
-            Some(scheme) if scheme.eq_ignore_ascii_case("https") => (443, true),
+        let (scheme, _) = url.trim().split_once("://").ok_or_else(no_address)?;
+        let (usual, is_secure) = match scheme.to_ascii_lowercase().as_str() {
+            "http" => (80, false),
+            "https" => (443, true),
             _ => return Err(Fault::refused("only http and https addresses can be pointers").into()),
         };
+        let uri: Uri = url.trim().parse().map_err(|_| no_address())?;
         let authority = uri.authority().filter(|authority| !authority.as_str().contains('@'));
         let authority = authority.ok_or_else(no_address)?;
         let host = authority.host().trim_matches(['[', ']']).trim_end_matches('.').to_ascii_lowercase();
