@@ -1,6 +1,6 @@
 //! Results as a file in place of JSON.
 
-use katydid_compute::Solution;
+use katydid_3dm::Model;
 use katydid_exchange::{Conversion, Format, Scene};
 
 use super::refusal::Refusal;
@@ -35,9 +35,8 @@ impl Form {
         form.map(Some).ok_or_else(unknown)
     }
 
-    /// The geometry of the outputs in this format.
-    pub(crate) fn write(self, solution: &Solution, version: i32) -> Result<Sent, Refusal> {
-        let model = solution.model();
+    /// A model in this format; Rhino's own in that version.
+    pub(crate) fn write(self, model: &Model, version: i32) -> Result<Sent, Refusal> {
         let failed = |error: &dyn std::fmt::Display| {
             Refusal::new(axum::http::StatusCode::UNPROCESSABLE_ENTITY, "failed", error.to_string())
         };
@@ -48,7 +47,7 @@ impl Form {
             }
             Self::Exchange(format, extension) => {
                 let conversion = Conversion { exact: format.is_exact(), ..Conversion::default() };
-                let scene = Scene::from_model_with(&model, &conversion);
+                let scene = Scene::from_model_with(model, &conversion);
                 let mut bytes = Vec::new();
                 katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
                     .map_err(|error| failed(&error))?;

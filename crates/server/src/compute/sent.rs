@@ -117,6 +117,11 @@ impl Sent {
         self
     }
 
+    /// The bytes of the body.
+    pub(crate) fn len(&self) -> usize {
+        self.body.len()
+    }
+
     pub(crate) fn into_response(self) -> Response {
         let mut response = Response::new(Body::from(self.body));
         *response.status_mut() = self.status;

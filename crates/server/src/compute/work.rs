@@ -3,13 +3,14 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use katydid_3dm::Model;
 use katydid_component::{Cancel, Limits};
 use katydid_compute::{Bounds, Cause, Definition, Fault, Located, Solution, SolveRequest, Timings};
 use katydid_solver::Listener;
 
 use super::body::Received;
 use super::form::Form;
-use super::pool::Step;
+use super::pool::{SLICE, Step};
 use super::query::Query;
 use super::refusal::Refusal;
 use super::sent::{JSON, Sent};
@@ -102,27 +103,42 @@ pub(crate) enum Outcome {
     Kept(Box<Solved>),
 }
 
-/// Results that are kept.
+/// Results that are kept: what the outputs gave, and nothing of what was on the way there.
 #[derive(Debug)]
 pub(crate) struct Solved {
-    solution: Solution,
+    reply: Sent,
+    model: Model,
+    has_errors: bool,
     version: i32,
     timings: Timings,
 }
 
 impl Solved {
+    fn new(solution: &Solution, version: i32, decode: Duration) -> Self {
+        let timings = solution.timings();
+        let timings = Timings { decode: decode + timings.decode, ..timings };
+        let has_errors = solution.has_errors();
+        let reply = Sent::json(&solution.reply()).with_status(status(has_errors));
+        Self { reply, model: solution.model(), has_errors, version, timings }
+    }
+
     /// The reply, or a file.
     pub(crate) fn sent(&self, form: Option<Form>) -> Result<Sent, Refusal> {
         let start = Instant::now();
         let sent = match form {
-            Some(form) if !self.solution.has_errors() => form.write(&self.solution, self.version)?,
-            _ => Sent::json(&self.solution.reply()).with_status(status(self.solution.has_errors())),
+            Some(form) if !self.has_errors => form.write(&self.model, self.version)?,
+            _ => self.reply.clone(),
         };
         Ok(timed(sent, Timings { encode: start.elapsed(), ..self.timings }))
     }
 
     pub(crate) fn has_errors(&self) -> bool {
-        self.solution.has_errors()
+        self.has_errors
+    }
+
+    /// The bytes that it takes, by estimate: the model has about as much as the text.
+    pub(crate) fn weight(&self) -> usize {
+        2 * self.reply.len()
     }
 }
 
@@ -203,7 +219,10 @@ fn solve(
     let came = solved(service, definition, request, wish, reins, &bounds, decode);
     let took = start.elapsed();
     service.idle.touch();
-    service.pace.took(definition.key(), took);
+    // What was given up early tells nothing.
+    if took >= SLICE || came.is_ok() {
+        service.pace.took(definition.key(), took);
+    }
     service.metrics.solved(took, came.as_ref().err().map(|refusal| refusal.cause));
     came
 }
@@ -232,8 +251,7 @@ fn solved(
     }
     let solution = service.compute.solve(definition, request, bounds);
     let solution = solution.map_err(|fault| reins.refusal(fault))?;
-    let timings = Timings { decode: decode + solution.timings().decode, ..solution.timings() };
-    let solved = Solved { version: request.archive(), timings, solution };
+    let solved = Solved::new(&solution, request.archive(), decode);
     match wish {
         Wish::Results(form) => solved.sent(form).map(Outcome::Sent),
         _ => Ok(Outcome::Kept(Box::new(solved))),

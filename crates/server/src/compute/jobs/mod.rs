@@ -72,6 +72,14 @@ impl Job {
         }
     }
 
+    /// The bytes that its result takes.
+    fn weight(&self) -> usize {
+        match &*self.stage.borrow() {
+            Stage::Done(solved) => solved.weight(),
+            _ => 0,
+        }
+    }
+
     fn age(&self) -> Option<Duration> {
         held(&self.over).map(|over| over.elapsed())
     }
@@ -98,6 +106,9 @@ impl Job {
         about
     }
 }
+
+/// All results together take no more bytes.
+const MOST_BYTES: usize = 512 << 20;
 
 /// All jobs that are kept.
 #[derive(Debug)]
@@ -158,8 +169,20 @@ impl Jobs {
         }
     }
 
-    /// Lets results go that are kept no longer.
+    /// Lets results go that are kept no longer, and the oldest of those that are too much together.
     pub(crate) fn sweep(&self) {
-        held(&self.all).retain(|_, job| job.age().is_none_or(|age| age < self.keep));
+        let mut all = held(&self.all);
+        all.retain(|_, job| job.age().is_none_or(|age| age < self.keep));
+        let mut results: Vec<_> =
+            all.values().filter_map(|job| Some((job.age()?, job.weight(), job.id.clone()))).collect();
+        results.sort_by_key(|(age, ..)| *age);
+        let mut bytes = 0usize;
+        for (_, weight, id) in results {
+            bytes = bytes.saturating_add(weight);
+            // The newest stays, however large it is.
+            if bytes > MOST_BYTES && bytes > weight {
+                all.remove(&id);
+            }
+        }
     }
 }

@@ -54,6 +54,7 @@ async fn run(service: Arc<Service>, client: Client, job: Arc<Job>, body: Receive
         Err(Undone::Waited | Undone::Late) => Stage::Failed(Undone::Late.into()),
         Err(undone) => Stage::Failed(undone.into()),
     });
+    service.jobs.sweep();
 }
 
 fn kept(step: Step<Result<Outcome, Refusal>>) -> Step<Result<Arc<Solved>, Refusal>> {
