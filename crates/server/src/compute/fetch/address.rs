@@ -13,13 +13,11 @@ pub(super) fn is_public(address: IpAddr) -> bool {
 
 fn is_public_v4(address: Ipv4Addr) -> bool {
     let [a, b, c, _] = address.octets();
-    let set_aside = match (a, b, c) {
-        // This network, shared address space, protocol assignments, relays, benchmarks, and what is reserved.
-        (0, ..) | (100, 64..=127, _) | (192, 0, 0) | (192, 88, 99) | (198, 18..=19, _) | (240..=255, ..) => {
-            true
-        }
-        _ => false,
-    };
+    // This network, shared address space, protocol assignments, relays, benchmarks, and what is reserved.
+    let set_aside = matches!(
+        (a, b, c),
+        (0, ..) | (100, 64..=127, _) | (192, 0, 0) | (192, 88, 99) | (198, 18..=19, _) | (240..=255, ..)
+    );
     !(set_aside
         || address.is_loopback()
         || address.is_private()
