@@ -75,6 +75,7 @@ impl Config {
     pub(crate) fn places(&self) -> Places {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
         let quick = self.workers.unwrap_or(processors.max(2)).max(1);
-        Places { quick, slow: quick.div_ceil(2).max(2), waiting: self.most_waiting }
+        let half = quick.div_ceil(2);
+        Places { quick, new: half, slow: half.max(2), spare: 6, waiting: self.most_waiting }
     }
 }

@@ -1,6 +1,6 @@
 //! What all requests share.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -16,7 +16,7 @@ use super::health::Trial;
 use super::jobs::Jobs;
 use super::key::Lock;
 use super::metrics::Metrics;
-use super::pool::{Pool, SLICE};
+use super::pool::{Lane, Pool, SLICE};
 use crate::lock::held;
 
 /// The server behind its port.
@@ -62,28 +62,25 @@ impl Service {
     }
 }
 
-/// Which definitions took long the last time: they wait in the slow lane.
+/// Which definitions took long the last time, and which did not.
 #[derive(Debug, Default)]
-pub(crate) struct Pace(Mutex<HashSet<String>>);
+pub(crate) struct Pace(Mutex<HashMap<String, Lane>>);
 
 impl Pace {
-    /// Beyond so many it begins anew: at worst each is found slow once more.
+    /// Beyond so many it begins anew: at worst each is new once more.
     const MOST: usize = 4096;
 
-    pub(crate) fn is_slow(&self, key: &str) -> bool {
-        held(&self.0).contains(key)
+    /// Where the next solve of a definition waits.
+    pub(crate) fn lane(&self, key: &str) -> Lane {
+        held(&self.0).get(key).copied().unwrap_or(Lane::New)
     }
 
     pub(crate) fn took(&self, key: &str, time: Duration) {
-        let mut slow = held(&self.0);
-        if time < SLICE {
-            slow.remove(key);
-            return;
+        let mut known = held(&self.0);
+        if known.len() >= Self::MOST && !known.contains_key(key) {
+            known.clear();
         }
-        if slow.len() >= Self::MOST {
-            slow.clear();
-        }
-        slow.insert(key.to_owned());
+        known.insert(key.to_owned(), if time < SLICE { Lane::Quick } else { Lane::Slow });
     }
 }
 

@@ -78,6 +78,6 @@ fn packed(step: Step<Result<Outcome, Refusal>>, packs: bool) -> Step<Result<Sent
         Step::Done(Ok(Outcome::Sent(sent))) => Step::Done(Ok(sent.packed(packs))),
         Step::Done(Ok(Outcome::Kept(solved))) => Step::Done(solved.sent(None).map(|sent| sent.packed(packs))),
         Step::Done(Err(refusal)) => Step::Done(Err(refusal)),
-        Step::Slow(rest) => Step::Slow(Box::new(move || packed(rest(), packs))),
+        Step::Later(lane, rest) => Step::Later(lane, Box::new(move || packed(rest(), packs))),
     }
 }

@@ -10,7 +10,7 @@ use katydid_solver::Listener;
 
 use super::body::Received;
 use super::form::Form;
-use super::pool::{SLICE, Step};
+use super::pool::{Lane, SLICE, Step};
 use super::query::Query;
 use super::refusal::Refusal;
 use super::sent::{JSON, Sent};
@@ -184,9 +184,12 @@ pub(crate) fn with_request(
         return Step::Done(Ok(Outcome::Sent(Sent::json(&service.compute.describe(&definition)))));
     }
     let decode = start.elapsed();
-    let is_slow = service.pace.is_slow(definition.key());
+    let lane = service.pace.lane(definition.key());
     let rest = move || Step::Done(solve(&service, &definition, &request, wish, &reins, decode));
-    if is_slow { Step::Slow(Box::new(rest)) } else { rest() }
+    match lane {
+        Lane::Quick => rest(),
+        lane => Step::Later(lane, Box::new(rest)),
+    }
 }
 
 fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Result<Arc<Definition>, Refusal> {

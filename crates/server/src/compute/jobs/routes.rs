@@ -62,7 +62,7 @@ fn kept(step: Step<Result<Outcome, Refusal>>) -> Step<Result<Arc<Solved>, Refusa
         Step::Done(Ok(Outcome::Kept(solved))) => Step::Done(Ok(Arc::from(solved))),
         Step::Done(Ok(Outcome::Sent(_))) => Step::Done(Err(Undone::Failed.into())),
         Step::Done(Err(refusal)) => Step::Done(Err(refusal)),
-        Step::Slow(rest) => Step::Slow(Box::new(move || kept(rest()))),
+        Step::Later(lane, rest) => Step::Later(lane, Box::new(move || kept(rest()))),
     }
 }
 

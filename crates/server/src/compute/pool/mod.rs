@@ -15,7 +15,7 @@ use katydid_component::Cancel;
 use tokio::sync::oneshot;
 
 use crate::lock::held;
-pub(crate) use queue::{Client, Places, SLICE};
+pub(crate) use queue::{Client, Lane, Places, SLICE};
 use queue::{Queue, Ticket};
 
 /// So many threads may have been given up at a time; beyond that their places stay taken.
@@ -31,8 +31,8 @@ const MOST_HELPERS: usize = 4;
 pub(crate) enum Step<T> {
     /// It is done.
     Done(T),
-    /// The rest is known to be slow, and shall wait in that lane.
-    Slow(Box<dyn FnOnce() -> Step<T> + Send>),
+    /// The rest shall wait in another lane.
+    Later(Lane, Box<dyn FnOnce() -> Step<T> + Send>),
 }
 
 /// Why there is nothing to show.
@@ -58,8 +58,8 @@ pub(crate) enum Clock {
 }
 
 type Work = Box<dyn FnOnce() -> Option<Again> + Send>;
-/// The same, to be run a second time.
-struct Again(Work);
+/// The rest of it, and the lane that it waits in.
+struct Again(Lane, Work);
 
 /// All solving threads.
 pub(crate) struct Pool {
@@ -171,7 +171,7 @@ fn stepped<T: Send + 'static>(step: Step<T>, tell: oneshot::Sender<T>) -> Option
             let _ = tell.send(done);
             None
         }
-        Step::Slow(rest) => Some(Again(Box::new(move || stepped(rest(), tell)))),
+        Step::Later(lane, rest) => Some(Again(lane, Box::new(move || stepped(rest(), tell)))),
     }
 }
 
@@ -251,8 +251,8 @@ fn work_on(shared: &Weak<Shared>) {
             shared.failed.fetch_add(1, Ordering::Relaxed);
         }
         let mut inner = held(&shared.queue);
-        if let Ok(Some(Again(rest))) = done {
-            inner.queue.set_back(ticket, rest);
+        if let Ok(Some(Again(lane, rest))) = done {
+            inner.queue.set_back(ticket, lane, rest);
         } else if !inner.queue.end(ticket) {
             // It has a substitute.
             inner.lost = inner.lost.saturating_sub(1);

@@ -1,8 +1,8 @@
 //! Who is solved next.
 //!
-//! There are two lanes. Work is quick until it shows that it is not: what has run longer than [`SLICE`] counts as slow
-//! from then on, and its place among the quick ones is free again. What is known to be slow waits in the slow lane from
-//! the start. So a hundred solves that never end hold up each other, and not who asks for a small thing.
+//! There are three lanes: for what is known to be quick, for what is new, and for what is known to be slow. Work that has
+//! run longer than [`SLICE`] counts as slow from then on, wherever it came from, and its place is free again. New work
+//! never has all threads: so a hundred solves that never end hold up each other, and not who asks for a small thing.
 //!
 //! Within a lane the clients take turns, however many requests each of them has sent, and no client has all places.
 
@@ -10,12 +10,16 @@ use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 
 /// Work that takes longer is slow.
-pub(crate) const SLICE: Duration = Duration::from_millis(400);
+pub(crate) const SLICE: Duration = Duration::from_millis(200);
 
 /// Where work waits and runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lane {
+    /// Requests are read here, and what was quick the last time is solved here.
     Quick,
+    /// What was never solved before.
+    New,
+    /// What took long the last time.
     Slow,
 }
 
@@ -32,8 +36,12 @@ pub(crate) struct Ticket(u64);
 pub(crate) struct Places {
     /// How much quick work runs.
     pub(crate) quick: usize,
-    /// How much slow work runs.
+    /// How much new work runs.
+    pub(crate) new: usize,
+    /// How much that is known to be slow is begun.
     pub(crate) slow: usize,
+    /// How much more may turn out to be slow.
+    pub(crate) spare: usize,
     /// How much may wait.
     pub(crate) waiting: usize,
 }
@@ -41,7 +49,7 @@ pub(crate) struct Places {
 impl Places {
     /// How much runs at most.
     pub(crate) fn all(self) -> usize {
-        self.quick.saturating_add(self.slow)
+        self.quick + self.new + self.slow + self.spare
     }
 
     /// How much of one client runs at most: a place is left for others.
@@ -62,8 +70,9 @@ struct Running {
 }
 
 impl Running {
-    fn is_slow(&self, now: Instant) -> bool {
-        self.lane == Lane::Slow || now.saturating_duration_since(self.since) >= SLICE
+    /// The lane that it counts in.
+    fn lane(&self, now: Instant) -> Lane {
+        if now.saturating_duration_since(self.since) >= SLICE { Lane::Slow } else { self.lane }
     }
 }
 
@@ -126,6 +135,7 @@ impl<T> Default for Lines<T> {
 pub(super) struct Queue<T> {
     places: Places,
     quick: Lines<T>,
+    new: Lines<T>,
     slow: Lines<T>,
     waiting: usize,
     running: HashMap<Ticket, Running>,
@@ -137,6 +147,7 @@ impl<T> Queue<T> {
         Self {
             places,
             quick: Lines::default(),
+            new: Lines::default(),
             slow: Lines::default(),
             waiting: 0,
             running: HashMap::new(),
@@ -166,17 +177,23 @@ impl<T> Queue<T> {
 
     /// What shall run now, if there is a place for it.
     pub(super) fn take(&mut self, now: Instant) -> Option<(Ticket, T)> {
-        let slow = self.running.values().filter(|running| running.is_slow(now)).count();
-        let quick = self.running.len() - slow;
+        let count = |lane: Lane| self.running.values().filter(|running| running.lane(now) == lane).count();
+        let (quick, new, slow) = (count(Lane::Quick), count(Lane::New), count(Lane::Slow));
         let mut of: HashMap<Client, usize> = HashMap::new();
         self.running.values().for_each(|running| *of.entry(running.client).or_default() += 1);
+        let Places { quick: most_quick, new: most_new, slow: most_slow, .. } = self.places;
+        let all = self.places.all();
         let share = self.places.share();
         let may = |client: Client| of.get(&client).copied().unwrap_or(0) < share;
         let mut taken = None;
-        if quick < self.places.quick {
+        if quick < most_quick {
             taken = self.quick.take(may).map(|found| (Lane::Quick, found));
         }
-        if taken.is_none() && slow < self.places.slow {
+        // Places for quick work are left free, even where everything new turned out to be slow.
+        if taken.is_none() && new < most_new && new + slow + most_quick < all {
+            taken = self.new.take(may).map(|found| (Lane::New, found));
+        }
+        if taken.is_none() && slow < most_slow {
             taken = self.slow.take(may).map(|found| (Lane::Slow, found));
         }
         let (lane, (client, ticket, work)) = taken?;
@@ -185,10 +202,15 @@ impl<T> Queue<T> {
         Some((ticket, work))
     }
 
-    /// Sets work that runs back: it has shown that it is slow, and waits once more in that lane.
-    pub(super) fn set_back(&mut self, ticket: Ticket, work: T) {
+    /// Sets work that runs back: the rest of it waits in another lane.
+    pub(super) fn set_back(&mut self, ticket: Ticket, lane: Lane, work: T) {
         if let Some(running) = self.running.remove(&ticket) {
-            self.slow.put(running.client, ticket, work);
+            let lines = match lane {
+                Lane::Quick => &mut self.quick,
+                Lane::New => &mut self.new,
+                Lane::Slow => &mut self.slow,
+            };
+            lines.put(running.client, ticket, work);
             self.waiting += 1;
         }
     }
@@ -200,7 +222,8 @@ impl<T> Queue<T> {
 
     /// Takes out work that waits.
     pub(super) fn remove(&mut self, client: Client, ticket: Ticket) -> Option<T> {
-        let work = self.quick.remove(client, ticket).or_else(|| self.slow.remove(client, ticket))?;
+        let lines = [&mut self.quick, &mut self.new, &mut self.slow];
+        let work = lines.into_iter().find_map(|lines| lines.remove(client, ticket))?;
         self.waiting -= 1;
         Some(work)
     }
@@ -208,7 +231,7 @@ impl<T> Queue<T> {
     /// When the next work that runs will count as slow: a place is free then, though nothing has ended.
     pub(super) fn next_slow(&self, now: Instant) -> Option<Duration> {
         let left = |running: &Running| SLICE.saturating_sub(now.saturating_duration_since(running.since));
-        self.running.values().filter(|running| !running.is_slow(now)).map(left).min()
+        self.running.values().filter(|running| running.lane(now) != Lane::Slow).map(left).min()
     }
 }
 
@@ -222,7 +245,7 @@ mod tests {
     const B: Client = Client(2);
 
     fn queue(quick: usize, slow: usize) -> Queue<&'static str> {
-        Queue::new(Places { quick, slow, waiting: 100 })
+        Queue::new(Places { quick, new: 1, slow, spare: 0, waiting: 100 })
     }
 
     fn names(queue: &mut Queue<&'static str>, now: Instant) -> Vec<&'static str> {
@@ -250,12 +273,13 @@ mod tests {
     fn no_client_has_all_places() {
         let mut queue = queue(3, 0);
         let now = Instant::now();
+        // Four places in all: three of one client.
         for _ in 0..9 {
             queue.put(A, |_| "a").unwrap();
         }
-        assert_eq!(names(&mut queue, now), ["a", "a"]);
+        assert_eq!(names(&mut queue, now), ["a", "a", "a"]);
         queue.put(B, |_| "b").unwrap();
-        assert_eq!(names(&mut queue, now), ["b"]);
+        assert_eq!(names(&mut queue, now + SLICE), ["b"]);
     }
 
     #[test]
@@ -277,7 +301,7 @@ mod tests {
         for client in 10..20 {
             queue.put(Client(client), |_| "slow").unwrap();
             let (ticket, work) = queue.take(now).unwrap();
-            queue.set_back(ticket, work);
+            queue.set_back(ticket, Lane::Slow, work);
             tickets.push((Client(client), ticket));
         }
         assert_eq!(names(&mut queue, now), ["slow"], "one place");
@@ -292,8 +316,28 @@ mod tests {
     }
 
     #[test]
+    fn what_is_new_never_has_all_places() {
+        let mut queue: Queue<&'static str> =
+            Queue::new(Places { quick: 1, new: 2, slow: 1, spare: 1, waiting: 100 });
+        let mut now = Instant::now();
+        for client in 0..20 {
+            queue.put(Client(client), |_| "new").unwrap();
+            let (ticket, work) = queue.take(now).unwrap();
+            queue.set_back(ticket, Lane::New, work);
+        }
+        // All of it turns out to be slow, two at a time: four of five places are taken in the end.
+        assert_eq!(names(&mut queue, now), ["new", "new"]);
+        now += SLICE;
+        assert_eq!(names(&mut queue, now), ["new", "new"]);
+        now += SLICE;
+        assert!(names(&mut queue, now).is_empty());
+        queue.put(Client(99), |_| "small").unwrap();
+        assert_eq!(names(&mut queue, now), ["small"]);
+    }
+
+    #[test]
     fn only_so_much_waits() {
-        let mut queue: Queue<()> = Queue::new(Places { quick: 1, slow: 1, waiting: 2 });
+        let mut queue: Queue<()> = Queue::new(Places { quick: 1, new: 1, slow: 1, spare: 0, waiting: 2 });
         queue.put(A, |_| ()).unwrap();
         queue.put(A, |_| ()).unwrap();
         assert_eq!(queue.put(B, |_| ()), Err(Full));
