@@ -64,6 +64,7 @@ pub struct Compute {
 impl Compute {
     /// One that keeps nothing yet.
     pub fn new(settings: Settings) -> Self {
+        katydid_components::link();
         Self {
             definitions: Definitions::new(settings.cache_bytes),
             replies: Replies::new(settings.reply_bytes),

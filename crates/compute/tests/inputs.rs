@@ -26,6 +26,7 @@ fn cases() -> Vec<Case> {
 
 #[test]
 fn every_plain_kind_goes_in_and_out() {
+    katydid_components::link();
     for (name, data, type_name, expected) in cases() {
         for marked in [false, true] {
             let get = format!("Get {name}");

@@ -47,7 +47,8 @@ fn values() -> impl Strategy<Value = Vec<Json>> {
                 given.into_iter().filter_map(|(name, data)| Some(value(name, "{0}", &data?))).collect();
             // It stands for the tolerance: see `request`.
             values.extend(
-                tolerance.map(|t| json!({ "ParamName": "tolerance", "InnerTree": { t.to_string(): [] } })),
+                tolerance
+                    .map(|t: i32| json!({ "ParamName": "tolerance", "InnerTree": { t.to_string(): [] } })),
             );
             values
         })
@@ -129,6 +130,7 @@ fn runnable() -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn real_definitions_give_what_solving_them_by_hand_gives() {
+    katydid_components::link();
     let files = runnable();
     let (mut with_inputs, mut set) = (0, 0);
     for (name, bytes) in &files {
@@ -214,7 +216,7 @@ fn endless() -> Document {
     let count = maker.get("Get Integer", "n");
     let series = maker.named("Series", "S");
     maker.wire(count, 0, series, 2);
-    let cross = maker.named("Expression", "E");
+    let cross = maker.named("Negative", "Neg");
     maker.wire(series, 0, cross, 0);
     maker.out("RH_OUT:s", cross);
     let quick = maker.named("Pi", "Pi");

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use katydid_component::registry;
 use katydid_data::Tree;
 use katydid_definition::document::{Document, Lookup};
 use katydid_solver::{Engine, Options};
@@ -25,8 +26,17 @@ pub(super) fn of(document: &Document, inputs: &[Input]) -> Vec<Tree> {
         let place = places.binary_search(&input.object).ok()?;
         engine.report(place)?.outputs.get(input.port).cloned()
     };
-    let trees = inputs.iter().zip(at_rest).map(|(input, at_rest)| tree(input).filter(|_| at_rest));
-    trees.map(Option::unwrap_or_default).collect()
+    let default = |(input, at_rest): (&Input, bool)| {
+        if at_rest { tree(input) } else { of_component(document, input) }
+    };
+    inputs.iter().zip(at_rest).map(default).map(Option::unwrap_or_default).collect()
+}
+
+/// What a component has at an input that nobody wired.
+fn of_component(document: &Document, input: &Input) -> Option<Tree> {
+    let object = document.objects.get(input.object).filter(|object| !object.is_floating())?;
+    let port = registry::by_guid(object.component)?.input(input.port)?;
+    port.default.map(|default| default())
 }
 
 /// Adds an object and all that it reads; `false` when a component or a loop is among them, in which case nothing is

@@ -139,11 +139,6 @@ impl Interface {
         }
         finder.found
     }
-
-    /// The input of that name; the first of equal ones.
-    pub fn input(&self, name: &str) -> Option<&Input> {
-        self.inputs.iter().find(|input| input.name == name)
-    }
 }
 
 /// Looks through a document.

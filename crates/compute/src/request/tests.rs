@@ -55,9 +55,9 @@ fn what_is_no_request_is_refused_by_name() {
         ("{\"recursionlevel\": -1}", "recursionlevel"),
         ("{\"recursionlevel\": 1e30}", "recursionlevel"),
         ("{\"algo\": 7}", "algo is no text"),
-        ("{\"x\": 1e999}", "number out of range"),
+        ("{\"absolutetolerance\": 1e999}", "number out of range"),
         ("{} {}", "trailing"),
-        ("{\"algo\": \"\\ud800\"}", "surrogate"),
+        ("{\"algo\": \"\\ud800\"}", "hex escape"),
     ] {
         let fault = read(body).unwrap_err();
         assert!(

@@ -1,9 +1,11 @@
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
 use katydid_solver::{Engine, Options, Status};
 
 use super::{Bounds, Solution, Timings};
+use crate::definition::Input;
 use crate::request::{self, SolveRequest};
 use crate::{Cause, Definition, Fault, Settings};
 
@@ -63,8 +65,10 @@ fn give(
     engine: &mut Engine,
 ) -> Result<Vec<(usize, usize)>, Fault> {
     let mut set = Vec::with_capacity(request.values.len());
+    let inputs = definition.interface().inputs.iter();
+    let inputs: HashMap<&str, &Input> = inputs.map(|input| (input.name.as_str(), input)).collect();
     for value in &request.values {
-        let Some(input) = definition.interface().input(&value.name) else { continue };
+        let Some(input) = inputs.get(value.name.as_str()) else { continue };
         engine.give(input.object, input.port, Some(request::tree(input, value)?));
         set.push((input.object, input.port));
     }

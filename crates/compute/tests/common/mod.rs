@@ -84,6 +84,7 @@ impl Maker {
 
     /// Adds an object of a type.
     pub(crate) fn add(&mut self, component: Uuid, nickname: &str) -> usize {
+        katydid_components::link();
         let id = self.id();
         let mut object = katydid_session::new_object(component, id).unwrap();
         object.set_nickname(nickname);
@@ -93,8 +94,12 @@ impl Maker {
 
     /// Adds an object of a type by its name.
     pub(crate) fn named(&mut self, name: &str, nickname: &str) -> usize {
+        katydid_components::link();
         let all = katydid_component::registry::all();
-        let found = all.into_iter().find(|component| component.name == name && !component.old);
+        let mut named = all.into_iter().filter(|component| component.name == name && !component.old);
+        // A parameter goes before a component of the same name.
+        let first = named.next();
+        let found = first.filter(|first| first.floating).or_else(|| named.find(|c| c.floating)).or(first);
         self.add(found.unwrap_or_else(|| panic!("{name}")).guid, nickname)
     }
 
