@@ -65,7 +65,7 @@ def polyline():
 
 
 def curves():
-    arc = r.ArcCurve(r.Arc(P(0, 0, 0), 3.0, 2.0))
+    arc = r.Arc(P(0, 0, 0), 3.0, 2.0).ToNurbsCurve()
     chain = r.PolyCurve()
     chain.Append(r.LineCurve(P(0, 0, 0), P(3, 0, 0)))
     chain.Append(r.LineCurve(P(3, 0, 0), P(3, 4, 1)))
@@ -95,7 +95,7 @@ def solids():
     return {
         "sphere": r.Sphere(P(1, 0, 0), 2.0).ToBrep(),
         "cylinder": r.Cylinder(r.Circle(P(0, 0, 0), 2.0), 5.0).ToBrep(True, True),
-        "box": r.Brep.CreateFromBox(r.BoundingBox(P(0, 0, 0), P(1, 2, 3))),
+        "box": r.Brep.CreateFromBox(r.Box(r.BoundingBox(P(0, 0, 0), P(1, 2, 3)))),
         "extrusion": extrusion,
     }
 

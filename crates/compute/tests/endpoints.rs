@@ -445,6 +445,11 @@ fn breps() {
         json!([[[0, 0, 0], [0, 0, 4]], c1(), false, 0.01]),
     );
     near(&ask("brep/getarea-brep", json!([swept[0]])), TAU * 5.0 * 4.0);
+    let tipped = ask(
+        "brep/createfromloft-curvearray_point3d_point3d_lofttype_bool",
+        json!([[object(&circle(0.0, 5.0))], { "X": 0, "Y": 0, "Z": 12 }, null, 3, false]),
+    );
+    near(&ask("brep/getarea-brep", json!([tipped[0]])), PI * 5.0 * 13.0);
     let four = ask(
         "brep/createfromcornerpoints-point3d_point3d_point3d_point3d_double",
         json!([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0], 0.001]),

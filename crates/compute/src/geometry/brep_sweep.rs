@@ -16,7 +16,7 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brep/createfromloft-curvearray_point3d_point3d_lofttype_bool",
         |c: Sections, start: Tip, end: Tip, style: Loft, closed: bool| {
-            lofted(&c.0, LoftOptions { style: style.0, closed, start: start.0, end: end.0, ..free() })
+            lofted(&c.0, LoftOptions { style: style.0, closed, ..between(start, end) })
         },
     );
     table.add(
@@ -33,21 +33,21 @@ pub(super) fn enter(table: &mut Endpoints) {
             if from || to {
                 return Err(Fault::not_supported("lofts tangent to other surfaces"));
             }
-            lofted(&c.0, LoftOptions { style: style.0, closed, start: start.0, end: end.0, ..free() })
+            lofted(&c.0, LoftOptions { style: style.0, closed, ..between(start, end) })
         },
     );
     table.add(
         "brep/createfromloftrebuild-curvearray_point3d_point3d_lofttype_bool_int",
         |c: Sections, start: Tip, end: Tip, style: Loft, closed: bool, n: Count<4, 10_000>| {
-            let ends = LoftOptions { start: start.0, end: end.0, ..free() };
-            lofted(&c.0, LoftOptions { style: style.0, closed, rebuild: Some(n.0), ..ends })
+            let rebuild = Some(n.0);
+            lofted(&c.0, LoftOptions { style: style.0, closed, rebuild, ..between(start, end) })
         },
     );
     table.add(
         "brep/createfromloftrefit-curvearray_point3d_point3d_lofttype_bool_double",
         |c: Sections, start: Tip, end: Tip, style: Loft, closed: bool, t: Within| {
-            let ends = LoftOptions { start: start.0, end: end.0, ..free() };
-            lofted(&c.0, LoftOptions { style: style.0, closed, refit: Some(t.0), ..ends })
+            let refit = Some(t.0);
+            lofted(&c.0, LoftOptions { style: style.0, closed, refit, ..between(start, end) })
         },
     );
     table.add(
@@ -98,7 +98,7 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brep/createfromsweep-curve_curve_curvearray_point3d_point3d_bool_double_sweeprebuild_int_double_bool",
         |a: Curve, b: Curve, shapes: Sections, start: Tip, end: Tip, closed: bool, t: Within, rebuild: i32, _: i32, _: f64, height: bool| {
-            if start.0.is_some() || end.0.is_some() || rebuild != 0 {
+            if has_tips(start, end) || rebuild != 0 {
                 return Err(Fault::not_supported("sweeps that begin or end in a point, or with rebuilt sections"));
             }
             two_rails(&a, &b, &shapes.0, closed, height, t)
@@ -151,14 +151,20 @@ const UNSET: f64 = -1.234_321_012_343_21e308;
 impl Read for Tip {
     fn read(json: &serde_json::Value) -> Result<Self, Fault> {
         let point: Option<Point3> = Option::read(json)?;
-        // Clients that have no unset point send the origin.
-        let set = point.filter(|p| ![p.x, p.y, p.z].iter().all(|x| *x == UNSET || *x == 0.0));
-        Ok(Self(set))
+        Ok(Self(point.filter(|p| [p.x, p.y, p.z] != [UNSET; 3])))
     }
 }
 
-fn free() -> LoftOptions {
-    LoftOptions::default()
+/// A loft between two tips. Two at the origin are none: so they are sent by those who have no unset points.
+fn between(start: Tip, end: Tip) -> LoftOptions {
+    let both = [start.0, end.0];
+    let [start, end] = if both == [Some(Point3::ORIGIN); 2] { [None; 2] } else { both };
+    LoftOptions { start, end, ..LoftOptions::default() }
+}
+
+fn has_tips(start: Tip, end: Tip) -> bool {
+    let options = between(start, end);
+    options.start.is_some() || options.end.is_some()
 }
 
 fn lofted(sections: &[Curve], options: LoftOptions) -> Outcome<Vec<Brep>> {
@@ -212,7 +218,7 @@ fn swept_with_all(
     _points: i32,
     _refit: f64,
 ) -> Outcome<Vec<Brep>> {
-    if start.0.is_some() || end.0.is_some() {
+    if has_tips(start, end) {
         return Err(Fault::not_supported("sweeps that begin or end in a point"));
     }
     if blend != 0 || rebuild != 0 {
