@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
 use katydid_data::{Column, Kind, Path, Tree};
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::{Document, Object, ids};
 
 use crate::report::{ObjectReport, Status};
 use crate::{Options, cluster, collect, modifiers};
@@ -70,7 +70,9 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
 fn brought(turn: &Turn<'_>, index: usize, object: &Object) -> Option<ObjectReport> {
     let tree = turn.brought.get(&(index, 0))?;
     let component = registry::by_guid(object.component);
-    if component.is_some_and(|component| !component.inputs.is_empty()) {
+    // A slider's input stands for its modifiers: nothing is read there.
+    let reads = object.component != ids::NUMBER_SLIDER;
+    if reads && component.is_some_and(|component| !component.inputs.is_empty()) {
         return None;
     }
     let mut messages = Vec::new();
