@@ -40,7 +40,8 @@ fn curve_of(object: &Object) -> Option<Curve> {
     object.curve().map(std::borrow::Cow::into_owned)
 }
 
-fn brep_of(object: Object) -> Result<Result<Brep, Fault>, Object> {
+/// A brep, of whichever class it was; the object where it is no such thing.
+fn brep_of(object: Object) -> Result<Result<Brep, Fault>, Box<Object>> {
     match object {
         Object::Brep(object) => Ok(Ok(object.brep)),
         Object::Extrusion(extrusion) => Ok(match extrusion.to_brep() {
@@ -49,7 +50,7 @@ fn brep_of(object: Object) -> Result<Result<Brep, Fault>, Object> {
         }),
         other => match other.surface() {
             Some(surface) => Ok(made(Brep::from_surface(surface.into_owned()))),
-            None => Err(other),
+            None => Err(Box::new(other)),
         },
     }
 }

@@ -86,7 +86,7 @@ impl Wire for Colour {
         match json {
             Json::Array(items) => {
                 let channels =
-                    items.iter().map(i32::read).collect::<Result<Vec<_>, _>>().map_err(|f| no::<Self>(f))?;
+                    items.iter().map(i32::read).collect::<Result<Vec<_>, _>>().map_err(no::<Self>)?;
                 match *channels.as_slice() {
                     [r, g, b] => of([255, r, g, b]),
                     [r, g, b, a] => of([a, r, g, b]),
@@ -108,7 +108,7 @@ impl Wire for Colour {
                 }
             }
             other => {
-                let members = Members::of(other).map_err(|f| no::<Self>(f))?;
+                let members = Members::of(other).map_err(no::<Self>)?;
                 of([members.read_or("A", 255)?, members.read("R")?, members.read("G")?, members.read("B")?])
             }
         }

@@ -106,9 +106,10 @@ impl Pool {
         Self { shared }
     }
 
-    /// How much may run at a time.
+    /// How much runs at a time, as a rule.
     pub(crate) fn places(&self) -> usize {
-        held(&self.shared.queue).places.all()
+        let places = held(&self.shared.queue).places;
+        places.quick + places.slow
     }
 
     pub(crate) fn load(&self) -> Load {
@@ -194,10 +195,7 @@ impl Waiting<'_> {
         if inner.queue.remove(self.client, self.ticket).is_some() {
             return Undone::Waited;
         }
-        if inner.lost < MOST_LOST && inner.queue.end(self.ticket) {
-            inner.lost += 1;
-            Shared::hire(&shared, &mut inner);
-        }
+        Shared::lose(&shared, &mut inner, self.ticket);
         Undone::Late
     }
 }
@@ -208,14 +206,33 @@ impl Drop for Waiting<'_> {
             return;
         }
         self.cancel.cancel();
-        if let Some(shared) = self.shared.upgrade() {
-            let removed = held(&shared.queue).queue.remove(self.client, self.ticket);
-            drop(removed);
+        let Some(shared) = self.shared.upgrade() else { return };
+        let removed = held(&shared.queue).queue.remove(self.client, self.ticket);
+        if removed.is_some() {
+            return;
+        }
+        // It runs, and has been told to stop; if it does not heed that either, it is given up.
+        if let Ok(runtime) = tokio::runtime::Handle::try_current() {
+            let (shared, ticket) = (Weak::clone(&self.shared), self.ticket);
+            runtime.spawn(async move {
+                tokio::time::sleep(HARD).await;
+                if let Some(shared) = shared.upgrade() {
+                    Shared::lose(&shared, &mut held(&shared.queue), ticket);
+                }
+            });
         }
     }
 }
 
 impl Shared {
+    /// Gives up a thread that does not stop, if it still runs: another takes its place.
+    fn lose(shared: &Arc<Self>, inner: &mut Inner, ticket: Ticket) {
+        if inner.lost < MOST_LOST && inner.queue.end(ticket) {
+            inner.lost += 1;
+            Self::hire(shared, inner);
+        }
+    }
+
     /// One more thread. Where the system has no more, those that are there go on.
     fn hire(shared: &Arc<Self>, inner: &mut Inner) {
         let own = Arc::downgrade(shared);
