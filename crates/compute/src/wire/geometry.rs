@@ -196,7 +196,7 @@ impl Wire for GeometryBase {
             Object::Surface(surface) => Self::Surface(surface),
             object => match brep_of(object) {
                 Ok(brep) => Self::Brep(brep?),
-                Err(other) => Self::Other(Box::new(other)),
+                Err(other) => Self::Other(other),
             },
         })
     }

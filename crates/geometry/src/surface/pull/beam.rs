@@ -8,6 +8,10 @@ use crate::{Curve, Error, Interval, Line, Result, Surface, Vector3};
 /// Lines of a smooth stretch that are met with the surface at first.
 const LINES: usize = 32;
 
+/// A line that meets the surface at a smaller sine grazes it: where it does is known to half the digits only, and no way
+/// begins there. A curve that lies over the outline of the surface has such lines alone.
+const GRAZING: f64 = 2e-4;
+
 /// A place where the line through a point of the curve meets the surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
@@ -50,6 +54,9 @@ impl<'a> Beam<'a> {
             let found = curve_with_surface(&line.into(), self.surface, 1e-9 * self.size)?;
             for hit in &found.crossings {
                 let uv = [hit.u, hit.v];
+                if self.sheet.normal(uv).is_none_or(|normal| normal.dot(self.direction).abs() < GRAZING) {
+                    continue;
+                }
                 // One that another way came through already starts none.
                 let known = ways.iter().any(|way| {
                     let i = way.partition_point(|m| m.t < t);
