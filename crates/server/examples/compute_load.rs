@@ -82,6 +82,17 @@ fn case_of(turn: usize, count: usize) -> usize {
     (mixed >> 33) as usize % count
 }
 
+/// What one client saw.
+#[derive(Default)]
+struct Seen {
+    /// How long each answer took.
+    times: Vec<Duration>,
+    /// What of it was not the solve, in milliseconds.
+    beyond: Vec<f64>,
+    /// How many answers were not those of `katydid run`.
+    wrong: usize,
+}
+
 fn main() -> Outcome<()> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [host, cases, clients, solves] = words.as_slice() else {
@@ -102,23 +113,23 @@ fn main() -> Outcome<()> {
         })
         .collect();
     let start = Instant::now();
-    let done: Vec<Outcome<(Vec<Duration>, Vec<f64>, usize)>> = std::thread::scope(|scope| {
+    let done: Vec<Outcome<Seen>> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..clients)
             .map(|own| {
                 let cases = &cases;
-                scope.spawn(move || -> Outcome<(Vec<Duration>, Vec<f64>, usize)> {
+                scope.spawn(move || -> Outcome<Seen> {
                     let mut client = Client::new(host)?;
-                    let (mut times, mut beyond, mut wrong) = (Vec::new(), Vec::new(), 0);
+                    let mut seen = Seen::default();
                     for turn in (own..solves).step_by(clients) {
                         let Some(case) = cases.get(case_of(turn, cases.len())) else { continue };
                         let from = Instant::now();
                         let (body, solve) = client.ask(&case.request)?;
                         let took = from.elapsed();
-                        times.push(took);
-                        beyond.push(took.as_secs_f64() * 1e3 - solve);
-                        wrong += usize::from(!is_right(&body, &case.expected));
+                        seen.times.push(took);
+                        seen.beyond.push(took.as_secs_f64() * 1e3 - solve);
+                        seen.wrong += usize::from(!is_right(&body, &case.expected));
                     }
-                    Ok((times, beyond, wrong))
+                    Ok(seen)
                 })
             })
             .collect();
@@ -128,12 +139,12 @@ fn main() -> Outcome<()> {
             .collect()
     });
     let seconds = start.elapsed().as_secs_f64();
-    let (mut times, mut beyond, mut wrong) = (Vec::new(), Vec::new(), 0);
+    let Seen { mut times, mut beyond, mut wrong } = Seen::default();
     for one in done {
-        let (own, own_beyond, own_wrong) = one?;
-        times.extend(own);
-        beyond.extend(own_beyond);
-        wrong += own_wrong;
+        let own = one?;
+        times.extend(own.times);
+        beyond.extend(own.beyond);
+        wrong += own.wrong;
     }
     times.sort();
     beyond.sort_by(f64::total_cmp);
