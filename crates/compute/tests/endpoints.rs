@@ -1,5 +1,7 @@
 //! Functions called by path, against closed forms.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 use std::f64::consts::{PI, TAU};
 
 use katydid_compute::wire::{Read, Wire};

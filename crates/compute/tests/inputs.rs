@@ -1,5 +1,7 @@
 //! Inputs and outputs of every kind, in definitions that are made here.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 mod common;
 
 use common::{Maker, algo, compute, io, item, output, post, value};
@@ -41,8 +43,7 @@ fn every_plain_kind_goes_in_and_out() {
                 maker.group(label, &[maker.object_id(at)]);
             }
             maker.out("RH_OUT:y", at);
-            let body =
-                json!({ "algo": algo(&maker.document), "values": [value(label, "{0;2}", &[data.clone()])] });
+            let body = json!({ "algo": algo(&maker.document), "values": [value(label, "{0;2}", std::slice::from_ref(&data))] });
             let (failed, reply) = post(&compute(), &body).unwrap();
             assert!(!failed, "{reply}");
             let branches = &reply["values"][0]["InnerTree"];

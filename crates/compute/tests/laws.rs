@@ -1,5 +1,7 @@
 //! Requests do not see each other, and give what solving the definition by hand gives.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 mod common;
 
 use std::sync::Arc;

@@ -1,5 +1,7 @@
 //! Requests as real clients sent them, and the keys that they are answered with.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 mod common;
 
 use common::{compute, io, item, output, post, shared};

@@ -1,5 +1,7 @@
 //! RhinoCommon's JSON forms, both ways. The objects' bytes were written by rhino3dm.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 use std::f64::consts::{PI, TAU};
 
 use katydid_compute::wire::{

@@ -28,10 +28,10 @@ async fn fifty_at_a_time_on_one_definition() {
     let ask = async |n: usize| {
         let a = n % 11;
         let values = json!([input("RH_IN:A", "0", &[json!(a)])]);
-        let body = if n % 3 == 0 {
+        let body = if n.is_multiple_of(3) {
             json!({"algo": algo, "values": values})
         } else {
-            json!({"pointer": pointer, "values": values, "cachesolve": n % 2 == 0})
+            json!({"pointer": pointer, "values": values, "cachesolve": n.is_multiple_of(2)})
         };
         let answer = compute.post("/grasshopper", &body).await;
         assert_eq!(answer.status, 200, "{}", answer.text());
