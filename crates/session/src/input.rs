@@ -161,7 +161,9 @@ pub(crate) fn assign(object: &mut Object, value: &str) -> Result<(), InputError>
                 .map(|item| stored(&item, kind).ok_or_else(|| refuse(format!("'{item}' is not a {kind}"))))
                 .collect::<Result<_, _>>()?;
             let persistent = Persistent { branches: vec![Branch { path: vec![0], items }] };
-            object.set_persistent(0, Some(&persistent)).map_err(plain)
+            object.set_persistent(0, Some(&persistent)).map_err(plain)?;
+            // What is brought from outside takes the place of what wires bring, as in a server's request.
+            object.set_sources(0, &[]).map_err(plain)
         }
         _ => Err(refuse(format!("a {} cannot be set", object.name))),
     }
