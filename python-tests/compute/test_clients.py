@@ -9,8 +9,16 @@ import sys
 import pytest
 import requests
 
-# Scripts are not run: the call is refused by name.
-REFUSED = {"PythonEvaluate"}
+# The calls that fail, and why. One that is answered must leave the table: it only shrinks.
+REFUSED = {
+    "Brep.CreateBooleanUnion": "solids are not combined yet: 501",
+    "Brep.CreateBooleanDifference": "solids are not combined yet: 501",
+    "Brep.CreateBooleanIntersection": "solids are not combined yet: 501",
+    "Mesh.CreateBooleanUnion": "it sends meshes that are not closed: 400",
+    "Mesh.QuadRemesh": "not there yet: 501",
+    "SubD.ToBrep": "not there yet, and it sends a mesh: 501",
+    "PythonEvaluate": "scripts are not run: 501",
+}
 
 
 def calls(output):
@@ -24,8 +32,8 @@ def test_python_client(url, tools):
     )
     all_calls = calls(done.stdout)
     assert len(all_calls) >= 53, done.stderr
-    failed = [call for call in all_calls if not call["ok"] and call["call"] not in REFUSED]
-    assert not failed, "\n".join(map(str, failed))
+    failed = {call["call"]: call for call in all_calls if not call["ok"]}
+    assert failed.keys() == REFUSED.keys(), failed
 
 
 def test_javascript_client(url, tools, node):
