@@ -23,13 +23,14 @@ KINDS = [
     "x = Addition(a, {n})\n",
     "x = Multiplication(a, {n})\n",
     "s = Series(a, {n}, 20)\nx = Mass Addition(s)\n",
-    "r = Range(0 to a, {n})\nx = Sine(r)\n",
+    "d = Construct Domain(0, a)\nr = Range(d, {n})\nx = Sine(r)\n",
     "c = Circle(XY Plane(), a)\nx = Length(c)\n",
     "p = Construct Point(a, {n}, 0)\nq = Construct Point(0, a, {n})\nx = Distance(p, q)\n",
     "c = Circle(XY Plane(), a)\nd = Divide Curve(c, {n})\nx = Deconstruct(d.Points)\n",
     "s = Series(0, 1, 100)\ne = Expression(\"sin(x) * {n}\", x = s)\nx = Multiplication(e, a)\n",
 ]
-INPUTS = [1, 2.5, 3, 4.25, 7]
+# With as many digits as the slider has: `katydid run` rounds to them, as hands do, and a request does not.
+INPUTS = [1, 2.5, 3, 4.3, 7]
 
 
 def definition(n):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import rhino3dm as r
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 BUILT = os.environ.get("KATYDID_ENDPOINT")
 COMMAND = [BUILT] if BUILT else ["cargo", "run", "-q", "-p", "katydid-compute", "--example", "endpoint"]
 P = r.Point3d
