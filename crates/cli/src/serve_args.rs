@@ -27,7 +27,7 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "KEY")]
     key: Option<String>,
 
-    /// A page that may ask from a browser, as https://example.org; all may when none is named
+    /// A page that may ask from a browser, by its scheme and host; all may when none is named
     #[arg(long, value_name = "ORIGIN")]
     allow_origin: Vec<String>,
 
