@@ -164,7 +164,6 @@ def test_meshes_come_back_valid(call):
     assert back.IsValid and len(back.Vertices) == 5 and back.Faces.Count == 2
 
 
-@pytest.mark.xfail(strict=True, reason="a smooth edge between two vertices on the border is written as rhino3dm does not want it")
 def test_subds_come_back_valid(call):
     subd = given(call("subd/createfrommesh-mesh", sent(mesh())))
     assert isinstance(subd, r.SubD) and subd.IsValid

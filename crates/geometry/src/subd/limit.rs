@@ -135,6 +135,12 @@ impl Cage {
         }
     }
 
+    /// What the vertices at the ends of an edge do, and the weights of these ends in its middle; nothing for a crease.
+    pub(super) fn coefficients(&self, edge: usize) -> Option<([Kind; 2], [f64; 2])> {
+        let edge = self.edges.get(edge).filter(|edge| edge.faces.is_some())?;
+        Some((edge.ends.map(|end| self.kinds[end]), edge.weights.map(|weight| 1.0 - weight)))
+    }
+
     /// The angle that each face takes of the sector around a vertex that an edge lies in, in the surface's parameters.
     fn angle(&self, at: usize, vertex: &super::SubDVertex, edge: usize) -> f64 {
         let mut sector: Vec<usize> = self.edges[edge].faces.into_iter().flatten().collect();

@@ -9,6 +9,7 @@ mod limit;
 mod net;
 mod patches;
 mod pipe;
+mod sectors;
 mod trace;
 mod vertex;
 

@@ -94,6 +94,11 @@ impl SubDNet {
         &self.edges
     }
 
+    /// The edges, for what does not change how parts hang together.
+    pub(super) fn edges_mut(&mut self) -> &mut [SubDEdge] {
+        &mut self.edges
+    }
+
     /// The faces.
     pub fn faces(&self) -> &[SubDFace] {
         &self.faces

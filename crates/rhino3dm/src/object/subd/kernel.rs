@@ -139,7 +139,9 @@ impl StoredEdge {
 
 impl From<&SubD> for SubDObject {
     fn from(subd: &SubD) -> Self {
-        let levels = subd.levels().iter().zip(0_u16..).map(|(net, level)| SubDLevel::from_net(net, level));
+        // Without them other readers call the SubD not valid.
+        let nets = subd.levels().iter().map(|net| net.clone().with_sector_coefficients());
+        let levels = nets.zip(0_u16..).map(|(net, level)| SubDLevel::from_net(&net, level));
         Self { levels: levels.collect(), ..Self::default() }
     }
 }
