@@ -18,7 +18,7 @@ test-rust:
 test-python: $(VENV)/installed
 	cargo build --release -p katydid
 	$(VENV)/bin/python -m pytest -q --ignore=python-tests/step python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
-		crates/rhino3dm/tests/tables_peer.py
+		crates/rhino3dm/tests/tables_peer.py crates/rhino3dm/tests/solids_peer.py
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
 test-step: $(VENV)-step/installed
