@@ -1,6 +1,7 @@
 /** Notes in the page what came over the socket and when a picture was drawn, without touching the page's own code. */
 import type { Page } from "@playwright/test";
 
+import type { ObjectView } from "../src/core/protocol/ObjectView";
 import type {} from "../src/viewport/current";
 
 export interface Watched {
@@ -12,8 +13,10 @@ export interface Watched {
   /** When the last geometry was named. */
   previews: number;
   count: number;
-  /** When the picture was drawn that came after it. */
+  /** When the frame was handed over whose picture came after it. */
   drawn: number;
+  /** The ids of the document's sliders. */
+  sliders: string[];
 }
 
 declare global {
@@ -24,7 +27,7 @@ declare global {
 
 export async function watch(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const watched = { input: 0, solved: 0, took: 0, previews: 0, count: 0, drawn: 0 };
+    const watched = { input: 0, solved: 0, took: 0, previews: 0, count: 0, drawn: 0, sliders: [] as string[] };
     window.watched = watched;
     for (const kind of ["pointermove", "pointerdown", "keydown", "change"]) {
       addEventListener(kind, (event) => (watched.input = event.timeStamp), { capture: true });
@@ -40,6 +43,9 @@ export async function watch(page: Page): Promise<void> {
             watched.previews = performance.now();
             watched.count += 1;
             wait(window.__studio?.viewport?.stats()?.frames ?? 0);
+          } else if (start.includes('"document"')) {
+            const { objects } = JSON.parse(data) as { objects: ObjectView[] };
+            watched.sliders = objects.filter(({ control }) => control?.is === "slider").map(({ id }) => id);
           } else if (start.includes('"results"') && /"finished":true/.test(data.slice(-200))) {
             watched.solved = performance.now();
             watched.took = Number(/"milliseconds":([\d.e-]+)\}?$/.exec(data)?.[1] ?? 0);
@@ -47,12 +53,14 @@ export async function watch(page: Page): Promise<void> {
         });
       }
     };
+    /** Notes when a frame with a picture that came later was handed over: the first task after it runs then. */
     function wait(before: number): void {
-      const look = () => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
         if ((window.__studio?.viewport?.stats()?.frames ?? 0) > before) watched.drawn = performance.now();
-        else requestAnimationFrame(look);
+        else requestAnimationFrame(() => port2.postMessage(0));
       };
-      requestAnimationFrame(look);
+      requestAnimationFrame(() => port2.postMessage(0));
     }
   });
 }

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::serve_args::ServeArgs;
+
 /// Grasshopper definitions without Rhino: run them, check them, convert them.
 #[derive(Debug, Parser)]
 #[command(name = "katydid", version, about, long_about = None, arg_required_else_help = true)]
@@ -19,7 +21,8 @@ Examples:
   katydid diff old.gh new.gh                    what changed, in words
   katydid components 'Divide Curve'             help for a component
   katydid view facade.gh -o facade.png          a picture of what it makes
-  katydid studio facade.gh                      edit it in the browser")]
+  katydid studio facade.gh                      edit it in the browser
+  katydid serve                                 answer the clients of Rhino.Compute and Hops")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -45,6 +48,8 @@ pub(crate) enum Command {
     View(ViewArgs),
     /// Open the studio in the browser: the definition on a canvas, its geometry beside it
     Studio(StudioArgs),
+    /// Answer the clients of Rhino.Compute and Hops: definitions solved over HTTP
+    Serve(ServeArgs),
 }
 
 /// A definition that is to be solved, and with what.

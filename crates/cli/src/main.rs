@@ -14,7 +14,10 @@ mod output;
 mod progress;
 mod run;
 mod scene_file;
+mod serve;
+mod serve_args;
 mod source;
+mod stop;
 mod studio;
 mod view;
 
@@ -40,6 +43,7 @@ fn main() -> ExitCode {
         Command::Components(args) => components::components(args),
         Command::View(args) => view::view(args),
         Command::Studio(args) => studio::studio(args),
+        Command::Serve(args) => serve::serve(args),
     };
     match result {
         Ok(code) => ExitCode::from(code),

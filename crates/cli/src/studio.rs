@@ -4,6 +4,7 @@ use katydid_server::{Config, Server};
 
 use crate::args::StudioArgs;
 use crate::output::{BOLD, YELLOW, note, say};
+use crate::stop::ended;
 
 pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
     let config = Config {
@@ -42,22 +43,4 @@ fn greet(server: &Server, args: &StudioArgs) {
     if !args.no_open && ::open::that_detached(server.url()).is_err() {
         note(&format!("{YELLOW}note{YELLOW:#}: no browser could be started: open the address in one"));
     }
-}
-
-/// Waits for Ctrl+C, or for the system to end it.
-async fn ended() {
-    let interrupted = tokio::signal::ctrl_c();
-    #[cfg(unix)]
-    {
-        use tokio::signal::unix::{SignalKind, signal};
-        match signal(SignalKind::terminate()) {
-            Ok(mut terminated) => tokio::select! {
-                _ = interrupted => {}
-                _ = terminated.recv() => {}
-            },
-            Err(_) => drop(interrupted.await),
-        }
-    }
-    #[cfg(not(unix))]
-    drop(interrupted.await);
 }

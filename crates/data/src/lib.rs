@@ -38,6 +38,7 @@ mod time;
 mod tree;
 mod tree_shape;
 mod value;
+mod weight;
 
 pub use colour::Colour;
 pub use column::{Column, Items};

@@ -1,4 +1,4 @@
-use std::net::SocketAddr;
+use std::net::{IpAddr, SocketAddr};
 
 /// Why the server could not start.
 #[derive(Debug, thiserror::Error)]
@@ -12,6 +12,9 @@ pub enum Error {
         /// What the system says.
         source: std::io::Error,
     },
+    /// Others than this machine could ask a compute server that has no key.
+    #[error("{0}: others can reach this address, so a key is needed: --key, or RHINO_COMPUTE_KEY")]
+    Key(IpAddr),
     /// The document that it should begin with cannot be opened.
     #[error("{0}")]
     Open(String),

@@ -1,6 +1,7 @@
-//! Serves the studio on one port: the page, documents over a WebSocket, geometry and files over HTTP.
+//! Two servers, each on a port of its own, which share the loop that takes connections (`listen`) and the way to
+//! compare secrets (`secret`).
 //!
-//! Each document has a thread that owns it (`document`) and a thread that solves; nothing of either runs on the
+//! The studio's: the page, documents over a WebSocket, geometry and files over HTTP. Each document has a thread that owns it (`document`) and a thread that solves; nothing of either runs on the
 //! threads that serve sockets. Who does not read fast enough is told the newest state, never everything in between.
 //!
 //! ```no_run
@@ -11,15 +12,20 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! The other speaks as Rhino.Compute does: [`compute`].
 
 mod catalogue;
+pub mod compute;
 mod config;
 mod document;
 mod error;
 mod files;
 mod geometry;
 mod http;
+mod listen;
 mod lock;
+mod secret;
 mod server;
 
 pub use config::Config;

@@ -38,9 +38,6 @@ pub enum InputError {
     },
 }
 
-/// The label of groups that mark an input for Rhino.Compute: `RH_IN:name`.
-const MARK: &str = "RH_IN:";
-
 /// The objects that can be set, with the names they go by, in the order of the document.
 pub fn inputs(document: &Document) -> Vec<(String, Uuid)> {
     named(document).into_iter().map(|(name, index)| (name, document.objects[index].id)).collect()
@@ -50,10 +47,12 @@ fn named(document: &Document) -> Vec<(String, usize)> {
     let mut named = Vec::new();
     for (index, object) in document.objects.iter().enumerate() {
         if let Some(Special::Group(group)) = object.special() {
-            let Some(name) = group.label.trim().strip_prefix(MARK) else { continue };
-            let members = group.members.iter();
-            let inside = members.filter_map(|id| document.objects.iter().position(|o| o.id == *id));
-            named.extend(inside.map(|member| (name.trim().to_owned(), member)));
+            if !group.marks_input() {
+                continue;
+            }
+            let mut members = group.members.iter();
+            let first = members.find_map(|id| document.objects.iter().position(|o| o.id == *id));
+            named.extend(first.map(|member| (group.marked_name().to_owned(), member)));
         } else if can_be_set(object) {
             named.push((object.title().to_owned(), index));
         }
@@ -74,6 +73,8 @@ pub(crate) fn find(document: &Document, name: &str) -> Result<usize, InputError>
         return Ok(index);
     }
     let all = named(document);
+    // Servers and their clients know an input by the whole label of its group.
+    let name = name.strip_prefix("RH_IN:").map_or(name, str::trim);
     let matching = |same: &dyn Fn(&str) -> bool| {
         let mut found: Vec<usize> = all.iter().filter(|(n, _)| same(n)).map(|(_, i)| *i).collect();
         found.sort_unstable();

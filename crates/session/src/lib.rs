@@ -40,6 +40,7 @@ pub use catalogue::Registry;
 pub use change::{Change, Refusal};
 pub use check::{Check, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
+pub use edits::new_object;
 pub use input::{InputError, inputs};
 pub use report::{Items, Report};
 pub use results::{Digits, result_view, rows, structure};

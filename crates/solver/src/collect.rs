@@ -33,17 +33,40 @@ pub(crate) fn port(
     } else {
         declared.and_then(|d| d.default).map_or_else(Tree::empty, |default| default())
     };
+    Collected { tree: fit(object, port, declared, tree, rules, &mut messages), messages }
+}
+
+/// The data of `port` when somebody brought it in place of wires and of what is kept.
+pub(crate) fn brought(
+    object: &Object,
+    port: &Port,
+    declared: Option<&Declared>,
+    tree: &Tree,
+    options: &Options,
+) -> Collected {
+    let mut messages = Vec::new();
+    Collected { tree: fit(object, port, declared, tree.clone(), &options.rules, &mut messages), messages }
+}
+
+/// The tree as the input takes it: cast to its type, changed by its modifiers.
+fn fit(
+    object: &Object,
+    port: &Port,
+    declared: Option<&Declared>,
+    tree: Tree,
+    rules: &cast::Rules,
+    messages: &mut Vec<Message>,
+) -> Tree {
     let kind = declared.map_or(Kind::Generic, |d| d.kind);
-    let tree = cast_to(tree, kind, rules, &mut messages);
-    let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, &mut messages) };
+    let tree = cast_to(tree, kind, rules, messages);
+    let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, messages) };
     // An expression may give another type than the port's.
-    let tree = cast_to(tree, kind, rules, &mut messages);
-    let tree = match kind {
-        Kind::Surface if !object.is_floating() => one_surface(tree, &mut messages),
-        Kind::Brep if !object.is_floating() => breps(tree, &mut messages),
+    let tree = cast_to(tree, kind, rules, messages);
+    match kind {
+        Kind::Surface if !object.is_floating() => one_surface(tree, messages),
+        Kind::Brep if !object.is_floating() => breps(tree, messages),
         _ => tree,
-    };
-    Collected { tree, messages }
+    }
 }
 
 /// Components that ask for a surface compute with that of a brep's only face, trimmed or not, turned over or not. For
@@ -101,7 +124,8 @@ fn replaced(
     tree.with_column(usable)
 }
 
-fn cast_to(tree: Tree, kind: Kind, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+/// The tree with every item cast to a type; those that cannot be are null, which is told.
+pub(crate) fn cast_to(tree: Tree, kind: Kind, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
     let cast::Cast { column, failed } = cast::column(tree.column(), kind, rules);
     if let Some((from, count)) = failed {
         let times = if count == 1 { String::new() } else { format!(" ({count} times)") };

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use katydid_component::{Deadline, Message};
@@ -14,14 +14,19 @@ use crate::schedule::Todo;
 use crate::{Finished, Options, Progress, schedule};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
-#[derive(Debug)]
+///
+/// A clone shares documents and results until one of the two changes, so that many may solve one definition, each with
+/// inputs of its own.
+#[derive(Debug, Clone)]
 pub struct Engine {
     pub(crate) document: Document,
     pub(crate) options: Options,
-    pub(crate) graph: Graph,
+    pub(crate) graph: Arc<Graph>,
     pub(crate) reports: Vec<Option<ObjectReport>>,
     /// The objects without a report: a solve looks at these and at no others.
     pub(crate) dirty: Vec<usize>,
+    /// What inputs read in place of their wires and of what they keep, by object and input.
+    pub(crate) given: HashMap<(usize, usize), Tree>,
 }
 
 /// What one solve did.
@@ -40,11 +45,12 @@ impl Engine {
     pub fn new(document: Document, options: Options) -> Self {
         let count = document.objects.len();
         Self {
-            graph: Graph::new(&document),
+            graph: Arc::new(Graph::new(&document)),
             document,
             options,
             reports: vec![None; count],
             dirty: (0..count).collect(),
+            given: HashMap::new(),
         }
     }
 
@@ -104,6 +110,7 @@ impl Engine {
             deadline: Deadline::after(self.options.limits.time),
             depth: 0,
             given: &HashMap::new(),
+            brought: &self.given,
             wanted: &[],
         };
         let solved = solve_graph(&turn, &self.graph, &mut self.reports, &self.dirty);
@@ -129,6 +136,7 @@ pub(crate) fn solve_nested(
         deadline: outer.deadline,
         depth: outer.depth + 1,
         given,
+        brought: &HashMap::new(),
         wanted: &[],
     };
     let all: Vec<usize> = (0..reports.len()).collect();

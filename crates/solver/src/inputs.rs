@@ -29,12 +29,16 @@ impl<'a> Inputs<'a> {
         let options = self.engine.options();
         let mut inputs = Vec::with_capacity(object.inputs.len());
         for (k, port) in object.inputs.iter().enumerate() {
+            let declared = component.and_then(|component| component.input(k));
+            if let Some(tree) = self.engine.given.get(&(index, k)) {
+                inputs.push(collect::brought(object, port, declared, tree, options).tree);
+                continue;
+            }
             let source = |id: &uuid::Uuid| {
                 let from = self.lookup.output(*id)?;
                 self.engine.report(from.object)?.outputs.get(from.port)
             };
             let wired: Vec<&Tree> = port.sources.iter().filter_map(source).collect();
-            let declared = component.and_then(|component| component.input(k));
             inputs.push(collect::port(object, port, declared, &wired, options).tree);
         }
         // An old file may know fewer inputs than the component has today.

@@ -14,6 +14,7 @@
 mod cluster;
 mod collect;
 mod engine;
+mod given;
 mod graph;
 mod inputs;
 mod modifiers;

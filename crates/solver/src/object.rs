@@ -1,10 +1,11 @@
 //! One object's turn: collect, run, modify.
 
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
-use katydid_data::{Column, Path, Tree};
-use katydid_definition::document::{Document, Object};
+use katydid_data::{Column, Kind, Path, Tree};
+use katydid_definition::document::{Document, Object, Special};
 
 use crate::report::{ObjectReport, Status};
 use crate::{Options, cluster, collect, modifiers};
@@ -17,7 +18,9 @@ pub(crate) struct Turn<'a> {
     /// How many clusters the object is inside of.
     pub(crate) depth: usize,
     /// Data that comes from outside, by object: what a cluster's inputs bring in.
-    pub(crate) given: &'a std::collections::HashMap<usize, Tree>,
+    pub(crate) given: &'a HashMap<usize, Tree>,
+    /// What inputs read in place of their wires and of what they keep, by object and input.
+    pub(crate) brought: &'a HashMap<(usize, usize), Tree>,
     pub(crate) wanted: &'a [bool],
 }
 
@@ -37,11 +40,14 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> Obje
         let outputs = vec![output(object, 0, tree.clone(), turn.options, &mut messages)];
         return ObjectReport { outputs, ..ObjectReport::idle(Status::Ok, messages, 0) };
     }
+    if let Some(report) = brought(turn, index, object) {
+        return report;
+    }
     if let Some(report) = cluster::solve(turn, object, wired) {
         return report;
     }
     match registry::by_guid(object.component) {
-        Some(component) => run(turn, object, component, wired),
+        Some(component) => run(turn, index, object, component, wired),
         None => unsupported(turn.document, object),
     }
 }
@@ -60,8 +66,31 @@ fn unsupported(document: &Document, object: &Object) -> ObjectReport {
     report
 }
 
+/// The report of an object that hands nothing on, a slider say: it gives what was brought in place of what it keeps.
+fn brought(turn: &Turn<'_>, index: usize, object: &Object) -> Option<ObjectReport> {
+    let tree = turn.brought.get(&(index, 0))?;
+    let component = registry::by_guid(object.component);
+    let hands_on = match object.special() {
+        // A slider, toggle or list gives what it keeps, whatever comes over a wire.
+        None | Some(Special::Contextual(_) | Special::Panel(_)) => {
+            component.is_some_and(|component| !component.inputs.is_empty())
+        }
+        Some(_) => false,
+    };
+    if hands_on {
+        return None;
+    }
+    let mut messages = Vec::new();
+    let kind = component.and_then(|component| component.output(0)).map_or(Kind::Generic, |port| port.kind);
+    let tree = collect::cast_to(tree.clone(), kind, &turn.options.rules, &mut messages);
+    let outputs = vec![output(object, 0, tree, turn.options, &mut messages)];
+    let status = ObjectReport::status_of(&messages);
+    Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+}
+
 fn run(
     turn: &Turn<'_>,
+    index: usize,
     object: &Object,
     component: &'static Component,
     wired: &[Vec<&Tree>],
@@ -73,7 +102,10 @@ fn run(
     for (k, port) in object.inputs.iter().enumerate() {
         let declared = component.input(k);
         let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
-        let collected = collect::port(object, port, declared, wires, turn.options);
+        let collected = match turn.brought.get(&(index, k)) {
+            Some(tree) => collect::brought(object, port, declared, tree, turn.options),
+            None => collect::port(object, port, declared, wires, turn.options),
+        };
         messages.extend(collected.messages);
         let optional = declared.is_none_or(|d| d.optional || d.many && d.access != Access::Item);
         if collected.tree.is_empty() && !optional {

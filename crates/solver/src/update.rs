@@ -1,5 +1,7 @@
 //! Takes the next state of a document in, and finds out which results it leaves standing.
 
+use std::sync::Arc;
+
 use katydid_data::cast::Rules;
 use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Difference, Misfit, Object};
@@ -68,7 +70,9 @@ impl Engine {
                 *slot = Some(at);
             }
         }
-        let graph = std::mem::replace(&mut self.graph, Graph::new(&self.document));
+        // Places are others now: what was given to them is not.
+        self.given.clear();
+        let graph = std::mem::replace(&mut self.graph, Arc::new(Graph::new(&self.document)));
         let mut reports = std::mem::take(&mut self.reports);
         self.reports = was
             .iter()

@@ -94,7 +94,9 @@ function node(object: ObjectView, rect: Rect, zIndex: number): CanvasNode {
 /** Makes edges, and knows those it made before. */
 export class EdgeMaker {
   #kept = new Map<string, WireEdge>();
+  #made: WireEdge[] = [];
 
+  /** The same list as before where no wire is another: the canvas looks through none of them then. */
   make(objects: Objects, outputs: Outputs): WireEdge[] {
     const kept = new Map<string, WireEdge>();
     for (const wire of wiresOf(objects, outputs)) {
@@ -105,7 +107,10 @@ export class EdgeMaker {
       kept.set(id, same ? old : edge(id, wire.source, wire.target, { from: wire.from, to: wire.to, view }));
     }
     this.#kept = kept;
-    return [...kept.values()];
+    const made = [...kept.values()];
+    const isSame = made.length === this.#made.length && made.every((each, at) => each === this.#made[at]);
+    if (!isSame) this.#made = made;
+    return this.#made;
   }
 }
 

@@ -19,6 +19,9 @@ export function wordsOf(object: ObjectView): string[] {
   return [object.nickname, object.name, writtenOn(object)].map((text) => text.trim()).filter((text) => text !== "");
 }
 
+/** The first part of an id, as messages of servers and of `katydid run` name objects. */
+const ID = /^[0-9a-f]{8}/;
+
 /** The objects with a text that holds the query; those that begin with it first, then in the order given. */
 export function found(objects: Iterable<ObjectView>, query: string): ObjectView[] {
   const wanted = query.trim().toLowerCase();
@@ -27,6 +30,7 @@ export function found(objects: Iterable<ObjectView>, query: string): ObjectView[
   const others: ObjectView[] = [];
   for (const object of objects) {
     const words = wordsOf(object).map((text) => text.toLowerCase());
+    if (ID.test(wanted)) words.push(object.id.toLowerCase());
     if (words.some((text) => text.startsWith(wanted))) first.push(object);
     else if (words.some((text) => text.includes(wanted))) others.push(object);
   }

@@ -70,7 +70,8 @@ export function patched(mirror: DocumentMirror, patch: Extract<Event, { event: "
     for (const id of patch.removed) objects.delete(id);
   }
   const order = patch.order ?? (touched ? reordered(mirror.order, objects) : mirror.order);
-  const known = touched ? ports(objects) : { inputs: mirror.inputs, outputs: mirror.outputs };
+  const isSame = patch.removed.length === 0 && patch.put.every((object) => hasPortsOf(object, mirror.objects.get(object.id)));
+  const known = isSame ? { inputs: mirror.inputs, outputs: mirror.outputs } : ports(objects);
   return { ...mirror, revision: patch.revision, document, objects, order, ...known };
 }
 
@@ -80,6 +81,13 @@ function reordered(order: readonly string[], objects: ReadonlyMap<string, Object
   if (kept.length === order.length && kept.length === objects.size) return order;
   const known = new Set(kept);
   return [...kept, ...[...objects.keys()].filter((id) => !known.has(id))];
+}
+
+/** Whether an object has the ports that it had: a slider that is dragged changes none. */
+function hasPortsOf(now: ObjectView, before: ObjectView | undefined): boolean {
+  const isSame = (side: "inputs" | "outputs") =>
+    now[side].length === before?.[side].length && now[side].every(({ id }, at) => id === before[side][at]?.id);
+  return isSame("inputs") && isSame("outputs");
 }
 
 function ports(objects: ReadonlyMap<string, ObjectView>): Pick<DocumentMirror, "inputs" | "outputs"> {

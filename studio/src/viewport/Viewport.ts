@@ -28,9 +28,7 @@ export interface Options {
 }
 
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
-const HEAVY = 200_000;
-/** A point costs it as much as so many of them. */
-const POINT_COST = 20;
+const HEAVY = 10_000;
 const REST = 350;
 
 export class Viewport {
@@ -76,7 +74,7 @@ export class Viewport {
     this.#renderer.autoClear = false;
     this.#renderer.sortObjects = true;
     this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
-    this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000 }, () => this.#renderer.getPixelRatio());
+    this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000, areInstances: !this.isSoftware }, () => this.#renderer.getPixelRatio());
     this.#painter = new Painter(this.#renderer, this.model);
     this.panes = new Panes(() => this.invalidate());
     this.#picker = new Picker(this.model);
@@ -199,8 +197,8 @@ export class Viewport {
   }
 
   /** The colour of a pixel of the canvas as it would be drawn now. */
-  pixel(x: number, y: number): Rgba {
-    this.draw();
+  pixel(x: number, y: number, isFine = true): Rgba {
+    this.draw(isFine);
     const gl = this.#renderer.getContext();
     const ratio = this.#renderer.getPixelRatio();
     const bytes = new Uint8Array(4);
@@ -300,7 +298,7 @@ export class Viewport {
 
   #isHeavy(): boolean {
     const { triangles, segments, points } = this.model.counts();
-    return this.isSoftware && triangles + segments + points * POINT_COST > HEAVY;
+    return this.isSoftware && triangles + segments + points > HEAVY;
   }
 
   /** Batches, looks and false colours as they are to be now. */

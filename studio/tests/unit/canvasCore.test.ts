@@ -271,3 +271,12 @@ test("objects are found by their names and by what is written on them", () => {
   expect(names("  DIVIDE ")).toEqual(["Divide Curve"]);
   expect(names("")).toEqual([]);
 });
+
+test("an object is found by its id, or the first eight signs of it", () => {
+  const objects = [...sampleState().objects];
+  const [first] = objects;
+  const withId = { ...first!, id: "deadbeef-0000-4000-8000-000000000001" };
+  expect(found([...objects, withId], "DEADBEEF")).toEqual([withId]);
+  expect(found([...objects, withId], withId.id)).toEqual([withId]);
+  expect(found([withId], "dead")).toEqual([]);
+});

@@ -1,12 +1,17 @@
 use std::io::Write;
 
+use katydid_geometry::Units;
 use katydid_step::{Document, Part, Shape as Exact};
 
 use crate::{Error, LeftOut, Result, Scene, Shape, Thing};
 
 /// Writes a scene; gives what STEP cannot hold.
 pub(crate) fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<LeftOut>> {
-    let mut document = Document { metres: scene.metres, tolerance: scene.tolerance, ..Document::default() };
+    let mut document = Document { tolerance: scene.tolerance, ..Document::default() };
+    // A model without a unit keeps its numbers: the file must name one, and is in millimetres as new models are.
+    if scene.units != Units::None || scene.metres != 1.0 {
+        document.metres = scene.metres;
+    }
     let mut left_out = Vec::new();
     for thing in &scene.things {
         match shapes(&thing.shape) {

@@ -98,6 +98,21 @@ impl Brep {
         finished(&[sheet], Measure::Area, frame, fraction, &|| true)
     }
 
+    /// The volume between one face and a point, positive where the face looks away from the point; the shares of all
+    /// faces of a solid are its volume. See [`Brep::area_properties`] for `fraction`.
+    ///
+    /// # Errors
+    /// As for the area; or there is no such face.
+    pub fn face_volume(&self, face: usize, from: Point3, fraction: f64) -> Result<f64> {
+        let frame = Frame { centre: from, ..self.frame()? };
+        let sheet = Sheet::new(self, face, frame)?.ok_or_else(super::trimmed::no_face)?;
+        let mut work = Work::new(MOST, &|| true);
+        let area = sheet.integral(Measure::Area, f64::INFINITY, &mut work)?[0].abs();
+        let share = sheet.integral(Measure::Volume, fraction.clamp(1e-13, 0.1) * area, &mut work)?[0];
+        let volume = share * frame.size.powi(3);
+        Ok(if sheet.reversed { -volume } else { volume })
+    }
+
     fn frame(&self) -> Result<Frame> {
         let bounds = self.bounds_of_faces().ok_or(Error::degenerate("brep", "it has no faces"))?;
         Ok(Frame::of(&bounds))

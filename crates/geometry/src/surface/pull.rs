@@ -66,7 +66,8 @@ impl Surface {
     ///
     /// Lines through some points of each smooth stretch of the curve are met with the surface; from each meeting the
     /// curve is followed both ways by Newton's method, to where it leaves the surface or the direction becomes tangent to
-    /// it. So a piece that lies between two of those points (a 32nd of a stretch) may be missed.
+    /// it. So a piece that lies between two of those points (a 32nd of a stretch) may be missed, and stretches that lie
+    /// over the outline of the surface, where every line only grazes it, give nothing.
     ///
     /// # Errors
     /// A direction of length 0, or a tolerance that is not above 0.
@@ -281,6 +282,12 @@ mod tests {
         assert!((length(&around) - TAU * 24f64.sqrt()).abs() < 5e-3, "{} {}", around.len(), length(&around));
         assert!(ball().project_curve(&line, Vector3::Y, &FINE).unwrap().is_empty());
         assert!(ball().project_curve(&line, Vector3::ZERO, &FINE).is_err());
+        // Over the outline every line only grazes the ball; a little inside it there are two parallels.
+        let outline: Curve = Circle::new(Plane::XY.offset(20.0), 5.0).unwrap().into();
+        assert!(ball().project_curve(&outline, Vector3::Z, &FINE).unwrap().is_empty());
+        let inside: Curve = Circle::new(Plane::XY.offset(20.0), 4.9999).unwrap().into();
+        let both = ball().project_curve(&inside, Vector3::Z, &FINE).unwrap();
+        assert!((length(&both) - 2.0 * TAU * 4.9999).abs() < 1e-3, "{}", length(&both));
         // Part of a corner on a plane.
         let side = Interval::new(0.0, 4.0);
         let flat: Surface = PlaneSurface::new(Plane::XY, side, side).unwrap().into();

@@ -59,7 +59,7 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
     }
 }
 
-fn content_type(format: Format) -> &'static str {
+pub(crate) fn content_type(format: Format) -> &'static str {
     match format {
         Format::Obj => "model/obj",
         Format::Stl => "model/stl",

@@ -6,7 +6,7 @@ mod gallery;
 mod recent;
 mod replace;
 
-pub(crate) use export::{Wishes, export};
+pub(crate) use export::{Wishes, content_type, export};
 pub(crate) use form::{Form, read, write};
 pub(crate) use gallery::Gallery;
 pub(crate) use recent::Recent;

@@ -21,6 +21,7 @@ use uuid::Uuid;
 use super::State;
 use super::answer::Refused;
 use crate::Config;
+use crate::secret::Secret;
 
 /// The name of the cookie that holds the token.
 const COOKIE_NAME: &str = "katydid_token";
@@ -41,8 +42,7 @@ pub(crate) struct Guard {
 #[derive(Debug)]
 struct Token {
     text: String,
-    /// Hashes are compared in constant time.
-    hash: blake3::Hash,
+    secret: Secret,
 }
 
 impl Guard {
@@ -51,7 +51,7 @@ impl Guard {
         let chance = || format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
         let text =
             config.token.clone().filter(|token| !token.is_empty()).or_else(|| (!is_local).then(chance));
-        let token = text.map(|text| Token { hash: blake3::hash(text.as_bytes()), text });
+        let token = text.map(|text| Token { secret: Secret::new(&text), text });
         Self { token, is_local }
     }
 
@@ -61,7 +61,7 @@ impl Guard {
     }
 
     fn knows(&self, given: &str) -> bool {
-        self.token.as_ref().is_none_or(|token| token.hash == blake3::hash(given.as_bytes()))
+        self.token.as_ref().is_none_or(|token| token.secret.is(given.as_bytes()))
     }
 
     /// Why a request is none of the studio's.

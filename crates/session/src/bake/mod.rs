@@ -9,16 +9,12 @@ use std::collections::HashSet;
 use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
 use katydid_component::{Access, Matching};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
-use katydid_definition::document::{Document, Object, Special};
+use katydid_definition::document::{Document, Object, Special, ids};
 use katydid_solver::{Engine, Inputs};
 use uuid::{Uuid, uuid};
 
-/// Context Bake: what goes in is meant to come out.
-const CONTEXT_BAKE: Uuid = uuid!("ae2531b4-bab2-4bb1-b5bf-f2143d10c132");
 /// Custom Preview: geometry, and the material that it is seen in.
 const CUSTOM_PREVIEW: Uuid = uuid!("537b0419-bbc2-4ff4-bf08-afe526367b2c");
-/// The label of groups that mark an output for Rhino.Compute.
-const MARK: &str = "RH_OUT";
 
 /// How geometry is put into a model.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -82,12 +78,12 @@ fn marked(document: &Document) -> Option<Vec<usize>> {
     let lookup = document.lookup();
     let mut marked = Vec::new();
     for object in &document.objects {
-        if object.component == CONTEXT_BAKE {
+        if object.component == ids::CONTEXT_BAKE {
             let sources = object.inputs.iter().flat_map(|port| &port.sources);
             marked.extend(sources.filter_map(|id| lookup.output(*id)).map(|port| port.object));
         }
         if let Some(Special::Group(group)) = object.special()
-            && group.label.trim().starts_with(MARK)
+            && group.marks_output()
         {
             marked.extend(group.members.iter().filter_map(|id| lookup.object(*id)));
         }

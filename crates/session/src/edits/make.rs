@@ -16,7 +16,10 @@ const SIFT_PATTERN: Uuid = uuid!("3249222f-f536-467a-89f4-f0353fba455a");
 const STREAM_GATE: Uuid = uuid!("71fcc052-6add-4d70-8d97-cfb37ea9d169");
 
 /// A new object of a component type, its ports as they begin, without a place.
-pub(super) fn object(component: Uuid, id: Uuid) -> Result<Object, Refusal> {
+///
+/// # Errors
+/// When there is no such component, or it cannot begin empty, as a cluster.
+pub fn object(component: Uuid, id: Uuid) -> Result<Object, Refusal> {
     match component {
         ids::GROUP => return Ok(annotation(component, "Group", "", id)),
         ids::SCRIBBLE => return Ok(scribble(id)),

@@ -24,6 +24,7 @@ use crate::protocol::Edit;
 
 pub(crate) use clipboard::copy;
 pub(crate) use clusters::tie_ports;
+pub use make::object as new_object;
 pub(crate) use settings::rules_of;
 
 /// The most ids that one edit may name.

@@ -1,5 +1,6 @@
 //! Edges, with their curves in the parameter planes of their faces.
 
+use super::beside;
 use super::chart::Chart;
 use super::curve::{self, Room};
 use super::flag;
@@ -59,8 +60,7 @@ fn range(space: &Curve) -> Interval {
     }
 }
 
-/// The curve of a trim in the parameter plane of its face, if it is at the edge's parameter where the edge is; and
-/// the face.
+/// The curve of a trim in the parameter plane of its face, at the edge's parameters where the edge is; and the face.
 fn on_surface(
     sheet: &mut Sheet,
     brep: &Brep,
@@ -82,9 +82,16 @@ fn on_surface(
         let uv = along(&flat, x);
         along(space, x).distance_to(ground.surface.point_at(uv.x, uv.y)) <= tolerance
     });
-    if !is_near {
-        return None;
-    }
+    let flat = if is_near && !is_joined(&flat) {
+        flat
+    } else {
+        let allowed = brep.edges().get(trim.edge?)?.tolerance.max(tolerance);
+        match beside::at_pace(&flat, space, ground.surface, allowed) {
+            Some(chain) => chain.into(),
+            None if is_near => flat,
+            None => return None,
+        }
+    };
     let id = flat_curve(sheet, &flat, &ground.put.chart, range(space)).ok()?;
     let context = sheet.put(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()REPRESENTATION_CONTEXT('2D SPACE',''))",
@@ -92,6 +99,14 @@ fn on_surface(
     let representation = sheet.put(format_args!("DEFINITIONAL_REPRESENTATION('',({id}),{context})"));
     let id = sheet.put(format_args!("PCURVE('',{},{representation})", ground.put.id));
     Some((id, face))
+}
+
+/// Whether a curve is joined of pieces that hold together by their ends only, which programs take for corners.
+fn is_joined(flat: &Curve) -> bool {
+    let Curve::Nurbs(curve) = flat else { return false };
+    let spans = curve.span_parameters();
+    let inner = spans.get(1..spans.len().saturating_sub(1)).unwrap_or(&[]);
+    curve.degree() > 1 && inner.iter().any(|t| curve.multiplicity(*t) >= curve.degree())
 }
 
 /// A curve of the parameter plane over the parameters of the edge's carrier.

@@ -1,5 +1,6 @@
 //! Documents as files.
 
+mod beside;
 mod brep;
 mod chart;
 mod curve;

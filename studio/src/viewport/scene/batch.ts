@@ -10,9 +10,10 @@ export const ALONE = 20_000;
 /** A batch takes no more parts once it has this many positions: one change makes all of it anew. */
 const FULL = 60_000;
 
-/** What parts of one batch have in common. */
-export function batchKey({ kind, width, normals, colours, indices }: PreviewPart, hasValues: boolean): string {
-  return [kind, width, normals !== null, colours !== null, indices !== null, hasValues].join();
+/** What parts of one batch have in common. Surfaces that hide and those that shine through are drawn at different times. */
+export function batchKey({ kind, width, normals, colours, indices, colour }: PreviewPart, hasValues: boolean): string {
+  const hides = kind === "mesh" && colour?.[3] === 255;
+  return [kind, width, normals !== null, colours !== null, indices !== null, hasValues, hides].join();
 }
 
 export class Batch {

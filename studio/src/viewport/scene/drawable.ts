@@ -55,6 +55,8 @@ export interface Drawable {
 /** How wide lines may be drawn: cards that are software draw wide lines slowly. */
 export interface LineBudget {
   wide: number;
+  /** Whether the card draws one thing many times in one go. */
+  areInstances: boolean;
 }
 
 export function makeDrawable(merged: Merged, materials: Materials, budget: LineBudget, pixels: () => number): Drawable {
@@ -166,7 +168,7 @@ function linesOf(
 ): Drawn[] {
   const used = merged.indices?.length ?? merged.positions.length / 3;
   const width = merged.width || (THINNER[merged.kind] ?? LINE);
-  const objects: Drawn[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, width, pixels) : thinLines(merged, own, materials)];
+  const objects: Drawn[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, budget, width, pixels) : thinLines(merged, own, materials)];
   if (merged.kind === "arrows") objects.push(heads(merged, own, materials, pixels));
   return objects;
 }
@@ -181,7 +183,10 @@ function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) 
   return still(lines);
 }
 
-/** The rectangle of a segment: each geometry has its own buffers, because with a geometry all its buffers go. */
+/**
+ * The rectangle of a segment: its corners as `WIDE_VERTEX` reads them, and the two triangles between them. Each geometry
+ * has its own buffers, because with a geometry all its buffers go.
+ */
 const CORNERS = [-1, 0, -1, 1, 0, -1, 1, 1, 1, -1, 1, 1];
 const SIDES = [0, 1, 2, 0, 2, 3];
 
@@ -189,26 +194,55 @@ function wideLines(
   merged: Merged,
   own: <G extends BufferGeometry>(geometry: G) => G,
   materials: Materials,
+  { areInstances }: LineBudget,
   width: number,
   pixels: () => number,
 ): Drawn {
   const segments = segmentsOf(merged);
-  const geometry = own(new InstancedBufferGeometry());
+  const slots = typeof merged.slots === "number" ? undefined : segmentSlots(merged.slots, merged.indices);
+  const lines = new Mesh(own(areInstances ? instances(segments, slots) : rectangles(segments, slots)), materials.wide);
+  lines.onBeforeRender = () => {
+    materials.setLook(materials.wide, merged.slots);
+    uniform(materials.wide, "uWidth", width * pixels());
+  };
+  return still(lines);
+}
+
+/** One rectangle, and where each segment has it. */
+function instances(segments: Float32Array, slots: Uint16Array | undefined): BufferGeometry {
+  const geometry = new InstancedBufferGeometry();
   const buffer = new InstancedInterleavedBuffer(segments, 6, 1);
   geometry.setAttribute("position", new BufferAttribute(Float32Array.from(CORNERS), 3));
   geometry.setIndex(new BufferAttribute(Uint16Array.from(SIDES), 1));
   geometry.setAttribute("from", new InterleavedBufferAttribute(buffer, 3, 0));
   geometry.setAttribute("to", new InterleavedBufferAttribute(buffer, 3, 3));
   geometry.instanceCount = segments.length / 6;
-  if (typeof merged.slots !== "number") {
-    geometry.setAttribute("slot", new InstancedBufferAttribute(segmentSlots(merged.slots, merged.indices), 1));
+  if (slots) geometry.setAttribute("slot", new InstancedBufferAttribute(slots, 1));
+  return geometry;
+}
+
+/** Each rectangle for itself: software draws instances one by one, each as slowly as a whole model. */
+function rectangles(segments: Float32Array, slots: Uint16Array | undefined): BufferGeometry {
+  const count = segments.length / 6;
+  const ends = new Float32Array(count * 24);
+  const corners = new Int8Array(count * 12);
+  const sides = new Uint32Array(count * 6);
+  const colours = slots && new Uint16Array(count * 4);
+  for (let at = 0; at < count; at++) {
+    const segment = segments.subarray(at * 6, at * 6 + 6);
+    for (let corner = 0; corner < 4; corner++) ends.set(segment, at * 24 + corner * 6);
+    corners.set(CORNERS, at * 12);
+    for (let k = 0; k < 6; k++) sides[at * 6 + k] = at * 4 + (SIDES[k] ?? 0);
+    colours?.fill(slots?.[at] ?? 0, at * 4, at * 4 + 4);
   }
-  const lines = new Mesh(geometry, materials.wide);
-  lines.onBeforeRender = () => {
-    materials.setLook(materials.wide, merged.slots);
-    uniform(materials.wide, "uWidth", width * pixels());
-  };
-  return still(lines);
+  const geometry = new BufferGeometry();
+  const buffer = new InterleavedBuffer(ends, 6);
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  geometry.setIndex(new BufferAttribute(sides, 1));
+  geometry.setAttribute("from", new InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute("to", new InterleavedBufferAttribute(buffer, 3, 3));
+  if (colours) geometry.setAttribute("slot", new BufferAttribute(colours, 1));
+  return geometry;
 }
 
 function heads(

@@ -64,6 +64,24 @@ pub struct Mark {
 }
 
 impl Group {
+    /// Whether the label marks the first object in it as an input, for programs that solve the definition for others:
+    /// `RH_IN` stands anywhere in it.
+    pub fn marks_input(&self) -> bool {
+        self.label.contains("RH_IN")
+    }
+
+    /// Whether the label marks the first object in it as an output: `RH_OUT` stands anywhere in it.
+    pub fn marks_output(&self) -> bool {
+        self.label.contains("RH_OUT")
+    }
+
+    /// What is behind the mark: `width` of `RH_IN:width`. The label itself where nothing is.
+    pub fn marked_name(&self) -> &str {
+        let label = self.label.trim();
+        let after = ["RH_IN:", "RH_OUT:"].iter().find_map(|mark| label.strip_prefix(mark));
+        after.map(str::trim).filter(|name| !name.is_empty()).unwrap_or(label)
+    }
+
     pub(super) fn read(c: &Chunk) -> Self {
         Self {
             label: c.str("NickName").unwrap_or_default().to_owned(),

@@ -3,10 +3,21 @@
 use crate::curve::traced::Sample;
 use crate::intersect::curve_with_surface;
 use crate::surface::geodesic::Unrolled;
-use crate::{Curve, Error, Interval, Line, Result, Surface, Vector3};
+use crate::{Curve, Error, Interval, Line, Point3, Result, Surface, Vector3};
 
 /// Lines of a smooth stretch that are met with the surface at first.
 const LINES: usize = 32;
+
+/// A line that meets the surface at a smaller sine grazes it: where it does is known to half the digits only, and no way
+/// begins there. A curve that lies over the outline of the surface has such lines alone.
+const GRAZING: f64 = 2e-3;
+/// After so many lines that all but graze the surface no more are tried on a stretch: each costs as much as a hundred
+/// others.
+const MOST_GRAZING: usize = 3;
+/// What all but grazes: the places are not exact yet.
+const ALMOST: f64 = 1e-2;
+/// How near a line must come to the surface at first, as a part of the size; Newton's method finds the place after that.
+const NEAR: f64 = 1e-6;
 
 /// A place where the line through a point of the curve meets the surface.
 #[derive(Debug, Clone, Copy)]
@@ -43,13 +54,23 @@ impl<'a> Beam<'a> {
     pub(super) fn ways(&self, part: Interval) -> Result<Vec<Vec<Meeting>>> {
         let mut ways: Vec<Vec<Meeting>> = Vec::new();
         let near = 1e-6 * self.size;
+        let mut grazing = 0;
         for k in 0..=LINES {
+            if grazing == MOST_GRAZING {
+                break;
+            }
             let t = part.at(k as f64 / LINES as f64);
             let p = self.curve.point_at(t);
             let line = Line::new(p - self.direction * self.reach, p + self.direction * self.reach);
-            let found = curve_with_surface(&line.into(), self.surface, 1e-9 * self.size)?;
-            for hit in &found.crossings {
-                let uv = [hit.u, hit.v];
+            let found = curve_with_surface(&line.into(), self.surface, NEAR * self.size)?;
+            let sine = |uv| self.sheet.normal(uv).map_or(0.0, |normal| normal.dot(self.direction).abs());
+            let hits: Vec<[f64; 2]> = found.crossings.iter().map(|hit| [hit.u, hit.v]).collect();
+            grazing += usize::from(!hits.is_empty() && hits.iter().all(|hit| sine(*hit) < ALMOST));
+            for hit in hits {
+                let uv = self.solve(t, hit).filter(|uv| !self.sheet.is_outside(*uv)).unwrap_or(hit);
+                if sine(uv) < GRAZING || self.miss(p, uv) > 1e-9 * self.size {
+                    continue;
+                }
                 // One that another way came through already starts none.
                 let known = ways.iter().any(|way| {
                     let i = way.partition_point(|m| m.t < t);
@@ -57,7 +78,7 @@ impl<'a> Beam<'a> {
                         let there = self.solve(t, m.uv).unwrap_or(m.uv);
                         let inside = way.first().is_some_and(|m| m.t <= t + 1e-9 * part.length())
                             && way.last().is_some_and(|m| m.t >= t - 1e-9 * part.length());
-                        inside && self.sheet.point(there).distance_to(hit.point) <= near.max(2e-9 * self.size)
+                        inside && self.sheet.point(there).distance_to(self.sheet.point(uv)) <= near
                     })
                 });
                 if known {
@@ -143,8 +164,13 @@ impl<'a> Beam<'a> {
             }
             uv = [uv[0] - step[0], uv[1] - step[1]];
         }
-        let miss = self.across.map(|a| (self.sheet.point(uv) - target).dot(a));
-        (miss[0].hypot(miss[1]) <= 1e-10 * self.size).then_some(uv)
+        (self.miss(target, uv) <= 1e-10 * self.size).then_some(uv)
+    }
+
+    /// How far a place of the surface is from the line through a point.
+    fn miss(&self, target: Point3, uv: [f64; 2]) -> f64 {
+        let [a, b] = self.across.map(|a| (self.sheet.point(uv) - target).dot(a));
+        a.hypot(b)
     }
 
     /// The point on the surface for a parameter of the curve, and its direction, next to a guess.

@@ -1,0 +1,52 @@
+//! `katydid serve`.
+
+use katydid_server::compute::{self, Server};
+
+use crate::output::{BOLD, YELLOW, note, say};
+use crate::serve_args::{LogForm, ServeArgs};
+use crate::stop::ended;
+
+/// Where the key may be when it is not on the command line, where others could see it.
+const KEY: &str = "RHINO_COMPUTE_KEY";
+
+pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
+    log(args.log);
+    let config = args.config(std::env::var(KEY).ok());
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .worker_threads(2)
+        .build()
+        .map_err(|error| error.to_string())?;
+    runtime.block_on(async {
+        let has_key = config.key.as_deref().is_some_and(|key| !key.trim().is_empty());
+        let server = compute::start(config).await.map_err(|error| error.to_string())?;
+        greet(&server, args, has_key);
+        ended().await;
+        note("ending: requests that are under way are finished");
+        server.stop().await;
+        Ok(0)
+    })
+}
+
+fn greet(server: &Server, args: &ServeArgs, has_key: bool) {
+    say(&format!("{BOLD}{}{BOLD:#}", server.url()));
+    note(&format!("{}docs explains the addresses and tries them; Ctrl+C ends it", server.url()));
+    if !args.is_local() {
+        note(&format!(
+            "{YELLOW}note{YELLOW:#}: others can ask, with the key; nothing is encrypted: put a proxy with TLS before it"
+        ));
+    } else if !has_key {
+        note("only programs of this machine can ask, without a key");
+    }
+}
+
+/// Lines to standard error. Neither bodies nor keys nor what clients write into addresses are in them.
+fn log(form: LogForm) {
+    let lines = tracing_subscriber::fmt().with_writer(std::io::stderr);
+    // Only fails when lines are written already.
+    let _ = match form {
+        LogForm::Off => Ok(()),
+        LogForm::Text => lines.with_ansi(false).try_init(),
+        LogForm::Json => lines.json().flatten_event(true).try_init(),
+    };
+}

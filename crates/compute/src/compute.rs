@@ -1,0 +1,218 @@
+use std::sync::Arc;
+use std::time::Instant;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use katydid_component::Files;
+use katydid_definition::archive::Limits;
+use uuid::Uuid;
+
+use crate::cache::{self, Definitions, Replies};
+use crate::{
+    Answer, Bounds, Definition, Description, Fault, RequestLimits, Solution, SolveRequest, definition, solve,
+};
+
+/// What a [`Compute`] may use, for all requests.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// The most bytes that kept definitions with their default results may take, by estimate.
+    pub cache_bytes: usize,
+    /// The most bytes of replies that are kept for requests that ask for it.
+    pub reply_bytes: usize,
+    /// How much a request may bring.
+    pub request: RequestLimits,
+    /// How much a definition may ask for before it is refused.
+    pub archive: Limits,
+    /// Which files definitions may read: none unless said so.
+    pub files: Files,
+    /// Whether replies tell what components warned of. Rhino.Compute does so in its debug mode only.
+    pub warnings: bool,
+}
+
+impl Default for Settings {
+    /// 256 MiB of definitions, 64 MiB of replies, no files, with warnings.
+    fn default() -> Self {
+        Self {
+            cache_bytes: 256 << 20,
+            reply_bytes: 64 << 20,
+            request: RequestLimits::default(),
+            archive: Limits { max_inflated: 128 << 20, ..Limits::default() },
+            files: Files::None,
+            warnings: true,
+        }
+    }
+}
+
+/// Where the definition of a request is.
+#[derive(Debug, Clone)]
+pub enum Located {
+    /// Here.
+    Here(Arc<Definition>),
+    /// At this URL: whoever may fetch it does, and hands it to [`Compute::load_bytes`] with the URL as key. A
+    /// definition that was fetched before and is kept still is [`Here`](Self::Here).
+    Url(String),
+}
+
+/// Solves definitions for requests. Shared by all of them.
+#[derive(Debug)]
+pub struct Compute {
+    settings: Settings,
+    definitions: Definitions,
+    replies: Replies,
+}
+
+impl Compute {
+    /// One that keeps nothing yet.
+    pub fn new(settings: Settings) -> Self {
+        katydid_components::link();
+        Self {
+            definitions: Definitions::new(settings.cache_bytes),
+            replies: Replies::new(settings.reply_bytes),
+            settings,
+        }
+    }
+
+    /// What it may use.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// How many definitions are kept, and how many bytes they take with their results, by estimate.
+    pub fn kept(&self) -> (usize, usize) {
+        self.definitions.size()
+    }
+
+    /// The definition that a request speaks of: by its pointer first, then by what it brings.
+    ///
+    /// # Errors
+    /// `BadRequest` when it names none; `NotFound` when the pointer leads nowhere and nothing is brought; `Refused`
+    /// for a path of a file; as for [`load`](Self::load).
+    pub fn locate(&self, request: &SolveRequest) -> Result<Located, Fault> {
+        let algo = request.algo.as_deref().filter(|algo| !algo.trim().is_empty());
+        let Some(pointer) = request.pointer() else {
+            let algo = algo.ok_or_else(|| {
+                Fault::bad_request("Unable to load grasshopper definition: neither algo nor pointer is given")
+            })?;
+            return self.load(algo).map(Located::Here);
+        };
+        if let Some(known) = self.cached(pointer) {
+            return Ok(Located::Here(known));
+        }
+        if let Ok(component) = Uuid::parse_str(pointer) {
+            let key = component.to_string();
+            let make = || Definition::single(key.clone(), component);
+            return self.definitions.get_or_make(&key, make).map(Located::Here);
+        }
+        let scheme = pointer.split_once("://").map(|(scheme, _)| scheme.to_ascii_lowercase());
+        if scheme.as_deref().is_some_and(|scheme| ["http", "https"].contains(&scheme)) {
+            return Ok(Located::Url(pointer.to_owned()));
+        }
+        if let Some(algo) = algo {
+            return self.load(algo).map(Located::Here);
+        }
+        Err(if pointer.starts_with("md5_") {
+            Fault::not_found(
+                "Unable to load grasshopper definition: it is not kept here, send it again as algo",
+            )
+        } else {
+            Fault::refused("Unable to load grasshopper definition: paths of files are not followed")
+        })
+    }
+
+    /// The definition in a text: base64 of a .gh file, or of a .ghx file. It is read once for the same text, and
+    /// kept under the key `md5_…` of the text.
+    ///
+    /// # Errors
+    /// `BadRequest` when the text is no base64 of a definition.
+    pub fn load(&self, algo: &str) -> Result<Arc<Definition>, Fault> {
+        let key = cache::key(algo);
+        let make = || Definition::read(key.clone(), &decoded(algo)?, &self.settings.archive);
+        self.definitions.get_or_make(&key, make)
+    }
+
+    /// The definition with that key, when it is kept still.
+    pub fn cached(&self, key: &str) -> Option<Arc<Definition>> {
+        self.definitions.get(key)
+    }
+
+    /// The definition in the bytes of a .gh or .ghx file, kept under a key of the caller's: a URL. It is read again
+    /// only when the key is not kept any more.
+    ///
+    /// # Errors
+    /// `BadRequest` when the bytes are no definition.
+    pub fn load_bytes(&self, key: String, bytes: &[u8]) -> Result<Arc<Definition>, Fault> {
+        let make = || Definition::read(key.clone(), bytes, &self.settings.archive);
+        self.definitions.get_or_make(&key, make)
+    }
+
+    /// What the definition asks for and gives: the reply of `/io`.
+    pub fn describe(&self, definition: &Definition) -> Description {
+        definition::describe(definition)
+    }
+
+    /// Solves a request. It may be called from many threads at a time, for the same definition too.
+    ///
+    /// # Errors
+    /// `BadRequest` when a value cannot be read or definitions call one another too often; `TimedOut`; `Cancelled`. An
+    /// error of a component is none: see [`Solution::has_errors`].
+    pub fn solve(
+        &self,
+        definition: &Arc<Definition>,
+        request: &SolveRequest,
+        bounds: &Bounds,
+    ) -> Result<Solution, Fault> {
+        let (solution, heavier) = solve::run(&self.settings, definition, request, bounds)?;
+        if heavier {
+            self.definitions.trim();
+        }
+        Ok(solution)
+    }
+
+    /// Solves a request and writes its reply; a request that lets its reply be kept gets the one from last time.
+    ///
+    /// # Errors
+    /// As for [`solve`](Self::solve), and `BadRequest` when the definition has no outputs.
+    pub fn answer(
+        &self,
+        definition: &Arc<Definition>,
+        request: &SolveRequest,
+        bounds: &Bounds,
+    ) -> Result<Answer, Fault> {
+        if definition.interface().outputs.is_empty() {
+            return Err(Fault::bad_request(
+                "The definition has no outputs: it needs a Context Bake, a Context Print or a group called RH_OUT:name",
+            ));
+        }
+        let begin = Instant::now();
+        let digest = request.cache_solve.then(|| request.digest());
+        if let Some(body) = digest.and_then(|digest| self.replies.get(definition.key(), digest)) {
+            let timings = crate::Timings { decode: begin.elapsed(), ..Default::default() };
+            return Ok(Answer { body, has_errors: false, kept: true, timings });
+        }
+        let solution = self.solve(definition, request, bounds)?;
+        let begin = Instant::now();
+        let reply = solution.reply();
+        let body = serde_json::to_vec(&reply).map_err(|error| Fault::failed(error.to_string()))?;
+        let body: Arc<[u8]> = body.into();
+        let has_errors = solution.has_errors();
+        if let Some(digest) = digest.filter(|_| !has_errors && reply.errors.is_empty()) {
+            self.replies.put(definition.key(), digest, body.clone());
+        }
+        let timings = crate::Timings { encode: begin.elapsed(), ..solution.timings() };
+        Ok(Answer { body, has_errors, kept: false, timings })
+    }
+}
+
+/// The bytes in a text of base64; white space in it does not count.
+fn decoded(algo: &str) -> Result<Vec<u8>, Fault> {
+    let compact: String;
+    let text = if algo.bytes().any(|byte| byte.is_ascii_whitespace()) {
+        compact = algo.chars().filter(|c| !c.is_ascii_whitespace()).collect();
+        &compact
+    } else {
+        algo
+    };
+    STANDARD.decode(text).map_err(|error| {
+        Fault::bad_request(format!("Unable to load grasshopper definition: algo is no base64: {error}"))
+    })
+}

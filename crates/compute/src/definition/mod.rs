@@ -1,0 +1,89 @@
+//! A definition with what it asks for and what it gives.
+
+mod defaults;
+mod describe;
+mod interface;
+mod single;
+
+use katydid_definition::archive::Limits;
+use katydid_definition::document::Document;
+use uuid::Uuid;
+
+use crate::Fault;
+use crate::cache::weigh;
+use crate::solve::States;
+
+pub(crate) use describe::describe;
+pub use describe::{Description, InputDescription, OutputDescription};
+pub use interface::{Data, Form, Input, Interface, Output};
+
+/// A definition that requests are solved on. It never changes, but for results that all requests have in common, which
+/// it keeps.
+#[derive(Debug)]
+pub struct Definition {
+    key: String,
+    document: Document,
+    interface: Interface,
+    /// What it does, where its file does not say so.
+    about: Option<&'static str>,
+    weight: usize,
+    states: States,
+}
+
+impl Definition {
+    /// Reads the bytes of a .gh or .ghx file.
+    ///
+    /// # Errors
+    /// `BadRequest` when they are no definition.
+    pub(crate) fn read(key: String, bytes: &[u8], limits: &Limits) -> Result<Self, Fault> {
+        if bytes.is_empty() {
+            return Err(Fault::bad_request("Unable to load grasshopper definition: it is empty"));
+        }
+        let document = Document::read(bytes, limits)
+            .map_err(|error| Fault::bad_request(format!("Unable to load grasshopper definition: {error}")))?;
+        let interface = Interface::of(&document);
+        Ok(Self::new(key, document, interface, None))
+    }
+
+    /// A definition of one component: what it takes is asked for, and what it gives is given.
+    ///
+    /// # Errors
+    /// `NotFound` when there is no component of that type, `NotSupported` when it is known and not here.
+    pub(crate) fn single(key: String, component: Uuid) -> Result<Self, Fault> {
+        let (document, interface, about) = single::of(component)?;
+        Ok(Self::new(key, document, interface, Some(about)))
+    }
+
+    fn new(key: String, document: Document, interface: Interface, about: Option<&'static str>) -> Self {
+        let weight = key.len() + weigh::document(&document);
+        Self { states: States::default(), key, document, interface, about, weight }
+    }
+
+    /// The key by which it is known in later requests: `md5_…` for one that came as text, else what the caller gave.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The document as it came.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What it asks for and gives.
+    pub fn interface(&self) -> &Interface {
+        &self.interface
+    }
+
+    /// About how many bytes of memory it takes, with the results that it keeps.
+    pub fn weight(&self) -> usize {
+        self.weight.saturating_add(self.states.weight())
+    }
+
+    pub(crate) fn about(&self) -> Option<&str> {
+        self.about
+    }
+
+    pub(crate) fn states(&self) -> &States {
+        &self.states
+    }
+}

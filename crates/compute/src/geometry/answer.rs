@@ -1,0 +1,101 @@
+//! What functions give, as replies have it.
+
+use serde_json::Value as Json;
+
+use super::call::ARCHIVE;
+use crate::Fault;
+use crate::wire::{Wire, number};
+
+/// A value of a reply.
+pub(super) trait Answer {
+    /// The name of its type, for help pages and for `?return.`.
+    fn name() -> String;
+
+    /// As the reply has it.
+    fn json(self) -> Result<Json, Fault>;
+}
+
+impl<T: Wire> Answer for T {
+    fn name() -> String {
+        T::TYPE.into()
+    }
+
+    fn json(self) -> Result<Json, Fault> {
+        self.to_json(ARCHIVE)
+    }
+}
+
+macro_rules! plain {
+    ($($type:ty, $name:literal, $json:expr;)*) => {
+        $(impl Answer for $type {
+            fn name() -> String {
+                $name.into()
+            }
+
+            fn json(self) -> Result<Json, Fault> {
+                let json: fn($type) -> Json = $json;
+                Ok(json(self))
+            }
+        })*
+    };
+}
+
+plain! {
+    f64, "System.Double", number;
+    bool, "System.Boolean", Json::from;
+    i32, "System.Int32", Json::from;
+    usize, "System.Int32", Json::from;
+    Json, "System.Object", |json| json;
+}
+
+impl<T: Answer> Answer for Vec<T> {
+    fn name() -> String {
+        format!("{}[]", T::name())
+    }
+
+    fn json(self) -> Result<Json, Fault> {
+        self.into_iter().map(T::json).collect::<Result<_, _>>().map(Json::Array)
+    }
+}
+
+impl<T: Answer> Answer for Option<T> {
+    fn name() -> String {
+        T::name()
+    }
+
+    fn json(self) -> Result<Json, Fault> {
+        self.map_or(Ok(Json::Null), T::json)
+    }
+}
+
+macro_rules! several {
+    ($($type:ident),*) => {
+        impl<$($type: Answer),*> Answer for ($($type,)*) {
+            fn name() -> String {
+                [$($type::name()),*].join(", ")
+            }
+
+            #[expect(non_snake_case, reason = "variables are named after their types")]
+            fn json(self) -> Result<Json, Fault> {
+                let ($($type,)*) = self;
+                Ok(Json::Array(vec![$($type.json()?),*]))
+            }
+        }
+    };
+}
+
+several!(A, B);
+several!(A, B, C);
+several!(A, B, C, D);
+
+/// What a function may come to: a value, or a fault of ours or of the kernel's.
+pub(super) type Outcome<T> = Result<T, Fault>;
+
+impl From<katydid_geometry::Error> for Fault {
+    fn from(error: katydid_geometry::Error) -> Self {
+        match error {
+            katydid_geometry::Error::Unsupported(what) => Self::not_supported(what),
+            other => Self::bad_request(other.to_string()),
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! What functions take: numbers with their bounds, lists, what may be missing.
+
+use katydid_component::Cancel;
+use katydid_geometry::Tolerance;
+use serde_json::Value as Json;
+
+use super::call::Call;
+use crate::Fault;
+use crate::wire::{Read, Wire};
+
+/// One parameter of a function.
+pub(super) trait Argument: Sized {
+    /// Takes the next argument of a call, or what else of it the parameter stands for.
+    fn take(call: &mut Call<'_>) -> Result<Self, Fault>;
+}
+
+impl<T: Read> Argument for T {
+    fn take(call: &mut Call<'_>) -> Result<Self, Fault> {
+        call.next()
+    }
+}
+
+/// Whether whoever asked still waits.
+#[derive(Clone)]
+pub(super) struct Waiting(Cancel);
+
+impl Waiting {
+    /// Whether to go on.
+    pub(super) fn go_on(&self) -> bool {
+        !self.0.is_cancelled()
+    }
+}
+
+impl Argument for Waiting {
+    fn take(call: &mut Call<'_>) -> Result<Self, Fault> {
+        Ok(Self(call.cancel().clone()))
+    }
+}
+
+/// The most members of a list.
+const MOST: usize = 1_000_000;
+
+impl<T: Read> Read for Vec<T> {
+    /// A list; a single value counts as a list of one, as some clients send it.
+    fn read(json: &Json) -> Result<Self, Fault> {
+        match &*crate::wire::unwrapped(json) {
+            Json::Array(items) => {
+                if items.len() > MOST {
+                    return Err(Fault::too_large(format!("has {} items, more than {MOST}", items.len())));
+                }
+                // A point may be a list of its own.
+                let several = |(i, item)| {
+                    T::read(item).map_err(|f| Fault { message: format!("item {i} {}", f.message), ..f })
+                };
+                let read: Result<Self, Fault> = items.iter().enumerate().map(several).collect();
+                read.or_else(|fault| match T::read(json) {
+                    Ok(single) if !items.is_empty() => Ok(vec![single]),
+                    _ => Err(fault),
+                })
+            }
+            Json::Null => Err(Fault::bad_request("is missing")),
+            other => T::read(other).map(|single| vec![single]),
+        }
+    }
+}
+
+impl<T: Read> Read for Option<T> {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        if json.is_null() { Ok(None) } else { T::read(json).map(Some) }
+    }
+}
+
+/// A list that is not empty.
+pub(super) struct Some1<T>(pub(super) Vec<T>);
+
+impl<T: Read> Read for Some1<T> {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let items = Vec::read(json)?;
+        if items.is_empty() { Err(Fault::bad_request("is an empty list")) } else { Ok(Self(items)) }
+    }
+}
+
+/// A size: finite and above 0.
+#[derive(Clone, Copy)]
+pub(super) struct Positive(pub(super) f64);
+
+impl Read for Positive {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let x = f64::read(json)?;
+        if x > 0.0 { Ok(Self(x)) } else { Err(Fault::bad_request(format!("is {x}, not above 0"))) }
+    }
+}
+
+/// A distance tolerance; 0, which Rhino takes for its document's, is 0.001.
+#[derive(Clone, Copy)]
+pub(super) struct Within(pub(super) f64);
+
+/// The largest tolerance: beyond it nothing can be told apart.
+const COARSEST: f64 = 1e6;
+
+impl Read for Within {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let x = f64::read(json)?;
+        if !(0.0..=COARSEST).contains(&x) {
+            return Err(Fault::bad_request(format!("is {x}, which is no tolerance: 0 to {COARSEST}")));
+        }
+        Ok(Self(if x > 0.0 { x.max(1e-12) } else { Tolerance::default().absolute }))
+    }
+}
+
+impl Within {
+    /// With the angle that Rhino's documents have.
+    pub(super) fn tolerance(self) -> Tolerance {
+        Tolerance { absolute: self.0, ..Tolerance::default() }
+    }
+}
+
+/// An angle tolerance in radians; 0, which Rhino takes for its document's, is 1°.
+#[derive(Clone, Copy)]
+pub(super) struct Turn(pub(super) f64);
+
+impl Read for Turn {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let x = f64::read(json)?;
+        if !(0.0..=std::f64::consts::TAU).contains(&x) {
+            return Err(Fault::bad_request(format!("is {x}, which is no angle in radians")));
+        }
+        Ok(Self(if x > 0.0 { x } else { Tolerance::default().angle }))
+    }
+}
+
+impl Turn {
+    /// Together with a distance.
+    pub(super) fn and(self, distance: Within) -> Tolerance {
+        Tolerance { absolute: distance.0, angle: self.0 }
+    }
+}
+
+/// A count from `LEAST` to `MOST`.
+#[derive(Clone, Copy)]
+pub(super) struct Count<const LEAST: usize, const MOST: usize>(pub(super) usize);
+
+impl<const LEAST: usize, const MOST: usize> Read for Count<LEAST, MOST> {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let count = i32::read(json)?;
+        match usize::try_from(count) {
+            Ok(count) if (LEAST..=MOST).contains(&count) => Ok(Self(count)),
+            _ => Err(Fault::bad_request(format!("is {count}, not {LEAST} to {MOST}"))),
+        }
+    }
+}
+
+/// A choice that .NET has as an enumeration: its number, or its name in any case.
+pub(super) fn choice<T: Copy>(json: &Json, what: &str, choices: &[(&str, T)]) -> Result<T, Fault> {
+    let found = match json {
+        Json::String(name) => choices.iter().find(|(own, _)| own.eq_ignore_ascii_case(name.trim())),
+        number => usize::try_from(i32::read(number)?).ok().and_then(|place| choices.get(place)),
+    };
+    let names = || choices.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        Fault::bad_request(format!("is no {what}: 0 to {}, for {}", choices.len().saturating_sub(1), names()))
+    })
+}
+
+/// A point on a mesh: a face and how much each of its corners takes part.
+pub(super) struct OnMesh {
+    /// The face.
+    pub(super) face: usize,
+    /// The shares of its corners.
+    pub(super) shares: [f64; 4],
+}
+
+impl Wire for OnMesh {
+    const TYPE: &'static str = "Rhino.Geometry.MeshPoint";
+    const NAME: &'static str = "a mesh point";
+
+    fn from_json(json: &Json) -> Result<Self, Fault> {
+        let members = crate::wire::Members::of(json)?;
+        let Count(face): Count<0, { i32::MAX as usize }> = members.read("FaceIndex")?;
+        let given: Vec<f64> = members.read("T")?;
+        let mut shares = [0.0; 4];
+        if !(3..=4).contains(&given.len()) {
+            return Err(Fault::bad_request(format!("its T has {} numbers, not 4", given.len())));
+        }
+        shares.iter_mut().zip(given).for_each(|(share, x)| *share = x);
+        Ok(Self { face, shares })
+    }
+
+    fn to_json(&self, _: i32) -> Result<Json, Fault> {
+        Ok(serde_json::json!({ "FaceIndex": self.face, "T": self.shares }))
+    }
+}

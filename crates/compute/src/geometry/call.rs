@@ -1,0 +1,68 @@
+//! One call: its arguments, and what it gives.
+
+use katydid_component::Cancel;
+use serde_json::Value as Json;
+
+use crate::Fault;
+use crate::wire::Read;
+
+/// The archive version of objects in replies.
+pub(super) const ARCHIVE: i32 = 70;
+
+/// The arguments of a call, taken one after the other.
+pub(super) struct Call<'a> {
+    arguments: &'a [Json],
+    /// The parameters' names.
+    names: &'a [&'static str],
+    cancel: &'a Cancel,
+    place: usize,
+    /// Whether all arguments have been read: what goes wrong from then on is not theirs.
+    pub(super) ready: bool,
+}
+
+impl<'a> Call<'a> {
+    pub(super) fn new(arguments: &'a [Json], names: &'a [&'static str], cancel: &'a Cancel) -> Self {
+        Self { arguments, names, cancel, place: 0, ready: false }
+    }
+
+    pub(super) fn cancel(&self) -> &'a Cancel {
+        self.cancel
+    }
+
+    /// Reads the next argument; one that is left out is null.
+    pub(super) fn next<T: Read>(&mut self) -> Result<T, Fault> {
+        let place = self.place;
+        self.place += 1;
+        let name = self.names.get(place).copied().unwrap_or("argument");
+        let named = |fault: Fault| Fault { message: format!("{name} {}", fault.message), cause: fault.cause };
+        let json = self.arguments.get(place).unwrap_or(&Json::Null);
+        if names_an_address(json) {
+            return Err(named(Fault::refused("names an address; contents are not fetched")));
+        }
+        let read = T::read(json);
+        // What is null is missing, whatever reading it says.
+        read.map_err(
+            |fault| if json.is_null() { named(Fault::bad_request("is missing")) } else { named(fault) },
+        )
+    }
+}
+
+/// Whether an argument asks to be fetched from elsewhere.
+fn names_an_address(json: &Json) -> bool {
+    json.as_object()
+        .is_some_and(|map| map.len() == 1 && map.keys().all(|key| key.eq_ignore_ascii_case("url")))
+}
+
+/// What a call gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CallReply {
+    /// The JSON of the reply; `None` for an empty body, of a function that gives nothing.
+    pub json: Option<Json>,
+}
+
+impl CallReply {
+    /// The body of the reply.
+    pub fn text(&self) -> String {
+        self.json.as_ref().map(Json::to_string).unwrap_or_default()
+    }
+}

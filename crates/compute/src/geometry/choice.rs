@@ -1,0 +1,67 @@
+//! Enumerations of RhinoCommon that functions take.
+
+use katydid_geometry::construct::{LoftStyle, Miter, PipeCap};
+use katydid_geometry::{Direction, ExtensionStyle, OffsetCorner};
+use serde_json::Value as Json;
+
+use super::argument::choice;
+use crate::Fault;
+use crate::wire::Read;
+
+/// Declares a type that is read from the number or the name of a choice.
+macro_rules! choices {
+    ($($(#[$doc:meta])* $name:ident($inner:ty) = $what:literal [$($text:literal => $value:expr),* $(,)?];)*) => {
+        $($(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(super) struct $name(pub(super) $inner);
+
+        impl Read for $name {
+            fn read(json: &Json) -> Result<Self, Fault> {
+                choice(json, $what, &[$(($text, $value)),*]).map(Self)
+            }
+        })*
+    };
+}
+
+choices! {
+    /// `LoftType`.
+    Loft(LoftStyle) = "loft type" [
+        "Normal" => LoftStyle::Normal,
+        "Loose" => LoftStyle::Loose,
+        "Tight" => LoftStyle::Tight,
+        "Straight" => LoftStyle::Straight,
+        "Developable" => LoftStyle::Developable,
+        "Uniform" => LoftStyle::Uniform,
+    ];
+    /// `PipeCapMode`.
+    Cap(PipeCap) = "pipe cap" ["None" => PipeCap::None, "Flat" => PipeCap::Flat, "Round" => PipeCap::Round];
+    /// `CurveOffsetCornerStyle`.
+    Corner(OffsetCorner) = "corner style" [
+        "None" => OffsetCorner::None,
+        "Sharp" => OffsetCorner::Sharp,
+        "Round" => OffsetCorner::Round,
+        "Smooth" => OffsetCorner::Smooth,
+        "Chamfer" => OffsetCorner::Chamfer,
+    ];
+    /// `CurveEnd`: whether the start and the end are meant.
+    End([bool; 2]) = "curve end" [
+        "None" => [false, false],
+        "Start" => [true, false],
+        "End" => [false, true],
+        "Both" => [true, true],
+    ];
+    /// `CurveExtensionStyle`.
+    Extension(ExtensionStyle) = "extension style" [
+        "Line" => ExtensionStyle::Line,
+        "Arc" => ExtensionStyle::Arc,
+        "Smooth" => ExtensionStyle::Smooth,
+    ];
+    /// `BlendContinuity`: the derivatives that agree.
+    Blend(u8) = "blend continuity" ["Position" => 0, "Tangency" => 1, "Curvature" => 2];
+    /// `SweepMiter`.
+    SweepMiter(Miter) = "sweep miter" ["None" => Miter::None, "Trimmed" => Miter::Trim, "Untrimmed" => Miter::Rotate];
+    /// `SweepFrame`: whether sections stand upright.
+    Roadlike(bool) = "sweep frame" ["Freeform" => false, "Roadlike" => true];
+    /// A direction of a surface's parameters.
+    Along(Direction) = "direction" ["U" => Direction::U, "V" => Direction::V];
+}

@@ -1,0 +1,94 @@
+//! Where meshes meet planes, lines and each other.
+
+use katydid_geometry::intersect::{mesh_mesh, mesh_mesh_segments};
+use katydid_geometry::{Line, Mesh, MeshTree, Plane, Point3, PolylineCurve};
+use serde_json::{Value as Json, json};
+
+use super::answer::Outcome;
+use super::argument::{Count, Some1, Within};
+use super::table::Endpoints;
+use crate::wire::{Wire, number};
+
+pub(super) fn enter(table: &mut Endpoints) {
+    table.add("intersect/intersection/meshplane-mesh_plane", |m: Mesh, plane: Plane| sections(&m, &[plane]));
+    table.add("intersect/intersection/meshplane-mesh_planearray", |m: Mesh, planes: Some1<Plane>| {
+        sections(&m, &planes.0)
+    });
+    table.add("intersect/intersection/meshmeshfast-mesh_mesh", |a: Mesh, b: Mesh| {
+        Ok(mesh_mesh_segments(&MeshTree::new(&a), &MeshTree::new(&b)))
+    });
+    table.add("intersect/intersection/meshmeshaccurate-mesh_mesh_double", |a: Mesh, b: Mesh, t: Within| {
+        Ok(mesh_mesh(&MeshTree::new(&a), &MeshTree::new(&b), t.0)?)
+    });
+    table.add("intersect/intersection/meshline-mesh_line_intarray", |m: Mesh, line: Line| {
+        on_lines(&m, &[line])
+    });
+    table.add("intersect/intersection/meshlinesorted-mesh_line_intarray", |m: Mesh, line: Line| {
+        on_lines(&m, &[line])
+    });
+    table.add("intersect/intersection/meshpolyline-mesh_polylinecurve_intarray", on_polyline);
+    table.add("intersect/intersection/meshpolylinesorted-mesh_polylinecurve_intarray", on_polyline);
+    table.add("intersect/meshclash/search", clashes);
+    table.add("intersect/meshclash/search-mesh_mesharray_double_int", clashes);
+}
+
+/// The polylines in which planes cut a mesh; `None` for none.
+fn sections(mesh: &Mesh, planes: &[Plane]) -> Outcome<Option<Vec<Vec<Point3>>>> {
+    let mut out = Vec::new();
+    for plane in planes {
+        out.extend(mesh.section(plane)?);
+    }
+    Ok((!out.is_empty()).then_some(out))
+}
+
+/// The points on a chain of segments, in its order, and the faces they lie in.
+fn on_lines(mesh: &Mesh, lines: &[Line]) -> Outcome<(Vec<Point3>, Vec<usize>)> {
+    let tree = MeshTree::new(mesh);
+    let (mut points, mut faces) = (Vec::new(), Vec::new());
+    for line in lines {
+        for hit in tree.line_hits(line.from, line.direction(), [0.0, 1.0])? {
+            // A corner of the chain belongs to two segments.
+            if points.last().is_none_or(|last: &Point3| last.distance_to(hit.point) > 0.0) {
+                points.push(hit.point);
+                faces.push(hit.face);
+            }
+        }
+    }
+    Ok((points, faces))
+}
+
+fn on_polyline(mesh: Mesh, polyline: PolylineCurve) -> Outcome<(Vec<Point3>, Vec<usize>)> {
+    let ends = polyline.points().iter().zip(polyline.points().iter().skip(1));
+    on_lines(&mesh, &ends.map(|(a, b)| Line::new(*a, *b)).collect::<Vec<_>>())
+}
+
+/// Where a mesh comes within a distance of others: one entry for each of the others, with the point of the pair of faces
+/// that are nearest, up to so many.
+fn clashes(mesh: Mesh, others: Vec<Mesh>, distance: Reach, most: Count<1, 100_000>) -> Outcome<Vec<Json>> {
+    let tree = MeshTree::new(&mesh);
+    let mut out = Vec::new();
+    for other in &others {
+        let pairs = tree.clashes(&MeshTree::new(other), distance.0, most.0);
+        let Some(nearest) = pairs.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { continue };
+        out.push(json!({
+            "ClashPoint": nearest.point.to_json(0)?,
+            "ClashRadius": number(nearest.distance),
+            "MeshA": mesh.to_json(super::call::ARCHIVE)?,
+            "MeshB": other.to_json(super::call::ARCHIVE)?,
+        }));
+        if out.len() >= most.0 {
+            break;
+        }
+    }
+    Ok(out)
+}
+
+/// A distance, 0 or more.
+struct Reach(f64);
+
+impl crate::wire::Read for Reach {
+    fn read(json: &Json) -> Result<Self, crate::Fault> {
+        let x = f64::read(json)?;
+        if x >= 0.0 { Ok(Self(x)) } else { Err(crate::Fault::bad_request(format!("is {x}, below 0"))) }
+    }
+}

@@ -1,0 +1,260 @@
+//! The table of paths.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+use std::time::Instant;
+
+use katydid_component::Cancel;
+use serde_json::{Map, Value as Json};
+
+use super::call::{Call, CallReply};
+use super::function::{Entry, Function};
+use super::query::Query;
+use crate::{Bounds, Cause, Fault};
+
+/// All paths, one a line, and the names of the arguments that callers send.
+const SIGNATURES: &str = include_str!("signatures.txt");
+
+/// One path.
+pub(super) struct Row {
+    pub(super) path: &'static str,
+    /// The names of the arguments, as callers send them.
+    pub(super) names: Vec<&'static str>,
+    pub(super) entry: Option<Entry>,
+    /// The type of what it gives.
+    pub(super) gives: String,
+}
+
+/// The functions that can be called by path.
+pub struct Endpoints {
+    rows: Vec<Row>,
+    by_path: HashMap<&'static str, usize>,
+    /// Overloads by what they have in common: the path up to its types.
+    overloads: HashMap<&'static str, Vec<usize>>,
+    /// Paths that functions were entered for and `signatures.txt` has not got: none.
+    strangers: Vec<String>,
+}
+
+impl std::fmt::Debug for Endpoints {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Endpoints({} of {} answer)", self.answered().count(), self.rows.len())
+    }
+}
+
+/// The table that all calls share.
+pub(super) fn endpoints() -> &'static Endpoints {
+    static TABLE: LazyLock<Endpoints> = LazyLock::new(Endpoints::new);
+    &TABLE
+}
+
+/// The path without the types of an overload.
+fn base(path: &str) -> &str {
+    path.split_once('-').map_or(path, |(base, _)| base)
+}
+
+impl Endpoints {
+    fn new() -> Self {
+        let mut table = Self {
+            rows: Vec::new(),
+            by_path: HashMap::new(),
+            overloads: HashMap::new(),
+            strangers: Vec::new(),
+        };
+        for line in SIGNATURES.lines() {
+            let mut words = line.split_ascii_whitespace();
+            let Some(path) = words.next() else { continue };
+            let place = table.rows.len();
+            table.by_path.insert(path, place);
+            table.overloads.entry(base(path)).or_default().push(place);
+            table.rows.push(Row { path, names: words.collect(), entry: None, gives: String::new() });
+        }
+        super::brep::enter(&mut table);
+        super::brep_face::enter(&mut table);
+        super::brep_make::enter(&mut table);
+        super::brep_sweep::enter(&mut table);
+        super::curve::enter(&mut table);
+        super::curve_edit::enter(&mut table);
+        super::curve_length::enter(&mut table);
+        super::curve_make::enter(&mut table);
+        super::curve_onto::enter(&mut table);
+        super::curve_region::enter(&mut table);
+        super::geometry_base::enter(&mut table);
+        super::intersection::enter(&mut table);
+        super::intersection_mesh::enter(&mut table);
+        super::intersection_ray::enter(&mut table);
+        super::mass::enter(&mut table);
+        super::mesh::enter(&mut table);
+        super::mesh_make::enter(&mut table);
+        super::mesh_round::enter(&mut table);
+        super::nurbs_curve::enter(&mut table);
+        super::nurbs_surface::enter(&mut table);
+        super::subd::enter(&mut table);
+        super::surface::enter(&mut table);
+        table
+    }
+
+    /// Enters what a path does.
+    pub(super) fn add<A>(&mut self, path: &str, function: impl Function<A>) {
+        match self.by_path.get(path).and_then(|&place| self.rows.get_mut(place)) {
+            Some(row) => {
+                row.gives = function.gives();
+                row.entry = Some(function.entry());
+            }
+            None => self.strangers.push(path.to_owned()),
+        }
+    }
+
+    /// The names of a path's arguments, in the order in which callers send them; `None` for a path that is not one of
+    /// [`paths`](Self::paths).
+    pub fn parameters(&self, path: &str) -> Option<&[&'static str]> {
+        let row = self.by_path.get(path).and_then(|&place| self.rows.get(place))?;
+        Some(&row.names)
+    }
+
+    /// All paths, in order, without the part before the class.
+    pub fn paths(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.rows.iter().map(|row| row.path)
+    }
+
+    /// The paths that answer, in order.
+    pub fn answered(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.rows.iter().filter(|row| row.entry.is_some()).map(|row| row.path)
+    }
+
+    /// The rows that a path means: one overload, or all of a method.
+    pub(super) fn rows_of(&self, path: &str) -> Result<Vec<&Row>, Fault> {
+        let lower = path.to_ascii_lowercase();
+        let short = lower.trim_matches('/');
+        let short = short.strip_prefix("rhino/").unwrap_or(short);
+        let short = short.strip_prefix("geometry/").unwrap_or(short);
+        if let Some(row) = self.by_path.get(short).and_then(|&place| self.rows.get(place)) {
+            return Ok(vec![row]);
+        }
+        let all = self.overloads.get(short).into_iter().flatten().filter_map(|&place| self.rows.get(place));
+        let rows: Vec<&Row> = all.collect();
+        if rows.is_empty() {
+            Err(Fault::not_found(format!("there is no function {short}")))
+        } else {
+            Ok(rows)
+        }
+    }
+
+    /// Calls the function of a path with the arguments of a body: JSON, a list of arguments, or with
+    /// [`Query::multiple`] a list of such lists. A path without types means the overload that the arguments fit.
+    ///
+    /// # Errors
+    /// As [`call`](super::call).
+    pub fn call(&self, path: &str, query: &Query, body: &[u8], bounds: &Bounds) -> Result<CallReply, Fault> {
+        let started = Instant::now();
+        let rows = self.rows_of(path)?;
+        let arguments = arguments(body)?;
+        let seconds = || Ok(CallReply { json: Some(crate::wire::number(started.elapsed().as_secs_f64())) });
+        if query.stop_at == Some(1) {
+            return seconds();
+        }
+        let one = |arguments: &[Json]| {
+            if bounds.cancel.is_cancelled() {
+                return Err(Fault::new(Cause::Cancelled, "it was cancelled"));
+            }
+            fitting(&rows, arguments, &bounds.cancel).and_then(|(row, json)| wanted(row, json, query))
+        };
+        let json = if query.multiple {
+            let several = |(i, arguments): (usize, &Json)| {
+                let list =
+                    arguments.as_array().ok_or_else(|| Fault::bad_request("is not a list of arguments"));
+                list.and_then(|list| one(list)).map_err(|fault| Fault {
+                    message: format!("call {i}: {}", fault.message),
+                    cause: fault.cause,
+                })
+            };
+            Json::Array(arguments.iter().enumerate().map(several).collect::<Result<_, _>>()?)
+        } else {
+            one(&arguments)?
+        };
+        if query.stop_at.is_some() { seconds() } else { Ok(CallReply { json: Some(json) }) }
+    }
+}
+
+/// The list that a body is.
+fn arguments(body: &[u8]) -> Result<Vec<Json>, Fault> {
+    let body = body.strip_prefix(b"\xef\xbb\xbf").unwrap_or(body);
+    if body.iter().all(u8::is_ascii_whitespace) {
+        return Ok(Vec::new());
+    }
+    match serde_json::from_slice(body) {
+        Ok(Json::Array(arguments)) => Ok(arguments),
+        Ok(_) => Err(Fault::bad_request("the body is not a list of arguments")),
+        Err(error) => Err(Fault::bad_request(format!("the body is not JSON: {error}"))),
+    }
+}
+
+/// What a row gives for arguments, and whether a fault is theirs.
+fn run(row: &Row, arguments: &[Json], cancel: &Cancel) -> Result<Json, (Fault, bool)> {
+    let Some(entry) = &row.entry else { return Err((Fault::not_supported(row.path), true)) };
+    let mut call = Call::new(arguments, &row.names, cancel);
+    entry(&mut call).map_err(|fault| {
+        let fault = match fault.cause {
+            Cause::NotSupported(what) if what != row.path => {
+                Fault::not_supported(format!("{}: {what}", row.path))
+            }
+            cause => Fault { cause, message: fault.message },
+        };
+        (fault, !call.ready)
+    })
+}
+
+/// The first overload that the arguments fit, with what it gives: those with just as many parameters come first.
+fn fitting<'a>(rows: &[&'a Row], arguments: &[Json], cancel: &Cancel) -> Result<(&'a Row, Json), Fault> {
+    let mut ordered: Vec<&Row> = rows.to_vec();
+    ordered.sort_by_key(|row| (row.entry.is_none(), row.names.len().abs_diff(arguments.len())));
+    let mut first = None;
+    for row in ordered {
+        match run(row, arguments, cancel) {
+            Ok(json) => return Ok((row, json)),
+            Err((fault, true)) => first = first.or(Some(fault)),
+            Err((fault, false)) => return Err(fault),
+        }
+    }
+    Err(first.unwrap_or_else(|| Fault::not_found("there is no such function")))
+}
+
+/// The members that the query wants of a result.
+fn wanted(row: &Row, json: Json, query: &Query) -> Result<Json, Fault> {
+    let own = row.gives.to_ascii_lowercase();
+    let asked = query.wanted.iter().find(|(name, _)| own.contains(name.as_str()));
+    asked.map_or(Ok(json.clone()), |(_, members)| picked(json, members))
+}
+
+fn picked(json: Json, members: &[String]) -> Result<Json, Fault> {
+    match json {
+        Json::Array(items) => {
+            items.into_iter().map(|item| picked(item, members)).collect::<Result<_, _>>().map(Json::Array)
+        }
+        Json::Object(map) => {
+            if map.contains_key("archive3dm") {
+                return Err(Fault::not_supported(format!("return of {}", members.join(","))));
+            }
+            let one = |name: &String| {
+                let found = map.iter().find(|(key, _)| key.eq_ignore_ascii_case(name));
+                found
+                    .map(|(key, value)| (key.clone(), value.clone()))
+                    .ok_or_else(|| Fault::bad_request(format!("the result has no {name}")))
+            };
+            members.iter().map(one).collect::<Result<Map<_, _>, _>>().map(Json::Object)
+        }
+        other => Ok(other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_function_has_a_path_and_every_path_a_class() {
+        let table = endpoints();
+        assert_eq!(table.strangers, Vec::<String>::new());
+        assert_eq!(table.rows.len(), table.by_path.len(), "a path stands twice");
+        assert!(table.rows.iter().all(|row| row.path.contains('/')));
+    }
+}

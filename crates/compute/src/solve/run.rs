@@ -1,0 +1,78 @@
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::time::Instant;
+
+use katydid_solver::{Engine, Options, Status};
+
+use super::{Bounds, Solution, Timings};
+use crate::definition::Input;
+use crate::request::{self, SolveRequest};
+use crate::{Cause, Definition, Fault, Settings};
+
+/// How many definitions may call one another.
+pub(crate) const MOST_RECURSION: u32 = 10;
+
+/// Solves a request on its own copy of the definition; says too whether results were kept for others.
+///
+/// # Errors
+/// As for [`crate::Compute::solve`].
+pub(crate) fn run(
+    settings: &Settings,
+    definition: &Arc<Definition>,
+    request: &SolveRequest,
+    bounds: &Bounds,
+) -> Result<(Solution, bool), Fault> {
+    let begin = Instant::now();
+    let recursion = bounds.recursion.max(request.recursion_level);
+    if recursion > MOST_RECURSION {
+        let message = format!("Definitions call one another more than {MOST_RECURSION} times");
+        return Err(Fault::bad_request(message));
+    }
+    let options = Options {
+        rules: request.rules(),
+        limits: bounds.limits,
+        cancel: bounds.cancel.clone(),
+        files: settings.files.clone(),
+        progress: bounds.progress.clone(),
+        ..Options::default()
+    };
+    let mut engine = definition.states().engine(definition.document(), options);
+    let set = give(definition, request, &mut engine)?;
+    let decoded = Instant::now();
+    engine.solve();
+    let solved = Instant::now();
+    let took = solved - decoded;
+    if bounds.cancel.is_cancelled() {
+        return Err(Fault::new(Cause::Cancelled, "The request was cancelled"));
+    }
+    let mut reports = (0..definition.document().objects.len()).filter_map(|at| engine.report(at));
+    if let Some(time) = bounds.limits.time.filter(|time| took >= *time)
+        && reports.any(|report| report.status == Status::Error)
+    {
+        let message = format!("The time limit of {} seconds is over", time.as_secs_f64());
+        return Err(Fault::new(Cause::TimedOut, message));
+    }
+    let learnt = definition.states().learn(definition.document(), &engine, set);
+    let timings = Timings { decode: decoded - begin, solve: took, encode: Default::default() };
+    Ok((Solution::new(definition.clone(), engine, request, settings, timings), learnt))
+}
+
+/// Sets the inputs that the request names; what it does not name keeps what it has. Names that nobody has are ignored,
+/// as clients expect. Of two values for one input the last counts.
+fn give(
+    definition: &Definition,
+    request: &SolveRequest,
+    engine: &mut Engine,
+) -> Result<Vec<(usize, usize)>, Fault> {
+    let mut set = Vec::with_capacity(request.values.len());
+    let inputs = definition.interface().inputs.iter();
+    let inputs: HashMap<&str, &Input> = inputs.map(|input| (input.name.as_str(), input)).collect();
+    for value in &request.values {
+        let Some(input) = inputs.get(value.name.as_str()) else { continue };
+        engine.give(input.object, input.port, Some(request::tree(input, value)?));
+        set.push((input.object, input.port));
+    }
+    set.sort_unstable();
+    set.dedup();
+    Ok(set)
+}

@@ -1,0 +1,142 @@
+//! Figures in the text form that Prometheus reads.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::sync::Mutex;
+use std::time::Duration;
+
+use super::sent::Sent;
+use super::service::Service;
+use crate::lock::held;
+
+/// The upper ends of the classes that durations are counted in, in seconds.
+const CLASSES: [f64; 13] = [0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.5, 1.0, 5.0, 30.0, 100.0];
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Histogram {
+    classes: [u64; CLASSES.len()],
+    count: u64,
+    sum: f64,
+}
+
+impl Histogram {
+    fn add(&mut self, time: Duration) {
+        let seconds = time.as_secs_f64();
+        for (count, end) in self.classes.iter_mut().zip(CLASSES) {
+            *count += u64::from(seconds <= end);
+        }
+        self.count += 1;
+        self.sum += seconds;
+    }
+}
+
+/// What has happened since the start.
+#[derive(Debug, Default)]
+pub(crate) struct Metrics(Mutex<Counts>);
+
+#[derive(Debug, Default)]
+struct Counts {
+    /// By address and status.
+    requests: BTreeMap<(&'static str, u16), u64>,
+    /// By address.
+    times: BTreeMap<&'static str, Histogram>,
+    received: u64,
+    sent: u64,
+    /// By what came of it.
+    solves: BTreeMap<&'static str, u64>,
+    solve_time: Histogram,
+}
+
+impl Metrics {
+    pub(crate) fn answered(&self, path: &'static str, status: u16, took: Duration, received: u64, sent: u64) {
+        let mut counts = held(&self.0);
+        *counts.requests.entry((path, status)).or_default() += 1;
+        counts.times.entry(path).or_default().add(took);
+        counts.received = counts.received.saturating_add(received);
+        counts.sent = counts.sent.saturating_add(sent);
+    }
+
+    pub(crate) fn solved(&self, took: Duration, cause: Option<&'static str>) {
+        let mut counts = held(&self.0);
+        *counts.solves.entry(cause.unwrap_or("ok")).or_default() += 1;
+        counts.solve_time.add(took);
+    }
+}
+
+/// The page that is scraped.
+pub(crate) fn page(service: &Service) -> Sent {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write(service, &mut text);
+    Sent::new("text/plain; version=0.0.4; charset=utf-8", text)
+}
+
+fn head(out: &mut String, name: &str, kind: &str, help: &str) -> std::fmt::Result {
+    writeln!(out, "# HELP katydid_{name} {help}\n# TYPE katydid_{name} {kind}")
+}
+
+fn histogram(out: &mut String, name: &str, label: &str, times: &Histogram) -> std::fmt::Result {
+    let comma = if label.is_empty() { "" } else { "," };
+    for (end, count) in CLASSES.iter().zip(times.classes) {
+        writeln!(out, "katydid_{name}_bucket{{{label}{comma}le=\"{end}\"}} {count}")?;
+    }
+    writeln!(out, "katydid_{name}_bucket{{{label}{comma}le=\"+Inf\"}} {}", times.count)?;
+    let label = if label.is_empty() { String::new() } else { format!("{{{label}}}") };
+    writeln!(out, "katydid_{name}_sum{label} {}", times.sum)?;
+    writeln!(out, "katydid_{name}_count{label} {}", times.count)
+}
+
+fn write(service: &Service, out: &mut String) -> std::fmt::Result {
+    let mut gauge = |name: &str, kind: &str, help: &str, value: f64| {
+        head(out, name, kind, help)?;
+        writeln!(out, "katydid_{name} {value}")
+    };
+    let load = service.pool.load();
+    let count = |n: usize| n as f64;
+    gauge("uptime_seconds", "gauge", "Time since the server started.", service.idle.uptime().as_secs_f64())?;
+    gauge("solves_waiting", "gauge", "Requests that wait for their turn.", count(load.waiting))?;
+    gauge("solves_running", "gauge", "Requests that are being solved.", count(load.running))?;
+    gauge("solve_places", "gauge", "How many can be solved at a time.", count(service.pool.places()))?;
+    gauge("threads_lost", "gauge", "Threads that have been given up.", count(load.lost))?;
+    gauge("failures_total", "counter", "Solves that failed as they must not.", load.failed as f64)?;
+    if let Some(bytes) = resident() {
+        gauge("resident_memory_bytes", "gauge", "Memory that the process takes.", bytes as f64)?;
+    }
+    head(out, "build_info", "gauge", "The version that runs.")?;
+    writeln!(out, "katydid_build_info{{version=\"{}\"}} 1", env!("CARGO_PKG_VERSION"))?;
+    head(out, "jobs", "gauge", "Jobs that are kept, by how far they are.")?;
+    for (state, n) in service.jobs.counts() {
+        writeln!(out, "katydid_jobs{{state=\"{state}\"}} {n}")?;
+    }
+    let counts = held(&service.metrics.0);
+    head(
+        out,
+        "requests_total",
+        "counter",
+        "Requests answered, by address and status; 499 for who left before.",
+    )?;
+    for ((path, status), n) in &counts.requests {
+        writeln!(out, "katydid_requests_total{{path=\"{path}\",status=\"{status}\"}} {n}")?;
+    }
+    head(out, "request_seconds", "histogram", "How long answers took, by address.")?;
+    for (path, times) in &counts.times {
+        histogram(out, "request_seconds", &format!("path=\"{path}\""), times)?;
+    }
+    head(out, "received_bytes_total", "counter", "Bytes of requests.")?;
+    writeln!(out, "katydid_received_bytes_total {}", counts.received)?;
+    head(out, "sent_bytes_total", "counter", "Bytes of answers.")?;
+    writeln!(out, "katydid_sent_bytes_total {}", counts.sent)?;
+    head(out, "solves_total", "counter", "Solves, by what came of them.")?;
+    for (outcome, n) in &counts.solves {
+        writeln!(out, "katydid_solves_total{{outcome=\"{outcome}\"}} {n}")?;
+    }
+    head(out, "solve_seconds", "histogram", "How long solves took.")?;
+    histogram(out, "solve_seconds", "", &counts.solve_time)
+}
+
+/// The memory that this process takes, where the system tells.
+fn resident() -> Option<u64> {
+    const PAGE: u64 = 4096;
+    let text = std::fs::read_to_string("/proc/self/statm").ok()?;
+    text.split_ascii_whitespace().nth(1)?.parse::<u64>().ok()?.checked_mul(PAGE)
+}

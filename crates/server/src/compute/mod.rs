@@ -1,0 +1,40 @@
+//! Answers as Rhino.Compute does: definitions solved, geometry functions called, on a port of its own.
+//!
+//! What is asked for is found in `katydid-compute`, which knows nothing of sockets. Here are the addresses (`route`), the
+//! door that every request passes (`door`: ids, keys, other sites' pages, logs, figures), the threads that solve
+//! (`pool`), work that nobody waits for (`jobs`), and definitions fetched from elsewhere (`fetch`).
+//!
+//! ```no_run
+//! # async fn run() -> Result<(), katydid_server::Error> {
+//! let server = katydid_server::compute::start(katydid_server::compute::Config::default()).await?;
+//! println!("{}", server.url());
+//! server.stop().await;
+//! # Ok(())
+//! # }
+//! ```
+
+mod about;
+mod body;
+mod config;
+mod cors;
+mod door;
+mod fetch;
+mod form;
+mod geometry;
+mod health;
+mod jobs;
+mod key;
+mod metrics;
+mod openapi;
+mod pool;
+mod query;
+mod refusal;
+mod route;
+mod sent;
+mod server;
+mod service;
+mod solve;
+mod work;
+
+pub use config::Config;
+pub use server::{Server, start};

@@ -1,0 +1,301 @@
+//! The threads that solve.
+//!
+//! Nothing is solved on the threads that serve sockets. Each thread here has helpers of its own for what a solve does in
+//! parallel, so that one without end holds up no other. A thread whose work does not heed its deadline is given up: it
+//! gets a substitute, and goes when it comes back after all.
+
+mod queue;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, PoisonError, Weak};
+use std::time::{Duration, Instant};
+
+use katydid_component::Cancel;
+use tokio::sync::oneshot;
+
+use crate::lock::held;
+pub(crate) use queue::{Client, Lane, Places, SLICE};
+use queue::{Queue, Ticket};
+
+/// So many threads may have been given up at a time; beyond that their places stay taken.
+const MOST_LOST: usize = 16;
+/// What does not heed its deadline for so long is given up.
+const HARD: Duration = Duration::from_millis(750);
+/// Deep definitions recurse.
+const STACK: usize = 16 << 20;
+/// More helpers gain little, and each solving thread has its own.
+const MOST_HELPERS: usize = 4;
+
+/// What a piece of work comes to.
+pub(crate) enum Step<T> {
+    /// It is done.
+    Done(T),
+    /// The rest shall wait in another lane.
+    Later(Lane, Box<dyn FnOnce() -> Step<T> + Send>),
+}
+
+/// Why there is nothing to show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Undone {
+    /// Too much waits already.
+    Full,
+    /// It waited until its time was over.
+    Waited,
+    /// It did not end when its time was over.
+    Late,
+    /// It failed as it must not.
+    Failed,
+}
+
+/// When the time that work may take begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Clock {
+    /// When it is asked for: who waits for an answer waits no longer.
+    Asked,
+    /// When it begins: nobody waits.
+    Begun,
+}
+
+type Work = Box<dyn FnOnce() -> Option<Again> + Send>;
+/// The rest of it, and the lane that it waits in.
+struct Again(Lane, Work);
+
+/// All solving threads.
+pub(crate) struct Pool {
+    shared: Arc<Shared>,
+}
+
+struct Shared {
+    queue: Mutex<Inner>,
+    wake: Condvar,
+    helpers: usize,
+    /// How many have failed as they must not.
+    failed: AtomicU64,
+}
+
+struct Inner {
+    queue: Queue<Work>,
+    places: Places,
+    lost: usize,
+    threads: usize,
+}
+
+/// What the pool is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Load {
+    pub(crate) waiting: usize,
+    pub(crate) running: usize,
+    pub(crate) lost: usize,
+    pub(crate) failed: u64,
+}
+
+impl Pool {
+    pub(crate) fn new(places: Places) -> Self {
+        let processors = std::thread::available_parallelism().map_or(1, usize::from);
+        let inner = Inner { queue: Queue::new(places), places, lost: 0, threads: 0 };
+        let shared = Arc::new(Shared {
+            queue: Mutex::new(inner),
+            wake: Condvar::new(),
+            helpers: processors.min(MOST_HELPERS),
+            failed: AtomicU64::new(0),
+        });
+        for _ in 0..places.all().max(1) {
+            Shared::hire(&shared, &mut held(&shared.queue));
+        }
+        Self { shared }
+    }
+
+    /// How much runs at a time, as a rule.
+    pub(crate) fn places(&self) -> usize {
+        let places = held(&self.shared.queue).places;
+        places.quick + places.slow
+    }
+
+    pub(crate) fn load(&self) -> Load {
+        let inner = held(&self.shared.queue);
+        Load {
+            waiting: inner.queue.waiting(),
+            running: inner.queue.running(),
+            lost: inner.lost,
+            failed: self.shared.failed.load(Ordering::Relaxed),
+        }
+    }
+
+    /// Has work done, and waits for it.
+    ///
+    /// `began` is called when it begins, on the solving thread. When whoever waits is dropped, because the client has
+    /// left, work that waits is taken out of the line and work that runs is cancelled.
+    pub(crate) async fn run<T: Send + 'static>(
+        &self,
+        client: Client,
+        cancel: &Cancel,
+        (clock, time): (Clock, Duration),
+        work: impl FnOnce() -> Step<T> + Send + 'static,
+    ) -> Result<T, Undone> {
+        let (tell, mut told) = oneshot::channel();
+        let (tell_begun, begun) = oneshot::channel();
+        let work = Box::new(move || {
+            let _ = tell_begun.send(());
+            stepped(work(), tell)
+        });
+        let ticket =
+            held(&self.shared.queue).queue.put(client, |_| work as Work).map_err(|_| Undone::Full)?;
+        self.shared.wake.notify_one();
+        let mut waiting =
+            Waiting { shared: Arc::downgrade(&self.shared), client, ticket, cancel, is_over: false };
+        let asked = tokio::time::Instant::now();
+        if clock == Clock::Begun {
+            let _ = begun.await;
+        }
+        let from = if clock == Clock::Begun { tokio::time::Instant::now() } else { asked };
+        let Some(end) = from.checked_add(time).and_then(|end| end.checked_add(HARD)) else {
+            let done = told.await;
+            waiting.is_over = true;
+            return done.map_err(|_| Undone::Failed);
+        };
+        match tokio::time::timeout_at(end, &mut told).await {
+            Ok(done) => {
+                waiting.is_over = true;
+                done.map_err(|_| Undone::Failed)
+            }
+            Err(_) => Err(waiting.give_up()),
+        }
+    }
+}
+
+/// Tells what work came to, or gives the rest of it back.
+fn stepped<T: Send + 'static>(step: Step<T>, tell: oneshot::Sender<T>) -> Option<Again> {
+    match step {
+        Step::Done(done) => {
+            // Who is gone need not be told.
+            let _ = tell.send(done);
+            None
+        }
+        Step::Later(lane, rest) => Some(Again(lane, Box::new(move || stepped(rest(), tell)))),
+    }
+}
+
+/// Somebody who waits for work. Dropped before it is over, the work is not wanted any more.
+struct Waiting<'a> {
+    shared: Weak<Shared>,
+    client: Client,
+    ticket: Ticket,
+    cancel: &'a Cancel,
+    is_over: bool,
+}
+
+impl Waiting<'_> {
+    /// The time is over.
+    fn give_up(mut self) -> Undone {
+        self.is_over = true;
+        self.cancel.cancel();
+        let Some(shared) = self.shared.upgrade() else { return Undone::Late };
+        let mut inner = held(&shared.queue);
+        if inner.queue.remove(self.client, self.ticket).is_some() {
+            return Undone::Waited;
+        }
+        Shared::lose(&shared, &mut inner, self.ticket);
+        Undone::Late
+    }
+}
+
+impl Drop for Waiting<'_> {
+    fn drop(&mut self) {
+        if self.is_over {
+            return;
+        }
+        self.cancel.cancel();
+        let Some(shared) = self.shared.upgrade() else { return };
+        let removed = held(&shared.queue).queue.remove(self.client, self.ticket);
+        if removed.is_some() {
+            return;
+        }
+        // It runs, and has been told to stop; if it does not heed that either, it is given up.
+        if let Ok(runtime) = tokio::runtime::Handle::try_current() {
+            let (shared, ticket) = (Weak::clone(&self.shared), self.ticket);
+            runtime.spawn(async move {
+                tokio::time::sleep(HARD).await;
+                if let Some(shared) = shared.upgrade() {
+                    Shared::lose(&shared, &mut held(&shared.queue), ticket);
+                }
+            });
+        }
+    }
+}
+
+impl Shared {
+    /// Gives up a thread that does not stop, if it still runs: another takes its place.
+    fn lose(shared: &Arc<Self>, inner: &mut Inner, ticket: Ticket) {
+        if inner.lost < MOST_LOST && inner.queue.end(ticket) {
+            inner.lost += 1;
+            Self::hire(shared, inner);
+        }
+    }
+
+    /// One more thread. Where the system has no more, those that are there go on.
+    fn hire(shared: &Arc<Self>, inner: &mut Inner) {
+        let own = Arc::downgrade(shared);
+        let builder = std::thread::Builder::new().name("solve".to_owned()).stack_size(STACK);
+        let helpers = shared.helpers;
+        if builder.spawn(move || with_helpers(helpers, || work_on(&own))).is_ok() {
+            inner.threads += 1;
+        }
+    }
+}
+
+/// Makes this thread one of a small pool of its own, which takes what a solve does in parallel.
+fn with_helpers(helpers: usize, work: impl FnOnce()) {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(helpers)
+        .use_current_thread()
+        .thread_name(|_| "solve-helper".to_owned())
+        .stack_size(STACK)
+        .build();
+    // Where no more threads are to be had, all share those that are there.
+    let _pool = pool.ok();
+    work();
+}
+
+/// Works until the pool is gone, or until this thread has been given up.
+fn work_on(shared: &Weak<Shared>) {
+    loop {
+        // Not held while it waits longer than this: the pool could not go.
+        let Some(shared) = shared.upgrade() else { return };
+        let Some((ticket, work)) = shared.next() else { continue };
+        let done = catch_unwind(AssertUnwindSafe(work));
+        if done.is_err() {
+            shared.failed.fetch_add(1, Ordering::Relaxed);
+        }
+        let mut inner = held(&shared.queue);
+        if let Ok(Some(Again(lane, rest))) = done {
+            inner.queue.set_back(ticket, lane, rest);
+        } else if !inner.queue.end(ticket) {
+            // It has a substitute.
+            inner.lost = inner.lost.saturating_sub(1);
+            inner.threads = inner.threads.saturating_sub(1);
+            return;
+        }
+        drop(inner);
+        // There is a place now that another thread may be the one to fill.
+        shared.wake.notify_one();
+    }
+}
+
+impl Shared {
+    /// The next work, waited for a while.
+    fn next(&self) -> Option<(Ticket, Work)> {
+        const WHILE: Duration = Duration::from_secs(1);
+        let mut inner = held(&self.queue);
+        let now = Instant::now();
+        if let Some(found) = inner.queue.take(now) {
+            return Some(found);
+        }
+        let patience = match inner.queue.waiting() {
+            0 => WHILE,
+            _ => inner.queue.next_slow(now).unwrap_or(WHILE).min(WHILE),
+        };
+        let (mut inner, _) = self.wake.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
+        inner.queue.take(Instant::now())
+    }
+}

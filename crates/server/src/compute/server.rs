@@ -1,0 +1,80 @@
+//! Starting and stopping.
+
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Router;
+use tokio::runtime::Handle;
+use tokio::task::JoinHandle;
+
+use super::Config;
+use super::door;
+use super::service::Service;
+use crate::Error;
+use crate::listen::{Listening, bind, url};
+
+/// So often results of jobs are looked through for those that are kept no longer.
+const SWEEP: Duration = Duration::from_secs(30);
+/// What was stopped has so long to say so.
+const LAST: Duration = Duration::from_secs(2);
+
+/// A compute server that runs.
+pub struct Server {
+    url: String,
+    grace: Duration,
+    service: Arc<Service>,
+    listening: Listening,
+    sweeping: JoinHandle<()>,
+}
+
+impl std::fmt::Debug for Server {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Server").field("url", &self.url).finish_non_exhaustive()
+    }
+}
+
+/// Starts a server.
+///
+/// # Errors
+/// The port is taken, or others than this machine could ask and there is no key.
+pub async fn start(config: Config) -> Result<Server, Error> {
+    let wanted = SocketAddr::new(config.address, config.port);
+    if !config.address.is_loopback() && config.key().is_none() {
+        return Err(Error::Key(config.address));
+    }
+    katydid_components::link();
+    let grace = config.grace;
+    let (listener, address) = bind(wanted).await?;
+    let service = Arc::new(Service::new(config, Handle::current()));
+    let router = Router::new().fallback(door::answer).with_state(Arc::clone(&service));
+    let listening = Listening::start(listener, address, router, grace);
+    let swept = Arc::clone(&service);
+    let sweeping = tokio::spawn(async move {
+        loop {
+            tokio::time::sleep(SWEEP).await;
+            swept.jobs.sweep();
+        }
+    });
+    Ok(Server { url: url(address, ""), grace, service, listening, sweeping })
+}
+
+impl Server {
+    /// Where it listens.
+    pub fn address(&self) -> SocketAddr {
+        self.listening.address()
+    }
+
+    /// Its address.
+    pub fn url(&self) -> &str {
+        &self.url
+    }
+
+    /// Takes no more requests, lets those that are under way end within the time of grace, and stops jobs.
+    pub async fn stop(self) {
+        self.sweeping.abort();
+        self.listening.close();
+        self.service.jobs.cancel_all();
+        self.listening.ended(self.grace + LAST).await;
+    }
+}

@@ -1,0 +1,262 @@
+//! A solve from the bytes of a request to those of the answer, as a solving thread does it.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use katydid_3dm::Model;
+use katydid_component::{Cancel, Limits};
+use katydid_compute::{Bounds, Cause, Definition, Fault, Located, Solution, SolveRequest, Timings};
+use katydid_solver::Listener;
+
+use super::body::Received;
+use super::form::Form;
+use super::pool::{Lane, SLICE, Step};
+use super::query::Query;
+use super::refusal::Refusal;
+use super::sent::{JSON, Sent};
+use super::service::Service;
+use axum::http::StatusCode;
+
+/// What a request may use; it may ask for less than the server allows, never for more.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Allowance {
+    pub(crate) time: Duration,
+    pub(crate) items: u64,
+    pub(crate) bytes: u64,
+}
+
+impl Allowance {
+    pub(crate) fn new(time: Duration, limits: Limits, query: &Query) -> Result<Self, Refusal> {
+        let seconds = match query.get("seconds") {
+            None => None,
+            Some(text) => {
+                let seconds: Option<f64> = text.parse().ok();
+                let time = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+                Some(time.ok_or_else(|| Refusal::bad("seconds is a number that is not below 0"))?)
+            }
+        };
+        let count = |name: &str, most: u64| match query.get(name) {
+            None => Ok(most),
+            Some(text) => {
+                let count: Result<u64, _> = text.parse();
+                count.map(|n| n.min(most)).map_err(|_| Refusal::bad(format!("{name} is a whole number")))
+            }
+        };
+        Ok(Self {
+            time: seconds.map_or(time, |seconds| seconds.min(time)),
+            items: count("items", limits.items)?,
+            bytes: count("bytes", limits.bytes)?,
+        })
+    }
+}
+
+/// How a solve is followed and stopped.
+#[derive(Clone)]
+pub(crate) struct Reins {
+    pub(crate) cancel: Cancel,
+    pub(crate) progress: Option<Listener>,
+    pub(crate) allowance: Allowance,
+    /// When its time is over.
+    pub(crate) end: Option<Instant>,
+}
+
+impl Reins {
+    pub(crate) fn bounds(&self) -> Result<Bounds, Refusal> {
+        let time = self.end.map(|end| end.saturating_duration_since(Instant::now()));
+        if time.is_some_and(|time| time.is_zero()) {
+            return Err(self.late());
+        }
+        let Allowance { items, bytes, .. } = self.allowance;
+        let limits = Limits { items, bytes, time };
+        Ok(Bounds { limits, cancel: self.cancel.clone(), progress: self.progress.clone(), recursion: 0 })
+    }
+
+    fn late(&self) -> Refusal {
+        let seconds = self.allowance.time.as_secs_f64();
+        Refusal::late(format!("the time limit of {seconds} seconds is over"))
+    }
+
+    /// A fault in the words of whoever set the limits: what the solver was told is what was left of the time.
+    pub(crate) fn refusal(&self, fault: Fault) -> Refusal {
+        match fault.cause {
+            Cause::TimedOut => self.late(),
+            _ => fault.into(),
+        }
+    }
+}
+
+/// What shall come out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wish {
+    /// What the definition asks for and gives.
+    Description,
+    /// The reply, or a file.
+    Results(Option<Form>),
+    /// The results as they are, to be asked for later.
+    Kept,
+}
+
+/// What came out.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    Sent(Sent),
+    Kept(Box<Solved>),
+}
+
+/// Results that are kept: what the outputs gave, and nothing of what was on the way there.
+#[derive(Debug)]
+pub(crate) struct Solved {
+    reply: Sent,
+    model: Model,
+    has_errors: bool,
+    version: i32,
+    timings: Timings,
+}
+
+impl Solved {
+    fn new(solution: &Solution, version: i32, decode: Duration) -> Self {
+        let timings = solution.timings();
+        let timings = Timings { decode: decode + timings.decode, ..timings };
+        let has_errors = solution.has_errors();
+        let reply = Sent::json(&solution.reply()).with_status(status(has_errors));
+        Self { reply, model: solution.model(), has_errors, version, timings }
+    }
+
+    /// The reply, or a file.
+    pub(crate) fn sent(&self, form: Option<Form>) -> Result<Sent, Refusal> {
+        let start = Instant::now();
+        let sent = match form {
+            Some(form) if !self.has_errors => form.write(&self.model, self.version)?,
+            _ => self.reply.clone(),
+        };
+        Ok(timed(sent, Timings { encode: start.elapsed(), ..self.timings }))
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        self.has_errors
+    }
+
+    /// The bytes that it takes, by estimate: the model has about as much as the text.
+    pub(crate) fn weight(&self) -> usize {
+        2 * self.reply.len()
+    }
+}
+
+/// A component's error makes the whole answer one, though it is there: clients know it so.
+fn status(has_errors: bool) -> StatusCode {
+    if has_errors { StatusCode::INTERNAL_SERVER_ERROR } else { StatusCode::OK }
+}
+
+fn timed(sent: Sent, timings: Timings) -> Sent {
+    let Timings { decode, solve, encode } = timings;
+    sent.timed(&[("decode", decode), ("solve", solve), ("encode", encode)])
+}
+
+type Came = Result<Outcome, Refusal>;
+
+/// Reads the request and finds its definition; solves it there and then unless it is known to be slow.
+pub(crate) fn begin(service: Arc<Service>, body: Received, wish: Wish, reins: Reins) -> Step<Came> {
+    let start = Instant::now();
+    let read = || {
+        let bytes = body.unpacked()?;
+        Ok(SolveRequest::read(&bytes, &service.compute.settings().request)?)
+    };
+    let request = match read() {
+        Ok(request) => request,
+        Err(refusal) => return Step::Done(Err(refusal)),
+    };
+    with_request(service, request, wish, reins, start)
+}
+
+/// The same for a request that has been read.
+pub(crate) fn with_request(
+    service: Arc<Service>,
+    request: SolveRequest,
+    wish: Wish,
+    reins: Reins,
+    start: Instant,
+) -> Step<Came> {
+    let definition = match definition(&service, &request, &reins) {
+        Ok(definition) => definition,
+        Err(refusal) => return Step::Done(Err(refusal)),
+    };
+    if wish == Wish::Description {
+        return Step::Done(Ok(Outcome::Sent(Sent::json(&service.compute.describe(&definition)))));
+    }
+    let decode = start.elapsed();
+    let lane = service.pace.lane(definition.key());
+    let rest = move || Step::Done(solve(&service, &definition, &request, wish, &reins, decode));
+    match lane {
+        Lane::Quick => rest(),
+        lane => Step::Later(lane, Box::new(rest)),
+    }
+}
+
+fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Result<Arc<Definition>, Refusal> {
+    match service.compute.locate(request)? {
+        Located::Here(definition) => Ok(definition),
+        Located::Url(url) => {
+            let time = reins.end.map(|end| end.saturating_duration_since(Instant::now()));
+            let fetched = service.runtime.block_on(service.fetcher.definition(&url, time));
+            match (fetched, request.algo.as_deref().filter(|algo| !algo.trim().is_empty())) {
+                (Ok(bytes), _) => Ok(service.compute.load_bytes(url, &bytes)?),
+                // What cannot be fetched may have been sent along.
+                (Err(_), Some(algo)) => Ok(service.compute.load(algo)?),
+                (Err(refusal), None) => Err(refusal),
+            }
+        }
+    }
+}
+
+fn solve(
+    service: &Service,
+    definition: &Arc<Definition>,
+    request: &SolveRequest,
+    wish: Wish,
+    reins: &Reins,
+    decode: Duration,
+) -> Came {
+    let bounds = reins.bounds()?;
+    service.idle.touch();
+    let start = Instant::now();
+    let came = solved(service, definition, request, wish, reins, &bounds, decode);
+    let took = start.elapsed();
+    service.idle.touch();
+    // What was given up early tells nothing.
+    if took >= SLICE || came.is_ok() {
+        service.pace.took(definition.key(), took);
+    }
+    service.metrics.solved(took, came.as_ref().err().map(|refusal| refusal.cause));
+    came
+}
+
+fn solved(
+    service: &Service,
+    definition: &Arc<Definition>,
+    request: &SolveRequest,
+    wish: Wish,
+    reins: &Reins,
+    bounds: &Bounds,
+    decode: Duration,
+) -> Came {
+    if definition.interface().outputs.is_empty() {
+        return Err(Refusal::bad(
+            "the definition has no outputs: it needs a Context Bake, a Context Print or a group called RH_OUT:name",
+        ));
+    }
+    if wish == Wish::Results(None) {
+        let answer = service.compute.answer(definition, request, bounds);
+        let answer = answer.map_err(|fault| reins.refusal(fault))?;
+        let timings = Timings { decode: decode + answer.timings.decode, ..answer.timings };
+        let body = bytes::Bytes::from_owner(answer.body);
+        let sent = Sent::new(JSON, body).with_status(status(answer.has_errors));
+        return Ok(Outcome::Sent(timed(sent, timings)));
+    }
+    let solution = service.compute.solve(definition, request, bounds);
+    let solution = solution.map_err(|fault| reins.refusal(fault))?;
+    let solved = Solved::new(&solution, request.archive(), decode);
+    match wish {
+        Wish::Results(form) => solved.sent(form).map(Outcome::Sent),
+        _ => Ok(Outcome::Kept(Box::new(solved))),
+    }
+}
