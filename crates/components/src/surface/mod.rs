@@ -12,6 +12,7 @@ mod freeform;
 mod inside;
 mod loft;
 mod measure;
+mod multipipe;
 mod offset;
 mod parts;
 mod pipe;

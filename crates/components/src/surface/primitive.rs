@@ -6,7 +6,9 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Message, component};
 use katydid_data::{Geometry, Value};
-use katydid_geometry::{Cone, Cylinder, Interval, Plane, PlaneSurface, Point3, Sphere, Surface, construct};
+use katydid_geometry::{
+    Box3, Cone, Cylinder, Interval, Plane, PlaneSurface, Point3, Sphere, Surface, construct,
+};
 
 use super::{over, shared, warning};
 use crate::transform::around;
@@ -144,12 +146,39 @@ fn plane_through_shape(
     #[port("Inflate", "I", default = 1.0)]
     inflate: f64,
 ) -> Result<Shared<Surface>, Message> {
-    let found = around(&shape.0, &plane).ok_or_else(|| {
-        Message::warning(format!("A {} has no extent that can be measured yet", shape.0.kind()))
+    reaching(&plane, &shape.0, inflate)
+}
+
+/// The part of a plane under and over a shape, and a margin around it.
+fn reaching(plane: &Plane, shape: &Value, margin: f64) -> Result<Shared<Surface>, Message> {
+    let found = around(shape, plane).ok_or_else(|| {
+        Message::warning(format!("A {} has no extent that can be measured yet", shape.kind()))
     })?;
-    let wider = |r: Interval| Interval::new(r.min() - inflate, r.max() + inflate);
+    let wider = |r: Interval| Interval::new(r.min() - margin, r.max() + margin);
     let surface = PlaneSurface::new(found.plane, wider(found.x), wider(found.y));
     Ok(shared(surface.map_err(warning)?))
+}
+
+/// A rectangle of a plane that is large enough to reach all the way under and over a box, as a surface.
+#[component(
+    "f565fd67-5a98-4b48-9ea9-2e184a9ef0e6",
+    name = "Plane Through Box",
+    nick = "PxB",
+    at = "Surface/Primitive"
+)]
+#[output("Surfaces", "S", "The part of the plane.")]
+fn plane_through_box(
+    /// The plane.
+    #[port("Plane", "P")]
+    plane: Plane,
+    /// The box that the surface must be large enough for.
+    #[port("Box", "B")]
+    shape: Box3,
+    /// By how much it is larger on every side, in units.
+    #[port("Inflate", "I", default = 1.0)]
+    inflate: f64,
+) -> Result<Shared<Surface>, Message> {
+    reaching(&plane, &Value::Box(Shared::new(shape)), inflate)
 }
 
 #[cfg(test)]
@@ -202,8 +231,10 @@ mod tests {
 
         let unit = Interval::new(0.0, 2.0);
         let shape = Box3 { plane: Plane::XY, x: unit, y: unit, z: Interval::new(5.0, 6.0) };
-        let under = surface(Trial::of("Plane Through Shape").item(Plane::XY).item(shape).item(0.5));
-        assert_eq!(under.point_at(-0.5, 2.5), Point3::new(-0.5, 2.5, 0.0));
-        assert!((under.area().unwrap().area - 9.0).abs() < 1e-9);
+        for name in ["Plane Through Shape", "Plane Through Box"] {
+            let under = surface(Trial::of(name).item(Plane::XY).item(shape).item(0.5));
+            assert_eq!(under.point_at(-0.5, 2.5), Point3::new(-0.5, 2.5, 0.0));
+            assert!((under.area().unwrap().area - 9.0).abs() < 1e-9);
+        }
     }
 }

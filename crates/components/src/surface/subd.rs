@@ -26,7 +26,7 @@ fn subd(value: &Value) -> Result<SubD, Message> {
 }
 
 /// A net as an output gives it.
-fn kept(net: SubDNet) -> Result<Value, Message> {
+pub(super) fn kept(net: SubDNet) -> Result<Value, Message> {
     let object = Object::SubD(Box::new(SubDObject::from(&SubD::new(net))));
     object.to_raw(NEWEST, &[]).map(Value::from).map_err(|error| Message::warning(error.to_string()))
 }
