@@ -60,3 +60,35 @@ def test_each_object_has_a_layer_of_its_name(model):
     assert [layer.Name for layer in model.Layers] == ["Circles"]
     assert {item.Attributes.LayerIndex for item in model.Objects} == {0}
     assert {item.Attributes.Name for item in model.Objects} == {"Circles"}
+
+
+SUBDS = """katydid 1
+rectangle = Rectangle(XY Plane(), 3, 2)
+plane = Mesh Plane(rectangle, 3, 2)
+box = Center Box(XY Plane(), 2, 2, 2)
+hull = Mesh Box(box, 2, 2, 2)
+flat = SubD from Mesh(plane, 1, 1)
+cornered = SubD from Mesh(plane, 2, 2)
+solid = SubD from Mesh(hull, 1, 1)
+creased = SubD from Mesh(hull, 2, 1)
+x = Line SDL((0, 0, 0), (1, 0, 0), 5)
+y = Line SDL((0, 0, 0), (0, 1, 0), 5)
+z = Line SDL((0, 0, 0), (0, 0, 1), 5)
+ends = MultiPipe([x, y, z], 0.5)
+capped = MultiPipe([x, y, z], 0.5, Caps = 2)
+"""
+
+
+def test_subds_are_valid_with_borders_creases_and_corners(tmp_path):
+    definition, out = tmp_path / "subds.kd", tmp_path / "subds.3dm"
+    definition.write_text(SUBDS)
+    command = ["cargo", "run", "--release", "-q", "-p", "katydid", "--", "run", definition, "-o", out]
+    subprocess.run(command, cwd=ROOT, check=True)
+    subds = [item.Geometry for item in rhino3dm.File3dm.Read(str(out)).Objects if isinstance(item.Geometry, rhino3dm.SubD)]
+    assert len(subds) == 6
+    for subd in subds:
+        assert subd.IsValid
+        # What rhino3dm works out itself is what is written.
+        written = subd.Encode()["data"]
+        subd.UpdateAllTagsAndSectorCoefficients()
+        assert subd.Encode()["data"] == written
