@@ -4,21 +4,26 @@
 SHELL := /bin/bash
 VENV := .venv
 PYTHON ?= python3
-# Off by default, tested all the same.
-KERNEL_FEATURES := katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
+# What is tested is built once, with features that are off by default, and serves the tests in Python and the browser.
+TESTED := --workspace --exclude katydid-kernel-bench \
+	--features katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
+BUILT := $(abspath $(or $(CARGO_TARGET_DIR),target))/debug
 
-.PHONY: studio test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+.PHONY: studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
 test-rust:
-	cargo test --workspace --exclude katydid-kernel-bench --features $(KERNEL_FEATURES)
+	cargo test $(TESTED)
+
+programs:
+	cargo build $(TESTED) --bins --examples
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
-test-python: $(VENV)/installed
-	cargo build --release -p katydid
-	$(VENV)/bin/python -m pytest -q --ignore=python-tests/step --ignore=python-tests/compute python-tests crates/rhino3dm/tests/rhino3dm_peer.py \
-		crates/rhino3dm/tests/tables_peer.py
+test-python: $(VENV)/installed programs
+	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q \
+		--ignore=python-tests/step --ignore=python-tests/compute python-tests \
+		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
 test-step: $(VENV)-step/installed
@@ -52,9 +57,8 @@ test-studio: studio/node_modules/installed
 	studio/with-node npm run build
 
 # The page in Chromium, served by the binary; then the viewport alone.
-test-browser: test-studio
-	cargo build --release -p katydid
-	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e
+test-browser: test-studio programs
+	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e
 	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:viewport
 
 studio/node_modules/installed: studio/package-lock.json

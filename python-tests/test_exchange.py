@@ -2,10 +2,7 @@
 
 import json
 import math
-import os
-import subprocess
 import xml.etree.ElementTree as xml
-from pathlib import Path
 
 import numpy as np
 import plyfile
@@ -15,14 +12,9 @@ import rhino3dm
 import svgelements
 import trimesh
 
-ROOT = Path(__file__).resolve().parent.parent
+from program import ROOT, katydid
+
 NAME = 'bäll "<&>" 1'
-
-
-def katydid(*words):
-    command = os.environ.get("KATYDID")
-    command = [command] if command else ["cargo", "run", "--release", "-q", "-p", "katydid", "--"]
-    return subprocess.run([*command, *map(str, words)], cwd=ROOT, check=True, capture_output=True, text=True)
 
 
 def ball(center, radius, around=24, up=12):

@@ -1,21 +1,18 @@
 """rhino3dm, the official reader of .3dm, opens what Katydid writes."""
 
 import math
-import subprocess
 import xml.etree.ElementTree as xml
-from pathlib import Path
 
 import pytest
 import rhino3dm
 
-ROOT = Path(__file__).resolve().parent.parent
+from program import ROOT, katydid
 
 
 @pytest.fixture(scope="module")
 def model(tmp_path_factory):
     out = tmp_path_factory.mktemp("baked") / "attractor.3dm"
-    command = ["cargo", "run", "--release", "-q", "-p", "katydid", "--", "run", "examples/attractor.ghx", "-o", out]
-    subprocess.run(command, cwd=ROOT, check=True)
+    katydid("run", "examples/attractor.ghx", "-o", out)
     model = rhino3dm.File3dm.Read(str(out))
     assert model is not None
     return model
@@ -82,8 +79,7 @@ capped = MultiPipe([x, y, z], 0.5, Caps = 2)
 def test_subds_are_valid_with_borders_creases_and_corners(tmp_path):
     definition, out = tmp_path / "subds.kd", tmp_path / "subds.3dm"
     definition.write_text(SUBDS)
-    command = ["cargo", "run", "--release", "-q", "-p", "katydid", "--", "run", definition, "-o", out]
-    subprocess.run(command, cwd=ROOT, check=True)
+    katydid("run", definition, "-o", out)
     subds = [item.Geometry for item in rhino3dm.File3dm.Read(str(out)).Objects if isinstance(item.Geometry, rhino3dm.SubD)]
     assert len(subds) == 6
     for subd in subds:

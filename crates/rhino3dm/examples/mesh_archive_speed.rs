@@ -1,4 +1,4 @@
-//! How long a mesh of a million vertices takes to write and to read, in milliseconds: `mesh_speed [OUT.3dm]`.
+//! How long a mesh of a million vertices takes to write and to read, in milliseconds: `mesh_archive_speed [OUT.3dm]`.
 
 use std::time::Instant;
 
