@@ -10,6 +10,10 @@ export function Dialog({ title, children, wide = false }: { title: string; child
     const element = dialog.current;
     if (element && !element.open) element.showModal();
   }, []);
+  const close = () => {
+    dialog.current?.close();
+    showDialog(undefined);
+  };
   return (
     <dialog
       ref={dialog}
@@ -17,8 +21,14 @@ export function Dialog({ title, children, wide = false }: { title: string; child
       aria-labelledby={id}
       // A long dialog is scrolled with the arrow keys: it takes the focus itself then.
       tabIndex={wide ? 0 : undefined}
+      // The browser tells of the end later, when the next key may have opened another dialog.
+      onCancel={(event) => {
+        if (event.target !== dialog.current) return;
+        event.preventDefault();
+        close();
+      }}
       onClose={() => showDialog(undefined)}
-      onClick={(event) => event.target === dialog.current && showDialog(undefined)}
+      onClick={(event) => event.target === dialog.current && close()}
     >
       <h2 id={id}>{title}</h2>
       {children}
