@@ -9,7 +9,8 @@ use uuid::Uuid;
 
 use crate::cache::{self, Definitions, Replies};
 use crate::{
-    Answer, Bounds, Definition, Description, Fault, RequestLimits, Solution, SolveRequest, definition, solve,
+    Answer, Bounds, Definition, Description, Fault, HopsSettings, RequestLimits, Solution, SolveRequest,
+    definition, solve,
 };
 
 /// What a [`Compute`] may use, for all requests.
@@ -25,6 +26,8 @@ pub struct Settings {
     pub archive: Limits,
     /// Which files definitions may read: none unless said so.
     pub files: Files,
+    /// Which other servers Hops components may ask: none unless said so.
+    pub hops: HopsSettings,
     /// Whether replies tell what components warned of. Rhino.Compute does so in its debug mode only.
     pub warnings: bool,
 }
@@ -38,6 +41,7 @@ impl Default for Settings {
             request: RequestLimits::default(),
             archive: Limits { max_inflated: 128 << 20, ..Limits::default() },
             files: Files::None,
+            hops: HopsSettings::default(),
             warnings: true,
         }
     }

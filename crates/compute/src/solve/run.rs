@@ -2,10 +2,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
-use katydid_solver::{Engine, Options, Status};
+use katydid_solver::{Engine, Options, Remote, Status};
 
 use super::{Bounds, Solution, Timings};
 use crate::definition::Input;
+use crate::hops::Hops;
 use crate::request::{self, SolveRequest};
 use crate::{Cause, Definition, Fault, Settings};
 
@@ -34,6 +35,7 @@ pub(crate) fn run(
         cancel: bounds.cancel.clone(),
         files: settings.files.clone(),
         progress: bounds.progress.clone(),
+        remote: remote(settings, recursion),
         ..Options::default()
     };
     let mut engine = definition.states().engine(definition.document(), options);
@@ -55,6 +57,11 @@ pub(crate) fn run(
     let learnt = definition.states().learn(definition.document(), &engine, set);
     let timings = Timings { decode: decoded - begin, solve: took, encode: Default::default() };
     Ok((Solution::new(definition.clone(), engine, request, settings, timings), learnt))
+}
+
+/// What Hops components ask other servers through, where any may be asked.
+fn remote(settings: &Settings, recursion: u32) -> Option<Arc<dyn Remote>> {
+    settings.hops.is_on().then(|| Arc::new(Hops::new(&settings.hops, recursion)) as Arc<dyn Remote>)
 }
 
 /// Sets the inputs that the request names; what it does not name keeps what it has. Names that nobody has are ignored,
