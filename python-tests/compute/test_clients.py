@@ -14,9 +14,8 @@ REFUSED = {
     "Brep.CreateBooleanUnion": "solids are not combined yet: 501",
     "Brep.CreateBooleanDifference": "solids are not combined yet: 501",
     "Brep.CreateBooleanIntersection": "solids are not combined yet: 501",
-    "Mesh.CreateBooleanUnion": "it sends meshes that are not closed: 400",
     "Mesh.QuadRemesh": "not there yet: 501",
-    "SubD.ToBrep": "not there yet, and it sends a mesh: 501",
+    "SubD.ToBrep": "it sends a mesh: 400",
     "PythonEvaluate": "scripts are not run: 501",
 }
 

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::serve_args::ServeArgs;
+use crate::web_args::WebArgs;
 
 /// Grasshopper definitions without Rhino: run them, check them, convert them.
 #[derive(Debug, Parser)]
@@ -77,6 +78,9 @@ pub(crate) struct DefinitionArgs {
     /// The length unit of the document; when not given, that of a .kd file or of the model, else millimeters
     #[arg(long, value_name = "UNIT")]
     pub(crate) units: Option<UnitName>,
+
+    #[command(flatten)]
+    pub(crate) web: WebArgs,
 }
 
 #[derive(Debug, Args)]

@@ -16,10 +16,11 @@ mod run;
 mod scene_file;
 mod serve;
 mod serve_args;
+mod serving;
 mod source;
-mod stop;
 mod studio;
 mod view;
+mod web_args;
 
 use std::process::ExitCode;
 

@@ -25,15 +25,23 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
         rules.units = units;
     }
     let time = args.limit_seconds.map(Duration::try_from_secs_f64).transpose();
+    // Who runs a definition here may read their own files; the paths start where the definition lies.
+    let files = Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf());
+    let settings = katydid_compute::Settings {
+        files: files.clone(),
+        web: args.web.web()?,
+        hops: args.web.hops(),
+        ..katydid_compute::Settings::default()
+    };
     let options = Options {
         rules,
         limits: Limits {
             time: time.map_err(|_| "--limit-seconds must be a positive number".to_owned())?,
             ..Limits::default()
         },
-        // Who runs a definition here may read their own files; the paths start where the definition lies.
-        files: Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf()),
+        files,
         model: model.map(Arc::new),
+        remote: Some(katydid_compute::hops(&settings)),
         progress: progress::listener(),
         ..Options::default()
     };

@@ -4,20 +4,15 @@ use katydid_server::compute::{self, Server};
 
 use crate::output::{BOLD, YELLOW, note, say};
 use crate::serve_args::{LogForm, ServeArgs};
-use crate::stop::ended;
+use crate::serving::{self, ended};
 
 /// Where the key may be when it is not on the command line, where others could see it.
 const KEY: &str = "RHINO_COMPUTE_KEY";
 
 pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
     log(args.log);
-    let config = args.config(std::env::var(KEY).ok());
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .enable_all()
-        .worker_threads(2)
-        .build()
-        .map_err(|error| error.to_string())?;
-    runtime.block_on(async {
+    let config = args.config(std::env::var(KEY).ok())?;
+    serving::run(async {
         let has_key = config.key.as_deref().is_some_and(|key| !key.trim().is_empty());
         let server = compute::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, args, has_key);

@@ -7,6 +7,8 @@ use clap::{Args, ValueEnum};
 use katydid_component::Limits;
 use katydid_server::compute::Config;
 
+use crate::web_args::WebArgs;
+
 #[derive(Debug, Args)]
 #[command(after_help = "\
 The server runs until Ctrl+C or SIGTERM; requests that are under way are finished first.
@@ -31,9 +33,8 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "ORIGIN")]
     allow_origin: Vec<String>,
 
-    /// A host that definitions may be fetched from when a request points there, as example.org or 127.0.0.1:3000
-    #[arg(long, value_name = "HOST")]
-    allow_url: Vec<String>,
+    #[command(flatten)]
+    web: WebArgs,
 
     /// The most seconds a request may take, waiting included
     #[arg(long, value_name = "SECONDS", default_value_t = 100.0, value_parser = seconds)]
@@ -96,14 +97,16 @@ pub(crate) enum LogForm {
 
 impl ServeArgs {
     /// How the server shall run; `variable` is the key of the environment.
-    pub(crate) fn config(&self, variable: Option<String>) -> Config {
+    pub(crate) fn config(&self, variable: Option<String>) -> Result<Config, String> {
         let time = |seconds: f64| Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
-        Config {
+        Ok(Config {
             address: self.host,
             port: self.port,
             key: self.key.clone().or(variable),
             origins: self.allow_origin.clone(),
-            hosts: self.allow_url.clone(),
+            hosts: self.web.hosts(),
+            authorities: self.web.certificates()?,
+            hops_server: self.web.hops_server.clone(),
             timeout: time(self.timeout),
             job_timeout: time(self.job_timeout),
             most_body: self.max_body,
@@ -114,7 +117,7 @@ impl ServeArgs {
             keep_jobs: time(self.keep_jobs),
             cache_bytes: self.cache_bytes,
             grace: time(self.grace),
-        }
+        })
     }
 
     pub(crate) fn is_local(&self) -> bool {

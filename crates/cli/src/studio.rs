@@ -4,7 +4,7 @@ use katydid_server::{Config, Server};
 
 use crate::args::StudioArgs;
 use crate::output::{BOLD, YELLOW, note, say};
-use crate::stop::ended;
+use crate::serving::{self, ended};
 
 pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
     let config = Config {
@@ -17,12 +17,7 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         state: Config::usual_state(),
         ..Config::default()
     };
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .enable_all()
-        .worker_threads(2)
-        .build()
-        .map_err(|error| error.to_string())?;
-    runtime.block_on(async {
+    serving::run(async {
         let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, args);
         ended().await;

@@ -142,6 +142,14 @@ impl Deadline {
         }
     }
 
+    /// The time until then, if there is such a moment.
+    pub fn left(self) -> Option<Duration> {
+        #[cfg(not(target_family = "wasm"))]
+        return self.0.map(|at| at.saturating_duration_since(std::time::Instant::now()));
+        #[cfg(target_family = "wasm")]
+        None
+    }
+
     fn is_over(self) -> bool {
         #[cfg(not(target_family = "wasm"))]
         return self.0.is_some_and(|at| std::time::Instant::now() >= at);

@@ -1,15 +1,17 @@
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use katydid_component::Files;
+use katydid_component::{Cancel, Files};
 use katydid_definition::archive::Limits;
 use uuid::Uuid;
 
 use crate::cache::{self, Definitions, Replies};
+use crate::web::{Asked, Web};
 use crate::{
-    Answer, Bounds, Definition, Description, Fault, RequestLimits, Solution, SolveRequest, definition, solve,
+    Answer, Bounds, Cause, Definition, Description, Fault, HopsSettings, RequestLimits, Solution,
+    SolveRequest, WebSettings, definition, solve,
 };
 
 /// What a [`Compute`] may use, for all requests.
@@ -25,6 +27,10 @@ pub struct Settings {
     pub archive: Limits,
     /// Which files definitions may read: none unless said so.
     pub files: Files,
+    /// Which other hosts may be asked, for definitions and by Hops components: none unless said so.
+    pub web: WebSettings,
+    /// How Hops components ask them.
+    pub hops: HopsSettings,
     /// Whether replies tell what components warned of. Rhino.Compute does so in its debug mode only.
     pub warnings: bool,
 }
@@ -38,6 +44,8 @@ impl Default for Settings {
             request: RequestLimits::default(),
             archive: Limits { max_inflated: 128 << 20, ..Limits::default() },
             files: Files::None,
+            web: WebSettings::default(),
+            hops: HopsSettings::default(),
             warnings: true,
         }
     }
@@ -48,8 +56,8 @@ impl Default for Settings {
 pub enum Located {
     /// Here.
     Here(Arc<Definition>),
-    /// At this URL: whoever may fetch it does, and hands it to [`Compute::load_bytes`] with the URL as key. A
-    /// definition that was fetched before and is kept still is [`Here`](Self::Here).
+    /// At this URL, for [`Compute::fetch`]. A definition that was fetched before and is kept still is
+    /// [`Here`](Self::Here).
     Url(String),
 }
 
@@ -59,7 +67,11 @@ pub struct Compute {
     settings: Settings,
     definitions: Definitions,
     replies: Replies,
+    web: Arc<Web>,
 }
+
+/// No definition takes longer to fetch.
+const FETCH: Duration = Duration::from_secs(20);
 
 impl Compute {
     /// One that keeps nothing yet.
@@ -68,6 +80,7 @@ impl Compute {
         Self {
             definitions: Definitions::new(settings.cache_bytes),
             replies: Replies::new(settings.reply_bytes),
+            web: Arc::new(Web::new(&settings.web)),
             settings,
         }
     }
@@ -145,6 +158,33 @@ impl Compute {
         self.definitions.get_or_make(&key, make)
     }
 
+    /// The definition at a URL, kept under it: fetched when it is not kept any more, in 20 seconds at most.
+    ///
+    /// # Errors
+    /// `Refused` when the host may not be asked or sends elsewhere, `NotFound` when it does not answer or has no such
+    /// thing, `TimedOut`, `Cancelled`, `TooLarge`, and `BadRequest` when there is no definition.
+    pub fn fetch(
+        &self,
+        url: &str,
+        time: Option<Duration>,
+        cancel: &Cancel,
+    ) -> Result<Arc<Definition>, Fault> {
+        if let Some(known) = self.cached(url) {
+            return Ok(known);
+        }
+        let time = time.map_or(FETCH, |time| time.min(FETCH));
+        let go_on = || match cancel.is_cancelled() {
+            true => Err(Fault::new(Cause::Cancelled, "The request was cancelled")),
+            false => Ok(()),
+        };
+        let found = self.web.ask(Asked { url, body: None, time }, go_on)?;
+        match found.status {
+            200 => self.load_bytes(url.to_owned(), &found.body),
+            300..400 => Err(Fault::refused("the definition is elsewhere: redirects are not followed")),
+            status => Err(Fault::not_found(format!("the host of the definition answers {status}"))),
+        }
+    }
+
     /// What the definition asks for and gives: the reply of `/io`.
     pub fn describe(&self, definition: &Definition) -> Description {
         definition::describe(definition)
@@ -161,7 +201,7 @@ impl Compute {
         request: &SolveRequest,
         bounds: &Bounds,
     ) -> Result<Solution, Fault> {
-        let (solution, heavier) = solve::run(&self.settings, definition, request, bounds)?;
+        let (solution, heavier) = solve::run(&self.settings, &self.web, definition, request, bounds)?;
         if heavier {
             self.definitions.trim();
         }

@@ -1,5 +1,5 @@
-//! What a Rhino.Compute server answers: definitions solved and geometry functions called, as JSON. No sockets: a server
-//! hands over bodies and writes out what comes back.
+//! What a Rhino.Compute server answers: definitions solved and geometry functions called, as JSON. It listens to nobody:
+//! a server hands over bodies and writes out what comes back. It asks only hosts that were listed (`web`).
 //!
 //! A [`Compute`] is shared by all requests. It keeps definitions by what they are called in later requests (see
 //! [`Compute::load`]) and solves each request on its own copy, so that no request sees what another one brought.
@@ -19,14 +19,18 @@ mod compute;
 pub mod definition;
 mod fault;
 pub mod geometry;
+mod hops;
 pub mod reply;
 pub mod request;
 pub mod solve;
+mod web;
 pub mod wire;
 
 pub use compute::{Compute, Located, Settings};
 pub use definition::{Definition, Description};
 pub use fault::{Cause, Fault};
+pub use hops::{HopsSettings, hops};
 pub use reply::Reply;
 pub use request::{RequestLimits, SolveRequest};
 pub use solve::{Answer, Bounds, Solution, Timings};
+pub use web::WebSettings;

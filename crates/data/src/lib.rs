@@ -37,6 +37,7 @@ pub mod text;
 mod time;
 mod tree;
 mod tree_shape;
+pub mod units;
 mod value;
 mod weight;
 

@@ -60,12 +60,19 @@ fn named(document: &Document) -> Vec<(String, usize)> {
     named
 }
 
-/// Sliders, panels, toggles, lists, contextual inputs, and parameters that read no wire.
+/// Sliders, panels, toggles, lists and parameters that read no wire, and contextual inputs: what a wire brings to those
+/// is their default.
 fn can_be_set(object: &Object) -> bool {
-    object.is_floating() && object.inputs.iter().all(|port| port.sources.is_empty())
+    let reads_no_wire = || object.inputs.iter().all(|port| port.sources.is_empty());
+    object.is_floating() && (is_contextual(object) || reads_no_wire())
 }
 
-/// The index of the one input of that nickname or id. Exact spelling goes before another case.
+fn is_contextual(object: &Object) -> bool {
+    matches!(object.special(), Some(Special::Contextual(_)))
+}
+
+/// The index of the one input of that nickname or id. Exact spelling goes before another case, and a contextual input
+/// before what else has its name: the slider that is its default, say.
 pub(crate) fn find(document: &Document, name: &str) -> Result<usize, InputError> {
     if let Ok(id) = Uuid::parse_str(name.trim().trim_matches(['{', '}']))
         && let Some(index) = document.objects.iter().position(|o| o.id == id)
@@ -79,6 +86,10 @@ pub(crate) fn find(document: &Document, name: &str) -> Result<usize, InputError>
         let mut found: Vec<usize> = all.iter().filter(|(n, _)| same(n)).map(|(_, i)| *i).collect();
         found.sort_unstable();
         found.dedup();
+        let asks = |index: &usize| document.objects.get(*index).is_some_and(is_contextual);
+        if found.iter().any(asks) {
+            found.retain(asks);
+        }
         found
     };
     let mut found = matching(&|n| n == name);

@@ -8,7 +8,7 @@ use katydid_data::{Column, Kind, Path, Tree};
 use katydid_definition::document::{Document, Object, Special};
 
 use crate::report::{ObjectReport, Status};
-use crate::{Options, cluster, collect, modifiers};
+use crate::{Options, cluster, collect, modifiers, remote};
 
 /// What an object needs to run besides its inputs.
 pub(crate) struct Turn<'a> {
@@ -44,6 +44,9 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> Obje
         return report;
     }
     if let Some(report) = cluster::solve(turn, object, wired) {
+        return report;
+    }
+    if let Some(report) = remote::solve(turn, object, wired) {
         return report;
     }
     match registry::by_guid(object.component) {

@@ -6,7 +6,7 @@ use katydid_component::{Cancel, Files, Limits, RhinoModel};
 use katydid_data::cast::Rules;
 use katydid_definition::document::Object;
 
-use crate::ObjectReport;
+use crate::{ObjectReport, Remote};
 
 /// How far a solve has come.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,6 +49,8 @@ pub struct Options {
     pub files: Files,
     /// The Rhino model that parameters refer to, when there is one.
     pub model: Option<Arc<RhinoModel>>,
+    /// Which other servers Hops components may ask; none unless said so.
+    pub remote: Option<Arc<dyn Remote>>,
     /// Leaves out what no wire reads where a component says that it is costly: the transforms of Move, say.
     pub skip_unread: bool,
     /// Told after each object.
@@ -73,6 +75,7 @@ impl fmt::Debug for Options {
             .field("limits", &self.limits)
             .field("cancel", &self.cancel)
             .field("files", &self.files)
+            .field("remote", &self.remote)
             .field("model", &self.model.as_ref().map(|model| model.objects().len()))
             .finish_non_exhaustive()
     }

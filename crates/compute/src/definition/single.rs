@@ -1,6 +1,7 @@
 //! A definition made of one component, which clients name by its type id.
 
 use katydid_component::{Access, registry};
+use katydid_data::Kind;
 use katydid_definition::document::Document;
 use uuid::Uuid;
 
@@ -24,7 +25,7 @@ pub(super) fn of(component: Uuid) -> Result<(Document, Interface, &'static str),
             at_least: i32::from(!declared.optional && declared.default.is_none()),
             at_most: if declared.access == Access::Item { 1 } else { ANY_NUMBER },
             tree_access: declared.access == Access::Tree,
-            ..Input::new(port.nickname.clone(), 0, k, form(declared.kind, Form::Text))
+            ..Input::new(port.nickname.clone(), 0, k, form(declared.kind, Form::Of(Kind::Text)))
         });
     }
     for (output, port) in object.outputs.iter().enumerate() {

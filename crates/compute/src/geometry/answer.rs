@@ -3,8 +3,8 @@
 use serde_json::Value as Json;
 
 use super::call::ARCHIVE;
-use crate::Fault;
 use crate::wire::{Wire, number};
+use crate::{Cause, Fault};
 
 /// A value of a reply.
 pub(super) trait Answer {
@@ -90,6 +90,14 @@ several!(A, B, C, D);
 
 /// What a function may come to: a value, or a fault of ours or of the kernel's.
 pub(super) type Outcome<T> = Result<T, Fault>;
+
+/// Null where an operation has no result, as RhinoCommon says it: solids that are open, curves that are not planar.
+pub(super) fn or_null<T>(outcome: Outcome<T>) -> Outcome<Option<T>> {
+    match outcome {
+        Err(fault) if matches!(fault.cause, Cause::BadRequest | Cause::Failed) => Ok(None),
+        outcome => outcome.map(Some),
+    }
+}
 
 impl From<katydid_geometry::Error> for Fault {
     fn from(error: katydid_geometry::Error) -> Self {

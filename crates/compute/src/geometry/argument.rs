@@ -5,8 +5,8 @@ use katydid_geometry::Tolerance;
 use serde_json::Value as Json;
 
 use super::call::Call;
-use crate::Fault;
 use crate::wire::{Read, Wire};
+use crate::{Cause, Fault};
 
 /// One parameter of a function.
 pub(super) trait Argument: Sized {
@@ -28,6 +28,11 @@ impl Waiting {
     /// Whether to go on.
     pub(super) fn go_on(&self) -> bool {
         !self.0.is_cancelled()
+    }
+
+    /// Stops here when nobody waits any more: between the parts of work that may be long.
+    pub(super) fn check(&self) -> Result<(), Fault> {
+        if self.go_on() { Ok(()) } else { Err(Fault::new(Cause::Cancelled, "it was cancelled")) }
     }
 }
 

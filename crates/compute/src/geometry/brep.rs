@@ -6,8 +6,8 @@ use katydid_geometry::brep::{BrepSections, ClosestOnBrep};
 use katydid_geometry::region::{FillRule, Region};
 use katydid_geometry::{Brep, Containment, Curve, Plane, Point3, Tolerance, join_curves};
 
-use super::answer::Outcome;
-use super::argument::{Positive, Some1, Turn, Within};
+use super::answer::{Outcome, or_null};
+use super::argument::{Positive, Some1, Turn, Waiting, Within};
 use super::brep_face::edge_curves;
 use super::curve::contour_planes;
 use super::table::Endpoints;
@@ -46,27 +46,35 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("brep/mergecoplanarfaces-brep_double_double", |b: Brep, t: Within, a: Turn| {
         merged_faces(&b, &a.and(t))
     });
-    table.add("brep/createcontourcurves-brep_plane", |b: Brep, plane: Plane| contours(b, &[plane]));
+    table.add("brep/createcontourcurves-brep_plane", |b: Brep, plane: Plane, w: Waiting| {
+        contours(b, &[plane], &w)
+    });
     table.add(
         "brep/createcontourcurves-brep_point3d_point3d_double",
-        |b: Brep, start: Point3, end: Point3, interval: Positive| {
-            contours(b, &contour_planes(start, end, interval)?)
+        |b: Brep, start: Point3, end: Point3, interval: Positive, w: Waiting| {
+            contours(b, &contour_planes(start, end, interval)?, &w)
         },
     );
     table.add("brep/createplanarunion-breparray_plane_double", |b: Some1<Brep>, plane: Plane, t: Within| {
-        planar(&b.0, &plane, t, Region::union)
+        or_null(planar(&b.0, &plane, t, Region::union)).map(Option::flatten)
     });
-    table
-        .add("brep/createplanarunion-brep_brep_plane_double", |a: Brep, b: Brep, plane: Plane, t: Within| {
-            planar(&[a, b], &plane, t, Region::union)
-        });
+    table.add(
+        "brep/createplanarunion-brep_brep_plane_double",
+        |a: Brep, b: Brep, plane: Plane, t: Within| {
+            or_null(planar(&[a, b], &plane, t, Region::union)).map(Option::flatten)
+        },
+    );
     table.add(
         "brep/createplanardifference-brep_brep_plane_double",
-        |a: Brep, b: Brep, plane: Plane, t: Within| planar(&[a, b], &plane, t, Region::difference),
+        |a: Brep, b: Brep, plane: Plane, t: Within| {
+            or_null(planar(&[a, b], &plane, t, Region::difference)).map(Option::flatten)
+        },
     );
     table.add(
         "brep/createplanarintersection-brep_brep_plane_double",
-        |a: Brep, b: Brep, plane: Plane, t: Within| planar(&[a, b], &plane, t, Region::intersection),
+        |a: Brep, b: Brep, plane: Plane, t: Within| {
+            or_null(planar(&[a, b], &plane, t, Region::intersection)).map(Option::flatten)
+        },
     );
 }
 
@@ -92,10 +100,11 @@ fn merged_faces(brep: &Brep, tolerance: &Tolerance) -> Outcome<(bool, Brep)> {
     Ok((merged.faces().len() < brep.faces().len(), merged))
 }
 
-fn contours(brep: Brep, planes: &[Plane]) -> Outcome<Vec<Curve>> {
+fn contours(brep: Brep, planes: &[Plane], waiting: &Waiting) -> Outcome<Vec<Curve>> {
     let sections = BrepSections::new(Arc::new(brep), &Tolerance::default())?;
     let mut out = Vec::new();
     for plane in planes {
+        waiting.check()?;
         out.extend(sections.cut(plane)?.curves);
     }
     Ok(out)

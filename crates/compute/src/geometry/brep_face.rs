@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use katydid_geometry::brep::ClosestOnBrep;
-use katydid_geometry::{Brep, Containment, Curve, Point3, Surface};
+use katydid_geometry::{Brep, Containment, Curve, Interval, Point3, Surface};
 use serde_json::Value as Json;
 
 use super::answer::Outcome;
@@ -28,6 +28,13 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("brepface/trimawareisocurve-brepface_int_double", |f: Face, along: Along, constant: f64| {
         Ok(f.brep().face_isocurves(0, along.0, constant)?)
     });
+    table.add(
+        "brepface/trimawareisointervals-brepface_int_double",
+        |f: Face, along: Along, constant: f64| {
+            let curves = f.brep().face_isocurves(0, along.0, constant)?;
+            Ok(curves.iter().map(Curve::domain).collect::<Vec<Interval>>())
+        },
+    );
     table.add("brepface/shrinksurfacetoedge-brepface", |f: Face| {
         Ok((true, f.brep().shrunk_face(0, &Within(0.001).tolerance())?))
     });

@@ -17,7 +17,12 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("curve/duplicatesegments-curve", |c: Curve| Ok(c.explode(false)?));
     table.add(
         "curve/simplify-curve_curvesimplifyoptions_double_double",
-        |c: Curve, _: i32, d: Within, a: Turn| Ok(c.simplified(&a.and(d))?),
+        |c: Curve, options: i32, d: Within, a: Turn| {
+            if options != ALL_OPTIONS {
+                return Err(Fault::not_supported("simplifying by some of the options only"));
+            }
+            Ok(c.simplified(&a.and(d))?)
+        },
     );
     table.add("curve/fit-curve_int_double_double", |c: Curve, degree: Count<1, 11>, t: Within, _: Turn| {
         Ok(Curve::from(c.refitted(degree.0, t.0)?.curve))
@@ -112,6 +117,9 @@ pub(super) fn enter(table: &mut Endpoints) {
         Ok(c.transformed(&Xform::planar_projection(&plane))?)
     });
 }
+
+/// `CurveSimplifyOptions.All`: knots, lines, arcs, rationals, kinks, and merging.
+const ALL_OPTIONS: i32 = 63;
 
 /// A length or angle: finite and not below 0.
 struct Size(f64);

@@ -4,31 +4,35 @@ use katydid_geometry::intersect::curve_curve;
 use katydid_geometry::region::{CurveRelation, Region, relation};
 use katydid_geometry::{Curve, Plane, Tolerance, Xform};
 
-use super::answer::Outcome;
+use super::answer::{Outcome, or_null};
 use super::argument::{Some1, Within};
 use super::table::Endpoints;
 use crate::Fault;
 
 pub(super) fn enter(table: &mut Endpoints) {
     let default = Within(Tolerance::default().absolute);
-    table.add("curve/createbooleanunion-curvearray", move |c: Some1<Curve>| union(&c.0, default));
-    table.add("curve/createbooleanunion-curvearray_double", |c: Some1<Curve>, t: Within| union(&c.0, t));
+    table.add("curve/createbooleanunion-curvearray", move |c: Some1<Curve>| or_null(union(&c.0, default)));
+    table.add("curve/createbooleanunion-curvearray_double", |c: Some1<Curve>, t: Within| {
+        or_null(union(&c.0, t))
+    });
     table.add("curve/createbooleanintersection-curve_curve", move |a: Curve, b: Curve| {
-        common(&a, &b, default)
+        or_null(common(&a, &b, default))
     });
     table.add("curve/createbooleanintersection-curve_curve_double", |a: Curve, b: Curve, t: Within| {
-        common(&a, &b, t)
+        or_null(common(&a, &b, t))
     });
-    table.add("curve/createbooleandifference-curve_curve", move |a: Curve, b: Curve| rest(&a, &[b], default));
+    table.add("curve/createbooleandifference-curve_curve", move |a: Curve, b: Curve| {
+        or_null(rest(&a, &[b], default))
+    });
     table.add("curve/createbooleandifference-curve_curve_double", |a: Curve, b: Curve, t: Within| {
-        rest(&a, &[b], t)
+        or_null(rest(&a, &[b], t))
     });
     table.add("curve/createbooleandifference-curve_curvearray", move |a: Curve, b: Vec<Curve>| {
-        rest(&a, &b, default)
+        or_null(rest(&a, &b, default))
     });
     table.add(
         "curve/createbooleandifference-curve_curvearray_double",
-        |a: Curve, b: Vec<Curve>, t: Within| rest(&a, &b, t),
+        |a: Curve, b: Vec<Curve>, t: Within| or_null(rest(&a, &b, t)),
     );
     table.add(
         "curve/planarclosedcurverelationship-curve_curve_plane_double",

@@ -5,15 +5,18 @@ use katydid_geometry::{Line, Mesh, MeshTree, Plane, Point3, PolylineCurve};
 use serde_json::{Value as Json, json};
 
 use super::answer::Outcome;
-use super::argument::{Count, Some1, Within};
+use super::argument::{Count, Some1, Waiting, Within};
 use super::table::Endpoints;
 use crate::wire::{Wire, number};
 
 pub(super) fn enter(table: &mut Endpoints) {
-    table.add("intersect/intersection/meshplane-mesh_plane", |m: Mesh, plane: Plane| sections(&m, &[plane]));
-    table.add("intersect/intersection/meshplane-mesh_planearray", |m: Mesh, planes: Some1<Plane>| {
-        sections(&m, &planes.0)
+    table.add("intersect/intersection/meshplane-mesh_plane", |m: Mesh, plane: Plane, w: Waiting| {
+        sections(&m, &[plane], &w)
     });
+    table.add(
+        "intersect/intersection/meshplane-mesh_planearray",
+        |m: Mesh, planes: Some1<Plane>, w: Waiting| sections(&m, &planes.0, &w),
+    );
     table.add("intersect/intersection/meshmeshfast-mesh_mesh", |a: Mesh, b: Mesh| {
         Ok(mesh_mesh_segments(&MeshTree::new(&a), &MeshTree::new(&b)))
     });
@@ -33,9 +36,10 @@ pub(super) fn enter(table: &mut Endpoints) {
 }
 
 /// The polylines in which planes cut a mesh; `None` for none.
-fn sections(mesh: &Mesh, planes: &[Plane]) -> Outcome<Option<Vec<Vec<Point3>>>> {
+fn sections(mesh: &Mesh, planes: &[Plane], waiting: &Waiting) -> Outcome<Option<Vec<Vec<Point3>>>> {
     let mut out = Vec::new();
     for plane in planes {
+        waiting.check()?;
         out.extend(mesh.section(plane)?);
     }
     Ok((!out.is_empty()).then_some(out))

@@ -6,7 +6,7 @@ use katydid_geometry::brep::ClosestOnBrep;
 use katydid_geometry::{Brep, Curve, Line, Mesh, MeshTree, Point3, Vector3};
 
 use super::answer::Outcome;
-use super::argument::{Count, Some1, Within};
+use super::argument::{Count, Some1, Waiting, Within};
 use super::table::Endpoints;
 use crate::Fault;
 use crate::wire::{GeometryBase, Ray};
@@ -24,19 +24,27 @@ pub(super) fn enter(table: &mut Endpoints) {
     );
     table.add(
         "intersect/intersection/projectpointstomeshes-mesharray_point3darray_vector3d_double",
-        |m: Vec<Mesh>, p: Vec<Point3>, d: Vector3, t: Within| Ok(project(&targets_of_meshes(&m), &p, d, t)?.0),
+        |m: Vec<Mesh>, p: Vec<Point3>, d: Vector3, t: Within, w: Waiting| {
+            Ok(project(&targets_of_meshes(&m), &p, d, t, &w)?.0)
+        },
     );
     table.add(
         "intersect/intersection/projectpointstomeshesex-mesharray_point3darray_vector3d_double_intarray",
-        |m: Vec<Mesh>, p: Vec<Point3>, d: Vector3, t: Within| project(&targets_of_meshes(&m), &p, d, t),
+        |m: Vec<Mesh>, p: Vec<Point3>, d: Vector3, t: Within, w: Waiting| {
+            project(&targets_of_meshes(&m), &p, d, t, &w)
+        },
     );
     table.add(
         "intersect/intersection/projectpointstobreps-breparray_point3darray_vector3d_double",
-        |b: Vec<Brep>, p: Vec<Point3>, d: Vector3, t: Within| Ok(project(&targets_of_breps(b)?, &p, d, t)?.0),
+        |b: Vec<Brep>, p: Vec<Point3>, d: Vector3, t: Within, w: Waiting| {
+            Ok(project(&targets_of_breps(b)?, &p, d, t, &w)?.0)
+        },
     );
     table.add(
         "intersect/intersection/projectpointstobrepsex-breparray_point3darray_vector3d_double_intarray",
-        |b: Vec<Brep>, p: Vec<Point3>, d: Vector3, t: Within| project(&targets_of_breps(b)?, &p, d, t),
+        |b: Vec<Brep>, p: Vec<Point3>, d: Vector3, t: Within, w: Waiting| {
+            project(&targets_of_breps(b)?, &p, d, t, &w)
+        },
     );
 }
 
@@ -147,10 +155,12 @@ fn project(
     points: &[Point3],
     direction: Vector3,
     tolerance: Within,
+    waiting: &Waiting,
 ) -> Outcome<(Vec<Point3>, Vec<usize>)> {
     let along = direction.unitized().ok_or_else(|| Fault::bad_request("direction has no length"))?;
     let (mut out, mut places) = (Vec::new(), Vec::new());
     for (place, point) in points.iter().enumerate() {
+        waiting.check()?;
         let mut hits = Vec::new();
         for target in targets {
             hits.extend(target.hits(*point, along)?);

@@ -117,11 +117,13 @@ pub(super) fn enter(table: &mut Endpoints) {
     ] {
         table.add(path, |m: Mesh, n: Faces, _: bool, _: i32, _: bool, w: Waiting| reduced(&m, n.0, &w));
     }
-    table.add("mesh/createcontourcurves-mesh_plane", |m: Mesh, plane: Plane| contours(&m, &[plane]));
+    table.add("mesh/createcontourcurves-mesh_plane", |m: Mesh, plane: Plane, w: Waiting| {
+        contours(&m, &[plane], &w)
+    });
     table.add(
         "mesh/createcontourcurves-mesh_point3d_point3d_double",
-        |m: Mesh, start: Point3, end: Point3, interval: Positive| {
-            contours(&m, &contour_planes(start, end, interval)?)
+        |m: Mesh, start: Point3, end: Point3, interval: Positive, w: Waiting| {
+            contours(&m, &contour_planes(start, end, interval)?, &w)
         },
     );
     table.add("mesh/createfromfilteredfacelist-mesh_boolarray", filtered);
@@ -271,9 +273,10 @@ fn reduced(mesh: &Mesh, faces: usize, waiting: &Waiting) -> Outcome<(bool, Mesh)
     Ok((reduced.faces().len() < mesh.faces().len(), reduced))
 }
 
-fn contours(mesh: &Mesh, planes: &[Plane]) -> Outcome<Vec<PolylineCurve>> {
+fn contours(mesh: &Mesh, planes: &[Plane], waiting: &Waiting) -> Outcome<Vec<PolylineCurve>> {
     let mut out = Vec::new();
     for plane in planes {
+        waiting.check()?;
         for points in mesh.section(plane)? {
             out.push(PolylineCurve::new(points)?);
         }

@@ -5,7 +5,7 @@ use katydid_geometry::{
     Rectangle, Solid, Sphere, Surface,
 };
 
-use super::answer::Outcome;
+use super::answer::{Outcome, or_null};
 use super::argument::{Count, Some1, Waiting, Within};
 use super::table::Endpoints;
 use crate::wire::{MeshingParameters, Subdivision};
@@ -57,12 +57,16 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("mesh/createfromclosedpolyline-polyline", |p: PolylineCurve| {
         planar(&p.into(), Some(MeshingParameters(MeshSettings::default())), Within(0.001))
     });
-    table.add("mesh/createbooleanunion-mesharray", |m: Some1<Mesh>| combined(union(&m.0, "meshes")?));
+    table.add("mesh/createbooleanunion-mesharray", |m: Some1<Mesh>| {
+        or_null(union(&m.0, "meshes").and_then(combined))
+    });
     table.add("mesh/createbooleandifference-mesharray_mesharray", |a: Some1<Mesh>, b: Some1<Mesh>| {
-        combined(union(&a.0, "firstSet")?.difference(&union(&b.0, "secondSet")?)?)
+        let both = || union(&a.0, "firstSet")?.difference(&union(&b.0, "secondSet")?).map_err(Fault::from);
+        or_null(both().and_then(combined))
     });
     table.add("mesh/createbooleanintersection-mesharray_mesharray", |a: Some1<Mesh>, b: Some1<Mesh>| {
-        combined(union(&a.0, "firstSet")?.intersection(&union(&b.0, "secondSet")?)?)
+        let both = || union(&a.0, "firstSet")?.intersection(&union(&b.0, "secondSet")?).map_err(Fault::from);
+        or_null(both().and_then(combined))
     });
 }
 

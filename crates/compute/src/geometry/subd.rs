@@ -1,7 +1,7 @@
 //! SubDs.
 
-use katydid_geometry::Mesh;
-use katydid_geometry::subd::{FromMesh, SubD, SubDNet};
+use katydid_geometry::subd::{FromMesh, SubD, SubDNet, SubDVertex};
+use katydid_geometry::{BoundingBox, Brep, Mesh, Point3, Tolerance};
 use serde_json::Value as Json;
 
 use super::answer::Outcome;
@@ -14,6 +14,31 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("subd/createfrommesh-mesh_subdcreationoptions", |m: Mesh, options: Option<Options>| {
         of_mesh(&m, options.unwrap_or_default())
     });
+    // How faces are packed is up to the kernel, and extraordinary vertices have one treatment only.
+    table.add("subd/tobrep-subd_subdtobrepoptions", |s: Subdivision| to_brep(&s.0));
+    table.add("subd/interpolatesurfacepoints-subd_point3darray", |s: Subdivision, points: Vec<Point3>| {
+        interpolating(&s.0, &points).map(|subd| (true, Subdivision(subd)))
+    });
+}
+
+/// The surface as a brep, near it by the document's tolerance, or by a small share of its size where that is more.
+fn to_brep(subd: &SubD) -> Outcome<Brep> {
+    let points = subd.net().vertices().iter().map(|vertex| vertex.point);
+    let size = BoundingBox::from_points(points).map_or(0.0, |bounds| bounds.diagonal().length());
+    Ok(subd.to_brep(Tolerance::default().absolute.max(1e-4 * size))?)
+}
+
+/// The SubD with its control points so that the surface goes through points, one for each vertex.
+fn interpolating(subd: &SubD, points: &[Point3]) -> Outcome<SubD> {
+    let net = subd.net();
+    if points.len() != net.vertices().len() {
+        let (given, wanted) = (points.len(), net.vertices().len());
+        return Err(Fault::bad_request(format!("surfacePoints has {given} points for {wanted} vertices")));
+    }
+    let moved = |(vertex, point): (&SubDVertex, &Point3)| SubDVertex { point: *point, ..vertex.clone() };
+    let vertices = net.vertices().iter().zip(points).map(moved).collect();
+    let moved = SubDNet::from_parts(vertices, net.edges().to_vec(), net.faces().to_vec())?;
+    Ok(SubD::new(moved.interpolating()?.0))
 }
 
 /// `SubDCreationOptions`, as far as they are heeded.

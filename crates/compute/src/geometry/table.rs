@@ -71,10 +71,13 @@ impl Endpoints {
         super::brep::enter(&mut table);
         super::brep_face::enter(&mut table);
         super::brep_make::enter(&mut table);
+        super::brep_mend::enter(&mut table);
         super::brep_sweep::enter(&mut table);
         super::curve::enter(&mut table);
         super::curve_edit::enter(&mut table);
+        super::curve_ends::enter(&mut table);
         super::curve_length::enter(&mut table);
+        super::curve_local::enter(&mut table);
         super::curve_make::enter(&mut table);
         super::curve_onto::enter(&mut table);
         super::curve_region::enter(&mut table);
@@ -85,11 +88,13 @@ impl Endpoints {
         super::mass::enter(&mut table);
         super::mesh::enter(&mut table);
         super::mesh_make::enter(&mut table);
+        super::mesh_pieces::enter(&mut table);
         super::mesh_round::enter(&mut table);
         super::nurbs_curve::enter(&mut table);
         super::nurbs_surface::enter(&mut table);
         super::subd::enter(&mut table);
         super::surface::enter(&mut table);
+        super::surface_curve::enter(&mut table);
         table
     }
 
@@ -222,7 +227,10 @@ fn fitting<'a>(rows: &[&'a Row], arguments: &[Json], cancel: &Cancel) -> Result<
 fn wanted(row: &Row, json: Json, query: &Query) -> Result<Json, Fault> {
     let own = row.gives.to_ascii_lowercase();
     let asked = query.wanted.iter().find(|(name, _)| own.contains(name.as_str()));
-    asked.map_or(Ok(json.clone()), |(_, members)| picked(json, members))
+    match asked {
+        Some((_, members)) => picked(json, members),
+        None => Ok(json),
+    }
 }
 
 fn picked(json: Json, members: &[String]) -> Result<Json, Fault> {

@@ -123,7 +123,7 @@ fn set(request: &mut SolveRequest, key: &str, value: &Json) -> Result<(), String
     match key {
         "absolutetolerance" => request.absolute_tolerance = scalar::tolerance(value)?,
         "angletolerance" => request.angle_tolerance = scalar::tolerance(value)?,
-        "modelunits" => request.units = scalar::units(value)?,
+        "modelunits" => request.units = scalar::unit(value)?,
         "dataversion" => request.data_version = scalar::whole(value)?.unwrap_or(request.data_version),
         "algo" => request.algo = scalar::text(value)?,
         "pointer" => request.pointer = scalar::text(value)?,

@@ -12,6 +12,7 @@ use serde_json::Value as Json;
 
 use crate::Fault;
 
+pub(crate) use path::{parse as parse_path, shown};
 pub(crate) use value::tree;
 
 /// How much a request may bring.

@@ -9,7 +9,7 @@ const MOST_ELEMENTS: usize = 100;
 ///
 /// # Errors
 /// What is wrong with it: no number at all, a number below 0 or beyond 32 bits, too many of them.
-pub(super) fn parse(key: &str) -> Result<Path, String> {
+pub(crate) fn parse(key: &str) -> Result<Path, String> {
     let wrong = |why: &str| format!("'{}' is no path of a branch such as {{0;1}}: {why}", shown(key));
     let mut inner = key.trim();
     inner = inner.strip_prefix('{').unwrap_or(inner);

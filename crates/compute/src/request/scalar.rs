@@ -1,23 +1,10 @@
 //! Single members of a request, in the forms that clients send them in.
 
+use katydid_data::units;
 use katydid_geometry::Units;
 use serde_json::Value as Json;
 
 use super::path::shown;
-
-/// The units there are, by the names that Rhino has for them.
-const UNITS: [Units; 10] = [
-    Units::None,
-    Units::Microns,
-    Units::Millimeters,
-    Units::Centimeters,
-    Units::Meters,
-    Units::Kilometers,
-    Units::Inches,
-    Units::Feet,
-    Units::Yards,
-    Units::Miles,
-];
 
 /// A text; none for null.
 pub(super) fn text(json: &Json) -> Result<Option<String>, String> {
@@ -70,14 +57,13 @@ pub(super) fn tolerance(json: &Json) -> Result<Option<f64>, String> {
 }
 
 /// The name of a unit; none for null and for an empty text.
-pub(super) fn units(json: &Json) -> Result<Option<Units>, String> {
+pub(super) fn unit(json: &Json) -> Result<Option<Units>, String> {
     let name = match text(json)? {
         Some(name) if !name.trim().is_empty() => name,
         _ => return Ok(None),
     };
-    let found = UNITS.into_iter().find(|unit| unit.name().eq_ignore_ascii_case(name.trim()));
-    found.map(Some).ok_or_else(|| {
-        let known: Vec<&str> = UNITS.iter().map(|unit| unit.name()).collect();
+    units::named(&name).map(Some).ok_or_else(|| {
+        let known: Vec<&str> = units::ALL.iter().map(|unit| unit.name()).collect();
         format!("is no unit that is known here: {} (there are {})", shown(&name), known.join(", "))
     })
 }

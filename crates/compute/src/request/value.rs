@@ -1,6 +1,6 @@
 //! The data of a value, read as the input takes it.
 
-use katydid_data::{Tree, TreeBuilder, Value};
+use katydid_data::{Kind, Tree, TreeBuilder, Value};
 use katydid_geometry::{Arc, Box3, Circle, Curve, Interval, Line, Plane, Point3, Rectangle, Vector3, Xform};
 use serde_json::Value as Json;
 
@@ -35,22 +35,22 @@ fn read(data: &Json, form: Form) -> Result<Option<Value>, Fault> {
         return Ok(None);
     }
     Ok(Some(match form {
-        Form::Number => Value::Number(plain(data)?),
-        Form::Integer => Value::Integer(plain(data)?),
-        Form::Boolean => Value::Boolean(plain(data)?),
-        Form::Text => Value::from(text(data)),
+        Form::Of(Kind::Number) => Value::Number(plain(data)?),
+        Form::Of(Kind::Integer) => Value::Integer(plain(data)?),
+        Form::Of(Kind::Boolean) => Value::Boolean(plain(data)?),
+        Form::Of(Kind::Text) => Value::from(text(data)),
         Form::RawText => Value::from(raw_text(data)),
-        Form::Point => Value::Point(Point3::read(data)?),
-        Form::Vector => Value::Vector(Vector3::read(data)?),
-        Form::Plane => Value::from(Plane::read(data)?),
-        Form::Line => Value::from(Line::read(data)?),
-        Form::Circle => Value::from(Circle::read(data)?),
-        Form::Arc => Value::from(Arc::read(data)?),
-        Form::Rectangle => Value::from(Rectangle::read(data)?),
-        Form::Box => Value::from(Box3::read(data)?),
-        Form::Curve => Value::from(Curve::read(data)?),
-        Form::Object => object(&inner(data))?,
-        Form::Any => any(data)?,
+        Form::Of(Kind::Point) => Value::Point(Point3::read(data)?),
+        Form::Of(Kind::Vector) => Value::Vector(Vector3::read(data)?),
+        Form::Of(Kind::Plane) => Value::from(Plane::read(data)?),
+        Form::Of(Kind::Line) => Value::from(Line::read(data)?),
+        Form::Of(Kind::Circle) => Value::from(Circle::read(data)?),
+        Form::Of(Kind::Arc) => Value::from(Arc::read(data)?),
+        Form::Of(Kind::Rectangle) => Value::from(Rectangle::read(data)?),
+        Form::Of(Kind::Box) => Value::from(Box3::read(data)?),
+        Form::Of(Kind::Curve) => Value::from(Curve::read(data)?),
+        Form::Of(Kind::Geometry) => object(&inner(data))?,
+        Form::Of(_) => any(data)?,
     }))
 }
 
@@ -203,24 +203,24 @@ mod tests {
     #[test]
     fn numbers_come_in_many_forms() {
         for data in [json!(4.5), json!("4.5"), json!(" 4.5 "), json!("\"4.5\"")] {
-            assert_eq!(one(data, Form::Number), Ok(Some(Value::Number(4.5))));
+            assert_eq!(one(data, Form::Of(Kind::Number)), Ok(Some(Value::Number(4.5))));
         }
-        assert_eq!(one(json!("4"), Form::Integer), Ok(Some(Value::Integer(4))));
-        assert_eq!(one(json!(4.0), Form::Integer), Ok(Some(Value::Integer(4))));
-        assert_eq!(one(json!("True"), Form::Boolean), Ok(Some(Value::Boolean(true))));
-        assert_eq!(one(json!("null"), Form::Number), Ok(None));
-        assert_eq!(one(json!(null), Form::Text), Ok(None));
+        assert_eq!(one(json!("4"), Form::Of(Kind::Integer)), Ok(Some(Value::Integer(4))));
+        assert_eq!(one(json!(4.0), Form::Of(Kind::Integer)), Ok(Some(Value::Integer(4))));
+        assert_eq!(one(json!("True"), Form::Of(Kind::Boolean)), Ok(Some(Value::Boolean(true))));
+        assert_eq!(one(json!("null"), Form::Of(Kind::Number)), Ok(None));
+        assert_eq!(one(json!(null), Form::Of(Kind::Text)), Ok(None));
         for (data, form) in [
-            (json!("4.5"), Form::Integer),
-            (json!("NaN"), Form::Number),
-            (json!("1e999"), Form::Number),
-            (json!("four"), Form::Number),
-            (json!(3e10), Form::Integer),
-            (json!("maybe"), Form::Boolean),
-            (json!({}), Form::Number),
-            (json!([]), Form::Point),
-            (json!({"X": 1}), Form::Point),
-            (json!("{\"version\":10000}"), Form::Object),
+            (json!("4.5"), Form::Of(Kind::Integer)),
+            (json!("NaN"), Form::Of(Kind::Number)),
+            (json!("1e999"), Form::Of(Kind::Number)),
+            (json!("four"), Form::Of(Kind::Number)),
+            (json!(3e10), Form::Of(Kind::Integer)),
+            (json!("maybe"), Form::Of(Kind::Boolean)),
+            (json!({}), Form::Of(Kind::Number)),
+            (json!([]), Form::Of(Kind::Point)),
+            (json!({"X": 1}), Form::Of(Kind::Point)),
+            (json!("{\"version\":10000}"), Form::Of(Kind::Geometry)),
         ] {
             assert!(one(data.clone(), form).is_err(), "{data} as {form:?}");
         }
@@ -232,31 +232,34 @@ mod tests {
             Ok(Some(Value::Text(text))) => text.to_string(),
             other => panic!("{other:?}"),
         };
-        assert_eq!(text(json!("\"a\\nb\""), Form::Text), "a\nb");
-        assert_eq!(text(json!("plain"), Form::Text), "plain");
-        assert_eq!(text(json!("C:\\new\\x41\\u00e9\\q\\"), Form::Text), "C:\new\u{41}é\\q\\");
-        assert_eq!(text(json!("{\"a\": 1}"), Form::Text), "{\"a\": 1}");
-        assert_eq!(text(json!(4), Form::Text), "4");
-        assert_eq!(text(json!(true), Form::Text), "true");
+        assert_eq!(text(json!("\"a\\nb\""), Form::Of(Kind::Text)), "a\nb");
+        assert_eq!(text(json!("plain"), Form::Of(Kind::Text)), "plain");
+        assert_eq!(text(json!("C:\\new\\x41\\u00e9\\q\\"), Form::Of(Kind::Text)), "C:\new\u{41}é\\q\\");
+        assert_eq!(text(json!("{\"a\": 1}"), Form::Of(Kind::Text)), "{\"a\": 1}");
+        assert_eq!(text(json!(4), Form::Of(Kind::Text)), "4");
+        assert_eq!(text(json!(true), Form::Of(Kind::Text)), "true");
         assert_eq!(text(json!("\"a\""), Form::RawText), "\"a\"");
         assert_eq!(text(json!("\\n"), Form::RawText), "\\n");
     }
 
     #[test]
     fn geometry_is_known_by_its_members() {
-        let kind = |data: Json| one(data, Form::Object).unwrap().unwrap().kind().name();
+        let kind = |data: Json| one(data, Form::Of(Kind::Geometry)).unwrap().unwrap().kind().name();
         assert_eq!(kind(json!("{\"X\":1,\"Y\":2,\"Z\":3}")), "Point");
         assert_eq!(kind(json!([1, 2, 3])), "Point");
         assert_eq!(kind(json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]])), "Curve");
         assert_eq!(kind(json!({"From": [0, 0, 0], "To": [1, 0, 0]})), "Line");
         assert_eq!(kind(json!({"radius": 2, "plane": {"Origin": [0, 0, 0]}})), "Circle");
-        assert_eq!(one(json!("255,0,0"), Form::Any), Ok(Some(Value::from("255,0,0"))));
-        assert_eq!(one(json!({"T0": 0, "T1": 2}), Form::Any).unwrap().unwrap().kind().name(), "Domain");
+        assert_eq!(one(json!("255,0,0"), Form::Of(Kind::Generic)), Ok(Some(Value::from("255,0,0"))));
+        assert_eq!(
+            one(json!({"T0": 0, "T1": 2}), Form::Of(Kind::Generic)).unwrap().unwrap().kind().name(),
+            "Domain"
+        );
     }
 
     #[test]
     fn what_is_wrong_is_named() {
-        let input = Input::new("RH_IN:width".to_owned(), 0, 0, Form::Number);
+        let input = Input::new("RH_IN:width".to_owned(), 0, 0, Form::Of(Kind::Number));
         let branches = vec![(Path::from([0, 1]), vec![json!(1), json!("wide")])];
         let fault = tree(&input, &InputTree { name: input.name.clone(), branches }).unwrap_err();
         assert_eq!(fault.message, "RH_IN:width, item 1 of {0;1}: the data is text, not a number");

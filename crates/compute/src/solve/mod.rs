@@ -6,6 +6,6 @@ mod solution;
 mod states;
 
 pub use bounds::Bounds;
-pub(crate) use run::run;
+pub(crate) use run::{MOST_RECURSION, run};
 pub use solution::{Answer, Solution, Timings};
 pub(crate) use states::States;

@@ -6,7 +6,9 @@ use katydid_solver::{Engine, Options, Status};
 
 use super::{Bounds, Solution, Timings};
 use crate::definition::Input;
+use crate::hops::Hops;
 use crate::request::{self, SolveRequest};
+use crate::web::Web;
 use crate::{Cause, Definition, Fault, Settings};
 
 /// How many definitions may call one another.
@@ -18,6 +20,7 @@ pub(crate) const MOST_RECURSION: u32 = 10;
 /// As for [`crate::Compute::solve`].
 pub(crate) fn run(
     settings: &Settings,
+    web: &Arc<Web>,
     definition: &Arc<Definition>,
     request: &SolveRequest,
     bounds: &Bounds,
@@ -34,6 +37,7 @@ pub(crate) fn run(
         cancel: bounds.cancel.clone(),
         files: settings.files.clone(),
         progress: bounds.progress.clone(),
+        remote: Some(Arc::new(Hops::new(settings, web.clone(), recursion))),
         ..Options::default()
     };
     let mut engine = definition.states().engine(definition.document(), options);

@@ -5,8 +5,9 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use katydid_component::Limits;
 use katydid_data::cast::Rules;
-use katydid_definition::document::{Document, Object};
-use katydid_solver::{Engine, Options};
+use katydid_definition::archive;
+use katydid_definition::document::{ClusterContent, Document, Object};
+use katydid_solver::{Engine, HOPS, Options};
 
 use crate::cache::lock;
 
@@ -87,7 +88,7 @@ impl States {
         }
         state.learnt.insert(set);
         let engine = Arc::make_mut(&mut state.engine);
-        if engine.learn(solved, is_lasting) == 0 {
+        if engine.learn(solved, |object| !asks(object)) == 0 {
             return false;
         }
         state.weight = engine.weight();
@@ -105,8 +106,14 @@ impl States {
     }
 }
 
-/// Whether an object gives the same tomorrow. What asks another server does not.
-fn is_lasting(object: &Object) -> bool {
-    let _ = object;
-    true
+/// Whether an object asks another server, or holds one that does: what it gives may be another tomorrow.
+fn asks(object: &Object) -> bool {
+    if object.component == HOPS {
+        return true;
+    }
+    match object.cluster(&archive::Limits::default()) {
+        // Clusters nest to a depth that the reader bounds.
+        Some(Ok(ClusterContent::Open { document, .. })) => document.objects.iter().any(asks),
+        _ => false,
+    }
 }

@@ -19,8 +19,15 @@ pub struct Config {
     pub key: Option<String>,
     /// The pages that may ask from a browser, as `https://example.org`; all when there are none.
     pub origins: Vec<String>,
-    /// The hosts that definitions may be fetched from, as `example.org` or `127.0.0.1:8081`; none when there are none.
+    /// The hosts that definitions may be fetched from and that Hops components may ask, as `example.org` or
+    /// `127.0.0.1:8081`; none when there are none.
     pub hosts: Vec<String>,
+    /// Certificates in PEM form of the authorities that are believed over https; those that browsers believe when it
+    /// is empty.
+    pub authorities: Vec<u8>,
+    /// The server that solves definitions which Hops components name by an address, as `http://127.0.0.1:5000`; they
+    /// are solved here when there is none. Its host is listed too.
+    pub hops_server: Option<String>,
     /// How long a request may take, waiting included, and how long a job may run.
     pub timeout: Duration,
     /// How long a job may run.
@@ -52,6 +59,8 @@ impl Default for Config {
             key: None,
             origins: Vec::new(),
             hosts: Vec::new(),
+            authorities: Vec::new(),
+            hops_server: None,
             timeout: Duration::from_secs(100),
             job_timeout: Duration::from_secs(3600),
             most_body: 52_428_800,

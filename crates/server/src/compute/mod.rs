@@ -18,7 +18,6 @@ mod body;
 mod config;
 mod cors;
 mod door;
-mod fetch;
 mod form;
 mod geometry;
 mod health;

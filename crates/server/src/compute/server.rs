@@ -5,7 +5,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
-use tokio::runtime::Handle;
 use tokio::task::JoinHandle;
 
 use super::Config;
@@ -46,7 +45,7 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     katydid_components::link();
     let grace = config.grace;
     let (listener, address) = bind(wanted).await?;
-    let service = Arc::new(Service::new(config, Handle::current()));
+    let service = Arc::new(Service::new(config));
     let router = Router::new().fallback(door::answer).with_state(Arc::clone(&service));
     let listening = Listening::start(listener, address, router, grace);
     let swept = Arc::clone(&service);

@@ -5,13 +5,11 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use katydid_compute::{Compute, RequestLimits, Settings};
-use tokio::runtime::Handle;
+use katydid_compute::{Compute, HopsSettings, RequestLimits, Settings, WebSettings};
 
 use super::Config;
 use super::body::Room;
 use super::cors::Origins;
-use super::fetch::Fetcher;
 use super::health::Trial;
 use super::jobs::Jobs;
 use super::key::Lock;
@@ -29,19 +27,22 @@ pub(crate) struct Service {
     pub(crate) lock: Lock,
     pub(crate) origins: Origins,
     pub(crate) room: Room,
-    pub(crate) fetcher: Fetcher,
     pub(crate) pace: Pace,
     pub(crate) trial: Trial,
-    /// Where what has to wait for a network waits.
-    pub(crate) runtime: Handle,
     pub(crate) idle: Idle,
 }
 
 impl Service {
-    pub(crate) fn new(config: Config, runtime: Handle) -> Self {
+    pub(crate) fn new(config: Config) -> Self {
         let settings = Settings {
             cache_bytes: config.cache_bytes,
             request: RequestLimits { bytes: config.most_body, ..RequestLimits::default() },
+            web: WebSettings {
+                hosts: config.hosts.clone(),
+                authorities: config.authorities.clone(),
+                bytes: config.most_body,
+            },
+            hops: HopsSettings { server: config.hops_server.clone(), ..HopsSettings::default() },
             ..Settings::default()
         };
         Self {
@@ -52,10 +53,8 @@ impl Service {
             lock: Lock::new(config.key()),
             origins: Origins::new(&config.origins),
             room: Room::new(config.most_body, config.timeout.max(Duration::from_secs(1))),
-            fetcher: Fetcher::new(&config.hosts, config.most_body),
             pace: Pace::default(),
             trial: Trial::default(),
-            runtime,
             idle: Idle::default(),
             config,
         }

@@ -197,12 +197,12 @@ fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Resul
         Located::Here(definition) => Ok(definition),
         Located::Url(url) => {
             let time = reins.end.map(|end| end.saturating_duration_since(Instant::now()));
-            let fetched = service.runtime.block_on(service.fetcher.definition(&url, time));
+            let fetched = service.compute.fetch(&url, time, &reins.cancel);
             match (fetched, request.algo.as_deref().filter(|algo| !algo.trim().is_empty())) {
-                (Ok(bytes), _) => Ok(service.compute.load_bytes(url, &bytes)?),
+                (Ok(definition), _) => Ok(definition),
                 // What cannot be fetched may have been sent along.
                 (Err(_), Some(algo)) => Ok(service.compute.load(algo)?),
-                (Err(refusal), None) => Err(refusal),
+                (Err(fault), None) => Err(fault.into()),
             }
         }
     }

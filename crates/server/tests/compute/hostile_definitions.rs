@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use katydid_component::Limits;
 use katydid_server::compute::Config;
 use serde_json::json;
 use tokio::time::Instant;
@@ -39,6 +40,8 @@ async fn files_that_are_none() {
         <!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;&b;\">]><Archive name=\"Root\"><items>&c;</items></Archive>";
     let external = "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>\
         <Archive name=\"Root\"><items><item>&x;</item></items></Archive>";
+    let utf16: Vec<u8> =
+        "\u{feff}<Archive name=\"Root\">".encode_utf16().flat_map(u16::to_le_bytes).collect();
     let wide = format!("<Archive name=\"{}\"></Archive>", "x".repeat(16 << 20));
     let cases: Vec<(&str, Vec<u8>)> = vec![
         ("a gigabyte of zeros", zeros),
@@ -52,6 +55,7 @@ async fn files_that_are_none() {
         ("an external entity", external.into()),
         ("a wide attribute", wide.into_bytes()),
         ("cut short text", text.as_bytes()[..text.len() / 2].to_vec()),
+        ("text in UTF-16", utf16),
         ("a zip", b"PK\x03\x04\x14\x00\x00\x00\x08\x00".to_vec()),
     ];
     for (what, bytes) in cases {
@@ -74,51 +78,95 @@ async fn files_that_are_none() {
     compute.is_well().await;
 }
 
+/// Each ends in an error that says what is too much, or in a refusal, and takes little time and memory until then.
 #[tokio::test(flavor = "multi_thread")]
 async fn definitions_that_want_too_much() {
-    let compute = Compute::start_with(|config| Config { timeout: Duration::from_secs(5), ..config }).await;
-    let header = "katydid 1\n";
+    let limits = Limits { items: 1_000_000, bytes: 8 << 20, time: None };
+    let compute =
+        Compute::start_with(|config| Config { timeout: Duration::from_secs(20), limits, ..config }).await;
     let doubled: String = (1..=40).map(|n| format!("t{n} = Concatenate(t{}, t{})\n", n - 1, n - 1)).collect();
+    let (open, close) = ("(".repeat(10_000), ")".repeat(10_000));
+    let long = vec!["1"; 300_000].join("+");
     let cases = [
-        "x = Series(0, 1, 2147483647)\n".to_owned(),
-        "x = Range(0 to 1, 1000000000)\n".to_owned(),
-        "x = Repeat Data([1, 2], 1000000000)\n".to_owned(),
-        "x = Duplicate Data(1, 1000000000)\n".to_owned(),
-        "x = Divide Curve(Circle(XY Plane(), 1), 1000000000)\n".to_owned(),
-        "x = Mesh Sphere(XY Plane(), 1, 1000000, 1000000)\n".to_owned(),
-        "x = Evaluate(\"2^2^2^2^2\")\n".to_owned(),
-        "x = Populate 3D(Sphere(XY Plane(), 1), 1000000000, 1)\n".to_owned(),
-        "x = Format(\"{0:D2000000000}\", 1)\n".to_owned(),
-        format!("t0 = Panel(\"0123456789abcdef0123456789abcdef\")\n{doubled}x = Panel(t40)\n"),
+        "x = Series(0, 1, 2147483647)".to_owned(),
+        "d = Construct Domain(0, 1)\nx = Range(d, 1000000000)".to_owned(),
+        "x = Repeat Data([1, 2], 1000000000)".to_owned(),
+        "x = Duplicate Data(1, 1000000000)".to_owned(),
+        "c = Circle(XY Plane(), 1)\nx = Divide Curve(c, 1000000000)".to_owned(),
+        "x = Mesh Sphere(XY Plane(), 1, 1000000, 1000000)".to_owned(),
+        "b = Center Box(XY Plane(), 1, 1, 1)\nx = Populate 3D(b, 1000000000, 1)".to_owned(),
+        "a = Series(0, 1, 100000)\nx = Cross Reference(a, a)".to_owned(),
+        "b = Center Box(XY Plane(), 1, 1, 1)\nx = Box Array(b, b, 10000, 10000, 10000)".to_owned(),
+        "r = Series(0, 1, 10000000)\np = Construct Point(r, r, r)\nx = Voronoi(p)".to_owned(),
+        "b = Center Box(XY Plane(), 1, 1, 1)\nm = Mesh Box(b, 1, 1, 1)\ns = SubD from Mesh(m)\n\
+         x = Mesh from SubD(s, 12)"
+            .to_owned(),
+        "x = Format(\"{0:D2000000000}\", 127, 1)".to_owned(),
+        format!("t0 = Panel(\"0123456789abcdef0123456789abcdef\")\n{doubled}x = Panel(t40)"),
+        format!("x = Expression(\"{open}1{close}\")"),
+        format!("x = Expression(\"{long}\")"),
     ];
-    let mut tried = 0;
     for case in cases {
-        let text = format!("{header}{case}\"RH_OUT:x\": x\n");
-        // A few have other ports than these words suppose; those are not what is tried here.
-        katydid_components::link();
-        let Ok(definition) = katydid_definition::kd::read(&text, &katydid_session::Registry) else {
-            continue;
-        };
-        tried += 1;
         let start = Instant::now();
-        let answer = compute.solve(&base64(definition.document.to_gh().unwrap()), json!([])).await;
+        let answer = compute.solve(&given(&case), json!([])).await;
         let says = answer.status == 500 && !answer.json()["errors"].as_array().unwrap().is_empty();
-        assert!(says || answer.is_refused() || answer.status == 200, "{case:.60}: {}", answer.status);
+        assert!(says || answer.is_refused(), "{case:.60}: {} {:.200}", answer.status, answer.text());
         assert!(start.elapsed() < Duration::from_secs(20), "{case:.60}: {:?}", start.elapsed());
-        assert!(answer.body.len() < 64 << 20, "{case:.60}");
+        assert!(answer.body.len() < 1 << 20, "{case:.60}: {} bytes", answer.body.len());
     }
-    assert!(tried >= 6, "{tried}");
+    // What looks bad and is not: the powers are read from the right, or from the left; nothing is tried twice.
+    for case in [
+        "x = Expression(\"2^2^2^2^2\")",
+        "x = Match Text(\"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaab\", \"*b\", \"(a+)+$\")",
+    ] {
+        let start = Instant::now();
+        let answer = compute.solve(&given(case), json!([])).await;
+        assert_eq!(answer.status, 200, "{case}: {}", answer.text());
+        assert!(start.elapsed() < Duration::from_secs(5), "{case}: {:?}", start.elapsed());
+    }
+    compute.is_well().await;
+}
+
+/// What fits the limits and takes longer than the time that there is.
+#[tokio::test(flavor = "multi_thread")]
+async fn definitions_that_take_too_long() {
+    let compute = Compute::start_with(|config| Config { timeout: Duration::from_secs(1), ..config }).await;
+    let start = Instant::now();
+    let text = "r = Series(0, 1, 1000000)\np = Construct Point(r, r, r)\nx = Voronoi(p)";
+    let answer = compute.solve(&given(text), json!([])).await;
+    assert_eq!(answer.status, 408, "{:.200}", answer.text());
+    assert!(answer.is_refused() && start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
     compute.is_well().await;
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn files_of_the_machine_are_not_read() {
     let compute = Compute::start().await;
-    for path in ["/etc/passwd", "/proc/self/environ", "../../etc/hostname"] {
-        let text = format!("katydid 1\np = Panel(\"{path}\")\nx = Read File(p)\n\"RH_OUT:x\": x\n");
-        katydid_components::link();
-        let Ok(definition) = katydid_definition::kd::read(&text, &katydid_session::Registry) else { return };
-        let answer = compute.solve(&base64(definition.document.to_gh().unwrap()), json!([])).await;
-        assert!(!answer.text().contains("root:") && !answer.text().contains("PATH="), "{}", answer.text());
+    for path in ["/etc/passwd", "/proc/self/environ", "../../etc/hostname", "C:\\Windows\\win.ini"] {
+        let path = path.replace('\\', "\\\\");
+        for reader in [
+            format!("p = Panel(\"{path}\")\nx = Read File(p)"),
+            format!("p = File Path(\"{path}\")\nx = Read File(p)"),
+            format!("x = Read File(\"{path}\")"),
+            format!("x = Import Coordinates(\"{path}\")"),
+            format!("x = Import 3DM(\"{path}\")"),
+            format!("r = Rectangle(XY Plane(), 4, 3)\nx = Import Image(\"{path}\", r)"),
+        ] {
+            let answer = compute.solve(&given(&reader), json!([])).await;
+            assert_eq!(answer.status, 500, "{reader}: {}", answer.text());
+            let errors = answer.json()["errors"].to_string();
+            assert!(errors.contains("files may not be read here"), "{reader}: {errors}");
+            assert!(
+                !answer.text().contains("root:") && !answer.text().contains("PATH="),
+                "{}",
+                answer.text()
+            );
+        }
     }
+    compute.is_well().await;
+}
+
+/// A definition of these lines, whose `x` is given.
+fn given(lines: &str) -> String {
+    gh(&format!("katydid 1\n{lines}\n\"RH_OUT:x\": x\n"))
 }

@@ -56,6 +56,41 @@ async fn host() -> SocketAddr {
     address
 }
 
+/// A host of files at an address that is free.
+pub(crate) async fn host_of(files: impl Fn(&str) -> Option<Vec<u8>> + Clone + Send + 'static) -> SocketAddr {
+    let address = TcpListener::bind("127.0.0.1:0").await.unwrap().local_addr().unwrap();
+    host_at(address, files).await;
+    address
+}
+
+/// The same at a given address.
+pub(crate) async fn host_at(
+    address: SocketAddr,
+    files: impl Fn(&str) -> Option<Vec<u8>> + Clone + Send + 'static,
+) {
+    let listener = TcpListener::bind(address).await.unwrap();
+    tokio::spawn(async move {
+        loop {
+            let (mut stream, _) = listener.accept().await.unwrap();
+            let files = files.clone();
+            tokio::spawn(async move {
+                let mut head = vec![0; 4096];
+                let read = stream.read(&mut head).await.unwrap_or(0);
+                let head = String::from_utf8_lossy(&head[..read]).into_owned();
+                let (status, body) = match files(head.split(' ').nth(1).unwrap_or_default()) {
+                    Some(body) => ("200 OK", body),
+                    None => ("404 Not Found", Vec::new()),
+                };
+                let head = format!(
+                    "HTTP/1.1 {status}\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
+                    body.len()
+                );
+                let _ = stream.write_all(&[head.as_bytes(), &body].concat()).await;
+            });
+        }
+    });
+}
+
 async fn ask(compute: &Compute, pointer: &str) -> Answer {
     compute.post("/grasshopper", &json!({"algo": null, "pointer": pointer, "values": []})).await
 }

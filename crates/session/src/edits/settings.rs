@@ -2,9 +2,9 @@
 //! documents keep values by name, and Grasshopper leaves them there.
 
 use katydid_data::cast::Rules;
+use katydid_data::units;
 use katydid_definition::archive::{Chunk, ItemValue};
 use katydid_definition::document::Document;
-use katydid_geometry::Units;
 
 use super::controls::argb;
 use super::finite;
@@ -16,25 +16,6 @@ const TABLE: &str = "ValueTable";
 const UNITS: &str = "Katydid.Units";
 const TOLERANCE: &str = "Katydid.Tolerance";
 const ANGLE: &str = "Katydid.AngleTolerance";
-
-const ALL: [Units; 10] = [
-    Units::None,
-    Units::Microns,
-    Units::Millimeters,
-    Units::Centimeters,
-    Units::Meters,
-    Units::Kilometers,
-    Units::Inches,
-    Units::Feet,
-    Units::Yards,
-    Units::Miles,
-];
-
-/// The units of that name, in either spelling.
-fn units(name: &str) -> Option<Units> {
-    let name = name.trim().replace("metre", "meter").replace("Metre", "Meter");
-    ALL.into_iter().find(|units| units.name().eq_ignore_ascii_case(&name))
-}
 
 /// The chunk that the definition's parts stand in: the root itself inside a cluster.
 fn definition(root: &Chunk) -> &Chunk {
@@ -53,7 +34,7 @@ fn definition_mut(root: &mut Chunk) -> &mut Chunk {
 pub(crate) fn rules_of(document: &Document, given: Rules) -> Rules {
     let mut rules = given;
     let Some(table) = definition(document.frame()).child(TABLE) else { return rules };
-    if let Some(units) = table.str(UNITS).and_then(units) {
+    if let Some(units) = table.str(UNITS).and_then(units::named) {
         rules.units = units;
     }
     let sound = |name: &str, most: f64| table.f64(name).filter(|x| *x > 0.0 && *x <= most);
@@ -99,8 +80,8 @@ pub(super) fn change(draft: &mut Draft<'_>, edit: &Edit) -> Result<(), Refusal> 
     };
     let mut set: Vec<(&str, &str, ItemValue)> = Vec::new();
     if let Some(unit) = unit {
-        let known =
-            units(unit).ok_or_else(|| Refusal::Senseless(format!("there is no unit called {unit}")))?;
+        let known = units::named(unit)
+            .ok_or_else(|| Refusal::Senseless(format!("there is no unit called {unit}")))?;
         set.push((TABLE, UNITS, ItemValue::String(known.name().to_owned())));
     }
     if let Some(x) = tolerance {

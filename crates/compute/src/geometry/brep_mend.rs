@@ -1,0 +1,130 @@
+//! Breps mended: naked edges joined, holes closed; points inside them; thick pipes.
+
+use katydid_geometry::brep::{ClosestOnBrep, LoopKind};
+use katydid_geometry::construct::{PipeCap, pipe};
+use katydid_geometry::{Brep, Containment, Curve, Direction, Line, Point3, Tolerance, join_curves};
+
+use super::answer::Outcome;
+use super::argument::{Positive, Turn, Within};
+use super::brep_face::{Face, edge_curves};
+use super::choice::Cap;
+use super::table::Endpoints;
+use crate::Fault;
+
+pub(super) fn enter(table: &mut Endpoints) {
+    table.add("brep/joinnakededges-brep_double", |b: Brep, t: Within| {
+        let joined = Brep::join(&b.connected_components()?, &t.tolerance())?.breps;
+        let whole = if joined.len() == 1 { joined } else { vec![Brep::merged(&joined)] };
+        let whole = whole.into_iter().next().unwrap_or_else(|| b.clone());
+        // A joint makes one edge of two.
+        let joints = b.naked_edges().len().saturating_sub(whole.naked_edges().len()) / 2;
+        Ok((joints, whole))
+    });
+    table.add("brep/getpointinside-brep_double_point3d", inside);
+    table.add("brepface/removeholes-brepface_double", |f: Face, t: Within| without_holes(&f.brep(), t));
+    table.add("brep/removeholes-brep_double", |b: Brep, t: Within| without_holes(&b, t));
+    table.add(
+        "brep/createthickpipe-curve_double_double_bool_pipecapmode_bool_double_double",
+        |rail: Curve, inner: Positive, outer: Positive, _: bool, cap: Cap, _: bool, t: Within, a: Turn| {
+            thick_pipe(&rail, [inner.0, outer.0], cap, &a.and(t)).map(|brep| vec![brep])
+        },
+    );
+}
+
+/// A point inside a solid: halfway from a face to what lies opposite. None for what is no solid.
+fn inside(brep: Brep, tolerance: Within) -> Outcome<(bool, Option<Point3>)> {
+    /// Shares of a face's domain at which it is tried.
+    const TRIED: [f64; 7] = [0.5, 0.31, 0.69, 0.13, 0.87, 0.04, 0.96];
+    let faces = brep.faces().len();
+    let search = ClosestOnBrep::new(brep.into())?;
+    if !search.is_solid() {
+        return Ok((false, None));
+    }
+    let Some(bounds) = search.brep().bounds_of_faces() else { return Ok((false, None)) };
+    let reach = 2.0 * bounds.diagonal().length();
+    for face in 0..faces {
+        let Some(surface) = search.brep().face_surface(face) else { continue };
+        let [us, vs] = Direction::BOTH.map(|direction| surface.domain(direction));
+        for (u, v) in TRIED.iter().flat_map(|x| TRIED.iter().map(|y| (us.at(*x), vs.at(*y)))) {
+            if search.covers(face, u, v, 0.0)? != Containment::Inside {
+                continue;
+            }
+            let Some(normal) = surface.normal_at(u, v) else { continue };
+            let from = surface.point_at(u, v);
+            for way in [normal * -reach, normal * reach] {
+                let line = Curve::from(Line::new(from, from + way));
+                let found = search.curve_crossings(&line, tolerance.0)?;
+                let opposite = found.crossings.iter().find(|c| c.point.distance_to(from) > 2.0 * tolerance.0);
+                let Some(opposite) = opposite else { continue };
+                let middle = from.lerp(opposite.point, 0.5);
+                if search.contains(middle, tolerance.0)? == Containment::Inside {
+                    return Ok((true, Some(middle)));
+                }
+            }
+        }
+    }
+    Ok((false, None))
+}
+
+/// The brep with the holes of its faces closed: the loops inside a face at whose edges nothing else hangs.
+fn without_holes(brep: &Brep, tolerance: Within) -> Outcome<Brep> {
+    let tolerance = tolerance.tolerance();
+    let naked = brep.naked_edges();
+    let is_hole = |at: usize| {
+        brep.loops().get(at).is_some_and(|own| {
+            let free = |trim: &usize| {
+                brep.trims().get(*trim).is_some_and(|trim| trim.edge.is_none_or(|edge| naked.contains(&edge)))
+            };
+            own.kind == LoopKind::Inner && own.trims.iter().all(free)
+        })
+    };
+    let mut parts = Vec::new();
+    let mut whole = Vec::new();
+    for (place, face) in brep.faces().iter().enumerate() {
+        if !face.loops.iter().any(|at| is_hole(*at)) {
+            whole.push(place);
+            continue;
+        }
+        let surface = brep.face_surface(place).ok_or_else(|| Fault::bad_request("a face has no surface"))?;
+        let loops = brep.face_loops(place)?.into_iter().zip(&face.loops);
+        let kept: Vec<Curve> = loops.filter(|(_, at)| !is_hole(**at)).map(|(curve, _)| curve).collect();
+        let closed = Brep::from_parameter_loops(surface, &kept, &tolerance)?.into_iter();
+        parts.extend(closed.map(|part| if face.reversed { part.flipped() } else { part }));
+    }
+    if parts.is_empty() {
+        return Ok(brep.clone());
+    }
+    if !whole.is_empty() {
+        parts.push(brep.sub_brep(&whole)?);
+    }
+    let mut joined = Brep::join(&parts, &tolerance)?.breps;
+    Ok(match (joined.len(), joined.pop()) {
+        (1, Some(one)) => one,
+        _ => Brep::merged(&Brep::join(&parts, &tolerance)?.breps),
+    })
+}
+
+/// The wall between two pipes about a rail, closed by rings where it shall be.
+fn thick_pipe(rail: &Curve, radii: [f64; 2], Cap(cap): Cap, tolerance: &Tolerance) -> Outcome<Brep> {
+    let [inner, outer] = [radii[0].min(radii[1]), radii[0].max(radii[1])];
+    if outer - inner <= tolerance.absolute {
+        return Err(Fault::bad_request("radius0 and radius1 leave no wall between them"));
+    }
+    if cap == PipeCap::Round {
+        return Err(Fault::not_supported("thick pipes with round caps"));
+    }
+    let shell = |radius: f64| Ok::<_, Fault>(pipe(rail, radius, PipeCap::None, tolerance)?);
+    let (inner, outer) = (shell(inner)?.flipped(), shell(outer)?);
+    if cap == PipeCap::None || rail.is_closed() {
+        return Ok(Brep::merged(&[outer, inner]));
+    }
+    let mut rims = edge_curves(&outer, outer.naked_edges())?;
+    rims.extend(edge_curves(&inner, inner.naked_edges())?);
+    let mut parts = Brep::planar_faces(&join_curves(&rims, tolerance.absolute, false), tolerance)?.breps;
+    parts.extend([outer, inner]);
+    let mut joined = Brep::join(&parts, tolerance)?.breps;
+    match (joined.len(), joined.pop()) {
+        (1, Some(one)) => Ok(one),
+        _ => Err(Fault::failed("the pipes and their rings do not join")),
+    }
+}
