@@ -40,7 +40,10 @@ fn what_cannot_be_is_refused() {
     for (name, change) in impossible() {
         let mut parts = cuboid().into_parts();
         change(&mut parts);
-        assert!(Brep::from_parts(parts).is_err(), "{name}");
+        let refusal = Brep::from_parts(parts);
+        // The reason names the part, by its kind and place.
+        let named = refusal.as_ref().is_err_and(|why| why.to_string().chars().any(|c| c.is_ascii_digit()));
+        assert!(named, "{name}: {refusal:?}");
     }
 }
 
@@ -140,7 +143,24 @@ fn nothing_panics_on_broken_breps() {
     }
 }
 
-/// Without meshing, which takes minutes where trims are moved far away at random.
+#[test]
+fn breps_broken_at_random_are_meshed_or_refused_soon() {
+    let cases: u64 = std::env::var("KATYDID_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
+    let mut slowest = (Duration::ZERO, String::new());
+    for (name, brep) in shapes() {
+        for seed in 0..cases {
+            let mut parts = brep.clone().into_parts();
+            break_at_random(&mut parts, &mut Dice(seed));
+            let Ok(brep) = Brep::from_parts(parts) else { continue };
+            let begun = Instant::now();
+            let done = catch_unwind(AssertUnwindSafe(|| mesh(&brep)));
+            assert!(done.is_ok(), "{name} broken by seed {seed} makes the mesher panic");
+            slowest = slowest.max((begun.elapsed(), format!("{name} broken by seed {seed}")));
+        }
+    }
+    assert!(slowest.0.as_secs() < 20, "{} takes {:?}", slowest.1, slowest.0);
+}
+
 #[test]
 fn nothing_panics_on_breps_broken_at_random() {
     let cases: u64 = std::env::var("KATYDID_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(20);

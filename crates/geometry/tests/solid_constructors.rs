@@ -1,13 +1,15 @@
 //! Every constructor gives sound breps or says why not, over random and degenerate inputs of all sizes.
 //!
 //! `KATYDID_CASES=1000 cargo test --release -p katydid-geometry --test solid_constructors -- --nocapture` runs a thousand
-//! seeds of each; `KATYDID_CASE="variable pipe"` those of one constructor, with the reasons of refusals.
+//! seeds of each; `KATYDID_CASE="variable pipe"` those of one constructor, with the reasons of refusals;
+//! `KATYDID_SEED=831` one seed alone.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
 
 mod solid_cases;
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -76,9 +78,9 @@ fn reason(error: &Error) -> String {
     error.to_string().chars().filter(|c| !c.is_ascii_digit()).take(90).collect()
 }
 
-fn tally((_, make): &Case, seeds: u64) -> Tally {
+fn tally((_, make): &Case, seeds: Range<u64>) -> Tally {
     let mut tally = Tally::default();
-    for seed in 0..seeds {
+    for seed in seeds {
         let begun = Instant::now();
         let made = catch_unwind(AssertUnwindSafe(|| make(&mut Random::of(seed))));
         tally.slowest = tally.slowest.max((begun.elapsed(), seed));
@@ -96,14 +98,15 @@ fn tally((_, make): &Case, seeds: u64) -> Tally {
 #[test]
 fn results_are_valid_or_refused() {
     let only = std::env::var("KATYDID_CASE").ok();
-    let seeds = count(12);
+    let one: Option<u64> = std::env::var("KATYDID_SEED").ok().and_then(|seed| seed.parse().ok());
+    let seeds = one.map_or(0..count(12), |seed| seed..seed + 1);
     let mut wrong = Vec::new();
     for case in cases() {
         let name = case.0;
         if only.as_ref().is_some_and(|only| only != name) {
             continue;
         }
-        let tally = tally(&case, seeds);
+        let tally = tally(&case, seeds.clone());
         let refused: usize = tally.refused.values().map(|(times, _)| times).sum();
         println!(
             "{name}: {} breps, {} of them solid, {refused} inputs refused, {} wrong, slowest seed {} with {:?}",
@@ -113,14 +116,16 @@ fn results_are_valid_or_refused() {
             tally.slowest.1,
             tally.slowest.0
         );
-        for (text, (times, seed)) in tally.refused.iter().filter(|_| only.is_some() || seeds > 100) {
+        for (text, (times, seed)) in
+            tally.refused.iter().filter(|_| only.is_some() || seeds.end - seeds.start > 100)
+        {
             println!("    {times} × {text} (seed {seed})");
         }
         for why in tally.wrong.iter().take(12) {
             println!("    {why}");
         }
         wrong.extend(tally.wrong.into_iter().map(|why| format!("{name}, {why}")));
-        if tally.good == 0 {
+        if tally.good == 0 && one.is_none() {
             wrong.push(format!("{name} never gave anything"));
         }
     }

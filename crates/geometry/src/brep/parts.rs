@@ -34,6 +34,16 @@ pub struct Parts {
 impl Parts {
     /// Refuses places that do not exist and numbers that are none.
     pub(super) fn check(&self) -> Result<()> {
+        for (kind, curves) in [("parameter curve", &self.curves_2d), ("space curve", &self.curves_3d)] {
+            for (i, curve) in curves.iter().enumerate() {
+                let sound = curve.as_ref().map_or(Ok(()), Curve::check_finite);
+                sound.map_err(|why| Place(kind, i).refuse(&why.to_string()))?;
+            }
+        }
+        for (i, surface) in self.surfaces.iter().enumerate() {
+            let sound = surface.as_ref().map_or(Ok(()), Surface::check_finite);
+            sound.map_err(|why| Place("surface", i).refuse(&why.to_string()))?;
+        }
         for (i, vertex) in self.vertices.iter().enumerate() {
             let at = Place("vertex", i);
             at.finite([vertex.tolerance])?;

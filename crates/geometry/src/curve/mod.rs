@@ -24,6 +24,7 @@ mod explode;
 mod extend;
 mod extrema;
 mod fillet;
+mod finite;
 mod frames;
 mod join;
 mod length;

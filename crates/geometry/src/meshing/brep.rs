@@ -14,6 +14,8 @@ use crate::{Direction, Error, Point2, Point3, Quadrant, Result, Surface, Vector3
 
 /// How often edges are made finer because they cross others.
 const ATTEMPTS: u32 = 5;
+/// How far trims may leave the domain of their surface, and edges that of their curve, in lengths of the domain.
+const FAR_OUT: f64 = 2.0;
 /// The most points of a mesh.
 const MOST_POINTS: usize = 50_000_000;
 
@@ -94,6 +96,7 @@ impl<'a> Job<'a> {
             .collect();
         let plans: Vec<FacePlan<'a>> =
             each(&live, |&place| self.plan(place)).into_iter().collect::<Result<_>>()?;
+        self.check_edges()?;
         let edges = self.edges(&plans);
         let mut finer = vec![0_u32; edges.len()];
         let mut points: Vec<EdgePoints> = each(&edges, |edge| {
@@ -132,6 +135,22 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Refuses edges that lie far beyond the ends of their curves.
+    fn check_edges(&self) -> Result<()> {
+        for (place, edge) in self.brep.edges().iter().enumerate().filter(|(_, edge)| !edge.deleted) {
+            let Some(domain) = self.brep.edge_curve(place).map(crate::Curve::domain) else { continue };
+            let reach = FAR_OUT * domain.length();
+            let range = edge.part.range;
+            if range.min() < domain.start - reach || range.max() > domain.end + reach {
+                return Err(Error::degenerate(
+                    "edge of the brep",
+                    "it lies far beyond the ends of its curve",
+                ));
+            }
+        }
+        Ok(())
+    }
+
     /// The cells of a face.
     fn plan(&self, place: usize) -> Result<FacePlan<'a>> {
         self.check()?;
@@ -157,6 +176,14 @@ impl<'a> Job<'a> {
                 reach[d] = [reach[d][0].min(bounds[d][0]), reach[d][1].max(bounds[d][1])];
             }
             trims.push(TrimPlan { trim, aligned });
+        }
+        // A surface goes on beyond its domain by its formula, but what a file means is never far out there.
+        let far = (0..2).any(|d| {
+            let length = domain[d].length();
+            reach[d][0] < domain[d].start - FAR_OUT * length || reach[d][1] > domain[d].end + FAR_OUT * length
+        });
+        if far {
+            return Err(no("a trim lies far outside of the domain of its surface"));
         }
         let breaks = [0, 1].map(|d| {
             let [from, to] = reach[d];

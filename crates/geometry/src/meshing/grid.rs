@@ -2,6 +2,7 @@
 
 use super::bend::{Bend, Bender};
 use super::need;
+use super::probes::Probes;
 use super::settings::Limits;
 use crate::{Error, Result};
 
@@ -28,45 +29,6 @@ pub(super) struct Grid {
     /// The rectangles between the lines, v running fastest, and then what they are halved into.
     pub(super) nodes: Vec<Node>,
     probes: Probes,
-}
-
-/// Bounds on a grid of rectangles of their own.
-struct Probes {
-    lines: [Vec<f64>; 2],
-    bends: Vec<Bend>,
-}
-
-impl Probes {
-    fn new(bender: &Bender<'_>, lines: [Vec<f64>; 2]) -> Self {
-        let mut bends = Vec::with_capacity(lines[0].len() * lines[1].len());
-        for u in lines[0].windows(2) {
-            for v in lines[1].windows(2) {
-                bends.push(bender.over([[u[0], u[1]], [v[0], v[1]]]));
-            }
-        }
-        Self { lines, bends }
-    }
-
-    /// The rectangles that a range of parameters reaches into.
-    fn reached(&self, d: usize, [from, to]: [f64; 2]) -> [usize; 2] {
-        let lines = &self.lines[d];
-        let last = lines.len().saturating_sub(2);
-        let start = lines.partition_point(|&t| t <= from).saturating_sub(1).min(last);
-        let end = lines.partition_point(|&t| t < to).saturating_sub(1).min(last);
-        [start, end.max(start)]
-    }
-
-    fn over(&self, rectangle: [[f64; 2]; 2]) -> Bend {
-        let [u, v] = [0, 1].map(|d| self.reached(d, rectangle[d]));
-        let columns = self.lines[1].len().saturating_sub(1);
-        let mut out = Bend::default();
-        for i in u[0]..=u[1] {
-            for bend in self.bends.get(i * columns + v[0]..=i * columns + v[1]).unwrap_or(&[]) {
-                out = out.max(bend);
-            }
-        }
-        out
-    }
 }
 
 impl Grid {
@@ -239,7 +201,7 @@ fn probes(bender: &Bender<'_>, breaks: &[Vec<f64>; 2], limits: &Limits) -> Probe
     let columns = finest[1].len();
     for (i, u) in breaks[0].windows(2).enumerate() {
         for (j, v) in breaks[1].windows(2).enumerate() {
-            let Some(bend) = coarse.bends.get(i * columns + j) else { continue };
+            let Some(bend) = coarse.bends().get(i * columns + j) else { continue };
             let n = need::parts(bend, [u[1] - u[0], v[1] - v[0]], limits);
             // Normals should not turn far inside one either.
             let turned = |d: usize, wide: f64| (bend.turn[d] * wide / 0.6).min(16.0) * 3.0;
@@ -282,7 +244,7 @@ fn counts(probes: &Probes, breaks: &[f64], d: usize, limits: &Limits) -> Vec<u32
                     } else {
                         (j * columns + i, [other, own])
                     };
-                    let Some(bend) = probes.bends.get(place) else { continue };
+                    let Some(bend) = probes.bends().get(place) else { continue };
                     let density = need::parts(bend, size, limits)[d] / own;
                     most = most.max(density);
                     least = least.min(density);
@@ -303,7 +265,7 @@ fn adjust(probes: &Probes, breaks: &[Vec<f64>; 2], counts: &mut [Vec<u32>; 2], l
         counts.each_ref().map(|list| list.iter().map(|&n| f64::from(n)).sum::<f64>().max(1.0))
     };
     if !flat {
-        let mean = probes.bends.iter().fold([0.0; 2], |s, b| [s[0] + b.speed[0], s[1] + b.speed[1]]);
+        let mean = probes.bends().iter().fold([0.0; 2], |s, b| [s[0] + b.speed[0], s[1] + b.speed[1]]);
         let sides = [0, 1].map(|d| match breaks[d].as_slice() {
             [first, .., last] => (last - first) * mean[d],
             _ => 0.0,

@@ -10,6 +10,7 @@ mod grid;
 mod need;
 mod outline;
 mod patch;
+mod probes;
 mod result;
 mod ring;
 mod settings;

@@ -46,7 +46,7 @@ impl Outline {
             [low.min(c.uv.y), high.max(c.uv.y)]
         });
         let mut outline = Self { corners, next, strips: Vec::new(), range };
-        let mut strips = vec![Vec::new(); (outline.corners.len() / 2).clamp(1, 4096)];
+        let mut strips = vec![Vec::new(); outline.strip_count()];
         for k in 0..outline.corners.len() {
             let Some([a, b]) = outline.segment(k) else { continue };
             let (from, to) = (a.uv.y.min(b.uv.y), a.uv.y.max(b.uv.y));
@@ -57,6 +57,31 @@ impl Outline {
         }
         outline.strips = strips;
         outline
+    }
+
+    /// Into how many strips the polygons are sorted: fewer where segments are long, so that the lists stay short.
+    fn strip_count(&self) -> usize {
+        const ROOM: usize = 16;
+        let n = self.corners.len();
+        let mut count = (n / 2).clamp(1, 4096);
+        while count > 1 {
+            let spread = |k: usize| {
+                self.segment(k).map_or(0, |[a, b]| {
+                    let [i, j] = [a, b].map(|c| strip(self.range, count, c.uv.y));
+                    i.abs_diff(j) + 1
+                })
+            };
+            if (0..n).map(spread).sum::<usize>() <= ROOM * n {
+                break;
+            }
+            count /= 2;
+        }
+        count
+    }
+
+    /// How many segments are looked at to tell on which side of the polygons a point lies, more or less.
+    pub(super) fn effort(&self) -> usize {
+        self.strips.iter().map(Vec::len).sum::<usize>() / self.strips.len().max(1)
     }
 
     /// The corner after a corner.

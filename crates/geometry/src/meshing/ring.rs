@@ -9,6 +9,11 @@ use crate::{Error, MeshFace, Point2, Result};
 
 /// How often points are added.
 const ROUNDS: usize = 16;
+/// How many points are added at most: so many, and so many more for each point of the borders. A ring is thin, and needs
+/// no more where the borders are those of a sound face.
+const ADDED: [usize; 2] = [20_000, 24];
+/// The most looks at segments of an outline that crosses itself.
+const MOST_LOOKS: usize = 1_000_000_000;
 
 /// A vertex in comparable parameters.
 #[derive(Debug, Clone, Copy)]
@@ -38,7 +43,7 @@ pub(super) struct Ring<'a, 'b> {
 /// Adds the triangles; says which trims cross others, so that not all of the borders could be held.
 ///
 /// # Errors
-/// Numbers beyond what a triangulation takes.
+/// Numbers beyond what a triangulation takes, or an outline that crosses itself over and over.
 pub(super) fn fill(ring: Ring<'_, '_>, faces: &mut Vec<MeshFace>) -> Result<Vec<u32>> {
     if ring.sides.is_empty() {
         return Ok(Vec::new());
@@ -66,10 +71,11 @@ pub(super) fn fill(ring: Ring<'_, '_>, faces: &mut Vec<MeshFace>) -> Result<Vec<
     let mut net = Net::try_bulk_load_cdt(sites, edges, |pair| conflicts.push(pair))
         .map_err(|why| Error::Invalid { what: "outline of a face", why: why.to_string() })?;
     let crossing = ring.trims_of(&conflicts, &vertices);
-    let mut inside = ring.inside(&net);
+    let mut inside = ring.inside(&net)?;
+    let most = ADDED[0] + net.num_vertices().saturating_mul(1 + ADDED[1]);
     for _ in 0..ROUNDS {
         let wanted = ring.wanted(&net, &inside);
-        if wanted.is_empty() {
+        if wanted.is_empty() || net.num_vertices() + wanted.len() > most {
             break;
         }
         for [x, y] in wanted {
@@ -80,7 +86,7 @@ pub(super) fn fill(ring: Ring<'_, '_>, faces: &mut Vec<MeshFace>) -> Result<Vec<
             net.insert(site)
                 .map_err(|why| Error::Invalid { what: "outline of a face", why: why.to_string() })?;
         }
-        inside = ring.inside(&net);
+        inside = ring.inside(&net)?;
     }
     for face in net.inner_faces() {
         if inside.get(face.index()) != Some(&true) {
@@ -145,7 +151,7 @@ impl Ring<'_, '_> {
 
     /// Which triangles lie between the borders: those that a way from outside crosses borders an odd number of times
     /// to; by their middles when a border is not among the edges.
-    fn inside(&self, net: &Net) -> Vec<bool> {
+    fn inside(&self, net: &Net) -> Result<Vec<bool>> {
         let count = net.num_all_faces();
         let mut across: Vec<Vec<(u32, bool)>> = vec![Vec::new(); count];
         let mut held = 0;
@@ -162,7 +168,11 @@ impl Ring<'_, '_> {
             }
         }
         if held < self.sides.len() {
-            return self.inside_by_middles(net, count);
+            if count.saturating_mul(self.filling.outline.effort()) > MOST_LOOKS {
+                let why = "it crosses itself too often to tell its inside";
+                return Err(Error::degenerate("outline of a face", why));
+            }
+            return Ok(self.inside_by_middles(net, count));
         }
         let mut inside = vec![false; count];
         let mut known = vec![false; count];
@@ -184,7 +194,7 @@ impl Ring<'_, '_> {
                 }
             }
         }
-        inside
+        Ok(inside)
     }
 
     fn inside_by_middles(&self, net: &Net, count: usize) -> Vec<bool> {

@@ -121,7 +121,8 @@ pub(crate) fn over_knots<const N: usize>(
 ) -> Option<Vec<[f64; N]>> {
     let count = (new_knots.len() + 1).checked_sub(degree)?;
     let mut out = Vec::with_capacity(count);
-    let mut above = 0;
+    // A short piece of a long curve must not cost a walk along all of it.
+    let mut above = new_knots.first().map_or(0, |&t| knots.partition_point(|&k| k <= t));
     for i in 0..count {
         let arguments = new_knots.get(i..i + degree)?;
         above = first_above(knots, above, *arguments.first()?);

@@ -29,7 +29,8 @@ impl NurbsCurve {
             });
         }
         let p = self.degree;
-        let inside = self.knots.iter().copied().filter(|&k| a < k && k < b);
+        let inside = self.knots.partition_point(|&k| k <= a)..self.knots.partition_point(|&k| k < b);
+        let inside = self.knots.get(inside).unwrap_or(&[]).iter().copied();
         let knots =
             std::iter::repeat_n(a, p).chain(inside).chain(std::iter::repeat_n(b, p)).collect::<Vec<_>>();
         self.over_knots(knots)

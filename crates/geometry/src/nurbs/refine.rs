@@ -38,7 +38,8 @@ impl NurbsCurve {
     /// A parameter so near to a knot that no curve could tell them apart becomes that knot.
     pub(crate) fn snapped(&self, t: f64) -> f64 {
         let tolerance = 1e-14 * self.domain().start.abs().max(self.domain().end.abs()).max(1e-300);
-        self.knots.iter().copied().find(|k| (k - t).abs() <= tolerance).unwrap_or(t)
+        let first = self.knots.partition_point(|&k| t - k > tolerance);
+        self.knots.get(first).copied().filter(|k| (k - t).abs() <= tolerance).unwrap_or(t)
     }
 
     /// The same curve with the knot `t` repeated `multiplicity` times at least. A periodic curve stays periodic.

@@ -82,7 +82,9 @@ impl NurbsSurface {
     pub(crate) fn snapped(&self, direction: Direction, t: f64) -> f64 {
         let domain = self.domain(direction);
         let tolerance = 1e-14 * domain.start.abs().max(domain.end.abs()).max(1e-300);
-        self.knots(direction).iter().copied().find(|k| (k - t).abs() <= tolerance).unwrap_or(t)
+        let knots = self.knots(direction);
+        let first = knots.partition_point(|&k| t - k > tolerance);
+        knots.get(first).copied().filter(|k| (k - t).abs() <= tolerance).unwrap_or(t)
     }
 
     /// The same surface with the knot `t` repeated `multiplicity` times at least in one direction. A surface that is

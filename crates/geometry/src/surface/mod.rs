@@ -15,6 +15,7 @@ mod curvature;
 mod cylinder;
 mod edit;
 mod evaluate;
+mod finite;
 mod geodesic;
 mod grid_mesh;
 mod isocurve;

@@ -2,7 +2,7 @@ use crate::{
     Curve, Direction, Error, Interval, LineCurve, NurbsSurface, Point3, Result, SurfaceDerivatives, Vector3,
 };
 
-/// Refuses a curve whose ends or domain are not numbers; what a NURBS curve or polyline holds was checked before.
+/// Refuses a curve that holds what is no number, or whose domain does not increase.
 pub(super) fn check_curve(what: &'static str, curve: &Curve) -> Result<()> {
     let domain = curve.domain();
     if !domain.is_increasing() {
@@ -11,7 +11,7 @@ pub(super) fn check_curve(what: &'static str, curve: &Curve) -> Result<()> {
             why: format!("{} to {} does not increase", domain.start, domain.end),
         });
     }
-    if curve.start().is_finite() && curve.end().is_finite() { Ok(()) } else { Err(Error::NotFinite(what)) }
+    if curve.is_finite() { Ok(()) } else { Err(Error::NotFinite(what)) }
 }
 
 /// The sums of the points of two curves, moved: S(u, v) = A(u) + B(v) + shift. An extrusion is the sum of a curve
@@ -26,7 +26,7 @@ impl SumSurface {
     /// The sum of two curves and a shift; u runs along the first curve, over its domain.
     ///
     /// # Errors
-    /// The shift or an end of a curve is not finite.
+    /// The shift or a number of a curve is not finite.
     pub fn new(first: Curve, second: Curve, shift: Vector3) -> Result<Self> {
         check_curve("curve of the sum surface", &first)?;
         check_curve("curve of the sum surface", &second)?;

@@ -5,7 +5,8 @@
 use katydid_geometry::brep::{Brep, Iso, LoopKind, Parts, TrimKind};
 use katydid_geometry::construct;
 use katydid_geometry::{
-    Box3, Circle, Cylinder, Interval, Line, LineCurve, Plane, Point3, Side, Sphere, Tolerance, Vector3,
+    Arc, ArcCurve, Box3, Circle, Curve, Cylinder, Interval, Line, LineCurve, Plane, Point3, PolyCurve, Side,
+    Sphere, Tolerance, Vector3,
 };
 
 /// One thing that is done to a brep's parts.
@@ -171,7 +172,26 @@ pub fn impossible() -> Vec<(&'static str, Change)> {
         ("domain of an edge", |p| p.edges[0].part.domain = Interval::new(0.0, f64::INFINITY)),
         ("range of a trim", |p| p.trims[0].part.range = Interval::new(f64::NAN, 1.0)),
         ("tolerance of a trim", |p| p.trims[0].tolerance[0] = f64::INFINITY),
+        ("end of a space curve", |p| p.curves_3d[3] = wild_segment(f64::NAN, 1.0)),
+        ("domain of a space curve", |p| p.curves_3d[3] = wild_segment(0.0, f64::INFINITY)),
+        ("end of a parameter curve", |p| p.curves_2d[7] = wild_segment(f64::NEG_INFINITY, 1.0)),
+        ("radius of a space curve", |p| p.curves_3d[0] = Some(wild_arc())),
+        ("segment of a poly-curve", |p| {
+            p.curves_3d[0] = PolyCurve::new(vec![wild_arc()]).map(Curve::from).ok();
+        }),
     ]
+}
+
+/// A segment that holds two numbers as they come.
+fn wild_segment(x: f64, end: f64) -> Option<Curve> {
+    let line = Line::new(Point3::ORIGIN, Point3::new(x, 1.0, 0.0));
+    Some(LineCurve { line, domain: Interval { start: 0.0, end } }.into())
+}
+
+/// An arc whose radius is no number.
+fn wild_arc() -> Curve {
+    let circle = Circle { plane: Plane::XY, radius: f64::NAN };
+    ArcCurve { arc: Arc { circle, angle: Interval::UNIT }, domain: Interval::UNIT }.into()
 }
 
 /// Numbers from a seed: splitmix64 (S. Vigna).

@@ -28,8 +28,8 @@ pub(super) fn close_gaps(paths: &mut [Path]) -> Result<()> {
         }
         if !(a.distance_to(b) <= LARGEST_GAP * size) {
             return Err(Error::Invalid {
-                what: "loop",
-                why: format!("pieces {i} and {j} are {} apart in the parameter plane", a.distance_to(b)),
+                what: "boundary of a face",
+                why: format!("its curves do not meet: two are {} of its size apart", a.distance_to(b) / size),
             });
         }
         let straight = |k: usize| matches!(paths[k].curve, Curve::Line(_));

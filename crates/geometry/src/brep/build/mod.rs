@@ -4,6 +4,7 @@ mod ends;
 
 pub(crate) use ends::with_ends;
 
+use super::validity::refusal;
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};
 use crate::{Curve, Error, Point3, Result, Surface};
 
@@ -166,20 +167,15 @@ impl Builder {
     /// is turned so that its normals point outwards.
     ///
     /// # Errors
-    /// The brep would have faults, which are named, or an edge would be further than `limit` from a trim's image.
+    /// The brep would have faults, which are told from outside, or an edge would be further than `limit` from a trim's image.
     pub fn finish(mut self, limit: f64) -> Result<Brep> {
         self.parts.set_kinds();
         self.parts.set_iso();
         self.parts.measure_tolerances();
-        if let Some((place, edge)) =
-            self.parts.edges.iter().enumerate().find(|(_, e)| !(e.tolerance <= limit))
-        {
-            return Err(Error::Invalid {
-                what: "brep",
-                why: format!("edge {place} would be {} away from its faces", edge.tolerance),
-            });
+        if let Some(edge) = self.parts.edges.iter().find(|e| !(e.tolerance <= limit)) {
+            return Err(refusal::of_distance(edge.tolerance));
         }
-        let brep = Brep::from_parts(self.parts)?;
+        let brep = Brep::from_parts(self.parts).map_err(|_| refusal::of_parts())?;
         brep.checked().map(Brep::turned_outward)
     }
 }
@@ -192,13 +188,12 @@ impl Brep {
     /// The brep itself, unless it has faults.
     ///
     /// # Errors
-    /// The first faults, by name.
+    /// What is wrong, as it looks from outside; [`Brep::faults`] names the parts.
     pub(crate) fn checked(self) -> Result<Self> {
         let faults = self.faults();
         if faults.is_empty() {
             return Ok(self);
         }
-        let named: Vec<String> = faults.iter().take(4).map(ToString::to_string).collect();
-        Err(Error::Invalid { what: "brep", why: named.join("; ") })
+        Err(refusal::of_faults(&faults))
     }
 }

@@ -5,6 +5,7 @@
 mod edges;
 mod faces;
 mod loops;
+pub(super) mod refusal;
 mod seams;
 mod trims;
 

@@ -84,12 +84,15 @@ impl CurveForm {
     /// # Errors
     /// The kernel refuses its numbers, or has no such curve.
     pub fn to_curve(&self) -> Kernel<Curve> {
+        let curve = self.unchecked()?;
+        curve.check_finite()?;
+        Ok(curve)
+    }
+
+    fn unchecked(&self) -> Kernel<Curve> {
         Ok(match self {
             Self::Line { line, domain, dimension } => {
                 let line = Line::new(lowered(line.from, *dimension), lowered(line.to, *dimension));
-                if !line.is_finite() {
-                    return Err(Refusal::NotFinite("end of the line"));
-                }
                 LineCurve { line, domain: checked(*domain)? }.into()
             }
             Self::Arc { arc, domain, .. } => arc_curve(*arc, *domain)?.into(),
@@ -99,11 +102,11 @@ impl CurveForm {
             }
             Self::Nurbs(form) => form.to_curve()?.into(),
             Self::Poly { segments, parameters } => {
-                let segments = segments.iter().map(Self::to_curve).collect::<Kernel<_>>()?;
+                let segments = segments.iter().map(Self::unchecked).collect::<Kernel<_>>()?;
                 PolyCurve::with_parameters(segments, parameters.clone())?.into()
             }
             Self::OnSurface(_) => return Err(Refusal::Unsupported("curves on surfaces")),
-            Self::Tagged { curve, .. } => curve.to_curve()?,
+            Self::Tagged { curve, .. } => curve.unchecked()?,
         })
     }
 

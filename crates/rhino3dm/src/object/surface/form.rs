@@ -94,6 +94,12 @@ impl SurfaceForm {
     /// # Errors
     /// The kernel refuses its numbers.
     pub fn to_surface(&self) -> Kernel<Surface> {
+        let surface = self.unchecked()?;
+        surface.check_finite()?;
+        Ok(surface)
+    }
+
+    fn unchecked(&self) -> Kernel<Surface> {
         Ok(match self {
             Self::Plane { plane, domains, extents, .. } => {
                 if !is_frame(plane) {
@@ -116,7 +122,7 @@ impl SurfaceForm {
                 if *transposed { surface.transposed() } else { surface }.into()
             }
             Self::Nurbs(form) => form.to_surface()?.into(),
-            Self::Tagged { surface, .. } => surface.to_surface()?,
+            Self::Tagged { surface, .. } => surface.unchecked()?,
         })
     }
 
