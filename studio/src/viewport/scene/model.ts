@@ -47,6 +47,8 @@ export class Model {
   section: { normal: Point3; at: number } | undefined;
   /** Another number after each change of geometry. */
   version = 0;
+  /** Whether surfaces are drawn that hide what is behind them. */
+  hides = false;
   #batches = new Map<string, Batch[]>();
   #drawables = new Set<Drawable>();
   #budget: LineBudget;
@@ -159,6 +161,7 @@ export class Model {
         (isSolid ? solid : through).add(target);
       }
     }
+    this.hides = solid.size > 0;
     for (const drawable of this.#drawables) {
       // A quick picture does without very many lines, and very many are not drawn behind surfaces too.
       const isMany = drawable.segments > MANY_LINES;
