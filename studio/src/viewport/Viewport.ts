@@ -10,6 +10,7 @@ import { FalseColours } from "./analysis";
 import { isSoftware } from "./graphics";
 import { Panes, placeOf as placeOfPanes, type PlacedPane } from "./panes";
 import { Backdrop } from "./scene/backdrop";
+import type { Budget } from "./scene/drawable";
 import { lookOf, toolLook, type ObjectState } from "./scene/looks";
 import { Model } from "./scene/model";
 import { Painter, type Layer } from "./scene/painter";
@@ -28,6 +29,9 @@ export interface Options {
   pixelRatio?: number;
 }
 
+/** What a graphics card draws in one go, and what software does. */
+const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true };
+const SOFTWARE: Budget = { wide: 4_000, points: 4_000, areInstances: false };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
 const REST = 350;
@@ -83,7 +87,7 @@ export class Viewport {
     this.#renderer.autoClear = false;
     this.#renderer.sortObjects = true;
     this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
-    this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000, areInstances: !this.isSoftware }, () => this.#renderer.getPixelRatio());
+    this.model = new Model(this.isSoftware ? SOFTWARE : CARD, () => this.#renderer.getPixelRatio());
     this.#painter = new Painter(this.#renderer, this.model);
     this.panes = new Panes(() => this.invalidate());
     this.#picker = new Picker(this.model);
@@ -235,6 +239,8 @@ export class Viewport {
   }
 
   dispose(): void {
+    // Nothing that is still to be drawn is drawn any more.
+    this.#isLost = true;
     for (const stop of this.#stop) stop();
     cancelAnimationFrame(this.#request);
     clearTimeout(this.#rest);

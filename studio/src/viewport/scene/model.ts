@@ -6,7 +6,7 @@ import { boundsOfPositions, centre, radius, union } from "../../core/bounds";
 import type { Bounds, Point3, Preview, PreviewPart, Rgba } from "../../core/preview";
 import { ALONE, Batch, batchKey } from "./batch";
 import { ColourTable } from "./colourTable";
-import { makeDrawable, ORDER, type Drawable, type LineBudget } from "./drawable";
+import { makeDrawable, ORDER, type Drawable, type Budget } from "./drawable";
 import { Materials } from "./materials";
 import { alone, type Member } from "./merge";
 
@@ -51,11 +51,11 @@ export class Model {
   hides = false;
   #batches = new Map<string, Batch[]>();
   #drawables = new Set<Drawable>();
-  #budget: LineBudget;
+  #budget: Budget;
   #pixels: () => number;
   #isChanged = false;
 
-  constructor(budget: LineBudget, pixels: () => number) {
+  constructor(budget: Budget, pixels: () => number) {
     this.#budget = budget;
     this.#pixels = pixels;
     this.scene.matrixAutoUpdate = false;
@@ -165,9 +165,12 @@ export class Model {
     for (const drawable of this.#drawables) {
       // A quick picture does without very many lines, and very many are not drawn behind surfaces too.
       const isMany = drawable.segments > MANY_LINES;
-      for (const object of drawable.objects) if (drawable.segments > 0) object.visible = isFine || !isMany;
-      for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
-      if (!drawable.surface) continue;
+      if (!drawable.surface) {
+        for (const object of drawable.objects) object.visible = isFine || !isMany;
+        for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
+        for (const object of isFine ? drawable.few : drawable.fine) object.visible = false;
+        continue;
+      }
       drawable.surface.solid.visible = solid.has(drawable);
       drawable.surface.colour.visible = through.has(drawable);
       drawable.surface.depth.visible = through.has(drawable) && how === "own" && isFine;
