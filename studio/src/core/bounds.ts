@@ -12,6 +12,11 @@ export function union(first: Bounds | null, second: Bounds | null): Bounds | nul
   ];
 }
 
+/** The box as it is seen from an origin. */
+export function from([[a, b, c], [d, e, f]]: Bounds, [x, y, z]: Point3): Bounds {
+  return [[a - x, b - y, c - z], [d - x, e - y, f - z]];
+}
+
 export function centre([[a, b, c], [d, e, f]]: Bounds): Point3 {
   // Half of each first: the sum of two great numbers may not exist.
   return [a / 2 + d / 2, b / 2 + e / 2, c / 2 + f / 2];
@@ -32,16 +37,17 @@ export function cornersOf([[a, b, c], [d, e, f]]: Bounds): Point3[] {
 /** The box of positions that are offsets from an origin; null where there are none. */
 export function boundsOfPositions(positions: Float32Array, [x, y, z]: Point3): Bounds | null {
   if (positions.length < 3) return null;
-  const least = [Infinity, Infinity, Infinity];
-  const greatest = [-Infinity, -Infinity, -Infinity];
+  let [a, b, c] = [Infinity, Infinity, Infinity];
+  let [d, e, f] = [-Infinity, -Infinity, -Infinity];
+  // Written out: all that is shown passes here with each change.
   for (let at = 0; at + 2 < positions.length; at += 3) {
-    for (let axis = 0; axis < 3; axis++) {
-      const value = positions[at + axis] as number;
-      if (value < (least[axis] as number)) least[axis] = value;
-      if (value > (greatest[axis] as number)) greatest[axis] = value;
-    }
+    const [u, v, w] = [positions[at] as number, positions[at + 1] as number, positions[at + 2] as number];
+    if (u < a) a = u;
+    if (u > d) d = u;
+    if (v < b) b = v;
+    if (v > e) e = v;
+    if (w < c) c = w;
+    if (w > f) f = w;
   }
-  const [a = 0, b = 0, c = 0] = least;
-  const [d = 0, e = 0, f = 0] = greatest;
   return [[a + x, b + y, c + z], [d + x, e + y, f + z]];
 }

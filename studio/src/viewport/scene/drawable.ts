@@ -6,7 +6,7 @@ import {
   type RawShaderMaterial,
 } from "three";
 
-import { boundsOfPositions, centre, radius } from "../../core/bounds";
+import { centre, radius } from "../../core/bounds";
 import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import { SHAPE } from "../shaders/point";
@@ -66,7 +66,7 @@ export interface Budget {
 
 export function makeDrawable(merged: Merged, materials: Materials, budget: Budget, pixels: () => number): Drawable {
   const { kind } = merged;
-  const size = boundsOfPositions(merged.positions, [0, 0, 0]);
+  const size = merged.bounds;
   const sphere = size ? new Sphere(new Vector3(...centre(size)), radius(size)) : new Sphere();
   const geometries: BufferGeometry[] = [];
   const own: Owner = (geometry) => {

@@ -197,7 +197,7 @@ export class Model {
 
   #addPart(part: PreviewPart, origin: Point3, bounds: Bounds | null): ModelPart {
     const slot = this.table.take();
-    const member: Member = { part, origin, slot, values: null };
+    const member: Member = { part, origin, bounds, slot, values: null };
     const entry: ModelPart = { part, slot, bounds, member, drawable: undefined, batch: undefined };
     if (part.kind === "texts") return entry;
     if (part.positions.length / 3 > ALONE) entry.drawable = this.#addDrawable(this.#make(alone(member)));
@@ -220,9 +220,7 @@ export class Model {
   }
 
   #remake(batch: Batch): void {
-    let bounds: Bounds | null = null;
-    for (const { part, origin } of batch.members) bounds = union(bounds, boundsOfPositions(part.positions, origin));
-    const old = batch.remake((merged) => this.#make(merged), bounds);
+    const old = batch.remake((merged) => this.#make(merged));
     if (old) this.#removeDrawable(old);
     if (batch.drawable) this.#addDrawable(batch.drawable);
   }
