@@ -17,6 +17,7 @@ export const PREVIEW_VERSION = 1;
 const FIXED = 12;
 const ALIGNMENT = 8;
 const MOST_PARTS = 4096;
+const UTF8 = new TextDecoder("utf-8", { fatal: true });
 
 export type Point3 = readonly [number, number, number];
 export type Rgba = readonly [number, number, number, number];
@@ -88,7 +89,7 @@ export function decodePreview(bytes: ArrayBuffer, at = 0, size = bytes.byteLengt
 
 function readHead(head: Uint8Array): unknown {
   try {
-    return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(head));
+    return JSON.parse(UTF8.decode(head));
   } catch {
     throw new PreviewError("its head is no JSON");
   }
