@@ -63,7 +63,7 @@ async function drag(page: Page, id: string): Promise<Found | undefined> {
     const before = await page.evaluate(() => window.watched.count);
     await page.mouse.move(box.x + box.width * 0.2 + step * (k + 1), y);
     const isShown = await page
-      .waitForFunction((count) => window.watched.count > count && window.watched.drawn > window.watched.previews, before, { timeout: 600, polling: 5 })
+      .waitForFunction((count) => window.watched.count > count && window.watched.isWhole(), before, { timeout: 600, polling: 5 })
       .then(() => true, () => false);
     const { input, drawn, took } = await page.evaluate(() => window.watched);
     if (isShown && drawn >= input) found.push({ input: drawn - input, solve: took });

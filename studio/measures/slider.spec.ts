@@ -43,7 +43,7 @@ test("a slider of three hundred objects is dragged", async ({ page }, info) => {
     const before = await page.evaluate(() => window.watched.count);
     await page.mouse.move(box.x + box.width * (0.2 + 0.01 * (k + 1)), y);
     await page
-      .waitForFunction((count) => window.watched.count > count && window.watched.drawn > window.watched.previews, before, { timeout: 3000, polling: 5 })
+      .waitForFunction((count) => window.watched.count > count && window.watched.isWhole(), before, { timeout: 3000, polling: 5 })
       .catch(() => undefined);
     const { input, drawn, took, previews } = await page.evaluate(() => window.watched);
     if (drawn < input) continue;

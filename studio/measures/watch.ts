@@ -15,6 +15,8 @@ export interface Watched {
   count: number;
   /** When the frame was handed over whose picture came after it. */
   drawn: number;
+  /** Whether the last change is in a picture, and how long it took to solve is known: that may be heard of later. */
+  isWhole(): boolean;
   /** The ids of the document's sliders. */
   sliders: string[];
 }
@@ -27,7 +29,10 @@ declare global {
 
 export async function watch(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const watched = { input: 0, solved: 0, took: 0, previews: 0, count: 0, drawn: 0, sliders: [] as string[] };
+    const watched: Watched = {
+      input: 0, solved: 0, took: 0, previews: 0, count: 0, drawn: 0, sliders: [],
+      isWhole: () => watched.drawn > watched.previews && watched.solved > watched.input,
+    };
     window.watched = watched;
     for (const kind of ["pointermove", "pointerdown", "keydown", "change"]) {
       addEventListener(kind, (event) => (watched.input = event.timeStamp), { capture: true });

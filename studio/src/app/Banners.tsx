@@ -8,8 +8,9 @@ import { settingsStore } from "./settings";
 /** What must be seen at once: the connection is lost; edits were restored; add-ons are missing. */
 export function Banners() {
   const state = useStore(lineStore, (line) => line.state);
-  const { restored, problems, objects } = useStore(documentStore);
-  const missing = [...objects.values()].filter((object) => object.support.is === "no").length;
+  const restored = useStore(documentStore, (mirror) => mirror.restored);
+  const problems = useStore(documentStore, (mirror) => mirror.problems);
+  const missing = useStore(documentStore, ({ objects }) => [...objects.values()].filter(({ support }) => support.is === "no").length);
   const seen = useStore(settingsStore, (settings) => settings.side === "problems");
   const settle = async (keep: boolean) => {
     await ask({ ask: "settle", keep });

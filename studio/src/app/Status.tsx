@@ -3,25 +3,27 @@ import { useStore } from "zustand";
 import { action } from "../actions/registry";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
-import { runStore } from "../state/run";
+import { runStore, type Run } from "../state/run";
 import { lineStore } from "../state/session";
 import { settingsStore } from "./settings";
 
 /** The line at the bottom: how the solve goes, what is wrong, the unit. */
 export function Status() {
-  const { state, complaint } = useStore(lineStore);
-  const { progress, milliseconds, cancelled, results } = useStore(runStore);
+  const state = useStore(lineStore, (line) => line.state);
+  const complaint = useStore(lineStore, (line) => line.complaint);
+  const progress = useStore(runStore, (run) => run.progress);
+  const cancelled = useStore(runStore, (run) => run.cancelled);
+  const took = useStore(runStore, (run) => shownTime(run.milliseconds));
+  const errors = useStore(runStore, (run) => count(run, "error"));
+  const warnings = useStore(runStore, (run) => count(run, "warning"));
   const view = useStore(documentStore, (mirror) => mirror.document);
-  const count = (status: string) => [...results.values()].filter((result) => result.status === status).length;
-  const errors = count("error");
-  const warnings = count("warning");
   const said = () => {
     if (state === "lost") return t("line.lost");
     if (state === "joining") return t("line.joining");
     if (complaint) return complaint;
     if (progress) return t("status.solving", { ...progress });
     if (view?.locked) return t("status.locked");
-    return cancelled ? t("status.cancelled") : t("status.solved", { ms: shownTime(milliseconds) });
+    return cancelled ? t("status.cancelled") : t("status.solved", { ms: took });
   };
   return (
     <footer className="status">
@@ -43,6 +45,12 @@ export function Status() {
       {view && <span>{t("status.units", { units: view.units, tolerance: view.tolerance })}</span>}
     </footer>
   );
+}
+
+function count({ results }: Run, status: string): number {
+  let found = 0;
+  for (const result of results.values()) if (result.status === status) found += 1;
+  return found;
 }
 
 /** Milliseconds as people read them. Exported for tests. */

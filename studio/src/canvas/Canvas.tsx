@@ -10,7 +10,7 @@ import "./more.css";
 import "./colours.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
-import { useEffect, useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";
+import { useEffect, useRef, useState, type PointerEvent, type ReactNode } from "react";
 import { useStore } from "zustand";
 
 import "../actions/canvas";
@@ -32,6 +32,7 @@ import { hoverOver, hoverOut } from "./tips/hover";
 import { Capsule, Parameter, Relay } from "./nodes/Capsule";
 import { Control } from "./nodes/Control";
 import { Group, Scribble, Sketch } from "./nodes/Notes";
+import { ofObject } from "./nodes/ofObject";
 import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
@@ -43,14 +44,14 @@ import { ZoomBox } from "./ZoomBox";
 
 /** Names of our own: xyflow has types such as `group` with a look that nobody asked for. */
 const NODE_TYPES: NodeTypes = {
-  "k-component": Capsule,
-  "k-cluster": Capsule,
-  "k-parameter": Parameter,
-  "k-control": Control,
-  "k-group": Group,
-  "k-scribble": Scribble,
-  "k-sketch": Sketch,
-  "k-relay": Relay,
+  "k-component": ofObject(Capsule),
+  "k-cluster": ofObject(Capsule),
+  "k-parameter": ofObject(Parameter),
+  "k-control": ofObject(Control),
+  "k-group": ofObject(Group),
+  "k-scribble": ofObject(Scribble),
+  "k-sketch": ofObject(Sketch),
+  "k-relay": ofObject(Relay),
 };
 const EDGE_TYPES: EdgeTypes = { wire: Wire };
 const NO_NODES: CanvasNode[] = [];
@@ -165,9 +166,6 @@ function Flow() {
   useNoMeasuring();
   const flow = useReactFlow();
   const distance = useCanvas((canvas) => canvas.distance);
-  const objects = useStore(documentStore, (mirror) => mirror.objects);
-  const order = useStore(documentStore, (mirror) => mirror.order);
-  const outputs = useStore(documentStore, (mirror) => mirror.outputs);
   const full = useStore(uiStore, (ui) => ui.fullNames);
   const shifts = useCanvas((canvas) => canvas.shifts);
   const [nodeMaker] = useState(() => new NodeMaker());
@@ -176,14 +174,9 @@ function Flow() {
   const far = distance === "far";
   // Nothing is mounted before it is known how far away it is looked at: thousands of objects would all come and go.
   const mounted = seen && !far;
-  const nodes = useMemo(
-    () => (mounted ? nodeMaker.make(objects, order, shifts, full) : NO_NODES),
-    [mounted, nodeMaker, objects, order, shifts, full],
-  );
-  const edges = useMemo(
-    () => (mounted ? edgeMaker.make(objects, outputs) : NO_WIRES),
-    [mounted, edgeMaker, objects, outputs],
-  );
+  // Most changes of the document move nothing: then there is nothing to be done here.
+  const nodes = useStore(documentStore, ({ objects, order }) => (mounted ? nodeMaker.make(objects, order, shifts, full) : NO_NODES));
+  const edges = useStore(documentStore, ({ objects, outputs }) => (mounted ? edgeMaker.make(objects, outputs) : NO_WIRES));
 
   useEffect(() => {
     setFlow(flow);

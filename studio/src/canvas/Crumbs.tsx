@@ -1,25 +1,27 @@
-import { useEffect, useState } from "react";
+import { useEffect } from "react";
 import { useStore } from "zustand";
 
 import { t } from "../i18n";
-import { documentStore } from "../state/document";
+import { documentStore, type DocumentMirror } from "../state/document";
 import { enter } from "./edits";
 
 /** The names of clusters, kept when they are seen: from inside a cluster the session does not tell them. */
 const names = new Map<string, string>();
 
+function note({ objects }: DocumentMirror): void {
+  for (const object of objects.values()) {
+    if (object.kind === "cluster") names.set(object.id, object.nickname.trim() || object.name);
+  }
+}
+
 /** The way from the document into the cluster that is shown, and back. */
 export function Crumbs() {
   const within = useStore(documentStore, (mirror) => mirror.within);
-  const objects = useStore(documentStore, (mirror) => mirror.objects);
   const document = useStore(documentStore, (mirror) => mirror.document?.name ?? "");
-  const [, redraw] = useState(0);
   useEffect(() => {
-    for (const object of objects.values()) {
-      if (object.kind === "cluster") names.set(object.id, object.nickname.trim() || object.name);
-    }
-    redraw((count) => count + 1);
-  }, [objects]);
+    note(documentStore.getState());
+    return documentStore.subscribe((now, before) => now.objects !== before.objects && note(now));
+  }, []);
   if (within.length === 0) return null;
   return (
     <nav className="crumbs" aria-label={t("canvas.crumbs")}>

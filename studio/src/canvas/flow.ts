@@ -1,6 +1,7 @@
 /**
- * The document as the nodes and edges that xyflow mounts. They hold places and objects only: what the solver says is
- * read by each element for itself, so that a solve touches no node. Nodes of what has not changed stay the same values.
+ * The document as the nodes and edges that xyflow mounts. They hold places only: what an object is and what the solver
+ * says of it is read by each element for itself, so that neither a solve nor a slider touches a node. Nodes of what has
+ * not moved stay the same values, and so do the lists of them.
  */
 
 import { Position, type Edge, type Node, type NodeHandle } from "@xyflow/react";
@@ -12,7 +13,6 @@ import type { ObjectView } from "../core/protocol/ObjectView";
 import type { WireView } from "../core/protocol/WireView";
 
 export interface CanvasNodeData extends Record<string, unknown> {
-  object: ObjectView;
   /** Its size as it is drawn; wider than the document's when full names are shown. */
   size: readonly [number, number];
 }
@@ -41,8 +41,14 @@ const OBJECTS = 40;
 export class NodeMaker {
   #kept = new Map<string, Kept>();
   #depths: { objects: Objects; of: Map<string, number> } | undefined;
+  #made: CanvasNode[] = [];
+  #from: readonly unknown[] = [];
 
+  /** The same list as before where no node is another. */
   make(objects: Objects, order: readonly string[], shifts: Shifts, full: boolean): CanvasNode[] {
+    const from = [objects, order, shifts, full];
+    if (from.every((part, at) => part === this.#from[at])) return this.#made;
+    this.#from = from;
     if (this.#depths?.objects !== objects) this.#depths = { objects, of: depths(objects) };
     const depth = this.#depths.of;
     const kept = new Map<string, Kept>();
@@ -53,14 +59,24 @@ export class NodeMaker {
       const rect = frameOf(object, objects, shifts, full);
       const z = isGroup(object) ? Math.min(depth.get(id) ?? 0, WIRES - 1) : OBJECTS;
       const old = this.#kept.get(id);
-      const same = old?.object === object && old.z === z && old.rect.every((part, k) => part === rect[k]);
-      const one = same ? old : { object, rect, z, node: node(object, rect, z) };
+      const same = old?.z === z && old.rect.every((part, k) => part === rect[k]) && standsAlike(old.object, object);
+      const one = same ? { ...old, object } : { object, rect, z, node: node(object, rect, z) };
       kept.set(id, one);
       nodes.push(one.node);
     }
     this.#kept = kept;
-    return nodes;
+    const isSame = nodes.length === this.#made.length && nodes.every((each, at) => each === this.#made[at]);
+    if (!isSame) this.#made = nodes;
+    return this.#made;
   }
+}
+
+/** Whether two states of an object are the same node, where their rectangles are: of one kind, with the same grips. */
+function standsAlike(a: ObjectView, b: ObjectView): boolean {
+  if (a === b) return true;
+  const alike = (side: "inputs" | "outputs") =>
+    a[side].length === b[side].length && a[side].every(({ id, at }, k) => id === b[side][k]?.id && at === b[side][k]?.at);
+  return a.kind === b.kind && alike("inputs") && alike("outputs");
 }
 
 function node(object: ObjectView, rect: Rect, zIndex: number): CanvasNode {
@@ -87,7 +103,7 @@ function node(object: ObjectView, rect: Rect, zIndex: number): CanvasNode {
     measured: { width, height },
     handles,
     zIndex,
-    data: { object, size: [w, h] },
+    data: { size: [w, h] },
   };
 }
 
@@ -95,9 +111,12 @@ function node(object: ObjectView, rect: Rect, zIndex: number): CanvasNode {
 export class EdgeMaker {
   #kept = new Map<string, WireEdge>();
   #made: WireEdge[] = [];
+  #from: readonly unknown[] = [];
 
   /** The same list as before where no wire is another: the canvas looks through none of them then. */
   make(objects: Objects, outputs: Outputs): WireEdge[] {
+    if (this.#from[0] === objects && this.#from[1] === outputs) return this.#made;
+    this.#from = [objects, outputs];
     const kept = new Map<string, WireEdge>();
     for (const wire of wiresOf(objects, outputs)) {
       const id = `${wire.from}>${wire.to}`;

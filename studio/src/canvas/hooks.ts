@@ -22,6 +22,11 @@ export function useOutput(port: string): OutputView | undefined {
   return useStore(runStore, (run) => run.outputs.get(port));
 }
 
+/** How the data of an output is built: solves change it seldom. */
+export function useStructure(port: string): OutputView["structure"] | undefined {
+  return useStore(runStore, (run) => run.outputs.get(port)?.structure);
+}
+
 export function useObject(id: string | undefined): ObjectView | undefined {
   return useStore(documentStore, (mirror) => (id === undefined ? undefined : mirror.objects.get(id)));
 }

@@ -1,15 +1,25 @@
-/** Boxes along the axes, in double precision. */
+/**
+ * Boxes along the axes, in double precision. All that is shown passes here with each change: what is done for each part
+ * takes nothing apart, which would leave more behind than the geometry itself.
+ */
 
 import type { Bounds, Point3 } from "./preview";
 
 export function union(first: Bounds | null, second: Bounds | null): Bounds | null {
   if (!first || !second) return first ?? second;
-  const [[a, b, c], [d, e, f]] = first;
-  const [[g, h, i], [j, k, l]] = second;
+  const a = first[0];
+  const b = first[1];
+  const c = second[0];
+  const d = second[1];
   return [
-    [Math.min(a, g), Math.min(b, h), Math.min(c, i)],
-    [Math.max(d, j), Math.max(e, k), Math.max(f, l)],
+    [Math.min(a[0], c[0]), Math.min(a[1], c[1]), Math.min(a[2], c[2])],
+    [Math.max(b[0], d[0]), Math.max(b[1], d[1]), Math.max(b[2], d[2])],
   ];
+}
+
+/** The box as it is seen from an origin. */
+export function from([[a, b, c], [d, e, f]]: Bounds, [x, y, z]: Point3): Bounds {
+  return [[a - x, b - y, c - z], [d - x, e - y, f - z]];
 }
 
 export function centre([[a, b, c], [d, e, f]]: Bounds): Point3 {
@@ -32,16 +42,22 @@ export function cornersOf([[a, b, c], [d, e, f]]: Bounds): Point3[] {
 /** The box of positions that are offsets from an origin; null where there are none. */
 export function boundsOfPositions(positions: Float32Array, [x, y, z]: Point3): Bounds | null {
   if (positions.length < 3) return null;
-  const least = [Infinity, Infinity, Infinity];
-  const greatest = [-Infinity, -Infinity, -Infinity];
+  let a = Infinity;
+  let b = Infinity;
+  let c = Infinity;
+  let d = -Infinity;
+  let e = -Infinity;
+  let f = -Infinity;
   for (let at = 0; at + 2 < positions.length; at += 3) {
-    for (let axis = 0; axis < 3; axis++) {
-      const value = positions[at + axis] as number;
-      if (value < (least[axis] as number)) least[axis] = value;
-      if (value > (greatest[axis] as number)) greatest[axis] = value;
-    }
+    const u = positions[at] as number;
+    const v = positions[at + 1] as number;
+    const w = positions[at + 2] as number;
+    if (u < a) a = u;
+    if (u > d) d = u;
+    if (v < b) b = v;
+    if (v > e) e = v;
+    if (w < c) c = w;
+    if (w > f) f = w;
   }
-  const [a = 0, b = 0, c = 0] = least;
-  const [d = 0, e = 0, f = 0] = greatest;
   return [[a + x, b + y, c + z], [d + x, e + y, f + z]];
 }

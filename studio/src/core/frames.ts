@@ -21,9 +21,12 @@ export interface Framed {
   length: number;
 }
 
-/** The bytes of geometry alone, which may be kept while the rest of the frame is forgotten. */
-export function bytesOf({ frame, start, length }: Framed): ArrayBuffer {
-  return frame.slice(start, start + length);
+/** Frames up to so many bytes are kept whole as long as something in them is shown: hundreds of copies take longer. */
+const KEPT_WHOLE = 1e6;
+
+/** Where geometry is to be read: in its frame, or in a copy that lets a large one go. */
+export function placeOf({ frame, start, length }: Framed): [bytes: ArrayBuffer, start: number, length: number] {
+  return frame.byteLength <= KEPT_WHOLE ? [frame, start, length] : [frame.slice(start, start + length), 0, length];
 }
 
 export class FrameBuffer {

@@ -17,6 +17,7 @@ export const PREVIEW_VERSION = 1;
 const FIXED = 12;
 const ALIGNMENT = 8;
 const MOST_PARTS = 4096;
+const UTF8 = new TextDecoder("utf-8", { fatal: true });
 
 export type Point3 = readonly [number, number, number];
 export type Rgba = readonly [number, number, number, number];
@@ -61,18 +62,21 @@ function corners(kind: PartKind): number {
   return kind === "points" || kind === "controlPoints" || kind === "texts" ? 1 : 2;
 }
 
-/** Reads a preview, or throws a `PreviewError` that says what is wrong with it. */
-export function decodePreview(bytes: ArrayBuffer): Preview {
-  if (bytes.byteLength < FIXED) throw new PreviewError("shorter than its own beginning");
-  const view = new DataView(bytes);
+/**
+ * Reads a preview, which may be a part of the bytes that begins at a multiple of 8, or throws a `PreviewError` that says
+ * what is wrong with it.
+ */
+export function decodePreview(bytes: ArrayBuffer, at = 0, size = bytes.byteLength - at): Preview {
+  if (size < FIXED) throw new PreviewError("shorter than its own beginning");
+  const view = new DataView(bytes, at, size);
   if (view.getUint32(0, true) !== PREVIEW_MAGIC) throw new PreviewError("not a preview");
   const version = view.getUint16(4, true);
   if (version !== PREVIEW_VERSION) throw new PreviewError(`of version ${version}, not ${PREVIEW_VERSION}`);
   const length = view.getUint32(8, true);
   if (length > view.byteLength - FIXED) throw new PreviewError("shorter than its head says");
   const start = Math.ceil((FIXED + length) / ALIGNMENT) * ALIGNMENT;
-  const head = new Fields(readHead(new Uint8Array(bytes, FIXED, length)), "head");
-  const arrays = new Arrays(bytes, Math.min(start, bytes.byteLength));
+  const head = new Fields(readHead(new Uint8Array(bytes, at + FIXED, length)), "head");
+  const arrays = new Arrays(bytes, at + Math.min(start, size), at + size);
   return {
     object: head.text("object"),
     origin: head.point("origin"),
@@ -85,7 +89,7 @@ export function decodePreview(bytes: ArrayBuffer): Preview {
 
 function readHead(head: Uint8Array): unknown {
   try {
-    return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(head));
+    return JSON.parse(UTF8.decode(head));
   } catch {
     throw new PreviewError("its head is no JSON");
   }
@@ -180,13 +184,15 @@ type ArrayType = keyof typeof MAKERS;
 class Arrays {
   #bytes: ArrayBuffer;
   #start: number;
+  #end: number;
   /** The views made so far: parts that share positions get the same view, which is looked through once. */
   #views = new Map<string, AnyArray>();
   #finite = new Set<Float32Array>();
 
-  constructor(bytes: ArrayBuffer, start: number) {
+  constructor(bytes: ArrayBuffer, start: number, end: number) {
     this.#bytes = bytes;
     this.#start = start;
+    this.#end = end;
   }
 
   readOptional(part: Fields, name: string, types: readonly ArrayType[], count?: number): AnyArray | null {
@@ -205,7 +211,7 @@ class Arrays {
     const [offset, count] = [slice.whole("offset"), slice.whole("count")];
     const Maker = MAKERS[type];
     if (offset % ALIGNMENT !== 0) throw new PreviewError(`${name} of ${part.name} is not aligned`);
-    if (this.#start + offset + count * Maker.BYTES_PER_ELEMENT > this.#bytes.byteLength) {
+    if (this.#start + offset + count * Maker.BYTES_PER_ELEMENT > this.#end) {
       throw new PreviewError(`${name} of ${part.name} goes beyond the end`);
     }
     const key = `${type} ${offset} ${count}`;

@@ -45,7 +45,7 @@ export async function ask(what: Ask): Promise<Answer> {
   if (!connection) throw new Refusal("No document is open");
   try {
     const answer = await connection.ask(what);
-    lineStore.setState({ complaint: undefined });
+    if (lineStore.getState().complaint !== undefined) lineStore.setState({ complaint: undefined });
     return answer;
   } catch (error) {
     if (error instanceof Refusal) lineStore.setState({ complaint: error.message });

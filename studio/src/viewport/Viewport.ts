@@ -8,10 +8,12 @@ import { rectangle } from "../core/screen";
 import { placeOf } from "../core/section";
 import { FalseColours } from "./analysis";
 import { isSoftware } from "./graphics";
-import { Panes, type PlacedPane } from "./panes";
+import { Panes, placeOf as placeOfPanes, type PlacedPane } from "./panes";
+import { Backdrop } from "./scene/backdrop";
+import type { Budget } from "./scene/drawable";
 import { lookOf, toolLook, type ObjectState } from "./scene/looks";
 import { Model } from "./scene/model";
-import { Painter } from "./scene/painter";
+import { Painter, type Layer } from "./scene/painter";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
 import { readTheme, type Theme } from "./theme";
 import { isTool } from "./tools/beside";
@@ -27,6 +29,9 @@ export interface Options {
   pixelRatio?: number;
 }
 
+/** What a graphics card draws in one go, and what software does. */
+const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true };
+const SOFTWARE: Budget = { wide: 4_000, points: 4_000, areInstances: false };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
 const REST = 350;
@@ -41,6 +46,8 @@ export class Viewport {
   #renderer: WebGLRenderer;
   #host: HTMLElement;
   #painter: Painter;
+  /** Where the card is software, what stands behind the picture. */
+  #backdrop: Backdrop | undefined;
   #texts: TextLayer;
   #theme: Theme;
   #picker: Picker;
@@ -53,6 +60,10 @@ export class Viewport {
   #request = 0;
   #rest: ReturnType<typeof setTimeout> | undefined;
   #isFine = false;
+  /** Whether the last picture left something for one that is drawn when all rests. */
+  #isRough = false;
+  /** Whether a picture was drawn before the frame that it belongs to. */
+  #isHastened = false;
   #isLost = false;
   #areLooksStale = true;
   #areColoursStale = true;
@@ -69,12 +80,14 @@ export class Viewport {
     host.prepend(this.canvas);
     this.isSoftware = isSoftware();
     const antialias = options.antialias ?? !this.isSoftware;
-    this.#renderer = new WebGLRenderer({ canvas: this.canvas, antialias, powerPreference: "high-performance" });
+    const about = { canvas: this.canvas, antialias, alpha: this.isSoftware, powerPreference: "high-performance" } as const;
+    this.#renderer = new WebGLRenderer(about);
+    if (this.isSoftware) this.#backdrop = new Backdrop(this.canvas);
     this.#renderer.outputColorSpace = SRGBColorSpace;
     this.#renderer.autoClear = false;
     this.#renderer.sortObjects = true;
     this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
-    this.model = new Model({ wide: this.isSoftware ? 4_000 : 300_000, areInstances: !this.isSoftware }, () => this.#renderer.getPixelRatio());
+    this.model = new Model(this.isSoftware ? SOFTWARE : CARD, () => this.#renderer.getPixelRatio());
     this.#painter = new Painter(this.#renderer, this.model);
     this.panes = new Panes(() => this.invalidate());
     this.#picker = new Picker(this.model);
@@ -86,11 +99,13 @@ export class Viewport {
   put(object: string, preview: Preview): void {
     this.model.put(object, preview);
     this.#refresh();
+    this.#hasten();
   }
 
   drop(object: string): void {
     this.model.drop(object);
     this.#refresh();
+    this.#hasten();
   }
 
   clear(): void {
@@ -114,6 +129,7 @@ export class Viewport {
   /** Takes up other colours of the page. */
   retheme(): void {
     this.#theme = readTheme(this.#host);
+    this.#backdrop?.forget();
     this.#areLooksStale = true;
     this.invalidate();
   }
@@ -176,15 +192,20 @@ export class Viewport {
 
   /** Draws at once. */
   draw(isFine = true): void {
+    this.#draw(isFine, false);
+  }
+
+  /** Draws all of the picture on the canvas, for who takes it from there. */
+  #draw(isFine: boolean, isWhole: boolean): void {
     cancelAnimationFrame(this.#request);
     this.#request = 0;
     this.#isFine = isFine;
-    this.#frame();
+    this.#frame(isWhole);
   }
 
   /** The picture with its texts, as PNG. */
   async picture(): Promise<Blob | null> {
-    this.draw();
+    this.#draw(true, true);
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
@@ -198,7 +219,12 @@ export class Viewport {
 
   /** The colour of a pixel of the canvas as it would be drawn now. */
   pixel(x: number, y: number, isFine = true): Rgba {
-    this.draw(isFine);
+    this.#draw(isFine, true);
+    return this.read(x, y);
+  }
+
+  /** What is in a pixel just after drawing: nothing of what stands behind the canvas. Waits for the graphics card. */
+  read(x: number, y: number): Rgba {
     const gl = this.#renderer.getContext();
     const ratio = this.#renderer.getPixelRatio();
     const bytes = new Uint8Array(4);
@@ -213,6 +239,8 @@ export class Viewport {
   }
 
   dispose(): void {
+    // Nothing that is still to be drawn is drawn any more.
+    this.#isLost = true;
     for (const stop of this.#stop) stop();
     cancelAnimationFrame(this.#request);
     clearTimeout(this.#rest);
@@ -223,6 +251,7 @@ export class Viewport {
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
     this.canvas.remove();
+    this.#backdrop?.element.remove();
   }
 
   #watch(options: Options): void {
@@ -288,12 +317,32 @@ export class Viewport {
     if (this.#request === 0) this.#request = requestAnimationFrame((now) => this.#tick(now));
   }
 
+  /**
+   * Draws geometry as soon as all that came together is here, not when the page's next frame begins: the card then draws
+   * while the page waits for that. What comes until then is drawn in it, as everything else.
+   */
+  #hasten(): void {
+    if (this.#isHastened || this.panes.isFlying()) return;
+    this.#isHastened = true;
+    queueMicrotask(() => {
+      cancelAnimationFrame(this.#request);
+      this.#request = 0;
+      this.#show();
+      this.#renderer.getContext().flush();
+      requestAnimationFrame(() => (this.#isHastened = false));
+    });
+  }
+
   #tick(now: number): void {
     this.#request = 0;
     if (this.panes.advance(now)) this.#schedule();
-    this.#frame();
+    this.#show();
+  }
+
+  #show(): void {
+    this.#frame(false);
     clearTimeout(this.#rest);
-    if (!this.#isFine && this.#isHeavy()) this.#rest = setTimeout(() => this.draw(), REST);
+    if (!this.#isFine && this.#isRough) this.#rest = setTimeout(() => this.draw(), REST);
   }
 
   #isHeavy(): boolean {
@@ -338,16 +387,34 @@ export class Viewport {
     viewportStore.setState({ legend: this.#falseColours.colour(this.model, this.#settings.analysis) });
   }
 
-  #frame(): void {
+  #frame(isWhole: boolean): void {
     if (this.#isLost) return;
     this.#settle();
     const range = this.#settings.range ?? viewportStore.getState().legend?.range;
     const isQuick = !this.#isFine && this.#isHeavy();
     this.#painter.prepare(this.#settings, this.#theme, range, isQuick);
     const placed = this.panes.placed();
-    for (const pane of placed) this.#painter.paint(pane, this.#view(pane).camera, this.panes.height);
+    const layer = isWhole ? "all" : this.#layer(placed);
+    const isGroundMisplaced = layer === "model" && this.#painter.isGroundBetween();
+    this.#isRough = isQuick || isGroundMisplaced || (layer === "all" && this.#backdrop !== undefined);
+    this.#paint(placed, layer);
     this.frames++;
     this.#overlay(placed);
+  }
+
+  #paint(placed: readonly PlacedPane[], layer: Layer): void {
+    for (const pane of placed) this.#painter.paint(pane, this.#view(pane).camera, this.panes.height, layer);
+  }
+
+  /** What must be drawn of a picture: the model alone where the backdrop has the rest, or can have it from now on. */
+  #layer(placed: readonly PlacedPane[]): Layer {
+    if (!this.#backdrop || (this.#isFine && this.#painter.isGroundBetween())) return "all";
+    const place = [placeOfPanes(placed), this.#painter.groundLook(), this.canvas.width, this.canvas.height].join();
+    if (this.#backdrop.serves(place)) return "model";
+    if (!this.#backdrop.rests(place)) return "all";
+    this.#paint(placed, "ground");
+    this.#backdrop.take(this.canvas, place);
+    return "model";
   }
 
   #view({ pane, width, height }: PlacedPane): PickView {
@@ -372,9 +439,11 @@ export class Viewport {
 
   #overlay(placed: readonly PlacedPane[]): void {
     const views = placed.map((pane) => ({ ...pane, ...this.#view(pane) }));
-    const shown = this.#texts.show(this.model, views);
-    const { pointed } = viewportStore.getState();
-    viewportStore.setState({ view: this.panes.viewName(), projection: this.panes.projection(), texts: shown, pointed });
+    const now = { view: this.panes.viewName(), projection: this.panes.projection(), texts: this.#texts.show(this.model, views) };
+    const { view, projection, texts } = viewportStore.getState();
+    // Whoever reads this is not called for pictures that only show other geometry.
+    const isSame = now.view === view && now.projection === projection && now.texts.all === texts.all && now.texts.shown === texts.shown;
+    if (!isSame) viewportStore.setState(now);
     this.afterDraw(placed);
   }
 }

@@ -3,7 +3,7 @@
  * others are fetched by their hash; what is newer stops what is older, and what is already here is not fetched.
  */
 
-import { bytesOf, type Framed, type Frames } from "../core/frames";
+import { placeOf, type Framed, type Frames } from "../core/frames";
 import { decodePreview, type Preview } from "../core/preview";
 import type { GeometrySink } from "../state/preview";
 
@@ -98,7 +98,7 @@ export class GeometryStore implements GeometrySink {
     entry.wanted = undefined;
     if (entry.shown === hash) return;
     entry.wanted = hash;
-    if (framed) this.#take(object, entry, hash, () => decodePreview(bytesOf(framed)));
+    if (framed) this.#take(object, entry, hash, () => decodePreview(...placeOf(framed)));
     else void this.#get(object, entry, hash);
   }
 

@@ -144,6 +144,10 @@ export class Panes {
     return this.#flights.size > 0;
   }
 
+  isFlying(): boolean {
+    return this.#flights.size > 0;
+  }
+
   viewName(): ViewName | undefined {
     const pose = this.#target(this.#active);
     return viewOf(pose) ?? (pose.projection === "perspective" ? "perspective" : undefined);
@@ -157,6 +161,11 @@ export class Panes {
   #target(pane: Pane): Pose {
     return this.#flights.get(pane)?.to ?? pane.rig.pose;
   }
+}
+
+/** From where panes are looked at, as text: it is the same as long as nothing moves. */
+export function placeOf(panes: readonly PlacedPane[]): string {
+  return JSON.stringify(panes.map(({ pane, left, top, width, height }) => [pane.title, left, top, width, height, pane.rig.pose]));
 }
 
 function between(from: Pose, to: Pose, along: number): Pose {

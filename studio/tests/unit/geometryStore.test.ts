@@ -64,12 +64,18 @@ describe("the geometry of objects", () => {
     expect(asked.map((each) => each.hash)).toEqual([hash("3")]);
   });
 
-  it("keeps none of the frame but its own bytes", () => {
+  it("stays in a small frame without a copy, and keeps none of a large one but its own bytes", () => {
     let buffer: ArrayBufferLike | undefined;
     store.listen({ ...listener, put: (_object, preview) => (buffer = preview.parts[0]?.positions.buffer) });
-    const frames = framesOf(["1", "a", 1]);
-    store.changed([["a", hash("1")]], frames);
-    expect(buffer?.byteLength).toBe(frames.get(hash("1"))?.length);
+    const small = framesOf(["1", "a", 1]);
+    store.changed([["a", hash("1")]], small);
+    expect(buffer).toBe(small.get(hash("1"))?.frame);
+    const bytes = bytesOf("a", 2);
+    const frame = new ArrayBuffer(2e6);
+    new Uint8Array(frame).set(new Uint8Array(bytes), 1e6);
+    store.changed([["a", hash("2")]], new Map([[hash("2"), { frame, start: 1e6, length: bytes.byteLength }]]));
+    expect(buffer?.byteLength).toBe(bytes.byteLength);
+    expect(log).toEqual(["put a 1", "put a 2"]);
   });
 
   it("is fetched by a few at a time, each in its turn, and not at all when it is not wanted any more", async () => {

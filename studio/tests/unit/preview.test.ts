@@ -47,6 +47,11 @@ describe("a preview", () => {
 
   it("may have empty arrays and no parts", () => {
     expect(decodePreview(writePreview({ object: OBJECT, parts: [] })).parts).toEqual([]);
+    const points = writePreview({ object: OBJECT, parts: [{ kind: "points", positions: [1, 2, 3] }] });
+    const within = new Uint8Array(points.byteLength + 64);
+    within.set(new Uint8Array(points), 16);
+    expect([...(decodePreview(within.buffer, 16, points.byteLength).parts[0]?.positions ?? [])]).toEqual([1, 2, 3]);
+    expect(() => decodePreview(within.buffer, 16, points.byteLength - 8), "what comes after is not its own").toThrow(PreviewError);
     const empty = decodePreview(writePreview({ object: OBJECT, parts: [{ kind: "curves", positions: [] }] }));
     expect(empty.parts[0]?.positions.length).toBe(0);
   });

@@ -20,7 +20,7 @@ const part = (change: Partial<PreviewPart>): PreviewPart => ({
   kind: "curves", colour: null, width: 0, positions: new Float32Array(), normals: null, colours: null, values: null,
   mean: null, indices: null, texts: [], textHeight: 0, pieces: [], ...change,
 });
-const member = (slot: number, origin: Point3, change: Partial<PreviewPart>): Member => ({ part: part(change), origin, slot, values: null });
+const member = (slot: number, origin: Point3, change: Partial<PreviewPart>): Member => ({ part: part(change), origin, bounds: null, slot, values: null });
 
 describe("a batch", () => {
   it("puts parts of several origins together, and knows whose each position is", () => {

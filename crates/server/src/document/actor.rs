@@ -52,6 +52,8 @@ pub(super) struct Actor {
     progress: Progress,
     /// How the last solve ended.
     end: Option<End>,
+    /// The same, while faces have yet to hear of it.
+    ending: Option<End>,
     /// What waits for the results.
     inquiries: Vec<Inquiry>,
 }
@@ -96,6 +98,7 @@ impl Actor {
             gathering: None,
             progress: Progress::default(),
             end: None,
+            ending: None,
             inquiries: Vec::new(),
         };
         actor.want(Work::Solve);
@@ -131,7 +134,7 @@ impl Actor {
 
     fn tick(&mut self) {
         if self.gathering.is_some_and(|since| since.elapsed() >= GATHER) {
-            self.publish_results(None);
+            self.publish_results();
         }
         self.solving.tick();
         if let Some(trouble) = self.keeper.tick(&mut self.editor) {
@@ -231,7 +234,10 @@ impl Actor {
                 }
             }
             News::Ended(ended) => self.ended(ended),
-            News::Drawn(solution, is_draft, previews) => self.publish_previews(solution, is_draft, previews),
+            News::Drawn(solution, is_draft, previews) => {
+                self.publish_previews(solution, is_draft, previews);
+                self.publish_end();
+            }
             News::Found(solution, face, Finding::Analysed(found)) => {
                 self.publish_analysis(solution, face, found);
             }
@@ -241,6 +247,7 @@ impl Actor {
                 }
             }
             News::Idle => {
+                self.publish_end();
                 self.solving.idle(&self.jobs);
                 if self.solving.is_idle() {
                     self.inquiries.drain(..).for_each(|inquiry| drop(self.jobs.send(Job::With(inquiry))));
@@ -257,9 +264,17 @@ impl Actor {
             self.progress.is_running = false;
             self.solving.ended(&ended);
             let cancelled = ended.cancelled || ended.unfinished > 0;
-            let end = End { cancelled, took: ended.took };
-            self.end = Some(end);
-            self.publish_results(Some(end));
+            self.end = Some(End { cancelled, took: ended.took });
+            self.ending = self.end;
+            // Who drags looks at the geometry: it comes first, unless it takes long to draw.
+            self.gathering = Some(Instant::now());
+        }
+    }
+
+    /// Tells faces how a solve ended, if they have not heard of it.
+    fn publish_end(&mut self) {
+        if self.ending.is_some() {
+            self.publish_results();
         }
     }
 
@@ -274,9 +289,10 @@ impl Actor {
         Style { units: rules.units, tolerance: rules.tolerance }
     }
 
-    /// Tells faces the results that are new; `end` with the last of a solve.
-    fn publish_results(&mut self, end: Option<End>) {
+    /// Tells faces the results that are new, and how the solve ended when it has.
+    fn publish_results(&mut self) {
         self.gathering = None;
+        let end = self.ending.take();
         let fresh = std::mem::take(&mut self.fresh);
         let (solution, style) = (self.progress.solution, self.style());
         let view = |(object, report): &(Object, ObjectReport)| result_view(object, report, &style);

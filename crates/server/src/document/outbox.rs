@@ -234,6 +234,13 @@ impl Waiting {
         if let Some(event) = self.progress.take() {
             parcel.say(&event);
         }
+        // What a picture is made of comes before what is said about it.
+        if !self.previews.by_object.is_empty() {
+            let previews = std::mem::take(&mut self.previews);
+            parcel.frames(&previews);
+            let objects = previews.names();
+            parcel.say(&Event::Preview { solution: previews.solution, draft: previews.is_draft, objects });
+        }
         let mut results = std::mem::take(&mut self.results);
         if !results.order.is_empty() || results.end.is_some() {
             let order = std::mem::take(&mut results.order);
@@ -245,12 +252,6 @@ impl Waiting {
                 cancelled: results.end.is_some_and(|end| end.cancelled),
                 milliseconds: results.end.map_or(0.0, |end| end.took.as_secs_f64() * 1e3),
             });
-        }
-        if !self.previews.by_object.is_empty() {
-            let previews = std::mem::take(&mut self.previews);
-            parcel.frames(&previews);
-            let objects = previews.names();
-            parcel.say(&Event::Preview { solution: previews.solution, draft: previews.is_draft, objects });
         }
         if let Some(About { comb, left_out }) = self.about.take() {
             let analyses = std::mem::take(&mut self.analyses);

@@ -1,4 +1,3 @@
-import type { NodeProps } from "@xyflow/react";
 import { memo } from "react";
 
 import { capsuleLayout, portSize, tornPath } from "../../core/capsule";
@@ -8,19 +7,18 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import { t } from "../../i18n";
 import { addPort, removePort, reshape } from "../edits";
-import type { CanvasNode } from "../flow";
 import { Glyph } from "../glyphs";
 import { useCanvas, useFullNames, useNear } from "../hooks";
 import { isViewer } from "../open";
 import { Frame } from "./Frame";
+import type { Shown } from "./ofObject";
 import { LinesFace, ViewerFace } from "./ShowFaces";
 
 /** How high the picture of a component is at most. */
 const GLYPH = 34;
 
 /** A component or cluster: names of inputs on the left, the band with its name, names of outputs on the right. */
-export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Capsule({ object, size }: Shown) {
   const [width, height] = size;
   const full = useFullNames();
   const layout = capsuleLayout(object, width, full);
@@ -44,7 +42,7 @@ export const Capsule = memo(function Capsule({ data }: NodeProps<CanvasNode>) {
       <Origin object={object} />
     </Frame>
   );
-});
+}
 
 /** What a capsule is called, or its picture where those are on. */
 function Name({ object, name, room: [width, height] }: { object: ObjectView; name: string; room: readonly [number, number] }) {
@@ -178,8 +176,7 @@ function lines(object: ObjectView, told: readonly string[]) {
 }
 
 /** A floating parameter: a small capsule that is its own port. */
-export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Parameter({ object, size }: Shown) {
   const full = useFullNames();
   const own = object.inputs[0] ?? object.outputs[0];
   const name = (full ? object.name : object.nickname.trim()) || object.name;
@@ -202,7 +199,7 @@ export const Parameter = memo(function Parameter({ data }: NodeProps<CanvasNode>
       <Origin object={object} />
     </Frame>
   );
-});
+}
 
 /** Whether a Data Recorder records: a press turns it. */
 function RecordMark({ object, recorder }: { object: ObjectView; recorder: Extract<Control, { is: "recorder" }> }) {
@@ -223,11 +220,10 @@ function RecordMark({ object, recorder }: { object: ObjectView; recorder: Extrac
 }
 
 /** A dot on a wire. */
-export const Relay = memo(function Relay({ data }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Relay({ object, size }: Shown) {
   return (
     <Frame object={object} kind="relay" style={{ width: size[0], height: size[1] }}>
       <span className="dot" />
     </Frame>
   );
-});
+}

@@ -1,11 +1,10 @@
-import type { NodeProps } from "@xyflow/react";
-import { memo, type ReactNode } from "react";
+import type { ReactNode } from "react";
 
 import type { ObjectView } from "../../core/protocol/ObjectView";
-import type { CanvasNode } from "../flow";
 import { ButtonFace, SwatchFace, ToggleFace } from "./SmallFaces";
 import { DigitsFace, GenesFace, KnobFace, MdSliderFace } from "./NumberFaces";
 import { Frame } from "./Frame";
+import type { Shown } from "./ofObject";
 import { GradientFace } from "./GradientFace";
 import { GraphFace } from "./GraphFace";
 import { PanelNode } from "./PanelNode";
@@ -15,8 +14,8 @@ import { ImageFace } from "./ShowFaces";
 import { Capsule, Parameter } from "./Capsule";
 
 /** An object that its user sets, or that shows something: its control says which. */
-export const Control = memo(function Control(props: NodeProps<CanvasNode>) {
-  const { object, size } = props.data;
+export function Control(props: Shown) {
+  const { object, size } = props;
   const { control } = object;
   if (control?.is === "panel") return <PanelNode object={object} panel={control} size={size} />;
   const inner = face(object, size);
@@ -29,7 +28,7 @@ export const Control = memo(function Control(props: NodeProps<CanvasNode>) {
       {inner}
     </Frame>
   );
-});
+}
 
 function face(object: ObjectView, [width, height]: readonly [number, number]): ReactNode | undefined {
   const { control } = object;

@@ -1,5 +1,4 @@
-import type { NodeProps } from "@xyflow/react";
-import { memo, useEffect, useRef } from "react";
+import { useEffect, useRef } from "react";
 
 import { css, inkOn, luminance } from "../../core/colours";
 import { blobPath, groupFrame, members } from "../../core/groups";
@@ -9,14 +8,13 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
 import { reshape } from "../edits";
-import type { CanvasNode } from "../flow";
 import { useCanvas, useFocus, useFound, useFullNames, useSelected } from "../hooks";
 import { closeBoxes } from "../open";
 import { canvasStore } from "../store";
+import type { Shown } from "./ofObject";
 
 /** A frame behind objects, with its label. */
-export const Group = memo(function Group({ data, positionAbsoluteX, positionAbsoluteY }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Group({ object, size, at }: Shown) {
   const selected = useSelected(object.id);
   const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
@@ -25,7 +23,7 @@ export const Group = memo(function Group({ data, positionAbsoluteX, positionAbso
   const { control } = object;
   if (control?.is !== "group") return null;
   const label = control.label.trim();
-  const blob = control.border === "blob" ? blobOf(object, full, [positionAbsoluteX, positionAbsoluteY]) : "";
+  const blob = control.border === "blob" ? blobOf(object, full, at) : "";
   const strong = luminance(control.colour) * (control.colour[3] / 255) < 0.12 && control.colour[3] > 140;
   return (
     <div
@@ -46,7 +44,7 @@ export const Group = memo(function Group({ data, positionAbsoluteX, positionAbso
       {label === "" ? null : <span className="label">{label}</span>}
     </div>
   );
-});
+}
 
 /** The blob about the members where they stand; it is drawn from the node's corner. */
 function blobOf(object: ObjectView, full: boolean, origin: readonly [number, number]): string {
@@ -62,8 +60,7 @@ function blobOf(object: ObjectView, full: boolean, origin: readonly [number, num
 type ScribbleControl = Extract<Control, { is: "scribble" }>;
 
 /** A free text, maybe turned. */
-export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positionAbsoluteY }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Scribble({ object, size, at }: Shown) {
   const selected = useSelected(object.id);
   const found = useFound(object.id);
   const active = useCanvas((canvas) => canvas.active === object.id);
@@ -81,7 +78,7 @@ export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positi
     fontStyle: control.italic ? "italic" : "normal",
   };
   const place = turned
-    ? { left: a[0] - positionAbsoluteX, top: a[1] - positionAbsoluteY, transform: `rotate(${angle}rad)` }
+    ? { left: a[0] - at[0], top: a[1] - at[1], transform: `rotate(${angle}rad)` }
     : {};
   return (
     <div
@@ -94,7 +91,7 @@ export const Scribble = memo(function Scribble({ data, positionAbsoluteX, positi
       {writing ? <Writing object={object} scribble={control} /> : <span style={place}>{control.text}</span>}
     </div>
   );
-});
+}
 
 function Writing({ object, scribble }: { object: ObjectView; scribble: ScribbleControl }) {
   const field = useRef<HTMLTextAreaElement>(null);
@@ -129,8 +126,7 @@ function Writing({ object, scribble }: { object: ObjectView; scribble: ScribbleC
 }
 
 /** Drawn lines. Their points are on the canvas, so they are moved to the node's corner. */
-export const Sketch = memo(function Sketch({ data }: NodeProps<CanvasNode>) {
-  const { object, size } = data;
+export function Sketch({ object, size }: Shown) {
   const selected = useSelected(object.id);
   const found = useFound(object.id);
   const { control } = object;
@@ -156,4 +152,4 @@ export const Sketch = memo(function Sketch({ data }: NodeProps<CanvasNode>) {
       </svg>
     </div>
   );
-});
+}

@@ -5,12 +5,12 @@ import { useStore } from "zustand";
 import { DASHES, wirelessPath, wireLook, wirePath, type WireLook } from "../../core/wires";
 import { uiStore } from "../../state/ui";
 import type { WireEdge } from "../flow";
-import { useCanvas, useOutput } from "../hooks";
+import { useCanvas, useStructure } from "../hooks";
 
 /** A wire: its lines tell the structure of the data on it. */
 export const Wire = memo(function Wire(props: EdgeProps<WireEdge>) {
   const { source, target, sourceX, sourceY, targetX, targetY, data } = props;
-  const structure = useOutput(data?.from ?? "")?.structure;
+  const structure = useStructure(data?.from ?? "");
   const atSource = useStore(uiStore, (ui) => ui.selection.has(source));
   const atTarget = useStore(uiStore, (ui) => ui.selection.has(target));
   const hot = useCanvas((canvas) => canvas.hotWire?.from === data?.from && canvas.hotWire?.to === data?.to);

@@ -2,7 +2,7 @@
 
 import { t, type Key } from "../../i18n";
 import { ViewCube } from "../overlay/cube";
-import type { PlacedPane } from "../panes";
+import { placeOf, type PlacedPane } from "../panes";
 import type { Pane, ViewName } from "../views";
 
 export interface FrameActions {
@@ -22,6 +22,8 @@ export class PaneFrames {
   #parent: HTMLElement;
   #actions: FrameActions;
   #frames = new Map<Pane, Frame>();
+  /** How it all stands: most pictures show other geometry only, and writing to elements costs the page a layout. */
+  #place = "";
 
   constructor(parent: HTMLElement, actions: FrameActions) {
     this.#parent = parent;
@@ -29,6 +31,9 @@ export class PaneFrames {
   }
 
   place(placed: readonly PlacedPane[], active: Pane): void {
+    const place = `${active.title} ${placeOf(placed)}`;
+    if (place === this.#place) return;
+    this.#place = place;
     const isFour = placed.length > 1;
     for (const [pane, { element }] of this.#frames) {
       if (!placed.some((each) => each.pane === pane)) {

@@ -1,9 +1,9 @@
 /** Small parts of one kind and look as one drawing, made anew when one of them changes. */
 
 import { centre } from "../../core/bounds";
-import type { Bounds, Point3, PreviewPart } from "../../core/preview";
+import type { Point3, PreviewPart } from "../../core/preview";
 import type { Drawable } from "./drawable";
-import { merge, type Member, type Merged } from "./merge";
+import { boundsOf, merge, type Member, type Merged } from "./merge";
 
 /** Parts of more positions than this are drawn alone. */
 export const ALONE = 20_000;
@@ -48,8 +48,9 @@ export class Batch {
   }
 
   /** Makes the drawing anew; gives the old one, to be disposed of. */
-  remake(make: (merged: Merged) => Drawable, bounds: Bounds | null): Drawable | undefined {
+  remake(make: (merged: Merged) => Drawable): Drawable | undefined {
     const old = this.drawable;
+    const bounds = boundsOf(this.members);
     const origin: Point3 = bounds ? centre(bounds) : ([...this.members][0]?.origin ?? [0, 0, 0]);
     this.drawable = this.members.size > 0 ? make(merge([...this.members], origin)) : undefined;
     this.#isStale = false;

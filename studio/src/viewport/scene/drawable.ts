@@ -6,7 +6,7 @@ import {
   type RawShaderMaterial,
 } from "three";
 
-import { boundsOfPositions, centre, radius } from "../../core/bounds";
+import { centre, radius } from "../../core/bounds";
 import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import { SHAPE } from "../shaders/point";
@@ -40,6 +40,9 @@ export interface Drawable {
   objects: Object3D[];
   /** Those that are only seen through surfaces. */
   behind: Object3D[];
+  /** Those of fine pictures alone, and those that stand for them in quick ones. */
+  fine: Object3D[];
+  few: Object3D[];
   /** The pair that draws a surface that shines through: its depth, and its colour. */
   surface: { solid: Mesh; depth: Mesh; colour: Mesh } | undefined;
   /** The middle, offset from the origin, by which surfaces are sorted. */
@@ -52,19 +55,21 @@ export interface Drawable {
   dispose(): void;
 }
 
-/** How wide lines may be drawn: cards that are software draw wide lines slowly. */
-export interface LineBudget {
+/** How much is drawn in one go: cards that are software draw wide lines slowly, and points one by one. */
+export interface Budget {
   wide: number;
+  /** So many points in a quick picture. */
+  points: number;
   /** Whether the card draws one thing many times in one go. */
   areInstances: boolean;
 }
 
-export function makeDrawable(merged: Merged, materials: Materials, budget: LineBudget, pixels: () => number): Drawable {
+export function makeDrawable(merged: Merged, materials: Materials, budget: Budget, pixels: () => number): Drawable {
   const { kind } = merged;
-  const size = boundsOfPositions(merged.positions, [0, 0, 0]);
+  const size = merged.bounds;
   const sphere = size ? new Sphere(new Vector3(...centre(size)), radius(size)) : new Sphere();
   const geometries: BufferGeometry[] = [];
-  const own = <G extends BufferGeometry>(geometry: G): G => {
+  const own: Owner = (geometry) => {
     geometry.boundingSphere = sphere;
     geometries.push(geometry);
     return geometry;
@@ -79,17 +84,21 @@ export function makeDrawable(merged: Merged, materials: Materials, budget: LineB
     points: kind === "points" || kind === "controlPoints" ? used : 0,
     surface: undefined,
     behind: [],
+    fine: [],
+    few: [],
     setValues() {},
     dispose: () => geometries.forEach((geometry) => geometry.dispose()),
   };
   if (kind === "mesh") return { ...base, ...surfaceOf(merged, own(new BufferGeometry()), materials) };
   if (kind === "points" || kind === "controlPoints") {
-    return { ...base, ...twice([pointsOf(merged, own(new BufferGeometry()), materials, pixels)]) };
+    return { ...base, ...pointsWithin(budget.points, merged, own, materials, pixels) };
   }
   const lines = linesOf(merged, own, materials, budget, pixels);
   return { ...base, ...twice(lines), segments: used / 2 };
 }
 
+/** Takes a geometry to be disposed of with the rest. */
+type Owner = <G extends BufferGeometry>(geometry: G) => G;
 type Drawn = Mesh | Points | LineSegments;
 
 /** Each in front of surfaces, and behind them. */
@@ -141,6 +150,22 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
   return { objects: [...Object.values(surface), shadow], surface, setValues };
 }
 
+/** Points; where there are more than quick pictures may have, also evenly chosen ones for those. */
+function pointsWithin(most: number, merged: Merged, own: Owner, materials: Materials, pixels: () => number) {
+  const all = twice([pointsOf(merged, own(new BufferGeometry()), materials, pixels)]);
+  const count = merged.indices?.length ?? merged.positions.length / 3;
+  if (count <= most) return all;
+  const step = count / most;
+  const chosen = Uint32Array.from({ length: most }, (_, k) => merged.indices?.[Math.floor(k * step)] ?? Math.floor(k * step));
+  const few = twice([pointsOf({ ...merged, indices: chosen }, own(new BufferGeometry()), materials, pixels)]);
+  return {
+    objects: [...all.objects, ...few.objects],
+    behind: [...all.behind, ...few.behind],
+    fine: all.objects,
+    few: few.objects,
+  };
+}
+
 function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials, pixels: () => number): Points {
   geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
@@ -161,9 +186,9 @@ function pointsOf(merged: Merged, geometry: BufferGeometry, materials: Materials
 
 function linesOf(
   merged: Merged,
-  own: <G extends BufferGeometry>(geometry: G) => G,
+  own: Owner,
   materials: Materials,
-  budget: LineBudget,
+  budget: Budget,
   pixels: () => number,
 ): Drawn[] {
   const used = merged.indices?.length ?? merged.positions.length / 3;
@@ -173,7 +198,7 @@ function linesOf(
   return objects;
 }
 
-function thinLines(merged: Merged, own: <G extends BufferGeometry>(geometry: G) => G, materials: Materials): Drawn {
+function thinLines(merged: Merged, own: Owner, materials: Materials): Drawn {
   const geometry = own(new BufferGeometry());
   geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
@@ -192,9 +217,9 @@ const SIDES = [0, 1, 2, 0, 2, 3];
 
 function wideLines(
   merged: Merged,
-  own: <G extends BufferGeometry>(geometry: G) => G,
+  own: Owner,
   materials: Materials,
-  { areInstances }: LineBudget,
+  { areInstances }: Budget,
   width: number,
   pixels: () => number,
 ): Drawn {
@@ -247,7 +272,7 @@ function rectangles(segments: Float32Array, slots: Uint16Array | undefined): Buf
 
 function heads(
   merged: Merged,
-  own: <G extends BufferGeometry>(geometry: G) => G,
+  own: Owner,
   materials: Materials,
   pixels: () => number,
 ): Drawn {

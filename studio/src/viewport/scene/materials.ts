@@ -75,6 +75,8 @@ export class Materials {
     this.shared = sharedUniforms(table.uniform);
     const mesh = (pass: number) => this.#make(MESH_VERTEX, MESH_FRAGMENT, pass, { uHas: { value: 0 } });
     this.opaque = mesh(0);
+    // The canvas may be transparent where nothing is drawn.
+    this.opaque.defines = { HIDES: "" };
     this.depth = mesh(1);
     this.translucent = mesh(1);
     for (const material of [this.opaque, this.depth, this.translucent]) {

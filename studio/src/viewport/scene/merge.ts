@@ -1,6 +1,7 @@
 /** Many small parts of one kind as one, with the place in the colour table of each position. */
 
-import type { Point3, PreviewPart } from "../../core/preview";
+import { from, union } from "../../core/bounds";
+import type { Bounds, Point3, PreviewPart } from "../../core/preview";
 
 /** What one drawing takes: a part, or many that were merged. */
 export interface Merged {
@@ -8,6 +9,8 @@ export interface Merged {
   width: number;
   /** What positions are measured from. */
   origin: Point3;
+  /** Offset from there as the positions are. */
+  bounds: Bounds | null;
   positions: Float32Array;
   normals: Float32Array | Int8Array | null;
   colours: Uint8Array | null;
@@ -20,14 +23,16 @@ export interface Merged {
 export interface Member {
   part: PreviewPart;
   origin: Point3;
+  /** The box of its positions, in model units. */
+  bounds: Bounds | null;
   slot: number;
   values: Float32Array | null;
 }
 
 /** A part that is drawn alone: its own arrays, not a copy. */
-export function alone({ part, origin, slot, values }: Member): Merged {
+export function alone({ part, origin, bounds, slot, values }: Member): Merged {
   const { kind, width, positions, normals, colours, indices } = part;
-  return { kind, width, origin, positions, normals, colours, values, indices, slots: slot };
+  return { kind, width, origin, bounds: bounds && from(bounds, origin), positions, normals, colours, values, indices, slots: slot };
 }
 
 /** Parts of one kind and width, either all with normals (colours, values) or none. */
@@ -35,11 +40,13 @@ export function merge(members: readonly Member[], origin: Point3): Merged {
   const first = members[0]?.part;
   const count = members.reduce((sum, { part }) => sum + part.positions.length / 3, 0);
   const used = members.reduce((sum, { part }) => sum + (part.indices ?? part.positions).length / (part.indices ? 1 : 3), 0);
+  const bounds = boundsOf(members);
   const has = (array: (member: Member) => unknown) => members.some((member) => array(member) !== null);
   const merged = {
     kind: first?.kind ?? "curves",
     width: first?.width ?? 0,
     origin,
+    bounds: bounds && from(bounds, origin),
     positions: new Float32Array(count * 3),
     normals: has(({ part }) => part.normals) ? new Int8Array(count * 3) : null,
     colours: has(({ part }) => part.colours) ? new Uint8Array(count * 4).fill(255) : null,
@@ -57,11 +64,21 @@ export function merge(members: readonly Member[], origin: Point3): Merged {
   return merged;
 }
 
+/** The box of all of them. */
+export function boundsOf(members: Iterable<Member>): Bounds | null {
+  let all: Bounds | null = null;
+  for (const { bounds } of members) all = union(all, bounds);
+  return all;
+}
+
 function addPart(merged: Merged & { slots: Uint16Array }, { part, origin, slot, values }: Member, vertex: number, index: number): void {
   const count = part.positions.length / 3;
-  const shift = origin.map((value, axis) => value - (merged.origin[axis] ?? 0));
-  for (let at = 0; at < part.positions.length; at++) {
-    merged.positions[vertex * 3 + at] = (part.positions[at] ?? 0) + (shift[at % 3] ?? 0);
+  const [x, y, z] = [origin[0] - merged.origin[0], origin[1] - merged.origin[1], origin[2] - merged.origin[2]];
+  const { positions } = part;
+  for (let at = 0, to = vertex * 3; at < positions.length; at += 3, to += 3) {
+    merged.positions[to] = (positions[at] as number) + x;
+    merged.positions[to + 1] = (positions[at + 1] as number) + y;
+    merged.positions[to + 2] = (positions[at + 2] as number) + z;
   }
   if (merged.normals && part.normals) {
     const scale = part.normals instanceof Int8Array ? 1 : 127;

@@ -6,7 +6,7 @@ import { boundsOfPositions, centre, radius, union } from "../../core/bounds";
 import type { Bounds, Point3, Preview, PreviewPart, Rgba } from "../../core/preview";
 import { ALONE, Batch, batchKey } from "./batch";
 import { ColourTable } from "./colourTable";
-import { makeDrawable, ORDER, type Drawable, type LineBudget } from "./drawable";
+import { makeDrawable, ORDER, type Drawable, type Budget } from "./drawable";
 import { Materials } from "./materials";
 import { alone, type Member } from "./merge";
 
@@ -47,13 +47,15 @@ export class Model {
   section: { normal: Point3; at: number } | undefined;
   /** Another number after each change of geometry. */
   version = 0;
+  /** Whether surfaces are drawn that hide what is behind them. */
+  hides = false;
   #batches = new Map<string, Batch[]>();
   #drawables = new Set<Drawable>();
-  #budget: LineBudget;
+  #budget: Budget;
   #pixels: () => number;
   #isChanged = false;
 
-  constructor(budget: LineBudget, pixels: () => number) {
+  constructor(budget: Budget, pixels: () => number) {
     this.#budget = budget;
     this.#pixels = pixels;
     this.scene.matrixAutoUpdate = false;
@@ -159,12 +161,16 @@ export class Model {
         (isSolid ? solid : through).add(target);
       }
     }
+    this.hides = solid.size > 0;
     for (const drawable of this.#drawables) {
       // A quick picture does without very many lines, and very many are not drawn behind surfaces too.
       const isMany = drawable.segments > MANY_LINES;
-      for (const object of drawable.objects) if (drawable.segments > 0) object.visible = isFine || !isMany;
-      for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
-      if (!drawable.surface) continue;
+      if (!drawable.surface) {
+        for (const object of drawable.objects) object.visible = isFine || !isMany;
+        for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
+        for (const object of isFine ? drawable.few : drawable.fine) object.visible = false;
+        continue;
+      }
       drawable.surface.solid.visible = solid.has(drawable);
       drawable.surface.colour.visible = through.has(drawable);
       drawable.surface.depth.visible = through.has(drawable) && how === "own" && isFine;
@@ -191,7 +197,7 @@ export class Model {
 
   #addPart(part: PreviewPart, origin: Point3, bounds: Bounds | null): ModelPart {
     const slot = this.table.take();
-    const member: Member = { part, origin, slot, values: null };
+    const member: Member = { part, origin, bounds, slot, values: null };
     const entry: ModelPart = { part, slot, bounds, member, drawable: undefined, batch: undefined };
     if (part.kind === "texts") return entry;
     if (part.positions.length / 3 > ALONE) entry.drawable = this.#addDrawable(this.#make(alone(member)));
@@ -214,9 +220,7 @@ export class Model {
   }
 
   #remake(batch: Batch): void {
-    let bounds: Bounds | null = null;
-    for (const { part, origin } of batch.members) bounds = union(bounds, boundsOfPositions(part.positions, origin));
-    const old = batch.remake((merged) => this.#make(merged), bounds);
+    const old = batch.remake((merged) => this.#make(merged));
     if (old) this.#removeDrawable(old);
     if (batch.drawable) this.#addDrawable(batch.drawable);
   }

@@ -1,6 +1,6 @@
 /** Draws the model into a pane, as the settings say. */
 
-import { Color, SRGBColorSpace, Vector3, type Camera, type WebGLRenderer } from "three";
+import { Color, Scene, SRGBColorSpace, Vector3, type Camera, type WebGLRenderer } from "three";
 
 import type { PlacedPane } from "../panes";
 import type { ViewportSettings } from "../settings";
@@ -13,20 +13,27 @@ import type { Model } from "./model";
 /** How much of ghosted surfaces is there. */
 const GHOST = 0.55;
 
+/** What is drawn of a picture: all of it, what the model stands before, or the model on nothing. */
+export type Layer = "all" | "ground" | "model";
+
 export class Painter {
   #renderer: WebGLRenderer;
   #model: Model;
   #grid = new Grid();
+  /** The grid without the model. */
+  #ground = new Scene();
   #shadow = new GroundShadow();
   /** What the shadow was made of. */
   #shadowOf = "";
   #background = new Color();
+  #isGridShown = true;
   #theme: Theme | undefined;
 
   constructor(renderer: WebGLRenderer, model: Model) {
     this.#renderer = renderer;
     this.#model = model;
     model.scene.add(this.#grid.mesh, this.#shadow.mesh);
+    this.#ground.add(this.#grid.mesh.clone());
   }
 
   /** Makes ready for a picture of all panes. A quick one does not sort out what is behind what in one surface. */
@@ -46,7 +53,7 @@ export class Painter {
     const isSolid = isPaper || analysis !== "none";
     this.#model.materials.isQuick = isQuick;
     this.#model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", !isQuick);
-    this.#grid.mesh.visible = shown.grid;
+    this.#isGridShown = shown.grid;
     this.#theme = theme;
     const { x, y, z } = isPaper ? theme.paper : theme.background;
     this.#background.setRGB(x, y, z, SRGBColorSpace);
@@ -69,16 +76,31 @@ export class Painter {
     this.#shadowOf = now;
   }
 
+  /** What the ground looks like, but for where it is looked at from. */
+  groundLook(): string {
+    return `${this.#background.getHexString()} ${this.#isGridShown}`;
+  }
+
+  /** Whether what is behind surfaces cannot be drawn before all of them: some hide the grid, and the grid some of them. */
+  isGroundBetween(): boolean {
+    return this.#isGridShown && this.#model.hides;
+  }
+
   /** Draws one pane; `canvasHeight` because the card counts rows from below. */
-  paint({ left, top, width, height, pane }: PlacedPane, camera: Camera, canvasHeight: number): void {
+  paint({ left, top, width, height, pane }: PlacedPane, camera: Camera, canvasHeight: number, layer: Layer = "all"): void {
     const bottom = canvasHeight - top - height;
     this.#renderer.setViewport(left, bottom, width, height);
     this.#renderer.setScissor(left, bottom, width, height);
-    this.#renderer.setClearColor(this.#background, 1);
+    this.#renderer.setClearColor(this.#background, layer === "model" ? 0 : 1);
     this.#renderer.clear();
     const ratio = this.#renderer.getPixelRatio();
     this.#model.materials.shared.uView.value.set(width * ratio, height * ratio);
-    if (this.#theme) this.#grid.prepare(pane.rig, camera, this.#model.origin, height, this.#theme.grid);
+    this.#grid.mesh.visible = this.#isGridShown && layer === "all";
+    if (this.#theme && layer !== "model") this.#grid.prepare(pane.rig, camera, this.#model.origin, height, this.#theme.grid);
+    if (layer === "ground") {
+      if (this.#isGridShown) this.#renderer.render(this.#ground, camera);
+      return;
+    }
     this.#cut(camera);
     this.#model.sortSurfaces(camera.matrixWorldInverse);
     this.#renderer.render(this.#model.scene, camera);

@@ -134,6 +134,9 @@ void main() {
   } else {
     colour.rgb = lit(colour.rgb, headlight(normal) + 0.22 * gloss(normal, eye, 28.0));
   }
-  oColour = vec4(colour.rgb, colour.a);
+#ifdef HIDES
+  colour.a = 1.0;
+#endif
+  oColour = colour;
 }
 `;

@@ -100,7 +100,11 @@ export class PointerControls {
     const [x, y] = this.#place(event);
     const pane = this.#pane;
     if (this.#gesture === "pinch") return this.#pinch(event.pointerId, x, y);
-    if (this.#gesture === "none" || !pane) return this.#target.hover(x, y);
+    if (this.#gesture === "none" || !pane) {
+      // What is dragged elsewhere on the page passes over, and points at nothing here.
+      if (event.buttons === 0) this.#target.hover(x, y);
+      return;
+    }
     const [dx, dy] = [x - this.#last[0], y - this.#last[1]];
     this.#last = [x, y];
     const isFar = Math.hypot(x - this.#start[0], y - this.#start[1]) >= SLACK;
