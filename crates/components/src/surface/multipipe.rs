@@ -15,6 +15,7 @@ use super::warning;
 /// curves that cross elsewhere are not joined. Where struts are short, or meet at small angles, the pipe is thinner.
 #[component("4bfe1bf6-fbc9-4ad2-bf28-a7402e1392ee", name = "MultiPipe", nick = "MP", at = "Surface/SubD")]
 #[output("Pipe", "P", "The pipe.", kind = SubD)]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn multi_pipe(
     context: &Context<'_>,
     /// The curves, and meshes, whose edges are taken.
@@ -65,6 +66,7 @@ fn multi_pipe(
     old
 )]
 #[output("Pipe", "P", "The pipe.", kind = SubD)]
+#[allow(clippy::too_many_arguments, reason = "an argument is a port")]
 fn multi_pipe_without_caps(
     context: &Context<'_>,
     /// The curves, and meshes, whose edges are taken.
