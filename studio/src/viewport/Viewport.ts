@@ -175,7 +175,9 @@ export class Viewport {
   }
 
   /** The camera of a pane, and its size. */
-  viewOf = (placed: PlacedPane): PickView => this.#view(placed);
+  viewOf(placed: PlacedPane): PickView {
+    return this.#view(placed);
+  }
 
   /** Where a point of the model is on the canvas, in pixels; undefined behind the eye. */
   placeOf(point: readonly [number, number, number], placed = this.panes.placedOf(this.panes.active)): [number, number] | undefined {
