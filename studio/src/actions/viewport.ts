@@ -3,6 +3,7 @@
 import { t } from "../i18n";
 import { uiStore } from "../state/ui";
 import { currentViewport } from "../viewport/current";
+import { aim } from "../viewport/tools/aim";
 import { DISPLAY_MODES } from "../viewport/scene/looks";
 import { ANALYSES, PREVIEWS, settingsStore, type Analysis } from "../viewport/settings";
 import { VIEW_NAMES, type ViewName } from "../viewport/views";
@@ -86,7 +87,7 @@ const zoom = (factor: number) => () => {
   const viewport = currentViewport();
   if (!viewport) return;
   const { left, top, width, height, pane } = viewport.panes.placedOf(viewport.panes.active);
-  viewport.panes.zoom(pane, viewport.aim(left + width / 2, top + height / 2), factor);
+  viewport.panes.zoom(pane, aim(viewport, left + width / 2, top + height / 2), factor);
 };
 
 async function savePicture(): Promise<void> {

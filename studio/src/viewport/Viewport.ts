@@ -2,7 +2,7 @@
 
 import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 
-import { centre, radius, union } from "../core/bounds";
+import { union } from "../core/bounds";
 import type { Bounds, Preview, Rgba } from "../core/preview";
 import { rectangle } from "../core/screen";
 import { placeOf } from "../core/section";
@@ -11,9 +11,10 @@ import { isSoftware } from "./graphics";
 import { Panes, placeOf as placeOfPanes, type PlacedPane } from "./panes";
 import { Backdrop } from "./scene/backdrop";
 import type { Budget } from "./scene/drawable";
-import { lookOf, toolLook, type ObjectState } from "./scene/looks";
+import { dress } from "./scene/dress";
 import { Model } from "./scene/model";
 import { Painter, type Layer } from "./scene/painter";
+import { pixelOf, pngOf } from "./snapshot";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
 import { readTheme, type Theme } from "./theme";
 import { isTool } from "./tools/beside";
@@ -21,7 +22,6 @@ import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
 import { areAlike, isHidden, type Surroundings } from "./surroundings";
 import { TextLayer } from "./overlay/texts";
-
 
 export interface Options {
   /** Smooth borders; off where pictures are compared, and where the graphics card is software. */
@@ -204,17 +204,9 @@ export class Viewport {
   }
 
   /** The picture with its texts, as PNG. */
-  async picture(): Promise<Blob | null> {
+  picture(): Promise<Blob | null> {
     this.#draw(true, true);
-    const copy = document.createElement("canvas");
-    copy.width = this.canvas.width;
-    copy.height = this.canvas.height;
-    const flat = copy.getContext("2d");
-    if (!flat) return null;
-    flat.drawImage(this.canvas, 0, 0);
-    flat.scale(this.#renderer.getPixelRatio(), this.#renderer.getPixelRatio());
-    this.#texts.paint(flat);
-    return new Promise((resolve) => copy.toBlob(resolve, "image/png"));
+    return pngOf(this.canvas, this.#texts, this.#renderer.getPixelRatio());
   }
 
   /** The colour of a pixel of the canvas as it would be drawn now. */
@@ -225,12 +217,7 @@ export class Viewport {
 
   /** What is in a pixel just after drawing: nothing of what stands behind the canvas. Waits for the graphics card. */
   read(x: number, y: number): Rgba {
-    const gl = this.#renderer.getContext();
-    const ratio = this.#renderer.getPixelRatio();
-    const bytes = new Uint8Array(4);
-    const [column, row] = [Math.floor(x * ratio), this.canvas.height - 1 - Math.floor(y * ratio)];
-    gl.readPixels(column, row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return [bytes[0] ?? 0, bytes[1] ?? 0, bytes[2] ?? 0, bytes[3] ?? 0];
+    return pixelOf(this.#renderer.getContext(), this.#renderer.getPixelRatio(), x, y);
   }
 
   /** How much memory of the graphics card is in use, in things. */
@@ -353,7 +340,8 @@ export class Viewport {
   /** Batches, looks and false colours as they are to be now. */
   #settle(): void {
     this.model.settle();
-    if (this.#areLooksStale) this.#look();
+    if (this.#areLooksStale) dress(this.model, this.#around, this.#settings, this.#theme);
+    this.#areLooksStale = false;
     if (this.#areColoursStale) this.#colour();
     this.model.settle();
     const { isOn, normal, at } = this.#settings.section;
@@ -361,24 +349,6 @@ export class Viewport {
     if (!this.#isFitted && this.model.bounds) {
       this.#isFitted = true;
       this.panes.fit(this.#boxes(), this.panes.all(), true);
-    }
-  }
-
-  #look(): void {
-    this.#areLooksStale = false;
-    const { normal, selected, selection, hovered } = this.#around;
-    const { ink, plaster, ground } = this.#theme;
-    const palette = { normal, selected, ink, plaster, background: ground };
-    for (const { id, parts } of this.model.objects.values()) {
-      if (isTool(id)) {
-        for (const entry of parts) this.model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
-        continue;
-      }
-      const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(this.#around, id) };
-      for (const entry of parts) {
-        const look = lookOf(entry.part.kind, entry.part.colour, state, this.#settings.mode, palette, this.#settings.shown);
-        this.model.setColour(entry, look);
-      }
     }
   }
 
@@ -419,22 +389,6 @@ export class Viewport {
 
   #view({ pane, width, height }: PlacedPane): PickView {
     return { camera: pane.rig.camera(this.model.origin, this.model.bounds, width / height), width, height };
-  }
-
-  /** What one unit about the target is for the wheel: where a ray through a pixel meets the model, else its target plane. */
-  aim(x: number, y: number): Vector3 {
-    const placed = this.panes.at(x, y);
-    const { rig } = placed.pane;
-    const [u, v] = [((x - placed.left) / placed.width) * 2 - 1, 1 - ((y - placed.top) / placed.height) * 2];
-    const pick = rig.pose.projection === "perspective" ? this.pickAt(x, y) : undefined;
-    if (pick) return new Vector3(...pick.point);
-    const plane = rig.onTargetPlane(u, v, placed.width / placed.height);
-    const bounds = this.model.bounds;
-    if (!bounds || rig.pose.projection === "parallel") return plane;
-    // Beside the model, but near it: as deep as its middle, so that the wheel never gets stuck before it.
-    const depth = new Vector3(...centre(bounds)).sub(rig.eye()).dot(rig.backward().negate());
-    if (depth <= radius(bounds) * 0.1) return plane;
-    return plane.sub(rig.eye()).multiplyScalar(depth / rig.distance()).add(rig.eye());
   }
 
   #overlay(placed: readonly PlacedPane[]): void {

@@ -10,6 +10,7 @@ import { select, uiStore } from "../../state/ui";
 import { setCurrentViewport } from "../current";
 import { analysisGeometry, geometry } from "../geometry";
 import { settingsStore, viewportStore } from "../settings";
+import { aim } from "../tools/aim";
 import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
 import { besides } from "../tools/beside";
@@ -152,7 +153,7 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerCo
     begin: (pane) => panes.activate(pane),
     orbit: (pane, dx, dy) => panes.orbit(pane, dx, dy),
     pan: (pane, dx, dy) => panes.pan(pane, dx, dy),
-    zoom: (pane, x, y, factor) => panes.zoom(pane, viewport.aim(x, y), factor),
+    zoom: (pane, x, y, factor) => panes.zoom(pane, aim(viewport, x, y), factor),
     hover(x, y) {
       waiting = x === undefined || y === undefined ? undefined : [x, y];
       request ||= requestAnimationFrame(hover);

@@ -1,0 +1,23 @@
+/** Gives everything in the model the colour that it has now. */
+
+import type { ViewportSettings } from "../settings";
+import { isHidden, type Surroundings } from "../surroundings";
+import type { Theme } from "../theme";
+import { isTool } from "../tools/beside";
+import { lookOf, toolLook, type ObjectState } from "./looks";
+import type { Model } from "./model";
+
+export function dress(model: Model, around: Surroundings, settings: ViewportSettings, { ink, plaster, ground }: Theme): void {
+  const { normal, selected, selection, hovered } = around;
+  const palette = { normal, selected, ink, plaster, background: ground };
+  for (const { id, parts } of model.objects.values()) {
+    if (isTool(id)) {
+      for (const entry of parts) model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
+      continue;
+    }
+    const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(around, id) };
+    for (const entry of parts) {
+      model.setColour(entry, lookOf(entry.part.kind, entry.part.colour, state, settings.mode, palette, settings.shown));
+    }
+  }
+}
