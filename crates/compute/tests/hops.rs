@@ -1,5 +1,7 @@
 //! Hops components: asked servers, and what they must not do.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
+
 mod common;
 
 use std::io::{BufRead, BufReader, Read, Write};
@@ -154,13 +156,18 @@ fn a_server_of_components_is_asked() {
     let host = format!("127.0.0.1:{port}");
     let maker = hops(&format!("http://{host}/add"), &["A", "B"], "Sum");
     let values = vec![value("A", "{0;4}", &[json!(4), json!(5)]), value("B", "0", &[json!(0.5)])];
-    let (failed, reply) = answer(settings(&[host.clone()]), &maker, values, &Bounds::default()).unwrap();
+    let (failed, reply) =
+        answer(settings(std::slice::from_ref(&host)), &maker, values, &Bounds::default()).unwrap();
     assert!(!failed, "{reply}");
     assert_eq!(output(&reply, "RH_OUT:x"), [("{0;4}".to_owned(), vec!["4.5".to_owned(), "5.5".to_owned()])]);
     // What is left out has the server's default.
-    let (_, reply) =
-        answer(settings(&[host.clone()]), &maker, vec![value("A", "0", &[json!(4)])], &Bounds::default())
-            .unwrap();
+    let (_, reply) = answer(
+        settings(std::slice::from_ref(&host)),
+        &maker,
+        vec![value("A", "0", &[json!(4)])],
+        &Bounds::default(),
+    )
+    .unwrap();
     assert_eq!(item(&reply, "RH_OUT:x"), "6.0");
     let maker = hops(&format!("http://{host}/tree"), &["N"], "S");
     let values = vec![
@@ -206,7 +213,7 @@ fn a_definition_at_a_url_is_solved_by_another_server() {
     let host = format!("127.0.0.1:{}", serve(definitions));
     let maker = hops(&format!("http://{host}/double.gh"), &["N"], "D");
     let values = || vec![value("N", "0", &[json!(1), json!(2)])];
-    let mut settings = settings(&[host.clone()]);
+    let mut settings = settings(std::slice::from_ref(&host));
     settings.hops.server = Some(format!("http://{host}/"));
     let (failed, reply) = answer(settings, &maker, values(), &Bounds::default()).unwrap();
     assert!(!failed, "{reply}");
@@ -237,7 +244,8 @@ fn a_definition_that_lies_elsewhere_is_solved_here() {
     let host = format!("127.0.0.1:{}", serve(files));
     let values = || vec![value("N", "0", &[json!(1), json!(2)])];
     let maker = hops(&format!("http://{host}/double.gh"), &["N"], "D");
-    let (failed, reply) = answer(settings(&[host.clone()]), &maker, values(), &Bounds::default()).unwrap();
+    let (failed, reply) =
+        answer(settings(std::slice::from_ref(&host)), &maker, values(), &Bounds::default()).unwrap();
     assert!(!failed, "{reply}");
     assert_eq!(output(&reply, "RH_OUT:x"), [("{0}".to_owned(), vec!["2.0".to_owned(), "4.0".to_owned()])]);
     let maker = hops(&format!("http://{host}/other.gh"), &["N"], "D");
@@ -332,7 +340,7 @@ fn a_server_that_never_answers_holds_nobody_up() {
     let limits = Limits { time: Some(Duration::from_millis(300)), ..Limits::default() };
     let values = || vec![value("A", "0", &[json!(1)])];
     let bounds = Bounds { limits, ..Bounds::default() };
-    let fault = answer(settings(&[host.clone()]), &maker, values(), &bounds).unwrap_err();
+    let fault = answer(settings(std::slice::from_ref(&host)), &maker, values(), &bounds).unwrap_err();
     assert_eq!(fault.cause, Cause::TimedOut);
     let cancel = Cancel::default();
     let later = cancel.clone();
