@@ -45,6 +45,9 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     katydid_components::link();
     let grace = config.grace;
     let (listener, address) = bind(wanted).await?;
+    let mut config = config;
+    // What it would ask itself it solves at once: otherwise definitions that call others would wait for their own turn.
+    config.hops_server = config.hops_server.filter(|url| !leads_to(url, address));
     let service = Arc::new(Service::new(config));
     let router = Router::new().fallback(door::answer).with_state(Arc::clone(&service));
     let listening = Listening::start(listener, address, router, grace);
@@ -56,6 +59,14 @@ pub async fn start(config: Config) -> Result<Server, Error> {
         }
     });
     Ok(Server { url: url(address, ""), grace, service, listening, sweeping })
+}
+
+/// Whether a URL is that of an address on this machine.
+fn leads_to(url: &str, address: SocketAddr) -> bool {
+    let rest = url.split_once("://").map_or(url, |(_, rest)| rest);
+    let authority = rest.split('/').next().unwrap_or(rest).to_ascii_lowercase();
+    let name = format!("localhost:{}", address.port());
+    authority == address.to_string() || (authority == name && address.ip().is_loopback())
 }
 
 impl Server {

@@ -130,14 +130,17 @@ async fn objects_of_no_known_form() {
     compute.is_well().await;
 }
 
-/// Curves of curves of curves, fifty deep.
+/// Curves of curves of curves, as deep as they can be made.
 #[tokio::test(flavor = "multi_thread")]
 async fn objects_in_objects() {
     let compute = Compute::start().await;
     let mut curve = Curve::from(Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)));
-    for _ in 0..50 {
-        curve = Curve::from(PolyCurve::new(vec![curve]).unwrap());
+    let mut levels = 0;
+    while let Ok(deeper) = PolyCurve::new(vec![curve.clone()]) {
+        curve = Curve::from(deeper);
+        levels += 1;
     }
+    assert!((16..=64).contains(&levels), "{levels}");
     let answer = compute.post(LENGTH, &json!([curve.to_json(70).unwrap()])).await;
     assert!(answer.is_refused() || answer.json() == json!(1.0), "{} {}", answer.status, answer.text());
     compute.is_well().await;
