@@ -9,8 +9,12 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from OCP.BRep import BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.TopAbs import TopAbs_SOLID
+from OCP.BRepMesh import BRepMesh_IncrementalMesh
+from OCP.TopAbs import TopAbs_FACE, TopAbs_REVERSED, TopAbs_SOLID
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS
 
 from test_step import ROOT, opened, parts, volume
 
@@ -18,9 +22,10 @@ SHARED = Path(os.environ.get("KATYDID_SHARED", ROOT.parent / "shared"))
 # So many solids there are in the real files.
 WANTED = 160
 NEAR = 1e-6
-# Faces on surfaces of revolution whose profile is joined of lines and arcs are written without curves in their
-# parameter plane, and the other kernel's own do not integrate to the same volume twice.
-KNOWN = ("DinerMug",)
+# On a surface of revolution whose profile has kinks the other kernel's integral is off by parts in a thousand, and
+# another at each tolerance that it is asked for: there its triangles tell the volume, to this part of it.
+INTEGRALS_OFF = ("DinerMug",)
+DEFLECTION, BY_TRIANGLES = 0.02, 3e-4
 
 
 class Solid:
@@ -32,6 +37,23 @@ class Solid:
         self.refused = figures[0] if len(figures) < 3 else None
         if self.refused is None:
             self.volume, self.gaps = float(figures[0]), float(figures[1])
+
+
+def triangles_volume(shape):
+    """The volume inside the triangles of the other kernel's own mesh."""
+    BRepMesh_IncrementalMesh(shape, DEFLECTION, False, 0.1, False)
+    as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
+    total = 0.0
+    for face in map(as_face, parts(shape, TopAbs_FACE)):
+        mesh = BRep_Tool.Triangulation_s(face, TopLoc_Location())
+        nodes = [mesh.Node(k) for k in range(1, mesh.NbNodes() + 1)]
+        points = [(p.X(), p.Y(), p.Z()) for p in nodes]
+        share = 0.0
+        for k in range(1, mesh.NbTriangles() + 1):
+            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (points[i - 1] for i in mesh.Triangle(k).Get())
+            share += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+        total += -share if face.Orientation() == TopAbs_REVERSED else share
+    return abs(total) / 6
 
 
 @pytest.fixture(scope="module")
@@ -61,10 +83,11 @@ def test_volumes_are_those_of_open_cascade(solids):
         if not BRepCheck_Analyzer(shape).IsValid() or len(parts(shape, TopAbs_SOLID)) == 0:
             wrong.append(f"{solid.source}: not valid")
             continue
-        theirs = abs(volume(shape))
+        by_triangles = any(name in solid.source for name in INTEGRALS_OFF)
+        theirs = triangles_volume(shape) if by_triangles else abs(volume(shape))
         off = abs(theirs - solid.volume)
         near += off <= NEAR * solid.volume
-        if off > max(NEAR * solid.volume, solid.gaps) and not any(name in solid.source for name in KNOWN):
+        if off > max((BY_TRIANGLES if by_triangles else NEAR) * solid.volume, solid.gaps):
             wrong.append(f"{solid.source}: {solid.volume} here, {theirs} there, {solid.gaps} in gaps")
     print(f"{near} of {len(solids)} within {NEAR}")
     assert not wrong, "\n".join(wrong)

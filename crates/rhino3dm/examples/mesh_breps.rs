@@ -177,8 +177,15 @@ fn distance(surface: &Surface, p: Point3, start: [f64; 2]) -> f64 {
         if det.is_nan() || det <= 1e-12 * e * g {
             break;
         }
-        u = domain[0].clamp(u + (g * r.dot(a) - f * r.dot(b)) / det);
-        v = domain[1].clamp(v + (e * r.dot(b) - f * r.dot(a)) / det);
+        // On a side of the domain what is nearest along the side is another place than the step's end drawn back to it.
+        let steps = [
+            [(g * r.dot(a) - f * r.dot(b)) / det, (e * r.dot(b) - f * r.dot(a)) / det],
+            [r.dot(a) / e, 0.0],
+            [0.0, r.dot(b) / g],
+        ];
+        let ends = steps.map(|[x, y]| [domain[0].clamp(u + x), domain[1].clamp(v + y)]);
+        let far = |[u, v]: [f64; 2]| surface.point_at(u, v).distance_to(p);
+        [u, v] = ends.into_iter().min_by(|a, b| far(*a).total_cmp(&far(*b))).unwrap_or([u, v]);
     }
     best
 }

@@ -44,12 +44,13 @@ impl Brep {
     /// Cells along the parameters, as large as bounds of the second derivatives allow, are kept where they lie inside
     /// a face; between them and the edges is a Delaunay triangulation.
     ///
-    /// Known not to hold yet: a few breps of real models are farther off than the settings allow, and some have triangles
-    /// that look the other way, mostly beside poles; kinks inside trimmed faces are not followed. The example
-    /// `mesh_breps` of `katydid-3dm` names them.
+    /// Known not to hold yet: some breps of real models have triangles that look the other way, mostly beside poles, and
+    /// a hole close to a pole may give an edge with four triangles; kinks inside trimmed faces are not followed. The
+    /// example `mesh_breps` of `katydid-3dm` names them.
     ///
     /// # Errors
-    /// A limit that is no number, a mesh with too many points, or a face that has no surface or no loop.
+    /// A limit that is no number, a mesh with too many points, a face that has no surface or no loop, trims or edges
+    /// far outside of the domains of their surfaces or curves, or an outline that crosses itself over and over.
     pub fn mesh(&self, settings: &MeshSettings) -> Result<BrepMesh> {
         self.mesh_unless(settings, &|| false)
     }

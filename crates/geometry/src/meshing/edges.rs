@@ -37,6 +37,9 @@ pub(super) struct EdgePoints {
 /// Segments so much shorter than the distance are short enough, whatever rounding says of their shape.
 const SHORTEST: f64 = 0.05;
 
+/// A segment of more than this share of an edge may come by one point twice.
+const LONG: f64 = 0.1;
+
 /// One point to be.
 struct Stop {
     place: f64,
@@ -161,12 +164,18 @@ fn between(edge: &Track<'_>, uses: &[Use<'_>], a: &Stop, b: &Stop) -> Option<Sto
         return None;
     }
     let p = edge.point(place);
+    let share = edge.share(place);
+    let is_long = edge.share(b.place) - edge.share(a.place) > LONG;
     let on = uses
         .iter()
         .zip(a.on.iter().zip(&b.on))
         .map(|(u, (a, b))| {
             let wide = b.0 - a.0;
-            let y = u.track.nearest_between(p, a.0 + 0.5 * wide, [a.0, b.0]);
+            let y = if is_long {
+                u.track.nearest_within(p, share, [a.0, b.0])
+            } else {
+                u.track.nearest_between(p, a.0 + 0.5 * wide, [a.0, b.0])
+            };
             let y = y.clamp(a.0 + 0.05 * wide, b.0 - 0.05 * wide);
             (y, u.snapped(y))
         })

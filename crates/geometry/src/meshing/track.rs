@@ -2,7 +2,7 @@
 //! nearest to a place on the other.
 
 use crate::brep::CurvePart;
-use crate::{Curve, Point2, Point3, Quadrant, Surface, Vector3};
+use crate::{Curve, Direction, Point2, Point3, Quadrant, Surface, Vector3};
 
 /// Where a curve in space comes from.
 #[derive(Clone, Copy)]
@@ -44,26 +44,64 @@ impl<'a> Track<'a> {
         joints.sort_by(f64::total_cmp);
         joints.dedup_by(|a, b| *a - *b < 1e-9);
         let mut track = Self { source, backwards, joints, table: Vec::new(), length: 0.0 };
-        let each = (64 / (track.joints.len() - 1)).clamp(4, 64);
-        let mut table = Vec::with_capacity(each * track.joints.len());
-        let mut before = track.point(0.0);
+        track.measure();
+        track
+    }
+
+    /// Makes the table of lengths, with as many rows as it takes for chords to tell them: a straight trim on a spiral
+    /// tube is a spiral.
+    fn measure(&mut self) {
+        /// Twice as many chords may be longer by so much.
+        const GROWTH: f64 = 1.01;
+        const MOST: usize = 8192;
+        let pieces = self.joints.len() - 1;
+        let spans = match self.source {
+            Source::Space(..) => 0,
+            Source::Lifted(_, _, surface) => {
+                Direction::BOTH.iter().map(|&d| surface.span_parameters(d).len()).sum::<usize>()
+            }
+        };
+        let mut each = ((2 * spans).clamp(64, MOST / 4) / pieces).clamp(4, MOST / 4);
+        loop {
+            let (table, coarse) = self.chords(each);
+            let length = table.last().map_or(0.0, |row| row[1]);
+            let known = length <= GROWTH * coarse || 2 * each * pieces > MOST;
+            self.table = table;
+            self.length = length;
+            if known {
+                break;
+            }
+            each *= 2;
+        }
+        let length = self.length;
+        if length > 0.0 {
+            self.table.iter_mut().for_each(|row| row[1] /= length);
+        } else {
+            self.table.iter_mut().for_each(|row| row[1] = row[0]);
+        }
+    }
+
+    /// Places with the lengths up to them, by so many chords in every piece, and the length by half as many.
+    fn chords(&self, each: usize) -> (Vec<[f64; 2]>, f64) {
+        let mut table = Vec::with_capacity(each * self.joints.len());
+        let (mut length, mut coarse) = (0.0, 0.0);
+        let mut before = self.point(0.0);
+        let mut even = before;
         table.push([0.0, 0.0]);
-        for w in track.joints.windows(2) {
+        for w in self.joints.windows(2) {
             for k in 1..=each {
                 let x = w[0] + (w[1] - w[0]) * k as f64 / each as f64;
-                let p = track.point(x);
-                track.length += before.distance_to(p);
+                let p = self.point(x);
+                length += before.distance_to(p);
                 before = p;
-                table.push([x, track.length]);
+                table.push([x, length]);
+                if k % 2 == 0 || k == each {
+                    coarse += even.distance_to(p);
+                    even = p;
+                }
             }
         }
-        if track.length > 0.0 {
-            table.iter_mut().for_each(|row| row[1] /= track.length);
-        } else {
-            table.iter_mut().for_each(|row| row[1] = row[0]);
-        }
-        track.table = table;
-        track
+        (table, coarse)
     }
 
     /// The curve's parameter.
@@ -158,24 +196,53 @@ impl<'a> Track<'a> {
     /// A spiral comes by the same point again and again: what is near along it is looked at first, and the rest only
     /// where nothing is found there.
     pub(super) fn nearest(&self, p: Point3, share: f64) -> f64 {
+        self.nearest_within(p, share, [0.0, 1.0])
+    }
+
+    /// As [`Track::nearest`], but only in a range of places.
+    pub(super) fn nearest_within(&self, p: Point3, share: f64, [from, to]: [f64; 2]) -> f64 {
         /// How far to look, in shares of the length.
         const REACHES: [f64; 3] = [0.005, 0.03, 0.1];
         /// Nearer than this part of the length is found.
         const FOUND: f64 = 1e-7;
-        let guess = lookup(&self.table, 1, share);
+        /// Farther than this part of the length is another place.
+        const LOST: f64 = 1e-3;
+        let guess = lookup(&self.table, 1, share).clamp(from, to);
         let mut best = (f64::INFINITY, guess);
         for reach in REACHES {
-            let range = [share - reach, share + reach].map(|share| lookup(&self.table, 1, share));
+            let range = [share - reach, share + reach];
+            let range = range.map(|share| lookup(&self.table, 1, share).clamp(from, to));
             let place = self.nearest_between(p, guess, range);
             let distance = self.point(place).distance_to(p);
             if distance < best.0 {
                 best = (distance, place);
             }
-            if distance <= FOUND * self.length {
+            if distance <= FOUND * self.length || range == [from, to] {
                 break;
             }
         }
+        if best.0 > LOST * self.length {
+            let (distance, place) = self.nearest_anywhere(p, [from, to]);
+            if distance < 0.5 * best.0 {
+                return place;
+            }
+        }
         best.1
+    }
+
+    /// The place nearest to a point in a range, with the distance, by a look at all of the table.
+    fn nearest_anywhere(&self, p: Point3, [from, to]: [f64; 2]) -> (f64, f64) {
+        let far = |x: f64| (self.point(x).distance_to(p), x);
+        let nearer = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
+        let inside = |row: &[f64; 2]| row[0] >= from && row[0] <= to;
+        let first = self.table.partition_point(|row| row[0] < from);
+        let rows = self.table.iter().enumerate().skip(first).take_while(|(_, row)| inside(row));
+        let Some((k, best)) = rows.map(|(k, row)| (k, far(row[0]))).min_by(|a, b| a.1.0.total_cmp(&b.1.0))
+        else {
+            return (f64::INFINITY, from);
+        };
+        let at = |k: usize| self.table.get(k).map_or(to, |row| row[0]).clamp(from, to);
+        nearer(best, far(self.nearest_between(p, best.1, [at(k.saturating_sub(1)), at(k + 1)])))
     }
 
     /// The place nearest to a point in a range where there is only one, by Newton's method in a shrinking bracket.
@@ -185,6 +252,10 @@ impl<'a> Track<'a> {
             let [at, by, _] = self.jet(x, false);
             let slope = (at - p.to_vector()).dot(by);
             let square = by.dot(by);
+            // There already: the bracket says nothing more, and its middle may lie by another place as near as any.
+            if slope.abs() <= 1e-13 * self.length * square.sqrt() && square > 0.0 {
+                break;
+            }
             if slope > 0.0 {
                 high = x;
             } else {
@@ -216,5 +287,75 @@ fn lookup(table: &[[f64; 2]], by: usize, value: f64) -> f64 {
         (Some(a), None) => a[1 - by],
         (None, Some(b)) => b[1 - by],
         (None, None) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Source, Track};
+    use crate::brep::CurvePart;
+    use crate::{
+        Arc, Curve, KnotSpacing, Line, LineCurve, NurbsCurve, Point3, PolyCurve, SumSurface, Surface, Vector3,
+    };
+
+    fn whole(curve: &Curve) -> CurvePart {
+        CurvePart { curve: Some(0), range: curve.domain(), reversed: false, domain: curve.domain() }
+    }
+
+    /// A closed chain of quarter circles that comes by one height four times, each time level.
+    #[test]
+    fn what_is_met_exactly_is_kept() {
+        let s = 0.5_f64.sqrt();
+        let p = Point3::new;
+        let round = [
+            [p(0.0, 1.0, 1.0), p(s, 1.0, s), p(1.0, 1.0, 0.0)],
+            [p(1.0, 1.0, 0.0), p(s, 1.0, -s), p(0.0, 1.0, -1.0)],
+            [p(0.0, 1.0, -1.0), p(-s, s, -1.0), p(-1.0, 0.0, -1.0)],
+            [p(-1.0, 0.0, -1.0), p(-s, -s, -1.0), p(0.0, -1.0, -1.0)],
+            [p(0.0, -1.0, -1.0), p(s, -1.0, -s), p(1.0, -1.0, 0.0)],
+            [p(1.0, -1.0, 0.0), p(s, -1.0, s), p(0.0, -1.0, 1.0)],
+            [p(0.0, -1.0, 1.0), p(-s, -s, 1.0), p(-1.0, 0.0, 1.0)],
+            [p(-1.0, 0.0, 1.0), p(-s, s, 1.0), p(0.0, 1.0, 1.0)],
+        ];
+        let arcs = round.map(|[a, b, c]| Curve::from(Arc::through(a, b, c).unwrap()));
+        let curve: Curve = PolyCurve::new(arcs.to_vec()).unwrap().into();
+        let track = Track::new(Source::Space(&curve, whole(&curve)), false);
+        for k in 1..64 {
+            let x = f64::from(k) / 64.0;
+            let there = track.point(x);
+            for found in [
+                track.nearest(there, track.share(x)),
+                track.nearest_between(there, x, [0.0, 1.0]),
+                track.nearest_within(there, track.share(x), [0.0, 1.0]),
+            ] {
+                assert!((found - x).abs() < 1e-9, "{x} {found}");
+            }
+        }
+    }
+
+    /// A straight trim on a spiral strip is a spiral: the few chords of a straight line do not tell its length.
+    #[test]
+    fn straight_trims_of_spirals() {
+        let points: Vec<Point3> = (0..800)
+            .map(|k| {
+                let t = f64::from(k) * 0.3;
+                Point3::new(9.0 * t.cos(), 9.0 * t.sin(), 0.2 * t)
+            })
+            .collect();
+        let spiral: Curve =
+            NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, None, None).unwrap().into();
+        let wall = Curve::from(Line::new(Point3::ORIGIN, Point3::ORIGIN + Vector3::Z * 0.1));
+        let strip: Surface = SumSurface::new(spiral.clone(), wall, Vector3::ZERO).unwrap().into();
+        let domain = spiral.domain();
+        let line = Line::new(Point3::new(domain.start, 0.0, 0.0), Point3::new(domain.end, 0.0, 0.0));
+        let flat: Curve = LineCurve { line, domain }.into();
+        let edge = Track::new(Source::Space(&spiral, whole(&spiral)), false);
+        let trim = Track::new(Source::Lifted(&flat, whole(&flat), &strip), false);
+        assert!((edge.length / trim.length - 1.0).abs() < 0.01, "{} {}", edge.length, trim.length);
+        for k in 0..=1000 {
+            let x = f64::from(k) / 1000.0;
+            let y = trim.nearest(edge.point(x), edge.share(x));
+            assert!((y - x).abs() < 1e-6, "{x} {y}");
+        }
     }
 }
