@@ -31,7 +31,7 @@ async fn a_slider_moves_the_model() {
     assert!(is_done(&event), "{event:?}");
     let second = face.drawn(ball).await.unwrap();
     assert_ne!(first, second);
-    assert_eq!(face.texts("shown"), ["6"]);
+    face.shows("shown", &["6"]).await;
     let object = face.named("r");
     assert!(matches!(
         face.objects[&object].control,
@@ -48,7 +48,7 @@ async fn a_slider_moves_the_model() {
     let event = face.ask(Ask::Undo).await;
     assert!(is_done(&event));
     assert_eq!(face.drawn(ball).await.unwrap(), first, "the same data has the same hash");
-    assert_eq!(face.texts("shown"), ["4"]);
+    face.shows("shown", &["4"]).await;
     studio.server.stop().await;
 }
 

@@ -103,6 +103,7 @@ impl Studio {
             objects: HashMap::new(),
             results: HashMap::new(),
             hashes: HashMap::new(),
+            given: HashMap::new(),
             frames: Vec::new(),
             finished: 0,
             cancelled: false,
@@ -126,6 +127,8 @@ pub(crate) struct Face {
     pub(crate) objects: HashMap<Uuid, ObjectView>,
     pub(crate) results: HashMap<Uuid, ResultView>,
     pub(crate) hashes: HashMap<Uuid, Option<String>>,
+    /// The geometry that `drawn` gave last.
+    given: HashMap<Uuid, Option<String>>,
     pub(crate) frames: Vec<Vec<u8>>,
     /// How many solves have ended.
     pub(crate) finished: u64,
@@ -231,14 +234,14 @@ impl Face {
         }
     }
 
-    /// Waits for geometry of an object other than what is known.
+    /// Waits for geometry of an object other than what this gave last: it comes before the results of its solve.
     pub(crate) async fn drawn(&mut self, id: Uuid) -> Option<String> {
-        let before = self.hashes.get(&id).cloned();
         let start = Instant::now();
         loop {
-            let now = self.hashes.get(&id).cloned();
-            if now != before {
-                return now.flatten();
+            if let Some(now) = self.hashes.get(&id).cloned()
+                && self.given.insert(id, now.clone()).as_ref() != Some(&now)
+            {
+                return now;
             }
             assert!(start.elapsed() < PATIENCE, "no geometry");
             self.hear().await;
@@ -253,6 +256,15 @@ impl Face {
     pub(crate) async fn set(&mut self, name: &str, value: f64) -> Event {
         let object = self.named(name);
         self.edit(Edit::Set { object, to: Setting::Number { value } }).await
+    }
+
+    /// Waits until a panel shows this.
+    pub(crate) async fn shows(&mut self, name: &str, texts: &[&str]) {
+        let start = Instant::now();
+        while self.texts(name) != texts {
+            assert!(start.elapsed() < PATIENCE, "{:?}, not {texts:?}", self.texts(name));
+            self.hear().await;
+        }
     }
 
     pub(crate) fn texts(&self, name: &str) -> Vec<String> {

@@ -49,11 +49,15 @@ impl Collector {
             Fineness::Coarse | Fineness::Smooth => finest,
         };
         let mut colours = HashSet::new();
+        let mut last = None;
         for thing in things.clone() {
             if colours.len() > MOST_COLOURS {
                 break;
             }
-            colours.insert((thing.look.line, thing.look.fill));
+            let pair = (thing.look.line, thing.look.fill);
+            if last.replace(pair) != Some(pair) {
+                colours.insert(pair);
+            }
         }
         let size = |thing: &Thing| match &thing.form {
             Form::Surface(facets) => facets.size(),

@@ -70,6 +70,8 @@ pub(crate) struct Paint {
 pub(crate) struct Parts {
     pub(crate) groups: Vec<Group>,
     by_key: HashMap<Key, usize>,
+    /// The group that was filled last, and its place: neighbours mostly look alike.
+    last: Option<(Key, usize)>,
     /// Whether colours are told point by point: there are too many for a part each.
     by_point: bool,
     pieces: usize,
@@ -98,7 +100,11 @@ impl Parts {
             has_values,
         };
         let fresh = self.groups.len();
-        let place = *self.by_key.entry(key).or_insert(fresh);
+        let place = match self.last {
+            Some((last, place)) if last == key => place,
+            _ => *self.by_key.entry(key).or_insert(fresh),
+        };
+        self.last = Some((key, place));
         if place == fresh {
             self.groups.push(Group {
                 kind: paint.kind,
