@@ -34,9 +34,15 @@ export async function watch(page: Page): Promise<void> {
       isWhole: () => watched.drawn > watched.previews && watched.solved > watched.input,
     };
     window.watched = watched;
-    for (const kind of ["pointermove", "pointerdown", "keydown", "change"]) {
-      addEventListener(kind, (event) => (watched.input = event.timeStamp), { capture: true });
-    }
+    // Browsers tell of a pointer that rests when what is under it moves: only what a hand did counts.
+    let place = "";
+    const note = (event: Event) => {
+      const now = event instanceof PointerEvent ? `${event.type} ${event.clientX} ${event.clientY}` : "";
+      if (now === place && now !== "") return;
+      place = now;
+      watched.input = event.timeStamp;
+    };
+    for (const kind of ["pointermove", "pointerdown", "keydown", "change"]) addEventListener(kind, note, { capture: true });
     const Plain = window.WebSocket;
     window.WebSocket = class extends Plain {
       constructor(...of: ConstructorParameters<typeof WebSocket>) {
