@@ -2,7 +2,9 @@
 
 import os
 import subprocess
+import threading
 from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -38,6 +40,28 @@ def tools():
 def url():
     with serving() as (url, _):
         yield url
+
+
+@pytest.fixture
+def files():
+    """A host of files: its address, and what it holds by path, to be filled."""
+    held = {}
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self):
+            data = held.get(self.path)
+            self.send_response(200 if data else 404)
+            self.send_header("Content-Length", str(len(data or b"")))
+            self.end_headers()
+            self.wfile.write(data or b"")
+
+        def log_message(self, *_):
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"127.0.0.1:{server.server_port}", held
+    server.shutdown()
 
 
 @pytest.fixture(scope="session")

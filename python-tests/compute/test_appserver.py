@@ -10,9 +10,7 @@ import os
 import shutil
 import socket
 import subprocess
-import threading
 import time
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -24,28 +22,13 @@ NAMES = ["mini_sum.gh", "mini_groups.gh"]
 
 
 @pytest.fixture
-def host(tools):
+def host(tools, files):
     """Serves definitions by the MD5 of their files, as appserver does."""
-    files = {}
+    own, held = files
     for name in NAMES:
         data = (tools / "fixtures" / "defs" / name).read_bytes()
-        files["/definition/" + hashlib.md5(data).hexdigest()] = data
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_GET(self):
-            data = files.get(self.path)
-            self.send_response(200 if data else 404)
-            self.send_header("Content-Length", str(len(data or b"")))
-            self.end_headers()
-            self.wfile.write(data or b"")
-
-        def log_message(self, *_):
-            pass
-
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield f"127.0.0.1:{server.server_port}", list(files)
-    server.shutdown()
+        held["/definition/" + hashlib.md5(data).hexdigest()] = data
+    return own, list(held)
 
 
 def test_what_it_sends(host, tools):

@@ -5,9 +5,7 @@ import json
 import socket
 import subprocess
 import sys
-import threading
 import time
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 import requests
@@ -58,28 +56,6 @@ def hops(tools):
     finally:
         server.terminate()
         server.wait(timeout=20)
-
-
-@pytest.fixture
-def files():
-    """A host of files."""
-    held = {}
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_GET(self):
-            data = held.get(self.path)
-            self.send_response(200 if data else 404)
-            self.send_header("Content-Length", str(len(data or b"")))
-            self.end_headers()
-            self.wfile.write(data or b"")
-
-        def log_message(self, *_):
-            pass
-
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield f"127.0.0.1:{server.server_port}", held
-    server.shutdown()
 
 
 def solve(url, definition, **values):

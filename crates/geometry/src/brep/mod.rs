@@ -57,7 +57,7 @@ pub use region::{FaceSide, Region, RegionKind, Regions};
 pub use section::{BrepSection, BrepSections};
 pub use solid::Solidity;
 pub use trim::{Iso, Trim, TrimKind};
-pub use validity::Fault;
+pub use validity::{Fault, Symptom};
 pub use vertex::Vertex;
 
 use crate::{Curve, Point3, Result, Surface};

@@ -2,6 +2,9 @@
 
 #![allow(unreachable_pub, dead_code, clippy::unwrap_used, reason = "shared by tests that each use a part")]
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
 use katydid_geometry::brep::{Brep, Iso, LoopKind, Parts, TrimKind};
 use katydid_geometry::construct;
 use katydid_geometry::{
@@ -152,6 +155,61 @@ pub fn ways() -> Vec<Way> {
     ]
 }
 
+/// Shows `see` every shape broken in every way that it has a place for.
+pub fn each_way(see: impl Fn(&Brep)) {
+    let mut shown = Shown::default();
+    for (k, way) in ways().into_iter().enumerate() {
+        for (name, brep) in shapes() {
+            let mut parts = brep.into_parts();
+            let changed = catch_unwind(AssertUnwindSafe(|| (way.change)(&mut parts)));
+            let Ok(brep) = Brep::from_parts(parts) else { continue };
+            if changed.is_ok() {
+                shown.show(&format!("{name} with way {k} ({}: {})", way.part, way.why), &brep, &see);
+            }
+        }
+    }
+}
+
+/// Shows `see` every shape broken at random, `usual` times each, or as often as `KATYDID_CASES` says.
+pub fn each_at_random(usual: u64, see: impl Fn(&Brep)) {
+    let cases = std::env::var("KATYDID_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(usual);
+    let mut shown = Shown::default();
+    for (name, brep) in shapes() {
+        for seed in 0..cases {
+            let mut parts = brep.clone().into_parts();
+            break_at_random(&mut parts, &mut Dice(seed));
+            if let Ok(brep) = Brep::from_parts(parts) {
+                shown.show(&format!("{name} broken by seed {seed}"), &brep, &see);
+            }
+        }
+    }
+}
+
+/// What took longest of all that was shown: told at the end, for whoever looks.
+#[derive(Default)]
+struct Shown {
+    longest: Duration,
+    of: String,
+}
+
+impl Shown {
+    fn show(&mut self, name: &str, brep: &Brep, see: &impl Fn(&Brep)) {
+        let begun = Instant::now();
+        let seen = catch_unwind(AssertUnwindSafe(|| see(brep)));
+        assert!(seen.is_ok(), "{name} makes something panic");
+        if begun.elapsed() > self.longest {
+            self.longest = begun.elapsed();
+            name.clone_into(&mut self.of);
+        }
+    }
+}
+
+impl Drop for Shown {
+    fn drop(&mut self) {
+        println!("the slowest took {:?}: {}", self.longest, self.of);
+    }
+}
+
 /// Parts that name places that are not there, or numbers that are none: these are no breps at all.
 pub fn impossible() -> Vec<(&'static str, Change)> {
     vec![
@@ -195,10 +253,10 @@ fn wild_arc() -> Curve {
 }
 
 /// Numbers from a seed: splitmix64 (S. Vigna).
-pub struct Dice(pub u64);
+struct Dice(u64);
 
 impl Dice {
-    pub fn below(&mut self, n: usize) -> usize {
+    fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -222,7 +280,7 @@ fn any<'a, T>(dice: &mut Dice, list: &'a mut [T]) -> Option<&'a mut T> {
 }
 
 /// Changes a few things at random; what is named exists.
-pub fn break_at_random(parts: &mut Parts, dice: &mut Dice) {
+fn break_at_random(parts: &mut Parts, dice: &mut Dice) {
     for _ in 0..1 + dice.below(3) {
         change_one(parts, dice);
     }

@@ -1,7 +1,7 @@
 //! Vertices and edges.
 
 use super::super::{Edge, Parts};
-use super::{Faults, occurrences};
+use super::{Faults, Symptom, occurrences};
 
 const VERTEX: &str = "vertex";
 const EDGE: &str = "edge";
@@ -60,15 +60,24 @@ impl Parts {
             return;
         };
         let part = &edge.part;
-        faults.unless(part.range.is_increasing() && part.domain.is_increasing(), EDGE, i, || {
-            "its domain does not increase".into()
-        });
-        faults.unless(curve.domain().includes(part.range, false), EDGE, i, || {
-            "it goes beyond its curve".into()
-        });
+        faults.shown_unless(
+            part.range.is_increasing() && part.domain.is_increasing(),
+            Symptom::EdgeWithoutLength,
+            EDGE,
+            i,
+            || "its domain does not increase".into(),
+        );
+        faults.shown_unless(
+            curve.domain().includes(part.range, false),
+            Symptom::EdgeBeyondCurve,
+            EDGE,
+            i,
+            || "it goes beyond its curve".into(),
+        );
         let [start, end] = edge.vertices;
         let closed = self.is_closed_edge(edge);
-        faults.unless(closed == (start == end), EDGE, i, || {
+        let symptom = if closed { Symptom::EdgeWithoutLength } else { Symptom::EdgeToItself };
+        faults.shown_unless(closed == (start == end), symptom, EDGE, i, || {
             if closed { "it is closed, but has two vertices" } else { "it is open, but has one vertex" }
                 .into()
         });

@@ -1,7 +1,7 @@
 //! Faces: a surface, an outer loop, and holes.
 
 use super::super::{LoopKind, Parts};
-use super::{Faults, occurrences};
+use super::{Faults, Symptom, occurrences};
 
 const FACE: &str = "face";
 
@@ -24,7 +24,9 @@ impl Parts {
                     faults.unless(false, FACE, i, || format!("loop {place} is deleted"));
                     continue;
                 };
-                faults.unless(chain.face == Some(i), FACE, i, || format!("loop {place} bounds another"));
+                faults.shown_unless(chain.face == Some(i), Symptom::SharedBoundary, FACE, i, || {
+                    format!("loop {place} bounds another")
+                });
                 let right = match chain.kind {
                     LoopKind::Outer => at == 0,
                     LoopKind::Inner | LoopKind::Slit => at > 0,

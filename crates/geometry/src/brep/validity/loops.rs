@@ -1,7 +1,7 @@
 //! Loops: chains of trims that close.
 
 use super::super::{Iso, Loop, LoopKind, Parts, TrimKind};
-use super::{Faults, ZERO, occurrences};
+use super::{Faults, Symptom, ZERO, occurrences};
 
 const LOOP: &str = "loop";
 /// How far ends of neighbours may be apart, as a fraction of the sum of their coordinates.
@@ -45,7 +45,9 @@ impl Parts {
         });
         for trim in chain.trims.iter().filter_map(|t| self.trims.get(*t)) {
             let inner = trim.kind == TrimKind::Seam && !matches!(trim.iso, Iso::Side(_));
-            faults.unless(inner, LOOP, i, || "it is a slit, but a trim of it is no seam inside".into());
+            faults.shown_unless(inner, Symptom::Seam, LOOP, i, || {
+                "it is a slit, but a trim of it is no seam inside".into()
+            });
         }
     }
 
@@ -54,14 +56,14 @@ impl Parts {
         let next = chain.trims.iter().cycle().skip(1);
         for (&before, &after) in chain.trims.iter().zip(next) {
             let (Some(a), Some(b)) = (self.trims.get(before), self.trims.get(after)) else { continue };
-            faults.unless(a.vertices[1] == b.vertices[0], LOOP, i, || {
+            faults.shown_unless(a.vertices[1] == b.vertices[0], Symptom::Gap, LOOP, i, || {
                 format!("trims {before} and {after} do not share a vertex")
             });
             let (Some(p), Some(q)) = (self.trim_curve(a), self.trim_curve(b)) else { continue };
             let p = a.part.point_at(p, a.part.domain.end);
             let q = b.part.point_at(q, b.part.domain.start);
             let meet = |x: f64, y: f64| (x - y).abs() <= ZERO.max(RELATIVE_GAP * (x.abs() + y.abs()));
-            faults.unless(meet(p.x, q.x) && meet(p.y, q.y), LOOP, i, || {
+            faults.shown_unless(meet(p.x, q.x) && meet(p.y, q.y), Symptom::Gap, LOOP, i, || {
                 format!(
                     "trim {before} ends at ({}, {}), but trim {after} begins at ({}, {})",
                     p.x, p.y, q.x, q.y

@@ -26,6 +26,32 @@ pub struct Fault {
     pub place: Option<usize>,
     /// What is wrong with it.
     pub why: String,
+    /// What it looks like from outside.
+    pub symptom: Symptom,
+}
+
+/// What a fault looks like from outside, where nobody sees lists of parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Symptom {
+    /// An edge does not lie on the face beside it.
+    EdgeOffFace,
+    /// An edge is longer than its curve.
+    EdgeBeyondCurve,
+    /// An edge has no length.
+    EdgeWithoutLength,
+    /// An edge ends where it begins, but is no closed curve.
+    EdgeToItself,
+    /// A closed edge runs against the boundary of its face.
+    EdgeTurned,
+    /// The boundary of a face has a gap.
+    Gap,
+    /// The two sides of a face that closes do not match.
+    Seam,
+    /// Two faces have one boundary.
+    SharedBoundary,
+    /// Nothing but parts that do not name each other as they should.
+    Parts,
 }
 
 impl fmt::Display for Fault {
@@ -42,15 +68,27 @@ impl fmt::Display for Fault {
 struct Faults(Vec<Fault>);
 
 impl Faults {
-    /// Notes a fault of a part unless `sound`.
+    /// Notes a fault of a part, which only shows in the lists, unless `sound`.
     fn unless(&mut self, sound: bool, part: &'static str, place: usize, why: impl FnOnce() -> String) {
+        self.shown_unless(sound, Symptom::Parts, part, place, why);
+    }
+
+    /// Notes a fault of a part that can be seen from outside, unless `sound`.
+    fn shown_unless(
+        &mut self,
+        sound: bool,
+        symptom: Symptom,
+        part: &'static str,
+        place: usize,
+        why: impl FnOnce() -> String,
+    ) {
         if !sound {
-            self.0.push(Fault { part, place: Some(place), why: why() });
+            self.0.push(Fault { part, place: Some(place), why: why(), symptom });
         }
     }
 
     fn whole(&mut self, why: &str) {
-        self.0.push(Fault { part: "brep", place: None, why: why.to_owned() });
+        self.0.push(Fault { part: "brep", place: None, why: why.to_owned(), symptom: Symptom::Parts });
     }
 }
 

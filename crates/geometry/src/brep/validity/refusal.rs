@@ -1,38 +1,37 @@
 //! Why a shape cannot be made, in the words of who asked for it.
 //!
 //! Faults name parts by their places in lists, which mean nothing to somebody who has curves and surfaces; here each
-//! kind of fault is what it looks like from outside, with what usually causes it.
+//! symptom is said as it looks from outside, with what usually causes it.
 
-use super::Fault;
+use super::{Fault, Symptom};
 use crate::Error;
 
-/// What words of a fault look like from outside; the first that fits holds.
-const SEEN: [(&str, &str); 12] = [
-    ("away from that of its edge", "an edge would not lie on the face beside it"),
-    ("beyond its curve", "an edge would be longer than its curve"),
-    ("runs the other way", "a closed edge would run against the boundary of its face"),
-    ("in the parameter plane", "the boundary of a face would have a gap"),
-    ("do not share a vertex", "the boundary of a face would have a gap"),
-    ("begins at", "the boundary of a face would have a gap"),
-    ("does not increase", "an edge would have no length"),
-    ("it is closed, but", "an edge would have no length"),
-    ("it is open, but", "an edge would end where it begins"),
-    ("seam", "the two sides of a closed face would not match"),
-    ("across the surface", "the two sides of a closed face would not match"),
-    ("bounds another", "two faces would have one boundary"),
-];
+/// How many things a refusal names.
+const MOST_SAID: usize = 2;
 
-/// What a fault looks like from outside.
-fn seen(fault: &Fault) -> &'static str {
-    let known = SEEN.iter().find(|(words, _)| fault.why.contains(words));
-    known.map_or("its faces and edges would not fit together", |(_, seen)| seen)
+/// What would be seen of a shape with such a fault.
+fn seen(symptom: Symptom) -> &'static str {
+    match symptom {
+        Symptom::EdgeOffFace => "an edge would not lie on the face beside it",
+        Symptom::EdgeBeyondCurve => "an edge would be longer than its curve",
+        Symptom::EdgeWithoutLength => "an edge would have no length",
+        Symptom::EdgeToItself => "an edge would end where it begins",
+        Symptom::EdgeTurned => "a closed edge would run against the boundary of its face",
+        Symptom::Gap => "the boundary of a face would have a gap",
+        Symptom::Seam => "the two sides of a closed face would not match",
+        Symptom::SharedBoundary => "two faces would have one boundary",
+        Symptom::Parts => "its faces and edges would not fit together",
+    }
 }
 
 /// The refusal of a shape that would have faults.
 pub(in crate::brep) fn of_faults(faults: &[Fault]) -> Error {
-    let mut all: Vec<&str> = faults.iter().map(seen).collect();
-    all.dedup();
-    all.truncate(2);
+    let mut all: Vec<&str> = Vec::new();
+    for said in faults.iter().map(|fault| seen(fault.symptom)) {
+        if all.len() < MOST_SAID && !all.contains(&said) {
+            all.push(said);
+        }
+    }
     refused(&all.join(", and "))
 }
 
@@ -58,18 +57,15 @@ fn refused(what: &str) -> Error {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fault, of_distance, of_faults};
+    use super::{Fault, Symptom, of_distance, of_faults};
 
     #[test]
     fn no_places_in_lists() {
-        let fault = |part, why: &str| Fault { part, place: Some(12), why: why.into() };
-        let faults = [
-            fault("trim", "its edge is closed and runs the other way than stated"),
-            fault("trim", "its edge is closed and runs the other way than stated"),
-            fault("loop", "trims 3 and 4 do not share a vertex"),
-        ];
+        let fault = |symptom| Fault { part: "trim", place: Some(12), why: "edge 12".into(), symptom };
+        let faults = [Symptom::EdgeTurned, Symptom::EdgeTurned, Symptom::Gap, Symptom::EdgeTurned].map(fault);
         let said = of_faults(&faults).to_string();
         assert!(said.contains("closed edge") && said.contains("gap") && !said.contains("12"), "{said}");
+        assert_eq!(said.matches("closed edge").count(), 1, "{said}");
         assert!(of_distance(0.25).to_string().contains("2.500e-1"));
         assert!(of_distance(f64::NAN).to_string().contains("no place"));
     }

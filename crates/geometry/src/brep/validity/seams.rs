@@ -1,7 +1,7 @@
 //! Seams: the two trims along one edge of a surface that closes.
 
 use super::super::{Face, Iso, LoopKind, Parts, Trim, TrimKind};
-use super::Faults;
+use super::{Faults, Symptom};
 use crate::{Direction, Interval, Side, Surface};
 
 /// How near ends of two sides of a seam must be, as a fraction of the side, to be taken for the same.
@@ -20,7 +20,7 @@ impl Parts {
                 .filter(|t| t.kind == TrimKind::Seam && t.in_loop == trim.in_loop)
                 .collect();
             let [partner] = partners.as_slice() else {
-                faults.unless(false, "trim", i, || {
+                faults.shown_unless(false, Symptom::Seam, "trim", i, || {
                     format!("it is a seam, and its edge has {} more in its loop", partners.len())
                 });
                 continue;
@@ -29,7 +29,9 @@ impl Parts {
                 (Iso::Side(a), Iso::Side(b)) => opposite(a) == b,
                 _ => false,
             };
-            faults.unless(opposite, "trim", i, || "its other side is not across the surface".into());
+            faults.shown_unless(opposite, Symptom::Seam, "trim", i, || {
+                "its other side is not across the surface".into()
+            });
         }
         for (i, face) in self.faces.iter().enumerate() {
             if let Some(surface) = self.face_surface(face).filter(|_| !face.deleted) {
@@ -56,7 +58,7 @@ impl Parts {
                 let near = |t: f64, x: f64| (range.normalized(t) - x).abs() <= SAME_PLACE;
                 *b == opposite(*a) && near(other.start, 1.0) && near(other.end, 0.0)
             });
-            faults.unless(!split, "face", i, || {
+            faults.shown_unless(!split, Symptom::Seam, "face", i, || {
                 "its surface closes, but its sides there are not joined to a seam".into()
             });
         }

@@ -2,7 +2,7 @@
 
 use super::super::iso::iso_of;
 use super::super::{Edge, Iso, LoopKind, Parts, Trim, TrimKind};
-use super::Faults;
+use super::{Faults, Symptom};
 use crate::{Point3, Quadrant, Surface, Vector3};
 
 const TRIM: &str = "trim";
@@ -38,11 +38,15 @@ impl Parts {
         };
         let part = &trim.part;
         let domain = curve.domain();
-        faults.unless(part.range.is_increasing() && part.domain.is_increasing(), TRIM, i, || {
-            "its domain does not increase".into()
-        });
+        faults.shown_unless(
+            part.range.is_increasing() && part.domain.is_increasing(),
+            Symptom::EdgeWithoutLength,
+            TRIM,
+            i,
+            || "its domain does not increase".into(),
+        );
         let inside = domain.includes(part.range, false) && domain.includes(part.domain, false);
-        faults.unless(inside, TRIM, i, || "it goes beyond its curve".into());
+        faults.shown_unless(inside, Symptom::EdgeBeyondCurve, TRIM, i, || "it goes beyond its curve".into());
         let Some(surface) = self.trim_surface(trim) else { return };
         let iso = iso_of(surface, curve, part.range);
         faults.unless(iso == trim.iso, TRIM, i, || {
@@ -70,13 +74,18 @@ impl Parts {
         faults.unless(ends == trim.vertices, TRIM, i, || "its vertices are not those of its edge".into());
         let whole = self.trim_curve(trim).filter(|curve| curve.domain() == trim.part.domain);
         let closed = whole.is_some_and(|curve| curve.is_closed());
-        faults.unless(!closed || trim.vertices[0] == trim.vertices[1], TRIM, i, || {
-            "it is closed, but has two vertices".into()
-        });
+        faults.shown_unless(
+            !closed || trim.vertices[0] == trim.vertices[1],
+            Symptom::EdgeWithoutLength,
+            TRIM,
+            i,
+            || "it is closed, but has two vertices".into(),
+        );
     }
 
     fn trim_kind_faults(&self, i: usize, trim: &Trim, faults: &mut Faults) {
-        let mut wrong = |why: &str| faults.unless(false, TRIM, i, || why.to_owned());
+        let symptom = if trim.kind == TrimKind::Seam { Symptom::Seam } else { Symptom::Parts };
+        let mut wrong = |why: &str| faults.shown_unless(false, symptom, TRIM, i, || why.to_owned());
         let kind = trim.in_loop.and_then(|l| self.loops.get(l)).map_or(LoopKind::Unknown, |chain| chain.kind);
         let sided = matches!(kind, LoopKind::Outer | LoopKind::Inner);
         let edge = trim.edge.and_then(|edge| self.edges.get(edge));
@@ -130,9 +139,9 @@ impl Parts {
         if let [a, b] = *edge.trims.as_slice() {
             let other = if a == i { b } else { a };
             let same = other != i && self.trims.get(other).is_some_and(|t| t.in_loop == trim.in_loop);
-            if same && trim.kind != TrimKind::Seam {
-                wrong("its edge has two trims of one loop, but it is no seam");
-            }
+            faults.shown_unless(!same || trim.kind == TrimKind::Seam, Symptom::Seam, TRIM, i, || {
+                "its edge has two trims of one loop, but it is no seam".into()
+            });
         }
     }
 
@@ -161,12 +170,12 @@ impl Parts {
         }
         let limit = (GENEROSITY * sum).max(LEAST_DISTANCE);
         for (distance, name) in apart.into_iter().zip(["start", "end"]) {
-            faults.unless(distance <= limit, TRIM, i, || {
+            faults.shown_unless(distance <= limit, Symptom::EdgeOffFace, TRIM, i, || {
                 format!("its {name} is {distance} away from that of its edge")
             });
         }
         let closed = trim.vertices[0] == trim.vertices[1] && edge.vertices == trim.vertices;
-        faults.unless(!(closed && turned), TRIM, i, || {
+        faults.shown_unless(!(closed && turned), Symptom::EdgeTurned, TRIM, i, || {
             "its edge is closed and runs the other way than stated".into()
         });
     }
