@@ -1,0 +1,13 @@
+//! A definition is made, changed, undone, saved and opened again, as a user would.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail loudly")]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod controls;
+mod made;
+mod ports;
+mod several;
+mod steps;
+mod wires;
