@@ -21,7 +21,7 @@ programs:
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed programs
-	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q \
+	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
 		--ignore=python-tests/step --ignore=python-tests/compute python-tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
