@@ -97,7 +97,7 @@ oracle:
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in gh_binary gh_xml document rhino3dm expression geometry kd; do \
+	cd fuzz && for t in gh_binary gh_xml document rhino3dm step expression geometry kd; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

@@ -1,7 +1,7 @@
 //! Every constructor gives sound breps or says why not, over random and degenerate inputs of all sizes.
 //!
 //! `KATYDID_CASES=1000 cargo test --release -p katydid-geometry --test solid_constructors -- --nocapture` runs a thousand
-//! seeds of each; `KATYDID_CASE="variable pipe"` those of one constructor, with the reasons of refusals;
+//! seeds of each; `KATYDID_CASE="variable pipe,join"` those of some constructors, with the reasons of refusals;
 //! `KATYDID_SEED=831` one seed alone.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
@@ -16,9 +16,6 @@ use std::time::{Duration, Instant};
 use katydid_geometry::{Brep, Error, Result};
 use solid_cases::random::Random;
 use solid_cases::{Case, TOLERANCE, cases, count};
-
-/// What a constructor may take for one input, in seconds: far more than any takes, and far less than a hang.
-const PATIENCE: Duration = Duration::from_secs(30);
 
 /// How long the area of a face is looked for.
 const LOOK: Duration = Duration::from_millis(200);
@@ -89,9 +86,6 @@ fn tally((_, make): &Case, seeds: Range<u64>) -> Tally {
             Err(_) => tally.wrong.push(format!("seed {seed}: it panicked")),
         }
     }
-    if tally.slowest.0 > PATIENCE {
-        tally.wrong.push(format!("seed {} took {:?}", tally.slowest.1, tally.slowest.0));
-    }
     tally
 }
 
@@ -103,7 +97,7 @@ fn results_are_valid_or_refused() {
     let mut wrong = Vec::new();
     for case in cases() {
         let name = case.0;
-        if only.as_ref().is_some_and(|only| only != name) {
+        if only.as_ref().is_some_and(|only| only.split(',').all(|wanted| wanted != name)) {
             continue;
         }
         let tally = tally(&case, seeds.clone());

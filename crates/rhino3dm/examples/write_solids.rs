@@ -1,4 +1,5 @@
-//! Writes breps of every constructor on seeded inputs, one archive a constructor: `write_solids FOLDER [COUNT]`.
+//! Writes breps of every constructor on seeded inputs, one archive a constructor: `write_solids FOLDER [COUNT
+//! [CONSTRUCTOR…]]`.
 //!
 //! The test `tests/solids_peer.py` asks rhino3dm whether each is valid. An object's name is its constructor and seed,
 //! and whether it is closed.
@@ -13,9 +14,13 @@ use solid_cases::random::Random;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: write_solids FOLDER [COUNT]")?);
+    let folder = PathBuf::from(arguments.next().ok_or("usage: write_solids FOLDER [COUNT [CONSTRUCTOR…]]")?);
     let count: u64 = arguments.next().map_or(Ok(100), |n| n.parse())?;
+    let only: Vec<String> = arguments.collect();
     for (name, make) in solid_cases::cases() {
+        if !only.is_empty() && !only.iter().any(|wanted| wanted == name) {
+            continue;
+        }
         let mut model = Model::default();
         for seed in 0..count {
             for brep in make(&mut Random::of(seed)).into_iter().flatten() {

@@ -103,3 +103,28 @@ fn the_same_document_makes_the_same_bytes() {
         Document { parts: vec![Part::named("a", Shape::Brep(ball.into()))], ..Document::default() };
     assert_eq!(written(&document), written(&document));
 }
+
+#[test]
+fn curves_that_are_not_finite_are_left_out_by_name() {
+    let curves = [
+        // The domain is longer than numbers go.
+        "#2=B_SPLINE_CURVE_WITH_KNOTS('',1,(#3,#4),.UNSPECIFIED.,.F.,.F.,(2,2),(-1.5E308,1.5E308),.UNSPECIFIED.);",
+        // A weight times a coordinate is.
+        "#2=(BOUNDED_CURVE()B_SPLINE_CURVE(1,(#3,#4),.UNSPECIFIED.,.F.,.F.)\
+         B_SPLINE_CURVE_WITH_KNOTS((2,2),(0.,1.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()\
+         RATIONAL_B_SPLINE_CURVE((1.,1.E300))REPRESENTATION_ITEM(''));",
+        // Its far end is.
+        "#2=TRIMMED_CURVE('',#6,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(800.)),.T.,.PARAMETER.);\n\
+         #6=HYPERBOLA('',#5,1.,1.);\n#5=AXIS2_PLACEMENT_3D('',#3,$,$);",
+    ];
+    for curve in curves {
+        let text = format!(
+            "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=SHAPE_REPRESENTATION('',(#2),#9);\n\
+             #9=(GEOMETRIC_REPRESENTATION_CONTEXT(3)REPRESENTATION_CONTEXT('',''));\n\
+             #3=CARTESIAN_POINT('',(0.,0.,0.));\n#4=CARTESIAN_POINT('',(1.E10,0.,0.));\n{curve}\nENDSEC;\nEND-ISO-10303-21;\n"
+        );
+        let document = read(text.as_bytes()).unwrap();
+        assert_eq!(document.parts, [], "{curve}");
+        assert!(document.left_out.iter().any(|one| one.why.contains("#2")), "{:?}", document.left_out);
+    }
+}

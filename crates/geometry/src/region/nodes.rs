@@ -6,9 +6,11 @@ use crate::curve::{Sets, gather};
 use crate::intersect::{CurveIntersections, curve_curve, curve_self};
 use crate::{BoundingBox, Curve, Error, Interval, Point3, Result};
 
-/// The most pairs of parts, and of parts of them, that are looked at.
+/// The most pairs of parts that are looked at.
 const MOST_PAIRS: usize = 4_000_000;
-const MOST_VISITS: u64 = 100_000_000;
+/// The most pairs of parts of parts: a few seconds, and more where there are many parts.
+const MOST_VISITS: u64 = 10_000_000;
+const MORE_VISITS: u64 = 1000;
 /// The most pairs of cuts that are compared where parts run beside each other.
 const MOST_COMPARED: u64 = 50_000_000;
 
@@ -150,7 +152,7 @@ impl Cuts<'_> {
 
     fn take(&mut self, i: usize, j: usize, found: &CurveIntersections) -> Result<()> {
         self.visits += found.visits;
-        if self.visits > MOST_VISITS {
+        if self.visits > MOST_VISITS + MORE_VISITS * self.lists.len() as u64 {
             return Err(too_much());
         }
         self.complete &= found.complete;

@@ -9,7 +9,8 @@ use katydid_geometry::{BoundingBox, Brep};
 
 /// How far curves on surfaces may be from edges, as a part of the size of the brep.
 const FIT: f64 = 1e-7;
-/// How far edges may be from their faces at all.
+/// How far edges may be from their faces at all, as a part of the size of the brep, and the ends of their images from each
+/// other, as a part of the size of the loop.
 const LOOSEST: f64 = 1e-2;
 
 /// The brep of shells, each turned over or not.
@@ -136,7 +137,7 @@ fn build(topology: &Topology, layouts: Vec<Layout>) -> Result<Builder> {
                 paths.push(Path { curve: piece.curve, along });
             }
             let named = |error: katydid_geometry::Error| Error::entity(face.id, error.to_string());
-            builder.bound(new, kind, paths).map_err(named)?;
+            builder.bound_closing(new, kind, paths, LOOSEST).map_err(named)?;
         }
     }
     Ok(builder)

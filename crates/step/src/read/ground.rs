@@ -9,7 +9,7 @@ use super::spline;
 use crate::Result;
 use katydid_geometry::{
     Arc, ArcCurve, BoundingBox, Circle, ClosestOnSurface, Curve, Direction, Interval, Line, LineCurve, Plane,
-    PlaneSurface, Point3, RevolutionSurface, Side, SumSurface, Surface, Vector3,
+    PlaneSurface, Point3, Quadrant, RevolutionSurface, Side, SumSurface, Surface, Vector3,
 };
 
 /// Angles and shares of lengths nearer than this are one.
@@ -99,7 +99,8 @@ impl Ground {
         Ok(Self { form, surface, periods, poles: [[None, None], south_north] })
     }
 
-    fn free(surface: Surface) -> Result<Self> {
+    /// A surface by pieces of its own, which may close.
+    pub(super) fn free(surface: Surface) -> Result<Self> {
         let closest = Box::new(ClosestOnSurface::new(&surface)?);
         let periods = Direction::BOTH.map(|d| surface.is_closed(d).then(|| surface.domain(d).length()));
         let [u, v] = Direction::BOTH.map(|d| surface.domain(d));
@@ -151,14 +152,41 @@ impl Ground {
     }
 
     pub(super) fn point(&self, uv: [f64; 2]) -> Point3 {
-        self.surface.point_at(uv[0], uv[1])
+        let [u, v] = self.within(uv, uv);
+        self.surface.point_at(u, v)
     }
 
-    /// The derivatives by u and v.
-    pub(super) fn partials(&self, uv: [f64; 2]) -> [Vector3; 2] {
-        let side = self.surface.inner_quadrant(uv[0], uv[1]);
-        let d = self.surface.derivatives(uv[0], uv[1], 1, side);
+    /// The derivatives by u and v, from the side on which another place is.
+    pub(super) fn partials(&self, uv: [f64; 2], beside: [f64; 2]) -> [Vector3; 2] {
+        let [u, v] = self.within(uv, beside);
+        let domain = Direction::BOTH.map(|d| self.surface.domain(d));
+        let from_below = |d: usize, t: f64| t > domain[d].start && (t >= domain[d].end || beside[d] < uv[d]);
+        let side = Quadrant::new(from_below(0, u), from_below(1, v));
+        let d = self.surface.derivatives(u, v, 1, side);
         [d.get(1, 0), d.get(0, 1)]
+    }
+
+    /// The same place in the domain of a surface that closes by pieces of its own: its formula goes on elsewhere beyond
+    /// the ends. At a seam it is the end on whose side another place is.
+    fn within(&self, uv: [f64; 2], beside: [f64; 2]) -> [f64; 2] {
+        let Form::Free { surface, .. } = &self.form else { return uv };
+        let mut within = uv;
+        for (d, direction) in Direction::BOTH.into_iter().enumerate() {
+            let Some(period) = self.periods[d] else { continue };
+            let domain = surface.domain(direction);
+            let turns = |t: f64| ((t - domain.start) / period).floor();
+            let at_seam = (uv[d] - domain.start) / period;
+            let is_at_seam = (at_seam - at_seam.round()).abs() <= SAME;
+            let by = match (is_at_seam, beside[d] < uv[d]) {
+                (true, true) => at_seam.round() - 1.0,
+                (true, false) if beside[d] > uv[d] => at_seam.round(),
+                // Where nothing tells the side, an end stays.
+                (true, false) if domain.includes(Interval::new(uv[d], uv[d]), false) => 0.0,
+                _ => turns(uv[d]),
+            };
+            within[d] = domain.clamp(uv[d] - period * by);
+        }
+        within
     }
 
     /// The pole that a pair of parameters is at, seen from a distance along the surface.

@@ -10,7 +10,7 @@ use super::place::Space;
 use super::style::Styles;
 use super::{Limits, spline};
 use crate::{Document, Error, LeftOut, Part, Result, Shape};
-use katydid_geometry::{Brep, Xform};
+use katydid_geometry::{Brep, Curve, Point3, Xform};
 
 /// Parts on their way into a document.
 pub(super) struct Items<'a> {
@@ -75,6 +75,9 @@ impl Items<'_> {
                     return self.push(record, Shape::Brep(brep), standing, &shells);
                 }
                 let curve = space.carrier(record.id, 0)?.whole().map_err(|error| record.refuse(error))?;
+                if !is_finite(&curve) {
+                    return Err(record.refuse("it is not finite everywhere"));
+                }
                 self.push(record, Shape::Curve(curve), standing, &[])
             }
         }
@@ -200,6 +203,12 @@ impl Items<'_> {
 /// Whether the first attribute of an entity is its name.
 fn space_name(record: &Record<'_>) -> bool {
     !matches!(record.text(0), "NONE" | "None")
+}
+
+/// Whether no place of a curve is infinite or no number: sums of finite numbers of the file may be.
+fn is_finite(curve: &Curve) -> bool {
+    let domain = curve.domain();
+    domain.length().is_finite() && curve.hull_points().into_iter().all(Point3::is_finite)
 }
 
 /// The colour that all faces have.

@@ -180,13 +180,13 @@ fn flat(uv: [f64; 2]) -> Point3 {
 fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4] {
     let third = (b.t - a.t) / 3.0;
     let chord = [0, 1].map(|d| (b.uv[d] - a.uv[d]) / (b.t - a.t));
-    let slope = |place: &Place, from_below: bool| {
+    let slope = |place: &Place, other: &Place, from_below: bool| {
         if place.pole.is_some() {
             return chord;
         }
         let mut jet = [katydid_geometry::Vector3::ZERO; 2];
         edge.derivatives_into(place.t, from_below, &mut jet);
-        let [x, y] = ground.partials(place.uv);
+        let [x, y] = ground.partials(place.uv, other.uv);
         // Least squares of x·du + y·dv = the edge's derivative.
         let (xx, xy, yy) = (x.dot(x), x.dot(y), y.dot(y));
         let determinant = xx * yy - xy * xy;
@@ -196,7 +196,7 @@ fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4]
         let (p, q) = (x.dot(jet[1]), y.dot(jet[1]));
         [(p * yy - q * xy) / determinant, (q * xx - p * xy) / determinant]
     };
-    let (s, e) = (slope(a, false), slope(b, true));
+    let (s, e) = (slope(a, b, false), slope(b, a, true));
     let at = |uv: [f64; 2], slope: [f64; 2], h: f64| [uv[0] + slope[0] * h, uv[1] + slope[1] * h];
     [a.uv, at(a.uv, s, third), at(b.uv, e, -third), b.uv]
 }
@@ -205,4 +205,50 @@ fn bezier(p: &[[f64; 2]; 4], x: f64) -> [f64; 2] {
     let y = 1.0 - x;
     let w = [y * y * y, 3.0 * x * y * y, 3.0 * x * x * y, x * x * x];
     [0, 1].map(|d| (0..4).map(|k| w[k] * p[k][d]).sum())
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+    use super::*;
+    use katydid_geometry::{Direction, Interval, SumSurface, Surface, Vector3};
+
+    /// A closed curve with a kink where it closes, raised at its control points.
+    fn ring(heights: [f64; 7]) -> Curve {
+        let corners = [[0.0, 0.0], [4.0, -1.0], [7.0, 2.0], [5.0, 6.0], [1.0, 7.0], [-2.0, 3.0], [0.0, 0.0]];
+        let points: Vec<Point3> =
+            corners.iter().zip(heights).map(|([x, y], z)| Point3::new(*x, *y, z)).collect();
+        NurbsCurve::clamped_uniform(3, &points).unwrap().into()
+    }
+
+    #[test]
+    fn edges_that_go_round_a_surface_with_a_kinked_seam_stay_on_it() {
+        let line = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 9.0));
+        let rise: Curve = LineCurve { line, domain: Interval::new(0.0, 9.0) }.into();
+        let side = SumSurface::new(ring([0.0; 7]), rise, Vector3::ZERO).unwrap();
+        let ground = Ground::free(side.clone().into()).unwrap();
+        let wavy = ring([2.0, 3.0, 8.0, 1.0, 5.0, 4.0, 2.0]);
+        // From the seam round, across the seam, and both the other way.
+        let across = wavy.with_seam(wavy.domain().at(0.3)).unwrap();
+        for edge in [wavy.reversed(), across.reversed(), wavy, across] {
+            let flat = pull(&ground, &edge, 1e-6, false).unwrap().curve;
+            let period = ground.periods[0].unwrap();
+            assert!(((flat.end().x - flat.start().x).abs() - period).abs() < 1e-9);
+            let surface = Surface::from(side.clone());
+            let from = surface.domain(Direction::U).start;
+            let mut before = None;
+            for k in 0..=500 {
+                let x = f64::from(k) / 500.0;
+                let uv = flat.point_at(flat.domain().at(x));
+                let u = from + (uv.x - from).rem_euclid(period);
+                let apart = surface.point_at(u, uv.y).distance_to(edge.point_at(edge.domain().at(x)));
+                assert!(apart < 2e-6, "{apart} off at {x}");
+                if let Some(before) = before {
+                    assert!((uv.x - before) * (flat.end().x - flat.start().x) > 0.0, "it turns back at {x}");
+                }
+                before = Some(uv.x);
+            }
+        }
+    }
 }

@@ -3,11 +3,9 @@
 use super::Path;
 use crate::{Curve, Error, Line, LineCurve, NurbsCurve, Point3, PolyCurve, PolylineCurve, Result};
 
-/// Gaps up to this part of the loop's size are closed.
-const LARGEST_GAP: f64 = 1e-3;
-
-/// Moves the ends of neighbours to one place. A straight curve keeps its end, so that it stays on its line.
-pub(super) fn close_gaps(paths: &mut [Path]) -> Result<()> {
+/// Moves the ends of neighbours to one place, over gaps up to a part of the loop's size. A straight curve keeps its end,
+/// so that it stays on its line.
+pub(super) fn close_gaps(paths: &mut [Path], largest: f64) -> Result<()> {
     if paths.is_empty() {
         return Err(Error::degenerate("loop", "it has no pieces"));
     }
@@ -26,7 +24,7 @@ pub(super) fn close_gaps(paths: &mut [Path]) -> Result<()> {
         if a == b {
             continue;
         }
-        if !(a.distance_to(b) <= LARGEST_GAP * size) {
+        if !(a.distance_to(b) <= largest * size) {
             return Err(Error::Invalid {
                 what: "boundary of a face",
                 why: format!("its curves do not meet: two are {} of its size apart", a.distance_to(b) / size),

@@ -8,6 +8,9 @@ use super::validity::refusal;
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};
 use crate::{Curve, Error, Point3, Result, Surface};
 
+/// Gaps up to this part of a loop's size are closed.
+const LARGEST_GAP: f64 = 1e-3;
+
 /// A vertex of a brep that is being built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct NewVertex(pub(super) usize);
@@ -122,8 +125,23 @@ impl Builder {
     /// # Errors
     /// A face, edge or vertex of another builder, a loop without pieces, a curve out of the parameter plane, or
     /// curves that do not meet: their ends are further apart than a thousandth of the loop's size.
-    pub fn bound(&mut self, face: NewFace, kind: LoopKind, mut paths: Vec<Path>) -> Result<()> {
-        ends::close_gaps(&mut paths)?;
+    pub fn bound(&mut self, face: NewFace, kind: LoopKind, paths: Vec<Path>) -> Result<()> {
+        self.bound_closing(face, kind, paths, LARGEST_GAP)
+    }
+
+    /// [`Builder::bound`] with gaps closed that are up to a part of the loop's size: for edges that lie farther from the
+    /// surface, as they do in files.
+    ///
+    /// # Errors
+    /// As [`Builder::bound`].
+    pub fn bound_closing(
+        &mut self,
+        face: NewFace,
+        kind: LoopKind,
+        mut paths: Vec<Path>,
+        largest_gap: f64,
+    ) -> Result<()> {
+        ends::close_gaps(&mut paths, largest_gap)?;
         let in_loop = self.parts.loops.len();
         let owner = self.parts.faces.get_mut(face.0).ok_or_else(|| foreign("face"))?;
         owner.loops.push(in_loop);
