@@ -73,9 +73,9 @@ fn unwelded_at(mesh: &Mesh, places: &[i32]) -> Outcome<Mesh> {
                 i
             });
         }
-        match own.as_slice() {
-            &[a, b, c, d] => MeshFace::Quad([a, b, c, d]),
-            &[a, b, c] => MeshFace::Triangle([a, b, c]),
+        match *own.as_slice() {
+            [a, b, c, d] => MeshFace::Quad([a, b, c, d]),
+            [a, b, c] => MeshFace::Triangle([a, b, c]),
             _ => *face,
         }
     });

@@ -6,7 +6,7 @@ use katydid_compute::Cause;
 use katydid_compute::wire::Read;
 use katydid_geometry::{
     Arc, BoundingBox, Brep, Curve, Direction, Mesh, NurbsCurve, NurbsSurface, Plane, Point3, PolylineCurve,
-    Rectangle, SumSurface, Surface, Tolerance, Vector3,
+    SumSurface, Surface, Tolerance, Vector3,
 };
 use serde_json::{Value as Json, json};
 
