@@ -30,7 +30,7 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
     let settings = katydid_compute::Settings {
         files: files.clone(),
         web: args.web.web()?,
-        hops: args.web.hops(),
+        hops: args.web.hops()?,
         ..katydid_compute::Settings::default()
     };
     let options = Options {

@@ -107,6 +107,7 @@ impl ServeArgs {
             hosts: self.web.hosts(),
             authorities: self.web.certificates()?,
             hops_server: self.web.hops_server.clone(),
+            hops_keys: self.web.keys()?,
             timeout: time(self.timeout),
             job_timeout: time(self.job_timeout),
             most_body: self.max_body,

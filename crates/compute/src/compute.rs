@@ -177,7 +177,7 @@ impl Compute {
             true => Err(Fault::new(Cause::Cancelled, "The request was cancelled")),
             false => Ok(()),
         };
-        let found = self.web.ask(Asked { url, body: None, time }, go_on)?;
+        let found = self.web.ask(Asked { url, body: None, key: None, time }, go_on)?;
         match found.status {
             200 => self.load_bytes(url.to_owned(), &found.body),
             300..400 => Err(Fault::refused("the definition is elsewhere: redirects are not followed")),

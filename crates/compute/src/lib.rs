@@ -33,4 +33,4 @@ pub use hops::{HopsSettings, hops};
 pub use reply::Reply;
 pub use request::{RequestLimits, SolveRequest};
 pub use solve::{Answer, Bounds, Solution, Timings};
-pub use web::WebSettings;
+pub use web::{HostKey, WebSettings};

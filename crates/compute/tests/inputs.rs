@@ -55,6 +55,38 @@ fn every_plain_kind_goes_in_and_out() {
 }
 
 #[test]
+fn the_mark_of_a_name_may_be_there_or_not_unless_two_inputs_differ_by_it_alone() {
+    let mut maker = Maker::default();
+    for (name, marked) in [("a", false), ("b", true), ("c", false), ("c", true)] {
+        let at = if marked { maker.named("Number", name) } else { maker.get("Get Number", name) };
+        if marked {
+            maker.group(&format!("RH_IN:{name}"), &[maker.object_id(at)]);
+        }
+        maker.out(&format!("RH_OUT:{name}{}", if marked { " marked" } else { "" }), at);
+    }
+    let algo = algo(&maker.document);
+    let got = |values: &[(&str, f64)]| {
+        let values: Vec<Json> = values.iter().map(|(name, x)| value(name, "0", &[json!(x)])).collect();
+        let (_, reply) = post(&compute(), &json!({ "algo": algo, "values": values })).unwrap();
+        let outputs = reply["values"].as_array().unwrap().clone();
+        outputs
+            .iter()
+            .map(|one| one["InnerTree"]["{0}"][0]["data"].as_str().map(str::to_owned))
+            .collect::<Vec<_>>()
+    };
+    let text = |x: &str| Some(x.to_owned());
+    assert_eq!(got(&[("RH_IN:a", 1.0), ("b", 2.0)]), [text("1.0"), text("2.0"), None, None]);
+    // Whose very name it is goes first, wherever it stands.
+    assert_eq!(
+        got(&[("a", 1.0), ("RH_IN:a", 3.0), ("RH_IN:b", 2.0), ("b", 4.0)])[..2],
+        [text("1.0"), text("2.0")]
+    );
+    assert_eq!(got(&[("c", 5.0)])[2..], [text("5.0"), None]);
+    assert_eq!(got(&[("RH_IN:c", 6.0)])[2..], [None, text("6.0")]);
+    assert_eq!(got(&[("RH_IN:d", 7.0)]), [None, None, None, None]);
+}
+
+#[test]
 fn texts_follow_the_kind_of_the_input() {
     let mut maker = Maker::default();
     let get = maker.get("Get String", "get");

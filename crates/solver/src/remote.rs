@@ -1,11 +1,12 @@
 //! Components that another server solves: Hops.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use katydid_component::{Budget, Cancel, Limits, Message, registry};
 use katydid_data::cast::Rules;
-use katydid_data::{Kind, Tree};
-use katydid_definition::archive::ItemValue;
+use katydid_data::{Kind, Tree, Value};
+use katydid_definition::archive::{Chunk, ItemValue};
 use katydid_definition::document::{Object, Port};
 use uuid::{Uuid, uuid};
 
@@ -62,21 +63,16 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
     let remote = turn.options.remote.as_ref().filter(|_| object.component == HOPS)?;
     let rules = turn.options.rules;
     let mut messages = Vec::new();
-    let mut inputs = Vec::with_capacity(object.inputs.len());
-    for (k, port) in object.inputs.iter().enumerate() {
-        let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
-        let collected = collect::port(object, port, None, wires, turn.options);
-        messages.extend(collected.messages);
-        inputs
-            .push((port.name.as_str(), collect::cast_to(collected.tree, kind(port), &rules, &mut messages)));
-    }
+    let steered = match steered(turn, object, wired, &mut messages) {
+        Ok(steered) => steered,
+        Err(status) => return Some(ObjectReport::idle(status, messages, object.outputs.len())),
+    };
     let budget = Budget::new(turn.options.limits, turn.options.cancel.clone(), turn.deadline);
-    let settings = object.container();
     let question = Question {
         component: object.id,
-        location: settings.str("RemoteDefinitionLocation").unwrap_or_default(),
-        kept: settings.item("InternalizeDefinition").and_then(ItemValue::as_bytes),
-        inputs,
+        location: &steered.location,
+        kept: steered.kept,
+        inputs: steered.inputs,
         outputs: object.outputs.iter().map(|port| port.name.as_str()).collect(),
         rules,
         budget: &budget,
@@ -105,6 +101,91 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
     }
     let status = ObjectReport::status_of(&messages);
     Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+}
+
+/// What the inputs of a component make of what it asks.
+struct Steered<'a> {
+    location: Cow<'a, str>,
+    kept: Option<&'a [u8]>,
+    inputs: Vec<(&'a str, Tree)>,
+}
+
+/// Collects the inputs: those that are handed on, and those that say how it asks, which count by their first item.
+///
+/// # Errors
+/// How the component comes out when it asks nobody.
+fn steered<'a>(
+    turn: &Turn<'_>,
+    object: &'a Object,
+    wired: &[Vec<&Tree>],
+    messages: &mut Vec<Message>,
+) -> Result<Steered<'a>, Status> {
+    let settings = object.container();
+    let saved = settings.str("RemoteDefinitionLocation").unwrap_or_default();
+    let mut steered = Steered {
+        location: Cow::Borrowed(saved),
+        kept: settings.item("InternalizeDefinition").and_then(ItemValue::as_bytes),
+        inputs: Vec::with_capacity(object.inputs.len()),
+    };
+    for (k, port) in object.inputs.iter().enumerate() {
+        let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
+        let collected = collect::port(object, port, None, wires, turn.options);
+        messages.extend(collected.messages);
+        let steering = Steering::of(port, settings);
+        let kind = steering.map_or_else(|| kind(port), Steering::kind);
+        let tree = collect::cast_to(collected.tree, kind, &turn.options.rules, messages);
+        let Some(steering) = steering else {
+            steered.inputs.push((port.name.as_str(), tree));
+            continue;
+        };
+        if tree.is_empty() {
+            let text = format!("Input parameter {} failed to collect data", port.nickname);
+            messages.push(Message::warning(text));
+            return Err(Status::NoData);
+        }
+        match (steering, tree.column().get(0)) {
+            (Steering::Enabled, Some(Value::Boolean(false))) => {
+                return Err(ObjectReport::status_of(messages));
+            }
+            (Steering::Enabled, _) => {}
+            (Steering::Path, value) => {
+                steered.location = match value {
+                    Some(Value::Text(path)) => Cow::Owned(path.to_string()),
+                    _ => Cow::Borrowed(""),
+                };
+                // What the component keeps is what lay where it was saved with.
+                steered.kept = steered.kept.filter(|_| steered.location.trim() == saved.trim());
+            }
+        }
+    }
+    Ok(steered)
+}
+
+/// An input that says how the component asks, and is not handed on: its menu shows it, and it stands before the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Steering {
+    /// Where the definition is, in place of where it was when the component was saved.
+    Path,
+    /// Whether anybody is asked at all.
+    Enabled,
+}
+
+impl Steering {
+    fn of(port: &Port, settings: &Chunk) -> Option<Self> {
+        let shows = |name: &str| settings.item(name).and_then(ItemValue::as_bool).unwrap_or(false);
+        match port.name.as_str() {
+            "_Path" if shows("ShowInput_Path") => Some(Self::Path),
+            "_Enabled" if shows("ShowInput_Enabled") => Some(Self::Enabled),
+            _ => None,
+        }
+    }
+
+    fn kind(self) -> Kind {
+        match self {
+            Self::Path => Kind::Text,
+            Self::Enabled => Kind::Boolean,
+        }
+    }
 }
 
 /// The type of a port: that of the parameter it is.

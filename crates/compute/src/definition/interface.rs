@@ -122,6 +122,20 @@ impl Interface {
         }
         finder.found
     }
+
+    /// The only input that has a name with or without the mark `RH_IN:`. Programs that stand between a caller and the
+    /// server, as appserver does, put the mark before each name in some of their versions, and do not in others.
+    pub(crate) fn input_but_for_the_mark(&self, name: &str) -> Option<&Input> {
+        let plain = without_mark(name);
+        let mut fitting = self.inputs.iter().filter(|input| without_mark(&input.name) == plain);
+        let input = fitting.next()?;
+        fitting.next().is_none().then_some(input)
+    }
+}
+
+/// The name without the mark before it.
+fn without_mark(name: &str) -> &str {
+    name.strip_prefix("RH_IN:").unwrap_or(name)
 }
 
 /// Looks through a document.

@@ -1,12 +1,14 @@
 //! What functions take: numbers with their bounds, lists, what may be missing.
 
+use std::time::Instant;
+
 use katydid_component::Cancel;
 use katydid_geometry::Tolerance;
 use serde_json::Value as Json;
 
 use super::call::Call;
 use crate::wire::{Read, Wire};
-use crate::{Cause, Fault};
+use crate::{Bounds, Cause, Fault};
 
 /// One parameter of a function.
 pub(super) trait Argument: Sized {
@@ -20,25 +22,40 @@ impl<T: Read> Argument for T {
     }
 }
 
-/// Whether whoever asked still waits.
+/// Whether whoever asked still waits, and until when.
 #[derive(Clone)]
-pub(super) struct Waiting(Cancel);
+pub(super) struct Waiting {
+    cancel: Cancel,
+    end: Option<Instant>,
+}
 
 impl Waiting {
+    /// From now on, for as long as the bounds allow.
+    pub(super) fn new(bounds: &Bounds) -> Self {
+        let end = bounds.limits.time.and_then(|time| Instant::now().checked_add(time));
+        Self { cancel: bounds.cancel.clone(), end }
+    }
+
     /// Whether to go on.
     pub(super) fn go_on(&self) -> bool {
-        !self.0.is_cancelled()
+        self.check().is_ok()
     }
 
     /// Stops here when nobody waits any more: between the parts of work that may be long.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        if self.go_on() { Ok(()) } else { Err(Fault::new(Cause::Cancelled, "it was cancelled")) }
+        if self.cancel.is_cancelled() {
+            return Err(Fault::new(Cause::Cancelled, "it was cancelled"));
+        }
+        match self.end {
+            Some(end) if Instant::now() >= end => Err(Fault::new(Cause::TimedOut, "the time limit is over")),
+            _ => Ok(()),
+        }
     }
 }
 
 impl Argument for Waiting {
     fn take(call: &mut Call<'_>) -> Result<Self, Fault> {
-        Ok(Self(call.cancel().clone()))
+        Ok(call.waiting().clone())
     }
 }
 

@@ -7,7 +7,7 @@ use katydid_geometry::{Brep, Containment, Curve, Interval, Point3, Surface};
 use serde_json::Value as Json;
 
 use super::answer::Outcome;
-use super::argument::Within;
+use super::argument::{Waiting, Within};
 use super::choice::Along;
 use super::table::Endpoints;
 use crate::Fault;
@@ -16,9 +16,12 @@ use crate::wire::Read;
 pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brepface/pullpointstoface-brepface_point3darray_double",
-        |f: Face, points: Vec<Point3>, _: Within| {
+        |f: Face, points: Vec<Point3>, _: Within, w: Waiting| {
             let search = ClosestOnBrep::new(Arc::new(f.brep()))?;
-            points.iter().map(|p| Ok(search.nearest(*p)?.point)).collect::<Outcome<Vec<Point3>>>()
+            points
+                .iter()
+                .map(|p| w.check().and_then(|()| Ok(search.nearest(*p)?.point)))
+                .collect::<Outcome<Vec<Point3>>>()
         },
     );
     table.add("brepface/ispointonface-brepface_double_double", |f: Face, u: f64, v: f64| {

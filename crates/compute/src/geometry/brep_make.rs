@@ -1,10 +1,10 @@
 //! Breps made from curves and points: flat ones, patches, offsets.
 
 use katydid_geometry::construct::{PatchOptions, edge_surface, four_point_surface, offset_brep, patch};
-use katydid_geometry::{Brep, Curve, Point3, Tolerance};
+use katydid_geometry::{Brep, Curve, Point3, Surface, Tolerance};
 
 use super::answer::Outcome;
-use super::argument::{Count, Some1, Within};
+use super::argument::{Count, Positive, Some1, Within};
 use super::brep_face::Face;
 use super::table::Endpoints;
 use crate::Fault;
@@ -38,6 +38,28 @@ pub(super) fn enter(table: &mut Endpoints) {
         |parts: Some1<GeometryBase>, u: Spans, v: Spans, t: Within| {
             let (curves, points) = curves_and_points(parts.0)?;
             let options = PatchOptions { spans: [u.0, v.0], ..PatchOptions::default() };
+            Ok(patch(&curves, &points, &options, &t.tolerance())?)
+        },
+    );
+    table.add(
+        "brep/createpatch-geometrybasearray_surface_int_int_bool_bool_double_double_double_boolarray_double",
+        |parts: Some1<GeometryBase>,
+         start: Option<Surface>,
+         u: Spans,
+         v: Spans,
+         trimmed: bool,
+         _tangency: bool,
+         _spacing: f64,
+         flexibility: Positive,
+         _pull: f64,
+         _fixed: Option<Vec<bool>>,
+         t: Within| {
+            if start.is_some() {
+                return Err(Fault::not_supported("patches that begin from a surface"));
+            }
+            // Curves and points have no tangents to follow, and without a surface nothing pulls.
+            let (curves, points) = curves_and_points(parts.0)?;
+            let options = PatchOptions { spans: [u.0, v.0], flexibility: flexibility.0, trimmed };
             Ok(patch(&curves, &points, &options, &t.tolerance())?)
         },
     );

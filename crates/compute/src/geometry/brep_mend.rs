@@ -4,12 +4,15 @@ use katydid_geometry::brep::{ClosestOnBrep, LoopKind};
 use katydid_geometry::construct::{PipeCap, pipe};
 use katydid_geometry::{Brep, Containment, Curve, Direction, Line, Point3, Tolerance, join_curves};
 
+use serde_json::Value as Json;
+
 use super::answer::Outcome;
-use super::argument::{Positive, Turn, Within};
+use super::argument::{Positive, Some1, Turn, Within};
 use super::brep_face::{Face, edge_curves};
 use super::choice::Cap;
 use super::table::Endpoints;
 use crate::Fault;
+use crate::wire::{Members, Read};
 
 pub(super) fn enter(table: &mut Endpoints) {
     table.add("brep/joinnakededges-brep_double", |b: Brep, t: Within| {
@@ -21,8 +24,15 @@ pub(super) fn enter(table: &mut Endpoints) {
         Ok((joints, whole))
     });
     table.add("brep/getpointinside-brep_double_point3d", inside);
-    table.add("brepface/removeholes-brepface_double", |f: Face, t: Within| without_holes(&f.brep(), t));
-    table.add("brep/removeholes-brep_double", |b: Brep, t: Within| without_holes(&b, t));
+    table.add("brepface/removeholes-brepface_double", |f: Face, t: Within| without_holes(&f.brep(), None, t));
+    table.add("brep/removeholes-brep_double", |b: Brep, t: Within| without_holes(&b, None, t));
+    table.add(
+        "brep/removeholes-brep_componentindexarray_double",
+        |b: Brep, loops: Some1<LoopIndex>, t: Within| {
+            let listed: Vec<usize> = loops.0.into_iter().map(|own| own.0).collect();
+            without_holes(&b, Some(&listed), t)
+        },
+    );
     table.add(
         "brep/createthickpipe-curve_double_double_bool_pipecapmode_bool_double_double",
         |rail: Curve, inner: Positive, outer: Positive, _: bool, cap: Cap, _: bool, t: Within, a: Turn| {
@@ -66,17 +76,45 @@ fn inside(brep: Brep, tolerance: Within) -> Outcome<(bool, Option<Point3>)> {
     Ok((false, None))
 }
 
-/// The brep with the holes of its faces closed: the loops inside a face at whose edges nothing else hangs.
-fn without_holes(brep: &Brep, tolerance: Within) -> Outcome<Brep> {
+/// A `ComponentIndex` that is of a loop.
+struct LoopIndex(usize);
+
+/// `ComponentIndexType.BrepLoop`.
+const BREP_LOOP: i32 = 5;
+
+impl Read for LoopIndex {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let members = Members::of(json)?;
+        let (kind, index): (i32, i32) = (members.read("ComponentIndexType")?, members.read("Index")?);
+        match usize::try_from(index) {
+            Ok(index) if kind == BREP_LOOP => Ok(Self(index)),
+            _ => {
+                Err(Fault::bad_request(format!("is no loop: type {kind}, not {BREP_LOOP}, or index {index}")))
+            }
+        }
+    }
+}
+
+/// The brep with holes of its faces closed, all or those listed: the loops inside a face at whose edges nothing else
+/// hangs.
+fn without_holes(brep: &Brep, listed: Option<&[usize]>, tolerance: Within) -> Outcome<Brep> {
+    let count = brep.loops().len();
+    if let Some(at) = listed.unwrap_or_default().iter().find(|at| **at >= count) {
+        return Err(Fault::bad_request(format!("loops: there is no loop {at}")));
+    }
     let tolerance = tolerance.tolerance();
     let naked = brep.naked_edges();
     let is_hole = |at: usize| {
-        brep.loops().get(at).is_some_and(|own| {
-            let free = |trim: &usize| {
-                brep.trims().get(*trim).is_some_and(|trim| trim.edge.is_none_or(|edge| naked.contains(&edge)))
-            };
-            own.kind == LoopKind::Inner && own.trims.iter().all(free)
-        })
+        let wanted = listed.is_none_or(|listed| listed.contains(&at));
+        wanted
+            && brep.loops().get(at).is_some_and(|own| {
+                let free = |trim: &usize| {
+                    brep.trims()
+                        .get(*trim)
+                        .is_some_and(|trim| trim.edge.is_none_or(|edge| naked.contains(&edge)))
+                };
+                own.kind == LoopKind::Inner && own.trims.iter().all(free)
+            })
     };
     let mut parts = Vec::new();
     let mut whole = Vec::new();

@@ -1,8 +1,8 @@
 //! One call: its arguments, and what it gives.
 
-use katydid_component::Cancel;
 use serde_json::Value as Json;
 
+use super::argument::Waiting;
 use crate::Fault;
 use crate::wire::Read;
 
@@ -14,23 +14,24 @@ pub(super) struct Call<'a> {
     arguments: &'a [Json],
     /// The parameters' names.
     names: &'a [&'static str],
-    cancel: &'a Cancel,
+    waiting: &'a Waiting,
     place: usize,
     /// Whether all arguments have been read: what goes wrong from then on is not theirs.
     pub(super) ready: bool,
 }
 
 impl<'a> Call<'a> {
-    pub(super) fn new(arguments: &'a [Json], names: &'a [&'static str], cancel: &'a Cancel) -> Self {
-        Self { arguments, names, cancel, place: 0, ready: false }
+    pub(super) fn new(arguments: &'a [Json], names: &'a [&'static str], waiting: &'a Waiting) -> Self {
+        Self { arguments, names, waiting, place: 0, ready: false }
     }
 
-    pub(super) fn cancel(&self) -> &'a Cancel {
-        self.cancel
+    pub(super) fn waiting(&self) -> &'a Waiting {
+        self.waiting
     }
 
     /// Reads the next argument; one that is left out is null.
     pub(super) fn next<T: Read>(&mut self) -> Result<T, Fault> {
+        self.waiting.check()?;
         let place = self.place;
         self.place += 1;
         let name = self.names.get(place).copied().unwrap_or("argument");

@@ -1,8 +1,8 @@
 //! Curves made from points, or between curves.
 
 use katydid_geometry::{
-    Curve, Interval, KnotSpacing, NurbsCurve, Point3, Tolerance, TweenMatch, Vector3, intersect::curve_curve,
-    join_curves,
+    Arc, Curve, Interval, KnotSpacing, NurbsCurve, Point3, Tolerance, TweenMatch, Vector3,
+    intersect::curve_curve, join_curves,
 };
 use serde_json::Value as Json;
 
@@ -40,6 +40,7 @@ pub(super) fn enter(table: &mut Endpoints) {
             Ok(a.blend_to(&b, [order.0; 2], [first, second])?)
         },
     );
+    table.add("curve/createfillet-curve_curve_double_double_double", fillet_arc);
     let control_points = |a: Curve, b: Curve, n: Between| tweens(&a, &b, n, TweenMatch::ControlPoints);
     table.add("curve/createtweencurves-curve_curve_int", control_points);
     table.add("curve/createtweencurveswithmatching-curve_curve_int", control_points);
@@ -159,6 +160,24 @@ fn fillet_curves(
         (false, true) => all,
         (false, false) => vec![corner.piece],
     })
+}
+
+/// The arc alone, on the side of a parameter of either curve; `None` where there is none of that radius.
+fn fillet_arc(
+    first: Curve,
+    second: Curve,
+    radius: Positive,
+    on_first: f64,
+    on_second: f64,
+) -> Outcome<Option<Arc>> {
+    let tolerance = Within(Tolerance::default().absolute);
+    let before = side_of_corner(&first, &second, first.point_at(on_first), tolerance)?;
+    let after = side_of_corner(&second, &first, second.point_at(on_second), tolerance)?.reversed();
+    let corner = before.fillet_with(&after, radius.0, &tolerance.tolerance()).ok();
+    Ok(corner.and_then(|corner| match corner.piece {
+        Curve::Arc(piece) => Some(piece.arc),
+        _ => None,
+    }))
 }
 
 /// The part of a curve that ends where it meets another, on the side of a point.

@@ -23,12 +23,13 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("intersect/intersection/meshmeshaccurate-mesh_mesh_double", |a: Mesh, b: Mesh, t: Within| {
         Ok(mesh_mesh(&MeshTree::new(&a), &MeshTree::new(&b), t.0)?)
     });
-    table.add("intersect/intersection/meshline-mesh_line_intarray", |m: Mesh, line: Line| {
-        on_lines(&m, &[line])
+    table.add("intersect/intersection/meshline-mesh_line_intarray", |m: Mesh, line: Line, w: Waiting| {
+        on_lines(&m, &[line], &w)
     });
-    table.add("intersect/intersection/meshlinesorted-mesh_line_intarray", |m: Mesh, line: Line| {
-        on_lines(&m, &[line])
-    });
+    table.add(
+        "intersect/intersection/meshlinesorted-mesh_line_intarray",
+        |m: Mesh, line: Line, w: Waiting| on_lines(&m, &[line], &w),
+    );
     table.add("intersect/intersection/meshpolyline-mesh_polylinecurve_intarray", on_polyline);
     table.add("intersect/intersection/meshpolylinesorted-mesh_polylinecurve_intarray", on_polyline);
     table.add("intersect/meshclash/search", clashes);
@@ -46,10 +47,11 @@ fn sections(mesh: &Mesh, planes: &[Plane], waiting: &Waiting) -> Outcome<Option<
 }
 
 /// The points on a chain of segments, in its order, and the faces they lie in.
-fn on_lines(mesh: &Mesh, lines: &[Line]) -> Outcome<(Vec<Point3>, Vec<usize>)> {
+fn on_lines(mesh: &Mesh, lines: &[Line], waiting: &Waiting) -> Outcome<(Vec<Point3>, Vec<usize>)> {
     let tree = MeshTree::new(mesh);
     let (mut points, mut faces) = (Vec::new(), Vec::new());
     for line in lines {
+        waiting.check()?;
         for hit in tree.line_hits(line.from, line.direction(), [0.0, 1.0])? {
             // A corner of the chain belongs to two segments.
             if points.last().is_none_or(|last: &Point3| last.distance_to(hit.point) > 0.0) {
@@ -61,17 +63,24 @@ fn on_lines(mesh: &Mesh, lines: &[Line]) -> Outcome<(Vec<Point3>, Vec<usize>)> {
     Ok((points, faces))
 }
 
-fn on_polyline(mesh: Mesh, polyline: PolylineCurve) -> Outcome<(Vec<Point3>, Vec<usize>)> {
+fn on_polyline(mesh: Mesh, polyline: PolylineCurve, waiting: Waiting) -> Outcome<(Vec<Point3>, Vec<usize>)> {
     let ends = polyline.points().iter().zip(polyline.points().iter().skip(1));
-    on_lines(&mesh, &ends.map(|(a, b)| Line::new(*a, *b)).collect::<Vec<_>>())
+    on_lines(&mesh, &ends.map(|(a, b)| Line::new(*a, *b)).collect::<Vec<_>>(), &waiting)
 }
 
 /// Where a mesh comes within a distance of others: one entry for each of the others, with the point of the pair of faces
 /// that are nearest, up to so many.
-fn clashes(mesh: Mesh, others: Vec<Mesh>, distance: Reach, most: Count<1, 100_000>) -> Outcome<Vec<Json>> {
+fn clashes(
+    mesh: Mesh,
+    others: Vec<Mesh>,
+    distance: Reach,
+    most: Count<1, 100_000>,
+    waiting: Waiting,
+) -> Outcome<Vec<Json>> {
     let tree = MeshTree::new(&mesh);
     let mut out = Vec::new();
     for other in &others {
+        waiting.check()?;
         let pairs = tree.clashes(&MeshTree::new(other), distance.0, most.0);
         let Some(nearest) = pairs.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { continue };
         out.push(json!({

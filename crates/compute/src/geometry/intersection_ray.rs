@@ -16,11 +16,11 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("intersect/intersection/meshray-mesh_ray3d_intarray", |m: Mesh, ray: Ray| mesh_ray(&m, ray));
     table.add(
         "intersect/intersection/rayshoot-ray3d_geometrybasearray_int",
-        |ray: Ray, g: Some1<GeometryBase>, n: Reflections| shoot(ray, &g.0, n),
+        |ray: Ray, g: Some1<GeometryBase>, n: Reflections, w: Waiting| shoot(ray, &g.0, n, &w),
     );
     table.add(
         "intersect/intersection/rayshoot-geometrybasearray_ray3d_int",
-        |g: Some1<GeometryBase>, ray: Ray, n: Reflections| shoot(ray, &g.0, n),
+        |g: Some1<GeometryBase>, ray: Ray, n: Reflections, w: Waiting| shoot(ray, &g.0, n, &w),
     );
     table.add(
         "intersect/intersection/projectpointstomeshes-mesharray_point3darray_vector3d_double",
@@ -114,9 +114,15 @@ fn targets_of_breps(breps: Vec<Brep>) -> Outcome<Vec<Target<'static>>> {
 }
 
 /// The points at which a ray is thrown back, by the law of reflection, up to so many.
-fn shoot(ray: Ray, geometry: &[GeometryBase], Count(most): Reflections) -> Outcome<Vec<Point3>> {
+fn shoot(
+    ray: Ray,
+    geometry: &[GeometryBase],
+    Count(most): Reflections,
+    waiting: &Waiting,
+) -> Outcome<Vec<Point3>> {
     let mut targets = Vec::with_capacity(geometry.len());
     for (i, part) in geometry.iter().enumerate() {
+        waiting.check()?;
         targets.push(match part {
             GeometryBase::Mesh(mesh) => Target::Mesh(MeshTree::new(mesh), mesh),
             GeometryBase::Brep(brep) => Target::Brep(ClosestOnBrep::new(Arc::new(brep.clone()))?),
@@ -130,6 +136,7 @@ fn shoot(ray: Ray, geometry: &[GeometryBase], Count(most): Reflections) -> Outco
     let mut along = ray.direction.unitized().ok_or_else(|| Fault::bad_request("ray has no direction"))?;
     let mut points = Vec::new();
     while points.len() < most {
+        waiting.check()?;
         // What the ray has just left does not count.
         let least = 1e-7 * from.to_vector().length().max(1.0);
         let mut first: Option<Hit> = None;

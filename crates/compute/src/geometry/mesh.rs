@@ -12,6 +12,7 @@ use serde_json::{Value as Json, json};
 use super::answer::Outcome;
 use super::argument::{Count, OnMesh, Positive, Turn, Waiting, Within};
 use super::curve::contour_planes;
+use super::smoothing::Axes;
 use super::table::Endpoints;
 use crate::Fault;
 use crate::wire::Wire;
@@ -31,9 +32,12 @@ pub(super) fn enter(table: &mut Endpoints) {
         let normal = at.map(|at| normal_at(&m, &at)).transpose()?;
         Ok((face_number(found.as_ref()), found.map(|found| found.point), normal))
     });
-    table.add("mesh/pullpointstomesh-mesh_point3darray", |m: Mesh, points: Vec<Point3>| {
+    table.add("mesh/pullpointstomesh-mesh_point3darray", |m: Mesh, points: Vec<Point3>, w: Waiting| {
         let tree = MeshTree::new(&m);
-        points.iter().map(|p| Ok(tree.nearest(*p)?)).collect::<Outcome<Vec<Point3>>>()
+        points
+            .iter()
+            .map(|p| w.check().and_then(|()| Ok(tree.nearest(*p)?)))
+            .collect::<Outcome<Vec<Point3>>>()
     });
     table.add("mesh/pointat-mesh_meshpoint", |m: Mesh, at: OnMesh| point_at(&m, &at));
     table.add(
@@ -90,8 +94,8 @@ pub(super) fn enter(table: &mut Endpoints) {
     });
     table.add(
         "mesh/smooth-mesh_double_bool_bool_bool_bool_smoothingcoordinatesystem",
-        |m: Mesh, strength: f64, x: bool, y: bool, z: bool, fixed: bool, _: i32, w: Waiting| {
-            smoothed(&m, strength, [x, y, z], fixed, &w)
+        |m: Mesh, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32, w: Waiting| {
+            smoothed(&m, None, strength, &Axes::new([x, y, z], system, None)?, fixed, &w)
         },
     );
     table.add(
@@ -102,9 +106,26 @@ pub(super) fn enter(table: &mut Endpoints) {
          y: bool,
          z: bool,
          fixed: bool,
-         _: i32,
-         _: Option<Plane>,
-         w: Waiting| { smoothed(&m, strength, [x, y, z], fixed, &w) },
+         system: i32,
+         plane: Option<Plane>,
+         w: Waiting| {
+            smoothed(&m, None, strength, &Axes::new([x, y, z], system, plane)?, fixed, &w)
+        },
+    );
+    table.add(
+        "mesh/smooth-mesh_intarray_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
+        |m: Mesh,
+         vertices: Vec<i32>,
+         strength: f64,
+         x: bool,
+         y: bool,
+         z: bool,
+         fixed: bool,
+         system: i32,
+         plane: Option<Plane>,
+         w: Waiting| {
+            smoothed(&m, Some(&vertices), strength, &Axes::new([x, y, z], system, plane)?, fixed, &w)
+        },
     );
     for path in ["mesh/reduce-mesh_reducemeshparameters", "mesh/reduce-mesh_reducemeshparameters_bool"] {
         table.add(path, |m: Mesh, wanted: Reduction, w: Waiting| reduced(&m, wanted.0, &w));
@@ -244,18 +265,31 @@ fn naked_edges(mesh: &Mesh) -> Outcome<Option<Vec<Vec<Point3>>>> {
     Ok((!chains.is_empty()).then(|| chains.into_iter().map(points).collect()))
 }
 
+/// The mesh with its vertices, or those listed, drawn towards their neighbours along some axes. What lies in one place
+/// stays together.
 fn smoothed(
     mesh: &Mesh,
+    listed: Option<&[i32]>,
     strength: f64,
-    axes: [bool; 3],
+    axes: &Axes,
     fixed: bool,
     waiting: &Waiting,
 ) -> Outcome<(bool, Mesh)> {
-    if axes != [true; 3] {
-        return Err(Fault::not_supported("smoothing along some axes only"));
-    }
     let options = Smoothing { strength, skip_naked: fixed, iterations: 1, limit: None };
-    Ok((true, mesh.smoothed(&options, || waiting.go_on())?))
+    let smooth = mesh.smoothed(&options, || waiting.go_on())?;
+    let merged = mesh.merged_indices();
+    let mut moves = vec![listed.is_none(); mesh.vertices().len()];
+    for i in listed.unwrap_or_default() {
+        let place = usize::try_from(*i).ok().and_then(|i| merged.get(i));
+        let moving = place.and_then(|place| moves.get_mut(*place as usize));
+        *moving.ok_or_else(|| Fault::bad_request(format!("vertexIndices: there is no vertex {i}")))? = true;
+    }
+    let places = mesh.vertices().iter().zip(smooth.vertices()).zip(&merged).map(|((from, to), place)| {
+        let moving = moves.get(*place as usize).copied().unwrap_or(false);
+        if moving { *from + axes.part(*to - *from) } else { *from }
+    });
+    let (faces, colours) = (mesh.faces().to_vec(), mesh.colours().to_vec());
+    Ok((true, Mesh::from_parts(places.collect(), faces, Vec::new(), colours)?.with_normals()))
 }
 
 /// `ReduceMeshParameters`, of which the count of faces is heeded.

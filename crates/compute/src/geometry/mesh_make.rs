@@ -130,7 +130,7 @@ fn planar(curve: &Curve, parameters: Option<MeshingParameters>, tolerance: Withi
 }
 
 /// What several closed meshes enclose together.
-fn union(meshes: &[Mesh], name: &str) -> Outcome<Solid> {
+pub(super) fn union(meshes: &[Mesh], name: &str) -> Outcome<Solid> {
     let mut whole: Option<Solid> = None;
     for (i, mesh) in meshes.iter().enumerate() {
         let solid = Solid::new(mesh)
@@ -144,7 +144,7 @@ fn union(meshes: &[Mesh], name: &str) -> Outcome<Solid> {
 }
 
 /// The pieces of a result; nothing for an empty one.
-fn combined(solid: Solid) -> Outcome<Vec<Mesh>> {
+pub(super) fn combined(solid: Solid) -> Outcome<Vec<Mesh>> {
     if solid.is_empty() {
         return Ok(Vec::new());
     }

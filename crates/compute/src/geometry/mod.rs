@@ -29,15 +29,18 @@ mod intersection_mesh;
 mod intersection_ray;
 mod mass;
 mod mesh;
+mod mesh_edit;
 mod mesh_make;
 mod mesh_pieces;
 mod mesh_round;
 mod nurbs_curve;
 mod nurbs_surface;
 mod query;
+mod smoothing;
 mod subd;
 mod surface;
 mod surface_curve;
+mod surface_edit;
 mod table;
 
 pub use call::CallReply;
@@ -50,7 +53,8 @@ use crate::{Bounds, Fault};
 ///
 /// # Errors
 /// `NotFound` for a path that nobody has, `NotSupported` for one that is known and not here, `BadRequest` for a body
-/// or an argument that makes no sense, `Cancelled` when the asker has left between two calls of one body.
+/// or an argument that makes no sense, `Cancelled` when the asker has left, and `TimedOut`
+/// when the time is over: both are looked for between the parts of what may take long.
 pub fn call(path: &str, query: &Query, body: &[u8], bounds: &Bounds) -> Result<CallReply, Fault> {
     table::endpoints().call(path, query, body, bounds)
 }

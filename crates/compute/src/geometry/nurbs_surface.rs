@@ -1,13 +1,14 @@
 //! NURBS surfaces made from points and curves.
 
 use katydid_geometry::construct::{network_surface, rail_revolve};
+use katydid_geometry::intersect::curve_curve;
 use katydid_geometry::{
     Brep, Curve, Interval, KnotSpacing, Line, NurbsSurface, Plane, Point3, Surface, Tolerance,
     clamped_uniform_knots,
 };
 
 use super::answer::Outcome;
-use super::argument::{Count, Some1, Turn, Within};
+use super::argument::{Count, Some1, Turn, Waiting, Within};
 use super::table::Endpoints;
 use crate::Fault;
 
@@ -68,6 +69,53 @@ pub(super) fn enter(table: &mut Endpoints) {
             Ok((sole_surface(&network_surface(&u.0, &v.0, &a.and(t))?)?, 0))
         },
     );
+    table.add(
+        "nurbssurface/createnetworksurface-curvearray_int_double_double_double_int",
+        |curves: Some1<Curve>, _: i32, t: Within, _: Within, a: Turn, w: Waiting| {
+            let [u, v] = families(curves.0, t, &w)?;
+            Ok((sole_surface(&network_surface(&u, &v, &a.and(t))?)?, 0))
+        },
+    );
+}
+
+/// Curves in two sets, none of which crosses another one of its set: those that cross the first curve, and so on.
+fn families(curves: Vec<Curve>, tolerance: Within, waiting: &Waiting) -> Outcome<[Vec<Curve>; 2]> {
+    let mut sides: Vec<Option<usize>> = vec![None; curves.len()];
+    let mut meets = vec![Vec::new(); curves.len()];
+    for (i, a) in curves.iter().enumerate() {
+        for (k, b) in curves.iter().enumerate().skip(i + 1) {
+            waiting.check()?;
+            if !curve_curve(a, b, tolerance.0)?.crossings.is_empty() {
+                for (own, other) in [(i, k), (k, i)] {
+                    meets.get_mut(own).into_iter().for_each(|met| met.push(other));
+                }
+            }
+        }
+    }
+    let mut next = vec![(0, 0)];
+    while let Some((i, side)) = next.pop() {
+        let (Some(own), Some(met)) = (sides.get_mut(i), meets.get(i)) else { continue };
+        match own {
+            Some(known) if *known != side => {
+                return Err(Fault::bad_request(
+                    "curves do not come in two sets, of which each crosses the other",
+                ));
+            }
+            Some(_) => {}
+            None => {
+                *own = Some(side);
+                next.extend(met.iter().map(|other| (*other, 1 - side)));
+            }
+        }
+    }
+    if let Some(i) = sides.iter().position(Option::is_none) {
+        return Err(Fault::bad_request(format!("curves: curve {i} crosses none of the others' network")));
+    }
+    let of = |side: usize| {
+        let fitting = curves.iter().zip(&sides).filter(move |(_, own)| **own == Some(side));
+        fitting.map(|(curve, _)| curve.clone()).collect::<Vec<Curve>>()
+    };
+    Ok([of(0), of(1)])
 }
 
 type Lines = Count<2, 10_000>;

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 use std::time::Instant;
 
-use katydid_component::Cancel;
 use serde_json::{Map, Value as Json};
 
+use super::argument::Waiting;
 use super::call::{Call, CallReply};
 use super::function::{Entry, Function};
 use super::query::Query;
@@ -87,14 +87,17 @@ impl Endpoints {
         super::intersection_ray::enter(&mut table);
         super::mass::enter(&mut table);
         super::mesh::enter(&mut table);
+        super::mesh_edit::enter(&mut table);
         super::mesh_make::enter(&mut table);
         super::mesh_pieces::enter(&mut table);
         super::mesh_round::enter(&mut table);
         super::nurbs_curve::enter(&mut table);
         super::nurbs_surface::enter(&mut table);
+        super::smoothing::enter(&mut table);
         super::subd::enter(&mut table);
         super::surface::enter(&mut table);
         super::surface_curve::enter(&mut table);
+        super::surface_edit::enter(&mut table);
         table
     }
 
@@ -157,11 +160,10 @@ impl Endpoints {
         if query.stop_at == Some(1) {
             return seconds();
         }
+        let waiting = Waiting::new(bounds);
         let one = |arguments: &[Json]| {
-            if bounds.cancel.is_cancelled() {
-                return Err(Fault::new(Cause::Cancelled, "it was cancelled"));
-            }
-            fitting(&rows, arguments, &bounds.cancel).and_then(|(row, json)| wanted(row, json, query))
+            waiting.check()?;
+            fitting(&rows, arguments, &waiting).and_then(|(row, json)| wanted(row, json, query))
         };
         let json = if query.multiple {
             let several = |(i, arguments): (usize, &Json)| {
@@ -194,27 +196,30 @@ fn arguments(body: &[u8]) -> Result<Vec<Json>, Fault> {
 }
 
 /// What a row gives for arguments, and whether a fault is theirs.
-fn run(row: &Row, arguments: &[Json], cancel: &Cancel) -> Result<Json, (Fault, bool)> {
+fn run(row: &Row, arguments: &[Json], waiting: &Waiting) -> Result<Json, (Fault, bool)> {
     let Some(entry) = &row.entry else { return Err((Fault::not_supported(row.path), true)) };
-    let mut call = Call::new(arguments, &row.names, cancel);
-    entry(&mut call).map_err(|fault| {
+    let mut call = Call::new(arguments, &row.names, waiting);
+    // What was given up on the way is no result.
+    let outcome = entry(&mut call).and_then(|json| waiting.check().map(|()| json));
+    outcome.map_err(|fault| {
         let fault = match fault.cause {
             Cause::NotSupported(what) if what != row.path => {
                 Fault::not_supported(format!("{}: {what}", row.path))
             }
             cause => Fault { cause, message: fault.message },
         };
-        (fault, !call.ready)
+        let is_theirs = !call.ready && !matches!(fault.cause, Cause::Cancelled | Cause::TimedOut);
+        (fault, is_theirs)
     })
 }
 
 /// The first overload that the arguments fit, with what it gives: those with just as many parameters come first.
-fn fitting<'a>(rows: &[&'a Row], arguments: &[Json], cancel: &Cancel) -> Result<(&'a Row, Json), Fault> {
+fn fitting<'a>(rows: &[&'a Row], arguments: &[Json], waiting: &Waiting) -> Result<(&'a Row, Json), Fault> {
     let mut ordered: Vec<&Row> = rows.to_vec();
     ordered.sort_by_key(|row| (row.entry.is_none(), row.names.len().abs_diff(arguments.len())));
     let mut first = None;
     for row in ordered {
-        match run(row, arguments, cancel) {
+        match run(row, arguments, waiting) {
             Ok(json) => return Ok((row, json)),
             Err((fault, true)) => first = first.or(Some(fault)),
             Err((fault, false)) => return Err(fault),

@@ -18,7 +18,7 @@ use katydid_solver::{Question, Remote, Solved};
 
 use crate::cache::lock;
 use crate::solve::MOST_RECURSION;
-use crate::web::{Asked, Response, Web};
+use crate::web::{Asked, HostKey, Response, Web};
 use crate::{Fault, Settings};
 use protocol::Described;
 use result::Gathered;
@@ -29,6 +29,8 @@ pub struct HopsSettings {
     /// The server that solves definitions which lie elsewhere, as `http://host:port`; its host is listed too. Without
     /// one they are solved here.
     pub server: Option<String>,
+    /// The keys that hosts ask for: of several for one host the first counts.
+    pub keys: Vec<HostKey>,
     /// How long one answer may take.
     pub time: Duration,
     /// The most calls that one component makes in a solve: one for each item of an input that takes items.
@@ -36,9 +38,9 @@ pub struct HopsSettings {
 }
 
 impl Default for HopsSettings {
-    /// No server of definitions; 100 seconds and 1000 calls.
+    /// No server of definitions and no keys; 100 seconds and 1000 calls.
     fn default() -> Self {
-        Self { server: None, time: Duration::from_secs(100), calls: 1000 }
+        Self { server: None, keys: Vec::new(), time: Duration::from_secs(100), calls: 1000 }
     }
 }
 
@@ -82,7 +84,8 @@ impl Hops {
         let time =
             question.limits.time.map_or(self.settings.hops.time, |left| left.min(self.settings.hops.time));
         let go_on = || question.budget.check().map_err(|message| Fault::failed(message.text));
-        self.web.ask(Asked { url, body, time }, go_on).map_err(|fault| {
+        let key = self.settings.hops.keys.iter().find_map(|key| key.for_address(url)).map(str::to_owned);
+        self.web.ask(Asked { url, body, key, time }, go_on).map_err(|fault| {
             // What the solve itself ran out of says so in its own words.
             question.budget.check().err().unwrap_or_else(|| Message::error(fault.message))
         })

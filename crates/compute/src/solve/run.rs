@@ -62,17 +62,22 @@ pub(crate) fn run(
 }
 
 /// Sets the inputs that the request names; what it does not name keeps what it has. Names that nobody has are ignored,
-/// as clients expect. Of two values for one input the last counts.
+/// as clients expect. Of two values for one input the last counts, but those by its own name come after all others.
 fn give(
     definition: &Definition,
     request: &SolveRequest,
     engine: &mut Engine,
 ) -> Result<Vec<(usize, usize)>, Fault> {
     let mut set = Vec::with_capacity(request.values.len());
-    let inputs = definition.interface().inputs.iter();
-    let inputs: HashMap<&str, &Input> = inputs.map(|input| (input.name.as_str(), input)).collect();
-    for value in &request.values {
-        let Some(input) = inputs.get(value.name.as_str()) else { continue };
+    let interface = definition.interface();
+    let own: HashMap<&str, &Input> =
+        interface.inputs.iter().map(|input| (input.name.as_str(), input)).collect();
+    let meant = request.values.iter().filter(|value| !own.contains_key(value.name.as_str()));
+    let meant =
+        meant.filter_map(|value| interface.input_but_for_the_mark(&value.name).map(|input| (input, value)));
+    let named =
+        request.values.iter().filter_map(|value| own.get(value.name.as_str()).map(|input| (*input, value)));
+    for (input, value) in meant.chain(named) {
         engine.give(input.object, input.port, Some(request::tree(input, value)?));
         set.push((input.object, input.port));
     }

@@ -13,7 +13,7 @@ use ureq::{Agent, Error};
 
 use super::hosts::Hosts;
 use super::resolver::Listed;
-use super::{REACH, WebSettings};
+use super::{REACH, WebSettings, keys};
 use crate::{Cause, Fault};
 
 /// How long one waits between two looks at whether the work shall stop.
@@ -33,6 +33,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) url: &'a str,
     /// The JSON to post; what lies there is got when there is none.
     pub(crate) body: Option<Vec<u8>>,
+    /// The key that the host wants to see.
+    pub(crate) key: Option<String>,
     /// The most that it may take.
     pub(crate) time: Duration,
 }
@@ -86,10 +88,10 @@ impl Web {
         let host = self.hosts.place(asked.url)?.name;
         let (send, receive) = channel();
         let (agent, url, most) = (self.agent.clone(), asked.url.trim().to_owned(), self.bytes);
-        let Asked { body, time, .. } = asked;
+        let Asked { body, key, time, .. } = asked;
         // The thread ends when the time is over at the latest; whoever stops does not wait for it.
         let thread = std::thread::Builder::new().name("web".to_owned());
-        let started = thread.spawn(move || send.send(exchange(&agent, &url, body, time, most)));
+        let started = thread.spawn(move || send.send(exchange(&agent, &url, body, key, time, most)));
         started.map_err(|_| Fault::failed(format!("{host} cannot be asked")))?;
         loop {
             match receive.recv_timeout(LOOK) {
@@ -107,19 +109,20 @@ fn exchange(
     agent: &Agent,
     url: &str,
     body: Option<Vec<u8>>,
+    key: Option<String>,
     time: Duration,
     most: usize,
 ) -> Result<Response, Error> {
+    // Redirects are not followed, so that the key goes to no other host.
     let mut response = match body {
-        Some(body) => agent
-            .post(url)
-            .header(CONTENT_TYPE, "application/json; charset=utf-8")
-            .config()
-            .timeout_global(Some(time))
-            .build()
-            .send(&body[..])?,
+        Some(body) => {
+            let post = agent.post(url).header(CONTENT_TYPE, "application/json; charset=utf-8");
+            let post = key.iter().fold(post, |post, key| post.header(keys::HEADER, key));
+            post.config().timeout_global(Some(time)).build().send(&body[..])?
+        }
         None => {
             let get = agent.get(url).header("Accept-Encoding", "gzip");
+            let get = key.iter().fold(get, |get, key| get.header(keys::HEADER, key));
             get.config().timeout_global(Some(time)).build().call()?
         }
     };

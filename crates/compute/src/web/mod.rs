@@ -8,12 +8,14 @@
 mod address;
 mod client;
 mod hosts;
+mod keys;
 mod resolver;
 
 use std::time::Duration;
 
 pub(crate) use client::{Asked, Response, Web};
 pub(crate) use hosts::authority;
+pub use keys::HostKey;
 
 /// Which hosts may be asked, and for how much.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,6 +2,7 @@ use std::net::{IpAddr, Ipv4Addr};
 use std::time::Duration;
 
 use katydid_component::Limits;
+use katydid_compute::HostKey;
 
 use super::pool::Places;
 
@@ -28,6 +29,8 @@ pub struct Config {
     /// The server that solves definitions which Hops components name by an address, as `http://127.0.0.1:5000`; they
     /// are solved here when there is none. Its host is listed too.
     pub hops_server: Option<String>,
+    /// The keys that servers ask for which Hops components ask.
+    pub hops_keys: Vec<HostKey>,
     /// How long a request may take, waiting included, and how long a job may run.
     pub timeout: Duration,
     /// How long a job may run.
@@ -61,6 +64,7 @@ impl Default for Config {
             hosts: Vec::new(),
             authorities: Vec::new(),
             hops_server: None,
+            hops_keys: Vec::new(),
             timeout: Duration::from_secs(100),
             job_timeout: Duration::from_secs(3600),
             most_body: 52_428_800,

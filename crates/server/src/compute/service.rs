@@ -42,7 +42,11 @@ impl Service {
                 authorities: config.authorities.clone(),
                 bytes: config.most_body,
             },
-            hops: HopsSettings { server: config.hops_server.clone(), ..HopsSettings::default() },
+            hops: HopsSettings {
+                server: config.hops_server.clone(),
+                keys: config.hops_keys.clone(),
+                ..HopsSettings::default()
+            },
             ..Settings::default()
         };
         Self {

@@ -2,10 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod keys;
+mod server;
+mod steering;
 
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::{TcpListener, TcpStream};
 use std::time::{Duration, Instant};
 
 use common::{Maker, algo, item, output, value};
@@ -16,59 +18,15 @@ use katydid_definition::document::{NewPort, Object, Side};
 use serde_json::{Value as Json, json};
 use uuid::{Uuid, uuid};
 
+use server::{Asked, Reply, serve};
+
 const NUMBER: Uuid = uuid!("3e8ca6be-fda8-4aaf-b5c0-3c54c8bb7312");
 
-/// What a server does with a request: a type of content and a body, or no answer at all.
-type Answer = fn(&str, &str, &Json) -> Option<(&'static str, Vec<u8>)>;
-
-/// A server on a port of its own.
-fn serve(answer: Answer) -> u16 {
-    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
-    let port = listener.local_addr().unwrap().port();
-    std::thread::spawn(move || {
-        for stream in listener.incoming().flatten() {
-            std::thread::spawn(move || talk(stream, answer));
-        }
-    });
-    port
-}
-
-fn talk(stream: TcpStream, answer: Answer) -> Option<()> {
-    let mut reader = BufReader::new(stream.try_clone().ok()?);
-    loop {
-        let mut first = String::new();
-        reader.read_line(&mut first).ok().filter(|n| *n > 0)?;
-        let mut length = 0;
-        loop {
-            let mut line = String::new();
-            reader.read_line(&mut line).ok()?;
-            let line = line.trim().to_ascii_lowercase();
-            if line.is_empty() {
-                break;
-            }
-            if let Some(n) = line.strip_prefix("content-length:") {
-                length = n.trim().parse().ok()?;
-            }
-        }
-        let mut body = vec![0; length];
-        reader.read_exact(&mut body).ok()?;
-        let mut words = first.split(' ');
-        let (method, path) = (words.next()?, words.next()?);
-        let body = serde_json::from_slice(&body).unwrap_or(Json::Null);
-        let Some((kind, text)) = answer(method, path, &body) else {
-            std::thread::sleep(Duration::from_secs(60));
-            return None;
-        };
-        let head =
-            format!("HTTP/1.1 200 OK\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\r\n", text.len());
-        (&stream).write_all(&[head.as_bytes(), &text].concat()).ok()?;
-    }
-}
-
 /// As ghhops-server 1.5.5 describes and solves: numbers added, and trees summed branch by branch.
-fn components(method: &str, path: &str, body: &Json) -> Option<(&'static str, Vec<u8>)> {
+fn components(asked: &Asked) -> Reply {
+    let body = &asked.body;
     let port = |name: &str, count: i32| json!({"Name": name, "Nickname": name, "ParamType": "Number", "AtLeast": count, "AtMost": count});
-    let reply = match (method, path) {
+    let reply = match (asked.method.as_str(), asked.path.as_str()) {
         ("GET", "/add") => {
             json!({"Uri": "/add", "Name": "Add", "Inputs": [port("A", 1), {"Name": "B", "AtLeast": 1, "AtMost": 1, "Default": 2.0}], "Outputs": [port("Sum", 1)]})
         }
@@ -180,8 +138,9 @@ fn a_server_of_components_is_asked() {
 }
 
 /// A definition at a URL, and a server that solves such.
-fn definitions(method: &str, path: &str, body: &Json) -> Option<(&'static str, Vec<u8>)> {
-    let reply = match (method, path) {
+fn definitions(asked: &Asked) -> Reply {
+    let body = &asked.body;
+    let reply = match (asked.method.as_str(), asked.path.as_str()) {
         ("GET", "/double.gh") => {
             return Some(("application/octet-stream", b"the bytes of a definition".to_vec()));
         }
@@ -191,7 +150,7 @@ fn definitions(method: &str, path: &str, body: &Json) -> Option<(&'static str, V
         }
         _ => {
             assert_eq!(
-                (path, &body["pointer"], &body["recursionlevel"]),
+                (asked.path.as_str(), &body["pointer"], &body["recursionlevel"]),
                 ("/grasshopper", &json!("md5_D"), &json!(1))
             );
             let value = &body["values"][0];
@@ -234,8 +193,9 @@ fn double() -> Maker {
 }
 
 /// The bytes of it, at a URL.
-fn files(_: &str, path: &str, _: &Json) -> Option<(&'static str, Vec<u8>)> {
-    let bytes = if path == "/double.gh" { double().document.to_gh().unwrap() } else { b"nothing".to_vec() };
+fn files(asked: &Asked) -> Reply {
+    let bytes =
+        if asked.path == "/double.gh" { double().document.to_gh().unwrap() } else { b"nothing".to_vec() };
     Some(("application/octet-stream", bytes))
 }
 
@@ -283,8 +243,9 @@ fn definitions_that_call_themselves_come_to_an_end() {
 }
 
 /// Numbers up to another, one call each.
-fn counts(_: &str, path: &str, body: &Json) -> Option<(&'static str, Vec<u8>)> {
-    let reply = match path {
+fn counts(asked: &Asked) -> Reply {
+    let body = &asked.body;
+    let reply = match asked.path.as_str() {
         "/solve" => {
             let number = body["values"][0]["InnerTree"]["{0}"][0]["data"].as_str().unwrap();
             let number: f64 = number.parse().unwrap();
@@ -310,10 +271,7 @@ fn lists_of_several_calls_stand_side_by_side() {
 
 #[test]
 fn what_is_not_allowed_is_not_asked() {
-    fn refuse(_: &str, _: &str, _: &Json) -> Option<(&'static str, Vec<u8>)> {
-        panic!("asked")
-    }
-    let port = serve(refuse);
+    let port = serve(|_| panic!("asked"));
     let error = |location: &str, hosts: &[String], bounds: &Bounds| {
         let maker = hops(location, &["A"], "S");
         let (failed, reply) =
@@ -334,7 +292,7 @@ fn what_is_not_allowed_is_not_asked() {
 
 #[test]
 fn a_server_that_never_answers_holds_nobody_up() {
-    let host = format!("127.0.0.1:{}", serve(|_, _, _| None));
+    let host = format!("127.0.0.1:{}", serve(|_| None));
     let maker = hops(&format!("http://{host}/add"), &["A"], "S");
     let begin = Instant::now();
     let limits = Limits { time: Some(Duration::from_millis(300)), ..Limits::default() };

@@ -1,31 +1,17 @@
 //! Functions called by path, against closed forms: ends of curves, curves on surfaces, breps and meshes mended.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
-
 use std::f64::consts::{PI, TAU};
 
-use katydid_compute::wire::{Read, Subdivision, Wire};
-use katydid_compute::{Bounds, Cause, Fault, geometry};
+use katydid_compute::Cause;
+use katydid_compute::wire::{Read, Subdivision};
 use katydid_geometry::subd::{FromMesh, SubD, SubDNet};
 use katydid_geometry::{
-    BoundingBox, Box3, Brep, Circle, Curve, Ellipse, Interval, Line, Mesh, NurbsCurve, Plane, PlaneSurface,
-    Point3, PolylineCurve, Sphere, Surface, Tolerance, Vector3, construct,
+    Brep, Circle, Curve, Ellipse, Interval, Line, Mesh, NurbsCurve, Plane, PlaneSurface, Point3,
+    PolylineCurve, Sphere, Surface, Tolerance, Vector3, construct,
 };
 use serde_json::{Value as Json, json};
 
-fn object<T: Wire>(value: &T) -> Json {
-    value.to_json(70).unwrap()
-}
-
-fn asked(path: &str, arguments: &Json) -> Result<Json, Fault> {
-    let query = geometry::Query::default();
-    let reply = geometry::call(path, &query, arguments.to_string().as_bytes(), &Bounds::default())?;
-    Ok(reply.json.unwrap_or(Json::Null))
-}
-
-fn ask(path: &str, arguments: Json) -> Json {
-    asked(path, &arguments).unwrap_or_else(|fault| panic!("{path}: {fault}"))
-}
+use crate::helpers::{ask, asked, cube, object};
 
 fn near(x: f64, expected: f64) {
     assert!((x - expected).abs() <= 1e-6 * expected.abs().max(1.0), "{x} is not {expected}");
@@ -41,10 +27,6 @@ fn circle() -> Curve {
 
 fn line(a: Point3, b: Point3) -> Curve {
     Line::new(a, b).into()
-}
-
-fn cube() -> Box3 {
-    BoundingBox { min: Point3::ORIGIN, max: Point3::new(1.0, 2.0, 3.0) }.into()
 }
 
 fn volume(brep: &Brep) -> f64 {

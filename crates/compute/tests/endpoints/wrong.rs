@@ -1,25 +1,17 @@
 //! Every function called with all sorts of arguments, right and wrong: an answer or a fault, never a panic.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
-
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use katydid_compute::wire::{Subdivision, Wire};
+use katydid_compute::wire::Subdivision;
 use katydid_compute::{Bounds, geometry};
 use katydid_geometry::subd::{FromMesh, SubD, SubDNet};
 use katydid_geometry::{
-    BoundingBox, Box3, Brep, Circle, Curve, Interval, KnotSpacing, Line, Mesh, NurbsCurve, Plane,
-    PlaneSurface, Point3, PolylineCurve, Rectangle, Sphere, Surface, construct,
+    Brep, Circle, Curve, Interval, KnotSpacing, Line, Mesh, NurbsCurve, Plane, PlaneSurface, Point3,
+    PolylineCurve, Rectangle, Sphere, Surface, construct,
 };
 use serde_json::{Value as Json, json};
 
-fn object<T: Wire>(value: &T) -> Json {
-    value.to_json(70).unwrap()
-}
-
-fn cube() -> Box3 {
-    BoundingBox { min: Point3::ORIGIN, max: Point3::new(1.0, 2.0, 3.0) }.into()
-}
+use crate::helpers::{cube, object};
 
 /// One sample of everything that arguments may be.
 struct Pool {

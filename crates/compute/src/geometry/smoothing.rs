@@ -1,0 +1,101 @@
+//! Control points and vertices drawn towards the middle of their neighbours, along all axes or some.
+
+use katydid_geometry::{Curve, NurbsCurve, Plane, Point3, Vector3};
+
+use super::answer::Outcome;
+use super::table::Endpoints;
+use crate::Fault;
+
+pub(super) fn enter(table: &mut Endpoints) {
+    table.add(
+        "curve/smooth-curve_double_bool_bool_bool_bool_smoothingcoordinatesystem",
+        |c: Curve, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32| {
+            smoothed(&c, strength, &Axes::new([x, y, z], system, None)?, fixed)
+        },
+    );
+    table.add(
+        "curve/smooth-curve_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
+        |c: Curve,
+         strength: f64,
+         x: bool,
+         y: bool,
+         z: bool,
+         fixed: bool,
+         system: i32,
+         plane: Option<Plane>| {
+            smoothed(&c, strength, &Axes::new([x, y, z], system, plane)?, fixed)
+        },
+    );
+}
+
+/// `SmoothingCoordinateSystem.CPlane`: the plane that is given with it.
+const IN_PLANE: i32 = 1;
+/// `SmoothingCoordinateSystem.Object`: other axes at every point.
+const OF_OBJECT: i32 = 2;
+
+/// The directions in which points may move.
+pub(super) struct Axes(Vec<Vector3>);
+
+impl Axes {
+    /// Those of the world, or of the plane when the system says so.
+    pub(super) fn new(allowed: [bool; 3], system: i32, plane: Option<Plane>) -> Outcome<Self> {
+        let frame = match (system, plane) {
+            _ if allowed == [true; 3] => Plane::XY,
+            (OF_OBJECT, _) => {
+                return Err(Fault::not_supported("smoothing along some of the object's own axes"));
+            }
+            (IN_PLANE, Some(plane)) => plane,
+            _ => Plane::XY,
+        };
+        let axes = [frame.x_axis, frame.y_axis, frame.z_axis];
+        Ok(Self(
+            axes.into_iter().zip(allowed).filter(|(_, allowed)| *allowed).map(|(axis, _)| axis).collect(),
+        ))
+    }
+
+    /// What of a move is along them.
+    pub(super) fn part(&self, way: Vector3) -> Vector3 {
+        if self.0.len() == 3 { way } else { self.0.iter().map(|axis| *axis * way.dot(*axis)).sum() }
+    }
+}
+
+/// The curve with each control point moved, by a share of the way, towards the middle of the two beside it; at open ends
+/// towards the one beside it, unless the ends are fixed. Weights stay.
+fn smoothed(curve: &Curve, strength: f64, axes: &Axes, fixed: bool) -> Outcome<Curve> {
+    let nurbs = curve.to_nurbs()?;
+    let (places, weights) = (nurbs.control_points(), nurbs.weights());
+    // Points that stand for one another: the last ones of a periodic curve for its first, the ends of a closed one.
+    let different = if nurbs.is_periodic() {
+        places.len() - nurbs.degree()
+    } else if curve.is_closed() {
+        places.len() - 1
+    } else {
+        places.len()
+    };
+    let closes = different < places.len();
+    let at = |i: usize| places.get(i % different).copied().unwrap_or(Point3::ORIGIN).to_vector();
+    let new = |i: usize| {
+        let here = at(i);
+        let is_end = !nurbs.is_periodic() && (i == 0 || i + 1 == places.len());
+        if is_end && fixed {
+            return here;
+        }
+        let middle = if closes {
+            (at(i + different - 1) + at(i + 1)) * 0.5
+        } else if i == 0 {
+            at(1)
+        } else if i + 1 == places.len() {
+            at(i - 1)
+        } else {
+            (at(i - 1) + at(i + 1)) * 0.5
+        };
+        here + axes.part((middle - here) * strength)
+    };
+    let moved: Vec<Point3> = (0..places.len()).map(|i| new(i).to_point()).collect();
+    Ok(if nurbs.is_rational() {
+        NurbsCurve::with_weights(nurbs.degree(), &moved, &weights, nurbs.knots().to_vec())?
+    } else {
+        NurbsCurve::new(nurbs.degree(), moved, nurbs.knots().to_vec())?
+    }
+    .into())
+}
