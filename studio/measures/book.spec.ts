@@ -23,15 +23,16 @@ test("the book's own file is opened, moved and zoomed", async ({ page }) => {
   await page.screenshot({ path: "test-results/book.png" });
   const cdp = await page.context().newCDPSession(page);
   await cdp.send("Performance.enable");
-  await frames(page, cdp, "all of it", 0);
+  await pan(page, cdp, "all of it", 0);
   for (const times of [6, 12]) {
-    await frames(page, cdp, `zoomed in ${times} times`, times);
+    await pan(page, cdp, `zoomed in ${times} times`, times);
   }
   await page.screenshot({ path: "test-results/book-near.png" });
+  await drag(page, cdp);
 });
 
 /** Zooms by the wheel, then moves the canvas by the right button, as hands do; prints the cost of a frame. */
-async function frames(page: Page, cdp: CDPSession, what: string, zoom: number): Promise<void> {
+async function pan(page: Page, cdp: CDPSession, what: string, zoom: number): Promise<void> {
   const box = (await page.getByRole("group", { name: "Definition", exact: true }).boundingBox())!;
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
@@ -40,15 +41,36 @@ async function frames(page: Page, cdp: CDPSession, what: string, zoom: number): 
     await page.waitForTimeout(50);
   }
   await page.waitForTimeout(1000);
+  await move(page, cdp, what, [x, y], "right");
+}
+
+/** Drags a component, zoomed in to it; prints the cost of a frame. */
+async function drag(page: Page, cdp: CDPSession): Promise<void> {
+  await page.locator("#canvas").click({ position: { x: 5, y: 400 } });
+  await page.keyboard.press("ControlOrMeta+f");
+  await page.keyboard.type("Unit X");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ControlOrMeta+2");
+  await page.waitForTimeout(1500);
+  const place = await page.evaluate(() => {
+    const boxes = [...document.querySelectorAll(".react-flow__node-k-component")].map((node) => node.getBoundingClientRect());
+    const places = boxes.map(({ left, top, width, height }): [number, number] => [left + width / 2, top + height / 2]);
+    return places.find((at) => document.elementFromPoint(...at)?.closest(".react-flow__node-k-component"));
+  });
+  if (place) await move(page, cdp, "a component dragged", place, "left");
+}
+
+async function move(page: Page, cdp: CDPSession, what: string, [x, y]: [number, number], button: "left" | "right"): Promise<void> {
+  await page.mouse.move(x, y);
   const before = await metrics(cdp);
-  await page.mouse.down({ button: "right" });
-  const gaps: number[] = [];
+  await page.mouse.down({ button });
   for (let k = 0; k < 40; k++) {
     const away = k < 20 ? k : 40 - k;
-    await page.mouse.move(x + away * 24, y + away * 12);
-    gaps.push(await page.evaluate(() => new Promise<number>((done) => requestAnimationFrame((now) => done(now)))));
+    const by = button === "right" ? 24 : 6;
+    await page.mouse.move(x + away * by, y + (away * by) / 2);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   }
-  await page.mouse.up({ button: "right" });
+  await page.mouse.up({ button });
   const after = await metrics(cdp);
   const each = (name: string) => (((after[name]! - before[name]!) * 1000) / 40).toFixed(1);
   const count = await page.evaluate(() => document.querySelectorAll(".react-flow__node").length);

@@ -14,7 +14,8 @@ use katydid_data::cast::Rules;
 use katydid_data::{Path, Tree, Value};
 use katydid_definition::document::{Object, ids};
 use katydid_geometry::{
-    Circle, Curve, Interval, Mesh, Plane, PlaneSurface, Point3, Rectangle, Sphere, Surface,
+    Circle, Curve, Interval, KnotSpacing, Mesh, NurbsCurve, Plane, PlaneSurface, Point3, Rectangle, Sphere,
+    Surface,
 };
 use katydid_session::display::{Fineness, Geometry, Preview, Shown, encode};
 use katydid_session::protocol::PartKind;
@@ -187,6 +188,27 @@ fn while_dragging_there_are_few_triangles_in_all() {
     let full = encode(&shown, &Rules::default(), Fineness::Coarse, || true);
     assert_eq!(full[0].geometry.as_ref().unwrap().triangles, 180_000);
     assert_eq!(full[2].geometry.as_ref().unwrap().hash, geometry[2].hash, "what is whole is not sent again");
+}
+
+#[test]
+fn while_dragging_many_curves_have_few_segments() {
+    let circle = Curve::from(Circle::new(Plane::XY, 10.0).unwrap());
+    let through: Vec<Point3> =
+        (0..=200).map(|k| circle.point_at(circle.domain().at(f64::from(k) / 200.0))).collect();
+    let spline = NurbsCurve::interpolate(3, &through, KnotSpacing::Chord, None, None).unwrap();
+    let curves = |count: usize| tree((0..count).map(|_| Value::from(Curve::from(spline.clone()))));
+    let draft = Fineness::Draft { triangles: 50_000, exact: false };
+    let geometry = shown(curves(61), draft).geometry.unwrap();
+    assert!(geometry.is_draft);
+    let read = Read::new(&geometry);
+    let part = read.part(PartKind::Curves);
+    assert!(read.drawn(part, 2).len() < 61 * 50);
+    let exact = 61.0 * 20.0 * std::f64::consts::PI;
+    assert!((read.length(part) - exact).abs() < 0.01 * exact);
+    // Of few, each span is drawn, as when nothing is dragged.
+    let few = shown(curves(60), draft).geometry.unwrap();
+    assert!(!few.is_draft);
+    assert_eq!(few.hash, shown(curves(60), Fineness::Coarse).geometry.unwrap().hash);
 }
 
 #[test]

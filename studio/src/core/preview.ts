@@ -12,7 +12,7 @@ export { PreviewError } from "./previewFields";
 
 /** `KTPV`, little-endian. */
 export const PREVIEW_MAGIC = 0x5650544b;
-export const PREVIEW_VERSION = 1;
+export const PREVIEW_VERSION = 2;
 
 const FIXED = 12;
 const ALIGNMENT = 8;
@@ -142,7 +142,7 @@ function readPart(part: Fields, arrays: Arrays): PreviewPart {
 }
 
 function readPieces(part: Fields, used: number): Piece[] {
-  return part.list("pieces", Infinity).map((entry) => {
+  return part.optionalList("pieces", Infinity).map((entry) => {
     const piece = new Fields(entry, `a piece of ${part.name}`);
     const [output, index] = [piece.whole("output"), piece.whole("index")];
     const [start, count] = [piece.whole("start"), piece.whole("count")];

@@ -54,8 +54,13 @@ export class Fields {
     return Array.isArray(value) && value.length <= most ? value : this.#wrong(key, `a list of at most ${most}`);
   }
 
+  /** A list that may be left out where it is empty. */
+  optionalList(key: string, most: number): unknown[] {
+    return this.isNull(key) ? [] : this.list(key, most);
+  }
+
   texts(key: string, most: number): string[] {
-    const texts = this.list(key, most);
+    const texts = this.optionalList(key, most);
     return texts.every((text) => typeof text === "string") ? texts : this.#wrong(key, "texts");
   }
 

@@ -30,8 +30,8 @@ export interface Options {
 }
 
 /** What a graphics card draws in one go, and what software does. */
-const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true };
-const SOFTWARE: Budget = { wide: 4_000, points: 4_000, areInstances: false };
+const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true, areDraftsThin: false };
+const SOFTWARE: Budget = { wide: 4_000, points: 2_500, areInstances: false, areDraftsThin: true };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
 const REST = 350;

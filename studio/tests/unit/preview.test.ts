@@ -20,7 +20,7 @@ function golden(): Uint8Array {
   const nought = [0, 0, 0, 0];
   const positions = [nought, nought, nought, one, nought, nought, nought, two, nought].flat();
   return Uint8Array.from([
-    0x4b, 0x54, 0x50, 0x56, 1, 0, 0, 0, text.length & 0xff, text.length >> 8, 0, 0,
+    0x4b, 0x54, 0x50, 0x56, 2, 0, 0, 0, text.length & 0xff, text.length >> 8, 0, 0,
     ...text,
     ...Array<number>(blanks).fill(0x20),
     ...positions, 0, 0, 0, 0,
@@ -54,6 +54,14 @@ describe("a preview", () => {
     expect(() => decodePreview(within.buffer, 16, points.byteLength - 8), "what comes after is not its own").toThrow(PreviewError);
     const empty = decodePreview(writePreview({ object: OBJECT, parts: [{ kind: "curves", positions: [] }] }));
     expect(empty.parts[0]?.positions.length).toBe(0);
+  });
+
+  it("has nothing of what its head leaves out", () => {
+    const part = { kind: "points", width: 0, positions: { type: "f32", offset: 0, count: 3 }, textHeight: 0 };
+    const json = JSON.stringify({ object: OBJECT, origin: [0, 0, 0], draft: false, parts: [part] });
+    const read = decodePreview(frame(json, 16, [])).parts[0];
+    expect([read?.colour, read?.normals, read?.colours, read?.values, read?.mean, read?.indices]).toEqual(Array(6).fill(null));
+    expect([read?.texts, read?.pieces]).toEqual([[], []]);
   });
 
   it("keeps texts with letters beyond ASCII", () => {

@@ -67,7 +67,7 @@ export function frame(json: string, size: number, arrays: { offset: number; arra
   const view = new DataView(bytes);
   new Uint8Array(bytes).fill(0x20, 12, start);
   new Uint8Array(bytes, 0, 4).set([0x4b, 0x54, 0x50, 0x56]);
-  view.setUint16(4, 1, true);
+  view.setUint16(4, 2, true);
   view.setUint32(8, head.length, true);
   new Uint8Array(bytes, 12).set(head);
   for (const { offset, array } of arrays) {

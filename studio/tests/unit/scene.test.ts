@@ -7,8 +7,10 @@ import type { PortView } from "../../src/core/protocol/PortView";
 import { CameraRig } from "../../src/viewport/camera";
 import { Batch, batchKey } from "../../src/viewport/scene/batch";
 import { ColourTable } from "../../src/viewport/scene/colourTable";
+import { makeDrawable, type Budget } from "../../src/viewport/scene/drawable";
 import { lookOf, readable, type Layers, type ObjectState, type Palette } from "../../src/viewport/scene/looks";
-import { merge, segmentSlots, segmentsOf, type Member } from "../../src/viewport/scene/merge";
+import { Materials } from "../../src/viewport/scene/materials";
+import { alone, merge, segmentSlots, segmentsOf, type Member } from "../../src/viewport/scene/merge";
 import { readSettings } from "../../src/viewport/settings";
 import { parseColour } from "../../src/viewport/theme";
 import { pieceAt } from "../../src/viewport/tools/picking";
@@ -20,7 +22,7 @@ const part = (change: Partial<PreviewPart>): PreviewPart => ({
   kind: "curves", colour: null, width: 0, positions: new Float32Array(), normals: null, colours: null, values: null,
   mean: null, indices: null, texts: [], textHeight: 0, pieces: [], ...change,
 });
-const member = (slot: number, origin: Point3, change: Partial<PreviewPart>): Member => ({ part: part(change), origin, bounds: null, slot, values: null });
+const member = (slot: number, origin: Point3, change: Partial<PreviewPart>): Member => ({ part: part(change), origin, bounds: null, slot, values: null, isDraft: false });
 
 describe("a batch", () => {
   it("puts parts of several origins together, and knows whose each position is", () => {
@@ -55,6 +57,20 @@ describe("a batch", () => {
   it("does not copy segments that already lie one after the other", () => {
     const positions = Float32Array.from([0, 0, 0, 1, 0, 0]);
     expect(segmentsOf({ positions, indices: null })).toBe(positions);
+  });
+
+  it("is of lines of one pixel in software as long as any of it is a draft", () => {
+    const software: Budget = { wide: 10, points: 10, areInstances: false, areDraftsThin: true };
+    const materials = new Materials(new ColourTable());
+    const positions = Float32Array.from([0, 0, 0, 1, 0, 0]);
+    const fine = member(0, [0, 0, 0], { positions });
+    const draft = { ...fine, isDraft: true };
+    const types = (members: Member[], budget = software) =>
+      makeDrawable(merge(members, [0, 0, 0]), materials, budget, () => 1).objects.map(({ type }) => type);
+    expect(types([fine, fine])).toEqual(["Mesh", "Mesh"]);
+    expect(types([fine, draft])).toEqual(["LineSegments", "LineSegments"]);
+    expect(types([draft], { ...software, areDraftsThin: false })).toEqual(["Mesh", "Mesh"]);
+    expect(makeDrawable(alone(draft), materials, software, () => 1).objects[0]?.type).toBe("LineSegments");
   });
 
   it("is stale when something comes or goes, full at some time, and another for another look", () => {

@@ -54,6 +54,8 @@ pub(super) struct Actor {
     end: Option<End>,
     /// The same, while faces have yet to hear of it.
     ending: Option<End>,
+    /// Whether faces got geometry of the solve that is ending: they draw it before they hear of results.
+    is_drawn: bool,
     /// What waits for the results.
     inquiries: Vec<Inquiry>,
 }
@@ -99,6 +101,7 @@ impl Actor {
             progress: Progress::default(),
             end: None,
             ending: None,
+            is_drawn: false,
             inquiries: Vec::new(),
         };
         actor.want(Work::Solve);
@@ -220,6 +223,9 @@ impl Actor {
     fn heard(&mut self, news: News) {
         match news {
             News::Began(solution, total) => {
+                // What is still to be told is of the solve before.
+                self.publish_end();
+                self.is_drawn = false;
                 let total = u32::try_from(total).unwrap_or(u32::MAX);
                 self.progress = Progress { solution, is_running: total > 0, total, ..Progress::default() };
             }
@@ -235,8 +241,8 @@ impl Actor {
             }
             News::Ended(ended) => self.ended(ended),
             News::Drawn(solution, is_draft, previews) => {
-                self.publish_previews(solution, is_draft, previews);
-                self.publish_end();
+                self.is_drawn |= self.publish_previews(solution, is_draft, previews);
+                self.gathering = self.gathering.map(|_| Instant::now());
             }
             News::Found(solution, face, Finding::Analysed(found)) => {
                 self.publish_analysis(solution, face, found);
@@ -247,7 +253,9 @@ impl Actor {
                 }
             }
             News::Idle => {
-                self.publish_end();
+                if !self.is_drawn {
+                    self.publish_end();
+                }
                 self.solving.idle(&self.jobs);
                 if self.solving.is_idle() {
                     self.inquiries.drain(..).for_each(|inquiry| drop(self.jobs.send(Job::With(inquiry))));

@@ -19,8 +19,8 @@ pub(super) struct Seen {
 }
 
 impl Actor {
-    /// Tells faces the geometry that is new.
-    pub(super) fn publish_previews(&mut self, solution: u64, is_draft: bool, previews: Vec<Preview>) {
+    /// Tells faces the geometry that is new. Whether there is any.
+    pub(super) fn publish_previews(&mut self, solution: u64, is_draft: bool, previews: Vec<Preview>) -> bool {
         let mut changes = Vec::new();
         for Preview { object, geometry, left_out } in previews {
             let before = self.shown.remove(&object);
@@ -39,6 +39,7 @@ impl Actor {
             self.complain(object, left_out);
         }
         self.faces.iter().for_each(|face| face.outbox.previews(solution, is_draft, &changes));
+        !changes.is_empty()
     }
 
     /// Tells a face the analysis that it wanted to see.

@@ -12,6 +12,7 @@ mod faces;
 mod fewer;
 pub(crate) mod layout;
 pub(crate) mod parts;
+mod runs;
 
 use katydid_data::Tree;
 use katydid_data::cast::Rules;

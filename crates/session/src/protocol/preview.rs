@@ -4,14 +4,15 @@ use uuid::Uuid;
 /// The first four bytes of a preview: `KTPV`, read as a little-endian number.
 pub const PREVIEW_MAGIC: u32 = u32::from_le_bytes(*b"KTPV");
 /// The version of the layout.
-pub const PREVIEW_VERSION: u16 = 1;
+pub const PREVIEW_VERSION: u16 = 2;
 
 /// The head of the geometry of one object, for a viewport.
 ///
 /// A preview is: the magic number (`u32`), the version (`u16`), flags (`u16`, 0), the length of the head (`u32`), the
 /// head in JSON, blanks up to a multiple of 8, and the arrays that the head names, each at a multiple of 8 from the
 /// start of the first; all little-endian. Positions are single-precision offsets from `origin`, which is in double
-/// precision: what lies far from the model's origin keeps its shape.
+/// precision: what lies far from the model's origin keeps its shape. What a part has nothing of is left out of the head:
+/// of hundreds of small objects heads are the larger part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
@@ -36,32 +37,52 @@ pub struct Part {
     /// What they are.
     pub kind: PartKind,
     /// Their own colour (red, green, blue, alpha), where they have one; else that of the document.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub colour: Option<[u8; 4]>,
     /// The width of lines, or the size of points, in pixels; 0 for the usual.
     pub width: f32,
     /// The array of positions: three numbers each.
     pub positions: Slice,
     /// The array of unit normals: three numbers each, of meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub normals: Option<Slice>,
     /// The array of colours: red, green, blue, alpha of each position.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub colours: Option<Slice>,
     /// The array of the Gaussian curvature at each position, of surfaces, in 1/units². Its least and greatest values
     /// are in `range`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub values: Option<Slice>,
     /// The least and the greatest of `values`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub range: Option<[f64; 2]>,
     /// The array of the mean curvature at each position, of surfaces, in 1/units. Its least and greatest values are in
     /// `mean_range`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub mean: Option<Slice>,
     /// The least and the greatest of `mean`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub mean_range: Option<[f64; 2]>,
     /// The array of indices: three a triangle, two a line segment; none when positions follow each other.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub indices: Option<Slice>,
     /// The texts, one a position.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "typescript", ts(optional, as = "Option<Vec<String>>"))]
     pub texts: Vec<String>,
     /// The height of texts in model units; 0 for the usual in pixels.
     pub text_height: f64,
     /// Which item of the data each stretch of the drawing is.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "typescript", ts(optional, as = "Option<Vec<Piece>>"))]
     pub pieces: Vec<Piece>,
 }
 

@@ -14,7 +14,7 @@ kind: PartKind,
 /**
  * Their own colour (red, green, blue, alpha), where they have one; else that of the document.
  */
-colour: [number, number, number, number] | null, 
+colour?: [number, number, number, number], 
 /**
  * The width of lines, or the size of points, in pixels; 0 for the usual.
  */
@@ -26,37 +26,37 @@ positions: Slice,
 /**
  * The array of unit normals: three numbers each, of meshes.
  */
-normals: Slice | null, 
+normals?: Slice, 
 /**
  * The array of colours: red, green, blue, alpha of each position.
  */
-colours: Slice | null, 
+colours?: Slice, 
 /**
  * The array of the Gaussian curvature at each position, of surfaces, in 1/units². Its least and greatest values
  * are in `range`.
  */
-values: Slice | null, 
+values?: Slice, 
 /**
  * The least and the greatest of `values`.
  */
-range: [number, number] | null, 
+range?: [number, number], 
 /**
  * The array of the mean curvature at each position, of surfaces, in 1/units. Its least and greatest values are in
  * `mean_range`.
  */
-mean: Slice | null, 
+mean?: Slice, 
 /**
  * The least and the greatest of `mean`.
  */
-meanRange: [number, number] | null, 
+meanRange?: [number, number], 
 /**
  * The array of indices: three a triangle, two a line segment; none when positions follow each other.
  */
-indices: Slice | null, 
+indices?: Slice, 
 /**
  * The texts, one a position.
  */
-texts: Array<string>, 
+texts?: Array<string>, 
 /**
  * The height of texts in model units; 0 for the usual in pixels.
  */
@@ -64,4 +64,4 @@ textHeight: number,
 /**
  * Which item of the data each stretch of the drawing is.
  */
-pieces: Array<Piece>, };
+pieces?: Array<Piece>, };

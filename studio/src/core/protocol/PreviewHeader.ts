@@ -7,7 +7,8 @@ import type { Part } from "./Part";
  * A preview is: the magic number (`u32`), the version (`u16`), flags (`u16`, 0), the length of the head (`u32`), the
  * head in JSON, blanks up to a multiple of 8, and the arrays that the head names, each at a multiple of 8 from the
  * start of the first; all little-endian. Positions are single-precision offsets from `origin`, which is in double
- * precision: what lies far from the model's origin keeps its shape.
+ * precision: what lies far from the model's origin keeps its shape. What a part has nothing of is left out of the head:
+ * of hundreds of small objects heads are the larger part.
  */
 export type PreviewHeader = { 
 /**

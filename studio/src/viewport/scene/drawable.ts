@@ -62,6 +62,8 @@ export interface Budget {
   points: number;
   /** Whether the card draws one thing many times in one go. */
   areInstances: boolean;
+  /** Whether curves that will be finer are lines of one pixel until they are. */
+  areDraftsThin: boolean;
 }
 
 export function makeDrawable(merged: Merged, materials: Materials, budget: Budget, pixels: () => number): Drawable {
@@ -193,7 +195,8 @@ function linesOf(
 ): Drawn[] {
   const used = merged.indices?.length ?? merged.positions.length / 3;
   const width = merged.width || (THINNER[merged.kind] ?? LINE);
-  const objects: Drawn[] = [used / 2 <= budget.wide ? wideLines(merged, own, materials, budget, width, pixels) : thinLines(merged, own, materials)];
+  const isWide = used / 2 <= budget.wide && !(budget.areDraftsThin && merged.isDraft);
+  const objects: Drawn[] = [isWide ? wideLines(merged, own, materials, budget, width, pixels) : thinLines(merged, own, materials)];
   if (merged.kind === "arrows") objects.push(heads(merged, own, materials, pixels));
   return objects;
 }

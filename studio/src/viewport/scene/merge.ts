@@ -18,6 +18,8 @@ export interface Merged {
   indices: Uint16Array | Uint32Array | null;
   /** One place for all, or one a position. */
   slots: number | Uint16Array;
+  /** Whether any of it is coarser than it will be. */
+  isDraft: boolean;
 }
 
 export interface Member {
@@ -27,12 +29,14 @@ export interface Member {
   bounds: Bounds | null;
   slot: number;
   values: Float32Array | null;
+  isDraft: boolean;
 }
 
 /** A part that is drawn alone: its own arrays, not a copy. */
-export function alone({ part, origin, bounds, slot, values }: Member): Merged {
+export function alone({ part, origin, bounds, slot, values, isDraft }: Member): Merged {
   const { kind, width, positions, normals, colours, indices } = part;
-  return { kind, width, origin, bounds: bounds && from(bounds, origin), positions, normals, colours, values, indices, slots: slot };
+  const box = bounds && from(bounds, origin);
+  return { kind, width, origin, bounds: box, positions, normals, colours, values, indices, slots: slot, isDraft };
 }
 
 /** Parts of one kind and width, either all with normals (colours, values) or none. */
@@ -53,6 +57,7 @@ export function merge(members: readonly Member[], origin: Point3): Merged {
     values: has(({ values }) => values) ? new Float32Array(count) : null,
     indices: has(({ part }) => part.indices) ? new Uint32Array(used) : null,
     slots: new Uint16Array(count),
+    isDraft: members.some(({ isDraft }) => isDraft),
   } satisfies Merged;
   let vertex = 0;
   let index = 0;

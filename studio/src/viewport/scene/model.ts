@@ -69,7 +69,7 @@ export class Model {
       if (part.positions.length === 0) continue;
       const bounds = boundsOfPositions(part.positions, preview.origin);
       object.bounds = union(object.bounds, bounds);
-      object.parts.push(this.#addPart(part, preview.origin, bounds));
+      object.parts.push(this.#addPart(part, preview, bounds));
     }
     this.objects.set(id, object);
     this.#isChanged = true;
@@ -195,9 +195,9 @@ export class Model {
     this.table.dispose();
   }
 
-  #addPart(part: PreviewPart, origin: Point3, bounds: Bounds | null): ModelPart {
+  #addPart(part: PreviewPart, { origin, draft }: Preview, bounds: Bounds | null): ModelPart {
     const slot = this.table.take();
-    const member: Member = { part, origin, bounds, slot, values: null };
+    const member: Member = { part, origin, bounds, slot, values: null, isDraft: draft };
     const entry: ModelPart = { part, slot, bounds, member, drawable: undefined, batch: undefined };
     if (part.kind === "texts") return entry;
     if (part.positions.length / 3 > ALONE) entry.drawable = this.#addDrawable(this.#make(alone(member)));
