@@ -128,3 +128,26 @@ fn curves_that_are_not_finite_are_left_out_by_name() {
         assert!(document.left_out.iter().any(|one| one.why.contains("#2")), "{:?}", document.left_out);
     }
 }
+
+#[test]
+fn arcs_turned_about_a_chord_have_their_poles_at_the_ends_of_their_profile() {
+    // The axis is a chord: the profile ends on it, but its circle goes on to the other side.
+    for (start, end) in [(-0.6, 1.4), (5.0, 7.5), (1.0, 4.0)] {
+        let arc = Arc::new(Circle::new(Plane::XZ, 3.0).unwrap(), Interval::new(start, end)).unwrap();
+        let profile: Curve = katydid_geometry::ArcCurve::new(arc).into();
+        let axis = Line::new(profile.start(), profile.end());
+        let turn = Interval::new(0.0, std::f64::consts::TAU);
+        let surface = katydid_geometry::RevolutionSurface::new(profile, axis, turn).unwrap();
+        let brep = Brep::from_surface(surface.into()).unwrap();
+        let document = Document {
+            parts: vec![Part::named("it", Shape::Brep(brep.clone().into()))],
+            ..Document::default()
+        };
+        let text = String::from_utf8(written(&document)).unwrap();
+        assert!(text.contains("TRIMMED_CURVE"), "{text}");
+        let Shape::Brep(back) = again(Shape::Brep(brep.clone().into())) else { panic!() };
+        assert!(back.is_solid() && back.is_valid(), "{:?}", back.faults());
+        let volume = |brep: &Brep| brep.volume_properties(1e-9, || true).unwrap().amount;
+        assert!((volume(&back) / volume(&brep) - 1.0).abs() < 1e-9);
+    }
+}

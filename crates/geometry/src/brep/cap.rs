@@ -1,8 +1,10 @@
 //! Planar holes of a brep filled.
 
 use super::build::NewEdge;
+use super::flatten::flattened;
 use super::planar::{Rim, add_planar_face};
 use super::{Brep, Builder};
+use crate::curve::coincident;
 use crate::{Curve, Plane, Point3, Result, Tolerance};
 
 /// How far a rim may be off its plane whatever the tolerance, as a part of its size: holes smaller than the tolerance
@@ -143,6 +145,13 @@ impl Brep {
             let own = plane.origin.to_vector().dot(plane.z_axis);
             (heights.start - own).abs().max((heights.end - own).abs()) <= limit
         });
+        // Of a hole that is no wider than a hair some edges may stand upright on the plane.
+        for (_, _, curve) in &hole.edges {
+            let image = flattened(curve, &plane)?.bounding_box();
+            if coincident(image.min, image.max) {
+                return Ok(None);
+            }
+        }
         let area = hole.area(&plane);
         if !flat || !(area.abs() > 1e-12 * size * size) {
             return Ok(None);

@@ -14,7 +14,7 @@ pub(crate) fn coincident(a: Point3, b: Point3) -> bool {
 
 impl Curve {
     /// Whether the curve ends where it starts and encloses something: a line never does, a polyline from three
-    /// segments on.
+    /// segments on, and a NURBS curve from four control points on: with three it runs there and back.
     pub fn is_closed(&self) -> bool {
         match self {
             Self::Line(_) => false,
@@ -22,7 +22,7 @@ impl Curve {
             Self::Polyline(c) => c.points().len() >= 4 && coincident(self.start(), self.end()),
             Self::Nurbs(c) => {
                 coincident(self.start(), self.end())
-                    && c.point_count() > 2
+                    && c.point_count() > 3
                     && c.control_points().iter().any(|&p| !coincident(p, self.start()))
             }
             Self::Poly(c) => match c.segments() {

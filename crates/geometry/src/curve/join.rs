@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::classify::coincident;
 use super::{Curve, PolyCurve, PolylineCurve};
 use crate::{Interval, Line, LineCurve, Point3};
 
@@ -121,8 +122,42 @@ pub(crate) fn chains(
     out
 }
 
+/// Points less than this apart are one to openNURBS's eyes, whichever way the axes are turned: √3 · 2⁻³², and a little.
+const COINCIDENT: f64 = 5e-10;
+
+/// Whether all of a curve is one place to openNURBS's eyes.
+fn is_speck(curve: &Curve) -> bool {
+    coincident(curve.start(), curve.end()) && !curve.is_closed() && {
+        let bounds = curve.bounding_box();
+        coincident(bounds.min, bounds.max)
+    }
+}
+
+/// Corners without those that all but coincide with the one before; the first and the last stay.
+fn spaced(points: Vec<Point3>) -> Vec<Point3> {
+    let mut out: Vec<Point3> = Vec::with_capacity(points.len());
+    let last = points.last().copied();
+    for p in points {
+        if out.last().is_none_or(|before| before.distance_to(p) > COINCIDENT) {
+            out.push(p);
+        }
+    }
+    match (last, out.len()) {
+        (Some(last), 2..) => {
+            out.pop();
+            out.push(last);
+        }
+        (Some(last), _) => out.push(last),
+        (None, _) => {}
+    }
+    out
+}
+
 /// One curve from parts that follow each other.
 pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
+    if !parts.iter().all(is_speck) {
+        parts.retain(|part| !is_speck(part));
+    }
     if parts.len() == 1
         && let Some(only) = parts.pop()
     {
@@ -141,7 +176,7 @@ pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
         {
             *last = first;
         }
-        if let Ok(polyline) = PolylineCurve::new(points) {
+        if let Ok(polyline) = PolylineCurve::new(spaced(points)) {
             return polyline.into();
         }
     }
@@ -170,5 +205,25 @@ pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
         (Err(_), None) => {
             LineCurve { line: Line::new(Point3::ORIGIN, Point3::ORIGIN), domain: Interval::UNIT }.into()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+    use super::*;
+
+    #[test]
+    fn corners_that_all_but_coincide_are_one_in_a_chain() {
+        let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+        let corners =
+            [at(0.0, 0.0), at(1e-10, 0.0), at(3.0, 0.0), at(3.0, 2.0), at(1e-10, 1e-10), at(0.0, 0.0)];
+        let parts = corners.windows(2).map(|p| Line::new(p[0], p[1]).into()).collect();
+        let chain = chained(parts, 1e-3);
+        let found = chain.as_polyline().unwrap();
+        assert_eq!(found.len(), 4, "{found:?}");
+        assert_eq!(found[0], found[3]);
+        assert!(found.iter().zip([0, 2, 3]).all(|(p, k)| p.distance_to(corners[k]) < 1e-9), "{found:?}");
     }
 }

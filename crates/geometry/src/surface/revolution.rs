@@ -272,15 +272,21 @@ impl RevolutionSurface {
     /// The circle or arc that the profile's point at `t` runs through.
     pub(super) fn parallel(&self, t: f64) -> Result<Curve> {
         let w = self.profile.point_at(t) - self.axis.from;
-        let Arm { foot, arm, turned } = self.arm(w);
+        let Arm { foot, arm, .. } = self.arm(w);
         let radius = arm.length();
         let on_axis = Error::degenerate("isocurve", "it is a single point on the axis");
         if radius <= 1e-14 * (w.length() + 1e-300) {
             return Err(on_axis);
         }
-        let x_axis = arm.unitized().ok_or(on_axis.clone())?;
-        let y_axis = turned.unitized().ok_or(on_axis)?;
-        let plane = Plane { origin: self.axis.from + foot, x_axis, y_axis, z_axis: self.unit };
+        // A short arm is what is left of long vectors, and not quite upright on the axis.
+        let across = |v: Vector3| (v - self.unit * v.dot(self.unit)).unitized();
+        let x_axis = arm.unitized().and_then(across).ok_or(on_axis)?;
+        let plane = Plane {
+            origin: self.axis.from + foot,
+            x_axis,
+            y_axis: self.unit.cross(x_axis),
+            z_axis: self.unit,
+        };
         let arc = Arc { circle: Circle::new(plane, radius)?, angle: self.angle };
         Ok(crate::ArcCurve { arc, domain: self.angle_domain }.into())
     }

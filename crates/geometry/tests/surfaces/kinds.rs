@@ -6,7 +6,7 @@ use crate::common::{
     self, close, close_points, close_surfaces, close_vectors, curve, number, oracle, plane, point, surface,
 };
 use katydid_geometry::{
-    Circle, Cone, Cylinder, Direction, Interval, Line, LineCurve, NurbsCurve, NurbsSurface, Plane,
+    Circle, Cone, Curve, Cylinder, Direction, Interval, Line, LineCurve, NurbsCurve, NurbsSurface, Plane,
     PlaneSurface, Point3, RevolutionSurface, Side, Sphere, SumSurface, Surface, Torus, Vector3, Xform,
 };
 use serde_json::Value;
@@ -470,5 +470,24 @@ fn nearest_points_of_primitives() {
         near(cylinder.closest_point(q), &|u, v| cylinder.point_at(u, v), cylinder.height);
         near(cone.closest_point(q), &|u, v| cone.point_at(u, v), Interval::new(0.0, 2.0));
         near(torus.closest_point(q), &|u, v| torus.point_at(u, v), Interval::new(0.0, TAU));
+    }
+}
+
+#[test]
+fn small_circles_far_out_have_axes_at_right_angles() {
+    let apex = Point3::new(-93511.881546, 31413.288701, 65376.561825);
+    let unit =
+        Vector3::new(0.7122798681047309, -0.21115729080591944, -0.6693803014969978).unitized().unwrap();
+    let side = unit.cross(Vector3::Z).unitized().unwrap();
+    let profile = Line::new(apex + side * 1e-7, apex + unit * 37369.98 + side * 23790.47);
+    // The axis begins far from the small circle.
+    let axis = Line::new(apex + unit * 37369.98, apex + unit * 37370.98);
+    let turn = Interval::new(0.0, TAU);
+    let cone = RevolutionSurface::new(profile.into(), axis, turn).unwrap();
+    let start = cone.profile().domain().start;
+    let Curve::Arc(circle) = Surface::from(cone).isocurve(Direction::U, start).unwrap() else { panic!() };
+    let plane = circle.arc.circle.plane;
+    for (a, b) in [(plane.x_axis, plane.y_axis), (plane.x_axis, plane.z_axis), (plane.y_axis, plane.z_axis)] {
+        assert!(a.dot(b).abs() < 1e-14 && (a.length() - 1.0).abs() < 1e-14, "{plane:?}");
     }
 }

@@ -7,7 +7,7 @@ use super::{curve, direction, flag, frame, point};
 use crate::Result;
 use crate::part21::{Id, Sheet, list, real};
 use katydid_geometry::{
-    ArcCurve, Curve, Direction, LineCurve, NurbsSurface, Plane, RevolutionSurface, SumSurface, Surface,
+    Arc, ArcCurve, Curve, Direction, LineCurve, NurbsSurface, Plane, RevolutionSurface, SumSurface, Surface,
     Vector3,
 };
 
@@ -298,10 +298,20 @@ fn revolution(sheet: &mut Sheet, surface: &RevolutionSurface) -> Result<Put> {
     if let Some(put) = plain {
         return Ok(put);
     }
-    let carrier = curve::carrier(sheet, profile)?;
+    let on_axis = |p| turned.is_small(turned.polar(p).1.length());
+    let (carrier, range) = match profile {
+        // Programs see the poles of a surface at the ends of its profile, which a whole circle has not.
+        Curve::Arc(arc) if on_axis(profile.start()) || on_axis(profile.end()) => {
+            let angle = arc.arc.angle;
+            let angle = angle.shifted(angle.start.rem_euclid(TAU) - angle.start);
+            let arc = ArcCurve { arc: Arc { circle: arc.arc.circle, angle }, domain: angle };
+            (curve::bounded(sheet, &arc.into())?, Some([angle.start, angle.end]))
+        }
+        _ => (curve::carrier(sheet, profile)?, carrier_range(profile)),
+    };
     let origin = point(sheet, axis.from);
     let along = direction(sheet, unit);
     let place = sheet.put(format_args!("AXIS1_PLACEMENT('',{origin},{along})"));
     let id = sheet.put(format_args!("SURFACE_OF_REVOLUTION('',{carrier},{place})"));
-    Ok(Put { id, chart: turned.chart(1.0, carrier_range(profile)) })
+    Ok(Put { id, chart: turned.chart(1.0, range) })
 }
