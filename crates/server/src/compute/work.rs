@@ -184,7 +184,11 @@ pub(crate) fn with_request(
         return Step::Done(Ok(Outcome::Sent(Sent::json(&service.compute.describe(&definition)))));
     }
     let decode = start.elapsed();
-    let lane = service.pace.lane(definition.key());
+    let lane = match service.pace.lane(definition.key()) {
+        // Another solve waits for this one, maybe one of ours: it must not stand behind it.
+        Lane::Slow if request.recursion_level > 0 => Lane::New,
+        lane => lane,
+    };
     let rest = move || Step::Done(solve(&service, &definition, &request, wish, &reins, decode));
     match lane {
         Lane::Quick => rest(),
