@@ -1,7 +1,11 @@
 //! The same curve in another place, direction or domain, and parts of it.
 
+use super::classify::coincident;
 use super::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
-use crate::{Arc, Error, Interval, Line, Result, Xform};
+use crate::{Arc, Error, Interval, Line, Point3, Result, Xform};
+
+/// The part of a segment that is rounding.
+const SPECK: f64 = 1e-12;
 
 impl Curve {
     /// The same points walked from the end to the start; the domain a…b becomes −b…−a, as in openNURBS.
@@ -104,14 +108,25 @@ impl Curve {
                 Ok(ArcCurve { arc: Arc { angle, ..c.arc }, domain: range }.into())
             }
             Self::Polyline(c) => {
-                let inside = c.parameters().iter().zip(c.points()).filter(|&(&t, _)| a < t && t < b);
-                let (mut ts, mut points) = (vec![a], vec![c.point_at(a)]);
-                for (&t, &p) in inside {
+                let ends = [c.point_at(a), c.point_at(b)];
+                // A corner that only rounding has left beside an end is the end.
+                let mut inside: Vec<(f64, Point3)> = (c.parameters().iter().copied())
+                    .zip(c.points().iter().copied())
+                    .filter(|(t, _)| a < *t && *t < b)
+                    .collect();
+                if inside.first().is_some_and(|(_, p)| coincident(ends[0], *p)) {
+                    inside.remove(0);
+                }
+                if inside.last().is_some_and(|(_, p)| coincident(ends[1], *p)) {
+                    inside.pop();
+                }
+                let (mut ts, mut points) = (vec![a], vec![ends[0]]);
+                for (t, p) in inside {
                     ts.push(t);
                     points.push(p);
                 }
                 ts.push(b);
-                points.push(c.point_at(b));
+                points.push(ends[1]);
                 Ok(PolylineCurve::with_parameters(points, ts)?.into())
             }
             Self::Nurbs(c) => Ok(c.trimmed(range)?.into()),
@@ -120,6 +135,10 @@ impl Curve {
                 for (i, segment) in c.segments().iter().enumerate() {
                     let part = c.segment_domain(i);
                     let Some(both) = part.intersection(range).filter(|r| r.start < r.end) else { continue };
+                    // What only rounding has left of a segment is not kept.
+                    if both.length() <= SPECK * part.length() && range.length() > 1e-6 * part.length() {
+                        continue;
+                    }
                     let own = segment.domain();
                     let inner = Interval::new(
                         if both.start == part.start {

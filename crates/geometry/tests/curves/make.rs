@@ -535,3 +535,20 @@ proptest! {
         let _ = (c.rebuilt(3, 8, true), c.as_ellipse(0.1), c.curvature_extrema(), c.inflections(1e-6), c.tween(&other, size, TweenMatch::ControlPoints));
     }
 }
+
+#[test]
+fn parts_that_begin_a_hair_beside_a_corner_begin_at_it() {
+    let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+    let corners = vec![at(0.0, 0.0), at(1.0, 0.0), at(2.0, 0.5), at(3.0, 0.5)];
+    let polyline: Curve = katydid_geometry::PolylineCurve::new(corners.clone()).unwrap().into();
+    let [a, b] = [1.0 - 2.0 * f64::EPSILON, 2.0 + 2.0 * f64::EPSILON];
+    let Curve::Polyline(part) = polyline.trimmed(Interval::new(a, b)).unwrap() else { panic!() };
+    assert_eq!(part.points().len(), 2);
+    let segments: Vec<Curve> = corners.windows(2).map(|p| Line::new(p[0], p[1]).into()).collect();
+    let joined: Curve = katydid_geometry::PolyCurve::new(segments).unwrap().into();
+    let inner = match &joined {
+        Curve::Poly(c) => Interval::new(c.parameters()[1] * (1.0 - 1e-15), c.parameters()[2]),
+        _ => panic!(),
+    };
+    assert!(matches!(joined.trimmed(inner).unwrap(), Curve::Line(_)));
+}
