@@ -72,7 +72,7 @@ fuzz_target!(|data: &[u8]| {
     let object = Object::new_parameter(ids::GEOMETRY, "Geometry", "Geo", uuid::Uuid::from_u128(1));
     let outputs = [Tree::branch_at(Path::zero(), Column::of_values(values(data), None))];
     let shown = Shown { object: &object, outputs: &outputs, inputs: &[] };
-    for fineness in [Fineness::Draft { triangles: 100 }, Fineness::Coarse] {
+    for fineness in [Fineness::Draft { triangles: 100, exact: false }, Fineness::Coarse] {
         for preview in encode(&[shown], &Rules::default(), fineness, || true) {
             preview.geometry.iter().for_each(|geometry| check(&geometry.bytes));
         }

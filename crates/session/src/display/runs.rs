@@ -82,7 +82,7 @@ fn add_nurbs(curve: &NurbsCurve, limits: Limits, points: &mut Vec<Point3>) {
 fn is_straight(hull: &[Point3], from: Point3, to: Point3, limits: Limits) -> bool {
     let chord = to - from;
     let length = chord.length();
-    if !(length > 0.0) {
+    if length == 0.0 || !length.is_finite() {
         return false;
     }
     let along = chord / length;
