@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 58] = [
+static LIST: [Unsupported; 57] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -228,11 +228,6 @@ static LIST: [Unsupported; 58] = [
     row(
         uuid!("5b742537-9bcb-4f06-9613-866da5bf845e"),
         "Split with Breps",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("7db14002-c09c-4d7b-9f80-e4e2b00dfa1d"),
-        "Surface Split",
         "solids are not cut by one another yet",
     ),
     row(uuid!("f0b70e8e-7337-4ce4-a7bb-317fc971f918"), "Trim Solid", "solids are not cut by one another yet"),

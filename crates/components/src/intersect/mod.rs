@@ -10,6 +10,7 @@ mod piercing;
 pub(crate) mod planes;
 mod region;
 mod shape;
+mod split;
 mod view;
 
 use std::sync::Arc as Shared;

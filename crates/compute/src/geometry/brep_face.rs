@@ -41,6 +41,14 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("brepface/shrinksurfacetoedge-brepface", |f: Face| {
         Ok((true, f.brep().shrunk_face(0, &Within(0.001).tolerance())?))
     });
+    table.add(
+        "brepface/split-brepface_curvearray_double",
+        |f: Face, curves: Vec<Curve>, tolerance: Within| {
+            let tolerance = tolerance.tolerance();
+            let pieces = f.brep().face_split(0, &curves, &tolerance)?;
+            Ok(Brep::merged(&Brep::join(&pieces, &tolerance)?.breps))
+        },
+    );
     table
         .add("brep/copytrimcurves-brepface_surface_double", |f: Face, s: Surface, t: Within| copied(f, s, t));
     table.add("brep/createtrimmedsurface-brepface_surface_double", |f: Face, s: Surface, t: Within| {

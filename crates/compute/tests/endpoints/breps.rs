@@ -91,3 +91,12 @@ fn breps() {
     let patch = ask("brep/createpatch-geometrybasearray_int_int_double", json!([[c1()], 8, 8, 0.01]));
     assert!((number(&ask("brep/getarea-brep", json!([patch]))) - PI * 25.0).abs() < 0.1);
 }
+
+#[test]
+fn a_face_is_split_along_curves() {
+    let face = ask("brep/createplanarbreps-curve", json!([square(4.0)]))[0].clone();
+    let cuts = json!([[[-1, 2, 0], [5, 2, 0]], [[2, 2, 0], [2, 5, 0]]]);
+    let split = ask("brepface/split-brepface_curvearray_double", json!([face, cuts, 0.001]));
+    assert_eq!(Brep::read(&split).unwrap().faces().len(), 3);
+    near(&ask("brep/getarea-brep", json!([split])), 16.0);
+}

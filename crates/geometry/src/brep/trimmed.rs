@@ -12,7 +12,8 @@ mod unroll;
 use super::Brep;
 use crate::region::{FillRule, Region};
 use crate::{
-    Curve, Direction, Error, Interval, Plane, Point3, PolylineCurve, Result, Surface, Tolerance, Xform,
+    BoundingBox, Curve, Direction, Error, Interval, Plane, Point3, PolylineCurve, Result, Surface, Tolerance,
+    Vector3, Xform,
 };
 
 /// The domain of a surface as a closed curve in the parameter plane, counter-clockwise.
@@ -151,11 +152,11 @@ impl Brep {
         let surface = self.face_surface(face).ok_or_else(no_face)?;
         let [from, to] = [surface, target].map(|s| Direction::BOTH.map(|d| s.domain(d)));
         let scale = [0, 1].map(|k: usize| to[k].length() / from[k].length());
-        let x = crate::Vector3::new(scale[0], 0.0, 0.0);
-        let y = crate::Vector3::new(0.0, scale[1], 0.0);
+        let x = Vector3::new(scale[0], 0.0, 0.0);
+        let y = Vector3::new(0.0, scale[1], 0.0);
         let origin =
             Point3::new(to[0].start - from[0].start * scale[0], to[1].start - from[1].start * scale[1], 0.0);
-        let map = Xform::from_columns(x, y, crate::Vector3::Z, origin);
+        let map = Xform::from_columns(x, y, Vector3::Z, origin);
         let mut loops = Vec::new();
         for curve in self.face_loops(face)? {
             loops.push(lift::in_parameter_plane(&curve.transformed(&map)?)?);
@@ -195,11 +196,25 @@ fn folded(surface: &Surface, loops: &[Curve], limit: f64) -> Result<Region> {
     let whole = Region::new(&[frame(domains)?], FillRule::Any, &Plane::XY, flat)?;
     let bounds = loops.iter().map(Curve::bounding_box).reduce(|a, b| a.union(&b));
     let Some(bounds) = bounds else { return Ok(whole) };
+    let mut all: Option<Region> = None;
+    for by in over_seams(surface, &bounds, flat) {
+        let moved = loops.iter().map(|c| c.transformed(&by)).collect::<Result<Vec<_>>>()?;
+        let inside = Region::new(&moved, FillRule::EvenOdd, &Plane::XY, flat)?.intersection(&whole, flat)?;
+        all = Some(match all {
+            Some(before) => before.symmetric_difference(&inside, flat)?,
+            None => inside,
+        });
+    }
+    Ok(all.unwrap_or(whole))
+}
+
+/// The moves by periods that bring what reaches over a seam in again on the other side; first none at all.
+fn over_seams(surface: &Surface, bounds: &BoundingBox, flat: f64) -> Vec<Xform> {
     let reach = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
-    let shifts = [0, 1].map(|k: usize| {
-        let (domain, (low, high)) = (domains[k], reach[k]);
+    let [x, y] = Direction::BOTH.map(|d| {
+        let (domain, (low, high)) = (surface.domain(d), reach[d.index()]);
         let mut out = vec![0.0];
-        if surface.is_closed(Direction::BOTH[k]) {
+        if surface.is_closed(d) {
             if low < domain.start - flat {
                 out.push(domain.length());
             }
@@ -209,18 +224,5 @@ fn folded(surface: &Surface, loops: &[Curve], limit: f64) -> Result<Region> {
         }
         out
     });
-    let mut all: Option<Region> = None;
-    for &x in &shifts[0] {
-        for &y in &shifts[1] {
-            let by = Xform::translation(crate::Vector3::new(x, y, 0.0));
-            let moved = loops.iter().map(|c| c.transformed(&by)).collect::<Result<Vec<_>>>()?;
-            let inside =
-                Region::new(&moved, FillRule::EvenOdd, &Plane::XY, flat)?.intersection(&whole, flat)?;
-            all = Some(match all {
-                Some(before) => before.symmetric_difference(&inside, flat)?,
-                None => inside,
-            });
-        }
-    }
-    Ok(all.unwrap_or(whole))
+    x.iter().flat_map(|&x| y.iter().map(move |&y| Xform::translation(Vector3::new(x, y, 0.0)))).collect()
 }

@@ -1,5 +1,7 @@
 //! Regions from closed curves by a rule.
 
+use std::collections::HashSet;
+
 use super::loops::{Step, loops};
 use super::sides::{Sides, all_sides};
 use super::sources::Sources;
@@ -99,39 +101,55 @@ pub(super) fn combined(
             }
         }
         let Some(loops) = loops(&sources, &nodes, &strands, &border)? else { continue };
-        let mut curves = Vec::with_capacity(loops.len());
-        for steps in &loops {
-            curves.extend(assemble::curve(&sources, &nodes, &strands, steps, reach)?);
+        let mut walked = Vec::with_capacity(loops.len());
+        for steps in loops {
+            let curve = assemble::curve(&sources, &nodes, &strands, &steps, reach)?;
+            walked.extend(curve.map(|curve| Walked { curve, steps }));
         }
-        return Ok(Region { plane: *plane, faces: faces(curves, &sources.plane) });
+        return Ok(Region { plane: *plane, faces: faces(walked, &sources.plane) });
     }
+    Err(too_close())
+}
+
+/// No tolerance is fine enough.
+pub(super) fn too_close() -> Error {
     let why = "its curves run so close beside each other that inside and outside cannot be told apart".into();
-    Err(Error::Invalid { what: "region", why })
+    Error::Invalid { what: "region", why }
+}
+
+/// A loop as a curve, and the steps that it was walked by.
+pub(super) struct Walked {
+    pub(super) curve: Curve,
+    pub(super) steps: Vec<Step>,
 }
 
 /// Loops by outlines and the holes in them: a loop that runs clockwise is a hole of the smallest outline around it.
-fn faces(curves: Vec<Curve>, plane: &Plane) -> Vec<Face> {
-    let mut outer: Vec<(f64, Outline, Face)> = Vec::new();
+pub(super) fn faces(loops: Vec<Walked>, plane: &Plane) -> Vec<Face> {
+    let mut outer: Vec<(f64, Outline, HashSet<usize>, Face)> = Vec::new();
     let mut holes = Vec::new();
-    for curve in curves {
+    for Walked { curve, steps } in loops {
         let (area, _) = curve.signed_area_in(plane);
         if area > 0.0 {
             let outline = Outline::new(&curve, plane);
-            outer.push((area, outline, Face { outline: curve, holes: Vec::new() }));
+            let strands = steps.iter().map(|step| step.strand).collect();
+            outer.push((area, outline, strands, Face { outline: curve, holes: Vec::new() }));
         } else {
-            holes.push(curve);
+            holes.push((curve, steps));
         }
     }
-    for hole in holes {
+    for (hole, steps) in holes {
         // It may touch its outline, in points: most places on it tell.
         let domain = hole.domain();
         let places =
             [0.03, 0.17, 0.31, 0.47, 0.59, 0.73, 0.89].map(|x| flat(plane, hole.point_at(domain.at(x))));
         let around = |o: &Outline| 2 * places.iter().filter(|&&p| o.winding(p) != 0).count() > places.len();
-        let home = outer.iter_mut().filter(|o| around(&o.1)).min_by(|x, y| x.0.total_cmp(&y.0));
-        if let Some((_, _, face)) = home {
+        // What shares a strand with a hole lies in it.
+        let is_within = |strands: &HashSet<usize>| steps.iter().any(|step| strands.contains(&step.strand));
+        let home = (outer.iter_mut().filter(|o| !is_within(&o.2) && around(&o.1)))
+            .min_by(|x, y| x.0.total_cmp(&y.0));
+        if let Some((_, _, _, face)) = home {
             face.holes.push(hole);
         }
     }
-    outer.into_iter().map(|o| o.2).collect()
+    outer.into_iter().map(|o| o.3).collect()
 }

@@ -102,7 +102,8 @@ impl Walk<'_> {
         for s in spokes.iter_mut() {
             s.angle = self.way_out(s, center, &circle)?;
         }
-        spokes.sort_by(|x, y| x.angle.total_cmp(&y.angle));
+        // Of a strand that is walked both ways the arrival bounds the sector clockwise of it.
+        spokes.sort_by(|x, y| x.angle.total_cmp(&y.angle).then(x.leaves.cmp(&y.leaves)));
         Ok(())
     }
 

@@ -35,6 +35,7 @@ mod nodes;
 mod relation;
 mod sides;
 mod sources;
+mod split;
 mod strands;
 mod trim;
 mod winding;

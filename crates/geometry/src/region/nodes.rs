@@ -94,7 +94,7 @@ impl Cuts<'_> {
         &self.sources.parts[part].curve
     }
 
-    /// The end of a part and the start of the next are one place, however far apart they are.
+    /// The end of a part and the start of the next are one place, however far apart they are. An open curve has two ends.
     fn joints(&mut self) {
         for source in &self.sources.list {
             let count = source.parts.len();
@@ -104,7 +104,12 @@ impl Cuts<'_> {
                 self.places.push(self.curve(part).start());
                 let (start, end) = (self.curve(part).domain().start, self.curve(before).domain().end);
                 self.lists[part].push((start, place));
-                self.lists[before].push((end, place));
+                if k == 0 && source.outline.is_none() {
+                    self.places.push(self.curve(before).end());
+                    self.lists[before].push((end, place + 1));
+                } else {
+                    self.lists[before].push((end, place));
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::sources::Sources;
 use super::strands::{Member, Strand, place};
-use super::winding::flat;
+use super::winding::{Outline, flat};
 use crate::{Result, Vector3};
 
 /// The winding numbers of a source left and right of a strand.
@@ -90,15 +90,16 @@ fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides
     let spots = FIRST.map(at);
     let mut out = Vec::new();
     for (k, source) in sources.list.iter().enumerate() {
+        let Some(outline) = &source.outline else { continue };
         if let Some(&(_, step)) = own.iter().find(|o| o.0 == k) {
-            let left = beside(sources, strand, k, tolerance);
+            let left = beside(sources, strand, k, outline, tolerance);
             out.push(Sides { source: k, left, right: left - step });
             continue;
         }
-        if !spots.iter().any(|&p| source.outline.reaches(p)) {
+        if !spots.iter().any(|&p| outline.reaches(p)) {
             continue;
         }
-        let votes = spots.map(|p| source.outline.winding(p));
+        let votes = spots.map(|p| outline.winding(p));
         let mut count = votes[0];
         if votes.iter().any(|&v| v != count) {
             // The curve comes as near as the tolerance somewhere: what is farthest from it knows best.
@@ -108,7 +109,7 @@ fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides
                 let distance = source.curve.closest_point(p)?.distance;
                 if distance > far {
                     far = distance;
-                    count = source.outline.winding(flat(&sources.plane, p));
+                    count = outline.winding(flat(&sources.plane, p));
                 }
             }
         }
@@ -120,7 +121,7 @@ fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides
 }
 
 /// The winding number of a source just left of a strand that is part of it.
-fn beside(sources: &Sources, strand: &Strand, source: usize, tolerance: f64) -> i32 {
+fn beside(sources: &Sources, strand: &Strand, source: usize, outline: &Outline, tolerance: f64) -> i32 {
     let mut members = strand.members.iter().filter(|m| sources.parts[m.part].source == source);
     let (Some(member), alone) = (members.next(), members.next().is_none()) else { return 0 };
     // Beside a single stretch very near, beside several farther than they are apart.
@@ -129,7 +130,7 @@ fn beside(sources: &Sources, strand: &Strand, source: usize, tolerance: f64) -> 
         let (p, along) = place(sources, member, x);
         let along = if member.along { along } else { -along };
         let left: Vector3 = sources.plane.z_axis.cross(along);
-        sources.list[source].outline.winding(flat(&sources.plane, p + left * step))
+        outline.winding(flat(&sources.plane, p + left * step))
     };
     let votes = FIRST.map(count);
     if votes.iter().all(|&v| v == votes[0]) {

@@ -1,15 +1,16 @@
-//! The closed curves that go into an arrangement, in its plane and in smooth parts.
+//! The curves that go into an arrangement, in its plane and in smooth parts.
 
 use std::ops::Range;
 
 use super::winding::Outline;
 use crate::{BoundingBox, Curve, Error, Plane, Point3, Result, Xform};
 
-/// A closed curve in the plane.
+/// A curve in the plane.
 #[derive(Debug)]
 pub(super) struct Source {
     pub(super) curve: Curve,
-    pub(super) outline: Outline,
+    /// How often it runs around a point; an open curve around none.
+    pub(super) outline: Option<Outline>,
     /// Which parts are its.
     pub(super) parts: Range<usize>,
 }
@@ -22,7 +23,7 @@ pub(super) struct Part {
     pub(super) bounds: BoundingBox,
 }
 
-/// All closed curves of an arrangement.
+/// All curves of an arrangement.
 #[derive(Debug)]
 pub(super) struct Sources {
     /// The plane, its origin near the curves.
@@ -63,13 +64,27 @@ impl Sources {
         plane: &Plane,
         tolerance: f64,
     ) -> Result<Self> {
+        let sources = Self::with_open(curves, plane, tolerance)?;
+        if sources.list.iter().any(|source| source.outline.is_none()) {
+            return Err(Error::degenerate("region", "one of its curves is open and has no inside"));
+        }
+        Ok(sources)
+    }
+
+    /// Takes open curves too, which enclose nothing.
+    ///
+    /// # Errors
+    /// A number overflows.
+    pub(super) fn with_open<'a>(
+        curves: impl IntoIterator<Item = &'a Curve>,
+        plane: &Plane,
+        tolerance: f64,
+    ) -> Result<Self> {
         let mut flat = Vec::new();
         let mut all: Option<BoundingBox> = None;
         for curve in curves {
             let ends_meet = curve.start().distance_to(curve.end()) <= tolerance;
-            if !(curve.is_closed() || ends_meet && !matches!(curve, Curve::Line(_))) {
-                return Err(Error::degenerate("region", "one of its curves is open and has no inside"));
-            }
+            let is_closed = curve.is_closed() || ends_meet && !matches!(curve, Curve::Line(_));
             let bounds = curve.bounding_box();
             if !(bounds.min.is_finite() && bounds.max.is_finite()) {
                 return Err(Error::NotFinite("curve of the region"));
@@ -77,7 +92,7 @@ impl Sources {
             let curve = in_plane(curve, plane)?;
             let bounds = curve.bounding_box();
             all = Some(all.map_or(bounds, |b| b.union(&bounds)));
-            flat.push(curve);
+            flat.push((curve, is_closed));
         }
         let all = all.unwrap_or(BoundingBox { min: plane.origin, max: plane.origin });
         let middle: Point3 = all.min.lerp(all.max, 0.5);
@@ -87,13 +102,13 @@ impl Sources {
             list: Vec::with_capacity(flat.len()),
             parts: Vec::new(),
         };
-        for curve in flat {
+        for (curve, is_closed) in flat {
             let first = out.parts.len();
             for part in curve.smooth_parts()? {
                 let bounds = part.bounding_box();
                 out.parts.push(Part { curve: part, source: out.list.len(), bounds });
             }
-            let outline = Outline::new(&curve, &out.plane);
+            let outline = is_closed.then(|| Outline::new(&curve, &out.plane));
             out.list.push(Source { curve, outline, parts: first..out.parts.len() });
         }
         Ok(out)

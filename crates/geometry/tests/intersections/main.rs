@@ -13,3 +13,4 @@ mod curve_surface;
 mod curves;
 mod sections;
 mod solid_sections;
+mod split;

@@ -1,9 +1,9 @@
-//! Faces cut along lines of constant parameter, and surfaces cut down.
+//! Faces cut along curves and along lines of constant parameter, and surfaces cut down.
 
 use super::super::Brep;
-use super::{cells, flat_tolerance, frame, no_face};
+use super::{cells, flat_tolerance, frame, no_face, over_seams};
 use crate::region::{FillRule, Region};
-use crate::{Direction, Interval, Plane, Result, Surface, Tolerance};
+use crate::{Curve, Direction, Interval, Plane, Result, Surface, Tolerance};
 
 impl Surface {
     /// The part of the surface over ranges of both parameters, as an untrimmed brep with these ranges as its domains;
@@ -25,6 +25,30 @@ impl Surface {
 }
 
 impl Brep {
+    /// A face cut along curves, open or closed, that lie on it or near it and are pulled to it. Each piece is a brep of
+    /// one face on the same surface. Stretches that separate nothing, because the curves end inside a piece, leave no
+    /// trace: a face that nothing cuts through comes back alone.
+    ///
+    /// # Errors
+    /// The face does not exist, a curve leaps from one part of the surface to another when it is pulled, the curves
+    /// meet too often, or an edge cannot be followed within the tolerance.
+    pub fn face_split(&self, face: usize, curves: &[Curve], tolerance: &Tolerance) -> Result<Vec<Self>> {
+        let surface = self.face_surface(face).ok_or_else(no_face)?;
+        let flat = flat_tolerance(surface, tolerance.positive_distance()?);
+        let mut cutters = Vec::with_capacity(curves.len());
+        for curve in curves {
+            let pulled = surface.parameter_curve(curve, tolerance)?;
+            for by in over_seams(surface, &pulled.bounding_box(), flat) {
+                cutters.push(pulled.transformed(&by)?);
+            }
+        }
+        let mut out = Vec::new();
+        for piece in self.face_region(face, tolerance)?.split(&cutters, flat)? {
+            out.extend(cells::of_region(surface, self.is_reversed(face), &piece, tolerance)?);
+        }
+        Ok(out)
+    }
+
     /// A face cut along lines of constant parameter: along those of constant u at the first list, of constant v at the
     /// second. Each piece is a brep of one face on the same surface.
     ///
