@@ -3,7 +3,8 @@
 //! All closed curves that take part are cut at every crossing, touch and end of a shared stretch; stretches that
 //! coincide become one; the winding numbers of all curves on both sides of a stretch decide whether it belongs to the
 //! border of the result; and the border is walked in loops. The pieces of the result are pieces of the input: an arc
-//! stays an arc, a line a line, and a curve that nothing cuts comes back as it is.
+//! stays an arc, a line a line, and a curve that nothing cuts comes back as it is. Where a region is split, strands
+//! inside it are walked both ways; what was walked there and back at once separates nothing.
 //!
 //! **Tolerance.** Crossings are exact. Crossings, ends and corners within the tolerance of each other are one place, a
 //! corner within it of another curve is a place on that curve, and stretches that stay within it of each other from
