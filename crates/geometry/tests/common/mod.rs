@@ -12,9 +12,14 @@ use serde_json::Value;
 
 /// The answers of another kernel, or `None` with a printed line when the shared data is absent.
 pub fn oracle(file: &str) -> Option<Value> {
-    let path = format!("{}/../../../shared/data/oracle/{file}", env!("CARGO_MANIFEST_DIR"));
+    shared(&format!("oracle/{file}")).map(|text| serde_json::from_str(&text).unwrap())
+}
+
+/// A text file of the shared data, or `None` with a printed line when it is absent.
+pub fn shared(file: &str) -> Option<String> {
+    let path = format!("{}/../../../shared/data/{file}", env!("CARGO_MANIFEST_DIR"));
     match std::fs::read_to_string(&path) {
-        Ok(text) => Some(serde_json::from_str(&text).unwrap()),
+        Ok(text) => Some(text),
         Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
         Err(_) => {
             println!("skipped: {path} is absent");
@@ -136,17 +141,7 @@ pub struct Bench {
 
 /// The bench inputs, or `None` with a printed line when the shared data is absent.
 pub fn bench() -> Option<Bench> {
-    let read = |file: &str| {
-        let path = format!("{}/../../../shared/data/kernel-bench/{file}", env!("CARGO_MANIFEST_DIR"));
-        match std::fs::read_to_string(&path) {
-            Ok(text) => Some(text),
-            Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
-            Err(_) => {
-                println!("skipped: {path} is absent");
-                None
-            }
-        }
-    };
+    let read = |file: &str| shared(&format!("kernel-bench/{file}"));
     let reference = serde_json::from_str(&read("reference.json")?).unwrap();
     Some(Bench { inputs: read("inputs.txt")?, reference })
 }

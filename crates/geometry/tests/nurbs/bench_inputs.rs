@@ -4,15 +4,7 @@
 use katydid_geometry::{Curve, KnotSpacing, NurbsCurve, Point3};
 
 fn shared(file: &str) -> Option<String> {
-    let path = format!("{}/../../../shared/data/kernel-bench/{file}", env!("CARGO_MANIFEST_DIR"));
-    match std::fs::read_to_string(&path) {
-        Ok(text) => Some(text),
-        Err(_) if std::env::var_os("KATYDID_REQUIRE_SHARED").is_some() => panic!("{path} is missing"),
-        Err(_) => {
-            println!("skipped: {path} is absent");
-            None
-        }
-    }
+    crate::common::shared(&format!("kernel-bench/{file}"))
 }
 
 /// The numbers after the header of a named record, and the header's own.
