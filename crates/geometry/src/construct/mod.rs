@@ -3,6 +3,7 @@
 //! Every function gives sound breps ([`Brep::is_valid`](crate::Brep::is_valid)) or says why not. Lines, arcs and
 //! other conics stay exact wherever the construction allows it.
 
+mod developable;
 mod edge_surface;
 mod extrude;
 mod fragment;
@@ -15,6 +16,7 @@ mod revolve;
 mod sweep;
 mod tapered;
 
+pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};
 pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{
     extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
