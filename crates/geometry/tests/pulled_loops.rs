@@ -86,6 +86,25 @@ fn curves_far_from_a_surface_are_pulled_in_few_spans() {
     }
 }
 
+/// The nearest point of a large surface, found by distances alone, is off by more than the tolerance.
+#[test]
+fn curves_on_large_surfaces_are_pulled_within_the_tolerance() {
+    let radius = 3e6;
+    let ball: Surface = Sphere::new(Plane::XY, radius).unwrap().into();
+    let place = Plane::from_normal(Point3::ORIGIN, Vector3::new(1.0, 0.3, 0.2)).unwrap();
+    let around = place.with_origin(Point3::ORIGIN + place.z_axis * (0.8 * radius));
+    let ring: Curve = Circle::new(around, 0.6 * radius).unwrap().into();
+    let flat = ball.parameter_curve(&ring, &TOLERANCE).unwrap();
+    for k in 0..=100 {
+        let x = f64::from(k) / 100.0;
+        let uv = flat.point_at(flat.domain().at(x));
+        let miss = ball.point_at(uv.x, uv.y).distance_to(ring.point_at(ring.domain().at(x)));
+        assert!(miss < 0.0012, "{miss}");
+    }
+    let count = flat.to_nurbs().unwrap().control_points().len();
+    assert!(count < 2500, "{count}");
+}
+
 /// In the first span of a NURBS curve parameters differ sooner: the flag of a trim that is nearly an isocurve follows
 /// that of openNURBS, also on surfaces made of curves.
 #[test]

@@ -158,8 +158,31 @@ impl<'a> Foot<'a> {
                 }
             }
         }
+        let uv = self.polished(uv, p);
         self.last = Some(uv);
         Ok(uv)
+    }
+
+    /// A foot by the right angles there: the smallest distance alone leaves its place open by the square root of
+    /// rounding, which is more than the tolerance where a surface is large.
+    fn polished(&self, start: [f64; 2], p: Point3) -> [f64; 2] {
+        let domains = Direction::BOTH.map(|d| self.surface.domain(d));
+        let mut uv = start;
+        let mut last = 1e-5;
+        for _ in 0..4 {
+            let away = p - self.image(Point3::new(uv[0], uv[1], 0.0));
+            let Some(step) = self.slope(uv, p.to_vector(), away) else { break };
+            let size = (0..2).map(|k| (step[k] / domains[k].length()).abs()).fold(0.0, f64::max);
+            if !(size < last) {
+                break;
+            }
+            last = 0.5 * size;
+            for k in 0..2 {
+                let t = uv[k] + step[k];
+                uv[k] = if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
+            }
+        }
+        uv
     }
 
     /// The derivative of the parameters of the foot of a moving point, from its place and velocity: what keeps the
