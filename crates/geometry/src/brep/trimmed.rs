@@ -6,6 +6,7 @@
 mod cells;
 mod lift;
 mod pull_back;
+mod rim;
 mod split;
 mod unroll;
 
