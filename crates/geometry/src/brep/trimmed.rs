@@ -9,6 +9,8 @@ mod pull_back;
 mod split;
 mod unroll;
 
+pub(super) use lift::followed;
+
 use super::Brep;
 use crate::region::{FillRule, Region};
 use crate::{
