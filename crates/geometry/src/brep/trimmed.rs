@@ -10,6 +10,8 @@ mod rim;
 mod split;
 mod unroll;
 
+pub(super) use lift::followed;
+
 use super::Brep;
 use crate::region::{FillRule, Region};
 use crate::{

@@ -54,7 +54,7 @@ fn along_isocurve(surface: &Surface, flat: &Curve) -> Result<Option<Curve>> {
 }
 
 /// The cubic through points and derivatives of a formula, halved until it is within the limit of it.
-pub(super) fn followed(
+pub(in crate::brep) fn followed(
     stretches: &[Interval],
     limit: f64,
     mut formula: impl FnMut(f64, bool) -> Result<(Point3, Vector3)>,
