@@ -11,6 +11,7 @@ mod assemble;
 mod bounds;
 mod build;
 mod cap;
+mod divide;
 mod edge;
 mod edges;
 mod edit;
@@ -38,6 +39,7 @@ mod subset;
 mod tolerances;
 mod trim;
 mod trimmed;
+mod unjoin;
 mod validity;
 mod vertex;
 

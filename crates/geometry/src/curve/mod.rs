@@ -38,6 +38,7 @@ mod region;
 mod sections;
 mod simplify;
 mod speed;
+mod spiral;
 mod tessellate;
 pub(crate) mod traced;
 mod tween;

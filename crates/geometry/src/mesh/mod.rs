@@ -7,7 +7,9 @@ mod closest;
 mod decimate;
 mod edit;
 mod face;
+mod heal;
 mod hits;
+mod holes;
 mod measure;
 mod moments;
 mod neighbours;
@@ -26,6 +28,7 @@ mod smooth;
 mod split;
 mod topology;
 mod tree;
+mod unweld;
 
 pub(crate) use align::align_points;
 #[cfg(feature = "mesh-booleans")]
@@ -33,6 +36,7 @@ pub use boolean::Solid;
 pub use closest::MeshPoint;
 pub use decimate::Decimation;
 pub use face::MeshFace;
+pub use heal::Healing;
 pub use hits::{MeshClash, MeshHit};
 pub use of_surface::SurfaceMeshing;
 pub use remesh::{RemeshOptions, Remeshed};

@@ -3,7 +3,7 @@
 use crate::brep::with_ends;
 use crate::{
     ClosestOnSurface, Curve, Direction, Error, Interval, LineCurve, NurbsCurve, Point3, Result, Surface,
-    Vector3, Xform,
+    Tolerance, Vector3, Xform,
 };
 
 /// The most halvings of one stretch.
@@ -32,6 +32,60 @@ pub(crate) fn lifted(surface: &Surface, flat: &Curve, limit: f64) -> Result<Curv
     };
     let curve = followed(&flat.smooth_stretches(), limit, formula)?;
     Ok(curve.into())
+}
+
+impl Surface {
+    /// The curve in space that a curve in the parameter plane (x is u, y is v) stands for, within the tolerance: exact
+    /// on planes and along straight lines of constant parameter.
+    ///
+    /// # Errors
+    /// The curve leaves the domain, the tolerance is not above 0, or the image cannot be followed within it.
+    pub fn image_of(&self, flat: &Curve, tolerance: &Tolerance) -> Result<Curve> {
+        let limit = tolerance.positive_distance()?;
+        let bounds = flat.bounding_box();
+        let reach = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
+        for (direction, (low, high)) in Direction::BOTH.into_iter().zip(reach) {
+            let domain = self.domain(direction);
+            let near = 1e-9 * domain.length();
+            if !(low >= domain.start - near && high <= domain.end + near) {
+                return Err(Error::degenerate("parameter curve", "it leaves the domain of the surface"));
+            }
+        }
+        lifted(self, flat, limit)
+    }
+
+    /// The curve at a height over a surface on which another lies, along the normals of the surface at its points,
+    /// within the tolerance.
+    ///
+    /// # Errors
+    /// A height that is not finite, a place where the surface or the curve has no direction, or a curve that cannot be
+    /// followed within the tolerance.
+    pub fn curve_above(&self, curve: &Curve, height: f64, tolerance: &Tolerance) -> Result<Curve> {
+        let limit = tolerance.positive_distance()?;
+        if !height.is_finite() {
+            return Err(Error::NotFinite("height of the curve"));
+        }
+        let search = ClosestOnSurface::new(self)?;
+        let at = |t: f64| -> Result<Point3> {
+            let p = curve.point_at(t);
+            let near = search.nearest(p)?;
+            let none = Error::degenerate("surface", "it has no normal under the curve");
+            Ok(p + self.normal_at(near.u, near.v).ok_or(none)? * height)
+        };
+        let domain = curve.domain();
+        let formula = |t: f64, below: bool| -> Result<(Point3, Vector3)> {
+            // The slope by differences, from the side that the stretch lies on.
+            let h = 1e-5 * domain.length();
+            let (a, b) = match below {
+                _ if t - h < domain.start => (t, t + h),
+                _ if t + h > domain.end => (t - h, t),
+                true => (t - h, t),
+                false => (t, t + h),
+            };
+            Ok((at(t)?, (at(b)? - at(a)?) / (b - a)))
+        };
+        Ok(followed(&curve.smooth_stretches(), limit, formula)?.into())
+    }
 }
 
 /// The isocurve under a straight axial line.
