@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 57] = [
+static LIST: [Unsupported; 58] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -265,6 +265,11 @@ static LIST: [Unsupported; 57] = [
         uuid!("c9b4ad52-1e01-4317-bbde-3ababcc31bea"),
         "Leader",
         "annotations are kept whole, but not made or taken apart yet",
+    ),
+    row(
+        uuid!("a8da9901-f5fb-49ec-9cd1-dfa7b788263e"),
+        "Loft Options",
+        "no file at hand shows what it stores on the canvas; the component of the same name has all options",
     ),
     row(
         uuid!("1fae4c7a-d84a-4f04-8400-179e13193381"),

@@ -9,6 +9,7 @@ mod edges;
 mod extrude;
 mod frame;
 mod freeform;
+mod fuse;
 mod inside;
 mod loft;
 mod measure;

@@ -49,6 +49,16 @@ fn breps() {
         json!([[object(&circle(0.0, 5.0))], { "X": 0, "Y": 0, "Z": 12 }, null, 3, false]),
     );
     near(&ask("brep/getarea-brep", json!([tipped[0]])), PI * 5.0 * 13.0);
+    let unrollable = ask(
+        "brep/createdevelopableloft-curve_curve_bool_bool_int",
+        json!([[[0, 0, 0], [4, 0, 0]], [[2, 1, 0], [0, 1, 0]], false, true, 50]),
+    );
+    near(&ask("brep/getarea-brep", json!([unrollable[0]])), 3.0);
+    let fixed = ask(
+        "brep/createdevelopableloft-nurbscurve_nurbscurve_point2darray",
+        json!([[[0, 0, 0], [4, 0, 0]], [[0, 1, 0], [2, 1, 0]], [{ "X": 1.0, "Y": 1.5 }]]),
+    );
+    near(&ask("brep/getarea-brep", json!([fixed[0]])), 3.0);
     let four = ask(
         "brep/createfromcornerpoints-point3d_point3d_point3d_point3d_double",
         json!([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0], 0.001]),

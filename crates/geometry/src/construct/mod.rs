@@ -3,8 +3,8 @@
 //! Every function gives sound breps ([`Brep::is_valid`](crate::Brep::is_valid)) or says why not. Lines, arcs and
 //! other conics stay exact wherever the construction allows it.
 
-mod developable;
 mod baseball;
+mod developable;
 mod edge_surface;
 mod extrude;
 mod fragment;
@@ -17,8 +17,8 @@ mod revolve;
 mod sweep;
 mod tapered;
 
-pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};
 pub use baseball::baseball_sphere;
+pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};
 pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{
     extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
