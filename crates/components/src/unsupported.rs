@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 58] = [
+static LIST: [Unsupported; 57] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -281,5 +281,4 @@ static LIST: [Unsupported; 58] = [
         "PersistentValues",
         "no file at hand shows what it stores or does",
     ),
-    row(uuid!("4b87eb13-f87c-4ff1-ae0e-6c9f1f2aecbd"), "Fillet Edge", "edges of solids are not rounded yet"),
 ];

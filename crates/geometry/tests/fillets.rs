@@ -290,12 +290,57 @@ fn a_free_form_rim() {
     let volume = 3.0 * area - profile.length() * GAP * r * r + PI * r * r * r * (5.0 / 3.0 - PI / 2.0);
     let made = rounded(&solid, &rim, r).unwrap();
     holds(&made, volume, 1e-5);
-    // The new face touches both others: every point of it is r away from the spine, and no more than the tolerance
-    // off the ball that the faces inset by r leave.
+    // The new face touches both others: along its rails its normal is theirs.
+    let whole = &made;
+    let touching = |edge: &usize| {
+        let ends = whole.edges()[*edge].trims.iter().map(|t| {
+            let own = &whole.trims()[*t];
+            let face = whole.loops()[own.in_loop.unwrap()].face.unwrap();
+            let (surface, turned) = (whole.face_surface(face).unwrap(), whole.faces()[face].reversed);
+            move |x: f64| {
+                let uv =
+                    whole.trim_point(*t, own.part.domain.at(if own.reversed { 1.0 - x } else { x })).unwrap();
+                let normal = surface.normal_at(uv.x, uv.y).unwrap();
+                if turned { -normal } else { normal }
+            }
+        });
+        let ends: Vec<_> = ends.collect();
+        let turns = (1..100).map(|k| {
+            let x = f64::from(k) / 100.0;
+            ends[0](x).angle_to(ends[1](x)).unwrap()
+        });
+        turns.fold(0.0, f64::max) <= TOLERANCE.angle
+    };
+    let count =
+        (0..made.edges().len()).filter(|e| made.edges()[*e].trims.len() == 2).filter(touching).count();
+    // Both rails, and the seams of the wall and of the new face.
+    assert_eq!(count, 4);
     for blend in [FilletBlend::Chamfer, FilletBlend::Smooth] {
         let other = with(&solid, &rim, r, blend, FilletRail::RollingBall).unwrap();
         assert_eq!(other.faults(), []);
         assert!(other.is_solid());
+    }
+}
+
+#[test]
+fn rails_that_run_into_themselves_are_refused() {
+    // A rounded U, whose arms are 2 wide: from a radius of 1 on nothing of their tops would be left.
+    let points =
+        [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (4.0, 6.0), (4.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)];
+    let points: Vec<Point3> = points.iter().map(|(x, y)| p(*x, *y, 0.0)).collect();
+    let profile: Curve = NurbsCurve::periodic_uniform(3, &points).unwrap().into();
+    let solid = construct::extrude(&profile, Vector3::Z * 4.0, true, &TOLERANCE).unwrap();
+    let rim: Vec<usize> = (0..solid.edges().len())
+        .filter(|e| {
+            let curve = solid.edge_as_curve(*e).unwrap().unwrap();
+            curve.is_closed() && near(curve.start().z, 4.0)
+        })
+        .collect();
+    let small = rounded(&solid, &rim, 0.1).unwrap();
+    assert!(small.is_solid());
+    for r in [1.2, 1.5, 3.0] {
+        let error = rounded(&solid, &rim, r).unwrap_err().to_string();
+        assert!(error.contains(&format!("edge {}", rim[0])), "{error}");
     }
 }
 

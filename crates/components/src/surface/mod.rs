@@ -7,6 +7,7 @@ mod caps;
 mod curvature;
 mod edges;
 mod extrude;
+mod fillet;
 mod frame;
 mod freeform;
 mod fuse;

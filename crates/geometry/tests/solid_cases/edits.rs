@@ -200,15 +200,24 @@ pub fn cases() -> Vec<Case> {
                 }
                 _ => solid(r)?,
             };
-            let count = shape.edges().len();
+            // Seams now and then only.
+            let seams = r.one_in(8);
+            let between_faces = |edge: &usize| {
+                let faces =
+                    shape.edges()[*edge].trims.iter().map(|t| shape.loops()[shape.trims()[*t].in_loop?].face);
+                let faces: Vec<Option<usize>> = faces.collect();
+                seams || matches!(faces.as_slice(), [a, b] if a != b)
+            };
+            let edges: Vec<usize> = (0..shape.edges().len()).filter(between_faces).collect();
+            let count = edges.len();
             if count == 0 {
                 return Ok(Vec::new());
             }
             let radius = r.scale * [0.02, 0.1, 0.3, r.between(0.01, 1.0)][r.below(4)];
             let wanted = match r.below(4) {
-                0 => (0..count).collect(),
-                1 => vec![r.below(count), r.below(count)],
-                _ => vec![r.below(count)],
+                0 => edges,
+                1 => vec![edges[r.below(count)], edges[r.below(count)]],
+                _ => vec![edges[r.below(count)]],
             };
             let blend =
                 [FilletBlend::Arc, FilletBlend::Arc, FilletBlend::Chamfer, FilletBlend::Smooth][r.below(4)];

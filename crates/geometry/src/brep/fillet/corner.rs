@@ -49,7 +49,7 @@ pub(super) fn add(
             Path { curve: Line::new(at(from), at(to)).into(), along: Along::Edge(arc.edge, *back) }
         });
         let paths = paths.collect();
-        let face = builder.face(surface.clone().into(), away != outward);
+        let face = builder.face(surface.into(), away != outward);
         return builder.bound(face, LoopKind::Outer, paths);
     }
     let walk: Vec<(&Arc, bool)> =

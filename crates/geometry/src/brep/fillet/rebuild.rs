@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use super::refused;
 use super::weave::Weave;
 use crate::brep::{Along, LoopKind, NewEdge, NewVertex, Path};
-use crate::intersect::curve_curve;
+use crate::intersect::{Crossing, curve_curve, curve_self};
 use crate::region::{FillRule, Region};
 use crate::{
-    Containment, Curve, Direction, Interval, Plane, Point3, Result, Surface, Tolerance, Vector3, Xform,
+    BoundingBox, Containment, Curve, Direction, Interval, Plane, Point3, Result, Surface, Tolerance, Vector3,
+    Xform,
 };
 
 /// The rails of each rounded edge, by side: their edge, their curve and where they end.
@@ -220,11 +221,24 @@ impl Weave<'_> {
         };
         let size = Direction::BOTH.map(|d| surface.domain(d).length());
         let least = 1e-9 * size[0].min(size[1]);
+        let boxes: Vec<BoundingBox> = all.iter().map(|step| step.path.curve.bounding_box()).collect();
+        let apart = |i: usize, j: usize| are_apart(&boxes[i].inflated(least), &boxes[j]);
         for (i, a) in all.iter().enumerate() {
-            for b in all.iter().skip(i + 1).filter(|b| a.made_by.or(b.made_by).is_some()) {
-                let (p, q) = (&a.path.curve, &b.path.curve);
-                let reach =
-                    1e-5 * (p.bounding_box().diagonal().length() + q.bounding_box().diagonal().length());
+            let p = &a.path.curve;
+            // An inset rail may run into itself, as that of a narrow bay does.
+            if let Some(edge) = a.made_by {
+                let met = curve_self(p, least)?;
+                let reach = 1e-5 * boxes[i].diagonal().length();
+                let at_seam =
+                    |c: &Crossing| c.point.distance_to(p.start()).max(c.point.distance_to(p.end())) <= reach;
+                if !met.overlaps.is_empty() || met.crossings.iter().any(|c| !at_seam(c)) {
+                    return Err(too_large(edge));
+                }
+            }
+            for (j, b) in all.iter().enumerate().skip(i + 1) {
+                let Some(by) = a.made_by.or(b.made_by).filter(|_| !apart(i, j)) else { continue };
+                let q = &b.path.curve;
+                let reach = 1e-5 * (boxes[i].diagonal().length() + boxes[j].diagonal().length());
                 let met = curve_curve(p, q, least)?;
                 let at_joint = |point: Point3| {
                     let ends = |c: &Curve| [c.start(), c.end()];
@@ -232,8 +246,7 @@ impl Weave<'_> {
                     near(p) && near(q) && a.ends.iter().any(|v| b.ends.contains(v))
                 };
                 if !met.overlaps.is_empty() || met.crossings.iter().any(|c| !at_joint(c.point)) {
-                    let by = a.made_by.or(b.made_by).filter(|e| *e != usize::MAX);
-                    return Err(too_large(by.unwrap_or(named)));
+                    return Err(too_large(if by == usize::MAX { named } else { by }));
                 }
             }
         }
@@ -321,4 +334,9 @@ fn near(surface: &Surface, flat: &Curve, p: Point3, guess: f64) -> f64 {
         }
     }
     if image(s).distance_to(p) <= best.0 { s } else { best.1 }
+}
+
+/// Whether two boxes have no point in common, in the parameter plane.
+fn are_apart(a: &BoundingBox, b: &BoundingBox) -> bool {
+    a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y
 }

@@ -6,6 +6,7 @@ use super::corner;
 use super::cut::Cut;
 use super::joint::{Fans, Joint, Link, Stub, unsupported};
 use super::newton::solve;
+use super::rebuild::Rails;
 use super::strip::Strip;
 use super::{FilletBlend, refused};
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
@@ -283,7 +284,7 @@ impl<'a> Weave<'a> {
     }
 
     /// The strips as faces; gives the rails of each edge with their ends.
-    pub(super) fn add_strips(&mut self) -> Result<BTreeMap<usize, [(NewEdge, Curve, [NewVertex; 2]); 2]>> {
+    pub(super) fn add_strips(&mut self) -> Result<Rails> {
         let mut rails = BTreeMap::new();
         for (edge, strip) in &self.strips {
             let ends = (self.ends.get(&(*edge, false)), self.ends.get(&(*edge, true)));
