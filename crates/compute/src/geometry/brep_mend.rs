@@ -1,4 +1,4 @@
-//! Breps mended: naked edges joined, holes closed; points inside them; thick pipes.
+//! Breps mended: naked edges joined, holes closed, edges rounded; points inside them; thick pipes.
 
 use katydid_geometry::brep::{ClosestOnBrep, LoopKind};
 use katydid_geometry::construct::{PipeCap, pipe};
@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 use super::answer::Outcome;
 use super::argument::{Positive, Some1, Turn, Within};
 use super::brep_face::{Face, edge_curves};
-use super::choice::Cap;
+use super::choice::{Cap, Rail, Rounding};
 use super::table::Endpoints;
 use crate::Fault;
 use crate::wire::{Members, Read};
@@ -23,6 +23,18 @@ pub(super) fn enter(table: &mut Endpoints) {
         let joints = b.naked_edges().len().saturating_sub(whole.naked_edges().len()) / 2;
         Ok((joints, whole))
     });
+    table.add(
+        "brep/createfilletedges-brep_intarray_doublearray_doublearray_blendtype_railtype_double",
+        |b: Brep,
+         edges: Some1<usize>,
+         start: Some1<Positive>,
+         end: Some1<Positive>,
+         blend: Rounding,
+         rail: Rail,
+         t: Within| {
+            filleted(&b, &edges.0, [&start.0, &end.0], (blend, rail), t).map(|brep| vec![brep])
+        },
+    );
     table.add("brep/getpointinside-brep_double_point3d", inside);
     table.add("brepface/removeholes-brepface_double", |f: Face, t: Within| without_holes(&f.brep(), None, t));
     table.add("brep/removeholes-brep_double", |b: Brep, t: Within| without_holes(&b, None, t));
@@ -140,6 +152,27 @@ fn without_holes(brep: &Brep, listed: Option<&[usize]>, tolerance: Within) -> Ou
         (1, Some(one)) => one,
         _ => Brep::merged(&Brep::join(&parts, &tolerance)?.breps),
     })
+}
+
+/// A brep with edges rounded, each with a radius of its own that is the same at both ends.
+fn filleted(
+    brep: &Brep,
+    edges: &[usize],
+    radii: [&[Positive]; 2],
+    (blend, rail): (Rounding, Rail),
+    tolerance: Within,
+) -> Outcome<Brep> {
+    if radii.iter().any(|list| list.len() != edges.len()) {
+        return Err(Fault::bad_request(
+            "there must be one radius at the start and one at the end for each edge",
+        ));
+    }
+    if radii[0].iter().zip(radii[1]).any(|(a, b)| a.0 != b.0) {
+        return Err(Fault::not_supported("radii that change along an edge"));
+    }
+    let wanted: Vec<(usize, f64)> =
+        edges.iter().zip(radii[0]).map(|(edge, radius)| (*edge, radius.0)).collect();
+    Ok(brep.filleted(&wanted, blend.0, rail.0, &tolerance.tolerance())?)
 }
 
 /// The wall between two pipes about a rail, closed by rings where it shall be.
