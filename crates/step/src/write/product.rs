@@ -8,7 +8,7 @@ use katydid_geometry::Plane;
 /// Places nearer than this many metres are one, whatever a model's tolerance is: programs merge what is nearer.
 const NEAR: f64 = 1e-6;
 /// They are also nearer than this part of the smallest shape, or small shapes fall into a point.
-const PART: f64 = 1e-4;
+const PART: f64 = 1e-3;
 /// The least number of metres that programs tell apart.
 const LEAST: f64 = 1e-10;
 
