@@ -58,6 +58,13 @@ choices! {
     ];
     /// `BlendContinuity`: the derivatives that agree.
     Blend(u8) = "blend continuity" ["Position" => 0, "Tangency" => 1, "Curvature" => 2];
+    /// `NurbsCurveEndConditionType`: the derivatives that are set; nothing at all.
+    EndCondition(Option<u8>) = "end condition" [
+        "Nothing" => None,
+        "Position" => Some(0),
+        "Tangency" => Some(1),
+        "Curvature" => Some(2),
+    ];
     /// `SweepMiter`.
     SweepMiter(Miter) = "sweep miter" ["None" => Miter::None, "Trimmed" => Miter::Trim, "Untrimmed" => Miter::Rotate];
     /// `SweepFrame`: whether sections stand upright.
