@@ -93,7 +93,8 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, CurvatureSample, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve,
-    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
+    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, curves_of_two_views,
+    join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};

@@ -1,7 +1,7 @@
 //! Breps mended: naked edges joined, holes closed, edges rounded; points inside them; thick pipes.
 
 use katydid_geometry::brep::{ClosestOnBrep, LoopKind};
-use katydid_geometry::construct::{PipeCap, pipe};
+use katydid_geometry::construct::{PipeCap, pipe, pipe_variable};
 use katydid_geometry::{Brep, Containment, Curve, Direction, Line, Point3, Tolerance, join_curves};
 
 use serde_json::Value as Json;
@@ -48,9 +48,56 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brep/createthickpipe-curve_double_double_bool_pipecapmode_bool_double_double",
         |rail: Curve, inner: Positive, outer: Positive, _: bool, cap: Cap, _: bool, t: Within, a: Turn| {
-            thick_pipe(&rail, [inner.0, outer.0], cap, &a.and(t)).map(|brep| vec![brep])
+            let (tolerance, [a, b]) = (a.and(t), [inner.0.min(outer.0), inner.0.max(outer.0)]);
+            if b - a <= tolerance.absolute {
+                return Err(no_wall());
+            }
+            let shells = [a, b].map(|radius| pipe(&rail, radius, PipeCap::None, &tolerance));
+            thick_pipe(&rail, shells, cap, &tolerance).map(|brep| vec![brep])
         },
     );
+    table.add(
+        "brep/createthickpipe-curve_doublearray_doublearray_doublearray_bool_pipecapmode_bool_double_double",
+        |rail: Curve,
+         at: Some1<f64>,
+         first: Some1<Positive>,
+         second: Some1<Positive>,
+         _: bool,
+         cap: Cap,
+         _: bool,
+         t: Within,
+         a: Turn| {
+            let (tolerance, count) = (a.and(t), at.0.len());
+            if first.0.len() != count || second.0.len() != count {
+                return Err(Fault::bad_request("radii are not as many as railRadiiParameters"));
+            }
+            // Parameters of radii are shares of the rail's domain.
+            let given = |pick: fn(f64, f64) -> f64| -> Vec<(f64, f64)> {
+                let radii = first.0.iter().zip(&second.0).map(|(a, b)| pick(a.0, b.0));
+                at.0.iter().map(|x| rail.domain().at(*x)).zip(radii).collect()
+            };
+            let radii = [given(f64::min), given(f64::max)];
+            if radii[0].iter().zip(&radii[1]).any(|(a, b)| b.1 - a.1 <= tolerance.absolute) {
+                return Err(no_wall());
+            }
+            let shells = radii.each_ref().map(|r| pipe_variable(&rail, r, PipeCap::None, &tolerance));
+            thick_pipe(&rail, shells, cap, &tolerance).map(|brep| vec![brep])
+        },
+    );
+    table.add("brep/repair-brep_double", |b: Brep, t: Within| {
+        if b.is_valid() {
+            return Ok((true, b));
+        }
+        let mut parts = b.into_parts();
+        parts.set_kinds();
+        parts.set_vertices();
+        parts.set_iso();
+        parts.measure_tolerances();
+        let repaired = Brep::from_parts(parts)?;
+        let within = (0..repaired.edges().len())
+            .all(|edge| repaired.edge_deviation(edge).is_none_or(|off| off <= 10.0 * t.0));
+        Ok((within && repaired.is_valid(), repaired))
+    });
 }
 
 /// A point inside a solid: halfway from a face to what lies opposite. None for what is no solid.
@@ -175,17 +222,22 @@ fn filleted(
     Ok(brep.filleted(&wanted, blend.0, rail.0, &tolerance.tolerance())?)
 }
 
-/// The wall between two pipes about a rail, closed by rings where it shall be.
-fn thick_pipe(rail: &Curve, radii: [f64; 2], Cap(cap): Cap, tolerance: &Tolerance) -> Outcome<Brep> {
-    let [inner, outer] = [radii[0].min(radii[1]), radii[0].max(radii[1])];
-    if outer - inner <= tolerance.absolute {
-        return Err(Fault::bad_request("radius0 and radius1 leave no wall between them"));
-    }
+fn no_wall() -> Fault {
+    Fault::bad_request("radius0 and radius1 leave no wall between them")
+}
+
+/// The wall between an inner and an outer pipe about a rail, closed by rings where it shall be.
+fn thick_pipe(
+    rail: &Curve,
+    shells: [katydid_geometry::Result<Brep>; 2],
+    Cap(cap): Cap,
+    tolerance: &Tolerance,
+) -> Outcome<Brep> {
     if cap == PipeCap::Round {
         return Err(Fault::not_supported("thick pipes with round caps"));
     }
-    let shell = |radius: f64| Ok::<_, Fault>(pipe(rail, radius, PipeCap::None, tolerance)?);
-    let (inner, outer) = (shell(inner)?.flipped(), shell(outer)?);
+    let [inner, outer] = shells;
+    let (inner, outer) = (inner?.flipped(), outer?);
     if cap == PipeCap::None || rail.is_closed() {
         return Ok(Brep::merged(&[outer, inner]));
     }

@@ -71,6 +71,13 @@ choices! {
         "RollingBall" => FilletRail::RollingBall,
         "DistanceBetweenRails" => FilletRail::DistanceBetweenRails,
     ];
+    /// `NurbsCurveEndConditionType`: the derivatives that are set; nothing at all.
+    EndCondition(Option<u8>) = "end condition" [
+        "Nothing" => None,
+        "Position" => Some(0),
+        "Tangency" => Some(1),
+        "Curvature" => Some(2),
+    ];
     /// `SweepMiter`.
     SweepMiter(Miter) = "sweep miter" ["None" => Miter::None, "Trimmed" => Miter::Trim, "Untrimmed" => Miter::Rotate];
     /// `SweepFrame`: whether sections stand upright.

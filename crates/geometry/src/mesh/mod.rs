@@ -4,6 +4,7 @@ mod align;
 #[cfg(feature = "mesh-booleans")]
 mod boolean;
 mod closest;
+mod cut;
 mod decimate;
 mod edit;
 mod face;
