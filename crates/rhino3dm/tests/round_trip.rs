@@ -313,3 +313,26 @@ fn what_a_record_says_of_the_history_of_its_object_is_carried() {
 fn crc32(bytes: &[u8]) -> [u8; 4] {
     crc32fast::hash(bytes).to_le_bytes()
 }
+
+/// openNURBS takes the ends of segments for joints that differ from them by rounding only: what is written leaves it no
+/// such choice, or trims and edges would reach beyond their curves.
+#[test]
+fn joints_of_polycurves_stay_where_they_are() {
+    let line = |from: f64, domain: Interval| -> Curve {
+        let (a, b) = (Point3::new(from, 0.0, 0.0), Point3::new(from + 1.0, 0.0, 0.0));
+        LineCurve { line: Line::new(a, b), domain }.into()
+    };
+    let (joint, end) = (0.345_678, 0.365_223);
+    let shift = 1.0 + f64::EPSILON;
+    for (first, second, last) in
+        [(joint, joint, end * shift), (joint * shift, joint * shift, end), (joint, joint, end)]
+    {
+        let segments =
+            vec![line(0.0, Interval::new(0.321_733, first)), line(1.0, Interval::new(second, last))];
+        let joints = [0.321_733, joint, end];
+        let curve = PolyCurve::with_parameters(segments, joints.to_vec()).unwrap();
+        let form = Object::Curve(curve.into()).to_on_data(70).unwrap();
+        let back = Object::from_on_data(form.archive3dm, form.opennurbs, &form.data).unwrap();
+        assert!(matches!(&back, Object::Curve(Curve::Poly(c)) if c.parameters() == joints), "{back:?}");
+    }
+}

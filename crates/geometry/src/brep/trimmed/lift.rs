@@ -188,7 +188,19 @@ impl<'a> Foot<'a> {
 
     /// The place nearest to a point, on that turn of a closed surface that is nearest to a known place.
     pub(super) fn at(&mut self, p: Point3, near: Option<[f64; 2]>) -> Result<[f64; 2]> {
-        let found = self.index.nearest(p)?;
+        // Where the foot is about known, only a nearer one is looked for.
+        let guess = near.map(|near| self.polished(near, p, 0.05));
+        let guess = guess.and_then(|(uv, step)| (step < 1e-9).then_some(uv));
+        let reach = guess.map(|uv| self.image(Point3::new(uv[0], uv[1], 0.0)).distance_to(p));
+        let reach = reach.filter(|reach| reach.is_finite());
+        let found = match reach {
+            Some(reach) => self.index.nearest_within(p, (1.0 - 1e-9) * reach)?,
+            None => Some(self.index.nearest(p)?),
+        };
+        let Some(found) = found else {
+            self.last = guess;
+            return Ok(guess.unwrap_or_default());
+        };
         let mut uv = [found.u, found.v];
         if let Some(near) = near.or(self.last) {
             for k in 0..2 {
@@ -212,31 +224,32 @@ impl<'a> Foot<'a> {
                 }
             }
         }
-        let uv = self.polished(uv, p);
+        let (uv, _) = self.polished(uv, p, 1e-5);
         self.last = Some(uv);
         Ok(uv)
     }
 
     /// A foot by the right angles there: the smallest distance alone leaves its place open by the square root of
-    /// rounding, which is more than the tolerance where a surface is large.
-    fn polished(&self, start: [f64; 2], p: Point3) -> [f64; 2] {
+    /// rounding, which is more than the tolerance where a surface is large. The first step may be as wide as a share of
+    /// the domain, every other half as wide as the one before. With the last step, as such a share.
+    fn polished(&self, start: [f64; 2], p: Point3, widest: f64) -> ([f64; 2], f64) {
         let domains = Direction::BOTH.map(|d| self.surface.domain(d));
-        let mut uv = start;
-        let mut last = 1e-5;
-        for _ in 0..4 {
+        let inside = |k: usize, t: f64| if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
+        let mut uv = [inside(0, start[0]), inside(1, start[1])];
+        let (mut last, mut size) = (widest, f64::INFINITY);
+        for _ in 0..8 {
             let away = p - self.image(Point3::new(uv[0], uv[1], 0.0));
             let Some(step) = self.slope(uv, p.to_vector(), away) else { break };
-            let size = (0..2).map(|k| (step[k] / domains[k].length()).abs()).fold(0.0, f64::max);
+            size = (0..2).map(|k| (step[k] / domains[k].length()).abs()).fold(0.0, f64::max);
             if !(size < last) {
                 break;
             }
             last = 0.5 * size;
             for k in 0..2 {
-                let t = uv[k] + step[k];
-                uv[k] = if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
+                uv[k] = inside(k, uv[k] + step[k]);
             }
         }
-        uv
+        (uv, size)
     }
 
     /// The derivative of the parameters of the foot of a moving point, from its place and velocity: what keeps the

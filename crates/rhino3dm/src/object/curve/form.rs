@@ -72,10 +72,7 @@ impl CurveForm {
                 Self::Polyline { points: c.points().to_vec(), parameters: c.parameters().to_vec(), dimension }
             }
             Curve::Nurbs(c) => Self::Nurbs(NurbsForm::of(c, dimension)),
-            Curve::Poly(c) => Self::Poly {
-                segments: c.segments().iter().map(|s| Self::of(s, dimension)).collect(),
-                parameters: c.parameters().to_vec(),
-            },
+            Curve::Poly(c) => super::poly::form_of(c, dimension),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Class PolyCurve: class objects end to end.
 
-use katydid_geometry::Interval;
+use katydid_geometry::{Interval, PolyCurve};
 
 use super::{CurveForm, major_1, read_object};
 use crate::Result;
@@ -28,6 +28,26 @@ pub(super) fn read(body: &mut Reader<'_>) -> Result<CurveForm> {
         (segments, parameters) = flattened(segments, &parameters);
     }
     Ok(CurveForm::Poly { segments, parameters })
+}
+
+/// The form of a polycurve. Segments that end at their joints but for rounding are made to end there: what reads the
+/// file would move the joints instead, and with the last of them the domain of the whole, on which others rest.
+pub(super) fn form_of(curve: &PolyCurve, dimension: i32) -> CurveForm {
+    let parameters = curve.parameters().to_vec();
+    let mut segments: Vec<CurveForm> =
+        curve.segments().iter().map(|segment| CurveForm::of(segment, dimension)).collect();
+    let mut settled = parameters.clone();
+    settle(&segments, &mut settled);
+    if settled != parameters {
+        for (i, segment) in curve.segments().iter().enumerate() {
+            let own = curve.segment_domain(i);
+            let moved = segment.with_domain(own).ok().filter(|moved| moved.domain() == own);
+            if let (Some(moved), Some(place)) = (moved, segments.get_mut(i)) {
+                *place = CurveForm::of(&moved, dimension);
+            }
+        }
+    }
+    CurveForm::Poly { segments, parameters }
 }
 
 /// Joints that are the ends of segments but for rounding are those ends: some programs stored them inexactly, and
