@@ -11,7 +11,7 @@ use crate::cache::{self, Definitions, Replies};
 use crate::web::{Asked, Web};
 use crate::{
     Answer, Bounds, Cause, Definition, Description, Fault, HopsSettings, RequestLimits, Solution,
-    SolveRequest, WebSettings, definition, solve,
+    SolveRequest, WebSettings, solve,
 };
 
 /// What a [`Compute`] may use, for all requests.

@@ -26,13 +26,17 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brep/createfilletedges-brep_intarray_doublearray_doublearray_blendtype_railtype_double",
         |b: Brep,
-         edges: Some1<usize>,
+         edges: Some1<i32>,
          start: Some1<Positive>,
          end: Some1<Positive>,
          blend: Rounding,
          rail: Rail,
          t: Within| {
-            filleted(&b, &edges.0, [&start.0, &end.0], (blend, rail), t).map(|brep| vec![brep])
+            let index = |edge: &i32| {
+                usize::try_from(*edge).map_err(|_| Fault::bad_request(format!("there is no edge {edge}")))
+            };
+            let edges: Vec<usize> = edges.0.iter().map(index).collect::<Outcome<_>>()?;
+            filleted(&b, &edges, [&start.0, &end.0], (blend, rail), t).map(|brep| vec![brep])
         },
     );
     table.add("brep/getpointinside-brep_double_point3d", inside);

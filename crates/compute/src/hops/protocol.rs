@@ -12,7 +12,6 @@ use serde_json::{Value as Json, json};
 
 use super::Hops;
 use super::result::{RemoteReply, RemoteTree, Results};
-use crate::definition::describe;
 use crate::reply::OutputTree;
 use crate::request::{InputTree, SolveRequest, parse_path, shown};
 use crate::web::{Response, authority};
@@ -91,7 +90,7 @@ impl Hops {
         let definition = definition.map_err(|fault| {
             Message::error(format!("{} is no definition: {}", shown(name), fault.message))
         })?;
-        let description = serde_json::to_value(describe(&definition));
+        let description = serde_json::to_value(&*definition.described().0);
         let description = description.map_err(|error| Message::error(error.to_string()))?;
         read(&description, |_| Some(Place::Here(Arc::new(definition))))
     }
