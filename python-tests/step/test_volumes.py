@@ -1,7 +1,8 @@
 """The solids of real models and definitions, written as STEP: Open CASCADE finds them valid, and their volumes ours.
 
 A solid's volume is defined as far as its edges lie on its faces. Where the file leaves gaps between the two, each
-kernel closes them its own way, and the volumes may differ by what the gaps enclose, not by more.
+kernel closes them its own way, and the volumes may differ by what the gaps enclose, not by more. The volume with the
+gaps closed by strips from trims to edges is the third number: where it is the other kernel's, the trims are to blame.
 """
 
 import os
@@ -36,7 +37,7 @@ class Solid:
         self.path = folder / file
         self.refused = figures[0] if len(figures) < 3 else None
         if self.refused is None:
-            self.volume, self.gaps = float(figures[0]), float(figures[1])
+            self.volume, self.gaps, self.closed = float(figures[0]), float(figures[1]), float(figures[3])
 
 
 def triangles_volume(shape):
@@ -77,7 +78,7 @@ def solids(tmp_path_factory):
 def test_volumes_are_those_of_open_cascade(solids):
     assert not [f"{solid.source}: {solid.refused}" for solid in solids if solid.refused]
     assert len(solids) >= WANTED
-    wrong, near = [], 0
+    wrong, near, closed = [], 0, 0
     for solid in solids:
         shape = opened(solid.path)
         if not BRepCheck_Analyzer(shape).IsValid() or len(parts(shape, TopAbs_SOLID)) == 0:
@@ -87,7 +88,11 @@ def test_volumes_are_those_of_open_cascade(solids):
         theirs = triangles_volume(shape) if by_triangles else abs(volume(shape))
         off = abs(theirs - solid.volume)
         near += off <= NEAR * solid.volume
+        closed += min(off, abs(theirs - solid.closed)) <= NEAR * solid.volume
+        if off > NEAR * solid.volume:
+            row = [theirs, solid.closed, solid.gaps]
+            print(solid.source, f"{solid.volume:.9g}", *(f"{x:.9g}" for x in row), f"{off / solid.volume:.1e}", sep="\t")
         if off > max((BY_TRIANGLES if by_triangles else NEAR) * solid.volume, solid.gaps):
             wrong.append(f"{solid.source}: {solid.volume} here, {theirs} there, {solid.gaps} in gaps")
-    print(f"{near} of {len(solids)} within {NEAR}")
+    print(f"{near} of {len(solids)} within {NEAR}, {closed} with gaps closed")
     assert not wrong, "\n".join(wrong)

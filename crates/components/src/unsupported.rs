@@ -247,6 +247,11 @@ static LIST: [Unsupported; 53] = [
         "annotations are kept whole, but not made or taken apart yet",
     ),
     row(
+        uuid!("a8da9901-f5fb-49ec-9cd1-dfa7b788263e"),
+        "Loft Options",
+        "no file at hand shows what it stores on the canvas; the component of the same name has all options",
+    ),
+    row(
         uuid!("1fae4c7a-d84a-4f04-8400-179e13193381"),
         "Content Cache",
         "it changes the document that is open beside Grasshopper, and there is none",
@@ -256,5 +261,4 @@ static LIST: [Unsupported; 53] = [
         "PersistentValues",
         "no file at hand shows what it stores or does",
     ),
-    row(uuid!("4b87eb13-f87c-4ff1-ae0e-6c9f1f2aecbd"), "Fillet Edge", "edges of solids are not rounded yet"),
 ];

@@ -185,9 +185,13 @@ impl Compute {
         }
     }
 
-    /// What the definition asks for and gives: the reply of `/io`.
-    pub fn describe(&self, definition: &Definition) -> Description {
-        definition::describe(definition)
+    /// What the definition asks for and gives: the reply of `/io`. It is kept with the definition.
+    pub fn describe(&self, definition: &Definition) -> Arc<Description> {
+        let (described, heavier) = definition.described();
+        if heavier {
+            self.definitions.trim();
+        }
+        described
     }
 
     /// Solves a request. It may be called from many threads at a time, for the same definition too.

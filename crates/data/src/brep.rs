@@ -30,7 +30,7 @@ impl Value {
             Self::Surface(surface) => Brep::from_surface((**surface).clone()),
             Self::Box(shape) => construct::box_brep(shape),
             Self::Kept(raw) => {
-                return match raw.parse(&Limits::default()) {
+                return match raw.parse_shape(&Limits::default()) {
                     Ok(Object::Brep(object)) => Some(Ok(Shared::new(object.brep))),
                     Ok(Object::Extrusion(extrusion)) => Some(
                         (extrusion.to_brep().map(|object| Shared::new(object.brep)))

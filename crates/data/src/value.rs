@@ -145,7 +145,7 @@ impl Value {
     /// # Errors
     /// The bytes are broken, or hold numbers that no curve, surface or mesh has.
     pub fn from_raw(raw: RawObject) -> Result<Option<Self>, katydid_3dm::Error> {
-        Ok(match raw.parse(&Limits::default())? {
+        Ok(match raw.parse_shape(&Limits::default())? {
             object @ (Object::Brep(_) | Object::Extrusion(_)) => {
                 Some(object.surface().map_or_else(|| Self::from(raw), |s| Self::from(s.into_owned())))
             }

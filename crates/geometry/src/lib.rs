@@ -95,7 +95,8 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, CurvatureSample, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve,
-    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, join_curves,
+    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, curves_of_two_views,
+    join_curves,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
@@ -108,8 +109,8 @@ pub use matrix::{Matrix, RowReduction};
 #[cfg(feature = "mesh-booleans")]
 pub use mesh::Solid;
 pub use mesh::{
-    Decimation, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, RemeshOptions, Remeshed,
-    Smoothing, SurfaceMeshing,
+    Decimation, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, RemeshOptions,
+    Remeshed, Smoothing, SurfaceMeshing,
 };
 pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
 pub use moments::MassProperties;

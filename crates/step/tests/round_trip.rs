@@ -151,3 +151,67 @@ fn arcs_turned_about_a_chord_have_their_poles_at_the_ends_of_their_profile() {
         assert!((volume(&back) / volume(&brep) - 1.0).abs() < 1e-9);
     }
 }
+
+/// A face over a curve, straight up to a height, between two ends of the curve.
+fn wall(keyword: &str, radii: &str, ends: [[f64; 2]; 2], height: f64) -> String {
+    let point =
+        |id: u32, [x, y]: [f64; 2], z: f64| format!("#{id}=CARTESIAN_POINT('',({x:?},{y:?},{z:?}));\n");
+    let corners = [([0.0; 2], 0.0), ([0.0; 2], height), (ends[0], 0.0), (ends[1], 0.0)];
+    let mut data: String = (16..).zip(corners).map(|(id, (xy, z))| point(id, xy, z)).collect();
+    data += &[(20, ends[1]), (21, ends[0])].map(|(id, xy)| point(id, xy, height)).concat();
+    for id in 18..22 {
+        data += &format!("#{}=VERTEX_POINT('',#{id});\n", id + 10);
+    }
+    for (curve, place, origin) in [(10, 14, 16), (11, 15, 17)] {
+        data += &format!("#{curve}={keyword}('',#{place},{radii});\n");
+        data += &format!("#{place}=AXIS2_PLACEMENT_3D('',#{origin},#13,#22);\n");
+    }
+    for (id, [from, to, curve]) in (40..).zip([[28, 29, 10], [29, 30, 23], [31, 30, 11], [28, 31, 24]]) {
+        data += &format!("#{id}=EDGE_CURVE('',#{from},#{to},#{curve},.T.);\n");
+        data +=
+            &format!("#{}=ORIENTED_EDGE('',*,*,#{id},{});\n", id + 10, if id < 42 { ".T." } else { ".F." });
+    }
+    format!(
+        "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#2),#9);\n\
+         #9=(GEOMETRIC_REPRESENTATION_CONTEXT(3)REPRESENTATION_CONTEXT('',''));\n\
+         #2=SHELL_BASED_SURFACE_MODEL('',(#3));\n#3=OPEN_SHELL('',(#4));\n#4=ADVANCED_FACE('',(#5),#6,.T.);\n\
+         #5=FACE_OUTER_BOUND('',#7,.T.);\n#7=EDGE_LOOP('',(#50,#51,#52,#53));\n\
+         #6=SURFACE_OF_LINEAR_EXTRUSION('',#10,#12);\n#12=VECTOR('',#13,1.);\n#13=DIRECTION('',(0.,0.,1.));\n\
+         #22=DIRECTION('',(1.,0.,0.));\n#23=LINE('',#19,#12);\n#24=LINE('',#18,#12);\n{data}ENDSEC;\n\
+         END-ISO-10303-21;\n"
+    )
+}
+
+#[test]
+fn curves_without_ends_are_extruded_as_far_as_their_face_goes() {
+    let area = |text: String| {
+        let document = read(text.as_bytes()).unwrap();
+        assert_eq!(document.left_out, [], "{text}");
+        let Shape::Brep(brep) = &document.parts[0].shape else { panic!() };
+        assert!(brep.is_valid(), "{:?}", brep.faults());
+        brep.area_properties(1e-10, || true).unwrap().amount
+    };
+    // The parabola (2t², 4t) between −1 and 1 is 4(√2 + asinh 1) long.
+    let parabola = area(wall("PARABOLA", "2.", [[2.0, -4.0], [2.0, 4.0]], 5.0));
+    assert!((parabola / (20.0 * (2f64.sqrt() + 1f64.asinh())) - 1.0).abs() < 1e-9, "{parabola}");
+    // The hyperbola (3 cosh t, 2 sinh t): its length by Simpson's rule.
+    let end = [3.0 * 1f64.cosh(), 2.0 * 1f64.sinh()];
+    let hyperbola = area(wall("HYPERBOLA", "3.,2.", [[end[0], -end[1]], end], 5.0));
+    let speed = |t: f64| (3.0 * t.sinh()).hypot(2.0 * t.cosh());
+    let weights = |k: u32| if k == 0 || k == 1000 { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+    let sum: f64 = (0..=1000).map(|k| weights(k) * speed(f64::from(k) / 500.0 - 1.0)).sum();
+    assert!((hyperbola / (5.0 * sum / 1500.0) - 1.0).abs() < 1e-9, "{hyperbola}");
+}
+
+#[test]
+fn what_counts_as_one_place_is_small_beside_small_shapes() {
+    for (radius, wanted) in [(1e-3, 1e-5), (1e-9, 1e-7), (1e6, 1e-3)] {
+        let ball = Brep::from_surface(Sphere::around(Point3::ORIGIN, radius).unwrap().into()).unwrap();
+        let document =
+            Document { parts: vec![Part::named("a", Shape::Brep(ball.into()))], ..Document::default() };
+        let text = String::from_utf8(written(&document)).unwrap();
+        let (_, told) = text.split_once("LENGTH_MEASURE(").unwrap();
+        let near: f64 = told.split_once(')').unwrap().0.parse().unwrap();
+        assert!(near > 0.1 * wanted && near <= wanted, "{near} beside {radius}");
+    }
+}

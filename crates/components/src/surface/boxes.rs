@@ -77,6 +77,28 @@ fn bounding_box_along_world_axes(
     bounds(context, &content, &Plane::XY, union).0
 }
 
+/// The smallest box along the world's axes that holds a piece of geometry.
+#[component(
+    "9d375779-649d-49f1-baaf-04560a51cd3d",
+    name = "Bounding Box",
+    nick = "BBox",
+    at = "Surface/Primitive",
+    old
+)]
+#[output("Box", "B", "The box.")]
+fn bounding_box_of_one(
+    context: &Context<'_>,
+    /// The geometry.
+    #[port("Content", "C")]
+    content: Geometry,
+) -> Option<Box3> {
+    let found = around(&content.0, &Plane::XY);
+    if found.is_none() {
+        context.warn(format!("A {} has no extent that can be measured yet", content.0.kind()));
+    }
+    found
+}
+
 /// Where files store that one box holds all: beside the other values of the object's menu.
 fn union_wanted(context: &Context<'_>) -> bool {
     let settings = context.settings();

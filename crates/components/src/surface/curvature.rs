@@ -1,7 +1,9 @@
 //! Surface / Analysis: how surfaces bend.
 
-use katydid_component::{Message, component};
-use katydid_geometry::{Circle, Plane, Point3, Surface, SurfaceCurvature, Vector3};
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, Message, component};
+use katydid_geometry::{Circle, Curve, Plane, Point3, Surface, SurfaceCurvature, Vector3};
 
 use super::{uv, warning};
 
@@ -97,6 +99,30 @@ fn osculating_circles(
     Ok((found.point, circle(most, first)?, circle(least, second)?))
 }
 
+/// The lines on which a surface changes from a dome to a saddle: there its Gaussian curvature is 0.
+///
+/// What unrolls flat and what is a dome everywhere has none. Trims are not heeded.
+#[component(
+    "0efd7f0c-f63d-446d-970e-9fb0e636ea41",
+    name = "Surface Inflection",
+    nick = "SInf",
+    at = "Surface/Analysis"
+)]
+#[output("Curves", "C", "The lines, as polylines.")]
+fn surface_inflection(
+    context: &Context<'_>,
+    /// The surface.
+    #[port("Surface", "S")]
+    surface: &Surface,
+    /// How far the polylines may be from the lines; the document's tolerance when it is left out.
+    #[port("Tolerance", "T", optional)]
+    tolerance: Option<f64>,
+) -> Result<Vec<Shared<Curve>>, Message> {
+    let lines =
+        surface.inflection_lines(tolerance.unwrap_or(context.tolerance().absolute)).map_err(warning)?;
+    Ok(lines.into_iter().map(|line| Shared::new(line.into())).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
@@ -137,5 +163,27 @@ mod tests {
         assert!(circle.center().distance_to(Point3::new(0.0, 0.0, 1.0)) < 1e-12);
         let flat = PlaneSurface::new(Plane::XY, Interval::UNIT, Interval::UNIT).unwrap();
         assert_eq!(at("Osculating Circles", flat, 0.5, 0.5).texts(1), ["{0}: null"]);
+    }
+
+    #[test]
+    fn a_torus_changes_on_its_top_and_bottom() {
+        let torus: Surface = Torus::new(Plane::XY, 3.0, 1.0).unwrap().into();
+        let lines = Trial::of("Surface Inflection").item(torus).item(1e-4).run();
+        let tree = lines.outputs.first().unwrap();
+        let curves: Vec<_> = tree.iter().flatten().collect();
+        assert_eq!(curves.len(), 2);
+        for value in curves {
+            let Value::Curve(curve) = value else { panic!("no curve") };
+            let height = curve.point_at(curve.domain().start).z;
+            assert!((height.abs() - 1.0).abs() < 1e-9);
+            assert!((curve.length() / (6.0 * std::f64::consts::PI) - 1.0).abs() < 1e-4);
+        }
+        let ball: Surface = Sphere::around(Point3::ORIGIN, 4.0).unwrap().into();
+        for none in [ball, tube().into()] {
+            assert_eq!(
+                Trial::of("Surface Inflection").item(none).run().outputs.first().unwrap().iter().count(),
+                0
+            );
+        }
     }
 }

@@ -6,7 +6,8 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{LoftOptions, Value};
 use katydid_geometry::construct::{self, LoftStyle};
 use katydid_geometry::{
-    Curve, KnotSpacing, NurbsCurve, NurbsSurface, Surface, clamped_uniform_knots, compatible_curves,
+    Brep, Curve, Direction, KnotSpacing, NurbsCurve, NurbsSurface, Surface, clamped_uniform_knots,
+    compatible_curves,
 };
 
 use super::{shared, warning};
@@ -36,7 +37,7 @@ fn loft(
         1 => LoftStyle::Loose,
         2 => LoftStyle::Tight,
         3 => LoftStyle::Straight,
-        4 => return Err(Message::error("Developable lofts are not supported")),
+        4 => LoftStyle::Developable,
         5 => LoftStyle::Uniform,
         other => return Err(Message::error(format!("There is no loft of type {other}"))),
     };
@@ -54,7 +55,32 @@ fn loft(
         },
         &context.tolerance(),
     );
-    Ok(Value::from(made.map_err(warning)?))
+    let made = made.map_err(warning)?;
+    if style == LoftStyle::Developable {
+        let turn = turn_along_rulings(&made).to_degrees();
+        if turn > 0.1 {
+            context.warn(format!("Its rulings twist by up to {turn:.1}°: it cannot be unrolled exactly"));
+        }
+    }
+    Ok(Value::from(made))
+}
+
+/// The largest angle between normals near both ends of a line of constant u, in radians.
+fn turn_along_rulings(brep: &Brep) -> f64 {
+    const PLACES: u32 = 32;
+    let of = |surface: Surface| {
+        let [u, v] = Direction::BOTH.map(|d| surface.domain(d));
+        let at = |k: u32| {
+            let t = u.at((f64::from(k) + 0.5) / f64::from(PLACES));
+            let (a, b) = (surface.normal_at(t, v.at(0.05))?, surface.normal_at(t, v.at(0.95))?);
+            a.angle_to(b)
+        };
+        (0..PLACES).filter_map(at).fold(0.0, f64::max)
+    };
+    (0..brep.faces().len())
+        .filter_map(|face| brep.face_surface(face))
+        .map(|s| of(s.clone()))
+        .fold(0.0, f64::max)
 }
 
 /// A surface whose control points are those of the sections, in the order of the list.
@@ -252,9 +278,9 @@ mod tests {
             let surfaces = (0..brep.faces().len()).filter_map(|face| brep.face_surface(face));
             surfaces.map(|s| s.closest_point(p).unwrap().distance).fold(f64::INFINITY, f64::min)
         };
-        for kind in [0, 2, 3, 5] {
+        for kind in [0, 2, 3, 4, 5] {
             let made = &breps(loft(rings(4), LoftOptions { kind, ..LoftOptions::default() }))[0];
-            assert_eq!(made.faces().len(), if kind == 3 { 3 } else { 1 });
+            assert_eq!(made.faces().len(), if matches!(kind, 3 | 4) { 3 } else { 1 });
             for ring in rings(4) {
                 for angle in [0.0, 0.7, 2.0, 5.0] {
                     assert!(nearest(made, ring.at(angle)) < 1e-9, "{kind}");
@@ -264,7 +290,6 @@ mod tests {
         let loose = &breps(loft(rings(4), LoftOptions { kind: 1, ..LoftOptions::default() }))[0];
         assert!(nearest(loose, rings(4)[1].at(0.7)) > 0.1);
         let message = |kind: i32| loft(rings(3), LoftOptions { kind, ..LoftOptions::default() }).message();
-        assert!(message(4).contains("Developable"));
         assert!(message(9).contains("type 9"));
     }
 

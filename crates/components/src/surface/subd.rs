@@ -14,7 +14,7 @@ use super::warning;
 const NEWEST: i32 = 80;
 
 /// The SubD that a value holds.
-fn subd(value: &Value) -> Result<SubD, Message> {
+pub(super) fn subd(value: &Value) -> Result<SubD, Message> {
     let Value::Kept(raw) = value else {
         return Err(Message::warning(format!("A {} is no SubD", value.kind())));
     };

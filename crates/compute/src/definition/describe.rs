@@ -32,6 +32,18 @@ pub struct Description {
     pub errors: Vec<String>,
 }
 
+impl Description {
+    /// About how many bytes of memory it takes: most of them are the texts of defaults.
+    pub(crate) fn weight(&self) -> usize {
+        let items = |input: &InputDescription| -> usize {
+            let branches = input.default.inner_tree.iter();
+            branches.flat_map(|(_, items)| items).map(|item| size_of_val(item) + item.data.len()).sum()
+        };
+        let inputs: usize = self.inputs.iter().map(|input| 300 + items(input)).sum();
+        300 + inputs + 100 * self.outputs.len() + self.icon.as_ref().map_or(0, String::len)
+    }
+}
+
 /// An input as a client sees it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "PascalCase")]
@@ -71,7 +83,7 @@ pub struct OutputDescription {
 }
 
 /// Describes a definition.
-pub(crate) fn describe(definition: &Definition) -> Description {
+pub(super) fn describe(definition: &Definition) -> Description {
     let document = definition.document();
     let interface = definition.interface();
     let defaults = defaults::of(document, &interface.inputs);

@@ -5,6 +5,8 @@ mod describe;
 mod interface;
 mod single;
 
+use std::sync::{Arc, OnceLock};
+
 use katydid_definition::archive::Limits;
 use katydid_definition::document::Document;
 use uuid::Uuid;
@@ -13,7 +15,7 @@ use crate::Fault;
 use crate::cache::weigh;
 use crate::solve::States;
 
-pub(crate) use describe::describe;
+use describe::describe;
 pub use describe::{Description, InputDescription, OutputDescription};
 pub use interface::{Data, Form, Input, Interface, Output};
 
@@ -28,6 +30,8 @@ pub struct Definition {
     about: Option<&'static str>,
     weight: usize,
     states: States,
+    /// What `/io` replies, once somebody has asked: defaults that are solids take longer to write than to send.
+    described: OnceLock<Arc<Description>>,
 }
 
 impl Definition {
@@ -56,7 +60,8 @@ impl Definition {
 
     fn new(key: String, document: Document, interface: Interface, about: Option<&'static str>) -> Self {
         let weight = key.len() + weigh::document(&document);
-        Self { states: States::default(), key, document, interface, about, weight }
+        let (states, described) = (States::default(), OnceLock::new());
+        Self { key, document, interface, about, weight, states, described }
     }
 
     /// The key by which it is known in later requests: `md5_…` for one that came as text, else what the caller gave.
@@ -76,7 +81,14 @@ impl Definition {
 
     /// About how many bytes of memory it takes, with the results that it keeps.
     pub fn weight(&self) -> usize {
-        self.weight.saturating_add(self.states.weight())
+        let described = self.described.get().map_or(0, |described| described.weight());
+        self.weight.saturating_add(self.states.weight()).saturating_add(described)
+    }
+
+    /// What it asks for and gives, and whether it is heavier for having been asked.
+    pub(crate) fn described(&self) -> (Arc<Description>, bool) {
+        let heavier = self.described.get().is_none();
+        (self.described.get_or_init(|| Arc::new(describe(self))).clone(), heavier)
     }
 
     pub(crate) fn about(&self) -> Option<&str> {

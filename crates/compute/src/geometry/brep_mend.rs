@@ -1,7 +1,7 @@
-//! Breps mended: naked edges joined, holes closed; points inside them; thick pipes.
+//! Breps mended: naked edges joined, holes closed, edges rounded; points inside them; thick pipes.
 
 use katydid_geometry::brep::{ClosestOnBrep, LoopKind};
-use katydid_geometry::construct::{PipeCap, pipe};
+use katydid_geometry::construct::{PipeCap, pipe, pipe_variable};
 use katydid_geometry::{Brep, Containment, Curve, Direction, Line, Point3, Tolerance, join_curves};
 
 use serde_json::Value as Json;
@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 use super::answer::Outcome;
 use super::argument::{Positive, Some1, Turn, Within};
 use super::brep_face::{Face, edge_curves};
-use super::choice::Cap;
+use super::choice::{Cap, Rail, Rounding};
 use super::table::Endpoints;
 use crate::Fault;
 use crate::wire::{Members, Read};
@@ -23,6 +23,18 @@ pub(super) fn enter(table: &mut Endpoints) {
         let joints = b.naked_edges().len().saturating_sub(whole.naked_edges().len()) / 2;
         Ok((joints, whole))
     });
+    table.add(
+        "brep/createfilletedges-brep_intarray_doublearray_doublearray_blendtype_railtype_double",
+        |b: Brep,
+         edges: Some1<usize>,
+         start: Some1<Positive>,
+         end: Some1<Positive>,
+         blend: Rounding,
+         rail: Rail,
+         t: Within| {
+            filleted(&b, &edges.0, [&start.0, &end.0], (blend, rail), t).map(|brep| vec![brep])
+        },
+    );
     table.add("brep/getpointinside-brep_double_point3d", inside);
     table.add("brepface/removeholes-brepface_double", |f: Face, t: Within| without_holes(&f.brep(), None, t));
     table.add("brep/removeholes-brep_double", |b: Brep, t: Within| without_holes(&b, None, t));
@@ -36,9 +48,56 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add(
         "brep/createthickpipe-curve_double_double_bool_pipecapmode_bool_double_double",
         |rail: Curve, inner: Positive, outer: Positive, _: bool, cap: Cap, _: bool, t: Within, a: Turn| {
-            thick_pipe(&rail, [inner.0, outer.0], cap, &a.and(t)).map(|brep| vec![brep])
+            let (tolerance, [a, b]) = (a.and(t), [inner.0.min(outer.0), inner.0.max(outer.0)]);
+            if b - a <= tolerance.absolute {
+                return Err(no_wall());
+            }
+            let shells = [a, b].map(|radius| pipe(&rail, radius, PipeCap::None, &tolerance));
+            thick_pipe(&rail, shells, cap, &tolerance).map(|brep| vec![brep])
         },
     );
+    table.add(
+        "brep/createthickpipe-curve_doublearray_doublearray_doublearray_bool_pipecapmode_bool_double_double",
+        |rail: Curve,
+         at: Some1<f64>,
+         first: Some1<Positive>,
+         second: Some1<Positive>,
+         _: bool,
+         cap: Cap,
+         _: bool,
+         t: Within,
+         a: Turn| {
+            let (tolerance, count) = (a.and(t), at.0.len());
+            if first.0.len() != count || second.0.len() != count {
+                return Err(Fault::bad_request("radii are not as many as railRadiiParameters"));
+            }
+            // Parameters of radii are shares of the rail's domain.
+            let given = |pick: fn(f64, f64) -> f64| -> Vec<(f64, f64)> {
+                let radii = first.0.iter().zip(&second.0).map(|(a, b)| pick(a.0, b.0));
+                at.0.iter().map(|x| rail.domain().at(*x)).zip(radii).collect()
+            };
+            let radii = [given(f64::min), given(f64::max)];
+            if radii[0].iter().zip(&radii[1]).any(|(a, b)| b.1 - a.1 <= tolerance.absolute) {
+                return Err(no_wall());
+            }
+            let shells = radii.each_ref().map(|r| pipe_variable(&rail, r, PipeCap::None, &tolerance));
+            thick_pipe(&rail, shells, cap, &tolerance).map(|brep| vec![brep])
+        },
+    );
+    table.add("brep/repair-brep_double", |b: Brep, t: Within| {
+        if b.is_valid() {
+            return Ok((true, b));
+        }
+        let mut parts = b.into_parts();
+        parts.set_kinds();
+        parts.set_vertices();
+        parts.set_iso();
+        parts.measure_tolerances();
+        let repaired = Brep::from_parts(parts)?;
+        let within = (0..repaired.edges().len())
+            .all(|edge| repaired.edge_deviation(edge).is_none_or(|off| off <= 10.0 * t.0));
+        Ok((within && repaired.is_valid(), repaired))
+    });
 }
 
 /// A point inside a solid: halfway from a face to what lies opposite. None for what is no solid.
@@ -142,17 +201,43 @@ fn without_holes(brep: &Brep, listed: Option<&[usize]>, tolerance: Within) -> Ou
     })
 }
 
-/// The wall between two pipes about a rail, closed by rings where it shall be.
-fn thick_pipe(rail: &Curve, radii: [f64; 2], Cap(cap): Cap, tolerance: &Tolerance) -> Outcome<Brep> {
-    let [inner, outer] = [radii[0].min(radii[1]), radii[0].max(radii[1])];
-    if outer - inner <= tolerance.absolute {
-        return Err(Fault::bad_request("radius0 and radius1 leave no wall between them"));
+/// A brep with edges rounded, each with a radius of its own that is the same at both ends.
+fn filleted(
+    brep: &Brep,
+    edges: &[usize],
+    radii: [&[Positive]; 2],
+    (blend, rail): (Rounding, Rail),
+    tolerance: Within,
+) -> Outcome<Brep> {
+    if radii.iter().any(|list| list.len() != edges.len()) {
+        return Err(Fault::bad_request(
+            "there must be one radius at the start and one at the end for each edge",
+        ));
     }
+    if radii[0].iter().zip(radii[1]).any(|(a, b)| a.0 != b.0) {
+        return Err(Fault::not_supported("radii that change along an edge"));
+    }
+    let wanted: Vec<(usize, f64)> =
+        edges.iter().zip(radii[0]).map(|(edge, radius)| (*edge, radius.0)).collect();
+    Ok(brep.filleted(&wanted, blend.0, rail.0, &tolerance.tolerance())?)
+}
+
+fn no_wall() -> Fault {
+    Fault::bad_request("radius0 and radius1 leave no wall between them")
+}
+
+/// The wall between an inner and an outer pipe about a rail, closed by rings where it shall be.
+fn thick_pipe(
+    rail: &Curve,
+    shells: [katydid_geometry::Result<Brep>; 2],
+    Cap(cap): Cap,
+    tolerance: &Tolerance,
+) -> Outcome<Brep> {
     if cap == PipeCap::Round {
         return Err(Fault::not_supported("thick pipes with round caps"));
     }
-    let shell = |radius: f64| Ok::<_, Fault>(pipe(rail, radius, PipeCap::None, tolerance)?);
-    let (inner, outer) = (shell(inner)?.flipped(), shell(outer)?);
+    let [inner, outer] = shells;
+    let (inner, outer) = (inner?.flipped(), outer?);
     if cap == PipeCap::None || rail.is_closed() {
         return Ok(Brep::merged(&[outer, inner]));
     }

@@ -1,9 +1,10 @@
 //! Breps made by moving sections: lofts, sweeps and pipes.
 
 use katydid_geometry::construct::{
-    LoftOptions, Miter, SweepFrame, SweepOptions, loft, pipe, pipe_variable, sweep_one, sweep_two,
+    DevelopableOptions, LoftOptions, Miter, SweepFrame, SweepOptions, developable_loft, loft, pipe,
+    pipe_variable, sweep_one, sweep_two,
 };
-use katydid_geometry::{Brep, Curve, Point3, Tolerance, Vector3};
+use katydid_geometry::{Brep, Curve, Point2, Point3, Tolerance, Vector3};
 
 use super::answer::Outcome;
 use super::argument::{Count, Positive, Some1, Turn, Within};
@@ -48,6 +49,22 @@ pub(super) fn enter(table: &mut Endpoints) {
         |c: Sections, start: Tip, end: Tip, style: Loft, closed: bool, t: Within| {
             let refit = Some(t.0);
             lofted(&c.0, LoftOptions { style: style.0, closed, refit, ..between(start, end) })
+        },
+    );
+    table.add(
+        "brep/createdevelopableloft-curve_curve_bool_bool_int",
+        |first: Curve, second: Curve, turn_first: bool, turn_second: bool, density: Count<0, 10_000>| {
+            let [first, second] = [(first, turn_first), (second, turn_second)]
+                .map(|(rail, turn)| if turn { rail.reversed() } else { rail });
+            let options = DevelopableOptions { density: density.0, ..DevelopableOptions::default() };
+            unrollable(&first, &second, &options)
+        },
+    );
+    table.add(
+        "brep/createdevelopableloft-nurbscurve_nurbscurve_point2darray",
+        |first: Curve, second: Curve, rulings: Vec<Point2>| {
+            let fixed = rulings.into_iter().map(|ruling| [ruling.x, ruling.y]).collect();
+            unrollable(&first, &second, &DevelopableOptions { fixed, ..DevelopableOptions::default() })
         },
     );
     table.add(
@@ -169,6 +186,10 @@ fn has_tips(start: Tip, end: Tip) -> bool {
 
 fn lofted(sections: &[Curve], options: LoftOptions) -> Outcome<Vec<Brep>> {
     Ok(vec![loft(sections, &options, &Tolerance::default())?])
+}
+
+fn unrollable(first: &Curve, second: &Curve, options: &DevelopableOptions) -> Outcome<Vec<Brep>> {
+    Ok(vec![developable_loft(first, second, options, &Tolerance::default())?.brep])
 }
 
 /// Whether a sweep closes is up to its rails.

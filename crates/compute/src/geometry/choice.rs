@@ -1,5 +1,6 @@
 //! Enumerations of RhinoCommon that functions take.
 
+use katydid_geometry::brep::{FilletBlend, FilletRail};
 use katydid_geometry::construct::{LoftStyle, Miter, PipeCap};
 use katydid_geometry::{Direction, ExtensionStyle, OffsetCorner};
 use serde_json::Value as Json;
@@ -58,6 +59,25 @@ choices! {
     ];
     /// `BlendContinuity`: the derivatives that agree.
     Blend(u8) = "blend continuity" ["Position" => 0, "Tangency" => 1, "Curvature" => 2];
+    /// `BlendType`: what takes the place of an edge.
+    Rounding(FilletBlend) = "blend type" [
+        "Chamfer" => FilletBlend::Chamfer,
+        "Fillet" => FilletBlend::Arc,
+        "Blend" => FilletBlend::Smooth,
+    ];
+    /// `RailType`: what the radius of a rounded edge measures.
+    Rail(FilletRail) = "rail type" [
+        "DistanceFromEdge" => FilletRail::DistanceFromEdge,
+        "RollingBall" => FilletRail::RollingBall,
+        "DistanceBetweenRails" => FilletRail::DistanceBetweenRails,
+    ];
+    /// `NurbsCurveEndConditionType`: the derivatives that are set; nothing at all.
+    EndCondition(Option<u8>) = "end condition" [
+        "Nothing" => None,
+        "Position" => Some(0),
+        "Tangency" => Some(1),
+        "Curvature" => Some(2),
+    ];
     /// `SweepMiter`.
     SweepMiter(Miter) = "sweep miter" ["None" => Miter::None, "Trimmed" => Miter::Trim, "Untrimmed" => Miter::Rotate];
     /// `SweepFrame`: whether sections stand upright.

@@ -4,7 +4,7 @@ use katydid_geometry::biarc::biarc;
 use katydid_geometry::brep::ClosestOnBrep;
 use katydid_geometry::intersect::{curve_curve, curve_with_surface};
 use katydid_geometry::{
-    BoundingBox, Curve, ExtensionStyle, Interval, Line, NurbsCurve, Point3, PolyCurve, PolylineCurve,
+    Arc, BoundingBox, Curve, ExtensionStyle, Interval, Line, NurbsCurve, Point3, PolyCurve, PolylineCurve,
     Tolerance, Vector3,
 };
 
@@ -16,6 +16,7 @@ use crate::Fault;
 use crate::wire::GeometryBase;
 
 pub(super) fn enter(table: &mut Endpoints) {
+    table.add("curve/extend-curve_curveend_curveextensionstyle_point3d", extended_to);
     table.add(
         "curve/createarcblend-point3d_vector3d_point3d_vector3d_double",
         |from: Point3, out: Vector3, to: Point3, into: Vector3, ratio: Positive| {
@@ -86,6 +87,47 @@ fn leaving(curve: &Curve, t: f64, against: bool) -> Outcome<Curve> {
     let end = curve.point_at(t);
     // The parabola with these derivatives at its end.
     Ok(NurbsCurve::bezier(&[end - way + bend * 0.5, end - way * 0.5, end])?.into())
+}
+
+/// The curve continued at one end to a point: by a line straight to it, or by the arc that leaves in the direction of the
+/// end. `None` at both ends or at none, of closed curves, and where no such piece leads there.
+fn extended_to(
+    curve: Curve,
+    End(ends): End,
+    Extension(style): Extension,
+    point: Point3,
+) -> Outcome<Option<Curve>> {
+    if curve.is_closed() || ends[0] == ends[1] {
+        return Ok(None);
+    }
+    // Always at the end.
+    let turned = if ends[0] { curve.reversed() } else { curve };
+    let (last, from) = (turned.domain().end, turned.end());
+    let piece = match style {
+        ExtensionStyle::Line => Line::new(from, point).into(),
+        ExtensionStyle::Arc => {
+            let Some(way) = turned.tangent_on_side(last, true) else { return Ok(None) };
+            match Arc::from_start_direction_end(from, way, point) {
+                Ok(arc) => arc.into(),
+                // Straight ahead the arc is a line.
+                Err(_) if way.cross(point - from).length() <= 1e-9 * point.distance_to(from) => {
+                    if way.dot(point - from) <= 0.0 {
+                        return Ok(None);
+                    }
+                    Line::new(from, point).into()
+                }
+                Err(_) => return Ok(None),
+            }
+        }
+        ExtensionStyle::Smooth => {
+            return Err(Fault::not_supported("smooth extensions to points"));
+        }
+    };
+    if point.distance_to(from) <= 1e-12 * (1.0 + from.to_vector().length()) {
+        return Ok(None);
+    }
+    let whole: Curve = PolyCurve::new(vec![turned, piece])?.into();
+    Ok(Some(if ends[0] { whole.reversed() } else { whole }))
 }
 
 /// The curve with its end moved to its start; `None` where it is closed, or cannot be, or the gap is wider than a reach

@@ -1,12 +1,13 @@
 //! Curves on meshes, breps and surfaces.
 
 use katydid_geometry::brep::ClosestOnBrep;
-use katydid_geometry::{Brep, Curve, Mesh, Surface, Tolerance, Vector3};
+use katydid_geometry::{Brep, Curve, Direction, Mesh, Point2, Surface, Tolerance, Vector3};
 
 use super::answer::Outcome;
 use super::argument::{Waiting, Within};
 use super::brep_face::Face;
 use super::table::Endpoints;
+use crate::Fault;
 
 pub(super) fn enter(table: &mut Endpoints) {
     table.add(
@@ -62,6 +63,64 @@ pub(super) fn enter(table: &mut Endpoints) {
         .add("curve/offsetonsurface-curve_brepface_double_double", |c: Curve, f: Face, d: f64, t: Within| {
             Ok(f.surface()?.offset_curve(&c, d, &t.tolerance())?)
         });
+    table.add(
+        "curve/offsetonsurface-curve_surface_point2d_double",
+        |c: Curve, s: Surface, through: Point2, t: Within, w: Waiting| offset_through(&c, &s, through, t, &w),
+    );
+    table.add(
+        "curve/offsetonsurface-curve_brepface_point2d_double",
+        |c: Curve, f: Face, through: Point2, t: Within, w: Waiting| {
+            offset_through(&c, &f.surface()?, through, t, &w)
+        },
+    );
+    table.add("curve/offsetnormaltosurface-curve_surface_double", |c: Curve, s: Surface, height: f64| {
+        Ok(s.curve_above(&c, height, &Tolerance::default())?)
+    });
+}
+
+/// How often the distance of an offset is corrected until the offset goes through a point.
+const CORRECTIONS: usize = 12;
+
+/// The offset of a curve on a surface that goes through a point of it: the distance from the curve to the point along
+/// the surface is not known beforehand, so it is corrected by what the offset misses it by.
+fn offset_through(
+    curve: &Curve,
+    surface: &Surface,
+    through: Point2,
+    tolerance: Within,
+    waiting: &Waiting,
+) -> Outcome<Option<Vec<Curve>>> {
+    for (name, along, t) in [("u", Direction::U, through.x), ("v", Direction::V, through.y)] {
+        if !surface.domain(along).contains(t) {
+            return Err(Fault::bad_request(format!("throughPoint: its {name} is {t}, outside the domain")));
+        }
+    }
+    let point = surface.point_at(through.x, through.y);
+    let normal = surface.normal_at(through.x, through.y);
+    let normal = normal.ok_or_else(|| Fault::bad_request("throughPoint lies where there is no normal"))?;
+    // How far the point lies to the left of a curve.
+    let left_of = |curve: &Curve| -> Outcome<f64> {
+        let near = curve.closest_point(point)?;
+        let along = curve.tangent_at(near.parameter).unwrap_or(Vector3::ZERO);
+        let side = normal.cross(along).dot(point - near.point);
+        Ok(if side < 0.0 { -near.distance } else { near.distance })
+    };
+    let mut distance = left_of(curve)?;
+    if distance.abs() <= tolerance.0 {
+        return Ok(None);
+    }
+    for _ in 0..CORRECTIONS {
+        waiting.check()?;
+        let made = surface.offset_curve(curve, distance, &tolerance.tolerance())?;
+        let mut misses = made.iter().map(left_of).collect::<Outcome<Vec<f64>>>()?;
+        misses.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        match misses.first() {
+            Some(miss) if miss.abs() <= tolerance.0 => return Ok(Some(made)),
+            Some(miss) => distance += miss,
+            None => return Ok(None),
+        }
+    }
+    Ok(None)
 }
 
 fn onto_meshes(

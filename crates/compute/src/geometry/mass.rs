@@ -1,13 +1,13 @@
 //! Areas and volumes with their centroids and moments.
 
-use katydid_geometry::{Brep, Curve, MassProperties, Mesh, Surface};
+use katydid_geometry::{Brep, Curve, MassProperties, Mesh, Plane, Surface, Tolerance, Vector3, Xform};
 use serde_json::{Map, Value as Json};
 
 use super::answer::{Answer, Outcome};
 use super::argument::{Some1, Waiting, Within};
 use super::table::Endpoints;
 use crate::Fault;
-use crate::wire::{GeometryBase, Read, Wire, number};
+use crate::wire::{GeometryBase, Members, Read, Wire, number};
 
 pub(super) fn enter(table: &mut Endpoints) {
     table.add("areamassproperties/compute-curve", |c: Curve| Ok(Area(c.area_properties(0.001)?)));
@@ -74,6 +74,11 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("brep/getvolume-brep_double_double", |b: Brep, _: Share, _: Share, w: Waiting| {
         Ok(volume_of_brep(&b, &w)?.amount)
     });
+    table.add("areamassproperties/compute-hatch", |h: Hatched, w: Waiting| hatched(&h, &w).map(Area));
+    table.add(
+        "volumemassproperties/sum-volumemassproperties_volumemassproperties",
+        |own: Volume, other: Volume| Ok((true, Volume(MassProperties::together(&[own.0, other.0])?))),
+    );
     table.add("mesh/volume-mesh", |m: Mesh| Ok(m.volume()));
 }
 
@@ -144,6 +149,30 @@ fn together(shapes: &[GeometryBase], waiting: &Waiting, measure: Measure) -> Out
     Ok(MassProperties::together(&parts)?)
 }
 
+/// A hatch, by the curves that bound it.
+struct Hatched(Vec<Curve>);
+
+impl Read for Hatched {
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let GeometryBase::Other(object) = GeometryBase::read(json)? else {
+            return Err(Fault::bad_request("is no hatch"));
+        };
+        let katydid_3dm::Object::Hatch(hatch) = *object else {
+            return Err(Fault::bad_request("is no hatch"));
+        };
+        let frame = Xform::plane_to_plane(&Plane::XY, &hatch.plane.frame);
+        let curve = |own: &katydid_3dm::HatchLoop| own.curve.to_curve()?.transformed(&frame);
+        Ok(Self(hatch.loops.iter().map(curve).collect::<Result<Vec<_>, _>>()?))
+    }
+}
+
+/// The regions that the curves of a hatch bound; none where they bound nothing.
+fn hatched(hatch: &Hatched, waiting: &Waiting) -> Outcome<MassProperties> {
+    let regions = Brep::planar_faces(&hatch.0, &Tolerance::default())?.breps;
+    let parts = regions.iter().map(|region| area_of_brep(region, waiting)).collect::<Outcome<Vec<_>>>()?;
+    Ok(MassProperties::together(&parts)?)
+}
+
 struct Area(MassProperties);
 
 struct Volume(MassProperties);
@@ -155,6 +184,22 @@ impl Answer for Area {
 
     fn json(self) -> Result<Json, Fault> {
         properties("Area", &self.0)
+    }
+}
+
+impl Read for Volume {
+    /// As [`properties`] writes it.
+    fn read(json: &Json) -> Result<Self, Fault> {
+        let members = Members::of(json)?;
+        let triple = |name: &str| members.read::<Vector3>(name);
+        let second = triple("CentroidCoordinatesSecondMoments")?;
+        let product = triple("CentroidCoordinatesProductMoments")?;
+        Ok(Self(MassProperties {
+            amount: members.read("Volume")?,
+            centroid: members.read("Centroid")?,
+            second_moments: [second.x, second.y, second.z, product.x, product.y, product.z],
+            error: members.read_or("VolumeError", 0.0)?,
+        }))
     }
 }
 

@@ -33,10 +33,8 @@ pub(super) fn enter(table: &mut Endpoints) {
     });
     table.add("nurbscurve/grevillepoints-nurbscurve_bool", |c: Curve, all: bool| {
         let nurbs = c.to_nurbs()?;
-        let points: Vec<Point3> = nurbs.greville_abscissae().into_iter().map(|t| nurbs.point_at(t)).collect();
-        let closing = usize::from(!all && c.is_closed());
-        let count = points.len().saturating_sub(closing);
-        Ok(points.into_iter().take(count).collect::<Vec<_>>())
+        let parameters = if all { nurbs.greville_abscissae() } else { nurbs.edit_parameters() };
+        Ok(parameters.into_iter().map(|t| nurbs.point_at(t)).collect::<Vec<Point3>>())
     });
     table.add(
         "nurbscurve/createparabolafromvertex-point3d_point3d_point3d",

@@ -1,6 +1,6 @@
 //! Control points and vertices drawn towards the middle of their neighbours, along all axes or some.
 
-use katydid_geometry::{Curve, NurbsCurve, Plane, Point3, Vector3};
+use katydid_geometry::{Curve, Direction, NurbsCurve, NurbsSurface, Plane, Point3, Surface, Vector3};
 
 use super::answer::Outcome;
 use super::table::Endpoints;
@@ -26,6 +26,79 @@ pub(super) fn enter(table: &mut Endpoints) {
             smoothed(&c, strength, &Axes::new([x, y, z], system, plane)?, fixed)
         },
     );
+    table.add(
+        "surface/smooth-surface_double_bool_bool_bool_bool_smoothingcoordinatesystem",
+        |s: Surface, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32| {
+            smoothed_surface(&s, strength, &Axes::new([x, y, z], system, None)?, fixed)
+        },
+    );
+    table.add(
+        "surface/smooth-surface_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
+        |s: Surface,
+         strength: f64,
+         x: bool,
+         y: bool,
+         z: bool,
+         fixed: bool,
+         system: i32,
+         plane: Option<Plane>| {
+            smoothed_surface(&s, strength, &Axes::new([x, y, z], system, plane)?, fixed)
+        },
+    );
+}
+
+/// The surface with each control point moved, by a share of the way, towards the middle of the four beside it; at its
+/// open sides, unless they are fixed, of the two or three. Weights stay.
+fn smoothed_surface(surface: &Surface, strength: f64, axes: &Axes, fixed: bool) -> Outcome<Surface> {
+    let nurbs = surface.to_nurbs()?;
+    let counts = nurbs.counts();
+    let places = nurbs.control_points();
+    // How many rows are different: the others stand for one of those.
+    let different = [0, 1].map(|k| {
+        let along = Direction::BOTH[k];
+        if nurbs.is_periodic(along) {
+            counts[k] - nurbs.degree(along)
+        } else {
+            counts[k] - usize::from(nurbs.is_closed(along))
+        }
+    });
+    let at = |i: usize, j: usize| {
+        let place = (i % different[0]) * counts[1] + j % different[1];
+        places.get(place).copied().unwrap_or(Point3::ORIGIN).to_vector()
+    };
+    let step = |k: usize, i: usize, by: isize| {
+        let closes = different[k] < counts[k];
+        let next = i.checked_add_signed(by).or_else(|| closes.then(|| different[k] - 1))?;
+        (closes || next < counts[k]).then_some(next)
+    };
+    let mut moved = Vec::with_capacity(places.len());
+    for i in 0..counts[0] {
+        for j in 0..counts[1] {
+            let (here, open) = (at(i, j), [0, 1].map(|k| different[k] == counts[k]));
+            let is_side = |k: usize, i: usize| open[k] && (i == 0 || i + 1 == counts[k]);
+            if fixed && (is_side(0, i) || is_side(1, j)) {
+                moved.push(here.to_point());
+                continue;
+            }
+            let (i, j) = (i % different[0], j % different[1]);
+            let beside = [
+                step(0, i, -1).map(|i| at(i, j)),
+                step(0, i, 1).map(|i| at(i, j)),
+                step(1, j, -1).map(|j| at(i, j)),
+                step(1, j, 1).map(|j| at(i, j)),
+            ];
+            let beside: Vec<Vector3> = beside.into_iter().flatten().collect();
+            let middle = beside.iter().copied().sum::<Vector3>() / beside.len() as f64;
+            moved.push((here + axes.part((middle - here) * strength)).to_point());
+        }
+    }
+    let knots = Direction::BOTH.map(|along| nurbs.knots(along).to_vec());
+    Ok(if nurbs.is_rational() {
+        NurbsSurface::with_weights(nurbs.degrees(), counts, &moved, &nurbs.weights(), knots)?
+    } else {
+        NurbsSurface::new(nurbs.degrees(), counts, moved, knots)?
+    }
+    .into())
 }
 
 /// `SmoothingCoordinateSystem.CPlane`: the plane that is given with it.

@@ -1,7 +1,7 @@
 //! SubDs.
 
 use katydid_geometry::subd::{FromMesh, SubD, SubDNet, SubDVertex};
-use katydid_geometry::{BoundingBox, Brep, Mesh, Point3, Tolerance};
+use katydid_geometry::{BoundingBox, Brep, Mesh, Point3, Tolerance, Vector3};
 use serde_json::Value as Json;
 
 use super::answer::Outcome;
@@ -18,6 +18,12 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("subd/tobrep-subd_subdtobrepoptions", |s: Subdivision| to_brep(&s.0));
     table.add("subd/interpolatesurfacepoints-subd_point3darray", |s: Subdivision, points: Vec<Point3>| {
         interpolating(&s.0, &points).map(|subd| (true, Subdivision(subd)))
+    });
+    table.add("subd/offset-subd_double_bool", |s: Subdivision, distance: f64, solid: bool| {
+        if solid {
+            return Err(Fault::not_supported("offset SubDs closed to solids"));
+        }
+        offset(&s.0, distance).map(Subdivision)
     });
 }
 
@@ -39,6 +45,29 @@ fn interpolating(subd: &SubD, points: &[Point3]) -> Outcome<SubD> {
     let vertices = net.vertices().iter().zip(points).map(moved).collect();
     let moved = SubDNet::from_parts(vertices, net.edges().to_vec(), net.faces().to_vec())?;
     Ok(SubD::new(moved.interpolating()?.0))
+}
+
+/// The SubD with its control points moved along the normals of the control net: at each the mean of the unit normals of
+/// the faces around it.
+fn offset(subd: &SubD, distance: f64) -> Outcome<SubD> {
+    let net = subd.net();
+    let point = |v: usize| net.vertices().get(v).map_or(Point3::ORIGIN, |vertex| vertex.point);
+    let normals = (0..net.faces().len()).map(|face| {
+        let corners: Vec<Point3> = net.corners(face).map(point).collect();
+        let middle = net.face_middle(face);
+        let next = corners.iter().cycle().skip(1);
+        let turned = corners.iter().zip(next).map(|(a, b)| (*a - middle).cross(*b - middle));
+        turned.sum::<Vector3>().unitized().unwrap_or(Vector3::ZERO)
+    });
+    let normals: Vec<Vector3> = normals.collect();
+    let moved = net.vertices().iter().map(|vertex| {
+        let around = vertex.faces.iter().filter_map(|face| normals.get(*face));
+        let normal = around.copied().sum::<Vector3>().unitized();
+        let none = || Fault::bad_request("the control net has a vertex without a normal");
+        Ok(SubDVertex { point: vertex.point + normal.ok_or_else(none)? * distance, ..vertex.clone() })
+    });
+    let vertices = moved.collect::<Outcome<Vec<_>>>()?;
+    Ok(SubD::new(SubDNet::from_parts(vertices, net.edges().to_vec(), net.faces().to_vec())?))
 }
 
 /// `SubDCreationOptions`, as far as they are heeded.

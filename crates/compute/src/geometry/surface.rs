@@ -1,11 +1,11 @@
 //! Surfaces: extrusions, offsets, nearest points, and curves on them.
 
-use katydid_geometry::construct::{extrude_to_point, offset_surface};
+use katydid_geometry::construct::{extrude_to_point, offset_surface, offset_surface_variably};
 use katydid_geometry::{
     Curve, Direction, Interval, NurbsSurface, Point2, Point3, SumSurface, Surface, Tolerance, Vector3,
 };
 
-use super::answer::Outcome;
+use super::answer::{Outcome, or_null};
 use super::argument::Within;
 use super::nurbs_surface::sole_surface;
 use super::table::Endpoints;
@@ -42,6 +42,21 @@ pub(super) fn enter(table: &mut Endpoints) {
         "surface/pullback-surface_curve_double_interval",
         |s: Surface, c: Curve, t: Within, part: Interval| {
             Ok(s.parameter_curve(&c.sub_curve(part.ordered())?, &t.tolerance())?)
+        },
+    );
+    table.add("surface/pushup-surface_curve_double", |s: Surface, c: Curve, t: Within| {
+        Ok(s.image_of(&c, &t.tolerance())?)
+    });
+    table.add(
+        "surface/pushup-surface_curve_double_interval",
+        |s: Surface, c: Curve, t: Within, part: Interval| {
+            Ok(s.image_of(&c.sub_curve(part.ordered())?, &t.tolerance())?)
+        },
+    );
+    table.add(
+        "surface/variableoffset-surface_double_double_double_double_double",
+        |s: Surface, a: f64, b: f64, c: f64, d: f64, t: Within| {
+            or_null(offset_surface_variably(&s, [a, b, c, d], &t.tolerance()).map_err(Fault::from))
         },
     );
     table.add("surface/closestside-surface_double_double", closest_side);

@@ -69,6 +69,7 @@ impl Endpoints {
             table.rows.push(Row { path, names: words.collect(), entry: None, gives: String::new() });
         }
         super::brep::enter(&mut table);
+        super::brep_cut::enter(&mut table);
         super::brep_face::enter(&mut table);
         super::brep_make::enter(&mut table);
         super::brep_mend::enter(&mut table);
@@ -89,9 +90,11 @@ impl Endpoints {
         super::mesh::enter(&mut table);
         super::mesh_edit::enter(&mut table);
         super::mesh_make::enter(&mut table);
+        super::mesh_mend::enter(&mut table);
         super::mesh_pieces::enter(&mut table);
         super::mesh_round::enter(&mut table);
         super::nurbs_curve::enter(&mut table);
+        super::nurbs_edit::enter(&mut table);
         super::nurbs_surface::enter(&mut table);
         super::smoothing::enter(&mut table);
         super::subd::enter(&mut table);

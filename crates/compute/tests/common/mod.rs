@@ -37,7 +37,7 @@ pub(crate) fn post(compute: &Compute, body: &Json) -> Result<(bool, Json), Fault
 pub(crate) fn io(compute: &Compute, body: &Json) -> Json {
     let request = SolveRequest::read(body.to_string().as_bytes(), &compute.settings().request).unwrap();
     let Located::Here(definition) = compute.locate(&request).unwrap() else { panic!("{body} names a URL") };
-    serde_json::to_value(compute.describe(&definition)).unwrap()
+    serde_json::to_value(&*compute.describe(&definition)).unwrap()
 }
 
 /// A definition as a client sends it.

@@ -2,11 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
+use katydid_compute::Cause;
 use katydid_compute::wire::Read;
 use katydid_geometry::{Brep, Plane, Vector3};
 use serde_json::{Value as Json, json};
 
-use crate::helpers::{ask, at, c1, circle, cube_brep, curves, line, near, number, object, square};
+use crate::helpers::{ask, at, c1, circle, cube_brep, curves, line, near, number, object, refused, square};
 
 #[test]
 fn breps() {
@@ -49,6 +50,16 @@ fn breps() {
         json!([[object(&circle(0.0, 5.0))], { "X": 0, "Y": 0, "Z": 12 }, null, 3, false]),
     );
     near(&ask("brep/getarea-brep", json!([tipped[0]])), PI * 5.0 * 13.0);
+    let unrollable = ask(
+        "brep/createdevelopableloft-curve_curve_bool_bool_int",
+        json!([[[0, 0, 0], [4, 0, 0]], [[2, 1, 0], [0, 1, 0]], false, true, 50]),
+    );
+    near(&ask("brep/getarea-brep", json!([unrollable[0]])), 3.0);
+    let fixed = ask(
+        "brep/createdevelopableloft-nurbscurve_nurbscurve_point2darray",
+        json!([[[0, 0, 0], [4, 0, 0]], [[0, 1, 0], [2, 1, 0]], [{ "X": 1.0, "Y": 1.5 }]]),
+    );
+    near(&ask("brep/getarea-brep", json!([fixed[0]])), 3.0);
     let four = ask(
         "brep/createfromcornerpoints-point3d_point3d_point3d_point3d_double",
         json!([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0], 0.001]),
@@ -99,4 +110,30 @@ fn a_face_is_split_along_curves() {
     let split = ask("brepface/split-brepface_curvearray_double", json!([face, cuts, 0.001]));
     assert_eq!(Brep::read(&split).unwrap().faces().len(), 3);
     near(&ask("brep/getarea-brep", json!([split])), 16.0);
+}
+
+#[test]
+fn edges_are_rounded() {
+    let path = "brep/createfilletedges-brep_intarray_doublearray_doublearray_blendtype_railtype_double";
+    let volume = |blend: &str, rail: &str| {
+        let made = ask(path, json!([cube_brep(), [0], [0.25], [0.25], blend, rail, 0.001]));
+        assert_eq!(made.as_array().unwrap().len(), 1);
+        let made = Brep::read(&made[0]).unwrap();
+        (made.faces().len(), made.volume_properties(1e-9, || true).unwrap().amount)
+    };
+    let whole = Brep::read(&cube_brep()).unwrap();
+    let length = whole.edge_as_curve(0).unwrap().unwrap().length();
+    let whole = whole.volume_properties(1e-9, || true).unwrap().amount;
+    let (faces, round) = volume("Fillet", "RollingBall");
+    assert_eq!(faces, 7);
+    near(&json!(whole - round), (1.0 - PI / 4.0) * 0.0625 * length);
+    near(&json!(whole - volume("Chamfer", "DistanceFromEdge").1), 0.5 * 0.0625 * length);
+    let two = refused(path, json!([cube_brep(), [0], [0.25], [0.5], 1, 1, 0.001]));
+    assert!(matches!(two.cause, Cause::NotSupported(_)));
+    assert!(
+        refused(path, json!([cube_brep(), [99], [0.25], [0.25], 1, 1, 0.001])).message.contains("edge 99")
+    );
+    assert!(
+        refused(path, json!([cube_brep(), [0, 1], [0.25], [0.25], 1, 1, 0.001])).message.contains("radius")
+    );
 }

@@ -8,6 +8,7 @@ mod edited;
 mod helpers;
 mod intersections;
 mod masses;
+mod mended;
 mod meshes;
 mod shapes;
 mod surfaces;

@@ -86,21 +86,35 @@ fn of_box(surface: &Surface, bounds: &BoundingBox) -> Iso {
 /// The parameters that openNURBS does not tell from `t`.
 fn around(surface: &Surface, direction: Direction, t: f64) -> Interval {
     let mut domain = surface.domain(direction).ordered();
-    // Outside the first and last knot span only that span counts.
-    if let Surface::Nurbs(nurbs) = surface {
-        let (knots, degree) = (nurbs.knots(direction), nurbs.degree(direction));
-        let last = knots.len().saturating_sub(degree + 1);
-        match (knots.get(degree), knots.get(last)) {
-            (Some(&first), _) if t < first => domain.end = first,
-            (_, Some(&last)) if t > last => domain.start = last,
-            _ => {}
-        }
+    // In the first and last span of a NURBS surface, or of a NURBS curve that a surface is made of, only that span
+    // counts.
+    let (knots, degree) = match surface {
+        Surface::Nurbs(nurbs) => (nurbs.knots(direction), nurbs.degree(direction)),
+        _ => match generator(surface, direction) {
+            Some(Curve::Nurbs(curve)) => (curve.knots(), curve.degree()),
+            _ => (&[][..], 0),
+        },
+    };
+    let last = knots.len().saturating_sub(degree + 1);
+    match (knots.get(degree), knots.get(last)) {
+        (Some(&first), _) if t < first => domain.end = first,
+        (_, Some(&last)) if t > last => domain.start = last,
+        _ => {}
     }
     let t = domain.clamp(t);
     let length = domain.length();
     let wide = length * 8.0 * SQRT_EPSILON + (domain.start.abs() + domain.end.abs()) * f64::EPSILON;
     let wide = if wide >= length { 0.5 * length } else { wide };
     Interval::new(t - wide, t + wide)
+}
+
+/// The curve that runs in a direction of a surface, where the surface is made of curves.
+fn generator(surface: &Surface, direction: Direction) -> Option<&Curve> {
+    match surface {
+        Surface::Sum(sum) => Some(&sum.curves()[direction.index()]),
+        Surface::Revolution(turned) if turned.angle_direction() != direction => Some(turned.profile()),
+        _ => None,
+    }
 }
 
 /// The points that lie in order along a straight curve; none for a curve that has an arc in it.

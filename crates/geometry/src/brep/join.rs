@@ -85,7 +85,7 @@ impl Brep {
 
 impl super::Parts {
     /// Turns faces over so that neighbours agree, starting from the first of each connected set.
-    fn agree_faces(&mut self) {
+    pub(super) fn agree_faces(&mut self) {
         let count = self.faces.len();
         let mut seen = vec![false; count];
         for first in 0..count {

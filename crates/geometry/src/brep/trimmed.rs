@@ -6,8 +6,11 @@
 mod cells;
 mod lift;
 mod pull_back;
+mod rim;
 mod split;
 mod unroll;
+
+pub(super) use lift::followed;
 
 use super::Brep;
 use crate::region::{FillRule, Region};

@@ -1,6 +1,6 @@
 //! Surfaces through section curves.
 
-use super::check;
+use super::{DevelopableOptions, check, developable_loft};
 use crate::nurbs::{Skinning, skinned};
 use crate::{Brep, Curve, Error, KnotSpacing, NurbsCurve, NurbsSurface, Point3, Result, Tolerance};
 
@@ -16,7 +16,8 @@ pub enum LoftStyle {
     Tight,
     /// Straight from each section to the next.
     Straight,
-    /// Ruled so that it can be unrolled. Not supported.
+    /// Straight from each section to the next, by rulings along which the surface does not turn, so that it can be
+    /// unrolled, see [`developable_loft`](super::developable_loft).
     Developable,
     /// A cubic through the sections, with parameters 1 apart.
     Uniform,
@@ -53,9 +54,6 @@ pub struct LoftOptions {
 /// so different that no surface lies between.
 pub fn loft(sections: &[Curve], options: &LoftOptions, tolerance: &Tolerance) -> Result<Brep> {
     check(&sections.iter().collect::<Vec<_>>(), tolerance)?;
-    if options.style == LoftStyle::Developable {
-        return Err(Error::Unsupported("developable lofts"));
-    }
     let points = usize::from(options.start.is_some()) + usize::from(options.end.is_some());
     let least = if options.closed { 3 } else { 2 };
     if sections.is_empty() || sections.len() + points < least {
@@ -74,8 +72,37 @@ pub fn loft(sections: &[Curve], options: &LoftOptions, tolerance: &Tolerance) ->
     if options.adjust {
         adjust(&mut prepared)?;
     }
+    if options.style == LoftStyle::Developable {
+        return unrollable(&prepared, options, tolerance);
+    }
     let surface = between(&prepared, options)?;
     Brep::from_kinked_surface(&surface.into(), tolerance)
+}
+
+/// The developable surfaces from each section to the next.
+fn unrollable(sections: &[Curve], options: &LoftOptions, tolerance: &Tolerance) -> Result<Brep> {
+    let mut breps = Vec::with_capacity(sections.len() + 1);
+    let end = |section: &Curve, point: Point3| -> Result<Brep> {
+        let base = section.to_nurbs()?;
+        let surface = NurbsSurface::ruled(&base, &collapsed(&base, point)?)?;
+        Brep::from_kinked_surface(&surface.into(), tolerance)
+    };
+    if let (Some(point), Some(first)) = (options.start, sections.first()) {
+        breps.push(end(first, point)?);
+    }
+    let around = sections.last().zip(sections.first()).filter(|_| options.closed);
+    let pairs = sections.windows(2).map(|pair| (&pair[0], &pair[1])).chain(around);
+    for (a, b) in pairs {
+        breps.push(developable_loft(a, b, &DevelopableOptions::default(), tolerance)?.brep);
+    }
+    if let (Some(point), Some(last)) = (options.end, sections.last()) {
+        breps.push(end(last, point)?);
+    }
+    let joined = Brep::join(&breps, tolerance)?.breps;
+    Ok(match <[Brep; 1]>::try_from(joined) {
+        Ok([brep]) => brep,
+        Err(several) => Brep::merged(&several),
+    })
 }
 
 /// The ruled surface between two curves: u runs along both, straight lines in v go from the first, at 0, to the
@@ -146,10 +173,10 @@ fn between(sections: &[Curve], options: &LoftOptions) -> Result<NurbsSurface> {
         curves.push(collapsed(&model, p)?);
     }
     let (style, spacing) = match options.style {
-        LoftStyle::Normal | LoftStyle::Developable => (Skinning::Through, KnotSpacing::Chord),
+        LoftStyle::Normal => (Skinning::Through, KnotSpacing::Chord),
         LoftStyle::Tight => (Skinning::Through, KnotSpacing::SquareRootChord),
         LoftStyle::Uniform => (Skinning::Through, KnotSpacing::Uniform),
-        LoftStyle::Straight => (Skinning::Straight, KnotSpacing::Chord),
+        LoftStyle::Straight | LoftStyle::Developable => (Skinning::Straight, KnotSpacing::Chord),
         LoftStyle::Loose => (Skinning::Near, KnotSpacing::Uniform),
     };
     let parameters = match style {
@@ -160,7 +187,7 @@ fn between(sections: &[Curve], options: &LoftOptions) -> Result<NurbsSurface> {
 }
 
 /// A curve with the weights and knots of another, all in one point.
-fn collapsed(model: &NurbsCurve, point: Point3) -> Result<NurbsCurve> {
+pub(super) fn collapsed(model: &NurbsCurve, point: Point3) -> Result<NurbsCurve> {
     if !point.is_finite() {
         return Err(Error::NotFinite("end point of the loft"));
     }

@@ -3,6 +3,8 @@
 //! Every function gives sound breps ([`Brep::is_valid`](crate::Brep::is_valid)) or says why not. Lines, arcs and
 //! other conics stay exact wherever the construction allows it.
 
+mod baseball;
+mod developable;
 mod edge_surface;
 mod extrude;
 mod fragment;
@@ -15,6 +17,8 @@ mod revolve;
 mod sweep;
 mod tapered;
 
+pub use baseball::baseball_sphere;
+pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};
 pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{
     extrude, extrude_along, extrude_brep, extrude_brep_along, extrude_brep_to_point, extrude_to_point,
@@ -22,7 +26,7 @@ pub use extrude::{
 pub use fragment::fragment_patch;
 pub use loft::{LoftOptions, LoftStyle, loft, ruled};
 pub use network::network_surface;
-pub use offset::{offset_brep, offset_surface, offset_surface_loosely};
+pub use offset::{offset_brep, offset_surface, offset_surface_loosely, offset_surface_variably};
 pub use patch::{PatchOptions, patch};
 pub use primitives::{box_brep, cone, cylinder, plane_surface, quad_sphere, sphere, torus};
 pub use revolve::{rail_revolve, revolve};

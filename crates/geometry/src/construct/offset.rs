@@ -29,10 +29,34 @@ pub fn offset_surface(surface: &Surface, distance: f64, tolerance: &Tolerance) -
         Surface::Plane(plane) => surface.transformed(&Xform::translation(plane.plane().z_axis * distance)),
         Surface::Revolution(turned) => match turned_offset(surface, turned, distance)? {
             Some(exact) => Ok(exact),
-            None => sampled(surface, distance, limit),
+            None => sampled(surface, |_, _| distance, limit),
         },
-        _ => sampled(surface, distance, limit),
+        _ => sampled(surface, |_, _| distance, limit),
     }
+}
+
+/// The surface at distances from another along its normals that go evenly from one corner to the next: a share of the
+/// way along both domains is the same share of the way between the distances. They are those where both parameters
+/// begin, where the second ends, where the first ends, and where both end. A bicubic within the tolerance.
+///
+/// # Errors
+/// As [`offset_surface`].
+pub fn offset_surface_variably(
+    surface: &Surface,
+    distances: [f64; 4],
+    tolerance: &Tolerance,
+) -> Result<Surface> {
+    let limit = tolerance.positive_distance()?;
+    if !distances.iter().all(|d| d.is_finite()) {
+        return Err(Error::NotFinite("distance of the offset"));
+    }
+    let [a, b, c, d] = distances;
+    let [us, vs] = Direction::BOTH.map(|direction| surface.domain(direction));
+    let distance = |u: f64, v: f64| {
+        let (x, y) = (us.normalized(u), vs.normalized(v));
+        (a * (1.0 - y) + b * y) * (1.0 - x) + (c * (1.0 - y) + d * y) * x
+    };
+    sampled(surface, distance, limit)
 }
 
 /// The faces of a brep at a distance from them along their normals, joined where they still meet. Faces that are
@@ -175,11 +199,11 @@ fn normal(surface: &Surface, u: f64, v: f64) -> Result<Vector3> {
 
 /// Refuses a distance at which a surface folds over: one not below a radius of curvature on its side. Points without
 /// normals are passed over.
-fn check_folds(surface: &Surface, distance: f64, us: &[f64], vs: &[f64]) -> Result<()> {
+fn check_folds(surface: &Surface, distance: &impl Fn(f64, f64) -> f64, us: &[f64], vs: &[f64]) -> Result<()> {
     for &u in us {
         for &v in vs {
             let Ok(bend) = surface.curvature_at(u, v) else { continue };
-            if bend.principal.iter().any(|k| distance * k >= 1.0) {
+            if bend.principal.iter().any(|k| distance(u, v) * k >= 1.0) {
                 return Err(Error::degenerate(
                     "offset",
                     "it folds over: the distance is not below a radius of curvature",
@@ -190,10 +214,11 @@ fn check_folds(surface: &Surface, distance: f64, us: &[f64], vs: &[f64]) -> Resu
     Ok(())
 }
 
-fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
+fn sampled(surface: &Surface, distance: impl Fn(f64, f64) -> f64, limit: f64) -> Result<Surface> {
     let spans = Direction::BOTH.map(|d| surface.span_parameters(d));
-    let at =
-        |u: f64, v: f64| -> Result<Point3> { Ok(surface.point_at(u, v) + normal(surface, u, v)? * distance) };
+    let at = |u: f64, v: f64| -> Result<Point3> {
+        Ok(surface.point_at(u, v) + normal(surface, u, v)? * distance(u, v))
+    };
     let places = |spans: &[f64], parts: usize| -> Vec<f64> {
         let inner = spans.windows(2).flat_map(|w| {
             let [a, b] = [w[0], w[1]];
@@ -202,7 +227,7 @@ fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
         inner.chain(spans.last().copied()).collect()
     };
     let mut parts = spans.each_ref().map(|s| if s.len() > 4 { 2 } else { 4 });
-    check_folds(surface, distance, &places(&spans[0], 8), &places(&spans[1], 8))?;
+    check_folds(surface, &distance, &places(&spans[0], 8), &places(&spans[1], 8))?;
     loop {
         let [us, vs] = [0, 1].map(|k: usize| places(&spans[k], parts[k]));
         if us.len() > MOST || vs.len() > MOST {
@@ -231,7 +256,7 @@ fn sampled(surface: &Surface, distance: f64, limit: f64) -> Result<Surface> {
         let (hu, hv) = (halves(&us), halves(&vs));
         let missed = [miss(&hu, &vs)?, miss(&us, &hv)?];
         if missed.iter().sum::<f64>() <= 0.5 * limit {
-            check_folds(surface, distance, &us, &vs)?;
+            check_folds(surface, &distance, &us, &vs)?;
             return Ok(made.into());
         }
         let worse = missed[0].max(missed[1]);
@@ -301,6 +326,25 @@ mod tests {
         assert!((side - 0.2).abs() < 1e-4);
         let loose = offset_surface_loosely(&surface, 0.2).unwrap();
         assert_eq!(loose.counts(), [5, 5]);
+    }
+
+    #[test]
+    fn distances_go_evenly_between_corners() {
+        let ball: Surface = Sphere { plane: Plane::XY, radius: 4.0 }.into();
+        let part = ball.sub_surface(Interval::new(0.2, 1.4), Interval::new(-0.4, 0.9)).unwrap();
+        let flat: Surface =
+            PlaneSurface::new(Plane::XY, Interval::new(0.0, 4.0), Interval::new(0.0, 3.0)).unwrap().into();
+        for surface in [part, flat] {
+            let made = offset_surface_variably(&surface, [0.1, 0.4, -0.3, 0.8], &tolerance()).unwrap();
+            let [us, vs] = Direction::BOTH.map(|d| surface.domain(d));
+            for (x, y, d) in
+                [(0.0, 0.0, 0.1), (0.0, 1.0, 0.4), (1.0, 0.0, -0.3), (1.0, 1.0, 0.8), (0.5, 0.5, 0.25)]
+            {
+                let (u, v) = (us.at(x), vs.at(y));
+                let wanted = surface.point_at(u, v) + surface.normal_at(u, v).unwrap() * d;
+                assert!(made.point_at(u, v).distance_to(wanted) < 1e-4, "{x} {y}");
+            }
+        }
     }
 
     /// A parabolic trough of curvature 2 a at its bottom folds over from a distance of 1 / (2 a) inwards.

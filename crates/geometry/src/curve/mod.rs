@@ -38,9 +38,11 @@ mod region;
 mod sections;
 mod simplify;
 mod speed;
+mod spiral;
 mod tessellate;
 pub(crate) mod traced;
 mod tween;
+mod two_views;
 
 pub use arc_curve::ArcCurve;
 pub(crate) use classify::coincident;
@@ -68,6 +70,7 @@ pub use polyline_curve::PolylineCurve;
 pub use region::Containment;
 pub use tessellate::PolylineLimits;
 pub use tween::TweenMatch;
+pub use two_views::curves_of_two_views;
 
 use crate::{Arc, Circle, Interval, Line, NurbsCurve, Point3};
 

@@ -4,10 +4,13 @@ mod align;
 #[cfg(feature = "mesh-booleans")]
 mod boolean;
 mod closest;
+mod cut;
 mod decimate;
 mod edit;
 mod face;
+mod heal;
 mod hits;
+mod holes;
 mod measure;
 mod moments;
 mod neighbours;
@@ -26,6 +29,7 @@ mod smooth;
 mod split;
 mod topology;
 mod tree;
+mod unweld;
 
 pub(crate) use align::align_points;
 #[cfg(feature = "mesh-booleans")]
@@ -33,6 +37,7 @@ pub use boolean::Solid;
 pub use closest::MeshPoint;
 pub use decimate::Decimation;
 pub use face::MeshFace;
+pub use heal::Healing;
 pub use hits::{MeshClash, MeshHit};
 pub use of_surface::SurfaceMeshing;
 pub use remesh::{RemeshOptions, Remeshed};

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use super::loops::{Step, loops};
+use super::meetings::Meetings;
 use super::sides::{Sides, all_sides};
 use super::sources::Sources;
 use super::strands::{Strand, strands};
@@ -63,8 +64,13 @@ pub(super) fn ladder(tolerance: f64, scale: f64) -> Vec<f64> {
 pub(super) type Sided = (nodes::Nodes, Vec<Strand>, Vec<Vec<Sides>>);
 
 /// Cuts the curves at a tolerance; `None` when it is too coarse.
-pub(super) fn arranged(sources: &Sources, tolerance: f64, last: bool) -> Result<Option<Sided>> {
-    let Some(nodes) = nodes::find(sources, tolerance, last)? else { return Ok(None) };
+pub(super) fn arranged(
+    sources: &Sources,
+    meetings: &mut Meetings,
+    tolerance: f64,
+    last: bool,
+) -> Result<Option<Sided>> {
+    let Some(nodes) = nodes::find(sources, meetings, tolerance, last)? else { return Ok(None) };
     let strands = strands(sources, &nodes, tolerance)?;
     let sides = all_sides(sources, &strands, nodes.places.len(), tolerance)?;
     Ok(Some((nodes, strands, sides)))
@@ -89,8 +95,10 @@ pub(super) fn combined(
         keep(operands[0].holds(turns(true)), operands[1].holds(turns(false)))
     };
     let steps = ladder(tolerance, sources.scale);
+    let mut meetings = Meetings::default();
     for (k, &reach) in steps.iter().enumerate() {
-        let Some((nodes, strands, sides)) = arranged(&sources, reach, k + 1 == steps.len())? else {
+        let Some((nodes, strands, sides)) = arranged(&sources, &mut meetings, reach, k + 1 == steps.len())?
+        else {
             continue;
         };
         let mut border = Vec::new();

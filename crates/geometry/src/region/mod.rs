@@ -32,6 +32,7 @@ mod assemble;
 mod cell;
 mod combine;
 mod loops;
+mod meetings;
 mod nodes;
 mod relation;
 mod sides;

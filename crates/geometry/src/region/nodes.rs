@@ -1,18 +1,18 @@
 //! Where the curves of an arrangement meet, each place once.
 
+use super::meetings::{Meetings, too_much};
 use super::sources::Sources;
 use crate::box_pairs::near_pairs;
 use crate::curve::{Sets, gather};
-use crate::intersect::{CurveIntersections, curve_curve, curve_self};
-use crate::{BoundingBox, Curve, Error, Interval, Point3, Result};
+use crate::intersect::CurveIntersections;
+use crate::{BoundingBox, Curve, Interval, Point3, Result};
 
 /// The most pairs of parts that are looked at.
 const MOST_PAIRS: usize = 4_000_000;
-/// The most pairs of parts of parts: a few seconds, and more where there are many parts.
-const MOST_VISITS: u64 = 10_000_000;
-const MORE_VISITS: u64 = 1000;
 /// The most pairs of cuts that are compared where parts run beside each other.
 const MOST_COMPARED: u64 = 50_000_000;
+/// What looking for the nearest place on a curve costs, in such pairs.
+const FOOT: u64 = 2000;
 
 /// The parts cut at nodes.
 #[derive(Debug)]
@@ -37,7 +37,6 @@ struct Cuts<'a> {
     lists: Vec<Vec<(f64, usize)>>,
     places: Vec<Point3>,
     beside: Vec<Beside>,
-    visits: u64,
     complete: bool,
 }
 
@@ -46,31 +45,30 @@ struct Cuts<'a> {
 ///
 /// # Errors
 /// There are too many parts, or they meet too often.
-pub(super) fn find(sources: &Sources, tolerance: f64, last: bool) -> Result<Option<Nodes>> {
+pub(super) fn find(
+    sources: &Sources,
+    meetings: &mut Meetings,
+    tolerance: f64,
+    last: bool,
+) -> Result<Option<Nodes>> {
     let mut cuts = Cuts {
         sources,
         tolerance,
         lists: vec![Vec::new(); sources.parts.len()],
         places: Vec::new(),
         beside: Vec::new(),
-        visits: 0,
         complete: true,
     };
     cuts.joints();
     if !last && too_wide(&mut cuts.sets(), &cuts.places, tolerance) {
         return Ok(None);
     }
-    cuts.meetings()?;
+    cuts.meet(meetings)?;
     if !(cuts.complete || last) {
         return Ok(None);
     }
     cuts.carry_over()?;
     Ok(cuts.gathered(last))
-}
-
-fn too_much() -> Error {
-    let why = "its curves meet too often to be told apart".into();
-    Error::Invalid { what: "region", why }
 }
 
 /// Whether places have become one that are too far apart for it: one near the next, and so on.
@@ -116,20 +114,19 @@ impl Cuts<'_> {
 
     /// Crossings are found as exactly as numbers allow. What comes within the tolerance without crossing matters only
     /// where a part ends.
-    fn meetings(&mut self) -> Result<()> {
+    fn meet(&mut self, meetings: &mut Meetings) -> Result<()> {
         let parts = &self.sources.parts;
-        let fine = (1e-11 * self.sources.scale).min(self.tolerance);
         for (i, part) in parts.iter().enumerate() {
             if !matches!(part.curve, Curve::Line(_) | Curve::Arc(_)) {
-                let found = curve_self(&part.curve, fine)?;
-                self.take(i, i, &found)?;
+                let found = meetings.of(self.sources, (i, i), self.tolerance)?;
+                self.take(i, i, &found);
             }
         }
         let boxes: Vec<BoundingBox> = parts.iter().map(|p| p.bounds).collect();
         let pairs = near_pairs(&boxes, None, self.tolerance, MOST_PAIRS).ok_or_else(too_much)?;
         for &(i, j) in &pairs {
-            let found = curve_curve(self.curve(i), self.curve(j), fine)?;
-            self.take(i, j, &found)?;
+            let found = meetings.of(self.sources, (i, j), self.tolerance)?;
+            self.take(i, j, &found);
         }
         // Ends near another part.
         for &(i, j) in &pairs {
@@ -155,11 +152,7 @@ impl Cuts<'_> {
         Ok(())
     }
 
-    fn take(&mut self, i: usize, j: usize, found: &CurveIntersections) -> Result<()> {
-        self.visits += found.visits;
-        if self.visits > MOST_VISITS + MORE_VISITS * self.lists.len() as u64 {
-            return Err(too_much());
-        }
+    fn take(&mut self, i: usize, j: usize, found: &CurveIntersections) {
         self.complete &= found.complete;
         for c in &found.crossings {
             let place = self.place(c.point);
@@ -175,7 +168,6 @@ impl Cuts<'_> {
             self.beside.push(Beside { part: i, range: o.a.ordered(), other: j });
             self.beside.push(Beside { part: j, range: o.b.ordered(), other: i });
         }
-        Ok(())
     }
 
     /// What cuts one of two parts that run beside each other cuts the other too.
@@ -208,6 +200,7 @@ impl Cuts<'_> {
                     if known[b.other].iter().any(|q| q.distance_to(p) <= self.tolerance) {
                         continue;
                     }
+                    compared += FOOT;
                     if let Some(foot) = self.curve(b.other).closest_point_within(p, 2.0 * self.tolerance)? {
                         self.lists[b.other].push((foot.parameter, place));
                         known[b.other].push(foot.point);

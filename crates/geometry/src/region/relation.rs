@@ -1,6 +1,7 @@
 //! How two closed curves lie to each other.
 
 use super::combine::{arranged, checked, ladder};
+use super::meetings::Meetings;
 use super::sources::Sources;
 use crate::{Curve, Error, Plane, Result};
 
@@ -30,8 +31,11 @@ pub fn relation(a: &Curve, b: &Curve, plane: &Plane, tolerance: f64) -> Result<C
     checked(plane, tolerance)?;
     let sources = Sources::new([a, b], plane, tolerance)?;
     let steps = ladder(tolerance, sources.scale);
+    let mut meetings = Meetings::default();
     for (k, &reach) in steps.iter().enumerate() {
-        let Some((_, _, sides)) = arranged(&sources, reach, k + 1 == steps.len())? else { continue };
+        let Some((_, _, sides)) = arranged(&sources, &mut meetings, reach, k + 1 == steps.len())? else {
+            continue;
+        };
         // Every part of the plane that the curves bound lies beside some strand.
         let (mut first, mut second, mut both) = (false, false, false);
         for all in &sides {

@@ -2,6 +2,7 @@
 
 use super::combine::{Walked, arranged, checked, faces, ladder, too_close};
 use super::loops::{Step, loops};
+use super::meetings::Meetings;
 use super::sides::Sides;
 use super::sources::Sources;
 use super::{Face, Region, assemble};
@@ -19,8 +20,11 @@ impl Region {
         let borders = self.curves();
         let sources = Sources::with_open(borders.iter().chain(cutters), &self.plane, tolerance)?;
         let steps = ladder(tolerance, sources.scale);
+        let mut meetings = Meetings::default();
         for (k, &reach) in steps.iter().enumerate() {
-            let Some((nodes, strands, sides)) = arranged(&sources, reach, k + 1 == steps.len())? else {
+            let Some((nodes, strands, sides)) =
+                arranged(&sources, &mut meetings, reach, k + 1 == steps.len())?
+            else {
                 continue;
             };
             let walls: Vec<Step> = (sides.iter().enumerate())

@@ -18,6 +18,7 @@ mod evaluate;
 mod finite;
 mod geodesic;
 mod grid_mesh;
+mod inflection;
 mod isocurve;
 mod normal;
 mod plane_surface;

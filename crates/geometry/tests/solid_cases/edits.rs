@@ -1,7 +1,10 @@
 //! Faces between curves, trims, and breps joined, closed and merged.
 
+use katydid_geometry::brep::{FilletBlend, FilletRail};
 use katydid_geometry::construct;
-use katydid_geometry::{Brep, Curve, Direction, Error, Interval, Point3, PolylineCurve, Result, Xform};
+use katydid_geometry::{
+    Brep, Curve, Direction, Error, Interval, Point3, PolylineCurve, Result, Vector3, Xform,
+};
 
 use super::inputs::{base, parameter_loop, solid, surface};
 use super::random::{closed, curve};
@@ -182,6 +185,47 @@ pub fn cases() -> Vec<Case> {
                 }
             };
             one(shape.with_coplanar_faces_merged(&TOLERANCE))
+        }),
+        ("fillet edges", |r| {
+            let shape = match r.below(4) {
+                // Straight walls, sheared now and then.
+                0 => {
+                    let corners =
+                        [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0), (0.0, 0.0)];
+                    let (plane, k) = (r.plane(5.0), r.scale);
+                    let point = |(x, y): &(f64, f64)| plane.at(k * x, k * y, 0.0);
+                    let profile: Curve = PolylineCurve::new(corners.iter().map(point).collect())?.into();
+                    let slant = if r.one_in(2) { r.vector(0.8) } else { Vector3::ZERO };
+                    construct::extrude(&profile, plane.z_axis * (3.0 * k) + slant, true, &TOLERANCE)?
+                }
+                _ => solid(r)?,
+            };
+            // Seams now and then only.
+            let seams = r.one_in(8);
+            let between_faces = |edge: &usize| {
+                let faces =
+                    shape.edges()[*edge].trims.iter().map(|t| shape.loops()[shape.trims()[*t].in_loop?].face);
+                let faces: Vec<Option<usize>> = faces.collect();
+                seams || matches!(faces.as_slice(), [a, b] if a != b)
+            };
+            let edges: Vec<usize> = (0..shape.edges().len()).filter(between_faces).collect();
+            let count = edges.len();
+            if count == 0 {
+                return Ok(Vec::new());
+            }
+            let radius = r.scale * [0.02, 0.1, 0.3, r.between(0.01, 1.0)][r.below(4)];
+            let wanted = match r.below(4) {
+                0 => edges,
+                1 => vec![edges[r.below(count)], edges[r.below(count)]],
+                _ => vec![edges[r.below(count)]],
+            };
+            let blend =
+                [FilletBlend::Arc, FilletBlend::Arc, FilletBlend::Chamfer, FilletBlend::Smooth][r.below(4)];
+            let rails =
+                [FilletRail::RollingBall, FilletRail::DistanceFromEdge, FilletRail::DistanceBetweenRails]
+                    [r.below(3)];
+            let wanted: Vec<(usize, f64)> = wanted.into_iter().map(|edge| (edge, radius)).collect();
+            one(shape.filleted(&wanted, blend, rails, &TOLERANCE))
         }),
         ("join solids", |r| {
             let (a, b) = (solid(r)?, solid(r)?);

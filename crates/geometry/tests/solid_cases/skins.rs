@@ -34,6 +34,17 @@ pub fn cases() -> Vec<Case> {
             };
             one(construct::loft(&family(r)?, &options, &TOLERANCE))
         }),
+        ("developable loft", |r| {
+            let options = LoftOptions {
+                style: LoftStyle::Developable,
+                closed: r.one_in(6),
+                adjust: r.one_in(2),
+                start: r.one_in(10).then(|| r.point(9.0)),
+                ..LoftOptions::default()
+            };
+            let sections = if r.one_in(2) { family(r)? } else { vec![curve(r)?, curve(r)?] };
+            one(construct::loft(&sections, &options, &TOLERANCE))
+        }),
         ("edge surface", |r| {
             let (a, b, c, d) = (r.point(4.0), r.point(4.0), r.point(4.0), r.point(4.0));
             let side = |r: &mut Random, p: Point3, q: Point3| -> Result<Curve> {

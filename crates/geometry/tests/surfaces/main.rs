@@ -11,6 +11,7 @@ mod common;
 
 mod closest;
 mod closest_local;
+mod developable;
 mod evaluation;
 mod kinds;
 mod laws;

@@ -13,6 +13,8 @@ const MOST_OPENED: u32 = 1 << 16;
 #[derive(Debug)]
 pub(crate) struct Context {
     pub(crate) limits: Limits,
+    /// Whether meshes that are kept beside breps are passed over: whoever computes with a brep makes its own.
+    shapes_alone: bool,
     /// Whether the first broken thing ends the reading.
     strict: bool,
     /// The first broken thing, when strict.
@@ -41,6 +43,7 @@ impl Context {
     pub(crate) fn new(limits: &Limits) -> Self {
         Self {
             limits: limits.clone(),
+            shapes_alone: false,
             strict: false,
             failure: RefCell::default(),
             inflated: Cell::new(0),
@@ -49,12 +52,22 @@ impl Context {
         }
     }
 
+    /// The context of a brep of which only the shape is asked for.
+    pub(crate) fn of_shape(limits: &Limits) -> Self {
+        Self { shapes_alone: true, ..Self::new(limits) }
+    }
+
     /// The context of a whole archive of so many bytes.
     pub(crate) fn of_archive(limits: &Limits, bytes: usize, strict: bool) -> Self {
         let mut context = Self { strict, ..Self::new(limits) };
         let by_size = (bytes as u64).saturating_mul(limits.inflation).max(FREE_INFLATION);
         context.limits.inflated = limits.inflated.min(by_size);
         context
+    }
+
+    /// Whether meshes that are kept beside breps are passed over.
+    pub(crate) fn is_of_shape(&self) -> bool {
+        self.shapes_alone
     }
 
     /// Notes something odd that costs nothing.

@@ -58,6 +58,16 @@ impl RawObject {
         self.with_class(&context, |object| Object::from_class(&object))
     }
 
+    /// Takes the object apart without the meshes that programs keep beside a brep: they take most of the time, and who
+    /// computes with the shape has no use for them.
+    ///
+    /// # Errors
+    /// As for [`RawObject::parse`].
+    pub fn parse_shape(&self, limits: &Limits) -> Result<Object> {
+        let context = Context::of_shape(limits);
+        self.with_class(&context, |object| Object::from_class(&object))
+    }
+
     /// Runs `read` over the class object.
     pub(crate) fn with_class<T>(
         &self,

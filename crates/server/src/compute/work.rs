@@ -181,7 +181,7 @@ pub(crate) fn with_request(
         Err(refusal) => return Step::Done(Err(refusal)),
     };
     if wish == Wish::Description {
-        return Step::Done(Ok(Outcome::Sent(Sent::json(&service.compute.describe(&definition)))));
+        return Step::Done(Ok(Outcome::Sent(Sent::json(&*service.compute.describe(&definition)))));
     }
     let decode = start.elapsed();
     let lane = match service.pace.lane(definition.key()) {

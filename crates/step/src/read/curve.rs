@@ -101,6 +101,28 @@ impl Carrier {
         Ok(if backwards { curve.reversed() } else { curve })
     }
 
+    /// The part of a parabola or hyperbola that has the shadows of points on its plane, cast in a direction; of other
+    /// curves all.
+    pub(super) fn under(&self, points: &[Point3], along: Vector3) -> Result<Curve> {
+        let (Self::Parabola { plane, .. } | Self::Hyperbola { plane, .. }) = self else {
+            return self.whole();
+        };
+        let across = along.dot(plane.z_axis);
+        let shadow = |p: Point3| {
+            let by = plane.coordinates(p)[2] / across;
+            self.parameter(p - along * by)
+        };
+        let (low, high) = points
+            .iter()
+            .map(|p| shadow(*p))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
+        if !(low < high && low.is_finite() && high.is_finite()) {
+            return Err(katydid_geometry::Error::Degenerate { what: "curve", why: "it has no ends" }.into());
+        }
+        let margin = 0.01 * (high - low);
+        self.branch(low - margin, high + margin)
+    }
+
     /// All of a curve that has ends or closes.
     pub(super) fn whole(&self) -> Result<Curve> {
         match self {

@@ -351,7 +351,10 @@ impl Space<'_> {
                 let plane = Plane::from_axes(point, x, along).map_err(|error| record.refuse(error))?;
                 return Ground::new(Form::Plane(plane));
             }
-            carrier => carrier.whole().map_err(|error| record.refuse(error))?,
+            carrier => {
+                let corners = hull.map_or_else(Vec::new, |hull| hull.corners().to_vec());
+                carrier.under(&corners, unit).map_err(|error| record.refuse(error))?
+            }
         };
         let hull = hull.ok_or_else(|| record.refuse("nothing tells how far it goes"))?;
         let of = |p: Point3| p.to_vector().dot(unit);

@@ -1,12 +1,16 @@
 //! The product that all parts belong to, its representations, and the header.
 
 use super::{Written, frame, unit};
-use crate::Document;
 use crate::part21::{Id, Sheet, list, quoted, real};
+use crate::{Document, Shape};
 use katydid_geometry::Plane;
 
 /// Places nearer than this many metres are one, whatever a model's tolerance is: programs merge what is nearer.
 const NEAR: f64 = 1e-6;
+/// They are also nearer than this part of the smallest shape, or small shapes fall into a point.
+const PART: f64 = 1e-3;
+/// The least number of metres that programs tell apart.
+const LEAST: f64 = 1e-10;
 
 /// What representations refer to.
 pub(super) struct Context {
@@ -20,8 +24,11 @@ impl Context {
         let length = unit::length(sheet, metres);
         let angle = sheet.put("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
         let solid = sheet.put("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-        let near = NEAR / metres;
-        let near = if document.tolerance > 0.0 { document.tolerance.min(near) } else { near };
+        let mut near = NEAR / metres;
+        if document.tolerance > 0.0 {
+            near = near.min(document.tolerance);
+        }
+        let near = near.min(PART * smallest(document)).max(LEAST / metres);
         let uncertainty = sheet.put(format_args!(
             "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({}),{length},'distance_accuracy_value','')",
             real(near)
@@ -32,6 +39,15 @@ impl Context {
         ));
         Self { geometry }
     }
+}
+
+/// The size of the smallest brep.
+fn smallest(document: &Document) -> f64 {
+    let sizes = document.parts.iter().filter_map(|part| match &part.shape {
+        Shape::Brep(brep) => brep.bounds_of_faces().map(|bounds| bounds.diagonal().length()),
+        _ => None,
+    });
+    sizes.filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 /// The product and the representations of its shape.

@@ -66,6 +66,22 @@ impl Parts {
         self.unite_vertices(&same);
     }
 
+    /// Joins two naked edges that run together within the limit; whether they did.
+    pub(in super::super) fn sew_two(&mut self, a: usize, b: usize, limit: f64) -> bool {
+        let rim = |place: usize| {
+            let edge = self.edges.get(place).filter(|edge| edge.trims.len() == 1 && !edge.deleted)?;
+            let curve = self.edge_curve(edge).and_then(|curve| taken(curve, &edge.part).ok())?;
+            let closed = edge.vertices[0] == edge.vertices[1];
+            Some(Rim { place, ends: [curve.start(), curve.end()], curve, closed })
+        };
+        let (Some(first), Some(second)) = (rim(a), rim(b)) else { return false };
+        let Some((backwards, _)) = beside(&first, &second, limit).filter(|_| a != b) else { return false };
+        let mut same: Vec<usize> = (0..self.vertices.len()).collect();
+        let made = self.make_one(a, b, backwards, &mut same);
+        self.unite_vertices(&same);
+        made
+    }
+
     /// Gives the trims of edge `b` to edge `a`; not when an open edge would lose one of its two vertices by it.
     fn make_one(&mut self, a: usize, b: usize, backwards: bool, same: &mut [usize]) -> bool {
         let (Some(first), Some(second)) = (self.edges.get(a), self.edges.get(b)) else { return false };

@@ -3,7 +3,7 @@
 use crate::brep::with_ends;
 use crate::{
     ClosestOnSurface, Curve, Direction, Error, Interval, LineCurve, NurbsCurve, Point3, Result, Surface,
-    Vector3, Xform,
+    Tolerance, Vector3, Xform,
 };
 
 /// The most halvings of one stretch.
@@ -34,6 +34,60 @@ pub(crate) fn lifted(surface: &Surface, flat: &Curve, limit: f64) -> Result<Curv
     Ok(curve.into())
 }
 
+impl Surface {
+    /// The curve in space that a curve in the parameter plane (x is u, y is v) stands for, within the tolerance: exact
+    /// on planes and along straight lines of constant parameter.
+    ///
+    /// # Errors
+    /// The curve leaves the domain, the tolerance is not above 0, or the image cannot be followed within it.
+    pub fn image_of(&self, flat: &Curve, tolerance: &Tolerance) -> Result<Curve> {
+        let limit = tolerance.positive_distance()?;
+        let bounds = flat.bounding_box();
+        let reach = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
+        for (direction, (low, high)) in Direction::BOTH.into_iter().zip(reach) {
+            let domain = self.domain(direction);
+            let near = 1e-9 * domain.length();
+            if !(low >= domain.start - near && high <= domain.end + near) {
+                return Err(Error::degenerate("parameter curve", "it leaves the domain of the surface"));
+            }
+        }
+        lifted(self, flat, limit)
+    }
+
+    /// The curve at a height over a surface on which another lies, along the normals of the surface at its points,
+    /// within the tolerance.
+    ///
+    /// # Errors
+    /// A height that is not finite, a place where the surface or the curve has no direction, or a curve that cannot be
+    /// followed within the tolerance.
+    pub fn curve_above(&self, curve: &Curve, height: f64, tolerance: &Tolerance) -> Result<Curve> {
+        let limit = tolerance.positive_distance()?;
+        if !height.is_finite() {
+            return Err(Error::NotFinite("height of the curve"));
+        }
+        let search = ClosestOnSurface::new(self)?;
+        let at = |t: f64| -> Result<Point3> {
+            let p = curve.point_at(t);
+            let near = search.nearest(p)?;
+            let none = Error::degenerate("surface", "it has no normal under the curve");
+            Ok(p + self.normal_at(near.u, near.v).ok_or(none)? * height)
+        };
+        let domain = curve.domain();
+        let formula = |t: f64, below: bool| -> Result<(Point3, Vector3)> {
+            // The slope by differences, from the side that the stretch lies on.
+            let h = 1e-5 * domain.length();
+            let (a, b) = match below {
+                _ if t - h < domain.start => (t, t + h),
+                _ if t + h > domain.end => (t - h, t),
+                true => (t - h, t),
+                false => (t, t + h),
+            };
+            Ok((at(t)?, (at(b)? - at(a)?) / (b - a)))
+        };
+        Ok(followed(&curve.smooth_stretches(), limit, formula)?.into())
+    }
+}
+
 /// The isocurve under a straight axial line.
 fn along_isocurve(surface: &Surface, flat: &Curve) -> Result<Option<Curve>> {
     let Curve::Line(LineCurve { line, .. }) = flat else { return Ok(None) };
@@ -54,7 +108,7 @@ fn along_isocurve(surface: &Surface, flat: &Curve) -> Result<Option<Curve>> {
 }
 
 /// The cubic through points and derivatives of a formula, halved until it is within the limit of it.
-pub(super) fn followed(
+pub(in crate::brep) fn followed(
     stretches: &[Interval],
     limit: f64,
     mut formula: impl FnMut(f64, bool) -> Result<(Point3, Vector3)>,
@@ -158,12 +212,39 @@ impl<'a> Foot<'a> {
                 }
             }
         }
+        let uv = self.polished(uv, p);
         self.last = Some(uv);
         Ok(uv)
     }
 
-    /// The derivative of the parameters of a point that moves with a velocity.
-    pub(super) fn slope(&self, uv: [f64; 2], velocity: Vector3) -> Option<[f64; 2]> {
+    /// A foot by the right angles there: the smallest distance alone leaves its place open by the square root of
+    /// rounding, which is more than the tolerance where a surface is large.
+    fn polished(&self, start: [f64; 2], p: Point3) -> [f64; 2] {
+        let domains = Direction::BOTH.map(|d| self.surface.domain(d));
+        let mut uv = start;
+        let mut last = 1e-5;
+        for _ in 0..4 {
+            let away = p - self.image(Point3::new(uv[0], uv[1], 0.0));
+            let Some(step) = self.slope(uv, p.to_vector(), away) else { break };
+            let size = (0..2).map(|k| (step[k] / domains[k].length()).abs()).fold(0.0, f64::max);
+            if !(size < last) {
+                break;
+            }
+            last = 0.5 * size;
+            for k in 0..2 {
+                let t = uv[k] + step[k];
+                uv[k] = if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
+            }
+        }
+        uv
+    }
+
+    /// The derivative of the parameters of the foot of a moving point, from its place and velocity: what keeps the
+    /// way to the foot square to the surface, so that it also holds away from the surface. Beyond a side of the domain
+    /// the foot moves along that side only. `None` where the surface is singular.
+    ///
+    /// Source: the derivative of (S − p)·Sᵤ = 0, (S − p)·Sᵥ = 0 (L. Piegl and W. Tiller, *The NURBS Book*, 6.1).
+    pub(super) fn slope(&self, uv: [f64; 2], place: Vector3, velocity: Vector3) -> Option<[f64; 2]> {
         let inside = Direction::BOTH.map(|d| {
             let k = d.index();
             match self.periods[k] {
@@ -172,15 +253,42 @@ impl<'a> Foot<'a> {
             }
         });
         let [u, v] = inside;
-        let d = self.surface.derivatives(u, v, 1, self.surface.inner_quadrant(u, v));
+        let d = self.surface.derivatives(u, v, 2, self.surface.inner_quadrant(u, v));
         let (a, b) = (d.get(1, 0), d.get(0, 1));
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
-        let determinant = e * g - f * f;
-        if !(determinant > 1e-12 * e * g) {
+        if !(e * g - f * f > 1e-12 * e * g) {
             return None;
         }
+        let away = place - d.point().to_vector();
         let (p, q) = (velocity.dot(a), velocity.dot(b));
+        let held = [self.is_beyond(0, u, away, a), self.is_beyond(1, v, away, b)];
+        let along = |rate: f64, square: f64, bend: f64| {
+            rate / if square - bend > 1e-6 * square { square - bend } else { square }
+        };
+        let (bend_u, bend_v) = (away.dot(d.get(2, 0)), away.dot(d.get(0, 2)));
+        match held {
+            [true, true] => return Some([0.0, 0.0]),
+            [true, false] => return Some([0.0, along(q, g, bend_v)]),
+            [false, true] => return Some([along(p, e, bend_u), 0.0]),
+            [false, false] => {}
+        }
+        // At a centre of curvature the foot has no derivative: there that on the surface has to do.
+        let bent = [e - bend_u, f - away.dot(d.get(1, 1)), g - bend_v];
+        let stable = bent[0] > 0.0 && bent[0] * bent[2] - bent[1] * bent[1] > 1e-6 * e * g;
+        let [e, f, g] = if stable { bent } else { [e, f, g] };
+        let determinant = e * g - f * f;
         Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
+    }
+
+    /// Whether a point with its foot at parameter `t` lies beyond the side of the domain there, by the way to it.
+    fn is_beyond(&self, k: usize, t: f64, away: Vector3, tangent: Vector3) -> bool {
+        let domain = self.surface.domain(Direction::BOTH[k]);
+        let near = 1e-12 * domain.length();
+        let out = away.dot(tangent);
+        // A right angle but for rounding is none of it.
+        let clear = 1e-6 * away.length() * tangent.length();
+        self.periods[k].is_none()
+            && ((t <= domain.start + near && out < -clear) || (t >= domain.end - near && out > clear))
     }
 
     /// The image of parameters on any turn.

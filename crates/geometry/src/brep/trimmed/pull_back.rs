@@ -1,6 +1,7 @@
 //! Curves on a surface as curves in its parameter plane.
 
 use super::lift::{Foot, ending, in_parameter_plane};
+use super::rim::with_straight_sides;
 use crate::brep::flatten::flattened;
 use crate::{
     Curve, Direction, Error, Interval, Line, LineCurve, NurbsCurve, Point3, PolyCurve, Result, Surface,
@@ -72,8 +73,8 @@ impl Surface {
             return Ok(line);
         }
         let slope = |foot: &Foot<'_>, t: f64, uv: [f64; 2], below: bool| -> Option<Vector3> {
-            let [_, velocity] = curve.jet_at::<2>(t, below);
-            foot.slope(uv, velocity).map(|[x, y]| Vector3::new(x, y, 0.0))
+            let [place, velocity] = curve.jet_at::<2>(t, below);
+            foot.slope(uv, place, velocity).map(|[x, y]| Vector3::new(x, y, 0.0))
         };
         let mut nodes = vec![(part.start, first)];
         let mut stack =
@@ -204,7 +205,8 @@ impl Surface {
                     "trimming by a closed curve that runs round a closed surface",
                 ));
             }
-            out.push(if a == b { flat } else { ending(&flat, [a, a])? });
+            let flat = if a == b { flat } else { ending(&flat, [a, a])? };
+            out.push(with_straight_sides(self, &flat)?);
         }
         Ok(out)
     }

@@ -157,6 +157,9 @@ fn solidity(flag: i32) -> Solidity {
 /// One mesh a face, in a chunk of its own. No meshes at all are no list.
 fn read_meshes(body: &mut Reader<'_>, faces: usize, what: &'static str) -> Result<Vec<Option<CachedMesh>>> {
     let mut chunk = body.expect(typecode::ANONYMOUS, what)?;
+    if body.context().is_of_shape() {
+        return Ok(Vec::new());
+    }
     let meshes = cached_mesh::read_flagged(&mut chunk, faces, what)?;
     chunk.finish();
     Ok(if meshes.iter().all(Option::is_none) { Vec::new() } else { meshes })

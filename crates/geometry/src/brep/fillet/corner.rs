@@ -1,0 +1,134 @@
+//! The patch where three rounded edges of one radius meet: a part of the ball that touches all three faces, or the
+//! triangle between the contacts where edges are cut off straight.
+
+use super::FilletBlend;
+use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
+use crate::{
+    Circle, Curve, Error, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, Result, RevolutionSurface,
+    Surface, Tolerance, Vector3,
+};
+
+/// A side of the patch.
+pub(super) struct Arc {
+    pub edge: NewEdge,
+    pub space: Curve,
+    pub ends: [(NewVertex, Point3); 2],
+}
+
+/// Adds the face within three arcs of a ball; `outward` says whether its normal points away from the centre.
+pub(super) fn add(
+    builder: &mut Builder,
+    arcs: &[Arc],
+    centre: Point3,
+    radius: f64,
+    outward: bool,
+    blend: FilletBlend,
+    tolerance: &Tolerance,
+) -> Result<()> {
+    let walk = in_turn(arcs).ok_or(Error::degenerate("fillet", "its arcs at a corner do not meet"))?;
+    let corners: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
+    let &[a, b, c] = corners.as_slice() else {
+        return Err(Error::degenerate("fillet", "a corner without three sides"));
+    };
+    // Seen from outside the ball the corners run counter-clockwise, or the walk goes the other way round.
+    let normal = (b - a).cross(c - a);
+    let away = normal.dot(a - centre) > 0.0;
+    if blend == FilletBlend::Chamfer {
+        let plane = Plane::from_points(a, b, c)?;
+        let range = |f: fn([f64; 3]) -> f64| {
+            let all = corners.iter().map(|p| f(plane.coordinates(*p)));
+            all.fold(Interval::new(0.0, 0.0), Interval::including)
+        };
+        let surface = PlaneSurface::new(plane, range(|p| p[0]), range(|p| p[1]))?;
+        let paths = walk.iter().map(|(arc, back)| {
+            let [from, to] = [arc.ends[usize::from(*back)].1, arc.ends[usize::from(!*back)].1];
+            let at = |p: Point3| {
+                let [u, v] = surface.parameters_of(p);
+                Point3::new(u, v, 0.0)
+            };
+            Path { curve: Line::new(at(from), at(to)).into(), along: Along::Edge(arc.edge, *back) }
+        });
+        let paths = paths.collect();
+        let face = builder.face(surface.into(), away != outward);
+        return builder.bound(face, LoopKind::Outer, paths);
+    }
+    let walk: Vec<(&Arc, bool)> =
+        if away { walk } else { walk.into_iter().rev().map(|(arc, back)| (arc, !back)).collect() };
+    let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
+    // The pole is the corner that is nearest to square to both others: then the side across is the equator.
+    let arm = |p: Point3| (p - centre) / radius;
+    let off = |k: usize| {
+        let [p, q, r] = [0, 1, 2].map(|n| arm(starts[(k + n) % 3]));
+        p.dot(q).abs().max(p.dot(r).abs())
+    };
+    let pole = (0..3).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
+    // From the pole down to the first, along to the second, up to the pole.
+    let sides = [walk[pole], walk[(pole + 1) % 3], walk[(pole + 2) % 3]];
+    let [top, first, second] = [starts[pole], starts[(pole + 1) % 3], starts[(pole + 2) % 3]].map(arm);
+    let flat = |v: Vector3| (v - top * v.dot(top)).unitized();
+    let (Some(x), Some(toward)) = (flat(first), flat(second)) else {
+        return Err(Error::degenerate("fillet", "a corner without area"));
+    };
+    let angle = x.cross(toward).dot(top).atan2(x.dot(toward));
+    let lowest = first.dot(top).min(second.dot(top)).clamp(-1.0, 1.0).asin();
+    if !(angle > 1e-9) || lowest > std::f64::consts::FRAC_PI_2 - 1e-6 {
+        return Err(Error::degenerate("fillet", "a corner without area"));
+    }
+    let side = sides[1].0;
+    let level = first.dot(top).abs() <= 1e-12 && second.dot(top).abs() <= 1e-12;
+    // The meridian through the first corner, turned about the pole; latitudes run along v.
+    let plane = Plane::from_axes(centre, x, top)?;
+    let circle = Circle::new(plane, radius)?;
+    let half = std::f64::consts::FRAC_PI_2;
+    let low = if level { 0.0 } else { lowest };
+    let profile = crate::ArcCurve {
+        arc: crate::Arc::new(circle, Interval::new(low, half))?,
+        domain: Interval::new(low, half),
+    };
+    let axis = Line::new(centre, centre + top);
+    let sphere: Surface = RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, angle))?.into();
+    let line = |u0: f64, v0: f64, u1: f64, v1: f64| -> Curve {
+        LineCurve::new(Line::new(Point3::new(u0, v0, 0.0), Point3::new(u1, v1, 0.0))).into()
+    };
+    let latitude = |v: Vector3| v.dot(top).clamp(-1.0, 1.0).asin();
+    let [v1, v2] = if level { [0.0; 2] } else { [latitude(first), latitude(second)] };
+    let across = if level {
+        line(0.0, 0.0, angle, 0.0)
+    } else {
+        let fine = Tolerance { absolute: 0.1 * tolerance.absolute, ..*tolerance };
+        let own = if sides[1].1 { side.space.reversed() } else { side.space.clone() };
+        let made = sphere.parameter_curve(&own, &fine)?;
+        crate::brep::with_ends(&made, [Point3::new(0.0, v1, 0.0), Point3::new(angle, v2, 0.0)])?
+    };
+    let pole_vertex = sides[0].0.ends[usize::from(sides[0].1)].0;
+    let along = |n: usize| Along::Edge(sides[n].0.edge, sides[n].1);
+    let paths = vec![
+        Path { curve: line(0.0, half, 0.0, v1), along: along(0) },
+        Path { curve: across, along: along(1) },
+        Path { curve: line(angle, v2, angle, half), along: along(2) },
+        Path { curve: line(angle, half, 0.0, half), along: Along::Point(pole_vertex) },
+    ];
+    let face = builder.face(sphere, !outward);
+    builder.bound(face, LoopKind::Outer, paths)
+}
+
+/// The arcs one after the other, and whether each is walked backwards.
+fn in_turn(arcs: &[Arc]) -> Option<Vec<(&Arc, bool)>> {
+    let first = arcs.first()?;
+    let mut out = vec![(first, false)];
+    let mut at = first.ends[1].0;
+    while out.len() < arcs.len() {
+        let next = arcs.iter().find_map(|arc| {
+            if out.iter().any(|(used, _)| used.edge == arc.edge) {
+                return None;
+            }
+            if arc.ends[0].0 == at {
+                return Some((arc, false));
+            }
+            (arc.ends[1].0 == at).then_some((arc, true))
+        })?;
+        at = next.0.ends[usize::from(!next.1)].0;
+        out.push(next);
+    }
+    (at == first.ends[0].0).then_some(out)
+}

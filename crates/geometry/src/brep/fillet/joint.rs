@@ -1,0 +1,224 @@
+//! What meets where a rounded edge ends.
+
+use std::collections::BTreeMap;
+
+use super::refused;
+use crate::{Brep, Result, Tolerance, Vector3};
+
+/// One end of an edge: its place, and whether it is its end (or its start).
+pub(super) type Stub = (usize, bool);
+
+/// How a rail goes on beyond a vertex.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Link {
+    /// Into that side of the other strip, on the same face.
+    Face(usize),
+    /// Over an edge, into that side of the other strip.
+    Over(Stub, usize),
+}
+
+impl Link {
+    /// The side of the other strip.
+    pub(super) fn side(self) -> usize {
+        match self {
+            Self::Face(side) | Self::Over(_, side) => side,
+        }
+    }
+}
+
+/// What is to be done at a vertex.
+#[derive(Debug, Clone)]
+pub(super) enum Joint {
+    /// One rounded edge ends on a third face, between the stubs beside its sides. The face gets a new edge after the
+    /// trim, which belongs to the stub beside that side.
+    Third { stub: Stub, beside: [Stub; 2], face: usize, after: usize, first: usize },
+    /// One rounded edge ends at the border of the shape.
+    Border { stub: Stub, beside: [Stub; 2] },
+    /// A rounded edge goes on in another one, or in itself, without a kink.
+    Through { stubs: [Stub; 2], links: [Link; 2] },
+    /// Two rounded edges meet at an angle.
+    Mitre { stubs: [Stub; 2], links: [Link; 2] },
+    /// Three rounded edges meet; the links of each side of the first, with the stub that it leads to.
+    Ball { stubs: [Stub; 3] },
+}
+
+/// What leads round a vertex from trim to trim.
+pub(super) struct Fans<'a> {
+    pub brep: &'a Brep,
+}
+
+impl Fans<'_> {
+    /// The stub that an end of a trim is; none where the surface is singular.
+    fn stub_of(&self, (trim, at_end): (usize, bool)) -> Option<Stub> {
+        let own = self.brep.trims().get(trim)?;
+        Some((own.edge?, at_end != own.reversed))
+    }
+
+    /// The end of a trim that a stub is.
+    fn trim_end(&self, trim: usize, (_, at_end): Stub) -> Option<(usize, bool)> {
+        Some((trim, at_end != self.brep.trims().get(trim)?.reversed))
+    }
+
+    /// The end of the neighbour in the loop that meets an end of a trim.
+    fn turned(&self, (trim, at_end): (usize, bool)) -> Option<(usize, bool)> {
+        let chain = &self.brep.loops().get(self.brep.trims().get(trim)?.in_loop?)?.trims;
+        let at = chain.iter().position(|t| *t == trim)?;
+        let step = if at_end { 1 } else { chain.len().checked_sub(1)? };
+        Some((*chain.get((at + step) % chain.len())?, !at_end))
+    }
+
+    /// The same end of an edge on the other trim along it.
+    fn across(&self, end: (usize, bool)) -> Option<(usize, bool)> {
+        let stub = self.stub_of(end)?;
+        let [a, b] = *self.brep.edges().get(stub.0)?.trims.as_slice() else { return None };
+        self.trim_end(if a == end.0 { b } else { a }, stub)
+    }
+
+    fn side_of(&self, trim: usize) -> Option<usize> {
+        let edge = self.brep.trims().get(trim)?.edge?;
+        self.brep.edges().get(edge)?.trims.iter().position(|t| *t == trim)
+    }
+
+    /// The end of the trim beside a side of a stub.
+    fn beside(&self, stub: Stub, side: usize) -> Option<(usize, bool)> {
+        let trim = *self.brep.edges().get(stub.0)?.trims.get(side)?;
+        self.turned(self.trim_end(trim, stub)?)
+    }
+
+    /// How a side of one stub leads into another stub.
+    pub(super) fn link(&self, from: Stub, side: usize, to: Stub) -> Option<Link> {
+        let next = self.beside(from, side)?;
+        if self.stub_of(next)? == to {
+            return Some(Link::Face(self.side_of(next.0)?));
+        }
+        let over = self.stub_of(next)?;
+        let last = self.turned(self.across(next)?)?;
+        (self.stub_of(last)? == to).then_some(())?;
+        Some(Link::Over(over, self.side_of(last.0)?))
+    }
+
+    /// Both links from one stub to another, on different sides of it.
+    pub(super) fn links(&self, stubs: [Stub; 2]) -> Option<[Link; 2]> {
+        let links = [self.link(stubs[0], 0, stubs[1])?, self.link(stubs[0], 1, stubs[1])?];
+        (links[0].side() != links[1].side()).then_some(links)
+    }
+
+    pub(super) fn vertex(&self, (edge, at_end): Stub) -> Option<usize> {
+        self.brep.edges().get(edge)?.vertices[usize::from(at_end)]
+    }
+
+    /// The unit direction in which a stub leaves its vertex.
+    pub(super) fn way(&self, (edge, at_end): Stub) -> Option<Vector3> {
+        let own = self.brep.edges().get(edge)?;
+        let tangent = own.part.end_tangent(self.brep.edge_curve(edge)?, at_end)?;
+        Some(if at_end { -tangent } else { tangent })
+    }
+
+    /// Whether one stub goes on in another without a kink.
+    pub(super) fn runs_through(&self, stubs: [Stub; 2], angle: f64) -> bool {
+        match stubs.map(|stub| self.way(stub)) {
+            [Some(a), Some(b)] => (-a).angle_to(b).is_some_and(|turn| turn <= angle),
+            _ => false,
+        }
+    }
+
+    /// What is to be done where rounded edges end.
+    pub(super) fn joints(&self, edges: &[usize], tolerance: &Tolerance) -> Result<Vec<Joint>> {
+        let mut at: BTreeMap<usize, Vec<Stub>> = BTreeMap::new();
+        for &edge in edges {
+            for stub in [(edge, false), (edge, true)] {
+                let vertex = self.vertex(stub).ok_or_else(|| refused(edge, "it has no vertices"))?;
+                at.entry(vertex).or_default().push(stub);
+            }
+        }
+        at.into_iter().map(|(vertex, stubs)| self.joint(vertex, &stubs, tolerance)).collect()
+    }
+
+    fn joint(&self, vertex: usize, stubs: &[Stub], tolerance: &Tolerance) -> Result<Joint> {
+        let found = match *stubs {
+            [stub] => self.single(stub),
+            [a, b] => {
+                let stubs = [a, b];
+                let joint = |links| {
+                    if self.runs_through(stubs, tolerance.angle) {
+                        Joint::Through { stubs, links }
+                    } else {
+                        Joint::Mitre { stubs, links }
+                    }
+                };
+                self.links(stubs).map(joint)
+            }
+            [a, b, c] => {
+                let face = |from: Stub, side: usize, to: Stub| {
+                    matches!(self.link(from, side, to), Some(Link::Face(_)))
+                };
+                let meets = |from: Stub, to: Stub| face(from, 0, to) || face(from, 1, to);
+                (meets(a, b) && meets(b, c) && meets(c, a)).then_some(Joint::Ball { stubs: [a, b, c] })
+            }
+            _ => None,
+        };
+        found.ok_or_else(|| unsupported(stubs, vertex))
+    }
+
+    fn single(&self, stub: Stub) -> Option<Joint> {
+        let next = [self.beside(stub, 0)?, self.beside(stub, 1)?];
+        let beside = [self.stub_of(next[0])?, self.stub_of(next[1])?];
+        let naked = |stub: Stub| self.brep.edges().get(stub.0).is_some_and(|edge| edge.trims.len() == 1);
+        if beside[0] == beside[1] {
+            return None;
+        }
+        if naked(beside[0]) && naked(beside[1]) {
+            return Some(Joint::Border { stub, beside });
+        }
+        let far = [self.across(next[0])?, self.across(next[1])?];
+        if self.turned(far[0])? != far[1] {
+            return None;
+        }
+        let first = usize::from(!far[0].1);
+        let after = far[first].0;
+        Some(Joint::Third { stub, beside, face: self.brep.face_of(after)?, after, first })
+    }
+
+    /// The edges that rounded ones run into without a kink, and that have to be rounded with them, with their radii.
+    pub(super) fn prolonged(
+        &self,
+        wanted: &mut Vec<(usize, f64)>,
+        tolerance: &Tolerance,
+        is_sharp: impl Fn(usize) -> bool,
+    ) {
+        let mut next = 0;
+        while let Some(&(edge, radius)) = wanted.get(next) {
+            next += 1;
+            for stub in [(edge, false), (edge, true)] {
+                let Some(vertex) = self.vertex(stub) else { continue };
+                let around = self.brep.vertices().get(vertex).map_or(&[] as &[usize], |v| &v.edges);
+                let met = |wanted: &[(usize, f64)], other: usize| wanted.iter().any(|(e, _)| *e == other);
+                if around.iter().filter(|e| met(wanted, **e)).count() > 1 {
+                    continue;
+                }
+                let found = around.iter().find_map(|&other| {
+                    let on = [(other, false), (other, true)].into_iter().find(|to| {
+                        self.vertex(*to) == Some(vertex)
+                            && self.runs_through([stub, *to], tolerance.angle)
+                            && self.links([stub, *to]).is_some()
+                    })?;
+                    (!met(wanted, other) && is_sharp(on.0)).then_some(on.0)
+                });
+                wanted.extend(found.map(|other| (other, radius)));
+            }
+        }
+    }
+}
+
+pub(super) fn unsupported(stubs: &[Stub], vertex: usize) -> crate::Error {
+    let mut edges: Vec<String> = stubs.iter().map(|stub| stub.0.to_string()).collect();
+    edges.dedup();
+    let names = match edges.as_slice() {
+        [only] => format!("edge {only} ends"),
+        several => format!("edges {} meet", several.join(", ")),
+    };
+    crate::Error::Invalid {
+        what: "fillet",
+        why: format!("{names} at vertex {vertex} in a way that is not supported yet"),
+    }
+}
