@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 57] = [
+static LIST: [Unsupported; 53] = [
     row(
         uuid!("51a2ede9-8f8c-4fdf-a375-999c2062eab7"),
         "Colour Wheel",
@@ -162,26 +162,6 @@ static LIST: [Unsupported; 57] = [
         uuid!("b78d95bc-dffb-414c-b177-c611c92580b9"),
         "Viewport Display",
         "it shows a viewport on the canvas",
-    ),
-    row(
-        uuid!("96e40f6b-ba46-4102-bf15-ebf90471f4a0"),
-        "Make2D",
-        "outlines and hidden lines are not computed yet",
-    ),
-    row(
-        uuid!("3fc08088-d75d-43bc-83cc-7a654f156cb7"),
-        "Make2D Parallel View",
-        "outlines and hidden lines are not computed yet",
-    ),
-    row(
-        uuid!("33359c6d-984e-42f3-a869-0c3364ab33b6"),
-        "Make2D Perspective View",
-        "outlines and hidden lines are not computed yet",
-    ),
-    row(
-        uuid!("4ac24770-e38b-4363-be38-551a3b134707"),
-        "Make2D Rhino View",
-        "outlines and hidden lines are not computed yet",
     ),
     row(
         uuid!("b57bf805-046a-4360-ad76-51aeddfe9720"),

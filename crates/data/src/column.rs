@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use crate::{
     Colour, Complex, Compound, Content, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions,
-    Material, MeshSettings, Path, Symbol, Value,
+    Material, MeshSettings, Path, Projection, Symbol, Value,
 };
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
@@ -140,6 +140,7 @@ items! {
     Materials, Material, Material, |x| Value::Material(Shared::new(*x)), Value::Material(x) => *x;
     LoftOptions, LoftOptions, LoftOptions, |x| Value::LoftOptions(Shared::new(*x)), Value::LoftOptions(x) => *x;
     MeshSettings, MeshSettings, MeshSettings, |x| Value::MeshSettings(Shared::new(*x)), Value::MeshSettings(x) => *x;
+    Projections, Projection, Projection, |x| Value::Projection(Shared::new(*x)), Value::Projection(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;
     Kept, Kept, Shared<RawObject>, |x| Value::Kept(x.clone()), Value::Kept(x) => x;
     Contents, Content, Shared<Content>, |x| Value::Content(x.clone()), Value::Content(x) => x;

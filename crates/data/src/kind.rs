@@ -47,6 +47,7 @@ pub enum Kind {
     Material,
     LoftOptions,
     MeshSettings,
+    Projection,
     Group,
     /// Geometry of a class that Katydid keeps whole but does not compute with.
     Kept,
@@ -96,6 +97,7 @@ impl Kind {
             Self::Material => "Shader",
             Self::LoftOptions => "Loft Options",
             Self::MeshSettings => "Mesh Settings",
+            Self::Projection => "Projection",
             Self::Group => "Group",
             Self::Kept => "Geometry",
             Self::Content => "Model Content",

@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use crate::{
     Colour, Complex, Compound, Content, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material,
-    MeshSettings, Path, Symbol,
+    MeshSettings, Path, Projection, Symbol,
 };
 
 /// The archive version whose rules the bytes of kept objects follow.
@@ -55,6 +55,7 @@ pub enum Value {
     Material(Shared<Material>),
     LoftOptions(Shared<LoftOptions>),
     MeshSettings(Shared<MeshSettings>),
+    Projection(Shared<Projection>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
     Content(Shared<Content>),
@@ -98,6 +99,7 @@ impl Value {
             Self::Material(_) => Kind::Material,
             Self::LoftOptions(_) => Kind::LoftOptions,
             Self::MeshSettings(_) => Kind::MeshSettings,
+            Self::Projection(_) => Kind::Projection,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
             Self::Content(_) => Kind::Content,
@@ -229,6 +231,7 @@ from! {
     Material, Material;
     LoftOptions, LoftOptions;
     MeshSettings, MeshSettings;
+    Projection, Projection;
     Group, Group;
     Shared<Group>, Group;
     RawObject, Kept;

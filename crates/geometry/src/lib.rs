@@ -42,6 +42,7 @@ mod circle;
 pub mod cloud;
 pub mod construct;
 mod curve;
+pub mod drawing;
 mod ellipse;
 mod error;
 pub mod field;
@@ -71,6 +72,7 @@ mod rectangle;
 pub mod region;
 #[cfg(feature = "serde")]
 mod serde_forms;
+pub mod silhouette;
 pub mod subd;
 pub mod substrate;
 mod surface;

@@ -5,6 +5,7 @@
 mod annotation;
 mod colour;
 mod dimensions;
+mod drawing;
 mod graphs;
 mod preview;
 mod symbol;

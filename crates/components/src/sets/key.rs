@@ -98,6 +98,7 @@ impl Key {
             | Value::Symbol(_)
             | Value::LoftOptions(_)
             | Value::MeshSettings(_)
+            | Value::Projection(_)
             | Value::Matrix(_) => Self::Shape(format!("{value:?}")),
         }
     }

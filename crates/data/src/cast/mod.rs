@@ -124,9 +124,13 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
         },
         Kind::Location => parse::location(value).map(Value::Location),
         Kind::Content => geometry(value).map(|geometry| Value::from(ModelObject::new(geometry))),
-        Kind::LoftOptions | Kind::MeshSettings | Kind::Field | Kind::Symbol | Kind::Group | Kind::Kept => {
-            None
-        }
+        Kind::LoftOptions
+        | Kind::MeshSettings
+        | Kind::Projection
+        | Kind::Field
+        | Kind::Symbol
+        | Kind::Group
+        | Kind::Kept => None,
     }
 }
 

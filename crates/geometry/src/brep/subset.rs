@@ -185,7 +185,7 @@ impl Brep {
     }
 
     /// The trims of a face, loop by loop.
-    pub(super) fn trims_of(&self, face: usize) -> Vec<usize> {
+    pub(crate) fn trims_of(&self, face: usize) -> Vec<usize> {
         let loops = self.faces().get(face).map_or(&[] as &[usize], |face| &face.loops);
         loops
             .iter()
@@ -195,7 +195,7 @@ impl Brep {
     }
 
     /// The face that a trim bounds.
-    pub(super) fn face_of(&self, trim: usize) -> Option<usize> {
+    pub(crate) fn face_of(&self, trim: usize) -> Option<usize> {
         self.loops().get(self.trims().get(trim)?.in_loop?)?.face
     }
 

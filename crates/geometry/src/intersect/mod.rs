@@ -18,6 +18,7 @@ mod side;
 mod surface_kinds;
 mod surface_plane;
 mod tree;
+pub(crate) mod zeros;
 
 pub use analytic::{
     ArcArc, CircleCircle, LineCircleHit, LineCylinder, PlaneCircle, SphereSection, UpToTwo, arc_arc,

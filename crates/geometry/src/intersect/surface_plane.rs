@@ -1,13 +1,11 @@
 //! Sections of surfaces by planes.
 
-mod cell;
 mod seams;
 
-use cell::{Cell, Stretch};
-
 use super::curve_curve::check;
+use super::zeros::{self, Cell};
 use crate::curve::traced::{Sample, joined, sampled};
-use crate::{Curve, Error, NurbsSurface, Plane, Result, Surface, Tolerance};
+use crate::{Curve, Direction, Error, NurbsSurface, Plane, Quadrant, Result, Surface, Tolerance};
 
 /// The curves in which a plane cuts a surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,9 +17,6 @@ pub struct SurfaceSection {
     /// the plane over a wide range.
     pub complete: bool,
 }
-
-/// More parts of patches than this and a search is lost.
-const MOST: usize = 100_000;
 
 /// The curves in which a plane cuts a surface, each within `tolerance` of surface and plane.
 ///
@@ -58,11 +53,12 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
         return Ok(SurfaceSection { curves: Vec::new(), complete: true });
     }
     let patches = nurbs.bezier_patches()?;
-    let (stretches, complete) = stretches(&patches, plane, noise);
+    let cells = patches.iter().enumerate().map(|(i, patch)| heights(i, patch, plane));
+    let (stretches, complete) = zeros::stretches(cells, noise);
     let mut rows: Vec<Vec<Sample>> = Vec::with_capacity(stretches.len());
     for stretch in &stretches {
         let Some(patch) = patches.get(stretch.patch()) else { continue };
-        rows.extend(sampled(0.0, 1.0, 2, 0.5 * limit, |x| Ok(Some(stretch.sample(patch, plane, x))))?);
+        rows.extend(sampled(0.0, 1.0, 2, 0.5 * limit, |x| Ok(Some(sample(stretch.place(x), patch, plane))))?);
     }
     // Crossings on the common side of two parts agree to rounding; other curves keep further apart than this.
     let gap = (1e-7 * size).min(0.25 * limit).max(4.0 * noise);
@@ -75,32 +71,30 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
     Ok(SurfaceSection { curves, complete })
 }
 
-/// The graphs that the section consists of, and whether all parts were looked at.
-fn stretches(patches: &[NurbsSurface], plane: &Plane, noise: f64) -> (Vec<Stretch>, bool) {
-    let mut found = Vec::new();
-    let mut complete = true;
-    for (i, patch) in patches.iter().enumerate() {
-        let mut budget = MOST;
-        let mut stack = vec![Cell::new(i, patch, plane)];
-        while let Some(cell) = stack.pop() {
-            if cell.is_clear(noise) {
-                continue;
-            }
-            if let Some(mut graphs) = cell.graphs(noise) {
-                found.append(&mut graphs);
-                continue;
-            }
-            if budget == 0 {
-                complete = false;
-                break;
-            }
-            budget -= 1;
-            if let Some((a, b)) = cell.split() {
-                stack.extend([b, a]);
-            }
-        }
-    }
-    (found, complete)
+/// The distance of a Bézier patch from a plane, times the weights.
+fn heights(index: usize, patch: &NurbsSurface, plane: &Plane) -> Cell {
+    let (n, o) = (plane.z_axis, plane.origin);
+    let values = patch
+        .homogeneous_points()
+        .iter()
+        // By differences from the plane's origin, which keeps digits far away from that of the world.
+        .map(|p| n.x * (p[0] - o.x * p[3]) + n.y * (p[1] - o.y * p[3]) + n.z * (p[2] - o.z * p[3]))
+        .collect();
+    let ranges = Direction::BOTH.map(|d| {
+        let domain = patch.domain(d);
+        [domain.start, domain.end]
+    });
+    Cell::new(index, ranges, patch.counts(), values)
+}
+
+/// The point of the section at a place, and its direction either way.
+fn sample([u, v]: [f64; 2], patch: &NurbsSurface, plane: &Plane) -> Sample {
+    let jet = patch.derivatives(u, v, 1, Quadrant::NorthEast);
+    let (su, sv) = (jet.get(1, 0), jet.get(0, 1));
+    let normal = su.cross(sv);
+    let direction = normal.cross(plane.z_axis);
+    let told = direction.length() > 1e-6 * normal.length() && normal.length() > 0.0;
+    Sample { point: jet.point(), direction: if told { direction.unitized() } else { None } }
 }
 
 #[cfg(test)]

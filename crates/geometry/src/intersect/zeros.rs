@@ -1,17 +1,19 @@
-//! Parts of a patch, by the Bernstein coefficients of their distance from a plane.
+//! Where polynomials over patches are zero: parts of a patch, by the Bernstein coefficients of a function over it, such as
+//! the distance from a plane.
 
-use crate::curve::traced::Sample;
 use crate::polynomial::Polynomial;
-use crate::{Direction, NurbsSurface, Plane, Point3, Quadrant};
 
 /// A part is not split further than this.
 const DEEPEST: u32 = 44;
-/// Not quite in the middle, so that splits do not fall on the section where that lies in the middle.
+/// Not quite in the middle, so that splits do not fall on the zeros where that lies in the middle.
 const SPLIT: f64 = 0.486_137;
+
+/// More parts of a patch than this and a search is lost.
+const MOST: usize = 100_000;
 
 /// A part of a patch.
 #[derive(Debug, Clone)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     patch: usize,
     /// Its range of the surface's parameters.
     ranges: [[f64; 2]; 2],
@@ -22,9 +24,9 @@ pub(super) struct Cell {
     depth: u32,
 }
 
-/// A stretch of the section: over one parameter of a cell a graph of the other.
+/// A stretch of the zeros: over one parameter of a cell a graph of the other.
 #[derive(Debug, Clone)]
-pub(super) struct Stretch {
+pub(crate) struct Stretch {
     cell: Cell,
     /// The parameter that runs.
     over: usize,
@@ -33,24 +35,14 @@ pub(super) struct Stretch {
 }
 
 impl Cell {
-    /// The whole of a Bézier patch.
-    pub(super) fn new(index: usize, patch: &NurbsSurface, plane: &Plane) -> Self {
-        let (n, o) = (plane.z_axis, plane.origin);
-        let values = patch
-            .homogeneous_points()
-            .iter()
-            // By differences from the plane's origin, which keeps digits far away from that of the world.
-            .map(|p| n.x * (p[0] - o.x * p[3]) + n.y * (p[1] - o.y * p[3]) + n.z * (p[2] - o.z * p[3]))
-            .collect();
-        let ranges = Direction::BOTH.map(|d| {
-            let domain = patch.domain(d);
-            [domain.start, domain.end]
-        });
-        Self { patch: index, ranges, counts: patch.counts(), values, depth: 0 }
+    /// The whole of a patch: its number, its ranges of the surface's parameters, and the coefficients, `counts` of them
+    /// along u and v, v running fastest.
+    pub(crate) fn new(patch: usize, ranges: [[f64; 2]; 2], counts: [usize; 2], values: Vec<f64>) -> Self {
+        Self { patch, ranges, counts, values, depth: 0 }
     }
 
-    /// Whether the surface keeps to one side here.
-    pub(super) fn is_clear(&self, noise: f64) -> bool {
+    /// Whether the function has no zeros here, or does not pass through.
+    pub(crate) fn is_clear(&self, noise: f64) -> bool {
         self.values.iter().all(|&v| v >= -noise) || self.values.iter().all(|&v| v <= noise)
     }
 
@@ -63,7 +55,7 @@ impl Cell {
             .collect()
     }
 
-    /// How much the distance changes along one parameter in all, and whether it grows or falls all along it.
+    /// How much the function changes along one parameter in all, and whether it grows or falls all along it.
     fn change(&self, direction: usize, noise: f64) -> (f64, bool) {
         let (mut total, mut up, mut down) = (0.0, true, true);
         for k in 0..self.counts[1 - direction] {
@@ -78,8 +70,8 @@ impl Cell {
         (total, up || down)
     }
 
-    /// The stretches of the section here, when one of the parameters proves to tell it.
-    pub(super) fn graphs(&self, noise: f64) -> Option<Vec<Stretch>> {
+    /// The stretches of the zeros here, when one of the parameters proves to tell it.
+    pub(crate) fn graphs(&self, noise: f64) -> Option<Vec<Stretch>> {
         // Differences carry the noise of two coefficients, and must not pass for none where all are small.
         let largest = self.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let slack = (0.01 * noise).min(1e-9 * largest);
@@ -104,7 +96,7 @@ impl Cell {
             let middle = 0.5 * (w[0] + w[1]);
             let [low, high] = [sides[0].at(middle), sides[1].at(middle)];
             let through = low * high < 0.0;
-            // A side that lies in the plane is looked at with the knot lines.
+            // Sides that are zero themselves are looked at by whoever asks.
             let flat = |s: &Polynomial| s.size() <= noise;
             if !through || flat(&sides[0]) || flat(&sides[1]) {
                 continue;
@@ -117,8 +109,8 @@ impl Cell {
         Some(out)
     }
 
-    /// Two parts, split across the parameter along which the distance bends more; `None` at the end of all splitting.
-    pub(super) fn split(&self) -> Option<(Self, Self)> {
+    /// Two parts, split across the parameter along which the function bends more; `None` at the end of all splitting.
+    pub(crate) fn split(&self) -> Option<(Self, Self)> {
         if self.depth >= DEEPEST {
             return None;
         }
@@ -159,12 +151,12 @@ impl Cell {
 
 impl Stretch {
     /// The index of the patch it lies on.
-    pub(super) fn patch(&self) -> usize {
+    pub(crate) fn patch(&self) -> usize {
         self.cell.patch
     }
 
     /// The place on the surface at a share `x` of the range.
-    fn place(&self, x: f64) -> [f64; 2] {
+    pub(crate) fn place(&self, x: f64) -> [f64; 2] {
         let across = 1 - self.over;
         let along = self.range[0] + (self.range[1] - self.range[0]) * x;
         let rows: Vec<f64> = (0..self.cell.counts[across])
@@ -188,18 +180,34 @@ impl Stretch {
             a + (b - a) * local[d]
         })
     }
+}
 
-    /// The point of the section at a share `x` of the stretch, and its direction either way.
-    pub(super) fn sample(&self, patch: &NurbsSurface, plane: &Plane, x: f64) -> Sample {
-        let [u, v] = self.place(x);
-        let jet = patch.derivatives(u, v, 1, Quadrant::NorthEast);
-        let (su, sv) = (jet.get(1, 0), jet.get(0, 1));
-        let normal = su.cross(sv);
-        let direction = normal.cross(plane.z_axis);
-        let told = direction.length() > 1e-6 * normal.length() && normal.length() > 0.0;
-        let point: Point3 = jet.point();
-        Sample { point, direction: if told { direction.unitized() } else { None } }
+/// The stretches of the zeros within cells, and whether all parts were looked at.
+pub(crate) fn stretches(cells: impl IntoIterator<Item = Cell>, noise: f64) -> (Vec<Stretch>, bool) {
+    let mut found = Vec::new();
+    let mut complete = true;
+    for whole in cells {
+        let mut budget = MOST;
+        let mut stack = vec![whole];
+        while let Some(cell) = stack.pop() {
+            if cell.is_clear(noise) {
+                continue;
+            }
+            if let Some(mut graphs) = cell.graphs(noise) {
+                found.append(&mut graphs);
+                continue;
+            }
+            if budget == 0 {
+                complete = false;
+                break;
+            }
+            budget -= 1;
+            if let Some((a, b)) = cell.split() {
+                stack.extend([b, a]);
+            }
+        }
     }
+    (found, complete)
 }
 
 /// The root of a polynomial with values of opposite sign at 0 and 1: false position with halving where that stalls
