@@ -133,9 +133,8 @@ fn the_tangents_of_a_helix_are_found_again() {
 
 #[test]
 fn lines_in_a_plane_give_one_flat_face() {
-    let line = |y: f64, x: f64| -> Curve {
-        Line::new(Point3::new(0.0, y, 0.0), Point3::new(x, y, 0.0)).try_into().unwrap()
-    };
+    let line =
+        |y: f64, x: f64| -> Curve { Line::new(Point3::new(0.0, y, 0.0), Point3::new(x, y, 0.0)).into() };
     let made = between(&line(0.0, 4.0), &line(1.0, 2.0));
     assert_eq!((made.brep.faces().len(), made.twist), (1, 0.0));
     assert!((area(&made.brep) - 3.0).abs() < 1e-12);
@@ -143,8 +142,8 @@ fn lines_in_a_plane_give_one_flat_face() {
 
 #[test]
 fn skewed_lines_are_told_to_twist() {
-    let a: Curve = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).try_into().unwrap();
-    let b: Curve = Line::new(Point3::new(0.0, 0.0, 1.0), Point3::new(1.0, 1.0, 1.0)).try_into().unwrap();
+    let a: Curve = Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).into();
+    let b: Curve = Line::new(Point3::new(0.0, 0.0, 1.0), Point3::new(1.0, 1.0, 1.0)).into();
     let made = between(&a, &b);
     assert!(made.twist > 0.1 || made.brep.faces().len() == 2, "{made:?}");
 }
