@@ -7,7 +7,7 @@ use std::sync::Arc;
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Projection, Value, cast};
 use katydid_geometry::drawing::{self, DrawingOptions, Drawn, View, Visibility};
-use katydid_geometry::{Curve, Plane, Point3, Rectangle, Vector3};
+use katydid_geometry::{Brep, Curve, Plane, Point3, Rectangle, Vector3};
 
 /// Groups in groups beyond this depth are left out.
 const DEEPEST: usize = 100;
@@ -102,6 +102,14 @@ fn add(
     depth: usize,
 ) -> Result<(), Message> {
     let to = |kind| cast::value(value, kind, context.rules());
+    let solid = |objects: &mut Vec<Drawn>, brep: Result<Arc<Brep>, String>| -> Result<(), Message> {
+        objects.push(Drawn::Brep(brep.map_err(Message::warning)?));
+        Ok(())
+    };
+    // What has faces of its own; a surface is such a thing.
+    if let Some(brep) = value.brep() {
+        return solid(objects, brep);
+    }
     match value {
         Value::Group(group) if depth < DEEPEST => {
             for member in group.members.iter().flatten() {
@@ -110,18 +118,9 @@ fn add(
         }
         Value::Point(_) => *points += 1,
         Value::Mesh(mesh) => objects.push(Drawn::Mesh(mesh.clone())),
-        Value::Kept(_) if value.brep().is_some() => {
-            if let Some(brep) = value.brep() {
-                objects.push(Drawn::Brep(brep.map_err(Message::warning)?));
-            }
-        }
-        Value::Surface(_) | Value::Brep(_) | Value::Box(_) | Value::TwistedBox(_) => match to(Kind::Brep) {
-            Some(Value::Brep(brep)) => objects.push(Drawn::Brep(brep)),
-            _ => return Err(Message::warning(format!("A {} has no faces to draw", value.kind().name()))),
-        },
-        _ => match (to(Kind::Curve), to(Kind::Brep), to(Kind::Mesh)) {
+        _ => match (to(Kind::Curve), to(Kind::Brep).as_ref().and_then(Value::brep), to(Kind::Mesh)) {
             (Some(Value::Curve(curve)), _, _) => objects.push(Drawn::Curve((*curve).clone())),
-            (_, Some(Value::Brep(brep)), _) => objects.push(Drawn::Brep(brep)),
+            (_, Some(brep), _) => return solid(objects, brep),
             (_, _, Some(Value::Mesh(mesh))) => objects.push(Drawn::Mesh(mesh)),
             _ => {
                 return Err(Message::error(format!(
