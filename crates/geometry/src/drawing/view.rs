@@ -54,7 +54,7 @@ impl View {
     }
 
     /// The picture of a point: its place, and its depth, which grows towards the viewer. A point level with the camera or
-    /// behind it has no picture that means anything; see [`View::clipping`].
+    /// behind it has no picture that means anything.
     pub fn picture(&self, p: Point3) -> (Point3, f64) {
         let [x, y, z] = self.plane.coordinates(p);
         match self.eye {
