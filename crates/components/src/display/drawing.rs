@@ -247,9 +247,9 @@ mod tests {
     fn a_box_from_above() {
         let trial =
             || Trial::of("Make2D").list([cube()]).list(Vec::<Plane>::new()).item(Projection::default());
-        assert_eq!(trial().texts(1), ["{0}: 0, 0, 0, 0"]);
-        assert_eq!(trial().texts(2), ["{0}: Projecting, Projecting, Projecting, Projecting"]);
-        assert_eq!(trial().texts(4), ["{0}:"]);
+        assert_eq!(trial().texts(1), ["{0;0}: 0, 0, 0, 0"]);
+        assert_eq!(trial().texts(2), ["{0;0}: Projecting, Projecting, Projecting, Projecting"]);
+        assert_eq!(trial().texts(4), ["{0;0}:"]);
     }
 
     #[test]
@@ -292,8 +292,8 @@ mod tests {
                 .list(Vec::<Plane>::new())
                 .item(Projection { plane: Plane::XY, camera: None })
         };
-        assert_eq!(trial().texts(1), ["{0}: 0, 2"]);
-        assert_eq!(trial().texts(2), ["{0}: MiscellaneousFeature, MiscellaneousFeature"]);
+        assert_eq!(trial().texts(1), ["{0;0}: 0, 2"]);
+        assert_eq!(trial().texts(2), ["{0;0}: MiscellaneousFeature, MiscellaneousFeature"]);
         assert_eq!(trial().message(), "Points are not drawn");
     }
 }

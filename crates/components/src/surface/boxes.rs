@@ -80,7 +80,7 @@ fn bounding_box_along_world_axes(
 /// The smallest box along the world's axes that holds a piece of geometry.
 #[component(
     "9d375779-649d-49f1-baaf-04560a51cd3d",
-    name = "Bounding Box",
+    name = "Bounding Box [OBSOLETE]",
     nick = "BBox",
     at = "Surface/Primitive",
     old

@@ -57,7 +57,7 @@ fn breps() {
     near(&ask("brep/getarea-brep", json!([unrollable[0]])), 3.0);
     let fixed = ask(
         "brep/createdevelopableloft-nurbscurve_nurbscurve_point2darray",
-        json!([[[0, 0, 0], [4, 0, 0]], [[0, 1, 0], [2, 1, 0]], [{ "X": 1.0, "Y": 1.5 }]]),
+        json!([[[0, 0, 0], [4, 0, 0]], [[0, 1, 0], [2, 1, 0]], [{ "X": 0.25, "Y": 0.75 }]]),
     );
     near(&ask("brep/getarea-brep", json!([fixed[0]])), 3.0);
     let four = ask(
