@@ -54,7 +54,7 @@ def written(folder):
     command = (
         [command]
         if command
-        else ["cargo", "run", "--release", "-q", "-p", "katydid-step", "--example", "write_solids", "--"]
+        else ["cargo", "run", "--release", "-q", "-p", "katydid-step", "--example", "step_solids", "--"]
     )
     done = subprocess.run([*command, folder, str(SEEDS)], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     return [line.split("\t") for line in done.stdout.splitlines()]

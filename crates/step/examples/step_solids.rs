@@ -1,4 +1,4 @@
-//! Writes breps of every constructor on seeded inputs, each as a STEP file of its own: `write_solids FOLDER [COUNT
+//! Writes breps of every constructor on seeded inputs, each as a STEP file of its own: `step_solids FOLDER [COUNT
 //! [CONSTRUCTOR…]]`
 //!
 //! For another kernel to judge (`python-tests/step/test_solids.py`): a line a brep, with tabs between the file's name,
@@ -20,7 +20,7 @@ const FRACTION: f64 = 1e-11;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: write_solids FOLDER [COUNT [CONSTRUCTOR…]]")?);
+    let folder = PathBuf::from(arguments.next().ok_or("usage: step_solids FOLDER [COUNT [CONSTRUCTOR…]]")?);
     let count: u64 = arguments.next().map_or(Ok(100), |n| n.parse())?;
     let only: Vec<String> = arguments.collect();
     for (name, make) in solid_cases::cases() {
