@@ -2,6 +2,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
+use katydid_geometry::Patience;
+
 use crate::Message;
 
 /// How much one solve may use. The defaults stop a definition that has run away, not one that is large.
@@ -66,6 +68,12 @@ impl Budget {
             return Err(Message::error(format!("The time limit of {seconds} seconds is over")));
         }
         Ok(())
+    }
+
+    /// The same for what the kernel does on this thread.
+    pub fn patience(&self) -> Patience {
+        let (cancel, deadline) = (self.cancel.clone(), self.deadline);
+        Patience::new(move || !cancel.is_cancelled() && !deadline.is_over())
     }
 
     /// Takes `n` items, before they are made.

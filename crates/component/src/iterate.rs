@@ -40,7 +40,8 @@ pub fn run<S: Sinks>(
     let pieces: Vec<Mutex<Option<Piece<S>>>> = cuts.iter().map(|_| Mutex::new(None)).collect();
     for_each_piece(cuts.len(), &|k| {
         if let (Some(range), Some(slot)) = (cuts.get(k), pieces.get(k)) {
-            let piece = piece::<S>(call, &matching, range.clone(), &function);
+            let patience = call.budget.patience();
+            let piece = patience.during(|| piece::<S>(call, &matching, range.clone(), &function));
             *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(piece);
         }
     });
@@ -105,6 +106,11 @@ fn piece<S: Sinks>(
             let results = match function(&row, &context) {
                 Ok(results) => results,
                 Err(message) => {
+                    // What was given up has no fault of its own.
+                    if let Err(message) = call.budget.check() {
+                        stopped = Some(message);
+                        break 'sets;
+                    }
                     context.tell(message);
                     None
                 }
@@ -122,9 +128,8 @@ fn piece<S: Sinks>(
         at = iterations.end.max(at);
         set += 1;
     }
-    if stopped.is_none() {
-        stopped = call.budget.items(untaken).err();
-    }
+    // What was given up on the way is no result.
+    let stopped = stopped.or_else(|| call.budget.items(untaken).and_then(|()| call.budget.check()).err());
     Piece { sinks, notes: context.into_notes(), stopped }
 }
 

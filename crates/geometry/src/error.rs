@@ -34,6 +34,9 @@ pub enum Error {
         /// The reason.
         why: String,
     },
+    /// Nobody waits for the answer any more: `go_on` said no, or [`Patience`](crate::Patience) is over.
+    #[error("the work was stopped")]
+    Stopped,
     /// A case the kernel does not handle yet, by name.
     #[error("not supported: {0}")]
     Unsupported(&'static str),

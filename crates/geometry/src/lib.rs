@@ -62,6 +62,8 @@ mod meshing;
 mod moments;
 pub mod morph;
 mod nurbs;
+mod parallel;
+mod patience;
 mod plane;
 mod point;
 mod point2;
@@ -120,6 +122,7 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
+pub use patience::Patience;
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
 pub use point2::Point2;

@@ -2,9 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use katydid_geometry::region::Region;
 use katydid_geometry::{
-    Arc, Circle, Continuity, Curve, Interval, KnotSpacing, Line, Mesh, MeshFace, NurbsCurve, Plane, Point3,
-    PolyCurve, PolylineCurve, Tolerance, Vector3, Xform, intersect, join_curves,
+    Arc, Brep, Circle, Continuity, Curve, Interval, KnotSpacing, Line, Mesh, MeshFace, NurbsCurve,
+    NurbsSurface, OffsetCorner, Patience, Plane, Point3, PolyCurve, PolylineCurve, Tolerance, Vector3, Xform,
+    construct, intersect, join_curves,
 };
 use proptest::prelude::*;
 
@@ -127,5 +131,75 @@ proptest! {
         let _ = (m.welded(angle), m.unwelded(angle), m.flipped(), m.vertex_normals(), m.face_centers());
         let found = m.closest_point(Point3::new(q.0, q.1, q.2));
         prop_assert!(found.is_ok());
+    }
+}
+
+#[test]
+fn nets_that_multiply_are_refused_before_there_is_room_for_them() {
+    let long = |count: usize, speed: f64| -> NurbsCurve {
+        let points: Vec<Point3> =
+            (0..count).map(|i| Point3::new(i as f64 * speed, (i as f64).sin(), speed)).collect();
+        NurbsCurve::clamped_uniform(3, &points).unwrap()
+    };
+    let refused =
+        |what: katydid_geometry::Result<NurbsSurface>| what.unwrap_err().to_string().contains("at most");
+    assert!(refused(NurbsSurface::sum(&long(100_000, 1.0), &long(100_000, 0.5), Vector3::ZERO)));
+    // No two share a knot: over those of all there would be a hundred times as many points.
+    let sections: Vec<Curve> = (0..200).map(|i| long(1000 + i, 1.0 + 0.1 * i as f64).into()).collect();
+    let options = construct::LoftOptions::default();
+    let why = construct::loft(&sections, &options, &Tolerance::default()).unwrap_err();
+    assert!(why.to_string().contains("at most 10,000,000"), "{why}");
+    // The sides of a patch: its net is their product.
+    let along = |a: Point3, b: Point3, count: usize| -> Curve {
+        let points: Vec<Point3> = (0..count).map(|i| a + (b - a) * (i as f64 / (count - 1) as f64)).collect();
+        NurbsCurve::clamped_uniform(3, &points).unwrap().into()
+    };
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point3::new(x, y, x * y));
+    let sides: Vec<Curve> = (0..4).map(|i| along(corners[i], corners[(i + 1) % 4], 20_000)).collect();
+    assert!(construct::edge_surface(&sides, &Tolerance::default()).is_err());
+}
+
+/// A curve that turns at random, which everything takes long over.
+fn tangle(count: u32, seed: f64) -> NurbsCurve {
+    let place = |t: f64, a: f64, b: f64| ((t * a + seed).sin() * b).fract() * 100.0;
+    let points: Vec<Point3> = (0..count)
+        .map(|i| {
+            let t = f64::from(i);
+            Point3::new(place(t, 12.9898, 43_758.545_3), place(t, 78.233, 12_345.678), 0.0)
+        })
+        .collect();
+    NurbsCurve::clamped_uniform(3, &points).unwrap()
+}
+
+#[test]
+fn what_takes_long_ends_when_nobody_waits() {
+    let tolerance = Tolerance::default();
+    let [a, b]: [Curve; 2] = [tangle(200, 0.0).into(), tangle(200, 1.0).into()];
+    let closed: Curve = NurbsCurve::periodic_uniform(3, &tangle(60, 0.5).control_points()).unwrap().into();
+    let ring: Curve = Circle::new(Plane::YZ, 0.01).unwrap().into();
+    let sections: Vec<Curve> = (0..200).map(|i| tangle(20 + i, 0.1).into()).collect();
+    let works: [(&str, &dyn Fn() -> katydid_geometry::Result<()>); 8] = [
+        ("offset", &|| a.offset(&Plane::XY, 0.5, OffsetCorner::Round, &tolerance).map(drop)),
+        ("region", &|| Region::union_of(&[closed.clone()], &Plane::XY, 1e-3).map(drop)),
+        ("planar faces", &|| Brep::planar_faces(&[closed.clone()], &tolerance).map(drop)),
+        ("loft", &|| construct::loft(&sections, &construct::LoftOptions::default(), &tolerance).map(drop)),
+        ("sweep", &|| {
+            construct::sweep_one(&a, &[ring.clone()], &construct::SweepOptions::default(), &tolerance)
+                .map(drop)
+        }),
+        ("rebuild", &|| a.rebuilt(3, 1000, false).map(drop)),
+        ("nearest points", &|| a.closest_points(&tangle(2000, 2.0).control_points()).map(drop)),
+        ("curves", &|| (0..200).try_for_each(|_| intersect::curve_curve(&a, &b, 1e-3).map(drop))),
+    ];
+    for (name, work) in works {
+        let asked = std::sync::Arc::new(AtomicUsize::new(0));
+        let own = asked.clone();
+        let patience = Patience::new(move || own.fetch_add(1, Ordering::Relaxed) < 3);
+        let made = patience.during(work);
+        let asked = asked.load(Ordering::Relaxed);
+        assert!(asked > 3, "{name} asked {asked} times");
+        assert_eq!(made, Err(katydid_geometry::Error::Stopped), "{name}");
+        // And what was given up is given up soon.
+        assert!(asked < 100, "{name} asked {asked} times");
     }
 }

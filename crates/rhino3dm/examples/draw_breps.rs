@@ -8,10 +8,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use katydid_3dm::{Limits, Model, Object};
 use katydid_geometry::brep::Brep;
 use katydid_geometry::drawing::{DrawingOptions, Drawn, View, Visibility, drawing};
 use katydid_geometry::{Plane, Point3, Tolerance, Vector3};
+
+use breps_of::breps_of;
+
+mod breps_of;
 
 #[derive(Default, Debug)]
 struct Sums {
@@ -30,24 +33,8 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let slow: f64 = arguments[0].parse().unwrap();
     let mut sums = Sums::default();
-    for path in &arguments[1..] {
-        let bytes = std::fs::read(path).unwrap();
-        let Ok(model) = Model::read(&bytes, &Limits::default()) else {
-            println!("{path}: not read");
-            continue;
-        };
-        let name = path.rsplit('/').next().unwrap_or(path);
-        for (place, object) in model.objects.iter().enumerate() {
-            match &object.geometry {
-                Object::Brep(b) => judge(&format!("{name} {place}"), &b.brep, slow, &mut sums),
-                Object::Extrusion(e) => {
-                    if let Some(b) = e.to_brep() {
-                        judge(&format!("{name} {place} extrusion"), &b.brep, slow, &mut sums);
-                    }
-                }
-                _ => {}
-            }
-        }
+    for (name, brep) in breps_of(&arguments[1..]) {
+        judge(&name, &brep, slow, &mut sums);
     }
     println!("{sums:?}");
 }

@@ -8,9 +8,12 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use katydid_3dm::{Limits, Model, Object};
 use katydid_geometry::brep::BrepSections;
 use katydid_geometry::{Brep, MeshSettings, Plane, Tolerance, Vector3};
+
+use breps_of::breps_of;
+
+mod breps_of;
 
 #[derive(Default, Debug)]
 struct Sums {
@@ -29,24 +32,9 @@ struct Sums {
 
 fn main() {
     let mut sums = Sums::default();
-    for path in std::env::args().skip(1) {
-        let bytes = std::fs::read(&path).unwrap();
-        let Ok(model) = Model::read(&bytes, &Limits::default()) else {
-            println!("{path}: not read");
-            continue;
-        };
-        let name = path.rsplit('/').next().unwrap_or(&path);
-        for (place, object) in model.objects.iter().enumerate() {
-            match &object.geometry {
-                Object::Brep(b) => judge(&format!("{name} {place}"), &b.brep, &mut sums),
-                Object::Extrusion(e) => {
-                    if let Some(b) = e.to_brep() {
-                        judge(&format!("{name} {place} extrusion"), &b.brep, &mut sums);
-                    }
-                }
-                _ => {}
-            }
-        }
+    let paths: Vec<String> = std::env::args().skip(1).collect();
+    for (name, brep) in breps_of(&paths) {
+        judge(&name, &brep, &mut sums);
     }
     println!("{sums:?}");
 }

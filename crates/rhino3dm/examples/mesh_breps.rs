@@ -7,9 +7,12 @@
 
 use std::time::Instant;
 
-use katydid_3dm::{Limits, Model, Object};
 use katydid_geometry::brep::Brep;
 use katydid_geometry::{BrepMesh, Direction, MeshSettings, Point3, Quadrant, Surface};
+
+use breps_of::breps_of;
+
+mod breps_of;
 
 #[derive(Default, Debug)]
 struct Sums {
@@ -27,28 +30,11 @@ struct Sums {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let fraction: f64 = arguments[0].parse().unwrap();
-    let only: Option<usize> = std::env::var("ONLY").ok().map(|s| s.parse().unwrap());
+    let only = std::env::var("ONLY").ok();
     let mut sums = Sums::default();
-    for path in &arguments[1..] {
-        let bytes = std::fs::read(path).unwrap();
-        let Ok(model) = Model::read(&bytes, &Limits::default()) else {
-            println!("{path}: not read");
-            continue;
-        };
-        let name = path.rsplit('/').next().unwrap_or(path);
-        for (place, object) in model.objects.iter().enumerate() {
-            if only.is_some_and(|k| k != place) {
-                continue;
-            }
-            match &object.geometry {
-                Object::Brep(b) => judge(&format!("{name} {place}"), &b.brep, fraction, &mut sums),
-                Object::Extrusion(e) => {
-                    if let Some(b) = e.to_brep() {
-                        judge(&format!("{name} {place} extrusion"), &b.brep, fraction, &mut sums);
-                    }
-                }
-                _ => {}
-            }
+    for (name, brep) in breps_of(&arguments[1..]) {
+        if only.as_ref().is_none_or(|place| name.split(' ').nth(1) == Some(place)) {
+            judge(&name, &brep, fraction, &mut sums);
         }
     }
     println!("{sums:?}");

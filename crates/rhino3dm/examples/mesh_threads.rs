@@ -8,9 +8,11 @@
 #[path = "../../geometry/tests/solid_cases/mod.rs"]
 mod solid_cases;
 
+mod breps_of;
+
 use std::time::Instant;
 
-use katydid_3dm::{Limits, Model, Object};
+use breps_of::breps_of;
 use katydid_geometry::{Brep, MeshSettings};
 use rayon::ThreadPool;
 use rayon::prelude::*;
@@ -26,7 +28,7 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let fraction: f64 = arguments[0].parse().unwrap();
     let count: usize = arguments[1].parse().unwrap();
-    let mut breps: Vec<Brep> = arguments[2..].iter().flat_map(|path| stored(path)).collect();
+    let mut breps: Vec<Brep> = breps_of(&arguments[2..]).map(|(_, brep)| brep).collect();
     let from_files = breps.len().min(count);
     breps.truncate(count);
     made(&mut breps, count);
@@ -50,20 +52,6 @@ fn main() {
     let [one, two] = seconds.map(median);
     let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
     println!("one thread {one:.3} s, two {two:.3} s: {:.2} times as fast; load {}", one / two, load.trim());
-}
-
-/// The breps of an archive, extrusions among them.
-fn stored(path: &str) -> Vec<Brep> {
-    let Ok(model) = Model::read(&std::fs::read(path).unwrap(), &Limits::default()) else {
-        println!("{path}: not read");
-        return Vec::new();
-    };
-    let brep = |object: &Object| match object {
-        Object::Brep(b) => Some(b.brep.clone()),
-        Object::Extrusion(e) => e.to_brep().map(|b| b.brep.clone()),
-        _ => None,
-    };
-    model.objects.iter().filter_map(|object| brep(&object.geometry)).collect()
 }
 
 /// Fills up with breps of every constructor in turn.

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use katydid_component::Cancel;
-use katydid_geometry::Tolerance;
+use katydid_geometry::{Patience, Tolerance};
 use serde_json::Value as Json;
 
 use super::call::Call;
@@ -39,6 +39,12 @@ impl Waiting {
     /// Whether to go on.
     pub(super) fn go_on(&self) -> bool {
         self.check().is_ok()
+    }
+
+    /// The same for what the kernel does on this thread.
+    pub(super) fn patience(&self) -> Patience {
+        let waiting = self.clone();
+        Patience::new(move || waiting.go_on())
     }
 
     /// Stops here when nobody waits any more: between the parts of work that may be long.

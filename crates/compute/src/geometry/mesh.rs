@@ -12,7 +12,7 @@ use serde_json::{Value as Json, json};
 use super::answer::Outcome;
 use super::argument::{Count, OnMesh, Positive, Turn, Waiting, Within};
 use super::curve::contour_planes;
-use super::smoothing::Axes;
+use super::smoothing::Pull;
 use super::table::Endpoints;
 use crate::Fault;
 use crate::wire::Wire;
@@ -92,40 +92,15 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.add("mesh/offset-mesh_double_bool", |m: Mesh, d: f64, solid: bool| {
         Ok(if solid { m.thickened(d)? } else { m.offset(d)? })
     });
-    table.add(
+    for path in [
         "mesh/smooth-mesh_double_bool_bool_bool_bool_smoothingcoordinatesystem",
-        |m: Mesh, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32, w: Waiting| {
-            smoothed(&m, None, strength, &Axes::new([x, y, z], system, None)?, fixed, &w)
-        },
-    );
-    table.add(
         "mesh/smooth-mesh_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
-        |m: Mesh,
-         strength: f64,
-         x: bool,
-         y: bool,
-         z: bool,
-         fixed: bool,
-         system: i32,
-         plane: Option<Plane>,
-         w: Waiting| {
-            smoothed(&m, None, strength, &Axes::new([x, y, z], system, plane)?, fixed, &w)
-        },
-    );
+    ] {
+        table.add(path, |m: Mesh, pull: Pull, w: Waiting| smoothed(&m, None, &pull, &w));
+    }
     table.add(
         "mesh/smooth-mesh_intarray_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
-        |m: Mesh,
-         vertices: Vec<i32>,
-         strength: f64,
-         x: bool,
-         y: bool,
-         z: bool,
-         fixed: bool,
-         system: i32,
-         plane: Option<Plane>,
-         w: Waiting| {
-            smoothed(&m, Some(&vertices), strength, &Axes::new([x, y, z], system, plane)?, fixed, &w)
-        },
+        |m: Mesh, vertices: Vec<i32>, pull: Pull, w: Waiting| smoothed(&m, Some(&vertices), &pull, &w),
     );
     for path in ["mesh/reduce-mesh_reducemeshparameters", "mesh/reduce-mesh_reducemeshparameters_bool"] {
         table.add(path, |m: Mesh, wanted: Reduction, w: Waiting| reduced(&m, wanted.0, &w));
@@ -267,15 +242,8 @@ fn naked_edges(mesh: &Mesh) -> Outcome<Option<Vec<Vec<Point3>>>> {
 
 /// The mesh with its vertices, or those listed, drawn towards their neighbours along some axes. What lies in one place
 /// stays together.
-fn smoothed(
-    mesh: &Mesh,
-    listed: Option<&[i32]>,
-    strength: f64,
-    axes: &Axes,
-    fixed: bool,
-    waiting: &Waiting,
-) -> Outcome<(bool, Mesh)> {
-    let options = Smoothing { strength, skip_naked: fixed, iterations: 1, limit: None };
+fn smoothed(mesh: &Mesh, listed: Option<&[i32]>, pull: &Pull, waiting: &Waiting) -> Outcome<(bool, Mesh)> {
+    let options = Smoothing { strength: pull.strength, skip_naked: pull.fixed, iterations: 1, limit: None };
     let smooth = mesh.smoothed(&options, || waiting.go_on())?;
     let merged = mesh.merged_indices();
     let mut moves = vec![listed.is_none(); mesh.vertices().len()];
@@ -286,7 +254,7 @@ fn smoothed(
     }
     let places = mesh.vertices().iter().zip(smooth.vertices()).zip(&merged).map(|((from, to), place)| {
         let moving = moves.get(*place as usize).copied().unwrap_or(false);
-        if moving { *from + axes.part(*to - *from) } else { *from }
+        if moving { *from + pull.axes.part(*to - *from) } else { *from }
     });
     let (faces, colours) = (mesh.faces().to_vec(), mesh.colours().to_vec());
     Ok((true, Mesh::from_parts(places.collect(), faces, Vec::new(), colours)?.with_normals()))

@@ -3,53 +3,50 @@
 use katydid_geometry::{Curve, Direction, NurbsCurve, NurbsSurface, Plane, Point3, Surface, Vector3};
 
 use super::answer::Outcome;
+use super::argument::Argument;
+use super::call::Call;
 use super::table::Endpoints;
 use crate::Fault;
 
 pub(super) fn enter(table: &mut Endpoints) {
-    table.add(
+    for path in [
         "curve/smooth-curve_double_bool_bool_bool_bool_smoothingcoordinatesystem",
-        |c: Curve, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32| {
-            smoothed(&c, strength, &Axes::new([x, y, z], system, None)?, fixed)
-        },
-    );
-    table.add(
         "curve/smooth-curve_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
-        |c: Curve,
-         strength: f64,
-         x: bool,
-         y: bool,
-         z: bool,
-         fixed: bool,
-         system: i32,
-         plane: Option<Plane>| {
-            smoothed(&c, strength, &Axes::new([x, y, z], system, plane)?, fixed)
-        },
-    );
-    table.add(
+    ] {
+        table.add(path, |c: Curve, pull: Pull| smoothed(&c, &pull));
+    }
+    for path in [
         "surface/smooth-surface_double_bool_bool_bool_bool_smoothingcoordinatesystem",
-        |s: Surface, strength: f64, x: bool, y: bool, z: bool, fixed: bool, system: i32| {
-            smoothed_surface(&s, strength, &Axes::new([x, y, z], system, None)?, fixed)
-        },
-    );
-    table.add(
         "surface/smooth-surface_double_bool_bool_bool_bool_smoothingcoordinatesystem_plane",
-        |s: Surface,
-         strength: f64,
-         x: bool,
-         y: bool,
-         z: bool,
-         fixed: bool,
-         system: i32,
-         plane: Option<Plane>| {
-            smoothed_surface(&s, strength, &Axes::new([x, y, z], system, plane)?, fixed)
-        },
-    );
+    ] {
+        table.add(path, |s: Surface, pull: Pull| smoothed_surface(&s, &pull));
+    }
+}
+
+/// How points are drawn: what all of these functions take after their object.
+pub(super) struct Pull {
+    /// The share of the way.
+    pub(super) strength: f64,
+    pub(super) axes: Axes,
+    /// Whether ends, sides and naked edges stay.
+    pub(super) fixed: bool,
+}
+
+impl Argument for Pull {
+    fn take(call: &mut Call<'_>) -> Result<Self, Fault> {
+        let strength = call.next()?;
+        let allowed = [call.next()?, call.next()?, call.next()?];
+        let fixed = call.next()?;
+        let system = call.next()?;
+        // Functions without a plane send none, which reads as missing.
+        let plane = call.next()?;
+        Ok(Self { strength, axes: Axes::new(allowed, system, plane)?, fixed })
+    }
 }
 
 /// The surface with each control point moved, by a share of the way, towards the middle of the four beside it; at its
 /// open sides, unless they are fixed, of the two or three. Weights stay.
-fn smoothed_surface(surface: &Surface, strength: f64, axes: &Axes, fixed: bool) -> Outcome<Surface> {
+fn smoothed_surface(surface: &Surface, pull: &Pull) -> Outcome<Surface> {
     let nurbs = surface.to_nurbs()?;
     let counts = nurbs.counts();
     let places = nurbs.control_points();
@@ -76,7 +73,7 @@ fn smoothed_surface(surface: &Surface, strength: f64, axes: &Axes, fixed: bool) 
         for j in 0..counts[1] {
             let (here, open) = (at(i, j), [0, 1].map(|k| different[k] == counts[k]));
             let is_side = |k: usize, i: usize| open[k] && (i == 0 || i + 1 == counts[k]);
-            if fixed && (is_side(0, i) || is_side(1, j)) {
+            if pull.fixed && (is_side(0, i) || is_side(1, j)) {
                 moved.push(here.to_point());
                 continue;
             }
@@ -89,7 +86,7 @@ fn smoothed_surface(surface: &Surface, strength: f64, axes: &Axes, fixed: bool) 
             ];
             let beside: Vec<Vector3> = beside.into_iter().flatten().collect();
             let middle = beside.iter().copied().sum::<Vector3>() / beside.len() as f64;
-            moved.push((here + axes.part((middle - here) * strength)).to_point());
+            moved.push((here + pull.part(middle - here)).to_point());
         }
     }
     let knots = Direction::BOTH.map(|along| nurbs.knots(along).to_vec());
@@ -99,6 +96,13 @@ fn smoothed_surface(surface: &Surface, strength: f64, axes: &Axes, fixed: bool) 
         NurbsSurface::new(nurbs.degrees(), counts, moved, knots)?
     }
     .into())
+}
+
+impl Pull {
+    /// The move of a point for the way to the middle of its neighbours.
+    fn part(&self, way: Vector3) -> Vector3 {
+        self.axes.part(way * self.strength)
+    }
 }
 
 /// `SmoothingCoordinateSystem.CPlane`: the plane that is given with it.
@@ -111,7 +115,7 @@ pub(super) struct Axes(Vec<Vector3>);
 
 impl Axes {
     /// Those of the world, or of the plane when the system says so.
-    pub(super) fn new(allowed: [bool; 3], system: i32, plane: Option<Plane>) -> Outcome<Self> {
+    fn new(allowed: [bool; 3], system: i32, plane: Option<Plane>) -> Outcome<Self> {
         let frame = match (system, plane) {
             _ if allowed == [true; 3] => Plane::XY,
             (OF_OBJECT, _) => {
@@ -134,7 +138,7 @@ impl Axes {
 
 /// The curve with each control point moved, by a share of the way, towards the middle of the two beside it; at open ends
 /// towards the one beside it, unless the ends are fixed. Weights stay.
-fn smoothed(curve: &Curve, strength: f64, axes: &Axes, fixed: bool) -> Outcome<Curve> {
+fn smoothed(curve: &Curve, pull: &Pull) -> Outcome<Curve> {
     let nurbs = curve.to_nurbs()?;
     let (places, weights) = (nurbs.control_points(), nurbs.weights());
     // Points that stand for one another: the last ones of a periodic curve for its first, the ends of a closed one.
@@ -150,7 +154,7 @@ fn smoothed(curve: &Curve, strength: f64, axes: &Axes, fixed: bool) -> Outcome<C
     let new = |i: usize| {
         let here = at(i);
         let is_end = !nurbs.is_periodic() && (i == 0 || i + 1 == places.len());
-        if is_end && fixed {
+        if is_end && pull.fixed {
             return here;
         }
         let middle = if closes {
@@ -162,7 +166,7 @@ fn smoothed(curve: &Curve, strength: f64, axes: &Axes, fixed: bool) -> Outcome<C
         } else {
             (at(i - 1) + at(i + 1)) * 0.5
         };
-        here + axes.part((middle - here) * strength)
+        here + pull.part(middle - here)
     };
     let moved: Vec<Point3> = (0..places.len()).map(|i| new(i).to_point()).collect();
     Ok(if nurbs.is_rational() {

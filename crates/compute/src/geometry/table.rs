@@ -202,8 +202,9 @@ fn arguments(body: &[u8]) -> Result<Vec<Json>, Fault> {
 fn run(row: &Row, arguments: &[Json], waiting: &Waiting) -> Result<Json, (Fault, bool)> {
     let Some(entry) = &row.entry else { return Err((Fault::not_supported(row.path), true)) };
     let mut call = Call::new(arguments, &row.names, waiting);
-    // What was given up on the way is no result.
-    let outcome = entry(&mut call).and_then(|json| waiting.check().map(|()| json));
+    let outcome = waiting.patience().during(|| entry(&mut call));
+    // What was given up on the way is no result, and no fault of the arguments.
+    let outcome = waiting.check().and(outcome);
     outcome.map_err(|fault| {
         let fault = match fault.cause {
             Cause::NotSupported(what) if what != row.path => {

@@ -1,7 +1,7 @@
 //! Breps cut along curves on them, and by planes.
 
 use super::Brep;
-use crate::{ClosestOnSurface, Curve, Direction, Error, Interval, Plane, Point3, Result, Surface, Tolerance};
+use crate::{ClosestOnSurface, Curve, Direction, Error, Interval, Plane, Point3, Result, Tolerance};
 
 /// Places of a smooth stretch of a curve at which it is asked whether it lies on a surface.
 const PLACES: usize = 48;
@@ -82,15 +82,15 @@ impl Brep {
         let (mut pieces, mut cuts) = (Vec::new(), Vec::new());
         for (face, _) in self.faces().iter().enumerate().filter(|(_, own)| !own.deleted) {
             if !go_on() {
-                return Err(Error::degenerate("cut", "it was given up"));
+                return Err(Error::Stopped);
             }
             let surface =
                 self.face_surface(face).ok_or(Error::degenerate("brep", "a face has no surface"))?;
-            let on = curves
-                .iter()
-                .map(|curve| stretches_on(surface, curve, limit))
-                .collect::<Result<Vec<_>>>()?
-                .concat();
+            let search = ClosestOnSurface::new(surface)?;
+            let mut on = Vec::new();
+            for curve in curves {
+                on.extend(stretches_on(&search, curve, limit)?);
+            }
             if on.is_empty() {
                 pieces.push(self.sub_brep(&[face])?);
                 continue;
@@ -151,8 +151,7 @@ impl Brep {
 }
 
 /// The stretches of a curve that lie within a distance of a surface.
-fn stretches_on(surface: &Surface, curve: &Curve, limit: f64) -> Result<Vec<Curve>> {
-    let search = ClosestOnSurface::new(surface)?;
+fn stretches_on(search: &ClosestOnSurface, curve: &Curve, limit: f64) -> Result<Vec<Curve>> {
     let is_on = |t: f64| -> Result<bool> { Ok(search.nearest(curve.point_at(t))?.distance <= limit) };
     let mut all: Vec<Interval> = Vec::new();
     for stretch in curve.smooth_stretches() {

@@ -100,7 +100,8 @@ pub fn proximity(points: &[Point3], count: usize, distances: [f64; 2]) -> Result
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        Ok(points.par_iter().enumerate().with_min_len(256).map(near).collect())
+        let all = points.par_iter().enumerate().with_min_len(256).map(near);
+        Ok(crate::parallel::waiting(|| all.collect()))
     }
     #[cfg(not(feature = "parallel"))]
     Ok(points.iter().enumerate().map(near).collect())

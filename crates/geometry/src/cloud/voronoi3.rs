@@ -25,11 +25,8 @@ pub fn voronoi_cells_3d(sites: &[Point3], bounds: &BoundingBox) -> Result<Vec<Op
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        Ok((0..sites.len())
-            .into_par_iter()
-            .with_min_len(64)
-            .map_init(Room::default, |s, i| start(i, s))
-            .collect())
+        let all = (0..sites.len()).into_par_iter().with_min_len(64);
+        Ok(crate::parallel::waiting(|| all.map_init(Room::default, |s, i| start(i, s)).collect()))
     }
     #[cfg(not(feature = "parallel"))]
     {

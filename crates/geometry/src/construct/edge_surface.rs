@@ -167,17 +167,16 @@ pub(super) fn summed(surfaces: &[NurbsSurface], factors: &[f64]) -> Result<Nurbs
     NurbsSurface::new(first.degrees(), first.counts(), plain, knots)
 }
 
-/// The knots that other lists have more often than the k-th.
+/// The knots that other lists, all sorted, have more often than the k-th.
 fn missing_knots(all: &[Vec<f64>], k: usize) -> Vec<f64> {
-    let own = &all[k];
-    let times = |list: &[f64], t: f64| list.iter().filter(|x| **x == t).count();
+    let times = |list: &[f64], t: f64| list.partition_point(|x| *x <= t) - list.partition_point(|x| *x < t);
     let mut values: Vec<f64> = all.iter().flatten().copied().collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     let mut out = Vec::new();
     for t in values {
         let most = all.iter().map(|list| times(list, t)).max().unwrap_or(0);
-        out.extend(std::iter::repeat_n(t, most - times(own, t)));
+        out.extend(std::iter::repeat_n(t, most - times(&all[k], t)));
     }
     out
 }

@@ -32,14 +32,15 @@ impl Curve {
         }
         let samples = 8 * count.max(16);
         let shares: Vec<f64> = (0..=samples).map(|i| i as f64 / samples as f64).collect();
-        let points: Vec<_> = shares
-            .iter()
-            .map(|x| match *x {
+        let mut points = Vec::with_capacity(shares.len());
+        for x in &shares {
+            crate::patience::check()?;
+            points.push(match *x {
                 0.0 => self.start(),
                 1.0 => self.end(),
                 x => self.point_at(measure.parameter_at(x * total)),
-            })
-            .collect();
+            });
+        }
         let parameters: Vec<f64> = shares.iter().map(|&x| domain.at(x)).collect();
         let curve = if closed {
             let open = points.len() - 1;

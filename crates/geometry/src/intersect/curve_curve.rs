@@ -9,7 +9,7 @@ use super::result::CurveIntersections;
 use super::search::Search;
 use super::side::{Side, is_closed};
 use crate::curve::Piece;
-use crate::{Curve, Error, Result};
+use crate::{Curve, Error, Result, patience};
 
 /// All points and stretches that two curves have in common within `tolerance`, in the plane or in space.
 ///
@@ -33,6 +33,7 @@ use crate::{Curve, Error, Result};
 /// The tolerance is negative or not finite.
 pub fn curve_curve(a: &Curve, b: &Curve, tolerance: f64) -> Result<CurveIntersections> {
     check(tolerance)?;
+    patience::check()?;
     let (pa, pb) = (a.pieces(), b.pieces());
     if order(&pa, &pb) == Ordering::Greater {
         return Ok(meet(b, a, pb, pa, tolerance).swapped());
@@ -88,6 +89,7 @@ fn purse(pieces: usize, contacts: usize) -> u64 {
 /// The tolerance is negative or not finite.
 pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
     check(tolerance)?;
+    patience::check()?;
     let (pieces, turns) = unfolded(curve.pieces(), tolerance);
     let closed = is_closed(&pieces, tolerance);
     let mut search = Search::own(pieces, closed, tolerance);

@@ -10,7 +10,7 @@ use super::search::NOISE;
 use super::tree::{Node, Tree};
 use crate::curve::Piece;
 use crate::nurbs::project;
-use crate::{Curve, Direction, Interval, NurbsSurface, Point3, Result, Vector3};
+use crate::{Curve, Direction, Interval, NurbsSurface, Point3, Result, Vector3, patience};
 
 /// A point that a curve and a surface have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +68,7 @@ pub struct SurfaceIntersections {
 /// The tolerance is negative or not finite.
 pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> Result<SurfaceIntersections> {
     check(tolerance)?;
+    patience::check()?;
     let tree = Tree::new(curve.pieces());
     let patches = PatchTree::new(surface)?;
     let scale = tree.scale.max(patches.scale);
@@ -127,7 +128,7 @@ impl Search<'_> {
         self.stack.push((self.tree.root, self.patches.root));
         while let Some((ic, ip)) = self.stack.pop() {
             self.visits += 1;
-            if self.visits > self.limit {
+            if self.visits > self.limit || (self.visits.is_multiple_of(256) && patience::check().is_err()) {
                 self.complete = false;
                 return;
             }

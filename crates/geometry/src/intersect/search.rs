@@ -3,8 +3,8 @@
 use super::CurveIntersections;
 use super::judge::{Verdict, judge, runs_along, side_by_side};
 use super::tree::{Node, Tree};
-use crate::Vector3;
 use crate::curve::{Piece, Shape};
+use crate::{Vector3, patience};
 
 /// A place, or a stretch, where two curves were found within the tolerance of each other.
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +90,8 @@ impl<'a> Search<'a> {
         while let Some((ia, ib)) = self.stack.pop() {
             self.visits += 1;
             self.work += 1;
-            if self.work > budget || self.contacts.len() > MOST_CONTACTS {
+            let given_up = self.visits.is_multiple_of(1024) && patience::check().is_err();
+            if given_up || self.work > budget || self.contacts.len() > MOST_CONTACTS {
                 self.complete = false;
                 self.stack.clear();
                 return;

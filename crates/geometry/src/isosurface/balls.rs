@@ -127,7 +127,7 @@ impl SoftBalls {
         let (mut active, mut coming): (Vec<SoftBall>, usize) = (Vec::new(), 0);
         how.mesh(&grid, |k, layer| {
             if !go_on() {
-                return Err(Error::Invalid { what: "surface of balls", why: "the work was stopped".into() });
+                return Err(Error::Stopped);
             }
             let z = grid.point([0.0, 0.0, k as f64]).z;
             active.retain(|b| b.center.z + b.radius > z);

@@ -101,7 +101,7 @@ impl Mesh {
         let mut on_edges: BTreeMap<[usize; 2], BTreeSet<usize>> = BTreeMap::new();
         for (t, (_, corners)) in triangles.iter().enumerate() {
             if t % 1024 == 0 && !go_on() {
-                return Err(Error::degenerate("cut", "it was given up"));
+                return Err(Error::Stopped);
             }
             let at = corners.map(|i| places.points[i]);
             let bounds = bounds_of(at.map(Into::into));
@@ -143,7 +143,7 @@ impl Mesh {
         let mut t = 0;
         while let Some(&(f, _)) = triangles.get(t) {
             if t % 1024 < 2 && !go_on() {
-                return Err(Error::degenerate("cut", "it was given up"));
+                return Err(Error::Stopped);
             }
             // The triangles of one face; a quad that is none has fewer than two.
             let count = triangles[t..].iter().take_while(|(own, _)| *own == f).count();

@@ -55,7 +55,7 @@ impl Mesh {
         let mut split = 0;
         for _ in 0..ROUNDS {
             if !go_on() {
-                return Err(Error::degenerate("healing", "it was given up"));
+                return Err(Error::Stopped);
             }
             let found = split_once(&places, &mut faces, &at, distance);
             split += found;

@@ -10,6 +10,7 @@ use super::settings::{Limits, MeshSettings};
 use super::side::{Along, along};
 use super::track::{Source, Track};
 use crate::brep::{Brep, Face, Trim, TrimKind};
+use crate::parallel::each;
 use crate::{Direction, Error, Point2, Point3, Quadrant, Result, Surface, Vector3};
 
 /// How often edges are made finer because they cross others.
@@ -58,7 +59,7 @@ impl Brep {
     /// [`Brep::mesh`], given up when `stop` says so: it is asked before every face and edge.
     ///
     /// # Errors
-    /// As [`Brep::mesh`]; [`Error::Degenerate`] when it was stopped.
+    /// As [`Brep::mesh`]; [`Error::Stopped`].
     pub fn mesh_unless(&self, settings: &MeshSettings, stop: &(dyn Fn() -> bool + Sync)) -> Result<BrepMesh> {
         settings.check()?;
         let size = self.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
@@ -76,19 +77,9 @@ struct Job<'a> {
     stop: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// Runs over a list, on the pool when there is one; in order.
-fn each<T: Sync, R: Send>(list: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
-    #[cfg(feature = "parallel")]
-    if list.len() > 1 {
-        use rayon::prelude::*;
-        return list.par_iter().map(work).collect();
-    }
-    list.iter().map(work).collect()
-}
-
 impl<'a> Job<'a> {
     fn check(&self) -> Result<()> {
-        if (self.stop)() { Err(Error::degenerate("mesh", "it was stopped")) } else { Ok(()) }
+        if (self.stop)() { Err(Error::Stopped) } else { Ok(()) }
     }
 
     fn run(&self) -> Result<BrepMesh> {

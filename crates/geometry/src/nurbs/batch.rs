@@ -179,7 +179,8 @@ pub(crate) fn in_chunks<T: Send>(parameters: &[f64], out: &mut [T], work: impl F
     #[cfg(feature = "parallel")]
     if parameters.len() >= 4 * CHUNK {
         use rayon::prelude::*;
-        parameters.par_chunks(CHUNK).zip(out.par_chunks_mut(CHUNK)).for_each(|(t, out)| work(t, out));
+        let pairs = parameters.par_chunks(CHUNK).zip(out.par_chunks_mut(CHUNK));
+        crate::parallel::waiting(|| pairs.for_each(|(t, out)| work(t, out)));
         return;
     }
     parameters.chunks(CHUNK).zip(out.chunks_mut(CHUNK)).for_each(|(t, out)| work(t, out));

@@ -3,6 +3,9 @@
 use super::NurbsCurve;
 use crate::{Error, Interval, Result};
 
+/// The most control points of all curves together: curves that share no knots get those of one another.
+const MOST: usize = 10_000_000;
+
 /// The same curves with one degree, one domain and one knot vector, all rational when one of them is.
 ///
 /// The degree is the highest, the domain the longest (the first of several), and the knots are all that any of them
@@ -11,7 +14,8 @@ use crate::{Error, Interval, Result};
 /// prepares two curves for a ruled surface.
 ///
 /// # Errors
-/// There is no curve, or knots that fall together would be repeated more often than the degree.
+/// There is no curve, knots that fall together would be repeated more often than the degree, or the curves share so few
+/// knots that they would have more than ten million control points.
 pub fn compatible_curves(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>> {
     let first = curves.first().ok_or(Error::degenerate("curves", "there are none"))?;
     let degree = curves.iter().map(NurbsCurve::degree).max().unwrap_or(1);
@@ -45,6 +49,11 @@ fn common_knots(curves: &mut [NurbsCurve], degree: usize, domain: Interval) -> R
         if places.last().is_none_or(|&last| t - last > tolerance) {
             places.push(t);
         }
+    }
+    let points = places.len().saturating_add(degree + 1).saturating_mul(curves.len());
+    if points > MOST {
+        let what = "count of control points over common knots";
+        return Err(Error::OutOfRange { what, value: points as f64, must: "at most 10,000,000" });
     }
     let mut multiplicities = vec![0; places.len()];
     for curve in curves.iter_mut() {

@@ -53,6 +53,8 @@ impl NurbsCurve {
     }
 
     pub(crate) fn from_controls(degree: usize, controls: Controls, knots: Vec<f64>) -> Result<Self> {
+        // Whatever takes long makes curves or surfaces all the time.
+        crate::patience::check()?;
         let finite = match &controls {
             Controls::Plain(p) => p.iter().flatten().all(|x| x.is_finite()),
             Controls::Rational(p) => p.iter().flatten().all(|x| x.is_finite()),

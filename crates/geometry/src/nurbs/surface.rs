@@ -2,6 +2,19 @@ use super::curve::{Controls, project};
 use super::knots::check_knots;
 use crate::{Error, Interval, Point3, Result};
 
+/// The most control points of a surface that is made of curves or of another surface: their counts multiply.
+const MOST_POINTS: usize = 10_000_000;
+
+/// Refuses a net that is too large, before there is room for it.
+pub(super) fn check_net(counts: [usize; 2]) -> Result<()> {
+    let points = counts[0].saturating_mul(counts[1]);
+    if points <= MOST_POINTS {
+        return Ok(());
+    }
+    let what = "count of control points of a surface";
+    Err(Error::OutOfRange { what, value: points as f64, must: "at most 10,000,000" })
+}
+
 /// One of the two directions of a surface's parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -142,6 +155,7 @@ impl NurbsSurface {
         controls: Controls,
         knots: [Vec<f64>; 2],
     ) -> Result<Self> {
+        crate::patience::check()?;
         let (given, finite) = match &controls {
             Controls::Plain(p) => (p.len(), p.iter().flatten().all(|x| x.is_finite())),
             Controls::Rational(p) => (p.len(), p.iter().flatten().all(|x| x.is_finite())),

@@ -2,6 +2,7 @@
 
 use super::compatible::compatible_curves;
 use super::curve::Controls;
+use super::surface::check_net;
 use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
 use super::{NurbsCurve, NurbsSurface};
 use crate::{Error, Interval, Point3, Result};
@@ -151,10 +152,11 @@ impl NurbsSurface {
     /// first.
     ///
     /// # Errors
-    /// A number overflows.
+    /// A number overflows, or the surface would have more than ten million control points.
     pub fn sum(first: &NurbsCurve, second: &NurbsCurve, shift: crate::Vector3) -> Result<Self> {
         let (degrees, counts) =
             ([first.degree(), second.degree()], [first.point_count(), second.point_count()]);
+        check_net(counts)?;
         let knots = [first.knots.clone(), second.knots.clone()];
         if let (Controls::Plain(p), Controls::Plain(q)) = (&first.controls, &second.controls) {
             let net = p.iter().flat_map(|a| {

@@ -20,7 +20,9 @@ fn each_row<T: Send>(out: &mut [T], width: usize, work: impl Fn(usize, &mut [T],
     if out.len() >= PARALLEL {
         use rayon::prelude::*;
         let rows = out.par_chunks_mut(width).enumerate();
-        rows.for_each_init(Scratch::default, |scratch, (i, row)| work(i, row, scratch));
+        crate::parallel::waiting(|| {
+            rows.for_each_init(Scratch::default, |scratch, (i, row)| work(i, row, scratch));
+        });
         return;
     }
     let mut scratch = Scratch::default();

@@ -5,7 +5,7 @@ use super::curve::Controls;
 use super::evaluate::de_boor;
 use super::knots::{MAX_DEGREE, span_index};
 use super::refine::{make_knots_periodic, map_controls};
-use super::surface::Direction;
+use super::surface::{Direction, check_net};
 use super::{NurbsCurve, NurbsSurface};
 use crate::{Error, Interval, Result};
 
@@ -45,6 +45,9 @@ fn lines<const N: usize>(
 impl NurbsSurface {
     /// The same surface over other knots in one direction, of the same degree or one higher.
     fn over(&self, direction: Direction, degree: usize, new_knots: Vec<f64>) -> Result<Self> {
+        let mut counts = self.counts;
+        counts[direction.index()] = (new_knots.len() + 1).saturating_sub(degree);
+        check_net(counts)?;
         let (old, knots) = (self.degree(direction), self.knots(direction));
         let controls = if degree == old {
             map_controls(

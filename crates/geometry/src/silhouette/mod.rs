@@ -167,16 +167,10 @@ pub(crate) fn each<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(&T) -> Result<R> + Sync + Send,
 ) -> Result<Vec<R>> {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        items.par_iter().map(work).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    items.iter().map(work).collect()
+    crate::parallel::each(items, work).into_iter().collect()
 }
 
 /// An error where the work is to stop.
 pub(crate) fn go_on_or_stop(go_on: &(dyn Fn() -> bool + Sync)) -> Result<()> {
-    if go_on() { Ok(()) } else { Err(Error::degenerate("drawing", "the work was stopped")) }
+    if go_on() { Ok(()) } else { Err(Error::Stopped) }
 }

@@ -89,7 +89,9 @@ impl ClosestOnSurface {
         #[cfg(feature = "parallel")]
         if points.len() >= 64 {
             use rayon::prelude::*;
-            return points.par_iter().with_min_len(8).map(|&q| self.nearest(q)).collect();
+            let own = crate::Patience::now();
+            let all = points.par_iter().with_min_len(8).map(|&q| own.during(|| self.nearest(q)));
+            return crate::parallel::waiting(|| all.collect());
         }
         points.iter().map(|&q| self.nearest(q)).collect()
     }
@@ -98,6 +100,7 @@ impl ClosestOnSurface {
         if !q.is_finite() {
             return Err(Error::NotFinite("point to project on the surface"));
         }
+        crate::patience::check()?;
         let place: [f64; 3] = q.into();
         let mut best = Best { squared: limit, uv: None };
         let (mut plain, mut rational) = (Work::<1>::default(), Work::<2>::default());

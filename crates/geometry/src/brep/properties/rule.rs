@@ -29,7 +29,7 @@ impl<'a> Work<'a> {
 
     /// Whether the caller wants to wait any longer.
     pub(super) fn check(&self) -> Result<()> {
-        if (self.go_on)() { Ok(()) } else { Err(stopped("the work was stopped")) }
+        if (self.go_on)() { Ok(()) } else { Err(Error::Stopped) }
     }
 }
 
