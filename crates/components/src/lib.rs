@@ -15,6 +15,7 @@ mod intersect;
 mod maths;
 mod mesh;
 mod params;
+mod prepared;
 mod rhino;
 mod sets;
 mod surface;

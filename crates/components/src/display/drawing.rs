@@ -1,7 +1,5 @@
 //! Display / Dimensions: drawings with hidden lines.
 
-#![allow(clippy::type_complexity, reason = "the result types of components are written out: they are ports")]
-
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message, component};

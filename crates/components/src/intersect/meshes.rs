@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, Message, component};
 use katydid_geometry::{Curve, LineCurve, Mesh, PolylineCurve, intersect};
 
-use crate::mesh::tree_of;
+use crate::prepared;
 
 /// The curves along which two meshes cross.
 ///
@@ -26,7 +26,7 @@ fn mesh_mesh(
     #[port("Mesh B", "B")]
     b: Shared<Mesh>,
 ) -> Result<Vec<Shared<Curve>>, Message> {
-    let (first, second) = (tree_of(context, &a)?, tree_of(context, &b)?);
+    let (first, second) = (prepared::mesh(context, &a)?, prepared::mesh(context, &b)?);
     if context.settings().bool("UseMeshMeshFast") == Some(true) {
         let segments = intersect::mesh_mesh_segments(&first.tree, &second.tree);
         context.items(segments.len())?;

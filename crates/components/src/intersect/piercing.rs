@@ -6,7 +6,7 @@ use katydid_component::{Context, Message, component};
 use katydid_geometry::brep::BrepCrossing;
 use katydid_geometry::{Brep, Curve, Line, Mesh, MeshTree, Point3, PolylineLimits, Vector3};
 
-use crate::surface::prepared::prepared;
+use crate::prepared;
 
 /// The stretches and points that a curve and a Brep have in common.
 type Meeting = (Vec<Shared<Curve>>, Vec<Point3>);
@@ -21,7 +21,7 @@ struct Piercing {
 impl Piercing {
     /// Where a curve meets a Brep; only there where it does so first, if that is wanted.
     fn new(context: &Context<'_>, curve: &Curve, brep: &Shared<Brep>, first: bool) -> Result<Self, Message> {
-        let search = prepared(context, brep)?;
+        let search = prepared::brep(context, brep)?;
         let mut found = search.curve_crossings(curve, context.tolerance().absolute)?;
         if !found.complete {
             context.warn("Curve and Brep lie so close together that some meetings may be missing");

@@ -6,7 +6,8 @@ use katydid_component::{Context, Message, component};
 use katydid_data::Colour;
 use katydid_geometry::{Circle, Containment, Curve, Line, Mesh, MeshFace, Point3, PolylineCurve, Vector3};
 
-use super::{integer, tree_of};
+use super::integer;
+use crate::prepared;
 
 /// The parts of a mesh.
 #[component(
@@ -243,7 +244,7 @@ fn mesh_inclusion(
     #[port("Strict", "S", default = false)]
     strict: bool,
 ) -> Result<bool, Message> {
-    let prepared = tree_of(context, &mesh)?;
+    let prepared = prepared::mesh(context, &mesh)?;
     if !prepared.is_closed() {
         context.warn("The mesh is not closed: it has no inside");
     }

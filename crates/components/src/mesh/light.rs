@@ -7,12 +7,11 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Tree, TreeBuilder};
 use katydid_geometry::{Curve, Interval, Mesh, Plane, Point3, PolylineCurve, Vector3};
 
-use super::tree_of;
-use super::trees::Prepared;
+use crate::prepared::{self, PreparedMesh};
 
 /// The trees over all meshes of a list.
-fn trees(context: &Context<'_>, meshes: &List<'_, Shared<Mesh>>) -> Result<Vec<Rc<Prepared>>, Message> {
-    meshes.present().map(|mesh| tree_of(context, &mesh)).collect()
+fn trees(context: &Context<'_>, meshes: &List<'_, Shared<Mesh>>) -> Result<Vec<Rc<PreparedMesh>>, Message> {
+    meshes.present().map(|mesh| prepared::mesh(context, &mesh)).collect()
 }
 
 /// Rays that only just leave a place do not meet what it lies on: this part of the size of the mesh.
@@ -47,7 +46,7 @@ fn exposure(
     lambert: bool,
 ) -> Result<(Vec<f64>, Option<Interval>), Message> {
     let mut trees = trees(context, &obstructions)?;
-    trees.push(tree_of(context, &shape)?);
+    trees.push(prepared::mesh(context, &shape)?);
     let energy: Vec<f64> = energy.present().collect();
     let strength = |k: usize| energy.get(k).or(energy.last()).copied().unwrap_or(1.0);
     let rays: Vec<(Vector3, f64)> =

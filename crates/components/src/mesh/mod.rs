@@ -8,11 +8,8 @@ mod primitive;
 mod settings;
 mod smooth;
 mod spray;
-mod trees;
 mod triangulation;
 mod util;
-
-pub(crate) use trees::tree_of;
 
 use std::sync::Arc as Shared;
 

@@ -5,8 +5,8 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, Message, component};
 use katydid_geometry::{Brep, Containment, Direction, Plane, Point3, Surface, Vector3};
 
-use super::prepared::prepared;
 use super::{uv, warning};
+use crate::prepared;
 
 /// The point, the unit normal and the tangent plane at a pair of parameters.
 type Place = (Point3, Option<Vector3>, Option<Plane>);
@@ -90,14 +90,15 @@ fn evaluate_surface_without_directions(
 #[output("UV Point", "uvP", "Its parameters, u as x and v as y.")]
 #[output("Distance", "D", "How far away it is.")]
 fn surface_closest_point(
+    context: &Context<'_>,
     /// The point.
     #[port("Point", "P")]
     point: Point3,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    surface: Shared<Surface>,
 ) -> Result<(Point3, Point3, f64), Message> {
-    let near = surface.closest_point(point)?;
+    let near = prepared::surface(context, &surface)?.nearest(point)?;
     Ok((near.point, Point3::new(near.u, near.v, 0.0), near.distance))
 }
 
@@ -200,7 +201,7 @@ fn point_in_trim(
         return Ok(false);
     }
     let near = 1e-9 * domains[0].length().min(domains[1].length());
-    Ok(prepared(context, &surface)?.covers(0, u, v, near).map_err(warning)? != Containment::Outside)
+    Ok(prepared::brep(context, &surface)?.covers(0, u, v, near).map_err(warning)? != Containment::Outside)
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
 use katydid_geometry::{Brep, Containment, Point3, PolylineLimits, Vector3};
 
-use super::prepared::prepared;
 use super::warning;
+use crate::prepared;
 
 /// The point of a Brep that is nearest to a point, on a face or an edge.
 #[component(
@@ -28,7 +28,7 @@ fn brep_closest_point(
     #[port("Brep", "B")]
     brep: Shared<Brep>,
 ) -> Result<(Point3, Option<Vector3>, f64), Message> {
-    let near = prepared(context, &brep)?.nearest(point).map_err(warning)?;
+    let near = prepared::brep(context, &brep)?.nearest(point).map_err(warning)?;
     Ok((near.point, near.normal, near.distance))
 }
 
@@ -51,13 +51,13 @@ fn brep_closest_point_only(
     #[port("Brep", "B")]
     brep: Shared<Brep>,
 ) -> Result<(Point3, f64), Message> {
-    let near = prepared(context, &brep)?.nearest(point).map_err(warning)?;
+    let near = prepared::brep(context, &brep)?.nearest(point).map_err(warning)?;
     Ok((near.point, near.distance))
 }
 
 /// Where a point lies in a Brep; an open one has no inside.
 fn place(context: &Context<'_>, brep: &Shared<Brep>, point: Point3) -> Result<Containment, Message> {
-    prepared(context, brep)?.contains(point, context.tolerance().absolute).map_err(warning)
+    prepared::brep(context, brep)?.contains(point, context.tolerance().absolute).map_err(warning)
 }
 
 fn counts(found: Containment, strict: bool) -> bool {

@@ -18,7 +18,6 @@ mod multipipe;
 mod offset;
 mod parts;
 mod pipe;
-pub(crate) mod prepared;
 mod primitive;
 pub(crate) mod sphere;
 mod subd;

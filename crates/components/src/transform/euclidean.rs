@@ -244,7 +244,7 @@ fn move_away_from(
 ) -> Result<(Option<Geometry>, Option<Value>), Message> {
     let nothing = || Message::error("There is nothing to measure the direction from");
     let middle = around(&geometry.0, &Plane::XY).ok_or_else(nothing)?.center();
-    let from = hit::closest(&emitter.0, middle)?.ok_or_else(nothing)?;
+    let from = hit::closest(context, &emitter.0, middle)?.ok_or_else(nothing)?;
     let motion = (middle - from).with_length(distance).unwrap_or_else(|| {
         context.warn("The geometry lies on the emitter: no way leads away");
         Vector3::ZERO

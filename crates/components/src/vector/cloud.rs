@@ -100,14 +100,18 @@ fn pull_point(
     if context.settings().bool("ClosestOnly") == Some(false) {
         return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
     }
-    nearest(point, &geometry)
+    nearest(context, point, &geometry)
 }
 
 /// The nearest point of several pieces of geometry and its distance.
-fn nearest(point: Point3, geometry: &List<'_, Geometry>) -> Result<(Option<Point3>, Option<f64>), Message> {
+fn nearest(
+    context: &Context<'_>,
+    point: Point3,
+    geometry: &List<'_, Geometry>,
+) -> Result<(Option<Point3>, Option<f64>), Message> {
     let mut best: Option<(f64, Point3)> = None;
     for piece in geometry.present() {
-        if let Some(q) = hit::closest(&piece.0, point)? {
+        if let Some(q) = hit::closest(context, &piece.0, point)? {
             let d = q.distance_to(point);
             if best.is_none_or(|(least, _)| d < least) {
                 best = Some((d, q));
@@ -128,6 +132,7 @@ fn nearest(point: Point3, geometry: &List<'_, Geometry>) -> Result<(Option<Point
 #[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
 #[output("Distance", "D", "The distance to it.")]
 fn early_pull_point(
+    context: &Context<'_>,
     /// The point to pull.
     #[port("Point", "P")]
     point: Point3,
@@ -141,7 +146,7 @@ fn early_pull_point(
     if !closest {
         return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
     }
-    nearest(point, &geometry)
+    nearest(context, point, &geometry)
 }
 
 /// Follows a direction from a point to the first geometry that it meets.

@@ -2,22 +2,24 @@
 
 use std::sync::Arc as Shared;
 
-use katydid_component::Message;
+use katydid_component::{Context, Message};
 use katydid_data::{Kind, Value, cast};
 use katydid_geometry::brep::ClosestOnBrep;
 use katydid_geometry::{Box3, Brep, Curve, Line, Mesh, Point3, Vector3};
+
+use crate::prepared;
 
 /// The point of `geometry` nearest to `p`. A box counts as its skin, a rectangle as its outline.
 ///
 /// # Errors
 /// Geometry of a type that nothing can be pulled to yet; `p` is not finite.
-pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Message> {
+pub(crate) fn closest(context: &Context<'_>, geometry: &Value, p: Point3) -> Result<Option<Point3>, Message> {
     Ok(match geometry {
         Value::Point(q) => Some(*q),
         Value::Plane(plane) => Some(plane.closest_point(p)),
         Value::Line(line) => Some(line.closest_point(p)),
         Value::Curve(curve) => Some(curve.closest_point(p)?.point),
-        Value::Surface(surface) => Some(surface.closest_point(p)?.point),
+        Value::Surface(surface) => Some(prepared::surface(context, surface)?.nearest(p)?.point),
         Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) => {
             match cast::value(geometry, Kind::Curve, &cast::Rules::default()) {
                 Some(Value::Curve(curve)) => Some(curve.closest_point(p)?.point),
@@ -25,15 +27,19 @@ pub(crate) fn closest(geometry: &Value, p: Point3) -> Result<Option<Point3>, Mes
             }
         }
         Value::Brep(_) | Value::Kept(_) if geometry.brep().is_some() => match geometry.brep() {
-            Some(brep) => Some(brep.map_err(Message::warning)?.closest_point(p)?.point),
+            Some(brep) => {
+                let brep = brep.map_err(Message::warning)?;
+                Some(prepared::brep(context, &brep)?.nearest(p)?.point)
+            }
             None => None,
         },
         Value::Box(b) => Some(nearest(skin(b).iter().map(|&t| on_triangle(t, p)), p).unwrap_or(p)),
-        Value::Mesh(mesh) => nearest(triangles(mesh).map(|t| on_triangle(t, p)), p),
+        Value::Mesh(mesh) if mesh.faces().is_empty() => None,
+        Value::Mesh(mesh) => Some(prepared::mesh(context, mesh)?.tree.nearest(p)?),
         Value::Group(group) => {
             let mut found = Vec::new();
             for member in group.members.iter().flatten() {
-                found.extend(closest(member, p)?);
+                found.extend(closest(context, member, p)?);
             }
             nearest(found.into_iter(), p)
         }

@@ -222,17 +222,9 @@ fn lies_along(curve: &Curve, others: &[Curve], limit: f64) -> Result<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BoundingBox, Box3, Circle, PolylineCurve, Sphere, Vector3, construct};
+    use crate::brep::testing::{area, cube};
+    use crate::{Circle, PolylineCurve, Sphere, Vector3, construct};
     use std::f64::consts::PI;
-
-    fn cube() -> Brep {
-        let bounds = BoundingBox { min: Point3::ORIGIN, max: Point3::new(1.0, 2.0, 3.0) };
-        construct::box_brep(&Box3::from(bounds)).unwrap()
-    }
-
-    fn area(brep: &Brep) -> f64 {
-        brep.area_properties(1e-9, || true).unwrap().amount
-    }
 
     fn areas(breps: &[Brep]) -> Vec<f64> {
         let mut areas: Vec<f64> = breps.iter().map(area).collect();

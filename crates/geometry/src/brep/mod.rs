@@ -36,6 +36,8 @@ mod region;
 mod section;
 mod solid;
 mod subset;
+#[cfg(test)]
+pub(crate) mod testing;
 mod tolerances;
 mod trim;
 mod trimmed;

@@ -115,16 +115,7 @@ impl Parts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BoundingBox, Box3, Point3, construct};
-
-    fn cube() -> Brep {
-        let bounds = BoundingBox { min: Point3::ORIGIN, max: Point3::new(1.0, 2.0, 3.0) };
-        construct::box_brep(&Box3::from(bounds)).unwrap()
-    }
-
-    fn area(brep: &Brep) -> f64 {
-        brep.area_properties(1e-9, || true).unwrap().amount
-    }
+    use crate::brep::testing::{area, cube};
 
     #[test]
     fn boxes_come_apart_and_together() {

@@ -1,5 +1,6 @@
 //! A curve again, with another structure.
 
+use super::closest::ClosestOnCurve;
 use super::{ArcLength, Curve};
 use crate::nurbs::{Approximation, LeastSquares};
 use crate::{Error, Interval, NurbsCurve, Result, Tolerance};
@@ -90,10 +91,11 @@ impl Curve {
     pub fn measured_deviation(&self, other: &Self) -> Result<f64> {
         let mut worst = 0.0_f64;
         for (a, b) in [(self, other), (other, self)] {
+            let search = ClosestOnCurve::new(b);
             for piece in a.pieces() {
                 for k in 0..=16 {
                     let p = piece.point(Interval::at(piece.own, f64::from(k) / 16.0));
-                    worst = worst.max(b.closest_point(p)?.distance);
+                    worst = worst.max(search.nearest(p)?.distance);
                 }
             }
         }

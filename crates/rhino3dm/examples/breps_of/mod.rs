@@ -6,7 +6,7 @@ use katydid_geometry::brep::Brep;
 /// Every Brep of archives, extrusions as such, with a name that says where it stands: `FILE PLACE`. An archive that
 /// cannot be read is named.
 #[allow(clippy::print_stdout, reason = "an example speaks")]
-pub fn breps_of(paths: &[String]) -> impl Iterator<Item = (String, Brep)> + '_ {
+pub(crate) fn breps_of(paths: &[String]) -> impl Iterator<Item = (String, Brep)> + '_ {
     paths.iter().flat_map(|path| {
         let read = std::fs::read(path).map_err(|e| e.to_string());
         let model = read.and_then(|bytes| Model::read(&bytes, &Limits::default()).map_err(|e| e.to_string()));

@@ -273,6 +273,7 @@ fn derivatives(
 mod tests {
     use std::f64::consts::PI;
 
+    use crate::brep::testing::area;
     use crate::{
         Brep, Cone, Curve, Cylinder, Interval, NurbsCurve, NurbsSurface, Plane, Point3, Sphere, SumSurface,
         Surface, Tolerance, Vector3, Xform,
@@ -280,10 +281,6 @@ mod tests {
 
     fn tolerance() -> Tolerance {
         Tolerance { absolute: 1e-4, ..Tolerance::default() }
-    }
-
-    fn area(brep: &Brep) -> f64 {
-        brep.area_properties(1e-9, || true).unwrap().amount
     }
 
     fn lengths(brep: &Brep) -> Vec<f64> {

@@ -6,8 +6,8 @@ use super::section::Sections;
 use super::skinning::Motion;
 use crate::nurbs::{Skinning, skinned};
 use crate::{
-    Brep, Curve, Direction, Error, Interval, Line, NurbsCurve, Result, RevolutionSurface, Surface, Tolerance,
-    Vector3,
+    ArcLength, Brep, Curve, Direction, Error, Interval, Line, NurbsCurve, Result, RevolutionSurface, Surface,
+    Tolerance, Vector3,
 };
 
 /// How sections stand while they are moved.
@@ -170,8 +170,8 @@ fn swept(
     closed: bool,
     limit: f64,
 ) -> Result<Surface> {
-    let place =
-        |t: f64| run.reach.start + run.curve.length_between(Interval::new(run.curve.domain().start, t));
+    let lengths = ArcLength::new(&run.curve);
+    let place = |t: f64| run.reach.start + lengths.length_at(t);
     let at = |ts: &[f64]| -> Result<Vec<NurbsCurve>> {
         let frames = run.frames(ts, upright)?;
         frames.iter().zip(ts).map(|(frame, t)| frame.placed(&sections.at(place(*t))?)).collect()

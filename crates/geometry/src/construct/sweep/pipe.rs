@@ -6,8 +6,8 @@ use super::section::Frame;
 use super::skinning::Motion;
 use crate::nurbs::{Skinning, skinned};
 use crate::{
-    Arc, ArcCurve, Brep, Circle, Curve, Direction, Error, Interval, Line, NurbsCurve, Plane, Result,
-    RevolutionSurface, Surface, Tolerance, Vector3,
+    Arc, ArcCurve, ArcLength, Brep, Circle, Curve, Direction, Error, Interval, Line, NurbsCurve, Plane,
+    Result, RevolutionSurface, Surface, Tolerance, Vector3,
 };
 
 /// How the ends of a pipe are closed.
@@ -102,7 +102,8 @@ struct Radius {
 impl Radius {
     fn new(rail: &Curve, given: &[(f64, f64)]) -> Result<Self> {
         let domain = rail.domain();
-        let place = |t: f64| rail.length_between(Interval::new(domain.start, domain.clamp(t)));
+        let lengths = ArcLength::new(rail);
+        let place = |t: f64| lengths.length_at(domain.clamp(t));
         let mut kept: Vec<(f64, f64)> = given.iter().map(|(t, r)| (place(*t), *r)).collect();
         kept.dedup_by(|b, a| b.0 <= a.0);
         let (places, values): (Vec<f64>, Vec<f64>) = kept.into_iter().unzip();
@@ -152,7 +153,8 @@ fn circle(radius: f64) -> Result<NurbsCurve> {
 fn tube(run: &Run, radius: &Radius, closed: bool, limit: f64) -> Result<Surface> {
     let domain = run.curve.domain();
     let unit = circle(1.0)?;
-    let place = |t: f64| run.reach.start + run.curve.length_between(Interval::new(domain.start, t));
+    let lengths = ArcLength::new(&run.curve);
+    let place = |t: f64| run.reach.start + lengths.length_at(t);
     let at = |ts: &[f64]| -> Result<Vec<NurbsCurve>> {
         let frames = run.frames(ts, Upright::Free)?;
         let scaled = |frame: &Frame, r: f64| Frame { axes: frame.axes.map(|a| a * r), ..*frame };

@@ -3,7 +3,7 @@
 use crate::nurbs::{Skinning, skinned};
 use crate::{Direction, Error, Interval, NurbsCurve, NurbsSurface, Result};
 
-/// The most places of a section along one run.
+/// The most places of a section along one run, of a rail that does not ask for more by itself.
 const MOST: usize = 600;
 /// The shortest step from place to place, as a part of the run.
 const SHORTEST: f64 = 1e-6;
@@ -27,6 +27,8 @@ impl Motion<'_> {
     /// u along the section, v the parameter.
     pub(super) fn surface(&self, tolerance: f64) -> Result<NurbsSurface> {
         let mut stations = self.first_stations();
+        // A rail of many spans begins with more of them.
+        let most = MOST.max(2 * stations.len());
         loop {
             let surface = self.through(&stations)?;
             let middles: Vec<f64> = stations.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
@@ -42,7 +44,7 @@ impl Motion<'_> {
             }
             let least = SHORTEST * self.domain.length();
             let tight = stations.windows(2).any(|w| w[1] - w[0] < least);
-            if tight || stations.len() + wrong.len() > MOST {
+            if tight || stations.len() + wrong.len() > most {
                 return Err(Error::degenerate(
                     "sweep",
                     "it bends too wildly to be followed within the tolerance",

@@ -1,0 +1,93 @@
+//! Geometry prepared for many questions, kept over a run: the same mesh, surface or Brep meets many points and rays.
+
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, Message};
+use katydid_geometry::brep::ClosestOnBrep;
+use katydid_geometry::{Brep, ClosestOnSurface, Mesh, MeshTree, Surface};
+
+/// Of each kind those asked for last.
+const KEPT: usize = 32;
+
+/// Things with what was made of them. They are held here, so that no other can come to lie in the same place.
+struct Shelf<S, P>(RefCell<Vec<(Shared<S>, Rc<P>)>>);
+
+impl<S, P> Default for Shelf<S, P> {
+    fn default() -> Self {
+        Self(RefCell::default())
+    }
+}
+
+impl<S, P> Shelf<S, P> {
+    /// What was made of a thing, made now when it is asked for the first time.
+    fn of(
+        &self,
+        context: &Context<'_>,
+        thing: &Shared<S>,
+        is_same: impl Fn(&S) -> bool,
+        make: impl FnOnce() -> Result<P, Message>,
+    ) -> Result<Rc<P>, Message> {
+        let same = |(kept, _): &&(Shared<S>, Rc<P>)| Shared::ptr_eq(kept, thing) || is_same(kept);
+        if let Some((_, made)) = self.0.borrow().iter().find(same) {
+            return Ok(made.clone());
+        }
+        context.check()?;
+        let made = Rc::new(make()?);
+        let mut kept = self.0.borrow_mut();
+        if kept.len() >= KEPT {
+            kept.remove(0);
+        }
+        kept.push((thing.clone(), made.clone()));
+        Ok(made)
+    }
+}
+
+/// All that a run has prepared.
+#[derive(Default)]
+struct Shelves {
+    meshes: Shelf<Mesh, PreparedMesh>,
+    surfaces: Shelf<Surface, ClosestOnSurface>,
+    breps: Shelf<Brep, ClosestOnBrep>,
+}
+
+fn shelves<'a>(context: &'a Context<'_>) -> Result<&'a Shelves, Message> {
+    context.prepared(|| Ok(Shelves::default()))
+}
+
+/// A mesh and its tree.
+pub(crate) struct PreparedMesh {
+    mesh: Shared<Mesh>,
+    /// The tree over its faces.
+    pub(crate) tree: MeshTree,
+    closed: OnceCell<bool>,
+}
+
+impl PreparedMesh {
+    /// Whether the mesh is closed.
+    pub(crate) fn is_closed(&self) -> bool {
+        *self.closed.get_or_init(|| self.mesh.is_closed())
+    }
+}
+
+/// The tree over a mesh.
+pub(crate) fn mesh(context: &Context<'_>, mesh: &Shared<Mesh>) -> Result<Rc<PreparedMesh>, Message> {
+    let make = || Ok(PreparedMesh { mesh: mesh.clone(), tree: MeshTree::new(mesh), closed: OnceCell::new() });
+    shelves(context)?.meshes.of(context, mesh, |_| false, make)
+}
+
+/// What finds nearest points of a surface.
+pub(crate) fn surface(
+    context: &Context<'_>,
+    surface: &Shared<Surface>,
+) -> Result<Rc<ClosestOnSurface>, Message> {
+    shelves(context)?.surfaces.of(context, surface, |_| false, || Ok(ClosestOnSurface::new(surface)?))
+}
+
+/// What finds nearest points of a Brep and points inside. Breps that came from one object may be told apart by their
+/// parts only.
+pub(crate) fn brep(context: &Context<'_>, brep: &Shared<Brep>) -> Result<Rc<ClosestOnBrep>, Message> {
+    let make = || Ok(ClosestOnBrep::new(brep.clone())?);
+    shelves(context)?.breps.of(context, brep, |kept| *kept == **brep, make)
+}
