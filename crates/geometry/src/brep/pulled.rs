@@ -8,6 +8,8 @@ use crate::{Curve, Direction, NurbsCurve, Point3, PolyCurve, Result, Surface, To
 const STEPS: usize = 4;
 /// Stretches above which one step each has to do.
 const MANY: usize = 64;
+/// The shortest step, as a part of the stretch.
+const SHORTEST: f64 = 1e-3;
 /// The most halvings of a step.
 const DEEPEST: u32 = 10;
 /// The most cubics.
@@ -55,11 +57,25 @@ pub(super) fn pulled(
     let mut joints = Vec::new();
     let mut width = 0.0_f64;
     for stretch in stretches {
-        for k in 1..=steps {
-            let last = nodes.last()?;
-            let t = if k == steps { stretch.end } else { stretch.at(k as f64 / steps as f64) };
-            let slope = walk.slope(last, false).unwrap_or(Vector3::ZERO) * (t - last.t);
-            uv = walk.beside(edge.point_at(t), [last.uv[0] + slope.x, last.uv[1] + slope.y])?;
+        let (whole, mut step) = (stretch.length(), stretch.length() / steps as f64);
+        while nodes.last()?.t < stretch.end {
+            if nodes.len() > MOST {
+                return None;
+            }
+            let last = *nodes.last()?;
+            let rest = stretch.end - last.t;
+            let t = if step < (1.0 - SAME) * rest { last.t + step } else { stretch.end };
+            let slope = walk.slope(&last, false).unwrap_or(Vector3::ZERO) * (t - last.t);
+            let guess = [last.uv[0] + slope.x, last.uv[1] + slope.y];
+            let Some(foot) = walk.beside(edge.point_at(t), guess) else {
+                // The way bends more than one step shows.
+                step *= 0.5;
+                if step < SHORTEST * whole {
+                    return None;
+                }
+                continue;
+            };
+            uv = foot;
             width = width.max(walk.refined(&mut nodes, Node { t, uv }, limit)?);
         }
         joints.push(nodes.len() - 1);
@@ -116,7 +132,7 @@ impl Brep {
         }
         let flat = self.trim_as_curve(place).ok()??;
         let flat = if trim.reversed { flat.reversed() } else { flat };
-        pulled(parts.trim_surface(trim)?, edge, &flat, gap, 0.01 * limit).map(|(curve, _)| curve)
+        pulled(parts.trim_surface(trim)?, edge, &flat, gap, 0.1 * limit).map(|(curve, _)| curve)
     }
 }
 
@@ -150,17 +166,17 @@ impl Walk<'_> {
             let (mut off, mut wide) = (0.0_f64, 0.0_f64);
             for x in [0.25, 0.5, 0.75] {
                 let (place, point) = (cubic.point_at(x), self.edge.point_at(a.t + h * x));
-                let uv = self.beside(point, [place.x, place.y])?;
                 let image = self.foot.image(place);
-                off = off.max(self.foot.image(at(uv)).distance_to(image));
+                let foot = self.beside(point, [place.x, place.y]);
+                off = off.max(foot.map_or(f64::INFINITY, |uv| self.foot.image(at(uv)).distance_to(image)));
                 wide = wide.max(image.distance_to(point));
             }
-            if off <= limit || depth >= DEEPEST {
+            if off <= limit || (depth >= DEEPEST && off.is_finite()) {
                 width = width.max(wide);
                 nodes.push(b);
                 continue;
             }
-            if nodes.len() + left.len() > MOST {
+            if nodes.len() + left.len() > MOST || depth >= DEEPEST {
                 return None;
             }
             let (t, place) = (a.t + 0.5 * h, cubic.point_at(0.5));

@@ -135,7 +135,7 @@ fn piece(brep: &Brep, surface: &Surface, place: usize, near: Nearness) -> Result
     let Some(edge) = brep.edge_as_curve(at).ok().flatten() else { return Ok(known) };
     let edge = if trim.reversed { edge.reversed() } else { edge };
     if gap > near.apart
-        && let Some((flat, width)) = pulled(surface, &edge, &known.flat, gap, 0.01 * near.apart)
+        && let Some((flat, width)) = pulled(surface, &edge, &known.flat, gap, 0.1 * near.apart)
     {
         let beside = (width > near.still).then_some((edge, Vec::new()));
         return Ok(Piece { flat, beside, ..known });
