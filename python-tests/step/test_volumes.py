@@ -1,8 +1,9 @@
 """The solids of real models and definitions, written as STEP: Open CASCADE finds them valid, and their volumes ours.
 
-A solid's volume is defined as far as its edges lie on its faces. Where the file leaves gaps between the two, each
-kernel closes them its own way, and the volumes may differ by what the gaps enclose, not by more. The volume with the
-gaps closed by strips from trims to edges is the third number: where it is the other kernel's, the trims are to blame.
+A solid's volume is defined as far as its edges lie on its faces. Where the file leaves gaps between the two, we close
+them by strips from faces to edges; the other kernel leaves them open, so that its volume depends on the point that it
+looks from. The faces themselves can be compared there: their shares as seen from the other kernel's point. Solids that
+agree only so are counted apart.
 """
 
 import os
@@ -13,15 +14,15 @@ import pytest
 from OCP.BRep import BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.TopAbs import TopAbs_FACE, TopAbs_REVERSED, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_FACE, TopAbs_REVERSED, TopAbs_SOLID, TopAbs_VERTEX
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
 
 from test_step import ROOT, opened, parts, volume
 
 SHARED = Path(os.environ.get("KATYDID_SHARED", ROOT.parent / "shared"))
-# So many solids there are in the real files.
-WANTED = 160
+# So many solids there are in the real files; of so many both volumes are one, and of so many the faces' shares.
+WANTED, WANTED_NEAR, WANTED_FACES = 160, 154, 163
 NEAR = 1e-6
 # On a surface of revolution whose profile has kinks the other kernel's integral is off by parts in a thousand, and
 # another at each tolerance that it is asked for: there its triangles tell the volume, to this part of it.
@@ -37,7 +38,19 @@ class Solid:
         self.path = folder / file
         self.refused = figures[0] if len(figures) < 3 else None
         if self.refused is None:
-            self.volume, self.gaps, self.closed = float(figures[0]), float(figures[1]), float(figures[3])
+            self.volume, self.gaps = float(figures[0]), float(figures[1])
+            self.faces = [tuple(map(float, face.split(","))) for face in figures[2].split()]
+
+    def seen_from(self, point):
+        """The sum of the faces' shares as seen from a point; it is the volume where the shell has no gaps."""
+        return sum(face[0] - sum(a * b for a, b in zip(face[1:], point)) for face in self.faces)
+
+
+def rough_centre(shape):
+    """The point that the other kernel looks from: the mean of all vertices, as often as its explorer meets them."""
+    as_vertex = getattr(TopoDS, "Vertex_s", None) or TopoDS.Vertex
+    points = [BRep_Tool.Pnt_s(as_vertex(vertex)) for vertex in parts(shape, TopAbs_VERTEX)]
+    return [sum(axis) / len(points) for axis in zip(*((p.X(), p.Y(), p.Z()) for p in points))]
 
 
 def triangles_volume(shape):
@@ -78,7 +91,7 @@ def solids(tmp_path_factory):
 def test_volumes_are_those_of_open_cascade(solids):
     assert not [f"{solid.source}: {solid.refused}" for solid in solids if solid.refused]
     assert len(solids) >= WANTED
-    wrong, near, closed = [], 0, 0
+    wrong, near, by_faces = [], 0, 0
     for solid in solids:
         shape = opened(solid.path)
         if not BRepCheck_Analyzer(shape).IsValid() or len(parts(shape, TopAbs_SOLID)) == 0:
@@ -87,12 +100,15 @@ def test_volumes_are_those_of_open_cascade(solids):
         by_triangles = any(name in solid.source for name in INTEGRALS_OFF)
         theirs = triangles_volume(shape) if by_triangles else abs(volume(shape))
         off = abs(theirs - solid.volume)
-        near += off <= NEAR * solid.volume
-        closed += min(off, abs(theirs - solid.closed)) <= NEAR * solid.volume
-        if off > NEAR * solid.volume:
-            row = [theirs, solid.closed, solid.gaps]
-            print(solid.source, f"{solid.volume:.9g}", *(f"{x:.9g}" for x in row), f"{off / solid.volume:.1e}", sep="\t")
+        if off <= NEAR * solid.volume:
+            near += 1
+            continue
+        seen = abs(theirs - abs(solid.seen_from(rough_centre(shape))))
+        by_faces += seen <= NEAR * solid.volume
+        row = [f"{solid.volume:.9g}", *(f"{x:.9g}" for x in (theirs, solid.gaps))]
+        print(solid.source, *row, *(f"{x / solid.volume:.1e}" for x in (off, seen)), sep="\t")
         if off > max((BY_TRIANGLES if by_triangles else NEAR) * solid.volume, solid.gaps):
             wrong.append(f"{solid.source}: {solid.volume} here, {theirs} there, {solid.gaps} in gaps")
-    print(f"{near} of {len(solids)} within {NEAR}, {closed} with gaps closed")
+    print(f"{near} of {len(solids)} within {NEAR}, {by_faces} more by the shares of their faces alone")
+    assert near >= WANTED_NEAR and near + by_faces >= WANTED_FACES
     assert not wrong, "\n".join(wrong)

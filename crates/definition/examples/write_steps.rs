@@ -1,8 +1,8 @@
 //! Writes every solid of models and definitions as a STEP file of its own: `write_steps FOLDER PATH…`
 //!
 //! For another kernel to judge: a line a solid, with tabs between the file's name, where the solid comes from, its
-//! volume, how much of it the gaps between its trims and edges leave open, each face's share (from the origin), and the
-//! volume with those gaps closed: faces, and ruled strips between trims and edges.
+//! volume, how much of it the gaps between its trims and edges leave open, and each face's share as seen from the origin
+//! with what it changes by along x, y and z: another kernel may look from elsewhere.
 
 #![allow(clippy::print_stdout, reason = "an example speaks")]
 
@@ -11,13 +11,11 @@ use std::path::{Path, PathBuf};
 use katydid_3dm::{Limits, Model, Object, RawObject};
 use katydid_definition::archive::{self, Chunk};
 use katydid_definition::document::OnData;
-use katydid_geometry::{Brep, Curve, Point3};
+use katydid_geometry::{Brep, Curve, Point3, Vector3};
 use katydid_step::{Document, Part, Shape};
 
 /// Places along a trim at which its distance from the edge is looked at.
 const PLACES: u32 = 64;
-/// Strips between each two knots of a trim.
-const STRIPS: u32 = 64;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -89,59 +87,23 @@ fn told(brep: &Brep, tolerance: f64, path: &Path) -> Result<String, Box<dyn std:
         Ok(found) => found.amount,
         Err(error) => return Ok(format!("no volume: {error}")),
     };
-    let faces = (0..brep.faces().len()).map(|face| brep.face_volume(face, Point3::ORIGIN, 1e-11));
-    let faces: Vec<String> = faces.map(|v| v.map_or("?".into(), |v| format!("{v:.12e}"))).collect();
-    let closed = closed(brep).map_or("?".into(), |v| format!("{v:.12e}"));
-    Ok(format!("{volume:.12e}\t{:.3e}\t{}\t{closed}", open(brep), faces.join(" ")))
+    let faces: Vec<String> =
+        (0..brep.faces().len()).map(|face| share(brep, face).unwrap_or("?".into())).collect();
+    Ok(format!("{volume:.12e}\t{:.3e}\t{}", open(brep), faces.join(" ")))
 }
 
-/// The volume inside the faces and the strips that join each trim to its edge: that of a shell without gaps, which is
-/// the same seen from anywhere. Where edges lie on their faces better than trims do, it is the solid's to the square of
-/// the gaps.
-fn closed(brep: &Brep) -> Option<f64> {
-    let centre = brep.bounds_of_faces()?.center();
-    let mut volume = 0.0;
-    for (place, face) in brep.faces().iter().enumerate().filter(|(_, face)| !face.deleted) {
-        let sign = if face.reversed { -1.0 } else { 1.0 };
-        let trims = face.loops.iter().filter_map(|l| brep.loops().get(*l)).flat_map(|l| &l.trims);
-        let strips: f64 = trims.filter_map(|trim| strip_share(brep, place, *trim, centre)).sum();
-        volume += brep.face_volume(place, centre, 1e-11).ok()? + sign * strips;
+/// The share of a face in the volume seen from the origin, and by how much it is less for each unit that one looks from
+/// farther along x, y and z.
+fn share(brep: &Brep, face: usize) -> Option<String> {
+    let size = brep.bounds_of_faces()?.diagonal().length();
+    let from = |point: Point3| brep.face_volume(face, point, 1e-11).ok();
+    let own = from(Point3::ORIGIN)?;
+    let mut out = format!("{own:.12e}");
+    for axis in [Vector3::X, Vector3::Y, Vector3::Z] {
+        let less = (own - from((axis * size).to_point())?) / size;
+        out.push_str(&format!(",{less:.12e}"));
     }
-    Some(volume.abs())
-}
-
-/// The share of the strip from a trim to its edge in the volume seen from a point.
-fn strip_share(brep: &Brep, face: usize, place: usize, from: Point3) -> Option<f64> {
-    let trim = brep.trims().get(place)?;
-    let edge: Curve = brep.edge_as_curve(trim.edge?).ok()??;
-    let edge = if trim.reversed { edge.reversed() } else { edge };
-    let surface = brep.face_surface(face)?;
-    let flat = brep.trim_as_curve(place).ok()??.to_nurbs().ok()?;
-    let mut places: Vec<f64> = Vec::new();
-    for window in flat.span_parameters().windows(2) {
-        let step = (window[1] - window[0]) / f64::from(STRIPS);
-        places.extend((0..STRIPS).map(|k| window[0] + step * f64::from(k)));
-    }
-    places.push(flat.domain().end);
-    let last = places.len().checked_sub(1)?;
-    let pair = |k: usize| {
-        let uv = flat.point_at(*places.get(k)?);
-        let image = surface.point_at(uv.x, uv.y);
-        let beside = match k {
-            0 => edge.start(),
-            k if k == last => edge.end(),
-            _ => edge.point_at(edge.closest_point(image).ok()?.parameter),
-        };
-        Some((image - from, beside - from))
-    };
-    let mut sum = 0.0;
-    let (mut a, mut b) = pair(0)?;
-    for k in 1..=last {
-        let (c, d) = pair(k)?;
-        sum += c.dot(a.cross(b)) + c.dot(b.cross(d));
-        (a, b) = (c, d);
-    }
-    Some(sum / 6.0)
+    Some(out)
 }
 
 /// A bound of the volume that lies between the faces and the edges, seen from the middle of the solid: a third of its

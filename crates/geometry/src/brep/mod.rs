@@ -32,6 +32,7 @@ mod parts;
 mod pierce;
 pub(crate) mod planar;
 mod properties;
+mod pulled;
 mod region;
 mod section;
 mod solid;

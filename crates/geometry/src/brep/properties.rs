@@ -1,8 +1,11 @@
 //! Areas, volumes and moments of breps by quadrature on the exact surfaces.
 
+mod bound;
 mod green;
 mod rule;
+mod strip;
 
+use bound::Nearness;
 use green::Sheet;
 use rule::Work;
 
@@ -79,6 +82,12 @@ impl Brep {
     /// The volume that a solid encloses, its centroid and moments, to a fraction of the solid's size (area times half
     /// of the diagonal); see [`Brep::area_properties`]. Which way the normals point does not matter.
     ///
+    /// The solid is what its edges bound. Where trims follow them to rounding that is what the trims enclose. Files hold
+    /// solids whose trims or surfaces lie beside the edges: there a face reaches to the feet of its edges on the surface
+    /// (a trim that is off by less than 10⁻⁷ of the size stays), and strips of straight lines close what is left between
+    /// faces and edges, and between edges and vertices. The shell is closed then, and the results move with the solid:
+    /// they are the same seen from anywhere. (The area is that within the trims as they are.)
+    ///
     /// # Errors
     /// The brep is not closed, or as for the area.
     pub fn volume_properties(&self, fraction: f64, go_on: impl Fn() -> bool) -> Result<MassProperties> {
@@ -93,22 +102,27 @@ impl Brep {
     /// # Errors
     /// As for the area; or there is no such face.
     pub fn face_area(&self, face: usize, fraction: f64) -> Result<MassProperties> {
-        let frame = self.frame()?;
-        let sheet = Sheet::new(self, face, frame)?.ok_or_else(super::trimmed::no_face)?;
-        finished(&[sheet], Measure::Area, frame, fraction, &|| true)
+        let (frame, fraction) = (self.frame()?, within(fraction));
+        let mut work = Work::new(MOST, &|| true);
+        let sheet = Sheet::new(self, face, frame, Nearness::TRIMS, &work)?;
+        let sheet = sheet.ok_or_else(super::trimmed::no_face)?;
+        finished(&[sheet], Measure::Area, frame, fraction, &mut work)
     }
 
-    /// The volume between one face and a point, positive where the face looks away from the point; the shares of all
-    /// faces of a solid are its volume. See [`Brep::area_properties`] for `fraction`.
+    /// The volume between one face and a point, positive where the face looks away from the point. The face reaches to
+    /// its edges as in [`Brep::volume_properties`]; the shares of all faces of a solid are its volume where the edges lie
+    /// on the faces. Where they do not, the gaps have shares of their own, and the sum depends on the point. See
+    /// [`Brep::area_properties`] for `fraction`.
     ///
     /// # Errors
     /// As for the area; or there is no such face.
     pub fn face_volume(&self, face: usize, from: Point3, fraction: f64) -> Result<f64> {
-        let frame = Frame { centre: from, ..self.frame()? };
-        let sheet = Sheet::new(self, face, frame)?.ok_or_else(super::trimmed::no_face)?;
+        let (frame, fraction) = (Frame { centre: from, ..self.frame()? }, within(fraction));
         let mut work = Work::new(MOST, &|| true);
+        let near = Nearness::of(fraction, frame.size);
+        let sheet = Sheet::new(self, face, frame, near, &work)?.ok_or_else(super::trimmed::no_face)?;
         let area = sheet.integral(Measure::Area, f64::INFINITY, &mut work)?[0].abs();
-        let share = sheet.integral(Measure::Volume, fraction.clamp(1e-13, 0.1) * area, &mut work)?[0];
+        let share = sheet.integral(Measure::Volume, fraction * area, &mut work)?[0];
         let volume = share * frame.size.powi(3);
         Ok(if sheet.reversed { -volume } else { volume })
     }
@@ -119,13 +133,23 @@ impl Brep {
     }
 
     fn measured(&self, measure: Measure, fraction: f64, go_on: &dyn Fn() -> bool) -> Result<MassProperties> {
-        let frame = self.frame()?;
+        let (frame, fraction) = (self.frame()?, within(fraction));
+        let mut work = Work::new(MOST, go_on);
+        let near = match measure {
+            Measure::Area => Nearness::TRIMS,
+            Measure::Volume => Nearness::of(fraction, frame.size),
+        };
         let mut sheets = Vec::with_capacity(self.faces().len());
         for face in 0..self.faces().len() {
-            sheets.extend(Sheet::new(self, face, frame)?);
+            sheets.extend(Sheet::new(self, face, frame, near, &work)?);
         }
-        finished(&sheets, measure, frame, fraction, go_on)
+        finished(&sheets, measure, frame, fraction, &mut work)
     }
+}
+
+/// A fraction that can be reached.
+fn within(fraction: f64) -> f64 {
+    if fraction.is_nan() { 1e-13 } else { fraction.clamp(1e-13, 0.1) }
 }
 
 /// The most densities that are looked at for one shape.
@@ -136,19 +160,21 @@ fn finished(
     measure: Measure,
     frame: Frame,
     fraction: f64,
-    go_on: &dyn Fn() -> bool,
+    work: &mut Work<'_>,
 ) -> Result<MassProperties> {
-    let fraction = fraction.clamp(1e-13, 0.1);
-    let mut work = Work::new(MOST, go_on);
     // What the first look gives is what "a fraction of the area" refers to.
     let mut area = 0.0;
     for sheet in sheets {
-        area += sheet.integral(Measure::Area, f64::INFINITY, &mut work)?[0].abs();
+        area += sheet.integral(Measure::Area, f64::INFINITY, work)?[0].abs();
     }
     work.error = 0.0;
     let (mut sum, share) = ([0.0; 10], 1.0 / sheets.len().max(1) as f64);
     for sheet in sheets {
-        let part = sheet.integral(measure, fraction * area * share, &mut work)?;
+        let mut part = sheet.integral(measure, fraction * area * share, work)?;
+        if measure == Measure::Volume {
+            let closing = sheet.closing(0.1 * fraction * area * share, work)?;
+            part.iter_mut().zip(closing).for_each(|(sum, v)| *sum += v);
+        }
         let turned = measure == Measure::Volume && sheet.reversed;
         for (sum, value) in sum.iter_mut().zip(part) {
             *sum += if turned { -value } else { value };

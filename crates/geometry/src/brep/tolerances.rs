@@ -32,7 +32,9 @@ impl Parts {
         trims.map(|trim| self.distance(trim, edge, curve)).fold(0.0, f64::max)
     }
 
-    fn distance(&self, trim: &Trim, edge: &Edge, space: &Curve) -> f64 {
+    /// The greatest distance of the image of a trim from its edge, which is a part of the curve given, as far as samples
+    /// tell; 0 when it is no more than rounding.
+    pub(super) fn distance(&self, trim: &Trim, edge: &Edge, space: &Curve) -> f64 {
         let (Some(flat), Some(surface)) = (self.trim_curve(trim), self.trim_surface(trim)) else {
             return 0.0;
         };

@@ -8,6 +8,9 @@ use crate::part21::{Id, Sheet, list, quoted};
 use katydid_geometry::Brep;
 use katydid_geometry::brep::LoopKind;
 
+/// How far a trim may be from its edge, as a part of the shell's size.
+const NEAR: f64 = 5e-8;
+
 /// The entities that a brep became.
 pub(super) struct Items {
     pub(super) solids: Vec<Id>,
@@ -65,6 +68,8 @@ fn shell(sheet: &mut Sheet, brep: &Brep, keyword: &str, tolerance: f64) -> Resul
             sheet.put(format_args!("VERTEX_POINT('',{point})"))
         })
         .collect();
+    let size = brep.bounds_of_faces().map_or(0.0, |bounds| bounds.diagonal().length());
+    let near = (NEAR * size).max(f64::MIN_POSITIVE);
     let mut edges = Vec::with_capacity(brep.edges().len());
     for (place, edge) in brep.edges().iter().enumerate() {
         if edge.deleted || edge.trims.is_empty() {
@@ -73,7 +78,7 @@ fn shell(sheet: &mut Sheet, brep: &Brep, keyword: &str, tolerance: f64) -> Resul
         }
         let ends = edge.vertices.map(|v| vertices.get(v?).copied());
         let [Some(a), Some(b)] = ends else { return Err(invalid(format!("edge {place} has no vertices"))) };
-        edges.push(edge::put(sheet, brep, place, [a, b], &grounds, tolerance)?);
+        edges.push(edge::put(sheet, brep, place, [a, b], &grounds, near, tolerance)?);
     }
     let mut faces = Vec::new();
     for (place, ground) in grounds.iter().enumerate() {

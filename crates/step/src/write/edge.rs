@@ -7,7 +7,7 @@ use super::flag;
 use super::surface::Put;
 use crate::Result;
 use crate::part21::{Id, Sheet, list, real};
-use katydid_geometry::{Brep, Curve, Interval, Point3, Surface};
+use katydid_geometry::{Brep, Curve, Interval, Point3, Surface, Tolerance};
 
 /// Places at which a curve on a surface is compared with its edge.
 const PLACES: u32 = 16;
@@ -18,13 +18,15 @@ pub(super) struct Ground<'a> {
     pub(super) put: Put,
 }
 
-/// Writes an edge between vertices; `grounds` are the surfaces of faces, by face.
+/// Writes an edge between vertices; `grounds` are the surfaces of faces, by face. A trim farther from the edge than
+/// `near` is left for the edge itself, pulled to the surface: a curve on a surface says the same as its edge.
 pub(super) fn put(
     sheet: &mut Sheet,
     brep: &Brep,
     place: usize,
     vertices: [Id; 2],
     grounds: &[Option<Ground<'_>>],
+    near: f64,
     tolerance: f64,
 ) -> Result<Option<Id>> {
     let Some(curve) = brep.edge_as_curve(place)? else { return Ok(None) };
@@ -37,7 +39,7 @@ pub(super) fn put(
     let flat: Vec<(Id, usize)> = edge
         .trims
         .iter()
-        .filter_map(|trim| on_surface(sheet, brep, *trim, &space, grounds, tolerance))
+        .filter_map(|trim| on_surface(sheet, brep, *trim, &space, grounds, near, tolerance))
         .collect();
     let is_seam = matches!(flat.as_slice(), [(_, a), (_, b)] if a == b);
     let ids = list(flat.iter().map(|(id, _)| id));
@@ -67,6 +69,7 @@ fn on_surface(
     place: usize,
     space: &Curve,
     grounds: &[Option<Ground<'_>>],
+    near: f64,
     tolerance: f64,
 ) -> Option<(Id, usize)> {
     let trim = brep.trims().get(place)?;
@@ -82,7 +85,10 @@ fn on_surface(
         let uv = along(&flat, x);
         along(space, x).distance_to(ground.surface.point_at(uv.x, uv.y)) <= tolerance
     });
-    let flat = if is_near && !is_joined(&flat) {
+    let allowed = Tolerance { absolute: tolerance.min(near), ..Tolerance::default() };
+    let flat = if let Some(pulled) = brep.edge_beside_trim(place, space, &allowed).ok().flatten() {
+        pulled
+    } else if is_near && !is_joined(&flat) {
         flat
     } else {
         let allowed = brep.edges().get(trim.edge?)?.tolerance.max(tolerance);

@@ -1,9 +1,11 @@
 //! Integrals over faces as integrals along their trims.
 
+use super::bound::{Bound, Nearness, bound};
 use super::rule::{Work, integral};
+use super::strip::Strip;
 use super::{Frame, Measure, inner_direction};
 use crate::brep::{Brep, LoopKind};
-use crate::{Curve, Direction, Error, Interval, Line, Plane, Point3, Quadrant, Result, Surface, Vector3};
+use crate::{Curve, Direction, Interval, Line, Plane, Point3, Quadrant, Result, Surface, Vector3};
 
 /// A face ready to be integrated over.
 pub(super) struct Sheet<'a> {
@@ -17,6 +19,8 @@ pub(super) struct Sheet<'a> {
     /// Where the surface is not smooth along the inner direction.
     breaks: Vec<f64>,
     arcs: Vec<Path>,
+    /// From the trims to the edges: where a strip's curve is not smooth, and how it counts.
+    strips: Vec<(Strip, Vec<f64>, f64)>,
 }
 
 /// A trim in the parameter plane, divided where the integrand is not smooth, and how it counts.
@@ -31,31 +35,42 @@ const LOOKED_FOR: usize = 400;
 
 impl<'a> Sheet<'a> {
     /// A face of a brep; none for one that is deleted or has no surface.
-    pub(super) fn new(brep: &'a Brep, face: usize, frame: Frame) -> Result<Option<Self>> {
+    pub(super) fn new(
+        brep: &'a Brep,
+        face: usize,
+        frame: Frame,
+        near: Nearness,
+        work: &Work<'_>,
+    ) -> Result<Option<Self>> {
         let Some(own) = brep.faces().get(face).filter(|f| !f.deleted) else { return Ok(None) };
         let Some(surface) = brep.face_surface(face) else { return Ok(None) };
         let spans = Direction::BOTH.map(|d| surface.span_parameters(d));
         let mut chains = Vec::new();
         for chain in own.loops.iter().filter_map(|l| brep.loops().get(*l)) {
-            chains.push((chain.kind, closed_chain(brep, &chain.trims)?));
+            chains.push((chain.kind, bound(brep, surface, &chain.trims, near, work)?));
         }
         if chains.is_empty() {
-            chains.push((LoopKind::Outer, sides(surface)));
+            chains.push((LoopKind::Outer, Bound { curves: sides(surface), strips: Vec::new() }));
         }
-        let bounds = chains.iter().flat_map(|(_, c)| c).map(Curve::bounding_box).reduce(|a, b| a.union(&b));
+        let bounds =
+            chains.iter().flat_map(|(_, c)| &c.curves).map(Curve::bounding_box).reduce(|a, b| a.union(&b));
         let Some(bounds) = bounds else { return Ok(None) };
         let used = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
         let within = |d: usize| spans[d].iter().filter(|t| used[d].0 < **t && **t < used[d].1).count();
         let inner = inner_direction([within(0), within(1)]);
-        let mut arcs = Vec::new();
+        let (mut arcs, mut strips) = (Vec::new(), Vec::new());
         for (kind, chain) in chains {
-            let turns = if parameter_area(&chain) < 0.0 { -1.0 } else { 1.0 };
+            let turns = if parameter_area(&chain.curves) < 0.0 { -1.0 } else { 1.0 };
             let sign = match kind {
                 LoopKind::Outer => turns,
                 LoopKind::Inner => -turns,
                 LoopKind::Unknown | LoopKind::Slit => 1.0,
             };
-            for curve in chain {
+            for strip in chain.strips {
+                let stops = strip.flat().map(|flat| stops(flat, &spans)).unwrap_or_default();
+                strips.push((strip, stops, sign));
+            }
+            for curve in chain.curves {
                 let stops = stops(&curve, &spans);
                 arcs.push(Path { curve, stops, sign });
             }
@@ -65,7 +80,7 @@ impl<'a> Sheet<'a> {
             Direction::V => [used[1].0, 1.0],
         };
         let breaks = spans.into_iter().nth(breaks as usize).unwrap_or_default();
-        Ok(Some(Self { surface, reversed: own.reversed, frame, inner, floor, breaks, arcs }))
+        Ok(Some(Self { surface, reversed: own.reversed, frame, inner, floor, breaks, arcs, strips }))
     }
 
     /// The integrals over the face, off by no more than `tolerance`.
@@ -81,6 +96,17 @@ impl<'a> Sheet<'a> {
             let (part, error) = self.along(path, measure, share, work)?;
             sum.iter_mut().zip(part).for_each(|(sum, v)| *sum += path.sign * v);
             work.error += error;
+        }
+        Ok(sum)
+    }
+
+    /// The share in the volume of what joins the face to its edges, off by no more than `tolerance`.
+    pub(super) fn closing(&self, tolerance: f64, work: &mut Work<'_>) -> Result<[f64; 10]> {
+        let mut sum = [0.0; 10];
+        let share = tolerance / self.strips.len().max(1) as f64;
+        for (strip, stops, sign) in &self.strips {
+            let part = strip.integral(self.surface, self.frame, stops, share, work)?;
+            sum.iter_mut().zip(part).for_each(|(sum, v)| *sum += sign * v);
         }
         Ok(sum)
     }
@@ -157,24 +183,6 @@ impl<'a> Sheet<'a> {
         let local: Vector3 = (p - self.frame.centre.to_vector()) / size;
         measure.density(local, by_u / size, by_v / size)
     }
-}
-
-/// The trims of a loop as curves in the parameter plane, with the gaps between them closed.
-fn closed_chain(brep: &Brep, trims: &[usize]) -> Result<Vec<Curve>> {
-    let mut curves = Vec::with_capacity(trims.len());
-    for trim in trims {
-        let curve = brep.trim_as_curve(*trim)?;
-        curves.push(curve.ok_or(Error::degenerate("trim", "it has no curve"))?);
-    }
-    let mut out = Vec::with_capacity(curves.len());
-    for (k, curve) in curves.iter().enumerate() {
-        out.push(curve.clone());
-        let (end, next) = (curve.end(), curves[(k + 1) % curves.len()].start());
-        if end != next {
-            out.push(Line::new(end, next).into());
-        }
-    }
-    Ok(out)
 }
 
 /// The border of the whole domain, counter-clockwise.

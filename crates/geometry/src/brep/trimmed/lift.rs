@@ -1,5 +1,6 @@
 //! Curves of the parameter plane lifted to their surface.
 
+use super::local_foot::LocalFoot;
 use crate::brep::with_ends;
 use crate::{
     ClosestOnSurface, Curve, Direction, Error, Interval, LineCurve, NurbsCurve, Point3, Result, Surface,
@@ -173,9 +174,8 @@ pub(super) fn in_parameter_plane(curve: &Curve) -> Result<Curve> {
 
 /// The parameters along a curve that lies on a surface or near it.
 pub(super) struct Foot<'a> {
-    surface: &'a Surface,
+    local: LocalFoot<'a>,
     index: ClosestOnSurface,
-    periods: [Option<f64>; 2],
     last: Option<[f64; 2]>,
 }
 
@@ -183,13 +183,14 @@ impl<'a> Foot<'a> {
     pub(super) fn new(surface: &'a Surface) -> Result<Self> {
         let periods = Direction::BOTH
             .map(|d| surface.is_closed(d).then(|| surface.domain(d).length()).filter(|p| *p > 0.0));
-        Ok(Self { surface, index: ClosestOnSurface::new(surface)?, periods, last: None })
+        let local = LocalFoot { surface, periods };
+        Ok(Self { local, index: ClosestOnSurface::new(surface)?, last: None })
     }
 
     /// The place nearest to a point, on that turn of a closed surface that is nearest to a known place.
     pub(super) fn at(&mut self, p: Point3, near: Option<[f64; 2]>) -> Result<[f64; 2]> {
         // Where the foot is about known, only a nearer one is looked for.
-        let guess = near.map(|near| self.polished(near, p, 0.05));
+        let guess = near.map(|near| self.local.polished(near, p, 0.05));
         let guess = guess.and_then(|(uv, step)| (step < 1e-9).then_some(uv));
         let reach = guess.map(|uv| self.image(Point3::new(uv[0], uv[1], 0.0)).distance_to(p));
         let reach = reach.filter(|reach| reach.is_finite());
@@ -204,113 +205,39 @@ impl<'a> Foot<'a> {
         let mut uv = [found.u, found.v];
         if let Some(near) = near.or(self.last) {
             for k in 0..2 {
-                if let Some(period) = self.periods[k] {
+                if let Some(period) = self.local.periods[k] {
                     uv[k] += ((near[k] - uv[k]) / period).round() * period;
                 }
             }
             // Along a singular side every parameter is as good: the known one is.
             for (k, direction) in Direction::BOTH.into_iter().enumerate() {
-                let across = self.surface.domain(direction.other());
+                let across = self.local.surface.domain(direction.other());
                 let other = uv[1 - k];
                 let sides = match direction {
                     Direction::U => [crate::Side::South, crate::Side::North],
                     Direction::V => [crate::Side::West, crate::Side::East],
                 };
                 let least = 1e-9 * across.length();
-                if ((other - across.start).abs() < least && self.surface.is_singular(sides[0]))
-                    || ((other - across.end).abs() < least && self.surface.is_singular(sides[1]))
+                if ((other - across.start).abs() < least && self.local.surface.is_singular(sides[0]))
+                    || ((other - across.end).abs() < least && self.local.surface.is_singular(sides[1]))
                 {
                     uv[k] = near[k];
                 }
             }
         }
-        let (uv, _) = self.polished(uv, p, 1e-5);
+        let (uv, _) = self.local.polished(uv, p, 1e-5);
         self.last = Some(uv);
         Ok(uv)
     }
 
-    /// A foot by the right angles there: the smallest distance alone leaves its place open by the square root of
-    /// rounding, which is more than the tolerance where a surface is large. The first step may be as wide as a share of
-    /// the domain, every other half as wide as the one before. With the last step, as such a share.
-    fn polished(&self, start: [f64; 2], p: Point3, widest: f64) -> ([f64; 2], f64) {
-        let domains = Direction::BOTH.map(|d| self.surface.domain(d));
-        let inside = |k: usize, t: f64| if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
-        let mut uv = [inside(0, start[0]), inside(1, start[1])];
-        let (mut last, mut size) = (widest, f64::INFINITY);
-        for _ in 0..8 {
-            let away = p - self.image(Point3::new(uv[0], uv[1], 0.0));
-            let Some(step) = self.slope(uv, p.to_vector(), away) else { break };
-            size = (0..2).map(|k| (step[k] / domains[k].length()).abs()).fold(0.0, f64::max);
-            if !(size < last) {
-                break;
-            }
-            last = 0.5 * size;
-            for k in 0..2 {
-                uv[k] = inside(k, uv[k] + step[k]);
-            }
-        }
-        (uv, size)
-    }
-
-    /// The derivative of the parameters of the foot of a moving point, from its place and velocity: what keeps the
-    /// way to the foot square to the surface, so that it also holds away from the surface. Beyond a side of the domain
-    /// the foot moves along that side only. `None` where the surface is singular.
-    ///
-    /// Source: the derivative of (S − p)·Sᵤ = 0, (S − p)·Sᵥ = 0 (L. Piegl and W. Tiller, *The NURBS Book*, 6.1).
+    /// See [`LocalFoot::slope`].
     pub(super) fn slope(&self, uv: [f64; 2], place: Vector3, velocity: Vector3) -> Option<[f64; 2]> {
-        let inside = Direction::BOTH.map(|d| {
-            let k = d.index();
-            match self.periods[k] {
-                Some(_) => self.surface.domain(d).wrapped(uv[k]),
-                None => self.surface.domain(d).clamp(uv[k]),
-            }
-        });
-        let [u, v] = inside;
-        let d = self.surface.derivatives(u, v, 2, self.surface.inner_quadrant(u, v));
-        let (a, b) = (d.get(1, 0), d.get(0, 1));
-        let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
-        if !(e * g - f * f > 1e-12 * e * g) {
-            return None;
-        }
-        let away = place - d.point().to_vector();
-        let (p, q) = (velocity.dot(a), velocity.dot(b));
-        let held = [self.is_beyond(0, u, away, a), self.is_beyond(1, v, away, b)];
-        let along = |rate: f64, square: f64, bend: f64| {
-            rate / if square - bend > 1e-6 * square { square - bend } else { square }
-        };
-        let (bend_u, bend_v) = (away.dot(d.get(2, 0)), away.dot(d.get(0, 2)));
-        match held {
-            [true, true] => return Some([0.0, 0.0]),
-            [true, false] => return Some([0.0, along(q, g, bend_v)]),
-            [false, true] => return Some([along(p, e, bend_u), 0.0]),
-            [false, false] => {}
-        }
-        // At a centre of curvature the foot has no derivative: there that on the surface has to do.
-        let bent = [e - bend_u, f - away.dot(d.get(1, 1)), g - bend_v];
-        let stable = bent[0] > 0.0 && bent[0] * bent[2] - bent[1] * bent[1] > 1e-6 * e * g;
-        let [e, f, g] = if stable { bent } else { [e, f, g] };
-        let determinant = e * g - f * f;
-        Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
-    }
-
-    /// Whether a point with its foot at parameter `t` lies beyond the side of the domain there, by the way to it.
-    fn is_beyond(&self, k: usize, t: f64, away: Vector3, tangent: Vector3) -> bool {
-        let domain = self.surface.domain(Direction::BOTH[k]);
-        let near = 1e-12 * domain.length();
-        let out = away.dot(tangent);
-        // A right angle but for rounding is none of it.
-        let clear = 1e-6 * away.length() * tangent.length();
-        self.periods[k].is_none()
-            && ((t <= domain.start + near && out < -clear) || (t >= domain.end - near && out > clear))
+        self.local.slope(uv, place, velocity)
     }
 
     /// The image of parameters on any turn.
     pub(super) fn image(&self, uv: Point3) -> Point3 {
-        let inside = Direction::BOTH.map(|d| {
-            let (t, domain) = (if d == Direction::U { uv.x } else { uv.y }, self.surface.domain(d));
-            if self.periods[d.index()].is_some() && !domain.contains(t) { domain.wrapped(t) } else { t }
-        });
-        self.surface.point_at(inside[0], inside[1])
+        self.local.image(uv)
     }
 }
 

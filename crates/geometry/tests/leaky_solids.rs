@@ -1,0 +1,164 @@
+//! Solids whose trims or surfaces lie beside their edges: volumes against closed forms, seen from anywhere.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
+
+use std::f64::consts::PI;
+
+use katydid_geometry::{
+    Box3, Brep, Curve, Cylinder, Interval, MassProperties, Plane, Point3, Surface, Tolerance, Vector3, Xform,
+    construct,
+};
+
+/// How far what leaks is off.
+const OFF: f64 = 1e-4;
+
+fn p(x: f64, y: f64, z: f64) -> Point3 {
+    Point3::new(x, y, z)
+}
+
+fn close(found: f64, want: f64) {
+    let miss = (found - want).abs() / want.abs();
+    assert!(miss <= 1e-10, "{found} instead of {want}: {miss:e}");
+}
+
+fn volume(brep: &Brep) -> MassProperties {
+    brep.volume_properties(1e-13, || true).unwrap()
+}
+
+fn block() -> Brep {
+    let side = |end: f64| Interval::new(0.0, end);
+    construct::box_brep(&Box3 { plane: Plane::XY, x: side(2.0), y: side(3.0), z: side(4.0) }).unwrap()
+}
+
+fn tube() -> Brep {
+    construct::cylinder(&Cylinder::new(Plane::XY, 1.5, Interval::new(0.0, 4.0)).unwrap(), [true; 2]).unwrap()
+}
+
+/// Every trim moved in its parameter plane; its edge stays.
+fn with_trims_moved(brep: &Brep, by: Vector3, pace: f64) -> Brep {
+    let mut parts = brep.clone().into_parts();
+    for curve in parts.curves_2d.iter_mut().flatten() {
+        let mut nurbs = curve.to_nurbs().unwrap();
+        if pace != 1.0 {
+            nurbs = nurbs.reparametrized(pace).unwrap();
+        }
+        *curve = Curve::from(nurbs).transformed(&Xform::translation(by)).unwrap();
+    }
+    Brep::from_parts(parts).unwrap()
+}
+
+/// The block with the plane of its upper side higher than the edges there.
+fn with_lid_raised(by: f64) -> Brep {
+    let mut parts = block().into_parts();
+    let mut raised = 0;
+    for surface in parts.surfaces.iter_mut().flatten() {
+        let bounds = surface.bounding_box();
+        if bounds.unwrap().min.z > 3.9 {
+            *surface = surface.transformed(&Xform::translation(Vector3::Z * by)).unwrap();
+            raised += 1;
+        }
+    }
+    assert_eq!(raised, 1);
+    Brep::from_parts(parts).unwrap()
+}
+
+/// Amount, centroid and moments about it, here and where a motion brings the solid.
+fn is_block_of_height(brep: &Brep, height: f64) {
+    let turn = Xform::rotation(0.7, Vector3::new(1.0, 2.0, -1.0), p(3.0, 1.0, 0.0)).unwrap();
+    let moves = [
+        Xform::IDENTITY,
+        Xform::translation(Vector3::new(20.0, -30.0, 10.0)),
+        turn,
+        Xform::translation(Vector3::new(-9.0, 7.0, 15.0)) * turn,
+    ];
+    for by in moves {
+        let found = volume(&brep.transformed(&by).unwrap());
+        close(found.amount, 6.0 * height);
+        let centre = by.point(p(1.0, 1.5, 0.5 * height));
+        assert!(found.centroid.distance_to(centre) <= 1e-9, "{:?} instead of {centre:?}", found.centroid);
+        let inertia = found.inertia_about(found.centroid);
+        let whole = 6.0 * height * (4.0 + 9.0 + height * height) / 6.0;
+        close(inertia.x + inertia.y + inertia.z, whole);
+    }
+}
+
+#[test]
+fn a_block_with_rough_trims_is_what_its_edges_bound() {
+    // Far apart the edges are pulled, nearby strips close the gap; at the edge's pace and at another.
+    for off in [OFF, 1e-8] {
+        for pace in [1.0, 3.0] {
+            let leaky = with_trims_moved(&block(), Vector3::new(off, -0.7 * off, 0.0), pace);
+            is_block_of_height(&leaky, 4.0);
+        }
+    }
+    let leaky = with_trims_moved(&block(), Vector3::new(OFF, -0.7 * OFF, 0.0), 1.0);
+    // The area is that within the trims: each face's slid along.
+    close(leaky.area_properties(1e-12, || true).unwrap().amount, 52.0);
+    for from in [Point3::ORIGIN, p(50.0, -20.0, 8.0)] {
+        let shares = (0..6).map(|face| leaky.face_volume(face, from, 1e-13).unwrap()).sum::<f64>();
+        close(shares, 24.0);
+    }
+    assert!(leaky.volume_properties(1e-9, || false).is_err());
+}
+
+#[test]
+fn a_block_whose_edges_lie_beside_a_face_is_closed_by_strips() {
+    for by in [1e-9, 1e-6, OFF, 0.01] {
+        is_block_of_height(&with_lid_raised(by), 4.0 + by);
+        is_block_of_height(&with_lid_raised(-by), 4.0 - by);
+    }
+}
+
+#[test]
+fn a_tube_with_rough_trims() {
+    for off in [OFF, 1e-8] {
+        // Not round the tube: a trim that leaves the seam has no edge beside it.
+        let mut parts = tube().into_parts();
+        let walls: Vec<usize> = (0..parts.faces.len())
+            .filter(|face| {
+                !matches!(parts.surfaces[parts.faces[*face].surface.unwrap()], Some(Surface::Plane(_)))
+            })
+            .collect();
+        let [wall] = walls[..] else { panic!("one wall") };
+        let trims: Vec<usize> =
+            parts.faces[wall].loops.iter().flat_map(|chain| parts.loops[*chain].trims.clone()).collect();
+        for trim in trims {
+            let place = parts.trims[trim].part.curve.unwrap();
+            let curve = parts.curves_2d[place].as_ref().unwrap();
+            let slid = Xform::translation(Vector3::new(0.0, off, 0.0));
+            parts.curves_2d[place] = Some(curve.transformed(&slid).unwrap());
+        }
+        let leaky = Brep::from_parts(parts).unwrap();
+        for by in [Vector3::ZERO, Vector3::new(30.0, -10.0, 20.0)] {
+            let found = volume(&leaky.transformed(&Xform::translation(by)).unwrap());
+            close(found.amount, PI * 1.5 * 1.5 * 4.0);
+            assert!(found.centroid.distance_to(p(0.0, 0.0, 2.0) + by) <= 1e-9);
+        }
+    }
+}
+
+#[test]
+fn edges_pulled_to_their_faces() {
+    let tolerance = Tolerance { absolute: 1e-6, ..Tolerance::default() };
+    let (sound, leaky) = (block(), with_trims_moved(&block(), Vector3::new(OFF, OFF, 0.0), 3.0));
+    for trim in 0..sound.trims().len() {
+        let edge = sound.trims()[trim].edge.unwrap();
+        let edge = sound.edge_as_curve(edge).unwrap().unwrap();
+        assert_eq!(sound.edge_beside_trim(trim, &edge, &tolerance).unwrap(), None);
+        let flat = leaky.edge_beside_trim(trim, &edge, &tolerance).unwrap().unwrap();
+        let face = leaky.loops()[leaky.trims()[trim].in_loop.unwrap()].face.unwrap();
+        let surface = leaky.face_surface(face).unwrap();
+        for k in 0..=20 {
+            let t = edge.domain().at(f64::from(k) / 20.0);
+            let uv = flat.point_at(t);
+            assert!(surface.point_at(uv.x, uv.y).distance_to(edge.point_at(t)) <= 1e-12);
+        }
+    }
+    assert_eq!(leaky.edge_beside_trim(99, &Curve::from(line()), &tolerance).unwrap(), None);
+    let none = Tolerance { absolute: 0.0, ..tolerance };
+    assert!(leaky.edge_beside_trim(0, &Curve::from(line()), &none).is_err());
+}
+
+fn line() -> katydid_geometry::Line {
+    katydid_geometry::Line::new(Point3::ORIGIN, p(1.0, 0.0, 0.0))
+}
