@@ -5,6 +5,9 @@ use super::rail::Rail;
 use crate::construct::loft::collapsed;
 use crate::{Brep, Curve, Interval, NurbsCurve, NurbsSurface, Point3, Result, Tolerance, Vector3};
 
+/// The most places at which a strip is held to its rails.
+const MOST: usize = 8192;
+
 /// The surface of a piece; nothing where a cone has no area.
 pub(super) fn surface(
     rails: &[Rail; 2],
@@ -113,7 +116,7 @@ fn fitting_places(sides: &[Paced<'_>; 2], pace: &[f64], limit: f64) -> (Vec<f64>
         out
     };
     let coarse = [64, 32, 16, 8, 4, 2, 1].into_iter().filter(|step| *step <= last.max(1)).map(at_rulings);
-    let fine = [2, 4, 8].into_iter().map(between);
+    let fine = [2, 4, 8, 16, 32, 64].into_iter().filter(|parts| parts * last <= MOST).map(between);
     let mut finest = Vec::new();
     for places in coarse.chain(fine) {
         if sides.iter().all(|side| side.is_near(pace, &places, 0.25 * limit)) {
