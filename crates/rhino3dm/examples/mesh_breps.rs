@@ -75,7 +75,7 @@ fn judge(name: &str, brep: &Brep, fraction: f64, sums: &mut Sums) {
             said.push(format!("open: {naked} naked, {many} crowded; oriented {}", one.is_oriented()));
         }
     }
-    let (backwards, worst) = looked_at(brep, &mesh);
+    let (backwards, worst) = looked_at(brep, &mesh, tolerance);
     if !backwards.is_empty() {
         sums.backwards += 1;
         said.push(format!("backwards {} {:?}", backwards.len(), &backwards[..backwards.len().min(3)]));
@@ -103,7 +103,7 @@ fn judge(name: &str, brep: &Brep, fraction: f64, sums: &mut Sums) {
 }
 
 /// The triangles that look away from the normal, as (face, height, area), and the greatest distance from a surface.
-fn looked_at(brep: &Brep, mesh: &BrepMesh) -> (Vec<(usize, f64)>, (f64, usize, Point3)) {
+fn looked_at(brep: &Brep, mesh: &BrepMesh, tolerance: f64) -> (Vec<(usize, f64)>, (f64, usize, Point3)) {
     let mut backwards = Vec::new();
     let mut worst = (0.0, 0, Point3::ORIGIN);
     let total: usize = mesh.triangle_count();
@@ -133,7 +133,11 @@ fn looked_at(brep: &Brep, mesh: &BrepMesh) -> (Vec<(usize, f64)>, (f64, usize, P
                     let w = [i as f64, j as f64, (steps - i - j) as f64].map(|x| x / steps as f64);
                     let at = |p: [f64; 3]| p[0] * w[0] + p[1] * w[1] + p[2] * w[2];
                     let p = Point3::new(at([a.x, b.x, c.x]), at([a.y, b.y, c.y]), at([a.z, b.z, c.z]));
-                    let far = distance(surface, p, [at(uv.map(|p| p.x)), at(uv.map(|p| p.y))]);
+                    let mut far = distance(surface, p, [at(uv.map(|p| p.x)), at(uv.map(|p| p.y))]);
+                    // The steps may stop short where the surface has a cusp.
+                    if far > tolerance {
+                        far = far.min(surface.closest_point(p).map_or(far, |near| near.distance));
+                    }
                     if far > worst.0 {
                         worst = (far, face.face, p);
                     }

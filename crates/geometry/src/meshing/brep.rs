@@ -4,10 +4,11 @@ use super::bend::Bender;
 use super::edges::{EdgePoints, Use, points_along};
 use super::fill::{Filled, fill};
 use super::grid::Grid;
+use super::mend::{Sheet, mend};
 use super::outline::{Corner, Outline};
 use super::result::{BrepMesh, FaceMesh};
 use super::settings::{Limits, MeshSettings};
-use super::side::{Along, along};
+use super::side::{Along, along, line_of, lines, narrow};
 use super::track::{Source, Track};
 use crate::brep::{Brep, Face, Trim, TrimKind};
 use crate::parallel::each;
@@ -17,6 +18,8 @@ use crate::{Direction, Error, Point2, Point3, Quadrant, Result, Surface, Vector3
 const ATTEMPTS: u32 = 5;
 /// How far trims may leave the domain of their surface, and edges that of their curve, in lengths of the domain.
 const FAR_OUT: f64 = 2.0;
+/// Trims that end and begin so near to each other, in lengths of the face's range, meet.
+const SNAP: f64 = 2e-6;
 /// The most points of a mesh.
 const MOST_POINTS: usize = 50_000_000;
 
@@ -45,9 +48,12 @@ impl Brep {
     /// Cells along the parameters, as large as bounds of the second derivatives allow, are kept where they lie inside
     /// a face; between them and the edges is a Delaunay triangulation.
     ///
-    /// Known not to hold yet: some breps of real models have triangles that look the other way, mostly beside poles, and
-    /// a hole close to a pole may give an edge with four triangles; kinks inside trimmed faces are not followed. The
-    /// example `mesh_breps` of `katydid-3dm` names them.
+    /// Triangles that look backwards and edges with more than two triangles, which come where a side of a surface is a
+    /// point or parameters run along each other, are mended afterwards.
+    ///
+    /// Known not to hold yet: where a surface folds back on itself within the tolerance, or edges lie far from the faces
+    /// beside them, some small triangles look backwards; kinks inside trimmed faces are not followed. The example
+    /// `mesh_breps` of `katydid-3dm` names them.
     ///
     /// # Errors
     /// A limit that is no number, a mesh with too many points, a face that has no surface or no loop, trims or edges
@@ -155,6 +161,7 @@ impl<'a> Job<'a> {
             return Err(no("it has no loop"));
         }
         let domain = Direction::BOTH.map(|d| surface.domain(d));
+        let narrow = narrow(surface, domain, self.limits.distance);
         let mut reach = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         let mut trims = Vec::with_capacity(names.len());
         for trim in names {
@@ -162,7 +169,7 @@ impl<'a> Job<'a> {
                 .brep
                 .trims()
                 .get(trim)
-                .and_then(|t| along(self.brep.trim_curve(trim)?, t.part, domain))
+                .and_then(|t| along(self.brep.trim_curve(trim)?, t.part, domain, narrow))
                 .ok_or(no("a trim has no curve"))?;
             for d in 0..2 {
                 reach[d] = [reach[d][0].min(bounds[d][0]), reach[d][1].max(bounds[d][1])];
@@ -181,18 +188,15 @@ impl<'a> Job<'a> {
             let [from, to] = reach[d];
             let near = |t: f64, end: f64| if (t - end).abs() < 1e-7 * domain[d].length() { end } else { t };
             let [from, to] = [near(from, domain[d].start), near(to, domain[d].end)];
-            let mut list = surface.span_parameters(Direction::BOTH[d]);
-            list.extend(trims.iter().filter_map(|t| t.aligned.filter(|a| a.0 == d).map(|a| a.1)));
-            list.retain(|&t| t > from && t < to);
-            list.extend([from, to]);
-            list.sort_by(f64::total_cmp);
-            list.dedup();
-            let small = 1e-9 * domain[d].length();
-            list.dedup_by(|b, a| *b - *a < small && *b != to);
-            list
+            let values: Vec<f64> =
+                (trims.iter()).filter_map(|t| t.aligned.filter(|a| a.0 == d).map(|a| a.1)).collect();
+            lines([from, to], &values, &surface.span_parameters(Direction::BOTH[d]), narrow[d])
         });
         if breaks.iter().any(|list| list.len() < 2) {
             return Err(no("its loops have no extent"));
+        }
+        for (d, value) in trims.iter_mut().filter_map(|t| t.aligned.as_mut()) {
+            *value = line_of(&breaks[*d], *value, narrow[*d]);
         }
         let flat = self.limits.simple_planes && surface.is_planar(1e-3 * self.limits.distance);
         let grid = Grid::new(&Bender::new(surface), breaks, &self.limits, flat)?;
@@ -262,26 +266,30 @@ impl<'a> Job<'a> {
         let mut points = shared.points;
         let mut faces = Vec::with_capacity(plans.len());
         let work: Vec<(&FacePlan<'a>, &Filled)> = plans.iter().zip(&filled).collect();
-        let placed = each(&work, |(plan, filled)| placed(plan, filled));
+        let placed = each(&work, |(plan, filled)| {
+            let mut sheet = placed(plan, filled, &points);
+            mend(plan.surface, &plan.grid, &self.limits, filled, &mut sheet);
+            sheet
+        });
         let mut welds: Vec<[u32; 2]> = Vec::new();
-        for ((plan, filled), (inner, normals)) in plans.iter().zip(filled).zip(placed) {
-            let mut inner = inner.into_iter();
-            let places = (filled.vertices.iter())
-                .map(|v| {
+        for ((plan, filled), sheet) in plans.iter().zip(filled).zip(placed) {
+            let places = (sheet.vertices.iter().zip(&sheet.points))
+                .map(|(v, &p)| {
                     v.id.unwrap_or_else(|| {
-                        points.extend(inner.next());
+                        points.push(p);
                         points.len() as u32 - 1
                     })
                 })
                 .collect();
+            let polygons = sheet.faces.unwrap_or(filled.faces);
             welds.extend(filled.welds);
             let turned = plan.face.reversed;
             faces.push(FaceMesh {
                 face: plan.place,
                 places,
-                parameters: filled.vertices.iter().map(|v| v.uv).collect(),
-                normals: normals.into_iter().map(|n| if turned { -n } else { n }).collect(),
-                faces: filled.faces.into_iter().map(|f| if turned { f.flipped() } else { f }).collect(),
+                parameters: sheet.vertices.iter().map(|v| v.uv).collect(),
+                normals: sheet.normals.into_iter().map(|n| if turned { -n } else { n }).collect(),
+                faces: polygons.into_iter().map(|f| if turned { f.flipped() } else { f }).collect(),
             });
         }
         BrepMesh::new(points, faces, &welds)
@@ -330,19 +338,17 @@ fn wanted(grid: &Grid, track: &Track<'_>, aligned: Option<(usize, f64)>) -> Vec<
         .collect()
 }
 
-/// The points and normals of a face's vertices, points only of those inside.
-fn placed(plan: &FacePlan<'_>, filled: &Filled) -> (Vec<Point3>, Vec<Vector3>) {
-    let mut points = Vec::new();
+/// The points and normals of a face's vertices; `shared` are the points of edges.
+fn placed(plan: &FacePlan<'_>, filled: &Filled, shared: &[Point3]) -> Sheet {
+    let mut points = Vec::with_capacity(filled.vertices.len());
     let mut normals = Vec::with_capacity(filled.vertices.len());
     for vertex in &filled.vertices {
         let (u, v) = (vertex.uv.x, vertex.uv.y);
         let (point, normal) = point_and_normal(plan.surface, u, v);
-        if vertex.id.is_none() {
-            points.push(point);
-        }
+        points.push(vertex.id.and_then(|id| shared.get(id as usize).copied()).unwrap_or(point));
         normals.push(normal.unwrap_or(Vector3::ZERO));
     }
-    (points, normals)
+    Sheet { vertices: filled.vertices.clone(), points, normals, faces: None }
 }
 
 /// The point and the unit normal.
@@ -451,7 +457,7 @@ impl Shared {
                     let meets = self.trims.get(next).and_then(|t| t.as_ref()).and_then(|t| t.1.first());
                     let (Some(&(id, uv)), Some(last)) = (meets, out.last().copied()) else { continue };
                     let gap = ((last.uv.x - uv.x) / size[0]).abs().max(((last.uv.y - uv.y) / size[1]).abs());
-                    if gap > 1e-6 || id != last.id {
+                    if gap > SNAP || id != last.id {
                         if id == last.id && start + 1 == out.len() {
                             out.pop();
                         }
@@ -459,7 +465,7 @@ impl Shared {
                     }
                     out.pop();
                 }
-                snap_corners(&mut out, &aligned);
+                snap_corners(&mut out, &aligned, size);
                 out.dedup_by(|b, a| a.id == b.id && a.uv == b.uv);
                 while out.len() > 1 && out.first().map(|c| (c.id, c.uv)) == out.last().map(|c| (c.id, c.uv)) {
                     out.pop();
@@ -471,7 +477,9 @@ impl Shared {
 }
 
 /// Puts the corner where an aligned trim ends exactly on its line, although the next trim begins there.
-fn snap_corners(polygon: &mut [Corner], aligned: &impl Fn(usize) -> Option<(usize, f64)>) {
+fn snap_corners(polygon: &mut [Corner], aligned: &impl Fn(usize) -> Option<(usize, f64)>, size: [f64; 2]) {
+    let near =
+        |d: usize, x: f64, value: f64| (x - value).abs() <= (1e-6 * value.abs().max(1.0)).max(SNAP * size[d]);
     let n = polygon.len();
     for k in 0..n {
         let (Some(before), Some(here)) = (polygon.get((k + n - 1) % n).copied(), polygon.get_mut(k)) else {
@@ -481,8 +489,8 @@ fn snap_corners(polygon: &mut [Corner], aligned: &impl Fn(usize) -> Option<(usiz
             continue;
         }
         match aligned(before.trim as usize) {
-            Some((0, value)) if (here.uv.x - value).abs() <= 1e-6 * value.abs().max(1.0) => here.uv.x = value,
-            Some((1, value)) if (here.uv.y - value).abs() <= 1e-6 * value.abs().max(1.0) => here.uv.y = value,
+            Some((0, value)) if near(0, here.uv.x, value) => here.uv.x = value,
+            Some((1, value)) if near(1, here.uv.y, value) => here.uv.y = value,
             _ => {}
         }
     }

@@ -13,3 +13,4 @@ mod booleans;
 mod clouds;
 mod isosurfaces;
 mod laws;
+mod of_breps;
