@@ -180,12 +180,17 @@ fn what_takes_long_ends_when_nobody_waits() {
     let sections: Vec<Curve> = (0..200).map(|i| tangle(20 + i, 0.1).into()).collect();
     let works: [(&str, &dyn Fn() -> katydid_geometry::Result<()>); 8] = [
         ("offset", &|| a.offset(&Plane::XY, 0.5, OffsetCorner::Round, &tolerance).map(drop)),
-        ("region", &|| Region::union_of(&[closed.clone()], &Plane::XY, 1e-3).map(drop)),
-        ("planar faces", &|| Brep::planar_faces(&[closed.clone()], &tolerance).map(drop)),
+        ("region", &|| Region::union_of(std::slice::from_ref(&closed), &Plane::XY, 1e-3).map(drop)),
+        ("planar faces", &|| Brep::planar_faces(std::slice::from_ref(&closed), &tolerance).map(drop)),
         ("loft", &|| construct::loft(&sections, &construct::LoftOptions::default(), &tolerance).map(drop)),
         ("sweep", &|| {
-            construct::sweep_one(&a, &[ring.clone()], &construct::SweepOptions::default(), &tolerance)
-                .map(drop)
+            construct::sweep_one(
+                &a,
+                std::slice::from_ref(&ring),
+                &construct::SweepOptions::default(),
+                &tolerance,
+            )
+            .map(drop)
         }),
         ("rebuild", &|| a.rebuilt(3, 1000, false).map(drop)),
         ("nearest points", &|| a.closest_points(&tangle(2000, 2.0).control_points()).map(drop)),
