@@ -128,11 +128,14 @@ fn fitting_places(sides: &[Paced<'_>; 2], pace: &[f64], limit: f64) -> (Vec<f64>
 }
 
 impl Paced<'_> {
-    /// Whether cubics between places stay within a distance of the rail, at the rulings and midway between them.
+    /// Whether cubics between places stay within a distance of the rail: at the rulings, and at quarters of the way to
+    /// the next ruling or, where there are places between, to the next of them.
     fn is_near(&self, pace: &[f64], places: &[Place], distance: f64) -> bool {
         let Ok(curve) = self.through(&(pace.to_vec(), places.to_vec())) else { return false };
-        (0..pace.len() - 1).all(|k| {
-            [0.0, 0.25, 0.5, 0.75].into_iter().all(|share| {
+        let last = pace.len() - 1;
+        let looks = 4 * ((places.len() - 1) / last).max(1);
+        (0..last).all(|k| {
+            (0..looks).map(|look| look as f64 / looks as f64).all(|share| {
                 let s = pace[k] + share * (pace[k + 1] - pace[k]);
                 curve.point_at(s).distance_to(self.at(pace, (k, share, s)).0) <= distance
             })
