@@ -268,7 +268,7 @@ impl<'a> Job<'a> {
         let work: Vec<(&FacePlan<'a>, &Filled)> = plans.iter().zip(&filled).collect();
         let placed = each(&work, |(plan, filled)| {
             let mut sheet = placed(plan, filled, &points);
-            mend(plan.surface, &plan.grid, &self.limits, filled, &mut sheet);
+            mend(plan.surface, &plan.grid, &self.limits, filled, &mut sheet, self.stop);
             sheet
         });
         let mut welds: Vec<[u32; 2]> = Vec::new();

@@ -15,6 +15,8 @@ use super::net::Net;
 use super::settings::Limits;
 use crate::{MeshFace, Point2, Point3, Surface, Vector3};
 
+/// The most triangles or edges of a face that are mended.
+const MOST: usize = 10_000;
 /// How often all that is wrong is gone through.
 const PASSES: usize = 6;
 /// The most triangles around a vertex.
@@ -121,8 +123,16 @@ impl Sheet {
     }
 }
 
-/// Mends a face's mesh, if there is anything wrong with it.
-pub(super) fn mend(surface: &Surface, grid: &Grid, limits: &Limits, filled: &Filled, sheet: &mut Sheet) {
+/// Mends a face's mesh, if there is anything wrong with it; left as far as it is when `stop` says so. Of a face with
+/// more that is wrong than [`MOST`] the rest stays: it is folded, and no triangle can help it.
+pub(super) fn mend(
+    surface: &Surface,
+    grid: &Grid,
+    limits: &Limits,
+    filled: &Filled,
+    sheet: &mut Sheet,
+    stop: &dyn Fn() -> bool,
+) {
     let suspects: Vec<[u32; 3]> =
         triangles(&filled.faces).map(|t| t.1).filter(|&t| sheet.is_suspect(t)).collect();
     let repeated = sheet.repeated();
@@ -151,15 +161,18 @@ pub(super) fn mend(surface: &Surface, grid: &Grid, limits: &Limits, filled: &Fil
     let mut near: Vec<u32> = (0..work.net.len() as u32).collect();
     near.retain(|&t| work.pairs(t).iter().any(|pair| crowded.binary_search(pair).is_ok()));
     let whole = work.net.len() as u32;
-    for &pair in &crowded {
+    for &pair in crowded.iter().take(MOST).take_while(|_| !stop()) {
         changed |= work.thin_out(pair, &near, whole);
     }
     let mut left: Vec<u32> = (0..work.net.len() as u32).collect();
     left.retain(|&t| work.net.get(t).is_some_and(|c| work.sheet.is_suspect(c)));
     for _ in 0..PASSES {
         let before = work.net.changes();
+        left.truncate(MOST);
         left.retain(|&t| match work.net.get(t) {
-            Some(corners) if work.look(corners) < 0.0 => !(work.swap(t) || work.shift(t) || work.contract(t)),
+            Some(corners) if !stop() && work.look(corners) < 0.0 => {
+                !(work.swap(t) || work.shift(t) || work.contract(t))
+            }
             _ => false,
         });
         if work.net.changes() == before {
