@@ -4,9 +4,10 @@
 
 use std::f64::consts::PI;
 
+use katydid_geometry::brep::CurvePart;
 use katydid_geometry::{
-    Box3, Brep, Curve, Cylinder, Interval, MassProperties, Plane, Point3, Surface, Tolerance, Vector3, Xform,
-    construct,
+    Box3, Brep, Curve, Cylinder, Interval, KnotSpacing, MassProperties, NurbsCurve, Plane, Point3, Surface,
+    Tolerance, Vector3, Xform, construct,
 };
 
 /// How far what leaks is off.
@@ -161,4 +162,41 @@ fn edges_pulled_to_their_faces() {
 
 fn line() -> katydid_geometry::Line {
     katydid_geometry::Line::new(Point3::ORIGIN, p(1.0, 0.0, 0.0))
+}
+
+#[test]
+fn an_edge_that_weaves_across_the_side_of_its_surface_is_not_followed() {
+    let (off, waves) = (0.01, 5.0);
+    let mut parts = block().into_parts();
+    for surface in parts.surfaces.iter_mut().flatten() {
+        *surface = surface.to_nurbs().unwrap().into();
+    }
+    let (from, to) = (p(2.0, 0.0, 4.0), p(2.0, 3.0, 4.0));
+    let wave = |k: usize| {
+        let y = k as f64 / 15.0;
+        p(2.0 + off * (waves * PI * y).sin(), 3.0 * y, 4.0)
+    };
+    let points: Vec<Point3> = (0..=15).map(wave).collect();
+    let woven = NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, None, None).unwrap();
+    let edge = parts.edges.iter().position(|edge| {
+        let ends = edge.vertices.map(|vertex| parts.vertices[vertex.unwrap()].point);
+        ends == [from, to] || ends == [to, from]
+    });
+    let edge = edge.unwrap();
+    let backwards = parts.vertices[parts.edges[edge].vertices[0].unwrap()].point == to;
+    let woven = Curve::from(woven);
+    let woven = if backwards { woven.reversed() } else { woven };
+    parts.edges[edge].part = CurvePart::whole(parts.curves_3d.len(), woven.domain());
+    parts.edges[edge].tolerance = 2.0 * off;
+    parts.curves_3d.push(Some(woven.clone()));
+    let leaky = Brep::from_parts(parts).unwrap();
+    // The lid and the strip from the wall are one plane, whichever way the edge goes in it.
+    close(volume(&leaky).amount, 24.0);
+    for trim in (0..leaky.trims().len()).filter(|trim| leaky.trims()[*trim].edge == Some(edge)) {
+        let tolerance = Tolerance { absolute: 1e-6, angle: 0.1 };
+        let Some(flat) = leaky.edge_beside_trim(trim, &woven, &tolerance).unwrap() else { continue };
+        // The wall's: it slides along the side. The lid's would leave its side and come back.
+        let bounds = flat.bounding_box();
+        assert!(bounds.min.x == bounds.max.x || bounds.min.y == bounds.max.y, "{bounds:?}");
+    }
 }

@@ -39,7 +39,8 @@ struct Walk<'a> {
 /// The feet of an edge's points as a curve in the parameter plane with the edge's own parameter, within about a limit;
 /// and how far its image is from the edge. The search goes along the edge from foot to foot, and begins at the trim's
 /// start: it stays beside the trim where the surface comes near the edge elsewhere too. None where a foot is farther
-/// than twice the gap between trim and edge, or the way does not end beside the trim's end.
+/// than twice the gap between trim and edge, the way does not end beside the trim's end, or the trim is a side of the
+/// surface that the edge crosses.
 pub(super) fn pulled(
     surface: &Surface,
     edge: &Curve,
@@ -89,19 +90,7 @@ pub(super) fn pulled(
     if strays || apart > 2.0 * walk.farthest {
         return None;
     }
-    Some((walk.curve(&nodes, &joints, held(surface, trim, &nodes))?, width))
-}
-
-/// The parameters that do not change: those that do not along the trim, if the feet keep to them too.
-fn held(surface: &Surface, trim: &Curve, nodes: &[Node]) -> [Option<f64>; 2] {
-    let bounds = trim.bounding_box();
-    let ranges = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
-    Direction::BOTH.map(|direction| {
-        let (low, high) = ranges[direction.index()];
-        let near = SAME * surface.domain(direction).length();
-        let keeps = |node: &Node| (node.uv[direction.index()] - low).abs() <= near;
-        (high - low <= near && nodes.iter().all(keeps)).then_some(low)
-    })
+    Some((walk.curve(&nodes, &joints, walk.held(trim, &nodes)?)?, width))
 }
 
 impl Brep {
@@ -137,9 +126,47 @@ impl Brep {
 }
 
 impl Walk<'_> {
+    /// The parameters that do not change: those that do not along the trim, if the feet keep to them too. None where
+    /// they do not change along the trim because the surface ends there, and the edge is beyond that side for a while:
+    /// the feet would leave the side and come back to it, and a face that ends with its surface ends there.
+    fn held(&self, trim: &Curve, nodes: &[Node]) -> Option<[Option<f64>; 2]> {
+        let bounds = trim.bounding_box();
+        let ranges = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
+        let mut out = [None; 2];
+        for direction in Direction::BOTH {
+            let k = direction.index();
+            let (low, high) = ranges[k];
+            let near = SAME * self.foot.surface.domain(direction).length();
+            if high - low > near {
+                continue;
+            }
+            if nodes.iter().all(|node| (node.uv[k] - low).abs() <= near) {
+                out[k] = Some(low);
+            } else if nodes
+                .iter()
+                .any(|node| self.foot.is_beyond_side(node.uv, self.edge.point_at(node.t))[k])
+            {
+                return None;
+            }
+        }
+        Some(out)
+    }
+
     fn beside(&self, point: Point3, guess: [f64; 2]) -> Option<[f64; 2]> {
         let (uv, _) = self.foot.polished(guess, point, WIDEST);
         (self.foot.image(Point3::new(uv[0], uv[1], 0.0)).distance_to(point) <= self.farthest).then_some(uv)
+    }
+
+    /// How far a place is outside the domain, as it would be measured on the surface.
+    fn outside(&self, place: Point3) -> f64 {
+        let surface = self.foot.surface;
+        let [u, v] =
+            [(Direction::U, place.x), (Direction::V, place.y)].map(|(d, t)| surface.domain(d).clamp(t));
+        if (u, v) == (place.x, place.y) {
+            return 0.0;
+        }
+        let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
+        (d.get(1, 0) * (place.x - u) + d.get(0, 1) * (place.y - v)).length()
     }
 
     fn slope(&self, node: &Node, below: bool) -> Option<Vector3> {
@@ -168,6 +195,8 @@ impl Walk<'_> {
                 let (place, point) = (cubic.point_at(x), self.edge.point_at(a.t + h * x));
                 let image = self.foot.image(place);
                 let foot = self.beside(point, [place.x, place.y]);
+                // The image is that of the nearest place of the domain.
+                off = off.max(self.outside(place));
                 off = off.max(foot.map_or(f64::INFINITY, |uv| self.foot.image(at(uv)).distance_to(image)));
                 wide = wide.max(image.distance_to(point));
             }

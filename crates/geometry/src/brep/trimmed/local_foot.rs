@@ -74,6 +74,13 @@ impl LocalFoot<'_> {
         Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
     }
 
+    /// In which directions a point with its foot at these parameters lies beyond the side of the domain there.
+    pub(in crate::brep) fn is_beyond_side(&self, [u, v]: [f64; 2], point: Point3) -> [bool; 2] {
+        let d = self.surface.derivatives(u, v, 1, self.surface.inner_quadrant(u, v));
+        let away = point - d.point();
+        [self.is_beyond(0, u, away, d.get(1, 0)), self.is_beyond(1, v, away, d.get(0, 1))]
+    }
+
     /// Whether a point with its foot at parameter `t` lies beyond the side of the domain there, by the way to it.
     fn is_beyond(&self, k: usize, t: f64, away: Vector3, tangent: Vector3) -> bool {
         let domain = self.surface.domain(Direction::BOTH[k]);
