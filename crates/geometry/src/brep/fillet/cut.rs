@@ -3,7 +3,6 @@
 use std::cell::RefCell;
 
 use super::newton::{linear, solve};
-use super::refused;
 use super::strip::Strip;
 use crate::brep::trimmed::followed;
 use crate::{Curve, Direction, Interval, Line, LineCurve, NurbsCurve, Point3, Result, Surface, Vector3};
@@ -95,7 +94,7 @@ impl Cut {
             let [t, _, _] = linear(slopes, [-across.x, -across.y, -across.z])?;
             Some(([across, along], t))
         };
-        let lost = || refused(strip.wedge.edge, "its rounding does not run out on the face at its end");
+        let lost = || strip.wedge.refused("its rounding does not run out on the face at its end");
         let mut range: Option<Interval> = None;
         let mut fastest = 0.0_f64;
         let space = followed(&[UNIT], limit, |w, _| {
@@ -121,8 +120,7 @@ impl Cut {
 
     /// A straight strip and a plane: its section is the section across, moved along the edge, and exact.
     fn of_plane(strip: &Strip<'_>, way: Vector3, origin: Point3, normal: Vector3, at: f64) -> Result<Self> {
-        let edge = strip.wedge.edge;
-        let oblique = || refused(edge, "the face at its end runs along it");
+        let oblique = || strip.wedge.refused("the face at its end runs along it");
         let columns = strip.straight_columns().ok_or_else(oblique)?;
         let rate = way.dot(normal);
         if rate.abs() < 1e-3 {

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::refused;
+use super::names::Names;
+use super::wedge::Radius;
 use crate::{Brep, Result, Tolerance, Vector3};
 
 /// One end of an edge: its place, and whether it is its end (or its start).
@@ -38,16 +39,29 @@ pub(super) enum Joint {
     Through { stubs: [Stub; 2], links: [Link; 2] },
     /// Two rounded edges meet at an angle.
     Mitre { stubs: [Stub; 2], links: [Link; 2] },
-    /// Three rounded edges meet; the links of each side of the first, with the stub that it leads to.
+    /// Three rounded edges meet.
     Ball { stubs: [Stub; 3] },
 }
 
 /// What leads round a vertex from trim to trim.
+#[derive(Clone, Copy)]
 pub(super) struct Fans<'a> {
     pub brep: &'a Brep,
+    pub names: &'a Names,
 }
 
 impl Fans<'_> {
+    /// How many edges end at a vertex.
+    pub(super) fn count(&self, vertex: usize) -> usize {
+        let edges = self.brep.vertices().get(vertex).map_or(&[] as &[usize], |own| &own.edges);
+        edges.iter().filter(|edge| self.brep.edges().get(**edge).is_some_and(|own| !own.deleted)).count()
+    }
+
+    /// The refusal of the vertex at which stubs meet.
+    pub(super) fn unsupported(&self, stubs: &[Stub]) -> crate::Error {
+        self.names.unsupported(stubs, stubs.first().and_then(|stub| self.vertex(*stub)))
+    }
+
     /// The stub that an end of a trim is; none where the surface is singular.
     fn stub_of(&self, (trim, at_end): (usize, bool)) -> Option<Stub> {
         let own = self.brep.trims().get(trim)?;
@@ -127,7 +141,8 @@ impl Fans<'_> {
         let mut at: BTreeMap<usize, Vec<Stub>> = BTreeMap::new();
         for &edge in edges {
             for stub in [(edge, false), (edge, true)] {
-                let vertex = self.vertex(stub).ok_or_else(|| refused(edge, "it has no vertices"))?;
+                let vertex =
+                    self.vertex(stub).ok_or_else(|| self.names.refused(edge, "it has no vertices"))?;
                 at.entry(vertex).or_default().push(stub);
             }
         }
@@ -157,7 +172,7 @@ impl Fans<'_> {
             }
             _ => None,
         };
-        found.ok_or_else(|| unsupported(stubs, vertex))
+        found.ok_or_else(|| self.names.unsupported(stubs, Some(vertex)))
     }
 
     fn single(&self, stub: Stub) -> Option<Joint> {
@@ -182,43 +197,44 @@ impl Fans<'_> {
     /// The edges that rounded ones run into without a kink, and that have to be rounded with them, with their radii.
     pub(super) fn prolonged(
         &self,
-        wanted: &mut Vec<(usize, f64)>,
+        wanted: &mut Vec<(usize, Radius)>,
         tolerance: &Tolerance,
-        is_sharp: impl Fn(usize) -> bool,
-    ) {
+        sharp: impl Fn(usize) -> Option<bool>,
+        arcs: bool,
+    ) -> Result<()> {
         let mut next = 0;
         while let Some(&(edge, radius)) = wanted.get(next) {
+            crate::patience::check()?;
             next += 1;
             for stub in [(edge, false), (edge, true)] {
                 let Some(vertex) = self.vertex(stub) else { continue };
                 let around = self.brep.vertices().get(vertex).map_or(&[] as &[usize], |v| &v.edges);
-                let met = |wanted: &[(usize, f64)], other: usize| wanted.iter().any(|(e, _)| *e == other);
-                if around.iter().filter(|e| met(wanted, **e)).count() > 1 {
-                    continue;
-                }
-                let found = around.iter().find_map(|&other| {
-                    let on = [(other, false), (other, true)].into_iter().find(|to| {
-                        self.vertex(*to) == Some(vertex)
-                            && self.runs_through([stub, *to], tolerance.angle)
-                            && self.links([stub, *to]).is_some()
-                    })?;
-                    (!met(wanted, other) && is_sharp(on.0)).then_some(on.0)
-                });
+                let met = |other: usize| wanted.iter().any(|(e, _)| *e == other);
+                let found = match around.iter().filter(|e| met(**e)).count() {
+                    1 => around.iter().find_map(|&other| {
+                        let on = [(other, false), (other, true)].into_iter().find(|to| {
+                            self.vertex(*to) == Some(vertex)
+                                && self.runs_through([stub, *to], tolerance.angle)
+                                && self.links([stub, *to]).is_some()
+                        })?;
+                        (!met(other) && sharp(on.0).is_some()).then_some(on.0)
+                    }),
+                    2 if arcs && around.len() == 3 => around.iter().copied().find(|other| {
+                        // Round the arc in which the rounding of the odd one out will end.
+                        let kinds: Vec<Option<bool>> = around.iter().map(|e| sharp(*e)).collect();
+                        let like = |kind: Option<bool>| kinds.iter().filter(|k| **k == kind).count();
+                        let own = sharp(edge);
+                        own.is_some()
+                            && !met(*other)
+                            && sharp(*other) == own
+                            && like(own) == 2
+                            && !kinds.contains(&None)
+                    }),
+                    _ => None,
+                };
                 wanted.extend(found.map(|other| (other, radius)));
             }
         }
-    }
-}
-
-pub(super) fn unsupported(stubs: &[Stub], vertex: usize) -> crate::Error {
-    let mut edges: Vec<String> = stubs.iter().map(|stub| stub.0.to_string()).collect();
-    edges.dedup();
-    let names = match edges.as_slice() {
-        [only] => format!("edge {only} ends"),
-        several => format!("edges {} meet", several.join(", ")),
-    };
-    crate::Error::Invalid {
-        what: "fillet",
-        why: format!("{names} at vertex {vertex} in a way that is not supported yet"),
+        Ok(())
     }
 }

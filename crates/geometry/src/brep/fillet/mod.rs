@@ -14,19 +14,22 @@
 mod corner;
 mod cut;
 mod joint;
+mod names;
 mod newton;
+mod order;
 mod rebuild;
 mod section;
 mod strip;
 mod weave;
 mod wedge;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use joint::{Fans, Joint, Stub};
+use names::Names;
 use strip::Strip;
 use weave::Weave;
-use wedge::Wedge;
+use wedge::{Radius, Wedge};
 
 use super::{Brep, Builder};
 use crate::{Error, Result, Tolerance, Vector3};
@@ -88,57 +91,133 @@ impl Brep {
         rail: FilletRail,
         tolerance: &Tolerance,
     ) -> Result<Self> {
-        let distance = tolerance.positive_distance()?;
+        tolerance.positive_distance()?;
         if edges.is_empty() {
             return Ok(self.clone());
         }
-        let mut wanted: Vec<(usize, f64)> = Vec::with_capacity(edges.len());
+        let names = Names::default();
+        let given = Fans { brep: self, names: &names };
+        let mut wanted: Vec<(usize, Radius)> = Vec::with_capacity(edges.len());
+        let mut known = BTreeSet::new();
         for &(edge, radius) in edges {
-            if wanted.iter().any(|(other, _)| *other == edge) {
-                return Err(refused(edge, "it is given twice"));
+            if !known.insert(edge) {
+                return Err(names.refused(edge, "it is given twice"));
             }
             // What can be said of the edge alone comes first.
-            Wedge::new(self, edge, radius, rail, tolerance)?;
+            let radius = Radius([radius; 2]);
+            Wedge::new(&given, edge, radius, rail, tolerance)?;
             wanted.push((edge, radius));
         }
         let brep = self.clone().checked()?;
-        let fans = Fans { brep: &brep };
-        fans.prolonged(&mut wanted, tolerance, |edge| Wedge::new(&brep, edge, 1.0, rail, tolerance).is_ok());
-        wanted.sort_by_key(|(edge, _)| *edge);
-        let places: Vec<usize> = wanted.iter().map(|(edge, _)| *edge).collect();
-        let joints = fans.joints(&places, tolerance)?;
-        let mut strips = BTreeMap::new();
-        for &(edge, radius) in &wanted {
-            let wedge = Wedge::new(&brep, edge, radius, rail, tolerance)?;
-            let reach = [false, true].map(|end| reach(&fans, &wedge, blend, (edge, end), &joints));
-            let closed = joints.iter().any(
-                |joint| matches!(joint, Joint::Through { stubs: [a, b], .. } if a.0 == edge && b.0 == edge),
-            );
-            strips.insert(edge, Strip::new(wedge, blend, reach, closed, tolerance)?);
-        }
-        let worst = brep.edges().iter().map(|edge| edge.tolerance).fold(0.0, f64::max);
-        let mut weave = Weave {
-            brep: &brep,
-            strips,
-            builder: Builder::new(),
-            tolerance: *tolerance,
-            limit: distance,
-            blend,
-            ends: BTreeMap::new(),
-            shortened: BTreeMap::new(),
-            inserts: BTreeMap::new(),
+        let fans = Fans { brep: &brep, names: &names };
+        // Whether an edge is convex; none if there is nothing to round.
+        let sharp = |edge: usize| {
+            let wedge = Wedge::new(&fans, edge, Radius([1.0; 2]), rail, tolerance).ok()?;
+            Some(wedge.is_convex(&brep))
         };
-        for joint in &joints {
-            weave.add(joint)?;
-        }
-        let rails = weave.add_strips()?;
-        weave.add_faces(&rails)?;
-        let made = weave.builder.finish(2.0 * distance + worst)?;
+        fans.prolonged(&mut wanted, tolerance, sharp, blend != FilletBlend::Chamfer)?;
+        let style = Style { blend, rail, tolerance: *tolerance };
+        let made = in_steps(brep.clone(), wanted, &style)?;
         if brep.is_solid() && !made.is_solid() {
             return Err(Error::Invalid { what: "fillet", why: "the result would not be closed".into() });
         }
         Ok(made)
     }
+}
+
+/// What all edges have in common.
+struct Style {
+    blend: FilletBlend,
+    rail: FilletRail,
+    tolerance: Tolerance,
+}
+
+/// A shape with some edges rounded.
+struct Made {
+    brep: Brep,
+    /// The places of the edges that are left, by what they were.
+    kept: BTreeMap<usize, usize>,
+    /// The new edges in which roundings end on a third face, from the first rail to the second.
+    ends: BTreeMap<Stub, usize>,
+}
+
+/// The shape with edges rounded, those first that have to be, and the others on the valid shape that this leaves.
+fn in_steps(mut brep: Brep, mut wanted: Vec<(usize, Radius)>, style: &Style) -> Result<Brep> {
+    let mut names = Names::default();
+    while !wanted.is_empty() {
+        wanted.sort_by_key(|(edge, _)| *edge);
+        let fans = Fans { brep: &brep, names: &names };
+        let mut wedges = BTreeMap::new();
+        for &(edge, radius) in &wanted {
+            crate::patience::check()?;
+            wedges.insert(edge, Wedge::new(&fans, edge, radius, style.rail, &style.tolerance)?);
+        }
+        let first = order::first(&fans, &wedges, style.blend, &style.tolerance)?;
+        wedges.retain(|edge, _| first.contains(edge));
+        let joints = fans.joints(&wedges.keys().copied().collect::<Vec<_>>(), &style.tolerance)?;
+        let later: BTreeMap<usize, Radius> =
+            wanted.iter().filter(|(edge, _)| !first.contains(edge)).copied().collect();
+        let made = step(&fans, wedges, &joints, style)?;
+        wanted.clear();
+        for (edge, radius) in &later {
+            let place = made.kept.get(edge).ok_or_else(|| names.refused(*edge, "nothing of it is left"))?;
+            wanted.push((*place, *radius));
+        }
+        for joint in &joints {
+            let Joint::Third { stub, beside, .. } = joint else { continue };
+            let radii = beside.map(|(edge, _)| later.get(&edge));
+            if let ([Some(a), Some(b)], Some(arc)) = (radii, made.ends.get(stub)) {
+                wanted.push((*arc, Radius([a.at_end(beside[0].1), b.at_end(beside[1].1)])));
+            }
+        }
+        names = names.after(&made.kept, &made.ends);
+        brep = made.brep;
+    }
+    Ok(brep)
+}
+
+/// The shape with edges rounded that can be rounded at once.
+fn step<'a>(
+    fans: &Fans<'a>,
+    wedges: BTreeMap<usize, Wedge<'a>>,
+    joints: &[Joint],
+    style: &Style,
+) -> Result<Made> {
+    let (brep, tolerance) = (fans.brep, &style.tolerance);
+    let mut strips = BTreeMap::new();
+    for (edge, wedge) in wedges {
+        crate::patience::check()?;
+        let reach = [false, true].map(|end| reach(fans, &wedge, style.blend, (edge, end), joints));
+        let closed = joints
+            .iter()
+            .any(|joint| matches!(joint, Joint::Through { stubs: [a, b], .. } if a.0 == edge && b.0 == edge));
+        strips.insert(edge, Strip::new(wedge, style.blend, reach, closed, tolerance)?);
+    }
+    let worst = brep.edges().iter().map(|edge| edge.tolerance).fold(0.0, f64::max);
+    let mut weave = Weave {
+        brep,
+        names: fans.names,
+        strips,
+        builder: Builder::new(),
+        tolerance: *tolerance,
+        limit: tolerance.absolute,
+        blend: style.blend,
+        ends: BTreeMap::new(),
+        shortened: BTreeMap::new(),
+        inserts: BTreeMap::new(),
+    };
+    for joint in joints {
+        weave.add(joint)?;
+    }
+    let rails = weave.add_strips()?;
+    let kept = weave.add_faces(&rails)?;
+    let ends = joints.iter().filter_map(|joint| match joint {
+        Joint::Third { stub, after, .. } => Some((*stub, weave.inserts.get(after)?.edge.0)),
+        _ => None,
+    });
+    let ends = ends.collect();
+    let brep = weave.builder.finish(2.0 * tolerance.absolute + worst)?;
+    Ok(Made { brep, kept, ends })
 }
 
 /// How far a strip has to go on beyond an end of its edge, by the tangent plane of what ends it there.
@@ -181,9 +260,4 @@ fn is_flat_square(fans: &Fans<'_>, stub: Stub, joints: &[Joint], rate: f64) -> b
         _ => false,
     });
     flat && (rate.abs() - 1.0).abs() < 1e-12
-}
-
-/// The refusal of an edge by name.
-fn refused(edge: usize, why: &str) -> Error {
-    Error::Invalid { what: "fillet", why: format!("edge {edge}: {why}") }
 }

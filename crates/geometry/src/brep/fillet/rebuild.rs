@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::refused;
 use super::weave::Weave;
 use crate::brep::{Along, LoopKind, NewEdge, NewVertex, Path};
 use crate::intersect::{Crossing, curve_curve, curve_self};
@@ -24,7 +23,8 @@ struct Step {
 
 impl Weave<'_> {
     /// All faces that were there before, each in its new bounds.
-    pub(super) fn add_faces(&mut self, rails: &Rails) -> Result<()> {
+    /// Gives the new places of the edges that stay.
+    pub(super) fn add_faces(&mut self, rails: &Rails) -> Result<BTreeMap<usize, usize>> {
         let mut vertices: BTreeMap<usize, NewVertex> = BTreeMap::new();
         let mut edges: BTreeMap<usize, (NewEdge, Option<Interval>, [NewVertex; 2])> = BTreeMap::new();
         for place in 0..self.brep.edges().len() {
@@ -33,6 +33,7 @@ impl Weave<'_> {
             }
         }
         for place in 0..self.brep.faces().len() {
+            crate::patience::check()?;
             let Some(face) = self.brep.faces().get(place).filter(|face| !face.deleted) else { continue };
             let Some(surface) = self.brep.face_surface(place) else { continue };
             let new = self.builder.face(surface.clone(), face.reversed);
@@ -53,7 +54,7 @@ impl Weave<'_> {
                 self.builder.bound(new, kind, steps.into_iter().map(|step| step.path).collect())?;
             }
         }
-        Ok(())
+        Ok(edges.into_iter().map(|(place, (new, ..))| (place, new.0)).collect())
     }
 
     fn old_vertex(&mut self, place: usize, known: &mut BTreeMap<usize, NewVertex>) -> Result<NewVertex> {
@@ -96,7 +97,10 @@ impl Weave<'_> {
         if !(range.end - range.start > least) {
             return Err(crate::Error::Invalid {
                 what: "fillet",
-                why: format!("the radii are too large: nothing of edge {place} between them would be left"),
+                why: format!(
+                    "the radii are too large: nothing of {} between them would be left",
+                    self.names.of(place)
+                ),
             });
         }
         let curve = curve.trimmed(range)?;
@@ -168,7 +172,7 @@ impl Weave<'_> {
 
     /// A rail in the parameter plane of its face, on the turn on which the ball touched it.
     fn rail_in(&self, surface: &Surface, edge: usize, side: usize, rail: &Curve) -> Result<Curve> {
-        let lost = || refused(edge, "its rounding cannot be followed on a face beside it");
+        let lost = || self.names.refused(edge, "its rounding cannot be followed on a face beside it");
         let flat = self.pulled(surface, rail).map_err(|_| lost())?;
         let strip = self.strips.get(&edge).ok_or_else(lost)?;
         let (t, place) = strip.contact_place(side);
@@ -185,7 +189,8 @@ impl Weave<'_> {
         range: Interval,
         reversed: bool,
     ) -> Result<Curve> {
-        let curve = self.brep.edge_as_curve(edge)?.ok_or_else(|| refused(edge, "it has no curve"))?;
+        let curve =
+            self.brep.edge_as_curve(edge)?.ok_or_else(|| self.names.refused(edge, "it has no curve"))?;
         let (whole, domain) = (flat.domain(), curve.domain());
         let place = |t: f64| {
             let x = domain.normalized(t);
@@ -199,7 +204,7 @@ impl Weave<'_> {
         let (a, b) = (place(range.start), place(range.end));
         let part = Interval::new(a.min(b), a.max(b));
         if !part.is_increasing() || (a < b) == reversed {
-            return Err(refused(edge, "what is left of it cannot be found on a face beside it"));
+            return Err(self.names.refused(edge, "what is left of it cannot be found on a face beside it"));
         }
         flat.trimmed(part)
     }
@@ -217,13 +222,15 @@ impl Weave<'_> {
         let too_large = |edge: usize| -> crate::Error {
             let edge =
                 if edge == usize::MAX { self.strips.keys().next().copied().unwrap_or(0) } else { edge };
-            refused(edge, "the radius is too large: its rounding runs into other edges of its faces")
+            self.names
+                .refused(edge, "the radius is too large: its rounding runs into other edges of its faces")
         };
         let size = Direction::BOTH.map(|d| surface.domain(d).length());
         let least = 1e-9 * size[0].min(size[1]);
         let boxes: Vec<BoundingBox> = all.iter().map(|step| step.path.curve.bounding_box()).collect();
         let apart = |i: usize, j: usize| are_apart(&boxes[i].inflated(least), &boxes[j]);
         for (i, a) in all.iter().enumerate() {
+            crate::patience::check()?;
             let p = &a.path.curve;
             // An inset rail may run into itself, as that of a narrow bay does.
             if let Some(edge) = a.made_by {

@@ -4,9 +4,9 @@
 //! cone. Elsewhere the columns of the section (homogeneous control points) are cubics of class C1 through stations,
 //! halved until the surface is within the tolerance of the section between them, in place and in direction.
 
+use super::FilletBlend;
 use super::section::{bezier, columns, simplest, slopes};
 use super::wedge::{Station, Unknowns, Wedge};
-use super::{FilletBlend, refused};
 use crate::{
     Circle, Curve, Direction, Interval, Line, LineCurve, NurbsSurface, Plane, PlaneSurface, Point3, Result,
     RevolutionSurface, SumSurface, Surface, Tolerance, Vector3, Xform,
@@ -110,7 +110,7 @@ impl<'a> Strip<'a> {
                 let near = |t: f64, end: f64| if (t - end).abs() <= slack { end } else { t };
                 let range = Interval::new(near(range.start, whole.start), near(range.end, whole.end));
                 if !whole.includes(range, false) {
-                    return Err(refused(self.wedge.edge, "it ends too obliquely to be followed to its end"));
+                    return Err(self.wedge.refused("it ends too obliquely to be followed to its end"));
                 }
                 if range == whole {
                     Ok(self.surface.clone())
@@ -119,7 +119,7 @@ impl<'a> Strip<'a> {
                 }
             }
             Course::Turned(_) if range.length() > std::f64::consts::TAU * (1.0 + 1e-12) => {
-                Err(refused(self.wedge.edge, "it would meet itself at its ends"))
+                Err(self.wedge.refused("it would meet itself at its ends"))
             }
             _ => self.exact(range),
         }
@@ -293,13 +293,14 @@ impl<'a> Strip<'a> {
             let inner = 1e-9 * (t - s);
             let mut stack = vec![(self.node(s, inner, &a)?, self.node(t, -inner, &b)?, 0)];
             while let Some((a, b, depth)) = stack.pop() {
+                crate::patience::check()?;
                 near.clone_from(&a.station.unknowns);
                 if depth > 0 && self.holds(&a, &b, limit, tolerance.angle) {
                     pieces.push([a, b]);
                     continue;
                 }
                 if depth >= DEEPEST || pieces.len() + stack.len() > MOST_STATIONS {
-                    return Err(refused(wedge.edge, "its rounding cannot be followed within the tolerance"));
+                    return Err(wedge.refused("its rounding cannot be followed within the tolerance"));
                 }
                 let m = 0.5 * (a.t + b.t);
                 let station = wedge.station(m, &between(&a, &b, 0.5)).ok_or_else(too_large)?;
@@ -313,7 +314,7 @@ impl<'a> Strip<'a> {
             let last = &mut pieces[end][1];
             let gap = last.station.contacts[0].distance_to(first_contact(&columns));
             if gap > tolerance.absolute {
-                return Err(refused(wedge.edge, "its rounding does not close"));
+                return Err(wedge.refused("its rounding does not close"));
             }
             (last.columns, last.slopes) = (columns, slopes);
         }
@@ -387,7 +388,7 @@ fn between(a: &Node, b: &Node, x: f64) -> Unknowns {
 }
 
 /// The station at a parameter, walked to from another one.
-fn walked(wedge: &Wedge<'_>, from: &Station, s: f64, t: f64) -> Option<Station> {
+pub(super) fn walked(wedge: &Wedge<'_>, from: &Station, s: f64, t: f64) -> Option<Station> {
     const STEPS: u32 = 16;
     let mut here = *from;
     let step = (t - s) / f64::from(STEPS);
@@ -445,6 +446,9 @@ fn lofted(pieces: &[[Node; 2]]) -> Result<NurbsSurface> {
 
 /// The line or circle along which the ball is carried without change, with the range along the edge and its middle.
 fn exact_course(wedge: &Wedge<'_>, first: &Station) -> Option<(Course, Interval, f64)> {
+    if !wedge.radius.is_constant() {
+        return None;
+    }
     let domain = wedge.curve.domain();
     let same = SAME * wedge.size;
     let middle = wedge.curve.point_at(domain.middle());

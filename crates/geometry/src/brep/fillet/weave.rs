@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use super::FilletBlend;
 use super::corner;
 use super::cut::Cut;
-use super::joint::{Fans, Joint, Link, Stub, unsupported};
+use super::joint::{Fans, Joint, Link, Stub};
+use super::names::Names;
 use super::newton::solve;
 use super::rebuild::Rails;
 use super::strip::Strip;
-use super::{FilletBlend, refused};
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
 use crate::{Brep, ClosestOnCurve, Curve, Direction, Interval, Plane, PlaneSurface, Point3, Result};
 use crate::{Surface, Tolerance, Vector3};
@@ -34,6 +35,7 @@ pub(super) struct Insert {
 /// All that is known of the new brep.
 pub(super) struct Weave<'a> {
     pub brep: &'a Brep,
+    pub names: &'a Names,
     pub strips: BTreeMap<usize, Strip<'a>>,
     pub builder: Builder,
     pub tolerance: Tolerance,
@@ -47,8 +49,12 @@ pub(super) struct Weave<'a> {
 }
 
 impl<'a> Weave<'a> {
+    fn fans(&self) -> Fans<'a> {
+        Fans { brep: self.brep, names: self.names }
+    }
+
     fn strip(&self, stub: Stub) -> Result<&Strip<'a>> {
-        self.strips.get(&stub.0).ok_or_else(|| refused(stub.0, "it is not rounded"))
+        self.strips.get(&stub.0).ok_or_else(|| self.names.refused(stub.0, "it is not rounded"))
     }
 
     /// Where a strip's edge ends, along it.
@@ -72,20 +78,22 @@ impl<'a> Weave<'a> {
         let own = self.brep.edges().get(edge);
         let curve = self.brep.edge_as_curve(edge)?;
         let (Some(own), Some(curve)) = (own, curve) else {
-            return Err(refused(rounded, "an edge beside it has no curve"));
+            return Err(self.names.refused(rounded, "an edge beside it has no curve"));
         };
         let near = ClosestOnCurve::new(&curve).nearest(point);
         let reach = self.limit + own.tolerance.max(0.0);
         let near = near.ok().filter(|near| near.distance <= reach).ok_or_else(|| {
-            let why =
-                format!("the radius is too large, or edge {edge} beside it runs another way than its end");
-            refused(rounded, &why)
+            let why = format!(
+                "the radius is too large, or {} beside it runs another way than its end",
+                self.names.of(edge)
+            );
+            self.names.refused(rounded, &why)
         })?;
         let ends = [curve.start(), curve.end()];
         if ends.iter().any(|p| p.distance_to(point) <= reach) {
-            return Err(refused(
+            return Err(self.names.refused(
                 rounded,
-                &format!("the radius is too large: it takes all of edge {edge} beside it"),
+                &format!("the radius is too large: it takes all of {} beside it", self.names.of(edge)),
             ));
         }
         let vertex = self.builder.vertex(point);
@@ -114,7 +122,7 @@ impl<'a> Weave<'a> {
                 self.pair(*stubs, *links, cuts)
             }
             Joint::Mitre { stubs, links } => {
-                let fans = Fans { brep: self.brep };
+                let fans = self.fans();
                 let ways = stubs.map(|stub| fans.way(stub));
                 let normal = match ways {
                     [Some(a), Some(b)] => (a - b).unitized(),
@@ -138,8 +146,8 @@ impl<'a> Weave<'a> {
     }
 
     fn unsupported(&self, stubs: &[Stub]) -> crate::Error {
-        let vertex = stubs.first().and_then(|stub| Fans { brep: self.brep }.vertex(*stub));
-        unsupported(stubs, vertex.unwrap_or(0))
+        let vertex = stubs.first().and_then(|stub| self.fans().vertex(*stub));
+        self.names.unsupported(stubs, vertex)
     }
 
     fn feet(&mut self, stub: Stub, cut: &Cut, beside: [Stub; 2]) -> Result<[NewVertex; 2]> {
@@ -156,7 +164,7 @@ impl<'a> Weave<'a> {
         first: usize,
     ) -> Result<()> {
         let strip = self.strip(stub)?;
-        let none = || refused(stub.0, "the face at its end has no surface");
+        let none = || self.names.refused(stub.0, "the face at its end has no surface");
         let surface = self.brep.face_surface(face).ok_or_else(none)?;
         let trim = self.brep.trims().get(after).ok_or_else(none)?;
         let corner = self.brep.trim_point(after, trim.part.domain.end).ok_or_else(none)?;
@@ -221,7 +229,7 @@ impl<'a> Weave<'a> {
             }
         }
         let side = sides(third).first().copied().unwrap_or(1.0);
-        let fans = Fans { brep: self.brep };
+        let fans = self.fans();
         let found = || -> Option<(Point3, f64, Point3)> {
             let surface = self.brep.face_surface(third)?;
             let corner = fans.brep.vertices().get(fans.vertex(stubs[0])?)?.point;
@@ -288,10 +296,12 @@ impl<'a> Weave<'a> {
         let mut rails = BTreeMap::new();
         for (edge, strip) in &self.strips {
             let ends = (self.ends.get(&(*edge, false)), self.ends.get(&(*edge, true)));
-            let (Some(start), Some(end)) = ends else { return Err(refused(*edge, "it has no ends")) };
+            let (Some(start), Some(end)) = ends else {
+                return Err(self.names.refused(*edge, "it has no ends"));
+            };
             let slack = 1e-9 * strip.ends.length();
             if !(start.cut.range.end + slack < end.cut.range.start) {
-                return Err(refused(
+                return Err(self.names.refused(
                     *edge,
                     "the radius is too large: what is left of it between its ends is nothing",
                 ));

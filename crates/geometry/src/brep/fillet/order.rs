@@ -1,0 +1,153 @@
+//! Which edges are rounded first where they cannot all be rounded at once.
+//!
+//! Where three edges meet that are not all convex (or concave) alike, the odd one out is rounded first: its rounding ends
+//! in an arc on the third face, and that arc runs on without a kink into both other edges, so that a ball rolls along all
+//! three. Where three convex edges have different radii the largest comes first, by the same reason: then the smaller
+//! balls fit round the arc that it leaves. Edges of one radius that meet on one ball, or are mitred, go together.
+//!
+//! Source: the order of mixed convexities and of falling radii as in J. R. Rossignac and A. A. G. Requicha,
+//! "Constant-radius blending in solid modeling", *Computers in Mechanical Engineering* 3 (1984), and in the survey of
+//! Vida, Martin and Varady (1994).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::FilletBlend;
+use super::joint::{Fans, Link, Stub};
+use super::strip::walked;
+use super::wedge::Wedge;
+use crate::{Result, Tolerance};
+
+/// Radii and lengths that differ by less than this part are equal.
+const EQUAL: f64 = 1e-9;
+
+/// What has to be kept to, found vertex by vertex.
+#[derive(Default)]
+struct Rules {
+    /// Edges that go in one step, each with one that stands for its group.
+    groups: BTreeMap<usize, usize>,
+    /// Edges that go before others, and the stubs at their vertex.
+    before: Vec<(usize, usize, Vec<Stub>)>,
+}
+
+impl Rules {
+    fn group(&self, edge: usize) -> usize {
+        let mut at = edge;
+        while let Some(&next) = self.groups.get(&at).filter(|next| **next != at) {
+            at = next;
+        }
+        at
+    }
+
+    fn together(&mut self, stubs: &[Stub]) {
+        let Some(first) = stubs.first() else { return };
+        for stub in stubs {
+            let (a, b) = (self.group(first.0), self.group(stub.0));
+            self.groups.insert(a.max(b), a.min(b));
+        }
+    }
+
+    fn leads(&mut self, first: Stub, stubs: &[Stub]) {
+        let others = stubs.iter().filter(|stub| **stub != first);
+        self.before.extend(others.map(|other| (first.0, other.0, stubs.to_vec())));
+    }
+}
+
+/// The edges that are rounded in the next step, of those that are to be rounded.
+///
+/// # Errors
+/// None can be the first: each waits for another one.
+pub(super) fn first(
+    fans: &Fans<'_>,
+    wedges: &BTreeMap<usize, Wedge<'_>>,
+    blend: FilletBlend,
+    tolerance: &Tolerance,
+) -> Result<BTreeSet<usize>> {
+    let mut at: BTreeMap<usize, Vec<Stub>> = BTreeMap::new();
+    for &edge in wedges.keys() {
+        for stub in [(edge, false), (edge, true)] {
+            if let Some(vertex) = fans.vertex(stub) {
+                at.entry(vertex).or_default().push(stub);
+            }
+        }
+    }
+    let mut rules = Rules::default();
+    for stubs in at.values() {
+        crate::patience::check()?;
+        match leader(fans, wedges, stubs, blend, tolerance)? {
+            Some(first) => {
+                rules.leads(first, stubs);
+                let others: Vec<Stub> = stubs.iter().copied().filter(|stub| *stub != first).collect();
+                rules.together(&others);
+            }
+            None => rules.together(stubs),
+        }
+    }
+    let waiting: BTreeSet<usize> = rules.before.iter().map(|(_, after, _)| rules.group(*after)).collect();
+    let free: BTreeSet<usize> =
+        wedges.keys().copied().filter(|edge| !waiting.contains(&rules.group(*edge))).collect();
+    match rules.before.first() {
+        Some((_, _, stubs)) if free.is_empty() => Err(fans.unsupported(stubs)),
+        _ => Ok(free),
+    }
+}
+
+/// The stub at a vertex that goes before the others, which then go together; none if all go together.
+fn leader(
+    fans: &Fans<'_>,
+    wedges: &BTreeMap<usize, Wedge<'_>>,
+    stubs: &[Stub],
+    blend: FilletBlend,
+    tolerance: &Tolerance,
+) -> Result<Option<Stub>> {
+    let all: Vec<&Wedge<'_>> = stubs.iter().filter_map(|stub| wedges.get(&stub.0)).collect();
+    let several = stubs.windows(2).all(|pair| pair[0].0 != pair[1].0);
+    let vertex = stubs.first().and_then(|stub| fans.vertex(*stub));
+    let edges = vertex.map_or(0, |vertex| fans.count(vertex));
+    if edges != 3 || !several {
+        return Ok(None);
+    }
+    match (stubs, all.as_slice()) {
+        (&[a, b], &[p, q]) => {
+            if fans.runs_through([a, b], tolerance.angle) {
+                return Ok(None);
+            }
+            if p.is_convex(fans.brep) != q.is_convex(fans.brep) {
+                return Ok(None);
+            }
+            let reaches = [foot(fans, p, a, b)?, foot(fans, q, b, a)?];
+            Ok(match reaches {
+                [Some(s), Some(t)] if (s - t).abs() <= 1e-6 * s.max(t) => None,
+                [Some(s), Some(t)] => Some(if s > t { a } else { b }),
+                _ => None,
+            })
+        }
+        (&[_, _, _], [p, q, r]) if blend != FilletBlend::Chamfer => {
+            let convex = [p, q, r].map(|wedge| wedge.is_convex(fans.brep));
+            let count = convex.iter().filter(|c| **c).count();
+            if count == 1 || count == 2 {
+                return Ok(convex.iter().position(|c| *c == (count == 1)).map(|odd| stubs[odd]));
+            }
+            let mut radii = Vec::with_capacity(3);
+            for (stub, wedge) in stubs.iter().zip([p, q, r]) {
+                radii.push((wedge.first()?.radius, *stub));
+            }
+            radii.sort_by(|a, b| b.0.total_cmp(&a.0));
+            Ok((radii[0].0 - radii[1].0 > EQUAL * radii[0].0).then_some(radii[0].1))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// How far from the vertex the rounding of a stub ends on the third edge, by the tangents at the vertex.
+fn foot(fans: &Fans<'_>, wedge: &Wedge<'_>, stub: Stub, other: Stub) -> Result<Option<f64>> {
+    let over = (0..2).find_map(|side| match fans.link(stub, side, other) {
+        Some(Link::Over(over, _)) => Some((side, over)),
+        _ => None,
+    });
+    let Some((side, over)) = over else { return Ok(None) };
+    let domain = wedge.curve.domain();
+    let end = if stub.1 { domain.end } else { domain.start };
+    let station = walked(wedge, &wedge.first()?, domain.middle(), end).ok_or_else(|| wedge.too_large())?;
+    let turn = fans.way(stub).zip(fans.way(over)).map_or(0.0, |(a, b)| a.cross(b).length());
+    Ok((turn > 0.0).then(|| station.contacts[side].distance_to(wedge.curve.point_at(end)) / turn))
+}
