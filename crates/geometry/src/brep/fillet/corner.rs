@@ -1,5 +1,5 @@
-//! The patch where three rounded edges of one radius meet: a part of the ball that touches all three faces, or the
-//! triangle between the contacts where edges are cut off straight.
+//! The patch where rounded edges of one radius meet: a part of the ball that touches all of their faces, or a flat facet
+//! where edges are cut off straight.
 
 use super::FilletBlend;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
@@ -15,7 +15,7 @@ pub(super) struct Arc {
     pub ends: [(NewVertex, Point3); 2],
 }
 
-/// Adds the face within three arcs of a ball; `outward` says whether its normal points away from the centre.
+/// Adds the face within three or more arcs of a ball; `outward` says whether its normal points away from the centre.
 pub(super) fn add(
     builder: &mut Builder,
     arcs: &[Arc],
@@ -27,12 +27,11 @@ pub(super) fn add(
 ) -> Result<()> {
     let walk = in_turn(arcs).ok_or(Error::degenerate("fillet", "its arcs at a corner do not meet"))?;
     let corners: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
-    let &[a, b, c] = corners.as_slice() else {
+    let &[a, b, c, ref more @ ..] = corners.as_slice() else {
         return Err(Error::degenerate("fillet", "a corner without three sides"));
     };
     // Seen from outside the ball the corners run counter-clockwise, or the walk goes the other way round.
-    let normal = (b - a).cross(c - a);
-    let away = normal.dot(a - centre) > 0.0;
+    let away = newell(&corners).dot(a - centre) > 0.0;
     if blend == FilletBlend::Chamfer {
         let plane = Plane::from_points(a, b, c)?;
         let range = |f: fn([f64; 3]) -> f64| {
@@ -54,6 +53,9 @@ pub(super) fn add(
     }
     let walk: Vec<(&Arc, bool)> =
         if away { walk } else { walk.into_iter().rev().map(|(arc, back)| (arc, !back)).collect() };
+    if !more.is_empty() {
+        return add_many(builder, &walk, centre, radius, outward, tolerance);
+    }
     let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
     // The pole is the corner that is nearest to square to both others: then the side across is the equator.
     let arm = |p: Point3| (p - centre) / radius;
@@ -110,6 +112,119 @@ pub(super) fn add(
     ];
     let face = builder.face(sphere, !outward);
     builder.bound(face, LoopKind::Outer, paths)
+}
+
+/// Twice the area within corners, as a vector about which they run counter-clockwise.
+fn newell(corners: &[Point3]) -> Vector3 {
+    let Some(first) = corners.first() else { return Vector3::ZERO };
+    let pairs = corners.windows(2).map(|pair| (pair[0] - *first).cross(pair[1] - *first));
+    pairs.fold(Vector3::ZERO, |sum, part| sum + part)
+}
+
+/// The face within more than three arcs of a ball, walked counter-clockwise as seen from outside: the poles lie off it, at
+/// right angles to its middle.
+fn add_many(
+    builder: &mut Builder,
+    walk: &[(&Arc, bool)],
+    centre: Point3,
+    radius: f64,
+    outward: bool,
+    tolerance: &Tolerance,
+) -> Result<()> {
+    const LOOKS: u32 = 16;
+    let none = || Error::degenerate("fillet", "a corner that is larger than half a ball");
+    let arms: Vec<Vector3> = walk
+        .iter()
+        .flat_map(|(arc, _)| {
+            (0..=LOOKS)
+                .map(|n| arc.space.domain().at(f64::from(n) / f64::from(LOOKS)))
+                .map(|t| (arc.space.point_at(t) - centre) / radius)
+        })
+        .collect();
+    let middle = arms.iter().fold(Vector3::ZERO, |sum, arm| sum + *arm).unitized().ok_or_else(none)?;
+    let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
+    let first = (starts[0] - centre).unitized().ok_or_else(none)?;
+    let top = middle.cross(first).unitized().ok_or_else(none)?;
+    let side = top.cross(middle);
+    let (mut longitudes, mut latitudes): (Option<Interval>, Option<Interval>) = (None, None);
+    let place = |arm: Vector3| (arm.dot(side).atan2(arm.dot(middle)), arm.dot(top).clamp(-1.0, 1.0).asin());
+    for arm in arms {
+        let (u, v) = place(arm);
+        longitudes = Some(longitudes.map_or(Interval::new(u, u), |all| all.including(u)));
+        latitudes = Some(latitudes.map_or(Interval::new(v, v), |all| all.including(v)));
+    }
+    let (Some(longitudes), Some(latitudes)) = (longitudes, latitudes) else { return Err(none()) };
+    let margin = 0.05 * (longitudes.length() + latitudes.length());
+    let half = std::f64::consts::FRAC_PI_2;
+    let low = (latitudes.start - margin).max(-half);
+    let high = (latitudes.end + margin).min(half);
+    let from = (longitudes.start - margin).max(-std::f64::consts::PI);
+    let to = (longitudes.end + margin).min(std::f64::consts::PI);
+    if !(longitudes.length() < std::f64::consts::PI
+        && latitudes.start > -half + 1e-3
+        && latitudes.end < half - 1e-3)
+    {
+        return Err(none());
+    }
+    let x = middle * from.cos() + side * from.sin();
+    let plane = Plane::from_axes(centre, x, top)?;
+    let range = Interval::new(low, high);
+    let arc = crate::Arc::new(Circle::new(plane, radius)?, range)?;
+    let profile = crate::ArcCurve { arc, domain: range };
+    let axis = Line::new(centre, centre + top);
+    let sphere: Surface = RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, to - from))?.into();
+    let fine = Tolerance { absolute: 0.1 * tolerance.absolute, ..*tolerance };
+    let mut paths = Vec::with_capacity(walk.len());
+    for (n, (arc, back)) in walk.iter().enumerate() {
+        let own = if *back { arc.space.reversed() } else { arc.space.clone() };
+        let made = sphere.parameter_curve(&own, &fine)?;
+        let ends = [starts[n], starts[(n + 1) % starts.len()]].map(|p| {
+            let (u, v) = place((p - centre) / radius);
+            Point3::new(u - from, v, 0.0)
+        });
+        let curve = crate::brep::with_ends(&made, ends)?;
+        paths.push(Path { curve, along: Along::Edge(arc.edge, *back) });
+    }
+    let face = builder.face(sphere, !outward);
+    builder.bound(face, LoopKind::Outer, paths)
+}
+
+/// Adds the flat face within straight sides, each walked backwards or not; false if they do not lie in one plane.
+pub(super) fn add_facet(builder: &mut Builder, sides: &[(Arc, bool)], limit: f64) -> Result<bool> {
+    let start = |(arc, back): &(Arc, bool)| arc.ends[usize::from(*back)];
+    let end = |(arc, back): &(Arc, bool)| arc.ends[usize::from(!*back)];
+    let Some(mut at) = sides.first() else { return Ok(false) };
+    let mut walk = vec![at];
+    while walk.len() < sides.len() {
+        let Some(next) = sides.iter().find(|side| start(side).0 == end(at).0) else { return Ok(false) };
+        walk.push(next);
+        at = next;
+    }
+    if walk.first().is_none_or(|first| start(first).0 != end(at).0) {
+        return Ok(false);
+    }
+    let corners: Vec<Point3> = walk.iter().map(|side| start(side).1).collect();
+    let Ok(plane) = Plane::from_normal(corners[0], newell(&corners)) else { return Ok(false) };
+    if corners.iter().any(|p| plane.coordinates(*p)[2].abs() > 0.5 * limit) {
+        return Ok(false);
+    }
+    let range = |k: usize| {
+        let all = corners.iter().map(|p| plane.coordinates(*p)[k]);
+        all.fold(Interval::new(0.0, 0.0), Interval::including)
+    };
+    let surface = PlaneSurface::new(plane, range(0), range(1))?;
+    let flat = |p: Point3| {
+        let [u, v] = surface.parameters_of(p);
+        Point3::new(u, v, 0.0)
+    };
+    let path = |side: &&(Arc, bool)| Path {
+        curve: Line::new(flat(start(side).1), flat(end(side).1)).into(),
+        along: Along::Edge(side.0.edge, side.1),
+    };
+    let paths = walk.iter().map(path).collect();
+    let face = builder.face(surface.into(), false);
+    builder.bound(face, LoopKind::Outer, paths)?;
+    Ok(true)
 }
 
 /// The arcs one after the other, and whether each is walked backwards.

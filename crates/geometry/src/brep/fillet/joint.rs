@@ -9,6 +9,9 @@ use crate::{Brep, Result, Tolerance, Vector3};
 /// One end of an edge: its place, and whether it is its end (or its start).
 pub(super) type Stub = (usize, bool);
 
+/// The most faces on which an edge may end.
+const MOST_OUTLETS: usize = 100;
+
 /// How a rail goes on beyond a vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Link {
@@ -30,17 +33,27 @@ impl Link {
 /// What is to be done at a vertex.
 #[derive(Debug, Clone)]
 pub(super) enum Joint {
-    /// One rounded edge ends on a third face, between the stubs beside its sides. The face gets a new edge after the
-    /// trim, which belongs to the stub beside that side.
-    Third { stub: Stub, beside: [Stub; 2], face: usize, after: usize, first: usize },
+    /// One rounded edge ends on the other faces at its vertex, from one of the stubs beside its sides to the other; the
+    /// stubs between those faces come in the same order.
+    Third { stub: Stub, beside: [Stub; 2], outlets: Vec<Outlet>, between: Vec<Stub> },
     /// One rounded edge ends at the border of the shape.
     Border { stub: Stub, beside: [Stub; 2] },
     /// A rounded edge goes on in another one, or in itself, without a kink.
     Through { stubs: [Stub; 2], links: [Link; 2] },
     /// Two rounded edges meet at an angle.
     Mitre { stubs: [Stub; 2], links: [Link; 2] },
-    /// Three rounded edges meet.
-    Ball { stubs: [Stub; 3] },
+    /// Three or more rounded edges meet, and no others.
+    Ball { stubs: Vec<Stub> },
+}
+
+/// A face on which a rounded edge ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outlet {
+    pub face: usize,
+    /// The trim of its loop after which the new edge comes.
+    pub after: usize,
+    /// Whether the new edge runs from the second side to the first there.
+    pub reversed: bool,
 }
 
 /// What leads round a vertex from trim to trim.
@@ -163,12 +176,14 @@ impl Fans<'_> {
                 };
                 self.links(stubs).map(joint)
             }
-            [a, b, c] => {
-                let face = |from: Stub, side: usize, to: Stub| {
-                    matches!(self.link(from, side, to), Some(Link::Face(_)))
+            ref several if several.len() > 2 => {
+                let leads = |from: Stub, side: usize| {
+                    several
+                        .iter()
+                        .any(|to| *to != from && matches!(self.link(from, side, *to), Some(Link::Face(_))))
                 };
-                let meets = |from: Stub, to: Stub| face(from, 0, to) || face(from, 1, to);
-                (meets(a, b) && meets(b, c) && meets(c, a)).then_some(Joint::Ball { stubs: [a, b, c] })
+                let all = several.iter().all(|stub| leads(*stub, 0) && leads(*stub, 1));
+                all.then(|| Joint::Ball { stubs: several.to_vec() })
             }
             _ => None,
         };
@@ -185,13 +200,20 @@ impl Fans<'_> {
         if naked(beside[0]) && naked(beside[1]) {
             return Some(Joint::Border { stub, beside });
         }
-        let far = [self.across(next[0])?, self.across(next[1])?];
-        if self.turned(far[0])? != far[1] {
-            return None;
+        let last = self.across(next[1])?;
+        let mut at = self.across(next[0])?;
+        let (mut outlets, mut between) = (Vec::new(), Vec::new());
+        while outlets.len() < MOST_OUTLETS {
+            let to = self.turned(at)?;
+            let after = if at.1 { at.0 } else { to.0 };
+            outlets.push(Outlet { face: self.brep.face_of(after)?, after, reversed: !at.1 });
+            if to == last {
+                return Some(Joint::Third { stub, beside, outlets, between });
+            }
+            between.push(self.stub_of(to)?);
+            at = self.across(to)?;
         }
-        let first = usize::from(!far[0].1);
-        let after = far[first].0;
-        Some(Joint::Third { stub, beside, face: self.brep.face_of(after)?, after, first })
+        None
     }
 
     /// The edges that rounded ones run into without a kink, and that have to be rounded with them, with their radii.

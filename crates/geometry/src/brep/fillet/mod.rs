@@ -13,7 +13,9 @@
 
 mod corner;
 mod cut;
+mod fan;
 mod joint;
+mod meeting;
 mod names;
 mod newton;
 mod order;
@@ -22,10 +24,11 @@ mod section;
 mod strip;
 mod weave;
 mod wedge;
+mod widen;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use joint::{Fans, Joint, Stub};
+use joint::{Fans, Joint, Outlet, Stub};
 use names::Names;
 use strip::Strip;
 use weave::Weave;
@@ -205,6 +208,7 @@ fn step<'a>(
         ends: BTreeMap::new(),
         shortened: BTreeMap::new(),
         inserts: BTreeMap::new(),
+        widened: BTreeMap::new(),
     };
     for joint in joints {
         weave.add(joint)?;
@@ -212,7 +216,10 @@ fn step<'a>(
     let rails = weave.add_strips()?;
     let kept = weave.add_faces(&rails)?;
     let ends = joints.iter().filter_map(|joint| match joint {
-        Joint::Third { stub, after, .. } => Some((*stub, weave.inserts.get(after)?.edge.0)),
+        Joint::Third { stub, outlets, .. } => match outlets.as_slice() {
+            [outlet] => Some((*stub, weave.inserts.get(&outlet.after)?.edge.0)),
+            _ => None,
+        },
         _ => None,
     });
     let ends = ends.collect();
@@ -224,10 +231,11 @@ fn step<'a>(
 fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joints: &[Joint]) -> f64 {
     let normal = joints.iter().find_map(|joint| -> Option<Vector3> {
         match joint {
-            Joint::Third { stub: own, face, after, .. } if *own == stub => {
-                let surface = fans.brep.face_surface(*face)?;
-                let trim = fans.brep.trims().get(*after)?;
-                let uv = fans.brep.trim_point(*after, trim.part.domain.end)?;
+            Joint::Third { stub: own, outlets, .. } if *own == stub => {
+                let &[Outlet { face, after, .. }] = outlets.as_slice() else { return None };
+                let surface = fans.brep.face_surface(face)?;
+                let trim = fans.brep.trims().get(after)?;
+                let uv = fans.brep.trim_point(after, trim.part.domain.end)?;
                 let d = surface.derivatives(uv.x, uv.y, 1, surface.inner_quadrant(uv.x, uv.y));
                 d.get(1, 0).cross(d.get(0, 1)).unitized()
             }
@@ -254,8 +262,9 @@ fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joi
 /// Whether the end is square to the edge and flat, so that nothing goes beyond it.
 fn is_flat_square(fans: &Fans<'_>, stub: Stub, joints: &[Joint], rate: f64) -> bool {
     let flat = joints.iter().any(|joint| match joint {
-        Joint::Third { stub: own, face, .. } => {
-            *own == stub && fans.brep.face_surface(*face).is_some_and(|s| s.plane(1e-12).is_some())
+        Joint::Third { stub: own, outlets, .. } => {
+            let flat = |o: &Outlet| fans.brep.face_surface(o.face).is_some_and(|s| s.plane(1e-12).is_some());
+            *own == stub && outlets.len() == 1 && outlets.iter().all(flat)
         }
         _ => false,
     });

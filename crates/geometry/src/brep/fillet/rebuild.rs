@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::weave::Weave;
+use super::widen::part_of;
 use crate::brep::{Along, LoopKind, NewEdge, NewVertex, Path};
 use crate::intersect::{Crossing, curve_curve, curve_self};
 use crate::region::{FillRule, Region};
@@ -36,6 +37,8 @@ impl Weave<'_> {
             crate::patience::check()?;
             let Some(face) = self.brep.faces().get(place).filter(|face| !face.deleted) else { continue };
             let Some(surface) = self.brep.face_surface(place) else { continue };
+            let wide = self.widened.get(&place).cloned();
+            let surface = wide.as_ref().unwrap_or(surface);
             let new = self.builder.face(surface.clone(), face.reversed);
             let made = self.builder.parts.faces.len() - 1;
             if let Some(own) = self.builder.parts.faces.get_mut(made) {
@@ -103,7 +106,7 @@ impl Weave<'_> {
                 ),
             });
         }
-        let curve = curve.trimmed(range)?;
+        let curve = part_of(&curve, range)?;
         edges.insert(place, (self.builder.edge(curve, ends), Some(range), ends));
         Ok(())
     }
@@ -195,7 +198,7 @@ impl Weave<'_> {
         let place = |t: f64| {
             let x = domain.normalized(t);
             let guess = whole.at(if reversed { 1.0 - x } else { x });
-            if t == domain.start || t == domain.end {
+            if t <= domain.start || t >= domain.end {
                 guess
             } else {
                 near(surface, flat, curve.point_at(t), guess)
@@ -206,7 +209,7 @@ impl Weave<'_> {
         if !part.is_increasing() || (a < b) == reversed {
             return Err(self.names.refused(edge, "what is left of it cannot be found on a face beside it"));
         }
-        flat.trimmed(part)
+        part_of(flat, part)
     }
 
     /// Refuses loops that the new rails and ends would make cross each other.
