@@ -82,9 +82,13 @@ impl Cut {
         };
         let known: RefCell<Vec<(f64, [f64; 3])>> = RefCell::new(vec![(0.5, start)]);
         let found = |w: f64| -> Option<[f64; 3]> {
+            // Nearer to the middle, since where surfaces touch at a rail no step leads away.
+            let inner =
+                |k: &&(f64, [f64; 3])| (k.0 - 0.5) * (w - 0.5) >= 0.0 && (k.0 - 0.5).abs() <= (w - 0.5).abs();
             let near = known
                 .borrow()
                 .iter()
+                .filter(inner)
                 .min_by(|a, b| (a.0 - w).abs().total_cmp(&(b.0 - w).abs()))
                 .map(|k| k.1)?;
             let x = solve(near, &steps, size, |x| {

@@ -86,12 +86,18 @@ impl Fans<'_> {
         Some((trim, at_end != self.brep.trims().get(trim)?.reversed))
     }
 
-    /// The end of the neighbour in the loop that meets an end of a trim.
+    /// The end of the next trim along an edge in the loop that meets an end of a trim.
     fn turned(&self, (trim, at_end): (usize, bool)) -> Option<(usize, bool)> {
         let chain = &self.brep.loops().get(self.brep.trims().get(trim)?.in_loop?)?.trims;
         let at = chain.iter().position(|t| *t == trim)?;
-        let step = if at_end { 1 } else { chain.len().checked_sub(1)? };
-        Some((*chain.get((at + step) % chain.len())?, !at_end))
+        let count = chain.len();
+        let mut around = (1..=count).map(|n| if at_end { at + n } else { at + count - n } % count);
+        // A place where the surface is singular is the same vertex.
+        let next = around.find_map(|n| {
+            let place = *chain.get(n)?;
+            self.brep.trims().get(place)?.edge.map(|_| place)
+        })?;
+        Some((next, !at_end))
     }
 
     /// The same end of an edge on the other trim along it.

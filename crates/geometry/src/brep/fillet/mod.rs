@@ -15,6 +15,7 @@ mod corner;
 mod cut;
 mod fan;
 mod joint;
+mod level;
 mod meeting;
 mod names;
 mod newton;
@@ -111,7 +112,7 @@ impl Brep {
             Wedge::new(&given, edge, radius, rail, tolerance)?;
             wanted.push((edge, radius));
         }
-        let brep = self.clone().checked()?;
+        let brep = level::levelled(self.clone().checked()?)?;
         let fans = Fans { brep: &brep, names: &names };
         // Whether an edge is convex; none if there is nothing to round.
         let sharp = |edge: usize| {
@@ -196,6 +197,8 @@ fn step<'a>(
             .any(|joint| matches!(joint, Joint::Through { stubs: [a, b], .. } if a.0 == edge && b.0 == edge));
         strips.insert(edge, Strip::new(wedge, style.blend, reach, closed, tolerance)?);
     }
+    let ends = strips.keys().flat_map(|edge| [(*edge, false), (*edge, true)]);
+    let gone = ends.filter_map(|stub| fans.vertex(stub)).collect();
     let worst = brep.edges().iter().map(|edge| edge.tolerance).fold(0.0, f64::max);
     let mut weave = Weave {
         brep,
@@ -209,6 +212,7 @@ fn step<'a>(
         shortened: BTreeMap::new(),
         inserts: BTreeMap::new(),
         widened: BTreeMap::new(),
+        gone,
     };
     for joint in joints {
         weave.add(joint)?;

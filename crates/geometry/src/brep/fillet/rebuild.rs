@@ -124,6 +124,8 @@ impl Weave<'_> {
         let trim = self.brep.trims().get(place).ok_or_else(none)?;
         let flip = |ends: [NewVertex; 2]| if trim.reversed { [ends[1], ends[0]] } else { ends };
         match trim.edge {
+            // Where the surface is singular at a vertex that is rounded off, nothing is left of it.
+            None if trim.vertices[0].is_some_and(|vertex| self.gone.contains(&vertex)) => {}
             None => {
                 let vertex = self.old_vertex(trim.vertices[0].ok_or_else(none)?, vertices)?;
                 let curve = self.brep.trim_as_curve(place)?.ok_or_else(none)?;

@@ -1,6 +1,6 @@
 //! The parts of the new brep: where strips end, what the edges beside them become, and the faces put together.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::FilletBlend;
 use super::cut::Cut;
@@ -58,6 +58,8 @@ pub(super) struct Weave<'a> {
     pub inserts: BTreeMap<usize, Insert>,
     /// Flat faces that have to reach farther than they did.
     pub widened: BTreeMap<usize, Surface>,
+    /// Vertices at which rounded edges ended.
+    pub gone: BTreeSet<usize>,
 }
 
 impl<'a> Weave<'a> {

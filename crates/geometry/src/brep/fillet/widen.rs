@@ -6,24 +6,36 @@ use crate::{
 
 /// Up to this part of a face's size it is flat and even.
 const EVEN: f64 = 1e-10;
+/// The part of its size by which a face gets wider than it has to be.
+const MARGIN: f64 = 0.01;
+
+/// The segment of a straight curve whose parameter runs evenly along it.
+fn segment(curve: &Curve) -> Option<Line> {
+    let line = curve.as_line(EVEN * curve.start().distance_to(curve.end()))?;
+    let domain = curve.domain();
+    let even =
+        |x: f64| curve.point_at(domain.at(x)).distance_to(line.from.lerp(line.to, x)) <= EVEN * line.length();
+    [0.25, 0.5, 0.75].into_iter().all(even).then_some(line)
+}
 
 /// The parameter at which a straight curve, prolonged beyond one end, comes within a distance of a point.
 pub(super) fn parameter_beyond(curve: &Curve, at_end: bool, point: Point3, reach: f64) -> Option<f64> {
-    let Curve::Line(own) = curve else { return None };
-    let (from, way) = (own.line.from, own.line.to - own.line.from);
-    let x = (point - from).dot(way) / way.length_squared();
+    let line = segment(curve)?;
+    let way = line.to - line.from;
+    let x = (point - line.from).dot(way) / way.length_squared();
     let beyond = if at_end { x > 1.0 } else { x < 0.0 };
-    (beyond && (from + way * x).distance_to(point) <= reach).then(|| own.domain.at(x))
+    (beyond && (line.from + way * x).distance_to(point) <= reach).then(|| curve.domain().at(x))
 }
 
 /// A part of a straight curve that may reach beyond its ends, or of any other curve.
 pub(super) fn part_of(curve: &Curve, range: Interval) -> Result<Curve> {
-    match curve {
-        Curve::Line(own) if !own.domain.includes(range, false) => {
-            let at = |t: f64| own.line.from + (own.line.to - own.line.from) * own.domain.normalized(t);
+    let domain = curve.domain();
+    match segment(curve).filter(|_| !domain.includes(range, false)) {
+        Some(line) => {
+            let at = |t: f64| line.from + (line.to - line.from) * domain.normalized(t);
             Ok(LineCurve { line: Line::new(at(range.start), at(range.end)), domain: range }.into())
         }
-        _ => curve.trimmed(range),
+        None => curve.trimmed(range),
     }
 }
 
@@ -46,6 +58,14 @@ pub(super) fn widened(surface: &Surface, points: &[Point3]) -> Option<Surface> {
         for (range, x) in ranges.iter_mut().zip(place) {
             *range = range.including(x);
         }
+    }
+    // A little more, so that nothing lies on the border that did not.
+    for range in &mut ranges {
+        let more = MARGIN * range.length();
+        *range = Interval::new(
+            if range.start < 0.0 { range.start - more } else { 0.0 },
+            if range.end > 1.0 { range.end + more } else { 1.0 },
+        );
     }
     let domains = [(u, ranges[0]), (v, ranges[1])].map(|(d, r)| Interval::new(d.at(r.start), d.at(r.end)));
     let along = |v: Vector3, range: Interval, from: Point3, domain: Interval| -> Curve {
