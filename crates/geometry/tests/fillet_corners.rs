@@ -441,7 +441,10 @@ fn the_tip_of_a_pyramid() {
             + r * (base + walls) * k * k
             + r * r * k * turns / 2.0
             + 4.0 / 3.0 * PI * r.powi(3);
-        let made = rounded(&solid, &radii(&solid, |_| Some(r))).unwrap();
+        let base = rounded(&solid, &radii(&solid, |m| near(m.z, 0.0).then_some(r))).map(|_| ());
+        println!("{sides} {height}: base {base:?}");
+        let made =
+            rounded(&solid, &radii(&solid, |_| Some(r))).unwrap_or_else(|e| panic!("{sides} {height}: {e}"));
         holds(&made, expected, 1e-9);
         assert!(largest_turn(&made) < 1e-3);
         let all = radii(&solid, |_| Some(r));

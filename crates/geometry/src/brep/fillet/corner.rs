@@ -53,17 +53,15 @@ pub(super) fn add(
     }
     let walk: Vec<(&Arc, bool)> =
         if away { walk } else { walk.into_iter().rev().map(|(arc, back)| (arc, !back)).collect() };
-    if !more.is_empty() {
-        return add_many(builder, &walk, centre, radius, outward, tolerance);
-    }
     let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
-    // The pole is the corner that is nearest to square to both others: then the side across is the equator.
+    // Where a corner is square to both others it is the pole, and the side across lies on the equator.
     let arm = |p: Point3| (p - centre) / radius;
     let off = |k: usize| {
         let [p, q, r] = [0, 1, 2].map(|n| arm(starts[(k + n) % 3]));
         p.dot(q).abs().max(p.dot(r).abs())
     };
-    let pole = (0..3).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
+    let pole = (0..3).find(|k| more.is_empty() && off(*k) <= 1e-12);
+    let Some(pole) = pole else { return add_any(builder, &walk, centre, radius, outward, tolerance) };
     // From the pole down to the first, along to the second, up to the pole.
     let sides = [walk[pole], walk[(pole + 1) % 3], walk[(pole + 2) % 3]];
     let [top, first, second] = [starts[pole], starts[(pole + 1) % 3], starts[(pole + 2) % 3]].map(arm);
@@ -72,42 +70,25 @@ pub(super) fn add(
         return Err(Error::degenerate("fillet", "a corner without area"));
     };
     let angle = x.cross(toward).dot(top).atan2(x.dot(toward));
-    let lowest = first.dot(top).min(second.dot(top)).clamp(-1.0, 1.0).asin();
-    if !(angle > 1e-9) || lowest > std::f64::consts::FRAC_PI_2 - 1e-6 {
+    if !(angle > 1e-9) {
         return Err(Error::degenerate("fillet", "a corner without area"));
     }
-    let side = sides[1].0;
-    let level = first.dot(top).abs() <= 1e-12 && second.dot(top).abs() <= 1e-12;
     // The meridian through the first corner, turned about the pole; latitudes run along v.
-    let plane = Plane::from_axes(centre, x, top)?;
-    let circle = Circle::new(plane, radius)?;
     let half = std::f64::consts::FRAC_PI_2;
-    let low = if level { 0.0 } else { lowest };
-    let profile = crate::ArcCurve {
-        arc: crate::Arc::new(circle, Interval::new(low, half))?,
-        domain: Interval::new(low, half),
-    };
+    let quarter = Interval::new(0.0, half);
+    let arc = crate::Arc::new(Circle::new(Plane::from_axes(centre, x, top)?, radius)?, quarter)?;
+    let profile = crate::ArcCurve { arc, domain: quarter };
     let axis = Line::new(centre, centre + top);
     let sphere: Surface = RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, angle))?.into();
     let line = |u0: f64, v0: f64, u1: f64, v1: f64| -> Curve {
         LineCurve::new(Line::new(Point3::new(u0, v0, 0.0), Point3::new(u1, v1, 0.0))).into()
     };
-    let latitude = |v: Vector3| v.dot(top).clamp(-1.0, 1.0).asin();
-    let [v1, v2] = if level { [0.0; 2] } else { [latitude(first), latitude(second)] };
-    let across = if level {
-        line(0.0, 0.0, angle, 0.0)
-    } else {
-        let fine = Tolerance { absolute: 0.1 * tolerance.absolute, ..*tolerance };
-        let own = if sides[1].1 { side.space.reversed() } else { side.space.clone() };
-        let made = sphere.parameter_curve(&own, &fine)?;
-        crate::brep::with_ends(&made, [Point3::new(0.0, v1, 0.0), Point3::new(angle, v2, 0.0)])?
-    };
     let pole_vertex = sides[0].0.ends[usize::from(sides[0].1)].0;
     let along = |n: usize| Along::Edge(sides[n].0.edge, sides[n].1);
     let paths = vec![
-        Path { curve: line(0.0, half, 0.0, v1), along: along(0) },
-        Path { curve: across, along: along(1) },
-        Path { curve: line(angle, v2, angle, half), along: along(2) },
+        Path { curve: line(0.0, half, 0.0, 0.0), along: along(0) },
+        Path { curve: line(0.0, 0.0, angle, 0.0), along: along(1) },
+        Path { curve: line(angle, 0.0, angle, half), along: along(2) },
         Path { curve: line(angle, half, 0.0, half), along: Along::Point(pole_vertex) },
     ];
     let face = builder.face(sphere, !outward);
@@ -121,9 +102,9 @@ fn newell(corners: &[Point3]) -> Vector3 {
     pairs.fold(Vector3::ZERO, |sum, part| sum + part)
 }
 
-/// The face within more than three arcs of a ball, walked counter-clockwise as seen from outside: the poles lie off it, at
-/// right angles to its middle.
-fn add_many(
+/// The face within any arcs of a ball, walked counter-clockwise as seen from outside: the poles lie off it, at right angles
+/// to its middle.
+fn add_any(
     builder: &mut Builder,
     walk: &[(&Arc, bool)],
     centre: Point3,

@@ -1,64 +1,84 @@
 //! Flat faces on surfaces that are singular somewhere, as the walls of a pyramid are at its tip, put on planes: there
 //! every rail has its place.
 
+use std::collections::BTreeMap;
+
 use crate::brep::flatten::flattened;
-use crate::brep::{Brep, CurvePart};
-use crate::{Direction, Interval, Plane, PlaneSurface, Result, Surface};
+use crate::brep::{Along, Brep, Builder, NewEdge, NewVertex, Path};
+use crate::{BoundingBox, Curve, Direction, Error, Interval, Plane, PlaneSurface, Result, Surface};
 
 /// Up to this part of its size a face is flat.
 const FLAT: f64 = 1e-12;
 
-/// The brep with those faces on planes; all other parts keep their places.
-pub(super) fn levelled(brep: Brep) -> Result<Brep> {
-    let mut planes = Vec::new();
+/// The brep with those faces on planes; its vertices, edges and faces keep their places.
+pub(super) fn levelled(brep: Brep, limit: f64) -> Result<Brep> {
+    let mut planes = BTreeMap::new();
     for face in 0..brep.faces().len() {
         crate::patience::check()?;
         planes.extend(singular_plane(&brep, face).map(|plane| (face, plane)));
     }
-    if planes.is_empty() {
+    let whole = !brep.edges().iter().any(|own| own.deleted) && !brep.faces().iter().any(|own| own.deleted);
+    if planes.is_empty() || !whole {
         return Ok(brep);
     }
-    let mut parts = brep.clone().into_parts();
-    for (face, plane) in planes {
-        let loops = brep.faces().get(face).map(|own| own.loops.as_slice()).unwrap_or_default();
-        let mut bounds: Option<[Interval; 2]> = None;
-        for &chain in loops {
-            let trims = brep.loops().get(chain).map(|own| own.trims.as_slice()).unwrap_or_default();
-            let mut kept = Vec::with_capacity(trims.len());
-            for &place in trims {
-                let (Some(old), Some(trim)) = (brep.trims().get(place), parts.trims.get_mut(place)) else {
-                    continue;
+    let none = || Error::degenerate("brep", "an edge or a trim has no curve or no vertex");
+    let mut builder = Builder::new();
+    let vertices: Vec<NewVertex> = brep.vertices().iter().map(|own| builder.vertex(own.point)).collect();
+    let vertex = |place: Option<usize>| place.and_then(|place| vertices.get(place).copied()).ok_or_else(none);
+    let mut edges: Vec<NewEdge> = Vec::with_capacity(brep.edges().len());
+    for (place, own) in brep.edges().iter().enumerate() {
+        let curve = brep.edge_as_curve(place)?.ok_or_else(none)?;
+        edges.push(builder.edge(curve, [vertex(own.vertices[0])?, vertex(own.vertices[1])?]));
+    }
+    for (place, own) in brep.faces().iter().enumerate() {
+        crate::patience::check()?;
+        let mut loops = Vec::with_capacity(own.loops.len());
+        let plane = planes.get(&place);
+        for chain in own.loops.iter().filter_map(|l| brep.loops().get(*l)) {
+            let mut paths = Vec::with_capacity(chain.trims.len());
+            for &trim in &chain.trims {
+                let old = brep.trims().get(trim).ok_or_else(none)?;
+                let along = match old.edge {
+                    Some(edge) => Along::Edge(*edges.get(edge).ok_or_else(none)?, old.reversed),
+                    None if plane.is_some() => continue,
+                    None => Along::Point(vertex(old.vertices[0])?),
                 };
-                let edge = old.edge.map_or(Ok(None), |edge| brep.edge_as_curve(edge))?;
-                let Some(edge) = edge else {
-                    (trim.deleted, trim.in_loop) = (true, None);
-                    continue;
+                let curve = match (plane, old.edge) {
+                    (Some(plane), Some(edge)) => {
+                        let flat = flattened(&brep.edge_as_curve(edge)?.ok_or_else(none)?, plane)?;
+                        if old.reversed { flat.reversed() } else { flat }
+                    }
+                    _ => brep.trim_as_curve(trim)?.ok_or_else(none)?,
                 };
-                let flat = flattened(&edge, &plane)?;
-                let flat = if old.reversed { flat.reversed() } else { flat };
-                let hull = flat.bounding_box();
-                let own = [Interval::new(hull.min.x, hull.max.x), Interval::new(hull.min.y, hull.max.y)];
-                bounds = Some(bounds.map_or(own, |all| [all[0].union(own[0]), all[1].union(own[1])]));
-                trim.part = CurvePart::whole(parts.curves_2d.len(), flat.domain());
-                parts.curves_2d.push(Some(flat));
-                kept.push(place);
+                paths.push(Path { curve, along });
             }
-            if let Some(own) = parts.loops.get_mut(chain) {
-                own.trims = kept;
-            }
+            loops.push((chain.kind, paths));
         }
-        let (Some([x, y]), Some(own)) = (bounds, parts.faces.get_mut(face)) else { return Ok(brep) };
-        own.surface = Some(parts.surfaces.len());
-        parts.surfaces.push(Some(PlaneSurface::new(plane, x, y)?.into()));
+        let surface = match plane {
+            Some(plane) => {
+                on_plane(plane, loops.iter().flat_map(|(_, paths)| paths).map(|path| &path.curve))?
+            }
+            None => brep.face_surface(place).cloned().ok_or_else(none)?,
+        };
+        let new = builder.face(surface, own.reversed);
+        if let Some(made) = builder.parts.faces.last_mut() {
+            (made.material_channel, made.id, made.colour) = (own.material_channel, own.id, own.colour);
+        }
+        for (kind, paths) in loops {
+            builder.bound(new, kind, paths)?;
+        }
     }
-    parts.set_kinds();
-    parts.set_iso();
-    parts.measure_tolerances();
-    match Brep::from_parts(parts).and_then(Brep::checked) {
-        Ok(made) => Ok(made),
-        // A shape that cannot be written so is taken as it is.
-        Err(_) => Ok(brep),
-    }
+    let worst = brep.edges().iter().map(|edge| edge.tolerance).fold(0.0, f64::max);
+    builder.finish(limit + worst)
+}
+
+/// The part of a plane that curves in its coordinates take.
+fn on_plane<'a>(plane: &Plane, curves: impl Iterator<Item = &'a Curve>) -> Result<Surface> {
+    let boxes = curves.map(Curve::bounding_box);
+    let hull = boxes.reduce(|a: BoundingBox, b| a.union(&b));
+    let hull = hull.ok_or(Error::degenerate("brep", "a face has no border"))?;
+    let range = |a: f64, b: f64| Interval::new(a, b);
+    Ok(PlaneSurface::new(*plane, range(hull.min.x, hull.max.x), range(hull.min.y, hull.max.y))?.into())
 }
 
 /// The plane of a flat face with a singular trim, its normal being that of the surface.

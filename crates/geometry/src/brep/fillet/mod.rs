@@ -112,7 +112,7 @@ impl Brep {
             Wedge::new(&given, edge, radius, rail, tolerance)?;
             wanted.push((edge, radius));
         }
-        let brep = level::levelled(self.clone().checked()?)?;
+        let brep = level::levelled(self.clone().checked()?, tolerance.absolute)?;
         let fans = Fans { brep: &brep, names: &names };
         // Whether an edge is convex; none if there is nothing to round.
         let sharp = |edge: usize| {
@@ -143,6 +143,8 @@ struct Made {
     kept: BTreeMap<usize, usize>,
     /// The new edges in which roundings end on a third face, from the first rail to the second.
     ends: BTreeMap<Stub, usize>,
+    /// The new edges round each rounding, with the edge that it is of.
+    borders: Vec<(usize, usize)>,
 }
 
 /// The shape with edges rounded, those first that have to be, and the others on the valid shape that this leaves.
@@ -174,7 +176,7 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<(usize, Radius)>, style: &Style) -> 
                 wanted.push((*arc, Radius([a.at_end(beside[0].1), b.at_end(beside[1].1)])));
             }
         }
-        names = names.after(&made.kept, &made.ends);
+        names = names.after(&made.kept, &made.borders);
         brep = made.brep;
     }
     Ok(brep)
@@ -226,9 +228,11 @@ fn step<'a>(
         },
         _ => None,
     });
-    let ends = ends.collect();
+    let ends: BTreeMap<Stub, usize> = ends.collect();
+    let mut borders: Vec<(usize, usize)> = ends.iter().map(|(stub, now)| (stub.0, *now)).collect();
+    borders.extend(rails.iter().flat_map(|(edge, sides)| sides.iter().map(|side| (*edge, side.0.0))));
     let brep = weave.builder.finish(2.0 * tolerance.absolute + worst)?;
-    Ok(Made { brep, kept, ends })
+    Ok(Made { brep, kept, ends, borders })
 }
 
 /// How far a strip has to go on beyond an end of its edge, by the tangent plane of what ends it there.

@@ -11,8 +11,8 @@ use crate::Error;
 enum Name {
     /// An edge of the shape that was given.
     Edge(usize),
-    /// The arc in which the rounding of an edge ends.
-    EndOf(usize),
+    /// A border of the rounding of an edge.
+    Border(usize),
 }
 
 /// The names of edges; without any, edges are called by their own places.
@@ -20,16 +20,16 @@ enum Name {
 pub(super) struct Names(Option<BTreeMap<usize, Name>>);
 
 impl Names {
-    /// The names after a step in which edges moved, and roundings got ends.
-    pub(super) fn after(&self, kept: &BTreeMap<usize, usize>, ends: &BTreeMap<Stub, usize>) -> Self {
+    /// The names after a step in which edges moved, and roundings of edges got borders.
+    pub(super) fn after(&self, kept: &BTreeMap<usize, usize>, borders: &[(usize, usize)]) -> Self {
         let old = |edge: usize| match &self.0 {
             None => Some(Name::Edge(edge)),
             Some(known) => known.get(&edge).copied(),
         };
         let mut names: BTreeMap<usize, Name> =
             kept.iter().filter_map(|(before, now)| Some((*now, old(*before)?))).collect();
-        names.extend(ends.iter().filter_map(|(stub, now)| match old(stub.0)? {
-            Name::Edge(edge) | Name::EndOf(edge) => Some((*now, Name::EndOf(edge))),
+        names.extend(borders.iter().filter_map(|(edge, now)| match old(*edge)? {
+            Name::Edge(edge) | Name::Border(edge) => Some((*now, Name::Border(edge))),
         }));
         Self(Some(names))
     }
@@ -38,7 +38,7 @@ impl Names {
         match self.0.as_ref().map(|known| known.get(&edge)) {
             None => format!("edge {edge}"),
             Some(Some(Name::Edge(place))) => format!("edge {place}"),
-            Some(Some(Name::EndOf(place))) => format!("the end of edge {place}"),
+            Some(Some(Name::Border(place))) => format!("the rounding of edge {place}"),
             Some(None) => "a new edge".into(),
         }
     }
