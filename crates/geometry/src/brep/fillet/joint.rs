@@ -1,6 +1,6 @@
 //! What meets where a rounded edge ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::names::Names;
 use super::wedge::Radius;
@@ -44,6 +44,9 @@ pub(super) enum Joint {
     Mitre { stubs: [Stub; 2], links: [Link; 2] },
     /// Three or more rounded edges meet, and no others.
     Ball { stubs: Vec<Stub> },
+    /// Two rounded edges run into an arc in which the rounding of a third one ended, of their own radius: the ball stands
+    /// still there. The links lead from the stubs to the arc, which has that side on their common face.
+    Cap { stubs: [Stub; 2], links: [[Link; 2]; 2], arc: usize },
 }
 
 /// A face on which a rounded edge ends.
@@ -166,6 +169,32 @@ impl Fans<'_> {
             }
         }
         at.into_iter().map(|(vertex, stubs)| self.joint(vertex, &stubs, tolerance)).collect()
+    }
+
+    /// Joints of which those at both ends of an arc on which the ball stands still become one.
+    pub(super) fn capped(&self, joints: Vec<Joint>, arcs: &BTreeSet<usize>) -> Result<Vec<Joint>> {
+        let mut out = Vec::with_capacity(joints.len());
+        let mut ends: BTreeMap<usize, Vec<(Stub, Stub)>> = BTreeMap::new();
+        for joint in joints {
+            match joint {
+                Joint::Through { stubs: [a, b], .. } if arcs.contains(&a.0) => {
+                    ends.entry(a.0).or_default().push((b, a))
+                }
+                Joint::Through { stubs: [a, b], .. } if arcs.contains(&b.0) => {
+                    ends.entry(b.0).or_default().push((a, b))
+                }
+                other => out.push(other),
+            }
+        }
+        for (arc, ends) in ends {
+            let found = || -> Option<Joint> {
+                let &[(a, to_a), (b, to_b)] = ends.as_slice() else { return None };
+                let links = [self.links([a, to_a])?, self.links([b, to_b])?];
+                Some(Joint::Cap { stubs: [a, b], links, arc })
+            };
+            out.push(found().ok_or_else(|| self.unsupported(&[(arc, false)]))?);
+        }
+        Ok(out)
     }
 
     fn joint(&self, vertex: usize, stubs: &[Stub], tolerance: &Tolerance) -> Result<Joint> {

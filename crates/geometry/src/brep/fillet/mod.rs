@@ -11,6 +11,7 @@
 //! modelling", *Computer-Aided Design* 21 (1989); names of the parts after J. Vida, R. R. Martin and T. Várady, "A survey
 //! of blending methods that use parametric surfaces", *Computer-Aided Design* 26 (1994).
 
+mod cap;
 mod corner;
 mod cut;
 mod fan;
@@ -150,6 +151,8 @@ struct Made {
 /// The shape with edges rounded, those first that have to be, and the others on the valid shape that this leaves.
 fn in_steps(mut brep: Brep, mut wanted: Vec<(usize, Radius)>, style: &Style) -> Result<Brep> {
     let mut names = Names::default();
+    // Arcs on which the ball of their own radius stands still.
+    let mut still: BTreeSet<usize> = BTreeSet::new();
     while !wanted.is_empty() {
         wanted.sort_by_key(|(edge, _)| *edge);
         let fans = Fans { brep: &brep, names: &names };
@@ -159,27 +162,47 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<(usize, Radius)>, style: &Style) -> 
             wedges.insert(edge, Wedge::new(&fans, edge, radius, style.rail, &style.tolerance)?);
         }
         let first = order::first(&fans, &wedges, style.blend, &style.tolerance)?;
-        wedges.retain(|edge, _| first.contains(edge));
-        let joints = fans.joints(&wedges.keys().copied().collect::<Vec<_>>(), &style.tolerance)?;
+        let joints = fans.joints(&first.iter().copied().collect::<Vec<_>>(), &style.tolerance)?;
+        let joints = fans.capped(joints, &still)?;
         let later: BTreeMap<usize, Radius> =
             wanted.iter().filter(|(edge, _)| !first.contains(edge)).copied().collect();
+        let mut arcs = Vec::new();
+        for joint in &joints {
+            let Joint::Third { stub, beside, .. } = joint else { continue };
+            if let [Some(a), Some(b)] = beside.map(|(edge, _)| later.get(&edge)) {
+                let all = [stub.0, beside[0].0, beside[1].0].map(|edge| wedges.get(&edge));
+                let radius = Radius([a.at_end(beside[0].1), b.at_end(beside[1].1)]);
+                arcs.push((*stub, radius, is_still(&brep, all)?));
+            }
+        }
+        wedges.retain(|edge, _| first.contains(edge) && !still.contains(edge));
         let made = step(&fans, wedges, &joints, style)?;
         wanted.clear();
+        let old = std::mem::take(&mut still);
         for (edge, radius) in &later {
             let place = made.kept.get(edge).ok_or_else(|| names.refused(*edge, "nothing of it is left"))?;
             wanted.push((*place, *radius));
+            still.extend(old.contains(edge).then_some(*place));
         }
-        for joint in &joints {
-            let Joint::Third { stub, beside, .. } = joint else { continue };
-            let radii = beside.map(|(edge, _)| later.get(&edge));
-            if let ([Some(a), Some(b)], Some(arc)) = (radii, made.ends.get(stub)) {
-                wanted.push((*arc, Radius([a.at_end(beside[0].1), b.at_end(beside[1].1)])));
+        for (stub, radius, stands) in arcs {
+            if let Some(arc) = made.ends.get(&stub) {
+                wanted.push((*arc, radius));
+                still.extend(stands.then_some(*arc));
             }
         }
         names = names.after(&made.kept, &made.borders);
         brep = made.brep;
     }
     Ok(brep)
+}
+
+/// Whether three edges that meet turn the same way with one radius: the ball that rolls round the arc in which the first
+/// one's rounding ends stands still then.
+fn is_still(brep: &Brep, wedges: [Option<&Wedge<'_>>; 3]) -> Result<bool> {
+    let [Some(a), Some(b), Some(c)] = wedges else { return Ok(false) };
+    let like = a.is_convex(brep) == b.is_convex(brep) && a.is_convex(brep) == c.is_convex(brep);
+    let radii = [a.first()?.radius, b.first()?.radius, c.first()?.radius];
+    Ok(like && radii.iter().all(|r| (r - radii[0]).abs() <= order::EQUAL * radii[0]))
 }
 
 /// The shape with edges rounded that can be rounded at once.
@@ -214,6 +237,7 @@ fn step<'a>(
         shortened: BTreeMap::new(),
         inserts: BTreeMap::new(),
         widened: BTreeMap::new(),
+        caps: BTreeMap::new(),
         gone,
     };
     for joint in joints {
@@ -230,7 +254,8 @@ fn step<'a>(
     });
     let ends: BTreeMap<Stub, usize> = ends.collect();
     let mut borders: Vec<(usize, usize)> = ends.iter().map(|(stub, now)| (stub.0, *now)).collect();
-    borders.extend(rails.iter().flat_map(|(edge, sides)| sides.iter().map(|side| (*edge, side.0.0))));
+    borders
+        .extend(rails.iter().flat_map(|(edge, sides)| sides.iter().flatten().map(|side| (*edge, side.0.0))));
     let brep = weave.builder.finish(2.0 * tolerance.absolute + worst)?;
     Ok(Made { brep, kept, ends, borders })
 }

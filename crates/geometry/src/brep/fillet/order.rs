@@ -18,7 +18,7 @@ use super::wedge::Wedge;
 use crate::{Result, Tolerance};
 
 /// Radii and lengths that differ by less than this part are equal.
-const EQUAL: f64 = 1e-9;
+pub(super) const EQUAL: f64 = 1e-9;
 
 /// What has to be kept to, found vertex by vertex.
 #[derive(Default)]
@@ -27,6 +27,10 @@ struct Rules {
     groups: BTreeMap<usize, usize>,
     /// Edges that go before others, and the stubs at their vertex.
     before: Vec<(usize, usize, Vec<Stub>)>,
+    /// Stubs that meet on one ball, of which one may go first if it has to.
+    balls: Vec<Vec<Stub>>,
+    /// Other stubs that go together.
+    mates: Vec<Vec<Stub>>,
 }
 
 impl Rules {
@@ -43,6 +47,33 @@ impl Rules {
         for stub in stubs {
             let (a, b) = (self.group(first.0), self.group(stub.0));
             self.groups.insert(a.max(b), a.min(b));
+        }
+    }
+
+    /// What may go first where every group waits for another one: edges without those that they meet on a ball.
+    fn one_by_one(&self, mut free: BTreeSet<usize>) -> BTreeSet<usize> {
+        for (_, after, _) in &self.before {
+            free.remove(after);
+        }
+        loop {
+            let count = free.len();
+            for stubs in &self.mates {
+                if stubs.iter().any(|stub| !free.contains(&stub.0)) {
+                    free.retain(|edge| stubs.iter().all(|stub| stub.0 != *edge));
+                }
+            }
+            // Of two on a ball one waits with the third: not the one for which others wait.
+            for stubs in &self.balls {
+                let met: Vec<usize> =
+                    stubs.iter().map(|stub| stub.0).filter(|edge| free.contains(edge)).collect();
+                if let &[a, b] = met.as_slice() {
+                    let awaited = |edge: usize| self.before.iter().any(|(first, ..)| *first == edge);
+                    free.remove(if awaited(b) && !awaited(a) { &a } else { &b });
+                }
+            }
+            if free.len() == count {
+                return free;
+            }
         }
     }
 
@@ -78,13 +109,22 @@ pub(super) fn first(
                 rules.leads(first, stubs);
                 let others: Vec<Stub> = stubs.iter().copied().filter(|stub| *stub != first).collect();
                 rules.together(&others);
+                rules.mates.push(others);
             }
-            None => rules.together(stubs),
+            None => {
+                rules.together(stubs);
+                let several = stubs.windows(2).all(|pair| pair[0].0 != pair[1].0);
+                let ball = blend == FilletBlend::Arc && stubs.len() == 3 && several;
+                if ball { &mut rules.balls } else { &mut rules.mates }.push(stubs.clone());
+            }
         }
     }
     let waiting: BTreeSet<usize> = rules.before.iter().map(|(_, after, _)| rules.group(*after)).collect();
-    let free: BTreeSet<usize> =
+    let mut free: BTreeSet<usize> =
         wedges.keys().copied().filter(|edge| !waiting.contains(&rules.group(*edge))).collect();
+    if free.is_empty() {
+        free = rules.one_by_one(wedges.keys().copied().collect());
+    }
     match rules.before.first() {
         Some((_, _, stubs)) if free.is_empty() => Err(fans.unsupported(stubs)),
         _ => Ok(free),

@@ -12,8 +12,10 @@ use crate::{
     Xform,
 };
 
-/// The rails of each rounded edge, by side: their edge, their curve and where they end.
-pub(super) type Rails = BTreeMap<usize, [(NewEdge, Curve, [NewVertex; 2]); 2]>;
+/// A border of a rounding: its edge, its curve and where it ends.
+pub(super) type Rail = (NewEdge, Curve, [NewVertex; 2]);
+/// The rails of each rounded edge, by side; none on a face that the ball only touches at a point.
+pub(super) type Rails = BTreeMap<usize, [Option<Rail>; 2]>;
 
 /// A path of a loop, and the rounded edge that made it what it is.
 struct Step {
@@ -137,7 +139,9 @@ impl Weave<'_> {
                     Some(sides) => {
                         let own = self.brep.edges().get(edge).ok_or_else(none)?;
                         let side = own.trims.iter().position(|t| *t == place).ok_or_else(none)?;
-                        let (new, curve, ends) = sides.get(side).ok_or_else(none)?;
+                        let Some((new, curve, ends)) = sides.get(side).ok_or_else(none)? else {
+                            return Ok(());
+                        };
                         let flat = self.rail_in(surface, edge, side, curve)?;
                         let flat = if trim.reversed { flat.reversed() } else { flat };
                         let path = Path { curve: flat, along: Along::Edge(*new, trim.reversed) };
@@ -179,7 +183,7 @@ impl Weave<'_> {
     fn rail_in(&self, surface: &Surface, edge: usize, side: usize, rail: &Curve) -> Result<Curve> {
         let lost = || self.names.refused(edge, "its rounding cannot be followed on a face beside it");
         let flat = self.pulled(surface, rail).map_err(|_| lost())?;
-        let strip = self.strips.get(&edge).ok_or_else(lost)?;
+        let Some(strip) = self.strips.get(&edge) else { return Ok(flat) };
         let (t, place) = strip.contact_place(side);
         let x = rail.domain().normalized(rail.domain().clamp(t));
         on_turn(surface, flat, place, x)

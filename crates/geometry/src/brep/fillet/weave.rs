@@ -58,6 +58,8 @@ pub(super) struct Weave<'a> {
     pub inserts: BTreeMap<usize, Insert>,
     /// Flat faces that have to reach farther than they did.
     pub widened: BTreeMap<usize, Surface>,
+    /// The borders of corners in place of arcs on which the ball stands still.
+    pub caps: Rails,
     /// Vertices at which rounded edges ended.
     pub gone: BTreeSet<usize>,
 }
@@ -72,7 +74,7 @@ impl<'a> Weave<'a> {
     }
 
     /// Where a strip's edge ends, along it.
-    fn place(&self, stub: Stub) -> Result<f64> {
+    pub(super) fn place(&self, stub: Stub) -> Result<f64> {
         let ends = self.strip(stub)?.ends;
         Ok(if stub.1 { ends.end } else { ends.start })
     }
@@ -168,6 +170,7 @@ impl<'a> Weave<'a> {
                 self.pair(*stubs, *links, cuts)
             }
             Joint::Ball { stubs } => self.meeting(stubs),
+            Joint::Cap { stubs, links, arc } => self.cap(*stubs, *links, *arc),
         }
     }
 
@@ -245,7 +248,7 @@ impl<'a> Weave<'a> {
 
     /// The strips as faces; gives the rails of each edge with their ends.
     pub(super) fn add_strips(&mut self) -> Result<Rails> {
-        let mut rails = BTreeMap::new();
+        let mut rails = std::mem::take(&mut self.caps);
         for (edge, strip) in &self.strips {
             let ends = (self.ends.get(&(*edge, false)), self.ends.get(&(*edge, true)));
             let (Some(start), Some(end)) = ends else {
@@ -293,7 +296,7 @@ impl<'a> Weave<'a> {
             let face = self.builder.face(surface, reversed);
             self.builder.bound(face, LoopKind::Outer, paths)?;
             let [a, b] = [&sides[0], &sides[1]].map(|s| (s.0, s.1.clone(), s.2));
-            rails.insert(*edge, [a, b]);
+            rails.insert(*edge, [Some(a), Some(b)]);
         }
         Ok(rails)
     }
