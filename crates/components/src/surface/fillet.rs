@@ -12,9 +12,13 @@ use super::warning;
 /// Rounds edges of a Brep, or cuts them off.
 ///
 /// A ball rolls along each edge, inside where the edge is convex and outside where it is concave; the faces are cut back
-/// to where it touches them. An edge that runs on smoothly into others is rounded together with them. Without edges or
-/// radii the shape stays as it is. What there is no room for, and edges that meet in a way that is not supported yet,
-/// are a warning that names the edge or vertex; there is no result then.
+/// to where it touches them. An edge that runs on smoothly into others is rounded together with them. Where three edges
+/// meet that are not all convex or all concave, the odd one out is rounded first and the two others run on round its end;
+/// where three have different radii, the largest comes first. Without edges or radii the shape stays as it is.
+///
+/// A warning that names the edge or vertex says what there is no room for and what is not supported yet; there is no
+/// result then: seams, four or more edges at a vertex that no one ball touches, two edges with the same largest radius
+/// beside a smaller third, different radii along one smooth chain, and corners of three edges blended with curvature.
 #[component(
     "4b87eb13-f87c-4ff1-ae0e-6c9f1f2aecbd",
     name = "Fillet Edge",

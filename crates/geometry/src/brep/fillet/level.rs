@@ -85,7 +85,13 @@ fn on_plane<'a>(plane: &Plane, curves: impl Iterator<Item = &'a Curve>) -> Resul
 fn singular_plane(brep: &Brep, face: usize) -> Option<Plane> {
     let own = brep.faces().get(face).filter(|own| !own.deleted)?;
     let trims = own.loops.iter().filter_map(|l| brep.loops().get(*l)).flat_map(|chain| &chain.trims);
-    trims.filter_map(|trim| brep.trims().get(*trim)).find(|trim| trim.edge.is_none())?;
+    let edges: Vec<Option<usize>> = trims.filter_map(|trim| Some(brep.trims().get(*trim)?.edge)).collect();
+    // A seam, as a disc about a pole has one, has no place on a plane.
+    let is_seam =
+        |edge: &Option<usize>| edge.is_some() && edges.iter().filter(|other| *other == edge).count() > 1;
+    if edges.iter().all(Option::is_some) || edges.iter().any(is_seam) {
+        return None;
+    }
     let surface: &Surface = brep.face_surface(face)?;
     let [u, v] = Direction::BOTH.map(|d| surface.domain(d).middle());
     let size =

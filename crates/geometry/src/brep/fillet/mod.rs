@@ -5,7 +5,11 @@
 //! (`strip`): exact where the ball only moves along a line or turns about an axis, elsewhere within the tolerance. The
 //! contacts are the rails to which both faces are cut back (`rebuild`). What happens where an edge ends is told by the
 //! trims round the vertex (`joint`): the strip is cut along its section with a third face (`cut`), goes on in the next
-//! strip, is mitred with it, or meets two others on the ball that touches three faces (`corner`).
+//! strip, is mitred with it, or meets others on the ball that touches all of their faces (`meeting`, `corner`).
+//!
+//! Not all edges can be rounded at once. Which go first is told by their convexities and radii (`order`); each step
+//! leaves a whole and valid brep, in which the edges that wait are found again, with the arcs in which the roundings
+//! before them ended.
 //!
 //! Sources: the rolling ball and its contact curves after B. K. Choi and S. Y. Ju, "Constant-radius blending in surface
 //! modelling", *Computer-Aided Design* 21 (1989); names of the parts after J. Vida, R. R. Martin and T. Várady, "A survey
@@ -68,14 +72,20 @@ impl Brep {
     /// which measures what `rail` says. An edge that runs on without a kink into others is rounded together with them,
     /// with its radius unless they have their own. Convex edges lose material, concave ones gain it.
     ///
-    /// Faces between planes and along circles are exact cylinders, tori, planes and cones, the corners of three edges
-    /// of one radius parts of spheres (of chamfers: triangles); elsewhere the new faces are within the tolerance.
+    /// Where three edges meet that are not all convex or all concave, the odd one out is rounded first, and the others run
+    /// on round the arc in which it ends; they are so too where their radii differ, the largest first, and their own radius
+    /// changes round the arc if they differ from each other. An edge that runs on round such an arc into a third one takes
+    /// that with it.
+    ///
+    /// Faces between planes and along circles are exact cylinders, tori, planes and cones, the corners of edges of one
+    /// radius parts of spheres (of chamfers: flat facets); elsewhere the new faces are within the tolerance.
     ///
     /// # Errors
     /// An edge that does not exist, is given twice, is naked, a seam, smooth, or has more than two faces; a radius
     /// that is not above 0 or for which there is no room; edges that meet in a way that is not supported yet: four or
-    /// more at a vertex, three of different radii or not all convex, two that do not mirror each other. The message
-    /// names the edge or vertex. Or the tolerance is not above 0, or the brep has faults.
+    /// more at a vertex whose faces no one ball touches, three of which two have the largest radius, two that do not
+    /// mirror each other. The message names the edge or vertex. Or the tolerance is not above 0, the brep has faults, or
+    /// nobody waits any more.
     ///
     /// ```
     /// use katydid_geometry::brep::{FilletBlend, FilletRail};
@@ -121,7 +131,8 @@ impl Brep {
             Some(wedge.is_convex(&brep))
         };
         fans.prolonged(&mut wanted, tolerance, sharp, blend != FilletBlend::Chamfer)?;
-        let style = Style { blend, rail, tolerance: *tolerance };
+        let style = Style { blend, tolerance: *tolerance };
+        let wanted = wanted.into_iter().map(|(edge, radius)| Wanted { edge, radius, rail }).collect();
         let made = in_steps(brep.clone(), wanted, &style)?;
         if brep.is_solid() && !made.is_solid() {
             return Err(Error::Invalid { what: "fillet", why: "the result would not be closed".into() });
@@ -133,8 +144,15 @@ impl Brep {
 /// What all edges have in common.
 struct Style {
     blend: FilletBlend,
-    rail: FilletRail,
     tolerance: Tolerance,
+}
+
+/// An edge to be rounded.
+#[derive(Clone, Copy)]
+struct Wanted {
+    edge: usize,
+    radius: Radius,
+    rail: FilletRail,
 }
 
 /// A shape with some edges rounded.
@@ -149,51 +167,70 @@ struct Made {
 }
 
 /// The shape with edges rounded, those first that have to be, and the others on the valid shape that this leaves.
-fn in_steps(mut brep: Brep, mut wanted: Vec<(usize, Radius)>, style: &Style) -> Result<Brep> {
+fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Brep> {
     let mut names = Names::default();
     // Arcs on which the ball of their own radius stands still.
     let mut still: BTreeSet<usize> = BTreeSet::new();
     while !wanted.is_empty() {
-        wanted.sort_by_key(|(edge, _)| *edge);
+        wanted.sort_by_key(|own| own.edge);
         let fans = Fans { brep: &brep, names: &names };
         let mut wedges = BTreeMap::new();
-        for &(edge, radius) in &wanted {
+        for own in &wanted {
             crate::patience::check()?;
-            wedges.insert(edge, Wedge::new(&fans, edge, radius, style.rail, &style.tolerance)?);
+            let wedge = Wedge::new(&fans, own.edge, own.radius, own.rail, &style.tolerance)?;
+            wedges.insert(own.edge, wedge);
         }
         let first = order::first(&fans, &wedges, style.blend, &style.tolerance)?;
         let joints = fans.joints(&first.iter().copied().collect::<Vec<_>>(), &style.tolerance)?;
         let joints = fans.capped(joints, &still)?;
-        let later: BTreeMap<usize, Radius> =
-            wanted.iter().filter(|(edge, _)| !first.contains(edge)).copied().collect();
+        let later: BTreeMap<usize, Wanted> =
+            wanted.iter().filter(|own| !first.contains(&own.edge)).map(|own| (own.edge, *own)).collect();
         let mut arcs = Vec::new();
         for joint in &joints {
             let Joint::Third { stub, beside, .. } = joint else { continue };
             if let [Some(a), Some(b)] = beside.map(|(edge, _)| later.get(&edge)) {
-                let all = [stub.0, beside[0].0, beside[1].0].map(|edge| wedges.get(&edge));
-                let radius = Radius([a.at_end(beside[0].1), b.at_end(beside[1].1)]);
-                arcs.push((*stub, radius, is_still(&brep, all)?));
+                let all = [stub.0, a.edge, b.edge].map(|edge| wedges.get(&edge));
+                arcs.push((*stub, between(&wedges, [*a, *b], *beside, style.blend)?, is_still(&brep, all)?));
             }
         }
         wedges.retain(|edge, _| first.contains(edge) && !still.contains(edge));
         let made = step(&fans, wedges, &joints, style)?;
         wanted.clear();
         let old = std::mem::take(&mut still);
-        for (edge, radius) in &later {
+        for (edge, own) in &later {
             let place = made.kept.get(edge).ok_or_else(|| names.refused(*edge, "nothing of it is left"))?;
-            wanted.push((*place, *radius));
+            wanted.push(Wanted { edge: *place, ..*own });
             still.extend(old.contains(edge).then_some(*place));
         }
-        for (stub, radius, stands) in arcs {
-            if let Some(arc) = made.ends.get(&stub) {
-                wanted.push((*arc, radius));
-                still.extend(stands.then_some(*arc));
+        for (stub, (radius, rail), stands) in arcs {
+            if let Some(&edge) = made.ends.get(&stub) {
+                wanted.push(Wanted { edge, radius, rail });
+                still.extend(stands.then_some(edge));
             }
         }
         names = names.after(&made.kept, &made.borders);
         brep = made.brep;
     }
     Ok(brep)
+}
+
+/// What an arc is rounded with between two edges that run on into it: with the ball that arrives there.
+fn between(
+    wedges: &BTreeMap<usize, Wedge<'_>>,
+    beside: [Wanted; 2],
+    stubs: [Stub; 2],
+    blend: FilletBlend,
+) -> Result<(Radius, FilletRail)> {
+    let mut radii = [0.0; 2];
+    for ((own, stub), radius) in beside.iter().zip(stubs).zip(&mut radii) {
+        *radius = own.radius.at_end(stub.1);
+        if let Some(wedge) = wedges.get(&own.edge).filter(|_| blend != FilletBlend::Chamfer) {
+            *radius = strip::at_end(wedge, stub.1).ok_or_else(|| wedge.too_large())?.radius;
+        }
+    }
+    let even = (radii[0] - radii[1]).abs() <= order::EQUAL * radii[0];
+    let rail = if blend == FilletBlend::Chamfer { beside[0].rail } else { FilletRail::RollingBall };
+    Ok((Radius(if even { [radii[0]; 2] } else { radii }), rail))
 }
 
 /// Whether three edges that meet turn the same way with one radius: the ball that rolls round the arc in which the first

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::FilletBlend;
 use super::joint::{Fans, Link, Stub};
-use super::strip::walked;
+use super::strip::at_end;
 use super::wedge::Wedge;
 use crate::{Result, Tolerance};
 
@@ -187,7 +187,7 @@ fn foot(fans: &Fans<'_>, wedge: &Wedge<'_>, stub: Stub, other: Stub) -> Result<O
     let Some((side, over)) = over else { return Ok(None) };
     let domain = wedge.curve.domain();
     let end = if stub.1 { domain.end } else { domain.start };
-    let station = walked(wedge, &wedge.first()?, domain.middle(), end).ok_or_else(|| wedge.too_large())?;
+    let station = at_end(wedge, stub.1).ok_or_else(|| wedge.too_large())?;
     let turn = fans.way(stub).zip(fans.way(over)).map_or(0.0, |(a, b)| a.cross(b).length());
     Ok((turn > 0.0).then(|| station.contacts[side].distance_to(wedge.curve.point_at(end)) / turn))
 }

@@ -387,8 +387,14 @@ fn between(a: &Node, b: &Node, x: f64) -> Unknowns {
     })
 }
 
+/// The station at an end of an edge.
+pub(super) fn at_end(wedge: &Wedge<'_>, at_end: bool) -> Option<Station> {
+    let domain = wedge.curve.domain();
+    walked(wedge, &wedge.first().ok()?, domain.middle(), if at_end { domain.end } else { domain.start })
+}
+
 /// The station at a parameter, walked to from another one.
-pub(super) fn walked(wedge: &Wedge<'_>, from: &Station, s: f64, t: f64) -> Option<Station> {
+fn walked(wedge: &Wedge<'_>, from: &Station, s: f64, t: f64) -> Option<Station> {
     const STEPS: u32 = 16;
     let mut here = *from;
     let step = (t - s) / f64::from(STEPS);
