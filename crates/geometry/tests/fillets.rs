@@ -419,8 +419,20 @@ fn what_cannot_be_is_refused() {
     says(&[(3, 1e300)], "edge 3: the radius");
     let vertex = cube.edges()[0].vertices[0].unwrap();
     let met = &cube.vertices()[vertex].edges;
-    // Two of three edges with the largest radius.
-    says(&[(met[0], 1.0), (met[1], 1.0), (met[2], 0.5)], "not supported yet");
+    // On four faces that no one ball touches.
+    let roof: Curve = PolylineCurve::new(
+        [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0), (0.0, 0.0)]
+            .iter()
+            .map(|(x, y)| p(*x, *y, 0.0))
+            .collect(),
+    )
+    .unwrap()
+    .into();
+    let roof = construct::extrude_to_point(&roof, p(2.0, 1.0, 3.0), true, &TOLERANCE).unwrap();
+    let ridges: Vec<(usize, f64)> = edges(&roof, |m| !near(m.z, 0.0)).into_iter().map(|e| (e, 0.2)).collect();
+    let error = roof.filleted(&ridges, FilletBlend::Arc, FilletRail::RollingBall, &TOLERANCE).unwrap_err();
+    let error = error.to_string();
+    assert!(error.contains("vertex") && error.contains("not supported yet"), "{error}");
     let none = cube.filleted(&[], FilletBlend::Arc, FilletRail::RollingBall, &TOLERANCE).unwrap();
     assert_eq!(none, cube);
     let sheet =

@@ -4,6 +4,7 @@
 use super::cut::Cut;
 use super::joint::{Outlet, Stub};
 use super::weave::{End, Insert, Piece, Weave};
+use crate::brep::Along;
 use crate::{Interval, Point3, Result};
 
 /// Halvings until a place across the strip is found.
@@ -83,7 +84,7 @@ impl Weave<'_> {
             let edge = self.builder.edge(space.clone(), ends);
             let ends = if outlet.reversed { [ends[1], ends[0]] } else { ends };
             self.inserts.insert(outlet.after, Insert { edge, reversed: outlet.reversed, space, ends });
-            pieces.push(Piece { flat, edge, reversed: false });
+            pieces.push(Piece { flat, along: Along::Edge(edge, false) });
         }
         let range = range.ok_or_else(|| self.unsupported(&[stub]))?;
         self.ends.insert(stub, End { range, places, pieces, feet });

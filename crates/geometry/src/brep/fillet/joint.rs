@@ -44,6 +44,8 @@ pub(super) enum Joint {
     Mitre { stubs: [Stub; 2], links: [Link; 2] },
     /// Three or more rounded edges meet, and no others.
     Ball { stubs: Vec<Stub> },
+    /// A mitre between two roundings ends where both run into a face: the rounding of the mitre ends in that point.
+    Point { stub: Stub },
     /// Two rounded edges run into an arc in which the rounding of a third one ended, of their own radius: the ball stands
     /// still there. The links lead from the stubs to the arc, which has that side on their common face.
     Cap { stubs: [Stub; 2], links: [[Link; 2]; 2], arc: usize },
@@ -171,12 +173,18 @@ impl Fans<'_> {
         at.into_iter().map(|(vertex, stubs)| self.joint(vertex, &stubs, tolerance)).collect()
     }
 
-    /// Joints of which those at both ends of an arc on which the ball stands still become one.
-    pub(super) fn capped(&self, joints: Vec<Joint>, arcs: &BTreeSet<usize>) -> Result<Vec<Joint>> {
+    /// Joints of which those at both ends of an arc on which the ball stands still become one, and some end in a point.
+    pub(super) fn capped(
+        &self,
+        joints: Vec<Joint>,
+        arcs: &BTreeSet<usize>,
+        points: &BTreeSet<Stub>,
+    ) -> Result<Vec<Joint>> {
         let mut out = Vec::with_capacity(joints.len());
         let mut ends: BTreeMap<usize, Vec<(Stub, Stub)>> = BTreeMap::new();
         for joint in joints {
             match joint {
+                Joint::Third { stub, .. } if points.contains(&stub) => out.push(Joint::Point { stub }),
                 Joint::Through { stubs: [a, b], .. } if arcs.contains(&a.0) => {
                     ends.entry(a.0).or_default().push((b, a))
                 }

@@ -34,13 +34,13 @@ mod widen;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use joint::{Fans, Joint, Outlet, Stub};
+use joint::{Fans, Joint, Link, Outlet, Stub};
 use names::Names;
 use strip::Strip;
-use weave::Weave;
+use weave::{Piece, Weave};
 use wedge::{Radius, Wedge};
 
-use super::{Brep, Builder};
+use super::{Along, Brep, Builder};
 use crate::{Error, Result, Tolerance, Vector3};
 
 /// What takes the place of an edge.
@@ -171,6 +171,8 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
     let mut names = Names::default();
     // Arcs on which the ball of their own radius stands still.
     let mut still: BTreeSet<usize> = BTreeSet::new();
+    // Where mitres end between roundings that run into one face.
+    let mut points: BTreeSet<Stub> = BTreeSet::new();
     while !wanted.is_empty() {
         wanted.sort_by_key(|own| own.edge);
         let fans = Fans { brep: &brep, names: &names };
@@ -182,11 +184,19 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
         }
         let first = order::first(&fans, &wedges, style.blend, &style.tolerance)?;
         let joints = fans.joints(&first.iter().copied().collect::<Vec<_>>(), &style.tolerance)?;
-        let joints = fans.capped(joints, &still)?;
+        let joints = fans.capped(joints, &still, &points)?;
         let later: BTreeMap<usize, Wanted> =
             wanted.iter().filter(|own| !first.contains(&own.edge)).map(|own| (own.edge, *own)).collect();
         let mut arcs = Vec::new();
+        let mut mitres = Vec::new();
         for joint in &joints {
+            if let Joint::Mitre { stubs, links } = joint {
+                let found = links.iter().enumerate().find_map(|(side, link)| match link {
+                    Link::Over(over, _) => Some((*later.get(&over.0)?, side)),
+                    Link::Face(_) => None,
+                });
+                mitres.extend(found.map(|(own, side)| (stubs[0], own, side)));
+            }
             let Joint::Third { stub, beside, .. } = joint else { continue };
             if let [Some(a), Some(b)] = beside.map(|(edge, _)| later.get(&edge)) {
                 let all = [stub.0, a.edge, b.edge].map(|edge| wedges.get(&edge));
@@ -196,16 +206,26 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
         wedges.retain(|edge, _| first.contains(edge) && !still.contains(edge));
         let made = step(&fans, wedges, &joints, style)?;
         wanted.clear();
-        let old = std::mem::take(&mut still);
+        let (old, ended) = (std::mem::take(&mut still), std::mem::take(&mut points));
         for (edge, own) in &later {
             let place = made.kept.get(edge).ok_or_else(|| names.refused(*edge, "nothing of it is left"))?;
             wanted.push(Wanted { edge: *place, ..*own });
             still.extend(old.contains(edge).then_some(*place));
+            points.extend(
+                [false, true].iter().filter(|end| ended.contains(&(*edge, **end))).map(|end| (*place, *end)),
+            );
         }
         for (stub, (radius, rail), stands) in arcs {
             if let Some(&edge) = made.ends.get(&stub) {
                 wanted.push(Wanted { edge, radius, rail });
                 still.extend(stands.then_some(edge));
+            }
+        }
+        for (stub, own, over) in mitres {
+            if let Some(&edge) = made.ends.get(&stub) {
+                // The mitre runs from the first rail to the second, and starts at the edge that goes on in it.
+                wanted.push(Wanted { edge, ..own });
+                points.insert((edge, over == 0));
             }
         }
         names = names.after(&made.kept, &made.borders);
@@ -257,7 +277,9 @@ fn step<'a>(
         let closed = joints
             .iter()
             .any(|joint| matches!(joint, Joint::Through { stubs: [a, b], .. } if a.0 == edge && b.0 == edge));
-        strips.insert(edge, Strip::new(wedge, style.blend, reach, closed, tolerance)?);
+        let points = [false, true]
+            .map(|end| joints.iter().any(|j| matches!(j, Joint::Point { stub } if *stub == (edge, end))));
+        strips.insert(edge, Strip::new(wedge, style.blend, reach, closed, points, tolerance)?);
     }
     let ends = strips.keys().flat_map(|edge| [(*edge, false), (*edge, true)]);
     let gone = ends.filter_map(|stub| fans.vertex(stub)).collect();
@@ -275,6 +297,7 @@ fn step<'a>(
         inserts: BTreeMap::new(),
         widened: BTreeMap::new(),
         caps: BTreeMap::new(),
+        kept: BTreeMap::new(),
         gone,
     };
     for joint in joints {
@@ -285,6 +308,10 @@ fn step<'a>(
     let ends = joints.iter().filter_map(|joint| match joint {
         Joint::Third { stub, outlets, .. } => match outlets.as_slice() {
             [outlet] => Some((*stub, weave.inserts.get(&outlet.after)?.edge.0)),
+            _ => None,
+        },
+        Joint::Mitre { stubs, .. } => match weave.ends.get(&stubs[0])?.pieces.as_slice() {
+            [Piece { along: Along::Edge(edge, _), .. }] => Some((stubs[0], edge.0)),
             _ => None,
         },
         _ => None,

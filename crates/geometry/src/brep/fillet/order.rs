@@ -3,7 +3,8 @@
 //! Where three edges meet that are not all convex (or concave) alike, the odd one out is rounded first: its rounding ends
 //! in an arc on the third face, and that arc runs on without a kink into both other edges, so that a ball rolls along all
 //! three. Where three convex edges have different radii the largest comes first, by the same reason: then the smaller
-//! balls fit round the arc that it leaves. Edges of one radius that meet on one ball, or are mitred, go together.
+//! balls fit round the arc that it leaves; two of the largest are mitred, and the small ball runs on along the mitre until
+//! it has no room between them any more. Edges of one radius that meet on one ball, or are mitred, go together.
 //!
 //! Source: the order of mixed convexities and of falling radii as in J. R. Rossignac and A. A. G. Requicha,
 //! "Constant-radius blending in solid modeling", *Computers in Mechanical Engineering* 3 (1984), and in the survey of
@@ -77,9 +78,10 @@ impl Rules {
         }
     }
 
-    fn leads(&mut self, first: Stub, stubs: &[Stub]) {
-        let others = stubs.iter().filter(|stub| **stub != first);
-        self.before.extend(others.map(|other| (first.0, other.0, stubs.to_vec())));
+    fn leads(&mut self, first: &[Stub], others: &[Stub]) {
+        let all = [first, others].concat();
+        let pairs = first.iter().flat_map(|a| others.iter().map(move |b| (a.0, b.0)));
+        self.before.extend(pairs.map(|(a, b)| (a, b, all.clone())));
     }
 }
 
@@ -104,14 +106,17 @@ pub(super) fn first(
     let mut rules = Rules::default();
     for stubs in at.values() {
         crate::patience::check()?;
-        match leader(fans, wedges, stubs, blend, tolerance)? {
-            Some(first) => {
-                rules.leads(first, stubs);
-                let others: Vec<Stub> = stubs.iter().copied().filter(|stub| *stub != first).collect();
-                rules.together(&others);
-                rules.mates.push(others);
+        let first = leaders(fans, wedges, stubs, blend, tolerance)?;
+        match first.is_empty() {
+            false => {
+                let others: Vec<Stub> = stubs.iter().copied().filter(|stub| !first.contains(stub)).collect();
+                rules.leads(&first, &others);
+                for mates in [first, others] {
+                    rules.together(&mates);
+                    rules.mates.push(mates);
+                }
             }
-            None => {
+            true => {
                 rules.together(stubs);
                 let several = stubs.windows(2).all(|pair| pair[0].0 != pair[1].0);
                 let ball = blend == FilletBlend::Arc && stubs.len() == 3 && several;
@@ -131,50 +136,58 @@ pub(super) fn first(
     }
 }
 
-/// The stub at a vertex that goes before the others, which then go together; none if all go together.
-fn leader(
+/// The stubs at a vertex that go before the others, which then go together; none if all go together.
+fn leaders(
     fans: &Fans<'_>,
     wedges: &BTreeMap<usize, Wedge<'_>>,
     stubs: &[Stub],
     blend: FilletBlend,
     tolerance: &Tolerance,
-) -> Result<Option<Stub>> {
+) -> Result<Vec<Stub>> {
     let all: Vec<&Wedge<'_>> = stubs.iter().filter_map(|stub| wedges.get(&stub.0)).collect();
     let several = stubs.windows(2).all(|pair| pair[0].0 != pair[1].0);
     let vertex = stubs.first().and_then(|stub| fans.vertex(*stub));
     let edges = vertex.map_or(0, |vertex| fans.count(vertex));
     if edges != 3 || !several {
-        return Ok(None);
+        return Ok(Vec::new());
     }
     match (stubs, all.as_slice()) {
         (&[a, b], &[p, q]) => {
             if fans.runs_through([a, b], tolerance.angle) {
-                return Ok(None);
+                return Ok(Vec::new());
             }
             if p.is_convex(fans.brep) != q.is_convex(fans.brep) {
-                return Ok(None);
+                return Ok(Vec::new());
             }
             let reaches = [foot(fans, p, a, b)?, foot(fans, q, b, a)?];
             Ok(match reaches {
-                [Some(s), Some(t)] if (s - t).abs() <= 1e-6 * s.max(t) => None,
-                [Some(s), Some(t)] => Some(if s > t { a } else { b }),
-                _ => None,
+                [Some(s), Some(t)] if (s - t).abs() <= 1e-6 * s.max(t) => Vec::new(),
+                [Some(s), Some(t)] => vec![if s > t { a } else { b }],
+                _ => Vec::new(),
             })
         }
         (&[_, _, _], [p, q, r]) if blend != FilletBlend::Chamfer => {
             let convex = [p, q, r].map(|wedge| wedge.is_convex(fans.brep));
             let count = convex.iter().filter(|c| **c).count();
             if count == 1 || count == 2 {
-                return Ok(convex.iter().position(|c| *c == (count == 1)).map(|odd| stubs[odd]));
+                let odd = convex.iter().position(|c| *c == (count == 1));
+                return Ok(odd.map(|odd| stubs[odd]).into_iter().collect());
             }
             let mut radii = Vec::with_capacity(3);
             for (stub, wedge) in stubs.iter().zip([p, q, r]) {
                 radii.push((wedge.first()?.radius, *stub));
             }
             radii.sort_by(|a, b| b.0.total_cmp(&a.0));
-            Ok((radii[0].0 - radii[1].0 > EQUAL * radii[0].0).then_some(radii[0].1))
+            let falls = |k: usize| radii[k].0 - radii[k + 1].0 > EQUAL * radii[k].0;
+            let first = match (falls(0), falls(1)) {
+                (true, _) => 1,
+                // Two large ones are mitred, and the small ball runs up between them.
+                (false, true) if blend == FilletBlend::Arc => 2,
+                _ => 0,
+            };
+            Ok(radii[..first].iter().map(|(_, stub)| *stub).collect())
         }
-        _ => Ok(None),
+        _ => Ok(Vec::new()),
     }
 }
 

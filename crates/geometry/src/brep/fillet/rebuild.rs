@@ -28,7 +28,7 @@ impl Weave<'_> {
     /// All faces that were there before, each in its new bounds.
     /// Gives the new places of the edges that stay.
     pub(super) fn add_faces(&mut self, rails: &Rails) -> Result<BTreeMap<usize, usize>> {
-        let mut vertices: BTreeMap<usize, NewVertex> = BTreeMap::new();
+        let mut vertices: BTreeMap<usize, NewVertex> = std::mem::take(&mut self.kept);
         let mut edges: BTreeMap<usize, (NewEdge, Option<Interval>, [NewVertex; 2])> = BTreeMap::new();
         for place in 0..self.brep.edges().len() {
             if !rails.contains_key(&place) {

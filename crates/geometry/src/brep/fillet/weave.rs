@@ -10,7 +10,9 @@ use super::rebuild::Rails;
 use super::strip::Strip;
 use super::widen::{parameter_beyond, widened};
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
-use crate::{Brep, ClosestOnCurve, Curve, Direction, Interval, Plane, PlaneSurface, Point3, Result};
+use crate::{
+    Brep, ClosestOnCurve, Curve, Direction, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, Result,
+};
 use crate::{Surface, Tolerance, Vector3};
 
 /// An end of a strip.
@@ -25,13 +27,12 @@ pub(super) struct End {
     pub feet: [NewVertex; 2],
 }
 
-/// A new edge that ends a strip.
+/// A new edge, or a point, that ends a strip.
 pub(super) struct Piece {
     /// In the parameter plane of the strip.
     pub flat: Curve,
-    pub edge: NewEdge,
-    /// Whether the edge runs from the second rail to the first.
-    pub reversed: bool,
+    /// Walked from the first rail to the second.
+    pub along: Along,
 }
 
 /// A piece that a loop gets between two of its old ones.
@@ -60,6 +61,8 @@ pub(super) struct Weave<'a> {
     pub widened: BTreeMap<usize, Surface>,
     /// The borders of corners in place of arcs on which the ball stands still.
     pub caps: Rails,
+    /// Old vertices that the new brep has already.
+    pub kept: BTreeMap<usize, NewVertex>,
     /// Vertices at which rounded edges ended.
     pub gone: BTreeSet<usize>,
 }
@@ -85,7 +88,7 @@ impl<'a> Weave<'a> {
     }
 
     pub(super) fn end(&mut self, stub: Stub, cut: Cut, edge: NewEdge, reversed: bool, feet: [NewVertex; 2]) {
-        let pieces = vec![Piece { flat: cut.flat, edge, reversed }];
+        let pieces = vec![Piece { flat: cut.flat, along: Along::Edge(edge, reversed) }];
         self.ends.insert(stub, End { range: cut.range, places: cut.ends, pieces, feet });
     }
 
@@ -170,6 +173,7 @@ impl<'a> Weave<'a> {
                 self.pair(*stubs, *links, cuts)
             }
             Joint::Ball { stubs } => self.meeting(stubs),
+            Joint::Point { stub } => self.in_point(*stub),
             Joint::Cap { stubs, links, arc } => self.cap(*stubs, *links, *arc),
         }
     }
@@ -192,6 +196,21 @@ impl<'a> Weave<'a> {
         let corner = self.brep.trim_point(outlet.after, trim.part.domain.end).ok_or_else(none)?;
         let limit = 0.1 * self.tolerance.absolute;
         Cut::by(strip, surface, self.place(stub)?, [corner.x, corner.y], limit)
+    }
+
+    /// A strip whose rails meet in a vertex, which stays.
+    fn in_point(&mut self, stub: Stub) -> Result<()> {
+        let t = self.place(stub)?;
+        let strip = self.strip(stub)?;
+        let line = Line::new(strip.place(0.0, t), strip.place(1.0, t));
+        let flat = LineCurve { line, domain: Interval::new(0.0, 1.0) }.into();
+        let place = self.fans().vertex(stub).ok_or_else(|| self.unsupported(&[stub]))?;
+        let point = self.brep.vertices().get(place).map(|own| own.point);
+        let vertex = self.builder.vertex(point.ok_or_else(|| self.unsupported(&[stub]))?);
+        self.kept.insert(place, vertex);
+        let pieces = vec![Piece { flat, along: Along::Point(vertex) }];
+        self.ends.insert(stub, End { range: Interval::new(t, t), places: [t; 2], pieces, feet: [vertex; 2] });
+        Ok(())
     }
 
     /// A strip that ends on one face.
@@ -276,19 +295,13 @@ impl<'a> Weave<'a> {
                 let made = self.builder.edge(curve.clone(), feet);
                 sides.push((made, curve, feet, Curve::from(flat)));
             }
-            let path = |curve: &Curve, edge: NewEdge, backwards: bool, reversed: bool| Path {
-                curve: if backwards { curve.reversed() } else { curve.clone() },
-                along: Along::Edge(edge, backwards != reversed),
-            };
+            let path = |curve: &Curve, along: Along| Path { curve: curve.clone(), along };
+            let rail = |k: usize| path(&sides[k].3, Along::Edge(sides[k].0, false));
             let mut paths = Vec::with_capacity(2 + start.pieces.len() + end.pieces.len());
-            paths.extend(
-                start.pieces.iter().map(|piece| path(&piece.flat, piece.edge, false, piece.reversed)),
-            );
-            paths.push(path(&sides[1].3, sides[1].0, false, false));
-            paths.extend(
-                end.pieces.iter().rev().map(|piece| path(&piece.flat, piece.edge, true, piece.reversed)),
-            );
-            paths.push(path(&sides[0].3, sides[0].0, true, false));
+            paths.extend(start.pieces.iter().map(|piece| path(&piece.flat, piece.along)));
+            paths.push(rail(1));
+            paths.extend(end.pieces.iter().rev().map(|piece| turned(path(&piece.flat, piece.along))));
+            paths.push(turned(rail(0)));
             if strip.is_turned() {
                 paths = paths.into_iter().rev().map(turned).collect();
             }

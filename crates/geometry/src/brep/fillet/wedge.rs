@@ -323,6 +323,22 @@ impl<'a> Wedge<'a> {
         self.names.refused(self.edge, why)
     }
 
+    /// The ball where both faces touch each other at an end of the edge.
+    pub(super) fn touching(&self, t: f64) -> Option<Station> {
+        let p = self.curve.point_at(t);
+        let mut unknowns = [0.0, 0.0, 0.0, 0.0, self.radius_at(t)];
+        let mut normals = [Vector3::ZERO; 2];
+        for k in 0..2 {
+            let near = ClosestOnSurface::new(self.surfaces[k]).ok()?.nearest(p).ok()?;
+            (unknowns[2 * k], unknowns[2 * k + 1]) = (near.u, near.v);
+            normals[k] = self.normal(k, near.u, near.v)? * self.sides[k];
+        }
+        let middle = (normals[0] + normals[1]).unitized()?;
+        let touch = normals[0].cross(normals[1]).length() <= 1e-3;
+        let centre = p + middle * unknowns[4];
+        touch.then_some(Station { unknowns, contacts: [p; 2], centre, radius: unknowns[4] })
+    }
+
     pub(super) fn too_large(&self) -> crate::Error {
         self.refused(&format!("the radius {} is too large for its faces", self.radius.largest()))
     }
