@@ -417,8 +417,6 @@ fn what_cannot_be_is_refused() {
     says(&[(3, 1.0), (3, 1.0)], "edge 3: it is given twice");
     says(&[(3, 100.0)], "edge 3: the radius is too large");
     says(&[(3, 1e300)], "edge 3: the radius");
-    let vertex = cube.edges()[0].vertices[0].unwrap();
-    let met = &cube.vertices()[vertex].edges;
     // On four faces that no one ball touches.
     let roof: Curve = PolylineCurve::new(
         [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0), (0.0, 0.0)]

@@ -74,7 +74,8 @@ impl Brep {
     ///
     /// Where three edges meet that are not all convex or all concave, the odd one out is rounded first, and the others run
     /// on round the arc in which it ends; they are so too where their radii differ, the largest first, and their own radius
-    /// changes round the arc if they differ from each other. An edge that runs on round such an arc into a third one takes
+    /// changes round the arc if they differ from each other. Two of one radius beside a smaller third are mitred, and the
+    /// small ball runs on along the mitre to its end. An edge that runs on round such an arc into a third one takes
     /// that with it.
     ///
     /// Faces between planes and along circles are exact cylinders, tori, planes and cones, the corners of edges of one
@@ -83,9 +84,8 @@ impl Brep {
     /// # Errors
     /// An edge that does not exist, is given twice, is naked, a seam, smooth, or has more than two faces; a radius
     /// that is not above 0 or for which there is no room; edges that meet in a way that is not supported yet: four or
-    /// more at a vertex whose faces no one ball touches, three of which two have the largest radius, two that do not
-    /// mirror each other. The message names the edge or vertex. Or the tolerance is not above 0, the brep has faults, or
-    /// nobody waits any more.
+    /// more at a vertex whose faces no one ball touches, or two that neither mirror each other nor end on each other. The
+    /// message names the edge or vertex. Or the tolerance is not above 0, the brep has faults, or nobody waits any more.
     ///
     /// ```
     /// use katydid_geometry::brep::{FilletBlend, FilletRail};
@@ -179,7 +179,8 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
         let mut wedges = BTreeMap::new();
         for own in &wanted {
             crate::patience::check()?;
-            let wedge = Wedge::new(&fans, own.edge, own.radius, own.rail, &style.tolerance)?;
+            let mut wedge = Wedge::new(&fans, own.edge, own.radius, own.rail, &style.tolerance)?;
+            wedge.by_contacts = points.iter().any(|(edge, _)| *edge == own.edge);
             wedges.insert(own.edge, wedge);
         }
         let first = order::first(&fans, &wedges, style.blend, &style.tolerance)?;

@@ -58,6 +58,9 @@ pub(super) struct Wedge<'a> {
     pub radius: Radius,
     rail: FilletRail,
     steps: Unknowns,
+    /// Whether the contacts keep pace with the edge, instead of the ball's centre: between roundings that bend more than
+    /// the ball a centre that does so would let them run backwards.
+    pub by_contacts: bool,
     /// In which directions the surfaces close.
     closed: [[bool; 2]; 2],
     /// Parameters on both surfaces, and the ways from the edge into both faces, half-way along the edge.
@@ -133,6 +136,7 @@ impl<'a> Wedge<'a> {
             radius,
             rail,
             steps,
+            by_contacts: false,
             closed: surfaces.map(|surface| Direction::BOTH.map(|d| surface.is_closed(d))),
             middle: ([[0.0; 2]; 2], [Vector3::ZERO; 2]),
         };
@@ -250,7 +254,8 @@ impl<'a> Wedge<'a> {
             FilletRail::DistanceFromEdge => 0.5 * (a.distance_to(p) + b.distance_to(p)) - radius,
             FilletRail::DistanceBetweenRails => a.distance_to(b) - radius,
         };
-        Some([apart.x, apart.y, apart.z, (station.centre - p).dot(tangent), wanted])
+        let pace = if self.by_contacts { a.lerp(b, 0.5) } else { station.centre };
+        Some([apart.x, apart.y, apart.z, (pace - p).dot(tangent), wanted])
     }
 
     /// The ball at a parameter of the edge, from what it is nearby.
