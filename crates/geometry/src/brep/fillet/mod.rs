@@ -327,6 +327,21 @@ fn step<'a>(
 
 /// How far a strip has to go on beyond an end of its edge, by the tangent plane of what ends it there.
 fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joints: &[Joint]) -> f64 {
+    let slanted = joints.iter().find_map(|joint| match joint {
+        Joint::Through { stubs, links } if stubs.contains(&stub) => {
+            links.iter().find_map(|link| match link {
+                Link::Over(over, _) => Some(fans.way(stub)?.dot(fans.way(*over)?).abs()),
+                Link::Face(_) => None,
+            })
+        }
+        _ => None,
+    });
+    if let Some(slant) = slanted.filter(|slant| *slant > 1e-6 && *slant < 0.95) {
+        // The ball leaves the face beside before the vertex, or beyond it.
+        let Some((points, _, corner)) = Strip::hull_at(wedge, blend, stub.1) else { return 0.0 };
+        let across = points.iter().map(|p| p.distance_to(corner)).fold(0.0, f64::max);
+        return 1.2 * across * slant / (1.0 - slant * slant).sqrt();
+    }
     let normal = joints.iter().find_map(|joint| -> Option<Vector3> {
         match joint {
             Joint::Third { stub: own, outlets, .. } if *own == stub => {

@@ -6,6 +6,7 @@ use super::FilletBlend;
 use super::cut::Cut;
 use super::joint::{Fans, Joint, Link, Outlet, Stub};
 use super::names::Names;
+use super::newton::linear;
 use super::rebuild::Rails;
 use super::strip::Strip;
 use super::widen::{parameter_beyond, widened};
@@ -14,6 +15,9 @@ use crate::{
     Brep, ClosestOnCurve, Curve, Direction, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, Result,
 };
 use crate::{Surface, Tolerance, Vector3};
+
+/// The most steps in search of the place where a ball leaves a face.
+const STEPS: u32 = 20;
 
 /// An end of a strip.
 pub(super) struct End {
@@ -146,9 +150,10 @@ impl<'a> Weave<'a> {
                 Ok(())
             }
             Joint::Through { stubs, links } => {
+                let places = self.handover(*stubs, *links)?;
                 let mut cuts = Vec::with_capacity(2);
-                for stub in stubs {
-                    cuts.push(Cut::across(self.strip(*stub)?, self.place(*stub)?)?);
+                for (stub, t) in stubs.iter().zip(places) {
+                    cuts.push(Cut::across(self.strip(*stub)?, t)?);
                 }
                 self.pair(*stubs, *links, cuts)
             }
@@ -196,6 +201,40 @@ impl<'a> Weave<'a> {
         let corner = self.brep.trim_point(outlet.after, trim.part.domain.end).ok_or_else(none)?;
         let limit = 0.1 * self.tolerance.absolute;
         Cut::by(strip, surface, self.place(stub)?, [corner.x, corner.y], limit)
+    }
+
+    /// Where two strips go on in each other: at the vertex, or, where the edge between the faces beside them slants, where
+    /// the ball leaves one of these faces for the other.
+    fn handover(&self, stubs: [Stub; 2], links: [Link; 2]) -> Result<[f64; 2]> {
+        let own = [self.place(stubs[0])?, self.place(stubs[1])?];
+        let (side, over) = match links {
+            [Link::Over(over, _), Link::Face(_)] => (0, over),
+            [Link::Face(_), Link::Over(over, _)] => (1, over),
+            _ => return Ok(own),
+        };
+        let (strip, other) = (self.strip(stubs[0])?, self.strip(stubs[1])?);
+        let Some(curve) = self.brep.edge_as_curve(over.0)? else { return Ok(own) };
+        let index = ClosestOnCurve::new(&curve);
+        let w = if side == 0 { 0.0 } else { 1.0 };
+        let mut t = own[0];
+        for step in 0..STEPS {
+            let p = strip.point(w, t);
+            let near = index.nearest(p)?;
+            let apart = curve.point_at(near.parameter) - p;
+            if apart.length() <= if step == 0 { 0.1 * self.limit } else { 1e-12 * strip.wedge.size } {
+                break;
+            }
+            let [along, run] =
+                [strip.partials(w, t)[1], curve.tangent_at(near.parameter).unwrap_or(Vector3::ZERO)];
+            let slopes = [[along.dot(along), -along.dot(run)], [along.dot(run), -run.dot(run)]];
+            let Some([by, _]) = linear(slopes, [along.dot(apart), run.dot(apart)]) else { return Ok(own) };
+            t += by;
+        }
+        if t == own[0] {
+            return Ok(own);
+        }
+        let place = strip.ball(t).and_then(|(centre, _)| other.place_of(centre, own[1]));
+        Ok([t, place.ok_or_else(|| self.unsupported(&stubs))?])
     }
 
     /// A strip whose rails meet in a vertex, which stays.
