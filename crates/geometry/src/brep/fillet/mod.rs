@@ -328,7 +328,7 @@ fn step<'a>(
 /// How far a strip has to go on beyond an end of its edge, by the tangent plane of what ends it there.
 fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joints: &[Joint]) -> f64 {
     let slanted = joints.iter().find_map(|joint| match joint {
-        Joint::Through { stubs, links } if stubs.contains(&stub) => {
+        Joint::Through { stubs, links } if stubs.contains(&stub) && stubs[0].0 != stubs[1].0 => {
             links.iter().find_map(|link| match link {
                 Link::Over(over, _) => Some(fans.way(stub)?.dot(fans.way(*over)?).abs()),
                 Link::Face(_) => None,

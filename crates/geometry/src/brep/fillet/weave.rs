@@ -212,6 +212,10 @@ impl<'a> Weave<'a> {
             [Link::Face(_), Link::Over(over, _)] => (1, over),
             _ => return Ok(own),
         };
+        // A closed edge meets itself: its strip starts and ends with it.
+        if stubs[0].0 == stubs[1].0 {
+            return Ok(own);
+        }
         let (strip, other) = (self.strip(stubs[0])?, self.strip(stubs[1])?);
         let Some(curve) = self.brep.edge_as_curve(over.0)? else { return Ok(own) };
         let index = ClosestOnCurve::new(&curve);
