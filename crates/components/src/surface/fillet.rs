@@ -12,9 +12,13 @@ use super::warning;
 /// Rounds edges of a Brep, or cuts them off.
 ///
 /// A ball rolls along each edge, inside where the edge is convex and outside where it is concave; the faces are cut back
-/// to where it touches them. An edge that runs on smoothly into others is rounded together with them. Without edges or
-/// radii the shape stays as it is. What there is no room for, and edges that meet in a way that is not supported yet,
-/// are a warning that names the edge or vertex; there is no result then.
+/// to where it touches them. An edge that runs on smoothly into others is rounded together with them. Where three edges
+/// meet that are not all convex or all concave, the odd one out is rounded first and the two others run on round its end;
+/// where three have different radii, the largest come first. Without edges or radii the shape stays as it is.
+///
+/// A warning that names the edge or vertex says what there is no room for and what is not supported yet; there is no
+/// result then: seams, four or more edges at a vertex that no one ball touches, different radii along one smooth chain, and
+/// corners of three edges blended with their curvature.
 #[component(
     "4b87eb13-f87c-4ff1-ae0e-6c9f1f2aecbd",
     name = "Fillet Edge",
@@ -110,6 +114,20 @@ mod tests {
         let all: Vec<i32> = (0..12).collect();
         let ball = volume(trial(1, 1).list(all).list([1.0]));
         assert!((ball - (8.0 + 24.0 + 6.0 * PI + 4.0 / 3.0 * PI)).abs() < 5e-2, "{ball}");
+    }
+
+    #[test]
+    fn every_edge_of_a_bracket() {
+        use katydid_geometry::{Curve, Point3, PolylineCurve, Tolerance, Vector3, construct};
+        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0), (0.0, 0.0)];
+        let points = corners.iter().map(|(x, y)| Point3::new(*x, *y, 0.0)).collect();
+        let outline: Curve = PolylineCurve::new(points).unwrap().into();
+        let fine = Tolerance { absolute: 1e-3, angle: 0.01 };
+        let bracket = construct::extrude(&outline, Vector3::Z * 3.0, true, &fine).unwrap();
+        let all: Vec<i32> = (0..18).collect();
+        let trial = Trial::of("Fillet Edge").item(Value::from(bracket)).item(1).item(1);
+        let made = breps(trial.list(all).list([0.5]));
+        assert!(made[0].is_solid() && made[0].faces().len() == 38);
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! The patch where three rounded edges of one radius meet: a part of the ball that touches all three faces, or the
-//! triangle between the contacts where edges are cut off straight.
+//! The patch where rounded edges of one radius meet: a part of the ball that touches all of their faces, or a flat facet
+//! where edges are cut off straight.
 
 use super::FilletBlend;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
@@ -15,7 +15,7 @@ pub(super) struct Arc {
     pub ends: [(NewVertex, Point3); 2],
 }
 
-/// Adds the face within three arcs of a ball; `outward` says whether its normal points away from the centre.
+/// Adds the face within three or more arcs of a ball; `outward` says whether its normal points away from the centre.
 pub(super) fn add(
     builder: &mut Builder,
     arcs: &[Arc],
@@ -27,12 +27,11 @@ pub(super) fn add(
 ) -> Result<()> {
     let walk = in_turn(arcs).ok_or(Error::degenerate("fillet", "its arcs at a corner do not meet"))?;
     let corners: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
-    let &[a, b, c] = corners.as_slice() else {
+    let &[a, b, c, ref more @ ..] = corners.as_slice() else {
         return Err(Error::degenerate("fillet", "a corner without three sides"));
     };
     // Seen from outside the ball the corners run counter-clockwise, or the walk goes the other way round.
-    let normal = (b - a).cross(c - a);
-    let away = normal.dot(a - centre) > 0.0;
+    let away = newell(&corners).dot(a - centre) > 0.0;
     if blend == FilletBlend::Chamfer {
         let plane = Plane::from_points(a, b, c)?;
         let range = |f: fn([f64; 3]) -> f64| {
@@ -55,13 +54,14 @@ pub(super) fn add(
     let walk: Vec<(&Arc, bool)> =
         if away { walk } else { walk.into_iter().rev().map(|(arc, back)| (arc, !back)).collect() };
     let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
-    // The pole is the corner that is nearest to square to both others: then the side across is the equator.
+    // Where a corner is square to both others it is the pole, and the side across lies on the equator.
     let arm = |p: Point3| (p - centre) / radius;
     let off = |k: usize| {
         let [p, q, r] = [0, 1, 2].map(|n| arm(starts[(k + n) % 3]));
         p.dot(q).abs().max(p.dot(r).abs())
     };
-    let pole = (0..3).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
+    let pole = (0..3).find(|k| more.is_empty() && off(*k) <= 1e-12);
+    let Some(pole) = pole else { return add_any(builder, &walk, centre, radius, outward, tolerance) };
     // From the pole down to the first, along to the second, up to the pole.
     let sides = [walk[pole], walk[(pole + 1) % 3], walk[(pole + 2) % 3]];
     let [top, first, second] = [starts[pole], starts[(pole + 1) % 3], starts[(pole + 2) % 3]].map(arm);
@@ -70,46 +70,142 @@ pub(super) fn add(
         return Err(Error::degenerate("fillet", "a corner without area"));
     };
     let angle = x.cross(toward).dot(top).atan2(x.dot(toward));
-    let lowest = first.dot(top).min(second.dot(top)).clamp(-1.0, 1.0).asin();
-    if !(angle > 1e-9) || lowest > std::f64::consts::FRAC_PI_2 - 1e-6 {
+    if !(angle > 1e-9) {
         return Err(Error::degenerate("fillet", "a corner without area"));
     }
-    let side = sides[1].0;
-    let level = first.dot(top).abs() <= 1e-12 && second.dot(top).abs() <= 1e-12;
     // The meridian through the first corner, turned about the pole; latitudes run along v.
-    let plane = Plane::from_axes(centre, x, top)?;
-    let circle = Circle::new(plane, radius)?;
     let half = std::f64::consts::FRAC_PI_2;
-    let low = if level { 0.0 } else { lowest };
-    let profile = crate::ArcCurve {
-        arc: crate::Arc::new(circle, Interval::new(low, half))?,
-        domain: Interval::new(low, half),
-    };
+    let quarter = Interval::new(0.0, half);
+    let arc = crate::Arc::new(Circle::new(Plane::from_axes(centre, x, top)?, radius)?, quarter)?;
+    let profile = crate::ArcCurve { arc, domain: quarter };
     let axis = Line::new(centre, centre + top);
     let sphere: Surface = RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, angle))?.into();
     let line = |u0: f64, v0: f64, u1: f64, v1: f64| -> Curve {
         LineCurve::new(Line::new(Point3::new(u0, v0, 0.0), Point3::new(u1, v1, 0.0))).into()
     };
-    let latitude = |v: Vector3| v.dot(top).clamp(-1.0, 1.0).asin();
-    let [v1, v2] = if level { [0.0; 2] } else { [latitude(first), latitude(second)] };
-    let across = if level {
-        line(0.0, 0.0, angle, 0.0)
-    } else {
-        let fine = Tolerance { absolute: 0.1 * tolerance.absolute, ..*tolerance };
-        let own = if sides[1].1 { side.space.reversed() } else { side.space.clone() };
-        let made = sphere.parameter_curve(&own, &fine)?;
-        crate::brep::with_ends(&made, [Point3::new(0.0, v1, 0.0), Point3::new(angle, v2, 0.0)])?
-    };
     let pole_vertex = sides[0].0.ends[usize::from(sides[0].1)].0;
     let along = |n: usize| Along::Edge(sides[n].0.edge, sides[n].1);
     let paths = vec![
-        Path { curve: line(0.0, half, 0.0, v1), along: along(0) },
-        Path { curve: across, along: along(1) },
-        Path { curve: line(angle, v2, angle, half), along: along(2) },
+        Path { curve: line(0.0, half, 0.0, 0.0), along: along(0) },
+        Path { curve: line(0.0, 0.0, angle, 0.0), along: along(1) },
+        Path { curve: line(angle, 0.0, angle, half), along: along(2) },
         Path { curve: line(angle, half, 0.0, half), along: Along::Point(pole_vertex) },
     ];
     let face = builder.face(sphere, !outward);
     builder.bound(face, LoopKind::Outer, paths)
+}
+
+/// Twice the area within corners, as a vector about which they run counter-clockwise.
+fn newell(corners: &[Point3]) -> Vector3 {
+    let Some(first) = corners.first() else { return Vector3::ZERO };
+    let pairs = corners.windows(2).map(|pair| (pair[0] - *first).cross(pair[1] - *first));
+    pairs.fold(Vector3::ZERO, |sum, part| sum + part)
+}
+
+/// The face within any arcs of a ball, walked counter-clockwise as seen from outside: the poles lie off it, at right angles
+/// to its middle.
+fn add_any(
+    builder: &mut Builder,
+    walk: &[(&Arc, bool)],
+    centre: Point3,
+    radius: f64,
+    outward: bool,
+    tolerance: &Tolerance,
+) -> Result<()> {
+    const LOOKS: u32 = 16;
+    let none = || Error::degenerate("fillet", "a corner that is larger than half a ball");
+    let arms: Vec<Vector3> = walk
+        .iter()
+        .flat_map(|(arc, _)| {
+            (0..=LOOKS)
+                .map(|n| arc.space.domain().at(f64::from(n) / f64::from(LOOKS)))
+                .map(|t| (arc.space.point_at(t) - centre) / radius)
+        })
+        .collect();
+    let middle = arms.iter().fold(Vector3::ZERO, |sum, arm| sum + *arm).unitized().ok_or_else(none)?;
+    let starts: Vec<Point3> = walk.iter().map(|(arc, back)| arc.ends[usize::from(*back)].1).collect();
+    let first = (starts[0] - centre).unitized().ok_or_else(none)?;
+    let top = middle.cross(first).unitized().ok_or_else(none)?;
+    let side = top.cross(middle);
+    let (mut longitudes, mut latitudes): (Option<Interval>, Option<Interval>) = (None, None);
+    let place = |arm: Vector3| (arm.dot(side).atan2(arm.dot(middle)), arm.dot(top).clamp(-1.0, 1.0).asin());
+    for arm in arms {
+        let (u, v) = place(arm);
+        longitudes = Some(longitudes.map_or(Interval::new(u, u), |all| all.including(u)));
+        latitudes = Some(latitudes.map_or(Interval::new(v, v), |all| all.including(v)));
+    }
+    let (Some(longitudes), Some(latitudes)) = (longitudes, latitudes) else { return Err(none()) };
+    let margin = 0.05 * (longitudes.length() + latitudes.length());
+    let half = std::f64::consts::FRAC_PI_2;
+    let low = (latitudes.start - margin).max(-half);
+    let high = (latitudes.end + margin).min(half);
+    let from = (longitudes.start - margin).max(-std::f64::consts::PI);
+    let to = (longitudes.end + margin).min(std::f64::consts::PI);
+    if !(longitudes.length() < std::f64::consts::PI
+        && latitudes.start > -half + 1e-3
+        && latitudes.end < half - 1e-3)
+    {
+        return Err(none());
+    }
+    let x = middle * from.cos() + side * from.sin();
+    let plane = Plane::from_axes(centre, x, top)?;
+    let range = Interval::new(low, high);
+    let arc = crate::Arc::new(Circle::new(plane, radius)?, range)?;
+    let profile = crate::ArcCurve { arc, domain: range };
+    let axis = Line::new(centre, centre + top);
+    let sphere: Surface = RevolutionSurface::new(profile.into(), axis, Interval::new(0.0, to - from))?.into();
+    let fine = Tolerance { absolute: 0.1 * tolerance.absolute, ..*tolerance };
+    let mut paths = Vec::with_capacity(walk.len());
+    for (n, (arc, back)) in walk.iter().enumerate() {
+        let own = if *back { arc.space.reversed() } else { arc.space.clone() };
+        let made = sphere.parameter_curve(&own, &fine)?;
+        let ends = [starts[n], starts[(n + 1) % starts.len()]].map(|p| {
+            let (u, v) = place((p - centre) / radius);
+            Point3::new(u - from, v, 0.0)
+        });
+        let curve = crate::brep::with_ends(&made, ends)?;
+        paths.push(Path { curve, along: Along::Edge(arc.edge, *back) });
+    }
+    let face = builder.face(sphere, !outward);
+    builder.bound(face, LoopKind::Outer, paths)
+}
+
+/// Adds the flat face within straight sides, each walked backwards or not; false if they do not lie in one plane.
+pub(super) fn add_facet(builder: &mut Builder, sides: &[(Arc, bool)], limit: f64) -> Result<bool> {
+    let start = |(arc, back): &(Arc, bool)| arc.ends[usize::from(*back)];
+    let end = |(arc, back): &(Arc, bool)| arc.ends[usize::from(!*back)];
+    let Some(mut at) = sides.first() else { return Ok(false) };
+    let mut walk = vec![at];
+    while walk.len() < sides.len() {
+        let Some(next) = sides.iter().find(|side| start(side).0 == end(at).0) else { return Ok(false) };
+        walk.push(next);
+        at = next;
+    }
+    if walk.first().is_none_or(|first| start(first).0 != end(at).0) {
+        return Ok(false);
+    }
+    let corners: Vec<Point3> = walk.iter().map(|side| start(side).1).collect();
+    let Ok(plane) = Plane::from_normal(corners[0], newell(&corners)) else { return Ok(false) };
+    if corners.iter().any(|p| plane.coordinates(*p)[2].abs() > 0.5 * limit) {
+        return Ok(false);
+    }
+    let range = |k: usize| {
+        let all = corners.iter().map(|p| plane.coordinates(*p)[k]);
+        all.fold(Interval::new(0.0, 0.0), Interval::including)
+    };
+    let surface = PlaneSurface::new(plane, range(0), range(1))?;
+    let flat = |p: Point3| {
+        let [u, v] = surface.parameters_of(p);
+        Point3::new(u, v, 0.0)
+    };
+    let path = |side: &&(Arc, bool)| Path {
+        curve: Line::new(flat(start(side).1), flat(end(side).1)).into(),
+        along: Along::Edge(side.0.edge, side.1),
+    };
+    let paths = walk.iter().map(path).collect();
+    let face = builder.face(surface.into(), false);
+    builder.bound(face, LoopKind::Outer, paths)?;
+    Ok(true)
 }
 
 /// The arcs one after the other, and whether each is walked backwards.

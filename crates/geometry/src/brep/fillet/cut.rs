@@ -3,13 +3,19 @@
 use std::cell::RefCell;
 
 use super::newton::{linear, solve};
-use super::refused;
 use super::strip::Strip;
 use crate::brep::trimmed::followed;
-use crate::{Curve, Direction, Interval, Line, LineCurve, NurbsCurve, Point3, Result, Surface, Vector3};
+use crate::{
+    ClosestOnSurface, Curve, Direction, Interval, Line, LineCurve, NurbsCurve, Point3, Result, Surface,
+    Vector3,
+};
 
 /// Places along the edge that differ by less than this part of the size are one.
 const SAME: f64 = 1e-12;
+/// Surfaces that meet at less than this angle touch.
+const TOUCH: f64 = 0.01;
+/// Steps from the middle of an end to each rail.
+const MARCH: u32 = 8;
 
 /// The end of a strip, from its first rail (w = 0) to its second (w = 1).
 pub(super) struct Cut {
@@ -69,11 +75,20 @@ impl Cut {
             })
         };
         let steps = [1e-5 * strip.ends.length(), 1e-5 * domains[0].length(), 1e-5 * domains[1].length()];
-        let known: RefCell<Vec<(f64, [f64; 3])>> = RefCell::new(vec![(0.5, [at, uv[0], uv[1]])]);
+        let lost = || strip.wedge.refused("its rounding does not run out on the face at its end");
+        let start = match touched(strip, surface, at, uv) {
+            true => beyond(strip, surface, at).ok_or_else(lost)?,
+            false => [at, uv[0], uv[1]],
+        };
+        let known: RefCell<Vec<(f64, [f64; 3])>> = RefCell::new(vec![(0.5, start)]);
         let found = |w: f64| -> Option<[f64; 3]> {
+            // Nearer to the middle, since where surfaces touch at a rail no step leads away.
+            let inner =
+                |k: &&(f64, [f64; 3])| (k.0 - 0.5) * (w - 0.5) >= 0.0 && (k.0 - 0.5).abs() <= (w - 0.5).abs();
             let near = known
                 .borrow()
                 .iter()
+                .filter(inner)
                 .min_by(|a, b| (a.0 - w).abs().total_cmp(&(b.0 - w).abs()))
                 .map(|k| k.1)?;
             let x = solve(near, &steps, size, |x| {
@@ -84,23 +99,44 @@ impl Cut {
             known.borrow_mut().push((w, x));
             Some(x)
         };
-        // The change of the three unknowns along the section.
-        let moving = |w: f64, x: &[f64; 3]| -> Option<([Vector3; 2], f64)> {
+        // From the middle outwards, so that each place has one nearby.
+        for n in 0..=MARCH {
+            let by = 0.5 * f64::from(n) / f64::from(MARCH);
+            crate::patience::check()?;
+            found(0.5 - by).and_then(|_| found(0.5 + by)).ok_or_else(lost)?;
+        }
+        // The change of the unknown along the section; none where the surfaces touch.
+        let moving = |w: f64, x: &[f64; 3]| -> Option<([Vector3; 2], Option<f64>)> {
             let [across, along] = strip.partials(w, x[0]);
             let [u, v] = inside(x[1], x[2]);
             let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
             let (a, b) = (d.get(1, 0), d.get(0, 1));
+            let normals = [across.cross(along).unitized()?, a.cross(b).unitized()?];
             let row = |f: fn(Vector3) -> f64| [f(along), -f(a), -f(b)];
             let slopes = [row(|v| v.x), row(|v| v.y), row(|v| v.z)];
-            let [t, _, _] = linear(slopes, [-across.x, -across.y, -across.z])?;
-            Some(([across, along], t))
+            let crosses = normals[0].cross(normals[1]).length() > TOUCH;
+            let slope = crosses.then(|| linear(slopes, [-across.x, -across.y, -across.z])).flatten();
+            Some(([across, along], slope.map(|by| by[0])))
         };
-        let lost = || refused(strip.wedge.edge, "its rounding does not run out on the face at its end");
+        let slope_at = |w: f64, x: &[f64; 3]| -> Option<([Vector3; 2], f64)> {
+            let (partials, slope) = moving(w, x)?;
+            if let Some(slope) = slope {
+                return Some((partials, slope));
+            }
+            // Where both touch a third surface, as at a rail, by the parabola through the slopes beside it.
+            let step = if w < 0.5 { 2.0 * TOUCH } else { -2.0 * TOUCH };
+            let beside = |n: f64| {
+                let w = w + n * step;
+                moving(w, &found(w)?)?.1
+            };
+            Some((partials, 3.0 * (beside(1.0)? - beside(2.0)?) + beside(3.0)?))
+        };
         let mut range: Option<Interval> = None;
         let mut fastest = 0.0_f64;
         let space = followed(&[UNIT], limit, |w, _| {
+            crate::patience::check()?;
             let x = found(w).ok_or_else(lost)?;
-            let ([across, along], slope) = moving(w, &x).ok_or_else(lost)?;
+            let ([across, along], slope) = slope_at(w, &x).ok_or_else(lost)?;
             range = Some(range.map_or(Interval::new(x[0], x[0]), |r| r.including(x[0])));
             fastest = fastest.max(along.length());
             Ok((strip.point(w, x[0]), across + along * slope))
@@ -111,7 +147,7 @@ impl Cut {
         }
         let flat = followed(&[UNIT], limit / fastest.max(1e-300), |w, _| {
             let x = found(w).ok_or_else(lost)?;
-            let (_, slope) = moving(w, &x).ok_or_else(lost)?;
+            let (_, slope) = slope_at(w, &x).ok_or_else(lost)?;
             Ok((strip.place(w, x[0]), strip.place(1.0, slope).to_vector()))
         })?;
         let ends = [found(0.0).ok_or_else(lost)?[0], found(1.0).ok_or_else(lost)?[0]];
@@ -121,8 +157,7 @@ impl Cut {
 
     /// A straight strip and a plane: its section is the section across, moved along the edge, and exact.
     fn of_plane(strip: &Strip<'_>, way: Vector3, origin: Point3, normal: Vector3, at: f64) -> Result<Self> {
-        let edge = strip.wedge.edge;
-        let oblique = || refused(edge, "the face at its end runs along it");
+        let oblique = || strip.wedge.refused("the face at its end runs along it");
         let columns = strip.straight_columns().ok_or_else(oblique)?;
         let rate = way.dot(normal);
         if rate.abs() < 1e-3 {
@@ -174,4 +209,34 @@ impl Cut {
         let bounds = flat.bounding_box();
         Ok(Self { flat, space, range: Interval::new(bounds.min.y, bounds.max.y), ends, points })
     }
+}
+
+/// Whether a surface touches the strip where its edge ends, as the rounding of another edge of one of its faces does.
+fn touched(strip: &Strip<'_>, surface: &Surface, at: f64, uv: [f64; 2]) -> bool {
+    let d = surface.derivatives(uv[0], uv[1], 1, surface.inner_quadrant(uv[0], uv[1]));
+    let normal = d.get(1, 0).cross(d.get(0, 1)).unitized();
+    let way = strip.partials(0.5, at)[1].unitized();
+    normal.zip(way).is_some_and(|(normal, way)| normal.dot(way).abs() < TOUCH)
+}
+
+/// Where the middle of a strip first goes through a surface beyond the end of its edge, with the parameters there.
+fn beyond(strip: &Strip<'_>, surface: &Surface, at: f64) -> Option<[f64; 3]> {
+    const LOOKS: u32 = 64;
+    let index = ClosestOnSurface::new(surface).ok()?;
+    let outward = if at > strip.ends.middle() { 1.0 } else { -1.0 };
+    let speed = strip.partials(0.5, at)[1].length();
+    let reach = 4.0 * strip.point(0.0, at).distance_to(strip.point(1.0, at)) / speed;
+    let mut before: Option<f64> = None;
+    for n in 0..=LOOKS {
+        let t = at + outward * reach * f64::from(n) / f64::from(LOOKS);
+        let p = strip.point(0.5, t);
+        let near = index.nearest(p).ok()?;
+        let d = surface.derivatives(near.u, near.v, 1, surface.inner_quadrant(near.u, near.v));
+        let height = (p - d.point()).dot(d.get(1, 0).cross(d.get(0, 1)));
+        if before.is_some_and(|before| before * height <= 0.0) {
+            return Some([t, near.u, near.v]);
+        }
+        before = Some(height);
+    }
+    None
 }

@@ -1,12 +1,16 @@
 //! What meets where a rounded edge ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::refused;
+use super::names::Names;
+use super::wedge::Radius;
 use crate::{Brep, Result, Tolerance, Vector3};
 
 /// One end of an edge: its place, and whether it is its end (or its start).
 pub(super) type Stub = (usize, bool);
+
+/// The most faces on which an edge may end.
+const MOST_OUTLETS: usize = 100;
 
 /// How a rail goes on beyond a vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,25 +33,53 @@ impl Link {
 /// What is to be done at a vertex.
 #[derive(Debug, Clone)]
 pub(super) enum Joint {
-    /// One rounded edge ends on a third face, between the stubs beside its sides. The face gets a new edge after the
-    /// trim, which belongs to the stub beside that side.
-    Third { stub: Stub, beside: [Stub; 2], face: usize, after: usize, first: usize },
+    /// One rounded edge ends on the other faces at its vertex, from one of the stubs beside its sides to the other; the
+    /// stubs between those faces come in the same order.
+    Third { stub: Stub, beside: [Stub; 2], outlets: Vec<Outlet>, between: Vec<Stub> },
     /// One rounded edge ends at the border of the shape.
     Border { stub: Stub, beside: [Stub; 2] },
     /// A rounded edge goes on in another one, or in itself, without a kink.
     Through { stubs: [Stub; 2], links: [Link; 2] },
     /// Two rounded edges meet at an angle.
     Mitre { stubs: [Stub; 2], links: [Link; 2] },
-    /// Three rounded edges meet; the links of each side of the first, with the stub that it leads to.
-    Ball { stubs: [Stub; 3] },
+    /// Three or more rounded edges meet, and no others.
+    Ball { stubs: Vec<Stub> },
+    /// A mitre between two roundings ends where both run into a face: the rounding of the mitre ends in that point.
+    Point { stub: Stub },
+    /// Two rounded edges run into an arc in which the rounding of a third one ended, of their own radius: the ball stands
+    /// still there. The links lead from the stubs to the arc, which has that side on their common face.
+    Cap { stubs: [Stub; 2], links: [[Link; 2]; 2], arc: usize },
+}
+
+/// A face on which a rounded edge ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outlet {
+    pub face: usize,
+    /// The trim of its loop after which the new edge comes.
+    pub after: usize,
+    /// Whether the new edge runs from the second side to the first there.
+    pub reversed: bool,
 }
 
 /// What leads round a vertex from trim to trim.
+#[derive(Clone, Copy)]
 pub(super) struct Fans<'a> {
     pub brep: &'a Brep,
+    pub names: &'a Names,
 }
 
 impl Fans<'_> {
+    /// How many edges end at a vertex.
+    pub(super) fn count(&self, vertex: usize) -> usize {
+        let edges = self.brep.vertices().get(vertex).map_or(&[] as &[usize], |own| &own.edges);
+        edges.iter().filter(|edge| self.brep.edges().get(**edge).is_some_and(|own| !own.deleted)).count()
+    }
+
+    /// The refusal of the vertex at which stubs meet.
+    pub(super) fn unsupported(&self, stubs: &[Stub]) -> crate::Error {
+        self.names.unsupported(stubs, stubs.first().and_then(|stub| self.vertex(*stub)))
+    }
+
     /// The stub that an end of a trim is; none where the surface is singular.
     fn stub_of(&self, (trim, at_end): (usize, bool)) -> Option<Stub> {
         let own = self.brep.trims().get(trim)?;
@@ -59,12 +91,18 @@ impl Fans<'_> {
         Some((trim, at_end != self.brep.trims().get(trim)?.reversed))
     }
 
-    /// The end of the neighbour in the loop that meets an end of a trim.
+    /// The end of the next trim along an edge in the loop that meets an end of a trim.
     fn turned(&self, (trim, at_end): (usize, bool)) -> Option<(usize, bool)> {
         let chain = &self.brep.loops().get(self.brep.trims().get(trim)?.in_loop?)?.trims;
         let at = chain.iter().position(|t| *t == trim)?;
-        let step = if at_end { 1 } else { chain.len().checked_sub(1)? };
-        Some((*chain.get((at + step) % chain.len())?, !at_end))
+        let count = chain.len();
+        let mut around = (1..=count).map(|n| if at_end { at + n } else { at + count - n } % count);
+        // A place where the surface is singular is the same vertex.
+        let next = around.find_map(|n| {
+            let place = *chain.get(n)?;
+            self.brep.trims().get(place)?.edge.map(|_| place)
+        })?;
+        Some((next, !at_end))
     }
 
     /// The same end of an edge on the other trim along it.
@@ -127,11 +165,44 @@ impl Fans<'_> {
         let mut at: BTreeMap<usize, Vec<Stub>> = BTreeMap::new();
         for &edge in edges {
             for stub in [(edge, false), (edge, true)] {
-                let vertex = self.vertex(stub).ok_or_else(|| refused(edge, "it has no vertices"))?;
+                let vertex =
+                    self.vertex(stub).ok_or_else(|| self.names.refused(edge, "it has no vertices"))?;
                 at.entry(vertex).or_default().push(stub);
             }
         }
         at.into_iter().map(|(vertex, stubs)| self.joint(vertex, &stubs, tolerance)).collect()
+    }
+
+    /// Joints of which those at both ends of an arc on which the ball stands still become one, and some end in a point.
+    pub(super) fn capped(
+        &self,
+        joints: Vec<Joint>,
+        arcs: &BTreeSet<usize>,
+        points: &BTreeSet<Stub>,
+    ) -> Result<Vec<Joint>> {
+        let mut out = Vec::with_capacity(joints.len());
+        let mut ends: BTreeMap<usize, Vec<(Stub, Stub)>> = BTreeMap::new();
+        for joint in joints {
+            match joint {
+                Joint::Third { stub, .. } if points.contains(&stub) => out.push(Joint::Point { stub }),
+                Joint::Through { stubs: [a, b], .. } if arcs.contains(&a.0) => {
+                    ends.entry(a.0).or_default().push((b, a))
+                }
+                Joint::Through { stubs: [a, b], .. } if arcs.contains(&b.0) => {
+                    ends.entry(b.0).or_default().push((a, b))
+                }
+                other => out.push(other),
+            }
+        }
+        for (arc, ends) in ends {
+            let found = || -> Option<Joint> {
+                let &[(a, to_a), (b, to_b)] = ends.as_slice() else { return None };
+                let links = [self.links([a, to_a])?, self.links([b, to_b])?];
+                Some(Joint::Cap { stubs: [a, b], links, arc })
+            };
+            out.push(found().ok_or_else(|| self.unsupported(&[(arc, false)]))?);
+        }
+        Ok(out)
     }
 
     fn joint(&self, vertex: usize, stubs: &[Stub], tolerance: &Tolerance) -> Result<Joint> {
@@ -148,16 +219,18 @@ impl Fans<'_> {
                 };
                 self.links(stubs).map(joint)
             }
-            [a, b, c] => {
-                let face = |from: Stub, side: usize, to: Stub| {
-                    matches!(self.link(from, side, to), Some(Link::Face(_)))
+            ref several if several.len() > 2 => {
+                let leads = |from: Stub, side: usize| {
+                    several
+                        .iter()
+                        .any(|to| *to != from && matches!(self.link(from, side, *to), Some(Link::Face(_))))
                 };
-                let meets = |from: Stub, to: Stub| face(from, 0, to) || face(from, 1, to);
-                (meets(a, b) && meets(b, c) && meets(c, a)).then_some(Joint::Ball { stubs: [a, b, c] })
+                let all = several.iter().all(|stub| leads(*stub, 0) && leads(*stub, 1));
+                all.then(|| Joint::Ball { stubs: several.to_vec() })
             }
             _ => None,
         };
-        found.ok_or_else(|| unsupported(stubs, vertex))
+        found.ok_or_else(|| self.names.unsupported(stubs, Some(vertex)))
     }
 
     fn single(&self, stub: Stub) -> Option<Joint> {
@@ -170,55 +243,63 @@ impl Fans<'_> {
         if naked(beside[0]) && naked(beside[1]) {
             return Some(Joint::Border { stub, beside });
         }
-        let far = [self.across(next[0])?, self.across(next[1])?];
-        if self.turned(far[0])? != far[1] {
-            return None;
+        let last = self.across(next[1])?;
+        let mut at = self.across(next[0])?;
+        let (mut outlets, mut between) = (Vec::new(), Vec::new());
+        while outlets.len() < MOST_OUTLETS {
+            let to = self.turned(at)?;
+            let after = if at.1 { at.0 } else { to.0 };
+            outlets.push(Outlet { face: self.brep.face_of(after)?, after, reversed: !at.1 });
+            if to == last {
+                return Some(Joint::Third { stub, beside, outlets, between });
+            }
+            between.push(self.stub_of(to)?);
+            at = self.across(to)?;
         }
-        let first = usize::from(!far[0].1);
-        let after = far[first].0;
-        Some(Joint::Third { stub, beside, face: self.brep.face_of(after)?, after, first })
+        None
     }
 
     /// The edges that rounded ones run into without a kink, and that have to be rounded with them, with their radii.
     pub(super) fn prolonged(
         &self,
-        wanted: &mut Vec<(usize, f64)>,
+        wanted: &mut Vec<(usize, Radius)>,
         tolerance: &Tolerance,
-        is_sharp: impl Fn(usize) -> bool,
-    ) {
+        sharp: impl Fn(usize) -> Option<bool>,
+        arcs: bool,
+    ) -> Result<()> {
         let mut next = 0;
         while let Some(&(edge, radius)) = wanted.get(next) {
+            crate::patience::check()?;
             next += 1;
             for stub in [(edge, false), (edge, true)] {
                 let Some(vertex) = self.vertex(stub) else { continue };
                 let around = self.brep.vertices().get(vertex).map_or(&[] as &[usize], |v| &v.edges);
-                let met = |wanted: &[(usize, f64)], other: usize| wanted.iter().any(|(e, _)| *e == other);
-                if around.iter().filter(|e| met(wanted, **e)).count() > 1 {
-                    continue;
-                }
-                let found = around.iter().find_map(|&other| {
-                    let on = [(other, false), (other, true)].into_iter().find(|to| {
-                        self.vertex(*to) == Some(vertex)
-                            && self.runs_through([stub, *to], tolerance.angle)
-                            && self.links([stub, *to]).is_some()
-                    })?;
-                    (!met(wanted, other) && is_sharp(on.0)).then_some(on.0)
-                });
+                let met = |other: usize| wanted.iter().any(|(e, _)| *e == other);
+                let found = match around.iter().filter(|e| met(**e)).count() {
+                    1 => around.iter().find_map(|&other| {
+                        let on = [(other, false), (other, true)].into_iter().find(|to| {
+                            self.vertex(*to) == Some(vertex)
+                                && self.runs_through([stub, *to], tolerance.angle)
+                                && self.links([stub, *to]).is_some()
+                        })?;
+                        (!met(other) && sharp(on.0).is_some()).then_some(on.0)
+                    }),
+                    2 if arcs && around.len() == 3 => around.iter().copied().find(|other| {
+                        // Round the arc in which the rounding of the odd one out will end.
+                        let kinds: Vec<Option<bool>> = around.iter().map(|e| sharp(*e)).collect();
+                        let like = |kind: Option<bool>| kinds.iter().filter(|k| **k == kind).count();
+                        let own = sharp(edge);
+                        own.is_some()
+                            && !met(*other)
+                            && sharp(*other) == own
+                            && like(own) == 2
+                            && !kinds.contains(&None)
+                    }),
+                    _ => None,
+                };
                 wanted.extend(found.map(|other| (other, radius)));
             }
         }
-    }
-}
-
-pub(super) fn unsupported(stubs: &[Stub], vertex: usize) -> crate::Error {
-    let mut edges: Vec<String> = stubs.iter().map(|stub| stub.0.to_string()).collect();
-    edges.dedup();
-    let names = match edges.as_slice() {
-        [only] => format!("edge {only} ends"),
-        several => format!("edges {} meet", several.join(", ")),
-    };
-    crate::Error::Invalid {
-        what: "fillet",
-        why: format!("{names} at vertex {vertex} in a way that is not supported yet"),
+        Ok(())
     }
 }

@@ -72,7 +72,8 @@ pub(super) fn solve<const N: usize>(
             break;
         }
         let slopes = jacobian(&x, steps, &f)?;
-        let move_by = linear(slopes, value)?;
+        // Where the equations touch, as those of tangent surfaces do, the last steps have no slope.
+        let Some(move_by) = linear(slopes, value) else { break };
         let mut factor = 1.0;
         let mut better = None;
         for _ in 0..HALVINGS {

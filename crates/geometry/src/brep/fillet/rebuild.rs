@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::refused;
 use super::weave::Weave;
+use super::widen::part_of;
 use crate::brep::{Along, LoopKind, NewEdge, NewVertex, Path};
 use crate::intersect::{Crossing, curve_curve, curve_self};
 use crate::region::{FillRule, Region};
@@ -12,8 +12,10 @@ use crate::{
     Xform,
 };
 
-/// The rails of each rounded edge, by side: their edge, their curve and where they end.
-pub(super) type Rails = BTreeMap<usize, [(NewEdge, Curve, [NewVertex; 2]); 2]>;
+/// A border of a rounding: its edge, its curve and where it ends.
+pub(super) type Rail = (NewEdge, Curve, [NewVertex; 2]);
+/// The rails of each rounded edge, by side; none on a face that the ball only touches at a point.
+pub(super) type Rails = BTreeMap<usize, [Option<Rail>; 2]>;
 
 /// A path of a loop, and the rounded edge that made it what it is.
 struct Step {
@@ -24,8 +26,9 @@ struct Step {
 
 impl Weave<'_> {
     /// All faces that were there before, each in its new bounds.
-    pub(super) fn add_faces(&mut self, rails: &Rails) -> Result<()> {
-        let mut vertices: BTreeMap<usize, NewVertex> = BTreeMap::new();
+    /// Gives the new places of the edges that stay.
+    pub(super) fn add_faces(&mut self, rails: &Rails) -> Result<BTreeMap<usize, usize>> {
+        let mut vertices: BTreeMap<usize, NewVertex> = std::mem::take(&mut self.kept);
         let mut edges: BTreeMap<usize, (NewEdge, Option<Interval>, [NewVertex; 2])> = BTreeMap::new();
         for place in 0..self.brep.edges().len() {
             if !rails.contains_key(&place) {
@@ -33,8 +36,11 @@ impl Weave<'_> {
             }
         }
         for place in 0..self.brep.faces().len() {
+            crate::patience::check()?;
             let Some(face) = self.brep.faces().get(place).filter(|face| !face.deleted) else { continue };
             let Some(surface) = self.brep.face_surface(place) else { continue };
+            let wide = self.widened.get(&place).cloned();
+            let surface = wide.as_ref().unwrap_or(surface);
             let new = self.builder.face(surface.clone(), face.reversed);
             let made = self.builder.parts.faces.len() - 1;
             if let Some(own) = self.builder.parts.faces.get_mut(made) {
@@ -53,7 +59,7 @@ impl Weave<'_> {
                 self.builder.bound(new, kind, steps.into_iter().map(|step| step.path).collect())?;
             }
         }
-        Ok(())
+        Ok(edges.into_iter().map(|(place, (new, ..))| (place, new.0)).collect())
     }
 
     fn old_vertex(&mut self, place: usize, known: &mut BTreeMap<usize, NewVertex>) -> Result<NewVertex> {
@@ -96,10 +102,13 @@ impl Weave<'_> {
         if !(range.end - range.start > least) {
             return Err(crate::Error::Invalid {
                 what: "fillet",
-                why: format!("the radii are too large: nothing of edge {place} between them would be left"),
+                why: format!(
+                    "the radii are too large: nothing of {} between them would be left",
+                    self.names.of(place)
+                ),
             });
         }
-        let curve = curve.trimmed(range)?;
+        let curve = part_of(&curve, range)?;
         edges.insert(place, (self.builder.edge(curve, ends), Some(range), ends));
         Ok(())
     }
@@ -117,6 +126,8 @@ impl Weave<'_> {
         let trim = self.brep.trims().get(place).ok_or_else(none)?;
         let flip = |ends: [NewVertex; 2]| if trim.reversed { [ends[1], ends[0]] } else { ends };
         match trim.edge {
+            // Where the surface is singular at a vertex that is rounded off, nothing is left of it.
+            None if trim.vertices[0].is_some_and(|vertex| self.gone.contains(&vertex)) => {}
             None => {
                 let vertex = self.old_vertex(trim.vertices[0].ok_or_else(none)?, vertices)?;
                 let curve = self.brep.trim_as_curve(place)?.ok_or_else(none)?;
@@ -128,7 +139,9 @@ impl Weave<'_> {
                     Some(sides) => {
                         let own = self.brep.edges().get(edge).ok_or_else(none)?;
                         let side = own.trims.iter().position(|t| *t == place).ok_or_else(none)?;
-                        let (new, curve, ends) = sides.get(side).ok_or_else(none)?;
+                        let Some((new, curve, ends)) = sides.get(side).ok_or_else(none)? else {
+                            return Ok(());
+                        };
                         let flat = self.rail_in(surface, edge, side, curve)?;
                         let flat = if trim.reversed { flat.reversed() } else { flat };
                         let path = Path { curve: flat, along: Along::Edge(*new, trim.reversed) };
@@ -168,9 +181,9 @@ impl Weave<'_> {
 
     /// A rail in the parameter plane of its face, on the turn on which the ball touched it.
     fn rail_in(&self, surface: &Surface, edge: usize, side: usize, rail: &Curve) -> Result<Curve> {
-        let lost = || refused(edge, "its rounding cannot be followed on a face beside it");
+        let lost = || self.names.refused(edge, "its rounding cannot be followed on a face beside it");
         let flat = self.pulled(surface, rail).map_err(|_| lost())?;
-        let strip = self.strips.get(&edge).ok_or_else(lost)?;
+        let Some(strip) = self.strips.get(&edge) else { return Ok(flat) };
         let (t, place) = strip.contact_place(side);
         let x = rail.domain().normalized(rail.domain().clamp(t));
         on_turn(surface, flat, place, x)
@@ -185,12 +198,13 @@ impl Weave<'_> {
         range: Interval,
         reversed: bool,
     ) -> Result<Curve> {
-        let curve = self.brep.edge_as_curve(edge)?.ok_or_else(|| refused(edge, "it has no curve"))?;
+        let curve =
+            self.brep.edge_as_curve(edge)?.ok_or_else(|| self.names.refused(edge, "it has no curve"))?;
         let (whole, domain) = (flat.domain(), curve.domain());
         let place = |t: f64| {
             let x = domain.normalized(t);
             let guess = whole.at(if reversed { 1.0 - x } else { x });
-            if t == domain.start || t == domain.end {
+            if t <= domain.start || t >= domain.end {
                 guess
             } else {
                 near(surface, flat, curve.point_at(t), guess)
@@ -199,9 +213,9 @@ impl Weave<'_> {
         let (a, b) = (place(range.start), place(range.end));
         let part = Interval::new(a.min(b), a.max(b));
         if !part.is_increasing() || (a < b) == reversed {
-            return Err(refused(edge, "what is left of it cannot be found on a face beside it"));
+            return Err(self.names.refused(edge, "what is left of it cannot be found on a face beside it"));
         }
-        flat.trimmed(part)
+        part_of(flat, part)
     }
 
     /// Refuses loops that the new rails and ends would make cross each other.
@@ -217,13 +231,15 @@ impl Weave<'_> {
         let too_large = |edge: usize| -> crate::Error {
             let edge =
                 if edge == usize::MAX { self.strips.keys().next().copied().unwrap_or(0) } else { edge };
-            refused(edge, "the radius is too large: its rounding runs into other edges of its faces")
+            self.names
+                .refused(edge, "the radius is too large: its rounding runs into other edges of its faces")
         };
         let size = Direction::BOTH.map(|d| surface.domain(d).length());
         let least = 1e-9 * size[0].min(size[1]);
         let boxes: Vec<BoundingBox> = all.iter().map(|step| step.path.curve.bounding_box()).collect();
         let apart = |i: usize, j: usize| are_apart(&boxes[i].inflated(least), &boxes[j]);
         for (i, a) in all.iter().enumerate() {
+            crate::patience::check()?;
             let p = &a.path.curve;
             // An inset rail may run into itself, as that of a narrow bay does.
             if let Some(edge) = a.made_by {

@@ -4,9 +4,9 @@
 //! cone. Elsewhere the columns of the section (homogeneous control points) are cubics of class C1 through stations,
 //! halved until the surface is within the tolerance of the section between them, in place and in direction.
 
+use super::FilletBlend;
 use super::section::{bezier, columns, simplest, slopes};
 use super::wedge::{Station, Unknowns, Wedge};
-use super::{FilletBlend, refused};
 use crate::{
     Circle, Curve, Direction, Interval, Line, LineCurve, NurbsSurface, Plane, PlaneSurface, Point3, Result,
     RevolutionSurface, SumSurface, Surface, Tolerance, Vector3, Xform,
@@ -45,12 +45,13 @@ pub(super) struct Strip<'a> {
 
 impl<'a> Strip<'a> {
     /// The strip of an edge; where it is fitted it goes on beyond the ends by the given lengths. `closed` says that it
-    /// ends where it starts.
+    /// ends where it starts, `points` at which ends its faces touch, so that it ends in a point.
     pub(super) fn new(
         wedge: Wedge<'a>,
         blend: FilletBlend,
         reach: [f64; 2],
         closed: bool,
+        points: [bool; 2],
         tolerance: &Tolerance,
     ) -> Result<Self> {
         let first = wedge.first()?;
@@ -64,7 +65,7 @@ impl<'a> Strip<'a> {
         let placeholder = PlaneSurface::new(Plane::XY, Interval::new(0.0, 1.0), Interval::new(0.0, 1.0))?;
         let mut strip = Self { wedge, surface: placeholder.into(), ends, blend, course, first, middle };
         strip.surface = match strip.course {
-            Course::Free(_) => strip.fitted(reach, closed, tolerance)?,
+            Course::Free(_) => strip.fitted(reach, closed, points, tolerance)?,
             _ => strip.exact(ends)?,
         };
         if !matches!(strip.course, Course::Free(_)) {
@@ -110,7 +111,7 @@ impl<'a> Strip<'a> {
                 let near = |t: f64, end: f64| if (t - end).abs() <= slack { end } else { t };
                 let range = Interval::new(near(range.start, whole.start), near(range.end, whole.end));
                 if !whole.includes(range, false) {
-                    return Err(refused(self.wedge.edge, "it ends too obliquely to be followed to its end"));
+                    return Err(self.wedge.refused("it ends too obliquely to be followed to its end"));
                 }
                 if range == whole {
                     Ok(self.surface.clone())
@@ -119,7 +120,7 @@ impl<'a> Strip<'a> {
                 }
             }
             Course::Turned(_) if range.length() > std::f64::consts::TAU * (1.0 + 1e-12) => {
-                Err(refused(self.wedge.edge, "it would meet itself at its ends"))
+                Err(self.wedge.refused("it would meet itself at its ends"))
             }
             _ => self.exact(range),
         }
@@ -252,7 +253,13 @@ impl<'a> Strip<'a> {
     }
 
     /// The surface through stations, halved until it is within the tolerance.
-    fn fitted(&mut self, reach: [f64; 2], closed: bool, tolerance: &Tolerance) -> Result<Surface> {
+    fn fitted(
+        &mut self,
+        reach: [f64; 2],
+        closed: bool,
+        points: [bool; 2],
+        tolerance: &Tolerance,
+    ) -> Result<Surface> {
         let limit = 0.1 * tolerance.positive_distance()?;
         let wedge = &self.wedge;
         let domain = wedge.curve.domain();
@@ -277,29 +284,46 @@ impl<'a> Strip<'a> {
         let mut behind = self.first;
         let mut at = middle;
         for t in breaks.iter().rev().filter(|t| **t <= middle) {
-            behind = walked(wedge, &behind, at, *t).ok_or_else(too_large)?;
+            behind = match points[0] && *t == whole.start {
+                true => tip(wedge, false).map(|node| node.station),
+                false => walked(wedge, &behind, at, *t),
+            }
+            .ok_or_else(too_large)?;
             at = *t;
             starts.push((*t, behind));
         }
         starts.reverse();
         let (mut ahead, mut at) = (self.first, middle);
         for t in breaks.iter().filter(|t| **t > middle) {
-            ahead = walked(wedge, &ahead, at, *t).ok_or_else(too_large)?;
+            ahead = match points[1] && *t == whole.end {
+                true => tip(wedge, true).map(|node| node.station),
+                false => walked(wedge, &ahead, at, *t),
+            }
+            .ok_or_else(too_large)?;
             at = *t;
             starts.push((*t, ahead));
         }
         for pair in starts.windows(2) {
             let [(s, a), (t, b)] = [pair[0], pair[1]];
             let inner = 1e-9 * (t - s);
-            let mut stack = vec![(self.node(s, inner, &a)?, self.node(t, -inner, &b)?, 0)];
+            let first = match points[0] && s == whole.start {
+                true => tip(wedge, false).ok_or_else(too_large)?,
+                false => self.node(s, inner, &a)?,
+            };
+            let last = match points[1] && t == whole.end {
+                true => tip(wedge, true).ok_or_else(too_large)?,
+                false => self.node(t, -inner, &b)?,
+            };
+            let mut stack = vec![(first, last, 0)];
             while let Some((a, b, depth)) = stack.pop() {
+                crate::patience::check()?;
                 near.clone_from(&a.station.unknowns);
                 if depth > 0 && self.holds(&a, &b, limit, tolerance.angle) {
                     pieces.push([a, b]);
                     continue;
                 }
                 if depth >= DEEPEST || pieces.len() + stack.len() > MOST_STATIONS {
-                    return Err(refused(wedge.edge, "its rounding cannot be followed within the tolerance"));
+                    return Err(wedge.refused("its rounding cannot be followed within the tolerance"));
                 }
                 let m = 0.5 * (a.t + b.t);
                 let station = wedge.station(m, &between(&a, &b, 0.5)).ok_or_else(too_large)?;
@@ -313,7 +337,7 @@ impl<'a> Strip<'a> {
             let last = &mut pieces[end][1];
             let gap = last.station.contacts[0].distance_to(first_contact(&columns));
             if gap > tolerance.absolute {
-                return Err(refused(wedge.edge, "its rounding does not close"));
+                return Err(wedge.refused("its rounding does not close"));
             }
             (last.columns, last.slopes) = (columns, slopes);
         }
@@ -386,6 +410,37 @@ fn between(a: &Node, b: &Node, x: f64) -> Unknowns {
     })
 }
 
+/// The end of an edge where its faces touch each other, and the ball both in the vertex: the slopes are those of the
+/// polynomial of degree 4 through stations before it. (Only for arcs.)
+fn tip(wedge: &Wedge<'_>, at_end: bool) -> Option<Node> {
+    const WEIGHTS: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
+    let domain = wedge.curve.domain();
+    let (t, step) = if at_end { (domain.end, -0.01) } else { (domain.start, 0.01) };
+    let step = step * domain.length();
+    let station = wedge.touching(t)?;
+    let columns = columns(wedge, &station, FilletBlend::Arc);
+    let mut slope = station.unknowns.map(|x| x * WEIGHTS[0] / step);
+    let mut slopes: Vec<[f64; 4]> = columns.iter().map(|c| c.map(|x| x * WEIGHTS[0] / step)).collect();
+    let (mut near, mut at) = (wedge.first().ok()?, domain.middle());
+    for n in (1..WEIGHTS.len()).rev() {
+        let to = t + step * n as f64;
+        near = walked(wedge, &near, at, to)?;
+        at = to;
+        let weight = WEIGHTS[n] / step;
+        (0..slope.len()).for_each(|k| slope[k] += weight * near.unknowns[k]);
+        for (sum, column) in slopes.iter_mut().zip(self::columns(wedge, &near, FilletBlend::Arc)) {
+            (0..4).for_each(|k| sum[k] += weight * column[k]);
+        }
+    }
+    Some(Node { t, station, slope, columns, slopes })
+}
+
+/// The station at an end of an edge.
+pub(super) fn at_end(wedge: &Wedge<'_>, at_end: bool) -> Option<Station> {
+    let domain = wedge.curve.domain();
+    walked(wedge, &wedge.first().ok()?, domain.middle(), if at_end { domain.end } else { domain.start })
+}
+
 /// The station at a parameter, walked to from another one.
 fn walked(wedge: &Wedge<'_>, from: &Station, s: f64, t: f64) -> Option<Station> {
     const STEPS: u32 = 16;
@@ -445,6 +500,9 @@ fn lofted(pieces: &[[Node; 2]]) -> Result<NurbsSurface> {
 
 /// The line or circle along which the ball is carried without change, with the range along the edge and its middle.
 fn exact_course(wedge: &Wedge<'_>, first: &Station) -> Option<(Course, Interval, f64)> {
+    if !wedge.radius.is_constant() {
+        return None;
+    }
     let domain = wedge.curve.domain();
     let same = SAME * wedge.size;
     let middle = wedge.curve.point_at(domain.middle());

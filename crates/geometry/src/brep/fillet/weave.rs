@@ -1,26 +1,42 @@
 //! The parts of the new brep: where strips end, what the edges beside them become, and the faces put together.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::corner;
+use super::FilletBlend;
 use super::cut::Cut;
-use super::joint::{Fans, Joint, Link, Stub, unsupported};
-use super::newton::solve;
+use super::joint::{Fans, Joint, Link, Outlet, Stub};
+use super::names::Names;
+use super::newton::linear;
 use super::rebuild::Rails;
 use super::strip::Strip;
-use super::{FilletBlend, refused};
+use super::widen::{parameter_beyond, widened};
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
-use crate::{Brep, ClosestOnCurve, Curve, Direction, Interval, Plane, PlaneSurface, Point3, Result};
+use crate::{
+    Brep, ClosestOnCurve, Curve, Direction, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, Result,
+};
 use crate::{Surface, Tolerance, Vector3};
+
+/// The most steps in search of the place where a ball leaves a face.
+const STEPS: u32 = 20;
 
 /// An end of a strip.
 pub(super) struct End {
-    pub cut: Cut,
-    pub edge: NewEdge,
-    /// Whether the edge runs from the second rail to the first.
-    pub reversed: bool,
+    /// The least and the greatest place along the edge.
+    pub range: Interval,
+    /// Where the rails end along the edge.
+    pub places: [f64; 2],
+    /// What ends the strip, from its first rail to its second.
+    pub pieces: Vec<Piece>,
     /// Where the rails end.
     pub feet: [NewVertex; 2],
+}
+
+/// A new edge, or a point, that ends a strip.
+pub(super) struct Piece {
+    /// In the parameter plane of the strip.
+    pub flat: Curve,
+    /// Walked from the first rail to the second.
+    pub along: Along,
 }
 
 /// A piece that a loop gets between two of its old ones.
@@ -34,6 +50,7 @@ pub(super) struct Insert {
 /// All that is known of the new brep.
 pub(super) struct Weave<'a> {
     pub brep: &'a Brep,
+    pub names: &'a Names,
     pub strips: BTreeMap<usize, Strip<'a>>,
     pub builder: Builder,
     pub tolerance: Tolerance,
@@ -44,15 +61,27 @@ pub(super) struct Weave<'a> {
     pub shortened: BTreeMap<Stub, (NewVertex, f64)>,
     /// Pieces to put after a trim.
     pub inserts: BTreeMap<usize, Insert>,
+    /// Flat faces that have to reach farther than they did.
+    pub widened: BTreeMap<usize, Surface>,
+    /// The borders of corners in place of arcs on which the ball stands still.
+    pub caps: Rails,
+    /// Old vertices that the new brep has already.
+    pub kept: BTreeMap<usize, NewVertex>,
+    /// Vertices at which rounded edges ended.
+    pub gone: BTreeSet<usize>,
 }
 
 impl<'a> Weave<'a> {
-    fn strip(&self, stub: Stub) -> Result<&Strip<'a>> {
-        self.strips.get(&stub.0).ok_or_else(|| refused(stub.0, "it is not rounded"))
+    pub(super) fn fans(&self) -> Fans<'a> {
+        Fans { brep: self.brep, names: self.names }
+    }
+
+    pub(super) fn strip(&self, stub: Stub) -> Result<&Strip<'a>> {
+        self.strips.get(&stub.0).ok_or_else(|| self.names.refused(stub.0, "it is not rounded"))
     }
 
     /// Where a strip's edge ends, along it.
-    fn place(&self, stub: Stub) -> Result<f64> {
+    pub(super) fn place(&self, stub: Stub) -> Result<f64> {
         let ends = self.strip(stub)?.ends;
         Ok(if stub.1 { ends.end } else { ends.start })
     }
@@ -62,59 +91,74 @@ impl<'a> Weave<'a> {
         Ok(if stub.1 { curve.end() } else { curve.start() })
     }
 
-    fn end(&mut self, stub: Stub, cut: Cut, edge: NewEdge, reversed: bool, feet: [NewVertex; 2]) {
-        self.ends.insert(stub, End { cut, edge, reversed, feet });
+    pub(super) fn end(&mut self, stub: Stub, cut: Cut, edge: NewEdge, reversed: bool, feet: [NewVertex; 2]) {
+        let pieces = vec![Piece { flat: cut.flat, along: Along::Edge(edge, reversed) }];
+        self.ends.insert(stub, End { range: cut.range, places: cut.ends, pieces, feet });
     }
 
-    /// Lets a stub of an edge that is not rounded end where a rail meets it.
-    fn shorten(&mut self, stub: Stub, point: Point3, rounded: usize) -> Result<NewVertex> {
-        let (edge, _) = stub;
+    /// Lets a stub of an edge that is not rounded end where a rail meets it: before the vertex, or beyond it if a
+    /// straight edge may be prolonged.
+    pub(super) fn shorten(
+        &mut self,
+        stub: Stub,
+        point: Point3,
+        rounded: usize,
+        further: bool,
+    ) -> Result<NewVertex> {
+        let (edge, at_end) = stub;
         let own = self.brep.edges().get(edge);
         let curve = self.brep.edge_as_curve(edge)?;
         let (Some(own), Some(curve)) = (own, curve) else {
-            return Err(refused(rounded, "an edge beside it has no curve"));
+            return Err(self.names.refused(rounded, "an edge beside it has no curve"));
         };
-        let near = ClosestOnCurve::new(&curve).nearest(point);
         let reach = self.limit + own.tolerance.max(0.0);
-        let near = near.ok().filter(|near| near.distance <= reach).ok_or_else(|| {
-            let why =
-                format!("the radius is too large, or edge {edge} beside it runs another way than its end");
-            refused(rounded, &why)
-        })?;
-        let ends = [curve.start(), curve.end()];
-        if ends.iter().any(|p| p.distance_to(point) <= reach) {
-            return Err(refused(
-                rounded,
-                &format!("the radius is too large: it takes all of edge {edge} beside it"),
-            ));
-        }
+        let near = ClosestOnCurve::new(&curve).nearest(point).ok().filter(|near| near.distance <= reach);
+        let parameter = match near {
+            Some(_) if [curve.start(), curve.end()].iter().any(|p| p.distance_to(point) <= reach) => {
+                let why =
+                    format!("the radius is too large: it takes all of {} beside it", self.names.of(edge));
+                return Err(self.names.refused(rounded, &why));
+            }
+            Some(near) => near.parameter,
+            None => {
+                let beyond = parameter_beyond(&curve, at_end, point, reach).filter(|_| further);
+                beyond.ok_or_else(|| {
+                    let name = self.names.of(edge);
+                    let why =
+                        format!("the radius is too large, or {name} beside it runs another way than its end");
+                    self.names.refused(rounded, &why)
+                })?
+            }
+        };
         let vertex = self.builder.vertex(point);
-        self.shortened.insert(stub, (vertex, near.parameter));
+        self.shortened.insert(stub, (vertex, parameter));
         Ok(vertex)
     }
 
     /// Does what a joint asks for.
     pub(super) fn add(&mut self, joint: &Joint) -> Result<()> {
         match joint {
-            Joint::Third { stub, beside, face, after, first } => {
-                self.third(*stub, *beside, *face, *after, *first)
-            }
+            Joint::Third { stub, beside, outlets, between } => match outlets.as_slice() {
+                [outlet] => self.third(*stub, *beside, *outlet),
+                _ => self.fan(*stub, *beside, outlets, between),
+            },
             Joint::Border { stub, beside } => {
                 let cut = Cut::across(self.strip(*stub)?, self.place(*stub)?)?;
-                let feet = self.feet(*stub, &cut, *beside)?;
+                let feet = self.feet(*stub, &cut, *beside, false)?;
                 let edge = self.builder.edge(cut.space.clone(), feet);
                 self.end(*stub, cut, edge, false, feet);
                 Ok(())
             }
             Joint::Through { stubs, links } => {
+                let places = self.handover(*stubs, *links)?;
                 let mut cuts = Vec::with_capacity(2);
-                for stub in stubs {
-                    cuts.push(Cut::across(self.strip(*stub)?, self.place(*stub)?)?);
+                for (stub, t) in stubs.iter().zip(places) {
+                    cuts.push(Cut::across(self.strip(*stub)?, t)?);
                 }
                 self.pair(*stubs, *links, cuts)
             }
             Joint::Mitre { stubs, links } => {
-                let fans = Fans { brep: self.brep };
+                let fans = self.fans();
                 let ways = stubs.map(|stub| fans.way(stub));
                 let normal = match ways {
                     [Some(a), Some(b)] => (a - b).unitized(),
@@ -133,40 +177,103 @@ impl<'a> Weave<'a> {
                 }
                 self.pair(*stubs, *links, cuts)
             }
-            Joint::Ball { stubs } => self.ball(*stubs),
+            Joint::Ball { stubs } => self.meeting(stubs),
+            Joint::Point { stub } => self.in_point(*stub),
+            Joint::Cap { stubs, links, arc } => self.cap(*stubs, *links, *arc),
         }
     }
 
-    fn unsupported(&self, stubs: &[Stub]) -> crate::Error {
-        let vertex = stubs.first().and_then(|stub| Fans { brep: self.brep }.vertex(*stub));
-        unsupported(stubs, vertex.unwrap_or(0))
+    pub(super) fn unsupported(&self, stubs: &[Stub]) -> crate::Error {
+        self.fans().unsupported(stubs)
     }
 
-    fn feet(&mut self, stub: Stub, cut: &Cut, beside: [Stub; 2]) -> Result<[NewVertex; 2]> {
-        let first = self.shorten(beside[0], cut.points[0], stub.0)?;
-        Ok([first, self.shorten(beside[1], cut.points[1], stub.0)?])
+    fn feet(&mut self, stub: Stub, cut: &Cut, beside: [Stub; 2], further: bool) -> Result<[NewVertex; 2]> {
+        let first = self.shorten(beside[0], cut.points[0], stub.0, further)?;
+        Ok([first, self.shorten(beside[1], cut.points[1], stub.0, further)?])
     }
 
-    fn third(
-        &mut self,
-        stub: Stub,
-        beside: [Stub; 2],
-        face: usize,
-        after: usize,
-        first: usize,
-    ) -> Result<()> {
+    /// The section of a strip with the surface of a face at its end.
+    pub(super) fn cut_by(&self, stub: Stub, outlet: Outlet) -> Result<Cut> {
         let strip = self.strip(stub)?;
-        let none = || refused(stub.0, "the face at its end has no surface");
-        let surface = self.brep.face_surface(face).ok_or_else(none)?;
-        let trim = self.brep.trims().get(after).ok_or_else(none)?;
-        let corner = self.brep.trim_point(after, trim.part.domain.end).ok_or_else(none)?;
+        let none = || self.names.refused(stub.0, "the face at its end has no surface");
+        let surface = self.brep.face_surface(outlet.face).ok_or_else(none)?;
+        let trim = self.brep.trims().get(outlet.after).ok_or_else(none)?;
+        let corner = self.brep.trim_point(outlet.after, trim.part.domain.end).ok_or_else(none)?;
         let limit = 0.1 * self.tolerance.absolute;
-        let cut = Cut::by(strip, surface, self.place(stub)?, [corner.x, corner.y], limit)?;
-        let feet = self.feet(stub, &cut, beside)?;
+        Cut::by(strip, surface, self.place(stub)?, [corner.x, corner.y], limit)
+    }
+
+    /// Where two strips go on in each other: at the vertex, or, where the edge between the faces beside them slants, where
+    /// the ball leaves one of these faces for the other.
+    fn handover(&self, stubs: [Stub; 2], links: [Link; 2]) -> Result<[f64; 2]> {
+        let own = [self.place(stubs[0])?, self.place(stubs[1])?];
+        let (side, over) = match links {
+            [Link::Over(over, _), Link::Face(_)] => (0, over),
+            [Link::Face(_), Link::Over(over, _)] => (1, over),
+            _ => return Ok(own),
+        };
+        // A closed edge meets itself: its strip starts and ends with it.
+        if stubs[0].0 == stubs[1].0 {
+            return Ok(own);
+        }
+        let (strip, other) = (self.strip(stubs[0])?, self.strip(stubs[1])?);
+        let Some(curve) = self.brep.edge_as_curve(over.0)? else { return Ok(own) };
+        let index = ClosestOnCurve::new(&curve);
+        let w = if side == 0 { 0.0 } else { 1.0 };
+        let mut t = own[0];
+        for step in 0..STEPS {
+            let p = strip.point(w, t);
+            let near = index.nearest(p)?;
+            let apart = curve.point_at(near.parameter) - p;
+            if apart.length() <= if step == 0 { 0.1 * self.limit } else { 1e-12 * strip.wedge.size } {
+                break;
+            }
+            let [along, run] =
+                [strip.partials(w, t)[1], curve.tangent_at(near.parameter).unwrap_or(Vector3::ZERO)];
+            let slopes = [[along.dot(along), -along.dot(run)], [along.dot(run), -run.dot(run)]];
+            let Some([by, _]) = linear(slopes, [along.dot(apart), run.dot(apart)]) else { return Ok(own) };
+            t += by;
+        }
+        if t == own[0] {
+            return Ok(own);
+        }
+        let place = strip.ball(t).and_then(|(centre, _)| other.place_of(centre, own[1]));
+        Ok([t, place.ok_or_else(|| self.unsupported(&stubs))?])
+    }
+
+    /// A strip whose rails meet in a vertex, which stays.
+    fn in_point(&mut self, stub: Stub) -> Result<()> {
+        let t = self.place(stub)?;
+        let strip = self.strip(stub)?;
+        let line = Line::new(strip.place(0.0, t), strip.place(1.0, t));
+        let flat = LineCurve { line, domain: Interval::new(0.0, 1.0) }.into();
+        let place = self.fans().vertex(stub).ok_or_else(|| self.unsupported(&[stub]))?;
+        let point = self.brep.vertices().get(place).map(|own| own.point);
+        let vertex = self.builder.vertex(point.ok_or_else(|| self.unsupported(&[stub]))?);
+        self.kept.insert(place, vertex);
+        let pieces = vec![Piece { flat, along: Along::Point(vertex) }];
+        self.ends.insert(stub, End { range: Interval::new(t, t), places: [t; 2], pieces, feet: [vertex; 2] });
+        Ok(())
+    }
+
+    /// A strip that ends on one face.
+    fn third(&mut self, stub: Stub, beside: [Stub; 2], outlet: Outlet) -> Result<()> {
+        let cut = self.cut_by(stub, outlet)?;
+        let feet = self.feet(stub, &cut, beside, true)?;
+        let is_longer = |stub: &Stub| {
+            let domain = self.brep.edges().get(stub.0).map(|own| own.part.domain);
+            self.shortened.get(stub).zip(domain).is_some_and(|((_, t), domain)| !domain.contains(*t))
+        };
+        if beside.iter().any(is_longer) {
+            // The corner turns in: the face goes on beyond it, down to the end of the strip.
+            let old = self.widened.get(&outlet.face).or_else(|| self.brep.face_surface(outlet.face));
+            let wide = old.and_then(|surface| widened(surface, &cut.points));
+            self.widened.insert(outlet.face, wide.ok_or_else(|| self.unsupported(&[stub]))?);
+        }
         let edge = self.builder.edge(cut.space.clone(), feet);
-        let reversed = first == 1;
-        let ends = if reversed { [feet[1], feet[0]] } else { feet };
-        self.inserts.insert(after, Insert { edge, reversed, space: cut.space.clone(), ends });
+        let ends = if outlet.reversed { [feet[1], feet[0]] } else { feet };
+        let insert = Insert { edge, reversed: outlet.reversed, space: cut.space.clone(), ends };
+        self.inserts.insert(outlet.after, insert);
         self.end(stub, cut, edge, false, feet);
         Ok(())
     }
@@ -190,7 +297,7 @@ impl<'a> Weave<'a> {
         for (link, point) in links.iter().zip(own.points) {
             feet.push(match link {
                 Link::Face(_) => self.builder.vertex(point),
-                Link::Over(over, _) => self.shorten(*over, point, stubs[0].0)?,
+                Link::Over(over, _) => self.shorten(*over, point, stubs[0].0, false)?,
             });
         }
         let feet = [feet[0], feet[1]];
@@ -201,106 +308,26 @@ impl<'a> Weave<'a> {
         Ok(())
     }
 
-    /// Three strips that end on one ball.
-    fn ball(&mut self, stubs: [Stub; 3]) -> Result<()> {
-        if self.blend == FilletBlend::Smooth {
-            return Err(self.unsupported(&stubs));
-        }
-        let strips = [self.strip(stubs[0])?, self.strip(stubs[1])?, self.strip(stubs[2])?];
-        let sides = |face: usize| -> Vec<f64> {
-            let of = |s: &&Strip<'_>| (0..2).find(|k| s.wedge.faces[*k] == face).map(|k| s.wedge.sides[k]);
-            strips.iter().filter_map(of).collect()
-        };
-        let faces = strips[0].wedge.faces;
-        let third = strips[1].wedge.faces.into_iter().find(|face| !faces.contains(face));
-        let third = third.ok_or_else(|| self.unsupported(&stubs))?;
-        let all = [faces[0], faces[1], third];
-        for face in all {
-            if !matches!(sides(face).as_slice(), [a, b] if a == b) {
-                return Err(self.unsupported(&stubs));
-            }
-        }
-        let side = sides(third).first().copied().unwrap_or(1.0);
-        let fans = Fans { brep: self.brep };
-        let found = || -> Option<(Point3, f64, Point3)> {
-            let surface = self.brep.face_surface(third)?;
-            let corner = fans.brep.vertices().get(fans.vertex(stubs[0])?)?.point;
-            let near = crate::ClosestOnSurface::new(surface).ok()?.nearest(corner).ok()?;
-            let start = if stubs[0].1 { strips[0].ends.end } else { strips[0].ends.start };
-            // From a place on the edge as far from the corner as the ball is large.
-            let reach = strips[0].ball(start)?.1 * strips[0].ends.length() / strips[0].wedge.size;
-            let t = if stubs[0].1 { start - reach } else { start + reach };
-            let steps = Direction::BOTH.map(|d| 1e-5 * surface.domain(d).length());
-            let steps = [1e-5 * strips[0].ends.length(), steps[0], steps[1]];
-            let normal = |u: f64, v: f64| {
-                let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
-                d.get(1, 0).cross(d.get(0, 1)).unitized()
-            };
-            let x = solve([t, near.u, near.v], &steps, strips[0].wedge.size, |x| {
-                let (centre, radius) = strips[0].ball(x[0])?;
-                let apart = surface.point_at(x[1], x[2]) + normal(x[1], x[2])? * (side * radius) - centre;
-                Some([apart.x, apart.y, apart.z])
-            })?;
-            let (centre, radius) = strips[0].ball(x[0])?;
-            Some((centre, radius, surface.point_at(x[1], x[2])))
-        };
-        let (centre, radius, _) = found().ok_or_else(|| strips[0].wedge.too_large())?;
-        let mut cuts = Vec::with_capacity(3);
-        for (strip, stub) in strips.iter().zip(stubs) {
-            let near = if stub.1 { strip.ends.end } else { strip.ends.start };
-            let at = strip.place_of(centre, near).ok_or_else(|| self.unsupported(&stubs))?;
-            let own = strip.ball(at).ok_or_else(|| self.unsupported(&stubs))?;
-            if !(own.0.distance_to(centre) <= self.limit && (own.1 - radius).abs() <= self.limit) {
-                return Err(self.unsupported(&stubs));
-            }
-            if !strip.ends.contains(at) {
-                return Err(strip.wedge.too_large());
-            }
-            cuts.push((stub, Cut::across(strip, at)?, strip.wedge.faces));
-        }
-        // One vertex for each face.
-        let mut feet: BTreeMap<usize, (NewVertex, Point3)> = BTreeMap::new();
-        for face in all {
-            let found = cuts
-                .iter()
-                .find_map(|(_, cut, faces)| faces.iter().position(|f| *f == face).map(|k| cut.points[k]));
-            let point = found.ok_or_else(|| self.unsupported(&stubs))?;
-            feet.insert(face, (self.builder.vertex(point), point));
-        }
-        let outward = {
-            let strip = self.strip(stubs[0])?;
-            let side = strip.wedge.sides[0] < 0.0;
-            side != self.brep.is_reversed(strip.wedge.faces[0])
-        };
-        let mut rim = Vec::with_capacity(3);
-        for (stub, cut, faces) in cuts {
-            let ends = faces.map(|face| feet.get(&face).copied());
-            let [Some(a), Some(b)] = ends else { return Err(self.unsupported(&stubs)) };
-            let edge = self.builder.edge(cut.space.clone(), [a.0, b.0]);
-            rim.push(corner::Arc { edge, space: cut.space.clone(), ends: [a, b] });
-            self.end(stub, cut, edge, false, [a.0, b.0]);
-        }
-        corner::add(&mut self.builder, &rim, centre, radius, outward, self.blend, &self.tolerance)
-    }
-
     /// The strips as faces; gives the rails of each edge with their ends.
     pub(super) fn add_strips(&mut self) -> Result<Rails> {
-        let mut rails = BTreeMap::new();
+        let mut rails = std::mem::take(&mut self.caps);
         for (edge, strip) in &self.strips {
             let ends = (self.ends.get(&(*edge, false)), self.ends.get(&(*edge, true)));
-            let (Some(start), Some(end)) = ends else { return Err(refused(*edge, "it has no ends")) };
+            let (Some(start), Some(end)) = ends else {
+                return Err(self.names.refused(*edge, "it has no ends"));
+            };
             let slack = 1e-9 * strip.ends.length();
-            if !(start.cut.range.end + slack < end.cut.range.start) {
-                return Err(refused(
+            if !(start.range.end + slack < end.range.start) {
+                return Err(self.names.refused(
                     *edge,
                     "the radius is too large: what is left of it between its ends is nothing",
                 ));
             }
-            let surface = strip.over(start.cut.range.union(end.cut.range))?;
+            let surface = strip.over(start.range.union(end.range))?;
             let along = if strip.is_turned() { Direction::U } else { Direction::V };
             let mut sides = Vec::with_capacity(2);
             for (k, w) in [0.0, 1.0].into_iter().enumerate() {
-                let range = Interval::new(start.cut.ends[k], end.cut.ends[k]);
+                let range = Interval::new(start.places[k], end.places[k]);
                 let whole = surface.isocurve(along, w)?;
                 let curve = if whole.domain() == range { whole } else { whole.trimmed(range)? };
                 let feet = [start.feet[k], end.feet[k]];
@@ -311,24 +338,21 @@ impl<'a> Weave<'a> {
                 let made = self.builder.edge(curve.clone(), feet);
                 sides.push((made, curve, feet, Curve::from(flat)));
             }
-            let path = |curve: &Curve, edge: NewEdge, backwards: bool, reversed: bool| Path {
-                curve: if backwards { curve.reversed() } else { curve.clone() },
-                along: Along::Edge(edge, backwards != reversed),
-            };
-            let mut paths = vec![
-                path(&start.cut.flat, start.edge, false, start.reversed),
-                path(&sides[1].3, sides[1].0, false, false),
-                path(&end.cut.flat, end.edge, true, end.reversed),
-                path(&sides[0].3, sides[0].0, true, false),
-            ];
+            let path = |curve: &Curve, along: Along| Path { curve: curve.clone(), along };
+            let rail = |k: usize| path(&sides[k].3, Along::Edge(sides[k].0, false));
+            let mut paths = Vec::with_capacity(2 + start.pieces.len() + end.pieces.len());
+            paths.extend(start.pieces.iter().map(|piece| path(&piece.flat, piece.along)));
+            paths.push(rail(1));
+            paths.extend(end.pieces.iter().rev().map(|piece| turned(path(&piece.flat, piece.along))));
+            paths.push(turned(rail(0)));
             if strip.is_turned() {
                 paths = paths.into_iter().rev().map(turned).collect();
             }
-            let reversed = self.is_reversed(strip, start.cut.ends[0], end.cut.ends[0])?;
+            let reversed = self.is_reversed(strip, start.places[0], end.places[0])?;
             let face = self.builder.face(surface, reversed);
             self.builder.bound(face, LoopKind::Outer, paths)?;
             let [a, b] = [&sides[0], &sides[1]].map(|s| (s.0, s.1.clone(), s.2));
-            rails.insert(*edge, [a, b]);
+            rails.insert(*edge, [Some(a), Some(b)]);
         }
         Ok(rails)
     }

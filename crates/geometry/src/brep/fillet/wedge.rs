@@ -1,7 +1,9 @@
 //! The two faces along an edge, and the ball between them.
 
+use super::FilletRail;
+use super::joint::Fans;
+use super::names::Names;
 use super::newton::{jacobian, linear, solve};
-use super::{FilletRail, refused};
 use crate::{Brep, ClosestOnSurface, Curve, Direction, Point3, Result, Surface, Tolerance, Vector3};
 
 /// Places along an edge where its faces are looked at.
@@ -12,9 +14,40 @@ const GROWTH: u32 = 12;
 /// The unknowns of a station: the parameters of both contacts, and the radius.
 pub(super) type Unknowns = [f64; 5];
 
+/// The radius at both ends of an edge. Between different ones it runs along a cubic that starts and ends level, so that
+/// strips that meet at the ends go on in each other without a kink.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Radius(pub [f64; 2]);
+
+impl Radius {
+    pub(super) fn is_constant(self) -> bool {
+        self.0[0] == self.0[1]
+    }
+
+    /// The radius at a share of the edge.
+    fn at(self, x: f64) -> f64 {
+        let x = x.clamp(0.0, 1.0);
+        let [a, b] = self.0;
+        if self.is_constant() { a } else { a + (b - a) * x * x * (3.0 - 2.0 * x) }
+    }
+
+    pub(super) fn at_end(self, at_end: bool) -> f64 {
+        self.0[usize::from(at_end)]
+    }
+
+    pub(super) fn largest(self) -> f64 {
+        self.0[0].max(self.0[1])
+    }
+
+    fn fault(self) -> Option<f64> {
+        self.0.into_iter().find(|r| !r.is_finite() || *r <= 0.0)
+    }
+}
+
 /// Two faces that meet along an edge at an angle.
 pub(super) struct Wedge<'a> {
     pub edge: usize,
+    names: &'a Names,
     pub curve: Curve,
     pub trims: [usize; 2],
     pub faces: [usize; 2],
@@ -22,9 +55,12 @@ pub(super) struct Wedge<'a> {
     /// On which side of each surface the ball lies: 1 on the side of its normal, −1 on the other.
     pub sides: [f64; 2],
     pub size: f64,
-    radius: f64,
+    pub radius: Radius,
     rail: FilletRail,
     steps: Unknowns,
+    /// Whether the contacts keep pace with the edge, instead of the ball's centre: between roundings that bend more than
+    /// the ball a centre that does so would let them run backwards.
+    pub by_contacts: bool,
     /// In which directions the surfaces close.
     closed: [[bool; 2]; 2],
     /// Parameters on both surfaces, and the ways from the edge into both faces, half-way along the edge.
@@ -49,25 +85,26 @@ impl Station {
 
 impl<'a> Wedge<'a> {
     pub(super) fn new(
-        brep: &'a Brep,
+        fans: &Fans<'a>,
         edge: usize,
-        radius: f64,
+        radius: Radius,
         rail: FilletRail,
         tolerance: &Tolerance,
     ) -> Result<Self> {
+        let Fans { brep, names } = *fans;
         let Some(own) = brep.edges().get(edge).filter(|own| !own.deleted) else {
             let last = brep.edges().len();
-            return Err(refused(edge, &format!("there is no such edge; the shape has {last} edges")));
+            return Err(names.refused(edge, &format!("there is no such edge; the shape has {last} edges")));
         };
-        if !radius.is_finite() || radius <= 0.0 {
-            return Err(refused(edge, &format!("its radius is {radius}, which must be greater than 0")));
+        if let Some(radius) = radius.fault() {
+            return Err(names.refused(edge, &format!("its radius is {radius}, which must be greater than 0")));
         }
         let &[first, second] = own.trims.as_slice() else {
             let why = match own.trims.len() {
                 0 | 1 => "it is naked: only one face ends there",
                 _ => "more than two faces meet there",
             };
-            return Err(refused(edge, why));
+            return Err(names.refused(edge, why));
         };
         let trims = [first, second];
         let found = || -> Option<_> {
@@ -75,28 +112,31 @@ impl<'a> Wedge<'a> {
             let surfaces = [brep.face_surface(faces[0])?, brep.face_surface(faces[1])?];
             Some((faces, surfaces, brep.edge_as_curve(edge).ok()??))
         };
-        let (faces, surfaces, curve) = found().ok_or_else(|| refused(edge, "it has no faces or no curve"))?;
+        let (faces, surfaces, curve) =
+            found().ok_or_else(|| names.refused(edge, "it has no faces or no curve"))?;
         if faces[0] == faces[1] {
-            return Err(refused(edge, "it is a seam of one face"));
+            return Err(names.refused(edge, "it is a seam of one face"));
         }
         let extent = curve.bounding_box().diagonal().length();
         let steps = {
             let [u1, v1, u2, v2] =
                 [(0, Direction::U), (0, Direction::V), (1, Direction::U), (1, Direction::V)]
                     .map(|(k, d): (usize, _)| 1e-5 * surfaces[k].domain(d).length());
-            [u1, v1, u2, v2, 1e-5 * radius]
+            [u1, v1, u2, v2, 1e-5 * radius.largest()]
         };
         let mut wedge = Self {
             edge,
+            names,
             curve,
             trims,
             faces,
             surfaces,
             sides: [0.0; 2],
-            size: extent + radius,
+            size: extent + radius.largest(),
             radius,
             rail,
             steps,
+            by_contacts: false,
             closed: surfaces.map(|surface| Direction::BOTH.map(|d| surface.is_closed(d))),
             middle: ([[0.0; 2]; 2], [Vector3::ZERO; 2]),
         };
@@ -114,8 +154,7 @@ impl<'a> Wedge<'a> {
             let x = if n + 1 == LOOKS { 0.5 } else { (n as f64 + 0.5) / LOOKS as f64 };
             let t = domain.at(x);
             let p = self.curve.point_at(t);
-            let tangent =
-                self.curve.tangent_at(t).ok_or_else(|| refused(self.edge, "it has no direction"))?;
+            let tangent = self.curve.tangent_at(t).ok_or_else(|| self.refused("it has no direction"))?;
             let mut ways = [Vector3::ZERO; 2];
             let mut normals = [Vector3::ZERO; 2];
             let mut places = [[0.0; 2]; 2];
@@ -123,7 +162,7 @@ impl<'a> Wedge<'a> {
                 let place = self.foot(k, brep, &feet[k], t, p)?;
                 let normal = self
                     .normal(k, place[0], place[1])
-                    .ok_or_else(|| refused(self.edge, "a face has no normal along it"))?;
+                    .ok_or_else(|| self.refused("a face has no normal along it"))?;
                 let reversed = brep.trims().get(self.trims[k]).is_some_and(|trim| trim.reversed);
                 // A face lies to the left of its trims.
                 let way = normal.cross(if reversed { -tangent } else { tangent });
@@ -136,14 +175,12 @@ impl<'a> Wedge<'a> {
                 } else {
                     "its faces lie upon each other"
                 };
-                return Err(refused(self.edge, why));
+                return Err(self.refused(why));
             }
             let sides = heights.map(f64::signum);
             if n > 0 && sides != self.sides {
-                return Err(refused(
-                    self.edge,
-                    "it is convex in one part and concave in another, which is not supported yet",
-                ));
+                return Err(self
+                    .refused("it is convex in one part and concave in another, which is not supported yet"));
             }
             self.sides = sides;
             self.middle = (places, ways);
@@ -217,12 +254,17 @@ impl<'a> Wedge<'a> {
             FilletRail::DistanceFromEdge => 0.5 * (a.distance_to(p) + b.distance_to(p)) - radius,
             FilletRail::DistanceBetweenRails => a.distance_to(b) - radius,
         };
-        Some([apart.x, apart.y, apart.z, (station.centre - p).dot(tangent), wanted])
+        let pace = if self.by_contacts { a.lerp(b, 0.5) } else { station.centre };
+        Some([apart.x, apart.y, apart.z, (pace - p).dot(tangent), wanted])
     }
 
     /// The ball at a parameter of the edge, from what it is nearby.
     pub(super) fn station(&self, t: f64, near: &Unknowns) -> Option<Station> {
-        self.grown(t, near, self.radius)
+        self.grown(t, near, self.radius_at(t))
+    }
+
+    fn radius_at(&self, t: f64) -> f64 {
+        self.radius.at(self.curve.domain().normalized(t))
     }
 
     fn grown(&self, t: f64, near: &Unknowns, radius: f64) -> Option<Station> {
@@ -235,6 +277,7 @@ impl<'a> Wedge<'a> {
     /// The ball half-way along the edge.
     pub(super) fn first(&self) -> Result<Station> {
         let t = self.curve.domain().middle();
+        let whole = self.radius_at(t);
         let (places, ways) = &self.middle;
         let half = 0.5 * ways[0].angle_to(ways[1]).unwrap_or(1.0);
         let guess = |radius: f64| -> Option<Unknowns> {
@@ -258,11 +301,11 @@ impl<'a> Wedge<'a> {
             }
             Some(x)
         };
-        let at_once = guess(self.radius).and_then(|x| self.grown(t, &x, self.radius));
+        let at_once = guess(whole).and_then(|x| self.grown(t, &x, whole));
         let found = at_once.filter(|s| self.is_beside(s)).or_else(|| {
             let mut near: Option<Unknowns> = None;
             for k in 1..=GROWTH {
-                let radius = self.radius * f64::from(k) / f64::from(GROWTH);
+                let radius = whole * f64::from(k) / f64::from(GROWTH);
                 let from = match near {
                     Some(x) => x,
                     None => guess(radius)?,
@@ -280,16 +323,42 @@ impl<'a> Wedge<'a> {
         (0..2).all(|k| (station.contacts[k] - p).dot(self.middle.1[k]) > 0.0)
     }
 
+    /// The refusal of the edge by name.
+    pub(super) fn refused(&self, why: &str) -> crate::Error {
+        self.names.refused(self.edge, why)
+    }
+
+    /// The ball where both faces touch each other at an end of the edge.
+    pub(super) fn touching(&self, t: f64) -> Option<Station> {
+        let p = self.curve.point_at(t);
+        let mut unknowns = [0.0, 0.0, 0.0, 0.0, self.radius_at(t)];
+        let mut normals = [Vector3::ZERO; 2];
+        for k in 0..2 {
+            let near = ClosestOnSurface::new(self.surfaces[k]).ok()?.nearest(p).ok()?;
+            (unknowns[2 * k], unknowns[2 * k + 1]) = (near.u, near.v);
+            normals[k] = self.normal(k, near.u, near.v)? * self.sides[k];
+        }
+        let middle = (normals[0] + normals[1]).unitized()?;
+        let touch = normals[0].cross(normals[1]).length() <= 1e-3;
+        let centre = p + middle * unknowns[4];
+        touch.then_some(Station { unknowns, contacts: [p; 2], centre, radius: unknowns[4] })
+    }
+
     pub(super) fn too_large(&self) -> crate::Error {
-        refused(self.edge, &format!("the radius {} is too large for its faces", self.radius))
+        self.refused(&format!("the radius {} is too large for its faces", self.radius.largest()))
+    }
+
+    /// Whether the ball lies behind both faces: then the edge loses material, or else it gains some.
+    pub(super) fn is_convex(&self, brep: &Brep) -> bool {
+        (self.sides[0] < 0.0) != brep.is_reversed(self.faces[0])
     }
 
     /// The derivative of the unknowns along the edge.
     pub(super) fn slope(&self, x: &Unknowns, t: f64) -> Option<Unknowns> {
-        let slopes = jacobian(x, &self.steps, |x| self.residual(x, t, self.radius))?;
+        let slopes = jacobian(x, &self.steps, |x| self.residual(x, t, self.radius_at(t)))?;
         let step = 1e-5 * self.curve.domain().length();
-        let ahead = self.residual(x, t + step, self.radius)?;
-        let behind = self.residual(x, t - step, self.radius)?;
+        let ahead = self.residual(x, t + step, self.radius_at(t + step))?;
+        let behind = self.residual(x, t - step, self.radius_at(t - step))?;
         let along: Unknowns = std::array::from_fn(|k| (behind[k] - ahead[k]) / (2.0 * step));
         let solved = linear(slopes, along)?;
         Some(std::array::from_fn(|k| solved[k] * self.steps[k]))
