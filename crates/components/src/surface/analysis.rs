@@ -212,6 +212,13 @@ fn point_in_trim(
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
+    use katydid_component::testing::Trial;
+    use katydid_data::Value;
+    use katydid_geometry::{
+        Circle, Cone, Direction, Interval, NurbsSurface, Plane, PlaneSurface, Point3, Sphere, Surface,
+        Vector3,
+    };
+
     /// The faces of a solid look outward, also those whose surfaces do not.
     #[test]
     fn normals_of_faces_look_outward() {
@@ -250,9 +257,6 @@ mod tests {
             assert!(turned > 0, "a face looks against its surface");
         }
     }
-
-    use katydid_component::testing::Trial;
-    use katydid_geometry::{Cone, Interval, NurbsSurface, Plane, PlaneSurface, Point3, Sphere, Surface};
 
     fn ball() -> Surface {
         Sphere::around(Point3::ORIGIN, 2.0).unwrap().into()

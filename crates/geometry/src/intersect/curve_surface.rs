@@ -67,6 +67,19 @@ pub struct SurfaceIntersections {
 /// # Errors
 /// The tolerance is negative or not finite.
 pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> Result<SurfaceIntersections> {
+    curve_surface_within(curve, surface, tolerance, MOST_VISITS)
+}
+
+/// The most pairs of parts that a search looks at.
+pub(super) const MOST_VISITS: u64 = 300_000;
+
+/// As [`curve_surface`], looking at no more than so many pairs of parts.
+pub(super) fn curve_surface_within(
+    curve: &Curve,
+    surface: &NurbsSurface,
+    tolerance: f64,
+    most_visits: u64,
+) -> Result<SurfaceIntersections> {
     check(tolerance)?;
     patience::check()?;
     let tree = Tree::new(curve.pieces());
@@ -77,7 +90,7 @@ pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> R
         tree,
         patches,
         tolerance,
-        limit: 1_000_000,
+        limit: most_visits,
         visits: 0,
         complete: true,
         contacts: Vec::new(),

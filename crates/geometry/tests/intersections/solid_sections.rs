@@ -7,7 +7,7 @@ use katydid_geometry::brep::{BrepSection, BrepSections, ClosestOnBrep};
 use katydid_geometry::construct::{self, PipeCap};
 use katydid_geometry::{
     Box3, Brep, Circle, Cone, Curve, Cylinder, Interval, Line, Plane, Point3, PolylineCurve, Sphere,
-    Tolerance, Torus, Vector3, Xform,
+    SumSurface, Tolerance, Torus, Vector3, Xform,
 };
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 0.001, angle: PI / 180.0 };
@@ -288,4 +288,21 @@ fn outlines_projected_onto_outlines() {
             assert!(found.len() == 2 && fits, "{scale}: {found:?} instead of twice {wanted}");
         }
     }
+}
+
+/// A projection whose lines run within the surface gives nothing, and soon.
+#[test]
+fn projections_edge_on_end_soon() {
+    let begun = std::time::Instant::now();
+    let ends = [p(-10_000.0, 40_000.0, 0.0), p(0.0, 0.0, 0.0)];
+    let strip =
+        SumSurface::extrusion(Line::new(ends[0], ends[1]).into(), Vector3::new(-10_000.0, -19_161.4, 0.0));
+    let strip = Brep::from_surface(strip.unwrap().into()).unwrap();
+    let around = Curve::from(Circle { plane: Plane::XY, radius: 20_000.0 });
+    let found = strip.project_curve(&around, Vector3::new(50_000.0, -47_505.9, 0.0), &TOLERANCE).unwrap();
+    assert!(found.is_empty());
+    let ring = SumSurface::new(around.clone(), around.clone(), Vector3::ZERO).unwrap();
+    let ring = Brep::from_surface(ring.into()).unwrap();
+    let _ = ring.project_curve(&around, Vector3::Z, &TOLERANCE);
+    assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
 }
