@@ -94,10 +94,12 @@ mod tests {
             let (mut model, mut blocks, mut pieces) = (Model::default(), Blocks::default(), Vec::new());
             of(&value, &cast::Rules::default(), &mut model, &mut blocks, &mut pieces).map(|()| pieces)
         };
-        let Ok([Object::Brep(solid)]) = baked([2.0, -3.0, 4.0]).as_deref() else { panic!("a Brep") };
+        let solid = baked([2.0, -3.0, 4.0]);
+        let Ok([Object::Brep(solid)]) = solid.as_deref() else { panic!("a Brep") };
         assert!(solid.brep.is_solid() && solid.brep.is_valid());
         for sides in [[0.0, 3.0, 4.0], [3.0, 0.0, 4.0], [3.0, -4.0, 0.0]] {
-            let Ok([Object::Surface(sheet)]) = baked(sides).as_deref() else { panic!("a surface") };
+            let sheet = baked(sides);
+            let Ok([Object::Surface(sheet)]) = sheet.as_deref() else { panic!("a surface") };
             assert!((sheet.area().unwrap().area - 12.0).abs() < 1e-12);
         }
         assert!(baked([0.0, 3.0, 0.0]).is_err());
