@@ -3,7 +3,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::RawObject;
 use katydid_geometry::{
     Arc, Box3, Circle, Curve, Field, Interval, Line, LineCurve, Matrix, Mesh, MeshFace, Plane, Point3,
-    Rectangle, Sphere, Surface, TwistedBox, Vector3, Xform,
+    Rectangle, TwistedBox, Vector3, Xform,
 };
 use uuid::Uuid;
 
@@ -93,7 +93,6 @@ item!(Rectangle, Rectangle, Rectangles, Rectangle { plane: Plane::XY, x: Interva
 item!(Box3, Box, Boxes, Box3 { plane: Plane::XY, x: Interval::UNIT, y: Interval::UNIT, z: Interval::UNIT });
 item!(TwistedBox, TwistedBox, TwistedBoxes, TwistedBox { corners: [Point3::ORIGIN; 8] });
 item!(Shared<Curve>, Curve, Curves, Shared::new(Curve::Line(LineCurve::new(Line::placeholder()))));
-item!(Shared<Surface>, Surface, Surfaces, Shared::new(Sphere { plane: Plane::XY, radius: 1.0 }.into()));
 item!(Shared<Mesh>, Mesh, Meshes, Shared::new(Mesh::default()));
 item!(MeshFace, MeshFace, MeshFaces, MeshFace::Triangle([0, 0, 0]));
 item!(Shared<Compound>, Compound, Compounds, Shared::new(Compound::default()));

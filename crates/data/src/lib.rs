@@ -22,6 +22,7 @@ mod complex;
 mod compound;
 mod content;
 mod domain2;
+mod face;
 pub mod formula;
 mod group;
 mod item;
@@ -50,6 +51,7 @@ pub use content::{
     BlockDefinition, BlockInstance, Content, Filter, ModelLayer, ModelLinetype, ModelObject, Visibility,
 };
 pub use domain2::Domain2;
+pub use face::Face;
 pub use group::Group;
 pub use item::{Geometry, Item};
 pub use kind::Kind;

@@ -69,12 +69,14 @@ fn fit(
     }
 }
 
-/// Components that ask for a surface compute with that of a brep's only face, trimmed or not, turned over or not. For
-/// breps of several faces they have nothing to compute with. (Parameters pass all of them through as they are.)
+/// Components that ask for a surface compute with that of a brep's only face, trimmed or not; a face that is turned over
+/// stays a brep, for those that ask to which side it looks ([`katydid_data::Face`]). For breps of several faces they have
+/// nothing to compute with. (Parameters pass all of them through as they are.)
 fn one_surface(tree: Tree, messages: &mut Vec<Message>) -> Tree {
     let surface = |brep: &Value| {
         let brep = brep.brep().ok_or_else(|| "it has no faces".to_owned())??;
         match (brep.faces(), brep.face_surface(0)) {
+            ([face], Some(_)) if face.reversed => Ok(Value::Brep(brep)),
             ([_], Some(surface)) => Ok(Value::from(surface.clone())),
             _ => Err("it has several faces".to_owned()),
         }

@@ -4,9 +4,10 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, MeshSettings, Value, cast};
-use katydid_geometry::{Box3, Brep, Direction, Mesh, MeshFace, Side, Surface};
+use katydid_geometry::{Box3, Brep, Containment, Direction, Mesh, MeshFace, Side, Surface};
 
 use super::{count, room, shared};
+use crate::prepared;
 
 /// What becomes a mesh.
 enum Shape {
@@ -35,7 +36,7 @@ fn shape(context: &Context<'_>, geometry: &Value) -> Result<Shape, Message> {
 
 /// A mesh over a surface with equal numbers of faces along each line.
 ///
-/// Trims are not regarded: a trimmed surface is not meshed yet.
+/// Of a trimmed surface the faces outside its trims are left out.
 #[component(
     "58cf422f-19f7-42f7-9619-fc198c51c657",
     name = "Mesh Surface",
@@ -47,21 +48,24 @@ fn mesh_surface(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    brep: Shared<Brep>,
     /// The number of faces along u, at least 1.
     #[port("U Count", "U", default = 5)]
     u_count: i32,
     /// The number of faces along v, at least 1.
     #[port("V Count", "V", default = 5)]
     v_count: i32,
-    /// Whether faces that reach beyond trims are kept; without trims this changes nothing.
+    /// Whether faces are kept that are partly outside the trims, as their corners tell; without trims this changes
+    /// nothing.
     #[port("Overhang", "H", default = true)]
     overhang: bool,
     /// Whether the faces are spaced by length along the middle lines of the surface rather than by parameter.
     #[port("Equalize", "Q", default = false)]
     equalize: bool,
 ) -> Result<Shared<Mesh>, Message> {
-    let _ = overhang;
+    let ([_], Some(surface)) = (brep.faces(), brep.face_surface(0)) else {
+        return Err(Message::error("A Brep of several faces is no surface: take it apart"));
+    };
     let counts = [count(u_count, "The U count")?, count(v_count, "The V count")?];
     room(context, counts[0].saturating_mul(counts[1]))?;
     let line = |direction: Direction| -> Result<Vec<f64>, Message> {
@@ -83,7 +87,31 @@ fn mesh_surface(
         Ok(inner.chain([domain.end]).collect())
     };
     let (us, vs) = (line(Direction::U)?, line(Direction::V)?);
-    Ok(shared(Mesh::surface_grid(surface, &us, &vs)?))
+    let whole = Mesh::surface_grid(surface, &us, &vs)?;
+    if brep.as_surface().is_some() {
+        return Ok(shared(whole));
+    }
+    let search = prepared::brep(context, &brep)?;
+    let near =
+        1e-9 * Direction::BOTH.map(|d| surface.domain(d).length()).into_iter().fold(f64::MAX, f64::min);
+    let mut inside = Vec::with_capacity(us.len() * vs.len());
+    for &u in &us {
+        context.check()?;
+        for &v in &vs {
+            inside.push(search.covers(0, u, v, near)? != Containment::Outside);
+        }
+    }
+    let stays = |face: &&MeshFace| {
+        let mut corners = face.indices().iter().map(|&k| inside.get(k as usize) == Some(&true));
+        if overhang { corners.any(|is| is) } else { corners.all(|is| is) }
+    };
+    let kept: Vec<MeshFace> = whole.faces().iter().filter(stays).copied().collect();
+    if kept.is_empty() {
+        return Err(Message::warning(
+            "No face of the grid lies within the trims: higher counts may find some",
+        ));
+    }
+    Ok(shared(whole.part(&kept)?))
 }
 
 /// A mesh of a Brep, surface or box, as fine as the settings say.
@@ -255,6 +283,28 @@ mod tests {
         assert!(Trial::of("Mesh Surface").item(flat()).item(0).message().contains("at least 1"));
     }
 
+    /// On a ring of radii 1 and 2 the faces whose corners are all inside, or some.
+    #[test]
+    fn faces_beyond_trims() {
+        let rings = [2.0, 1.0].map(|radius| Circle { plane: Plane::XY, radius });
+        let ring = Trial::of("Boundary Surfaces").list(rings).run().outputs[0].column().get(0).unwrap();
+        let on = |x: f64, y: f64| (1.0 - 1e-9..=2.0 + 1e-9).contains(&x.hypot(y));
+        let at = |i: i32| f64::from(i) * 0.2 - 2.0;
+        let corners =
+            |i: i32, j: i32| [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| on(at(i), at(j)));
+        let all = (0..400).map(|k| corners(k / 20, k % 20));
+        let wanted =
+            [all.clone().filter(|c| c.contains(&true)).count(), all.filter(|c| !c.contains(&false)).count()];
+        for (overhang, wanted) in [true, false].into_iter().zip(wanted) {
+            let trial = Trial::of("Mesh Surface").item(ring.clone()).item(20).item(20).item(overhang);
+            let made = mesh(trial);
+            assert_eq!(made.faces().len(), wanted);
+            assert!((made.area() - 0.04 * wanted as f64).abs() < 1e-9);
+        }
+        let coarse = Trial::of("Mesh Surface").item(ring).item(1).item(1).item(false);
+        assert!(coarse.message().contains("within the trims"));
+    }
+
     #[test]
     fn equal_lengths() {
         // The corners of this strip are nearer in u at one end.
@@ -291,12 +341,11 @@ mod tests {
         assert!((mesh(Trial::of("Mesh Brep").item(cube)).volume() - 8.0).abs() < 1e-12);
         assert_eq!(*mesh(Trial::of("Mesh Brep").item((*speed).clone())), *speed);
         assert!(Trial::of("Mesh Brep").item(Point3::ORIGIN).message().contains("no surface"));
-        assert!(
-            Trial::of("Mesh Brep")
-                .item(Circle { plane: Plane::XY, radius: 1.0 })
-                .message()
-                .contains("no surface")
-        );
+        let outline = Circle { plane: Plane::XY, radius: 1.0 };
+        let disc = mesh(Trial::of("Mesh Brep").item(outline));
+        assert!((disc.area() - PI).abs() < 0.1, "the inside of a closed flat curve");
+        let open = katydid_geometry::Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+        assert!(Trial::of("Mesh Brep").item(open).message().contains("no surface"));
     }
 
     #[test]

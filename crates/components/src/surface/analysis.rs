@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
+use katydid_data::Face;
 use katydid_geometry::{Brep, Containment, Direction, Plane, Point3, Surface, Vector3};
 
 use super::{uv, warning};
@@ -11,22 +12,24 @@ use crate::prepared;
 /// The point, the unit normal and the tangent plane at a pair of parameters.
 type Place = (Point3, Option<Vector3>, Option<Plane>);
 
-fn place(context: &Context<'_>, surface: &Surface, at: Point3) -> Result<Place, Message> {
+fn place(context: &Context<'_>, face: &Face, at: Point3) -> Result<Place, Message> {
     let (u, v) = uv(at)?;
     let outside = Direction::BOTH.iter().zip([u, v]).any(|(d, t)| {
-        let domain = surface.domain(*d);
+        let domain = face.surface.domain(*d);
         let slack = 1e-9 * domain.length();
         !(domain.start - slack <= t && t <= domain.end + slack)
     });
     if outside {
         context.warn("The parameters lie outside the surface's domain: it is continued there");
     }
-    Ok((surface.point_at(u, v), surface.normal_at(u, v), surface.frame_at(u, v)))
+    Ok((face.point_at(u, v), face.normal_at(u, v), face.frame_at(u, v)))
 }
 
 /// The point, normal, directions and tangent plane of a surface at a pair of parameters in its own domains.
 ///
-/// Reparameterize the surface to give them from 0 to 1. A surface that is only a line there has no normal: nulls.
+/// Reparameterize the surface to give them from 0 to 1. A surface that is only a line there has no normal: nulls. The
+/// normal of a face of a solid looks outward: where that is against the surface's own, the frame is turned over, with x
+/// along v and y along u.
 #[component(
     "353b206e-bde5-4f02-a913-b3b8a977d4b9",
     name = "Evaluate Surface",
@@ -37,22 +40,23 @@ fn place(context: &Context<'_>, surface: &Surface, at: Point3) -> Result<Place, 
 #[output("Normal", "N", "The unit normal.")]
 #[output("U direction", "U", "The unit vector along which u grows.")]
 #[output("V direction", "V", "The unit vector along which v grows.")]
-#[output("Frame", "F", "The tangent plane, its x axis along u.")]
+#[output("Frame", "F", "The tangent plane, its z axis along the normal.")]
 fn evaluate_surface(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The parameters, u as x and v as y.
     #[port("Point", "uv")]
     at: Point3,
 ) -> Result<(Point3, Option<Vector3>, Option<Vector3>, Option<Vector3>, Option<Plane>), Message> {
-    let (point, normal, frame) = place(context, surface, at)?;
+    let (point, normal, frame) = place(context, &face, at)?;
     let (u, v) = (at.x, at.y);
-    let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
+    let d = face.surface.derivatives(u, v, 1, face.surface.inner_quadrant(u, v));
     // At a pole one of the derivatives vanishes; the frame says how it comes in.
-    let along_u = d.get(1, 0).unitized().or(frame.map(|f| f.x_axis));
-    let along_v = d.get(0, 1).unitized().or(frame.map(|f| f.y_axis));
+    let at_pole = face.surface.frame_at(u, v);
+    let along_u = d.get(1, 0).unitized().or(at_pole.map(|f| f.x_axis));
+    let along_v = d.get(0, 1).unitized().or(at_pole.map(|f| f.y_axis));
     Ok((point, normal, along_u, along_v, frame))
 }
 
@@ -66,17 +70,17 @@ fn evaluate_surface(
 )]
 #[output("Point", "P", "The point.")]
 #[output("Normal", "N", "The unit normal.")]
-#[output("Frame", "F", "The tangent plane, its x axis along u.")]
+#[output("Frame", "F", "The tangent plane, its z axis along the normal.")]
 fn evaluate_surface_without_directions(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The parameters, u as x and v as y.
     #[port("Point", "uv")]
     at: Point3,
 ) -> Result<(Point3, Option<Vector3>, Option<Plane>), Message> {
-    place(context, surface, at)
+    place(context, &face, at)
 }
 
 /// The point of a surface that is nearest to a point.
@@ -209,7 +213,50 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
     use katydid_component::testing::Trial;
-    use katydid_geometry::{Cone, Interval, NurbsSurface, Plane, PlaneSurface, Point3, Sphere, Surface};
+    use katydid_data::Value;
+    use katydid_geometry::{
+        Circle, Cone, Direction, Interval, NurbsSurface, Plane, PlaneSurface, Point3, Sphere, Surface,
+        Vector3,
+    };
+
+    /// The faces of a solid look outward, also those whose surfaces do not.
+    #[test]
+    fn normals_of_faces_look_outward() {
+        let ring = Circle { plane: Plane::XY, radius: 2.0 };
+        for height in [3.0, -3.0] {
+            let disc = Trial::of("Boundary Surfaces").list([ring]).run().outputs[0].column().get(0).unwrap();
+            let rod = Trial::of("Extrude").item(disc).item(Vector3::new(0.0, 0.0, height)).run();
+            let parts = Trial::of("Deconstruct Brep").tree(rod.outputs[0].clone()).run();
+            let middle = Point3::new(0.0, 0.0, 0.5 * height);
+            let mut turned = 0;
+            for face in (0..3).map(|i| parts.outputs[0].column().get(i).unwrap()) {
+                let Some(Ok(brep)) = face.brep() else { panic!("a face") };
+                turned += usize::from(brep.faces()[0].reversed);
+                let [u, v] = Direction::BOTH.map(|d| brep.face_surface(0).unwrap().domain(d).at(0.3));
+                let found =
+                    Trial::of("Evaluate Surface").item(face.clone()).item(Point3::new(u, v, 0.0)).run();
+                let get = |port: usize| found.outputs[port].column().get(0).unwrap();
+                let (Value::Point(p), Value::Vector(n), Value::Plane(frame)) = (get(0), get(1), get(4))
+                else {
+                    panic!("{found:?}")
+                };
+                assert!(n.dot(p - middle) > 1.0, "{n:?} at {p:?}");
+                assert!((frame.z_axis - n).length() < 1e-12);
+                assert!((frame.x_axis.cross(frame.y_axis) - n).length() < 1e-12);
+                for (name, port) in [("Divide Surface", 1), ("Surface Frames", 0)] {
+                    let grid = Trial::of(name).item(face.clone()).item(2).item(2).run();
+                    match grid.outputs[port].column().get(4) {
+                        Some(Value::Vector(n)) => {
+                            assert!(n.dot(p - middle) > 0.0 || n.dot(p - middle) < -1.0)
+                        }
+                        Some(Value::Plane(f)) => assert!((f.z_axis.length() - 1.0).abs() < 1e-12),
+                        other => panic!("{other:?}"),
+                    }
+                }
+            }
+            assert!(turned > 0, "a face looks against its surface");
+        }
+    }
 
     fn ball() -> Surface {
         Sphere::around(Point3::ORIGIN, 2.0).unwrap().into()

@@ -4,6 +4,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::Geometry;
 use katydid_geometry::{Box3, Interval, Plane, Point3, Rectangle, Vector3};
 
+use super::named;
 use crate::transform::around;
 
 /// The smallest boxes along the axes of a plane that hold geometry: one for each piece, or, as the object's menu says,
@@ -94,7 +95,7 @@ fn bounding_box_of_one(
 ) -> Option<Box3> {
     let found = around(&content.0, &Plane::XY);
     if found.is_none() {
-        context.warn(format!("A {} has no extent that can be measured yet", content.0.kind()));
+        context.warn(format!("A {} has no extent that can be measured yet", named(&content.0)));
     }
     found
 }
@@ -115,7 +116,7 @@ fn bounds(context: &Context<'_>, content: &List<'_, Geometry>, plane: &Plane, un
             let piece = piece?;
             let found = around(&piece.0, plane);
             if found.is_none() {
-                context.warn(format!("A {} has no extent that can be measured yet", piece.0.kind()));
+                context.warn(format!("A {} has no extent that can be measured yet", named(&piece.0)));
             }
             found
         })

@@ -2,15 +2,42 @@
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
-use katydid_geometry::{Error, MassProperties, Point3, Vector3};
+use katydid_geometry::subd::SubD;
+use katydid_geometry::{Error, MassProperties, Mesh, Point3, Vector3};
 
-use super::warning;
+use super::subd::{fine_levels, subd_of};
+use super::{named, warning};
 
 /// Areas and volumes of Breps are measured to this part of themselves; smooth ones come out far better.
 const FRACTION: f64 = 1e-9;
 
+/// What a SubD measures: that of two meshes whose vertices lie on it, the finer one with a quarter of the other's error,
+/// from which follows what they tend to (Richardson's extrapolation).
+fn of_subd(
+    context: &Context<'_>,
+    subd: &SubD,
+    measure: impl Fn(&Mesh) -> Result<MassProperties, Message>,
+) -> Result<MassProperties, Message> {
+    let levels = fine_levels(subd);
+    let at = |levels: u32| {
+        context.check()?;
+        measure(&subd.limit_mesh(levels).map_err(warning)?)
+    };
+    let (coarse, fine) = (at(levels - 1)?, at(levels)?);
+    let beyond = |coarse: f64, fine: f64| fine + (fine - coarse) / 3.0;
+    Ok(MassProperties {
+        amount: beyond(coarse.amount, fine.amount),
+        centroid: fine.centroid + (fine.centroid - coarse.centroid) / 3.0,
+        second_moments: std::array::from_fn(|k| beyond(coarse.second_moments[k], fine.second_moments[k])),
+        error: (fine.amount - coarse.amount).abs() / 15.0,
+    })
+}
+
 /// What the area of a shape is like. Nothing with a warning where it has none.
 fn of_area(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, Message> {
+    if let Some(subd) = subd_of(geometry) {
+        return of_subd(context, &subd?, |mesh| mesh.area_properties().map_err(warning));
+    }
     match geometry {
         Value::Mesh(mesh) => mesh.area_properties().map_err(warning),
         Value::Kept(_) | Value::Brep(_) | Value::Surface(_) | Value::Box(_) => {
@@ -26,6 +53,15 @@ fn of_area(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, Me
 
 /// What the volume of a shape is like. Nothing with a warning where it has none.
 fn of_volume(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, Message> {
+    if let Some(subd) = subd_of(geometry) {
+        return of_subd(context, &subd?, |mesh| {
+            if mesh.is_closed() {
+                mesh.volume_properties().map_err(warning)
+            } else {
+                Err(Message::warning("An open SubD has no volume"))
+            }
+        });
+    }
     match geometry {
         Value::Mesh(mesh) => {
             if !mesh.is_closed() {
@@ -49,7 +85,7 @@ fn of_volume(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, 
 fn solid(geometry: &Value) -> Result<std::sync::Arc<katydid_geometry::Brep>, Message> {
     match geometry.brep() {
         Some(brep) => brep.map_err(Message::warning),
-        None => Err(Message::warning(format!("A {} has no faces", geometry.kind()))),
+        None => Err(Message::warning(format!("A {} has no faces", named(geometry)))),
     }
 }
 
@@ -59,7 +95,7 @@ fn measured(context: &Context<'_>, found: Result<MassProperties, Error>) -> Resu
     found.map_err(warning)
 }
 
-/// The area of a Brep, a surface, a mesh, a box, or the region inside a closed flat curve.
+/// The area of a Brep, a surface, a mesh, a SubD, a box, or the region inside a closed flat curve.
 ///
 /// Trimmed parts do not count. A curve that is open or not flat has none: a warning.
 #[component(
@@ -101,7 +137,7 @@ fn brep_area(
     Ok((found.amount, found.centroid))
 }
 
-/// The volume inside a closed Brep, a closed mesh or a box.
+/// The volume inside a closed Brep, a closed mesh, a closed SubD or a box.
 ///
 /// The volume of an open mesh means nothing: a warning. An open Brep has none.
 #[component(
@@ -304,6 +340,45 @@ fn plain_volume_moments(
 
 #[cfg(test)]
 mod tests {
+    /// The SubD of a cube with side 2 is twice that of a cube with side 1, however it is moved; where all is a crease it
+    /// is the cube.
+    #[test]
+    fn subds_are_measured() {
+        let side = |half: f64| katydid_geometry::Interval::new(-half, half);
+        let cube = |half: f64| katydid_geometry::Box3 {
+            plane: katydid_geometry::Plane {
+                origin: Point3::new(3.0, 4.0, 5.0),
+                ..katydid_geometry::Plane::XY
+            },
+            x: side(half),
+            y: side(half),
+            z: side(half),
+        };
+        let measured = |half: f64, creases: bool| {
+            let net =
+                || Trial::of("SubD Box").item(cube(half)).item(1).item(creases).run().outputs[0].clone();
+            let number = |name: &str| {
+                let found = Trial::of(name).tree(net()).run();
+                match (found.outputs[0].column().get(0), found.outputs[1].column().get(0)) {
+                    (Some(Value::Number(n)), Some(Value::Point(p))) => {
+                        assert!(p.distance_to(Point3::new(3.0, 4.0, 5.0)) < 1e-9);
+                        n
+                    }
+                    other => panic!("{other:?}"),
+                }
+            };
+            let bounds = Trial::of("Bounding Box").tree(net()).run().outputs[0].column().get(0);
+            let Some(Value::Box(bounds)) = bounds else { panic!("a box") };
+            (number("Area"), number("Volume"), bounds.x.length())
+        };
+        let (area, volume, width) = measured(1.0, true);
+        assert!((area - 24.0).abs() < 1e-9 && (volume - 8.0).abs() < 1e-9 && (width - 2.0).abs() < 1e-12);
+        let (small, large) = (measured(0.5, false), measured(1.0, false));
+        assert!((large.0 - 4.0 * small.0).abs() < 1e-9 && (large.1 - 8.0 * small.1).abs() < 1e-9);
+        assert!(large.1 < 8.0 && (large.1 / small.1 - 8.0).abs() < 1e-9);
+        assert!(large.2 < 2.0 && large.2 > 1.0);
+    }
+
     use katydid_component::testing::Trial;
     use katydid_data::Value;
     use katydid_geometry::{

@@ -20,7 +20,7 @@ mod parts;
 mod pipe;
 mod primitive;
 pub(crate) mod sphere;
-mod subd;
+pub(crate) mod subd;
 mod sweep;
 #[cfg(test)]
 mod trial;
@@ -30,6 +30,7 @@ mod util;
 use std::sync::Arc as Shared;
 
 use katydid_component::Message;
+use katydid_data::Value;
 use katydid_geometry::{Direction, Error, Interval, Point3, Surface};
 
 /// A surface as an output gives it.
@@ -45,6 +46,14 @@ fn warning(error: Error) -> Message {
 /// A surface over other domains.
 fn over(surface: impl Into<Surface>, u: Interval, v: Interval) -> Result<Surface, Error> {
     surface.into().with_domain(Direction::U, u)?.with_domain(Direction::V, v)
+}
+
+/// What a value is called in messages: what is kept as a program wrote it by its class.
+pub(crate) fn named(value: &Value) -> String {
+    match value {
+        Value::Kept(raw) => raw.class_name(),
+        other => other.kind().to_string(),
+    }
 }
 
 /// A pair of parameters, which a point carries as its x and y.

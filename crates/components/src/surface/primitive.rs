@@ -10,7 +10,7 @@ use katydid_geometry::{
     Box3, Cone, Cylinder, Interval, Plane, PlaneSurface, Point3, Sphere, Surface, construct,
 };
 
-use super::{over, shared, warning};
+use super::{named, over, shared, warning};
 use crate::transform::around;
 
 /// The surface of a sphere, u along the equator and v from pole to pole by length.
@@ -152,7 +152,7 @@ fn plane_through_shape(
 /// The part of a plane under and over a shape, and a margin around it.
 fn reaching(plane: &Plane, shape: &Value, margin: f64) -> Result<Shared<Surface>, Message> {
     let found = around(shape, plane).ok_or_else(|| {
-        Message::warning(format!("A {} has no extent that can be measured yet", shape.kind()))
+        Message::warning(format!("A {} has no extent that can be measured yet", named(shape)))
     })?;
     let wider = |r: Interval| Interval::new(r.min() - margin, r.max() + margin);
     let surface = PlaneSurface::new(found.plane, wider(found.x), wider(found.y));

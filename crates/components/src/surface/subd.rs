@@ -25,6 +25,18 @@ pub(super) fn subd(value: &Value) -> Result<SubD, Message> {
     }
 }
 
+/// The SubD that a value is; `None` for other values.
+pub(crate) fn subd_of(value: &Value) -> Option<Result<SubD, Message>> {
+    matches!(value, Value::Kept(raw) if raw.class_name() == "SubD").then(|| subd(value))
+}
+
+/// So often a SubD is subdivided to measure it: seven times, less often where that makes too many faces.
+pub(crate) fn fine_levels(subd: &SubD) -> u32 {
+    const MOST_FACES: usize = 200_000;
+    let faces = subd.net().faces().len();
+    (3..=7).rev().find(|levels| faces.saturating_mul(1 << (2 * levels)) <= MOST_FACES).unwrap_or(2)
+}
+
 /// A net as an output gives it.
 pub(super) fn kept(net: SubDNet) -> Result<Value, Message> {
     let object = Object::SubD(Box::new(SubDObject::from(&SubD::new(net))));

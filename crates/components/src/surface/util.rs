@@ -3,10 +3,10 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_data::{Domain2, Item, Tree, TreeBuilder, Value};
+use katydid_data::{Domain2, Face, Item, Tree, TreeBuilder, Value};
 use katydid_geometry::{Direction, Interval, Plane, Point3, Surface, Vector3};
 
-use super::{shared, warning};
+use super::{named, shared, warning};
 
 /// The parameters of a grid of so many cells, evenly spread over both domains.
 fn grid(context: &Context<'_>, surface: &Surface, cells: [i32; 2]) -> Result<[Vec<f64>; 2], Message> {
@@ -65,7 +65,7 @@ fn divide_surface(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The number of steps along u, at least 1.
     #[port("U Count", "U", default = 10)]
     u_count: i32,
@@ -73,14 +73,14 @@ fn divide_surface(
     #[port("V Count", "V", default = 10)]
     v_count: i32,
 ) -> Result<(Tree, Tree, Tree), Message> {
-    let grid = grid(context, surface, [u_count, v_count])?;
+    let grid = grid(context, &face.surface, [u_count, v_count])?;
     let normals = if context.is_wanted(1) {
-        rows::<Vector3>(context, &grid, |u, v| surface.normal_at(u, v))?
+        rows::<Vector3>(context, &grid, |u, v| face.normal_at(u, v))?
     } else {
         Tree::empty()
     };
     Ok((
-        rows(context, &grid, |u, v| Some(surface.point_at(u, v)))?,
+        rows(context, &grid, |u, v| Some(face.point_at(u, v)))?,
         normals,
         rows(context, &grid, |u, v| Some(parameters(u, v)))?,
     ))
@@ -101,7 +101,7 @@ fn divide_surface_into_list(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The number of steps along u, at least 1.
     #[port("U Count", "U", default = 10)]
     u_count: i32,
@@ -109,15 +109,16 @@ fn divide_surface_into_list(
     #[port("V Count", "V", default = 10)]
     v_count: i32,
 ) -> Result<(Vec<Point3>, Vec<Option<Vector3>>, Vec<Point3>), Message> {
-    let grid = grid(context, surface, [u_count, v_count])?;
+    let grid = grid(context, &face.surface, [u_count, v_count])?;
     Ok((
-        list(&grid, |u, v| surface.point_at(u, v)),
-        list(&grid, |u, v| surface.normal_at(u, v)),
+        list(&grid, |u, v| face.point_at(u, v)),
+        list(&grid, |u, v| face.normal_at(u, v)),
         list(&grid, parameters),
     ))
 }
 
-/// Tangent planes of a surface at even steps of its parameters, their x axes along u.
+/// Tangent planes of a surface at even steps of its parameters, their z axes along its normals and their x axes along u;
+/// along v on a face that looks against its surface.
 ///
 /// A branch holds the planes of one u.
 #[component(
@@ -132,7 +133,7 @@ fn surface_frames(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The number of steps along u, at least 1.
     #[port("U Count", "U", default = 10)]
     u_count: i32,
@@ -140,9 +141,9 @@ fn surface_frames(
     #[port("V Count", "V", default = 10)]
     v_count: i32,
 ) -> Result<(Tree, Tree), Message> {
-    let grid = grid(context, surface, [u_count, v_count])?;
+    let grid = grid(context, &face.surface, [u_count, v_count])?;
     Ok((
-        rows::<Plane>(context, &grid, |u, v| surface.frame_at(u, v))?,
+        rows::<Plane>(context, &grid, |u, v| face.frame_at(u, v))?,
         rows(context, &grid, |u, v| Some(parameters(u, v)))?,
     ))
 }
@@ -161,7 +162,7 @@ fn surface_frames_in_list(
     context: &Context<'_>,
     /// The surface.
     #[port("Surface", "S")]
-    surface: &Surface,
+    face: Face,
     /// The number of steps along u, at least 1.
     #[port("U Count", "U", default = 10)]
     u_count: i32,
@@ -169,8 +170,8 @@ fn surface_frames_in_list(
     #[port("V Count", "V", default = 10)]
     v_count: i32,
 ) -> Result<(Vec<Option<Plane>>, Vec<Point3>), Message> {
-    let grid = grid(context, surface, [u_count, v_count])?;
-    Ok((list(&grid, |u, v| surface.frame_at(u, v)), list(&grid, parameters)))
+    let grid = grid(context, &face.surface, [u_count, v_count])?;
+    Ok((list(&grid, |u, v| face.frame_at(u, v)), list(&grid, parameters)))
 }
 
 /// The part of a surface over a part of its domains.
@@ -210,7 +211,7 @@ fn flip(
     guide: Option<Shared<Surface>>,
 ) -> Result<(Value, bool), Message> {
     let brep = surface.brep().transpose().map_err(Message::warning)?;
-    let brep = brep.ok_or_else(|| Message::error(format!("A {} has no faces", surface.kind())))?;
+    let brep = brep.ok_or_else(|| Message::error(format!("A {} has no faces", named(&surface))))?;
     let opposed = match (guide, brep.face_surface(0)) {
         (Some(guide), Some(own)) => {
             let [u, v] = Direction::BOTH.map(|d| own.domain(d).middle());

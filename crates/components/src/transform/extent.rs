@@ -3,10 +3,13 @@
 use katydid_data::{Content, Kind, ModelObject, Value, cast};
 use katydid_geometry::{Box3, Plane, Point3};
 
+use crate::surface::subd::{fine_levels, subd_of};
+
 /// Groups in groups beyond this depth are left out.
 const DEEPEST: usize = 100;
 
-/// The smallest box along a plane's axes around geometry: exact for curves and surfaces too. `None` for what has no extent.
+/// The smallest box along a plane's axes around geometry: exact for curves and surfaces too, of a SubD that around a fine
+/// mesh with vertices on it. `None` for what has no extent.
 pub(crate) fn around(value: &Value, plane: &Plane) -> Option<Box3> {
     Box3::around(plane, corners(value, plane, 0))
 }
@@ -26,6 +29,15 @@ fn corners(value: &Value, plane: &Plane, depth: usize) -> Vec<Point3> {
         Value::Brep(brep) => {
             brep.bounding_box_in(plane).map_or_else(|_| Vec::new(), |b| b.corners().to_vec())
         }
+        Value::Kept(_) => match (value.brep(), subd_of(value)) {
+            (Some(Ok(brep)), _) => {
+                brep.bounding_box_in(plane).map_or_else(|_| Vec::new(), |b| b.corners().to_vec())
+            }
+            (_, Some(Ok(subd))) => subd
+                .limit_mesh(fine_levels(&subd))
+                .map_or_else(|_| Vec::new(), |mesh| mesh.vertices().to_vec()),
+            _ => Vec::new(),
+        },
         Value::Circle(_) | Value::Arc(_) => match cast::value(value, Kind::Curve, &cast::Rules::default()) {
             Some(Value::Curve(curve)) => curve.bounding_box_in(plane).corners().to_vec(),
             _ => Vec::new(),

@@ -3,7 +3,7 @@
 use super::inside::{ClosestOnBrep, Sheet};
 use super::trimmed;
 use crate::intersect::curve_with_surface;
-use crate::{Curve, Interval, Point3, Result, Surface, Vector3};
+use crate::{Curve, Error, Interval, Point3, Result, Surface, Vector3, Xform};
 
 /// A point that a curve and a brep have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +35,8 @@ pub struct BrepPiercing {
 const SAMPLES: usize = 24;
 /// The most samples of one curve.
 const MOST: usize = 2_000;
+/// The sine of the angle below which a direction runs along a plane.
+const EDGE_ON: f64 = 1e-9;
 /// Halvings from a sample to the border.
 const HALVINGS: usize = 46;
 
@@ -62,7 +64,7 @@ impl ClosestOnBrep {
                 }
             }
             for overlap in &found.overlaps {
-                out.overlaps.extend(self.covered(sheet, surface, curve, overlap.t)?);
+                out.overlaps.extend(self.covered(sheet, surface, curve, overlap.t, tolerance)?);
             }
         }
         let least = 1e-9 * curve.domain().length();
@@ -88,11 +90,16 @@ impl ClosestOnBrep {
     /// # Errors
     /// There is no such face, or a number overflows.
     pub fn curve_on_face(&self, face: usize, curve: &Curve) -> Result<Vec<Curve>> {
+        self.curve_within(face, curve, 0.0)
+    }
+
+    /// As [`Self::curve_on_face`], with what is nearer to an edge than a distance.
+    fn curve_within(&self, face: usize, curve: &Curve, near_edges: f64) -> Result<Vec<Curve>> {
         let sheet = self.sheets().iter().find(|s| s.face == face).ok_or_else(trimmed::no_face)?;
         let surface = self.brep().face_surface(face).ok_or_else(trimmed::no_face)?;
         let domain = curve.domain();
         let mut out = Vec::new();
-        for range in self.covered(sheet, surface, curve, domain)? {
+        for range in self.covered(sheet, surface, curve, domain, near_edges)? {
             let whole = range.start <= domain.start && domain.end <= range.end;
             if whole {
                 out.push(curve.clone());
@@ -103,25 +110,34 @@ impl ClosestOnBrep {
         Ok(out)
     }
 
-    /// The parts of a range of a curve on a surface that lie within the trims of its face.
+    /// The parts of a range of a curve on a surface that lie within the trims of its face, or nearer to its edges than
+    /// a distance: along an edge, rounding decides what the trims say. Where a part leaves the face across an edge it
+    /// ends there.
     fn covered(
         &self,
         sheet: &Sheet,
         surface: &Surface,
         curve: &Curve,
         range: Interval,
+        near_edges: f64,
     ) -> Result<Vec<Interval>> {
-        let inside = |t: f64| -> Result<bool> {
+        let close = |t: f64, distance: f64| -> Result<bool> {
             let p = curve.point_at(t);
             let [u, v] = match surface {
                 Surface::Plane(flat) => flat.parameters_of(p),
                 _ => {
                     let near = sheet.closest.nearest(p)?;
+                    // Beyond the surface's end the nearest place lies on its edge.
+                    if distance > 0.0 && near.distance > 2.0 * distance {
+                        return Ok(false);
+                    }
                     [near.u, near.v]
                 }
             };
-            Ok(sheet.covers(u, v))
+            Ok(sheet.covers(u, v) || (distance > 0.0 && self.near_loop(sheet, p, distance)?))
         };
+        let inside = |t: f64| close(t, near_edges);
+        let rounding = (1e-9 * sheet.bounds.diagonal().length()).min(near_edges);
         let count = (SAMPLES * curve.pieces().len()).clamp(SAMPLES, MOST);
         // Not at the very ends, which often lie on the border.
         let places = (0..=count).map(|k| {
@@ -152,7 +168,37 @@ impl ClosestOnBrep {
             before = Some((t, now));
         }
         found.extend(from.map(|start| Interval::new(start, range.end)));
+        if near_edges > 0.0 {
+            // Up to the edge itself, where the part does not go on beside it.
+            let step = range.length() / count as f64;
+            let sure = |t: f64| close(t, rounding);
+            for part in &mut found {
+                let inward = (0.5 * part.length()).min(step);
+                part.start = Self::edge_between(curve, [part.start, part.start + inward], near_edges, &sure)?;
+                part.end = Self::edge_between(curve, [part.end, part.end - inward], near_edges, &sure)?;
+            }
+        }
         Ok(found)
+    }
+
+    /// The place, from the first parameter to the second, at which the curve comes to be surely on the face: the first
+    /// parameter itself when it is there already, or when that is not within some distances of it.
+    fn edge_between(
+        curve: &Curve,
+        [from, to]: [f64; 2],
+        distance: f64,
+        sure: &impl Fn(f64) -> Result<bool>,
+    ) -> Result<f64> {
+        if sure(from)? || !sure(to)? {
+            return Ok(from);
+        }
+        let (mut low, mut high) = (from, to);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if sure(middle)? { high = middle } else { low = middle }
+        }
+        let near = curve.point_at(high).distance_to(curve.point_at(from)) <= 10.0 * distance;
+        Ok(if near { high } else { from })
     }
 }
 
@@ -179,12 +225,25 @@ impl super::Brep {
         direction: Vector3,
         tolerance: &crate::Tolerance,
     ) -> Result<Vec<Curve>> {
+        if !(direction.length() > 0.0) {
+            return Err(Error::degenerate("direction", "it has no length"));
+        }
         let search = ClosestOnBrep::new(std::sync::Arc::new(self.clone()))?;
         let mut out = Vec::new();
         for sheet in search.sheets() {
             let Some(surface) = self.face_surface(sheet.face) else { continue };
-            for image in surface.project_curve(curve, direction, tolerance)? {
-                out.extend(search.curve_on_face(sheet.face, &image)?);
+            // On a plane the image is exact, and an arc's an arc or an ellipse.
+            let images = match surface {
+                Surface::Plane(flat)
+                    if direction.dot(flat.plane().z_axis).abs() > EDGE_ON * direction.length() =>
+                {
+                    vec![curve.transformed(&Xform::projection_along(flat.plane(), direction)?)?]
+                }
+                Surface::Plane(_) => Vec::new(),
+                other => other.project_curve(curve, direction, tolerance)?,
+            };
+            for image in images {
+                out.extend(search.curve_within(sheet.face, &image, tolerance.absolute)?);
             }
         }
         Ok(crate::join_curves(&out, tolerance.absolute, false))

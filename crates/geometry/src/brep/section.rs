@@ -29,6 +29,8 @@ pub struct BrepSections {
     search: ClosestOnBrep,
     tolerance: Tolerance,
     size: f64,
+    /// How far from the origin the brep reaches.
+    remote: f64,
 }
 
 /// What an edge has in common with the plane.
@@ -49,7 +51,8 @@ impl BrepSections {
         tolerance.positive_distance()?;
         let bounds = brep.bounds_of_faces().ok_or(Error::degenerate("brep", "it has no faces"))?;
         let size = bounds.diagonal().length();
-        Ok(Self { search: ClosestOnBrep::new(brep)?, tolerance: *tolerance, size })
+        let remote = [bounds.min, bounds.max].map(|p| p.to_vector().length()).into_iter().fold(0.0, f64::max);
+        Ok(Self { search: ClosestOnBrep::new(brep)?, tolerance: *tolerance, size, remote })
     }
 
     /// What a plane cuts out of the brep.
@@ -93,9 +96,10 @@ impl BrepSections {
         self.search.brep()
     }
 
-    /// How far rounding may move a point from the plane.
+    /// How far rounding may move a point from the plane: what of the size is lost on curves and surfaces, and some
+    /// units in the last place of coordinates far from the origin, which every step to a point loses anew.
     fn noise(&self, plane: &Plane) -> f64 {
-        1e-10 * self.size + 1e-15 * plane.origin.to_vector().length()
+        1e-10 * self.size + 1e-14 * plane.origin.to_vector().length().max(self.remote)
     }
 
     fn contacts(&self, plane: &Plane) -> Result<Vec<EdgeContacts>> {

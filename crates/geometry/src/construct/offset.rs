@@ -1,9 +1,9 @@
 //! Surfaces at a distance from others.
 
-use crate::nurbs::surface_through;
+use crate::nurbs::surface_through_pieces;
 use crate::{
-    Brep, Curve, Direction, Error, Line, LineCurve, NurbsSurface, Point3, Result, RevolutionSurface, Surface,
-    Tolerance, Vector3, Xform,
+    Brep, Curve, Direction, Error, Line, LineCurve, NurbsSurface, Point3, Quadrant, Result,
+    RevolutionSurface, Surface, Tolerance, Vector3, Xform,
 };
 
 /// The most places at which a surface is taken in one direction.
@@ -214,6 +214,33 @@ fn check_folds(surface: &Surface, distance: &impl Fn(f64, f64) -> f64, us: &[f64
     Ok(())
 }
 
+/// The parameters inside the domain at which the first or the second derivative along a direction jumps.
+fn jumps(surface: &Surface, direction: Direction) -> Vec<f64> {
+    let spans = surface.span_parameters(direction);
+    let across = surface.domain(direction.other());
+    let jumps_at = |t: f64, width: f64| {
+        [0.05, 0.31, 0.62, 0.95].into_iter().any(|x| {
+            let s = across.at(x);
+            let along = |below: bool| {
+                let (u, v, sides) = match direction {
+                    Direction::U => (t, s, [below, false]),
+                    Direction::V => (s, t, [false, below]),
+                };
+                let d = surface.derivatives(u, v, 2, Quadrant::new(sides[0], sides[1]));
+                match direction {
+                    Direction::U => [d.get(1, 0), d.get(2, 0)],
+                    Direction::V => [d.get(0, 1), d.get(0, 2)],
+                }
+            };
+            let (before, after) = (along(true), along(false));
+            let size = before[0].length().max(after[0].length());
+            (after[0] - before[0]).length() > 1e-6 * size
+                || (after[1] - before[1]).length() * width > 1e-4 * size
+        })
+    };
+    spans.windows(3).filter(|w| jumps_at(w[1], (w[1] - w[0]).min(w[2] - w[1]))).map(|w| w[1]).collect()
+}
+
 fn sampled(surface: &Surface, distance: impl Fn(f64, f64) -> f64, limit: f64) -> Result<Surface> {
     let spans = Direction::BOTH.map(|d| surface.span_parameters(d));
     let at = |u: f64, v: f64| -> Result<Point3> {
@@ -226,7 +253,13 @@ fn sampled(surface: &Surface, distance: impl Fn(f64, f64) -> f64, limit: f64) ->
         });
         inner.chain(spans.last().copied()).collect()
     };
-    let mut parts = spans.each_ref().map(|s| if s.len() > 4 { 2 } else { 4 });
+    // Beside a line where the curvature jumps the offset bends otherwise than before it.
+    let breaks = Direction::BOTH.map(|d| jumps(surface, d));
+    let mut parts = [0, 1].map(|k: usize| match spans[k].len() {
+        0..=4 => 4,
+        5..=100 if !breaks[k].is_empty() => 4,
+        _ => 2,
+    });
     check_folds(surface, &distance, &places(&spans[0], 8), &places(&spans[1], 8))?;
     loop {
         let [us, vs] = [0, 1].map(|k: usize| places(&spans[k], parts[k]));
@@ -242,7 +275,7 @@ fn sampled(surface: &Surface, distance: impl Fn(f64, f64) -> f64, limit: f64) ->
                 points.push(at(u, v)?);
             }
         }
-        let made = surface_through(&points, [&us, &vs])?;
+        let made = surface_through_pieces(&points, [&us, &vs], [&breaks[0], &breaks[1]])?;
         let halves = |ts: &[f64]| ts.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect::<Vec<_>>();
         let miss = |us: &[f64], vs: &[f64]| -> Result<f64> {
             let mut worst = 0.0_f64;
@@ -364,6 +397,27 @@ mod tests {
         let out = ring.normal_at(0.0, 0.0).unwrap().x.signum();
         assert!(offset_surface(&ring, 0.9 * out, &tolerance()).is_ok());
         assert!(offset_surface(&ring, 1.1 * out, &tolerance()).is_err());
+    }
+
+    /// Walls over lines and arcs that go over into each other: the offset is that of the outline, by the exact distance.
+    #[test]
+    fn walls_whose_curvature_jumps() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
+        let corners = corners.map(|[x, y]| Point3::new(x, y, 0.0)).to_vec();
+        let sharp: Curve = crate::PolylineCurve::new(corners).unwrap().into();
+        let (outline, _) = sharp.fillet_corners(0.3, &tolerance()).unwrap();
+        let walls: Surface = SumSurface::extrusion(outline, Vector3::Z).unwrap().into();
+        let length = 2.0 * (1.4 + 2.4) + std::f64::consts::TAU * 0.3;
+        for distance in [0.1, -0.1] {
+            let made = offset_surface(&walls, distance, &tolerance()).unwrap();
+            let [least, most] = apart(&walls, &made);
+            assert!((least - 0.1).abs() < 2e-4 && (most - 0.1).abs() < 2e-4, "{least} {most}");
+            let out = walls.normal_at(0.1, 0.5).unwrap().y < 0.0;
+            let grown = if out { distance } else { -distance };
+            let wanted = length + std::f64::consts::TAU * grown;
+            assert!((made.area().unwrap().area - wanted).abs() < 1e-3);
+            assert!(made.kinks(Direction::U, Tolerance::default().angle).is_empty());
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::classify::coincident;
 use super::{Curve, PolyCurve, PolylineCurve};
+use crate::brep::with_ends;
 use crate::{Interval, Line, LineCurve, Point3};
 
 /// Ends of curves by the cell of a grid they lie in, to find those near a point.
@@ -153,6 +154,34 @@ fn spaced(points: Vec<Point3>) -> Vec<Point3> {
     out
 }
 
+/// Makes one curve end where the next begins. Straight ones meet their neighbours to the last digit; of others one is
+/// bent to the other, an arc only where the other is one too, and only across a gap that openNURBS would see.
+fn meet(before: &mut Curve, after: &mut Curve) {
+    let (end, start) = (before.end(), after.start());
+    if end == start {
+        return;
+    }
+    match (&*before, &*after) {
+        (_, Curve::Line(LineCurve { line, domain })) => {
+            *after = LineCurve { line: Line::new(end, line.to), domain: *domain }.into();
+        }
+        (Curve::Line(LineCurve { line, domain }), _) => {
+            *before = LineCurve { line: Line::new(line.from, start), domain: *domain }.into();
+        }
+        _ if end.distance_to(start) <= COINCIDENT => {}
+        (other, Curve::Arc(_)) if !matches!(other, Curve::Arc(_)) => {
+            if let Ok(moved) = with_ends(other, [other.start(), start]) {
+                *before = moved;
+            }
+        }
+        (_, other) => {
+            if let Ok(moved) = with_ends(other, [end, other.end()]) {
+                *after = moved;
+            }
+        }
+    }
+}
+
 /// One curve from parts that follow each other.
 pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
     if !parts.iter().all(is_speck) {
@@ -187,17 +216,17 @@ pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
             other => segments.push(other),
         }
     }
-    // Straight segments can meet their neighbours exactly; others keep their ends.
     for i in 1..segments.len() {
-        let (end, start) = (segments[i - 1].end(), segments[i].start());
-        if end == start {
-            continue;
+        let (before, after) = segments.split_at_mut(i);
+        if let (Some(before), Some(after)) = (before.last_mut(), after.first_mut()) {
+            meet(before, after);
         }
-        if let Curve::Line(LineCurve { line, domain }) = segments[i] {
-            segments[i] = LineCurve { line: Line::new(end, line.to), domain }.into();
-        } else if let Curve::Line(LineCurve { line, domain }) = segments[i - 1] {
-            segments[i - 1] = LineCurve { line: Line::new(line.from, start), domain }.into();
-        }
+    }
+    // A chain that closes within the tolerance closes exactly.
+    if let [first, .., last] = segments.as_mut_slice()
+        && first.start().distance_to(last.end()) <= tolerance
+    {
+        meet(last, first);
     }
     match (PolyCurve::new(segments), fallback) {
         (Ok(joined), _) => joined.into(),
@@ -210,9 +239,36 @@ pub(crate) fn chained(mut parts: Vec<Curve>, tolerance: f64) -> Curve {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing test may panic")]
 
     use super::*;
+
+    /// Bent curves that are joined across a gap meet exactly, and close where they close within the tolerance.
+    #[test]
+    fn bent_curves_meet_exactly() {
+        let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+        let free = |points: &[Point3]| -> Curve {
+            crate::NurbsCurve::new(3, points.to_vec(), vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap().into()
+        };
+        let arc = |x: f64| -> Curve {
+            let circle =
+                crate::Circle { plane: crate::Plane { origin: at(x, 0.0), ..crate::Plane::XY }, radius: 1.0 };
+            crate::ArcCurve::new(crate::Arc { circle, angle: Interval::new(0.0, std::f64::consts::PI) })
+                .into()
+        };
+        let there = free(&[at(-1.0, 0.0004), at(-1.0, -1.0), at(1.0, -1.0), at(1.0003, 0.0)]);
+        let cases: [Vec<Curve>; 2] = [vec![arc(0.0), there], vec![arc(0.0), arc(2.0006), arc(-2.0005)]];
+        for parts in cases {
+            let count = parts.len();
+            let joined = join_curves(&parts, 1e-3, false);
+            let [Curve::Poly(chain)] = &joined[..] else { panic!("one curve: {joined:?}") };
+            assert_eq!(chain.segments().len(), count);
+            for pair in chain.segments().windows(2) {
+                assert!(pair[0].end().distance_to(pair[1].start()) < 1e-12);
+            }
+            assert_eq!(joined[0].is_closed(), count == 2);
+        }
+    }
 
     #[test]
     fn corners_that_all_but_coincide_are_one_in_a_chain() {

@@ -67,6 +67,19 @@ pub struct SurfaceIntersections {
 /// # Errors
 /// The tolerance is negative or not finite.
 pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> Result<SurfaceIntersections> {
+    curve_surface_within(curve, surface, tolerance, MOST_VISITS)
+}
+
+/// The most pairs of parts that a search looks at.
+pub(super) const MOST_VISITS: u64 = 300_000;
+
+/// As [`curve_surface`], looking at no more than so many pairs of parts.
+pub(super) fn curve_surface_within(
+    curve: &Curve,
+    surface: &NurbsSurface,
+    tolerance: f64,
+    most_visits: u64,
+) -> Result<SurfaceIntersections> {
     check(tolerance)?;
     patience::check()?;
     let tree = Tree::new(curve.pieces());
@@ -77,7 +90,7 @@ pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> R
         tree,
         patches,
         tolerance,
-        limit: 1_000_000,
+        limit: most_visits,
         visits: 0,
         complete: true,
         contacts: Vec::new(),
@@ -111,6 +124,19 @@ struct Search<'a> {
     contacts: Vec<Contact>,
     stack: Vec<(u32, u32)>,
     domain: [Interval; 2],
+}
+
+/// How many times shorter than a patch the parts of a curve are made that begin or end on it.
+const SHORTER: f64 = 4.0;
+
+/// How a part of a curve lies to a part of the surface, as far as places on it tell.
+enum Lies {
+    /// Within the tolerance all along, and recorded.
+    Along,
+    /// An end lies within the tolerance of the surface.
+    Partly,
+    /// None of that is known.
+    Off,
 }
 
 /// What control points prove.
@@ -164,10 +190,14 @@ impl Search<'_> {
             self.add(&piece, [c.from, c.to], &p, patch);
             return;
         }
-        if self.inside(&piece, &c, &p, patch) {
-            return;
-        }
-        if !self.open(ic, ip, sc >= sp) && !self.open(ic, ip, sc < sp) {
+        let curve_first = match self.lies(&piece, &c, &p, patch) {
+            Lies::Along => return,
+            Lies::Off => sc >= sp,
+            // Parts of one size never lie within each other: the curve's are made shorter than the patch's, so that
+            // only those across its border are left.
+            Lies::Partly => SHORTER * SHORTER * sc >= sp,
+        };
+        if !self.open(ic, ip, curve_first) && !self.open(ic, ip, !curve_first) {
             self.add(&piece, [c.from, c.to], &p, patch);
         }
     }
@@ -409,11 +439,11 @@ impl Search<'_> {
     /// Whether a part of the curve lies within the tolerance of a flat part of the surface all along: at its ends,
     /// and at as many places between as the degrees leave room to wind. Then that is recorded, and because no point
     /// has a second foot there, nothing is left to find.
-    fn inside(&mut self, piece: &Piece<'_>, c: &Node, p: &PatchNode, patch: usize) -> bool {
+    fn lies(&mut self, piece: &Piece<'_>, c: &Node, p: &PatchNode, patch: usize) -> Lies {
         let hull = self.tree.hull(c);
-        let (Some(&first), Some(&last)) = (hull.first(), hull.last()) else { return false };
+        let (Some(&first), Some(&last)) = (hull.first(), hull.last()) else { return Lies::Off };
         if !super::judge::runs_along(hull, last - first, 1.0) {
-            return false;
+            return Lies::Off;
         }
         let [n, m] = self.patches.counts;
         let places = (n + m) * hull.len();
@@ -430,10 +460,12 @@ impl Search<'_> {
             let t = c.from + (c.to - c.from) * k as f64 / places as f64;
             let (at, gap) = self.foot(patch, piece.point(t), if k == places { middle } else { uv });
             if !(gap <= 1.25 * self.tolerance && near(at)) {
-                return false;
+                let at_start = k > 0 || gap <= 1.25 * self.tolerance;
+                let partly = at_start || self.foot(patch, piece.point(c.to), middle).1 <= self.tolerance;
+                return if partly && self.is_graph(p) { Lies::Partly } else { Lies::Off };
             }
             if k == places && !self.is_graph(p) {
-                return false;
+                return Lies::Off;
             }
             uv = at;
             most = most.max(gap);
@@ -442,7 +474,7 @@ impl Search<'_> {
             }
         }
         if most > self.tolerance && best.0 < 0.5 * self.tolerance {
-            return false;
+            return Lies::Off;
         }
         self.visits += 2;
         let ends = [c.from, c.to].map(|t| piece.whole_parameter(t));
@@ -451,6 +483,6 @@ impl Search<'_> {
         let best = piece.whole_parameter(t);
         let t = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         self.contacts.push(Contact { t, best, uv, gap, root: false, reach });
-        true
+        Lies::Along
     }
 }

@@ -33,4 +33,5 @@ pub use mesh_mesh::{mesh_mesh, mesh_mesh_segments};
 pub use nearest::{NearestPair, nearest_on_curves, nearest_to_shape};
 pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
 pub use surface_kinds::curve_with_surface;
+pub(crate) use surface_kinds::curve_with_surface_within;
 pub use surface_plane::{SurfaceSection, surface_plane};

@@ -1,6 +1,7 @@
 //! Curve with a surface of any kind.
 
-use super::{SurfaceIntersections, curve_surface};
+use super::SurfaceIntersections;
+use super::curve_surface::{MOST_VISITS, curve_surface_within};
 use crate::{ClosestOnSurface, Curve, Point3, Result, Surface};
 
 /// All points and stretches that a curve and a surface of any kind have in common within `tolerance`: those of
@@ -9,7 +10,17 @@ use crate::{ClosestOnSurface, Curve, Point3, Result, Surface};
 /// # Errors
 /// The tolerance is negative or not finite.
 pub fn curve_with_surface(curve: &Curve, surface: &Surface, tolerance: f64) -> Result<SurfaceIntersections> {
-    let mut found = curve_surface(curve, &surface.to_nurbs()?, tolerance)?;
+    curve_with_surface_within(curve, surface, tolerance, MOST_VISITS)
+}
+
+/// As [`curve_with_surface`], looking at no more than so many pairs of parts.
+pub(crate) fn curve_with_surface_within(
+    curve: &Curve,
+    surface: &Surface,
+    tolerance: f64,
+    most_visits: u64,
+) -> Result<SurfaceIntersections> {
+    let mut found = curve_surface_within(curve, &surface.to_nurbs()?, tolerance, most_visits)?;
     if matches!(surface, Surface::Nurbs(_)) || (found.crossings.is_empty() && found.overlaps.is_empty()) {
         return Ok(found);
     }

@@ -48,7 +48,9 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
     let size = bounds.diagonal().length();
     let far = bounds.max_distance_to(plane.origin);
     let range = bounds.range_of_distances(plane);
-    let noise = 1e-12 * size + 1e-15 * far;
+    // Far from the origin every coordinate has lost digits before.
+    let remote = [bounds.min, bounds.max, plane.origin].map(|p| p.to_vector().length());
+    let noise = 1e-12 * size + 1e-15 * far + 2e-15 * remote.into_iter().fold(0.0, f64::max);
     if range.start > noise || range.end < -noise {
         return Ok(SurfaceSection { curves: Vec::new(), complete: true });
     }

@@ -46,7 +46,9 @@ pub(crate) use evaluate::basis;
 pub use interpolate::KnotSpacing;
 pub use knots::{MAX_DEGREE, check_knots, span_index};
 pub use least_squares::{ExactCondition, LeastSquares, placed_knots};
-pub(crate) use skin::{Skinning, curve_through, section_parameters, skinned, surface_through};
+pub(crate) use skin::{
+    Skinning, curve_through, section_parameters, skinned, surface_through, surface_through_pieces,
+};
 pub use surface::{Direction, NurbsSurface, Quadrant};
 pub(crate) use surface_evaluate::MAX_ORDER;
 pub use surface_evaluate::SurfaceDerivatives;

@@ -71,7 +71,7 @@ pub(crate) fn skinned(
         Skinning::Straight => straight(&columns, rows, parameters, closed),
         Skinning::Through if rows == 2 => straight(&columns, rows, parameters, false),
         Skinning::Through if closed => around(&columns, rows, parameters)?,
-        Skinning::Through => through(&columns, rows, parameters)?,
+        Skinning::Through => through(&columns, rows, parameters, false)?,
     };
     let across = columns.len() / count;
     let knots = [first.knots().to_vec(), knots];
@@ -119,17 +119,56 @@ pub(crate) fn curve_through(points: &[Point3], parameters: &[f64]) -> Result<Nur
 /// The surface through a grid of points, v running fastest, at parameters: cubic with its knots there, straight across
 /// two rows of points.
 pub(crate) fn surface_through(points: &[Point3], parameters: [&[f64]; 2]) -> Result<NurbsSurface> {
+    surface_through_pieces(points, parameters, [&[], &[]])
+}
+
+/// As [`surface_through`], of pieces that end at those of the parameters that are breaks: what bends otherwise on the
+/// other side of one has no say in how the surface runs on this side.
+pub(crate) fn surface_through_pieces(
+    points: &[Point3],
+    parameters: [&[f64]; 2],
+    breaks: [&[f64]; 2],
+) -> Result<NurbsSurface> {
     let [us, vs] = parameters;
     if points.len() != us.len() * vs.len() {
         return Err(Error::degenerate("grid of points", "its parameters do not fit"));
     }
     let net: Vec<[f64; 4]> = points.iter().map(|p| [p.x, p.y, p.z, 1.0]).collect();
-    let (degree_v, knots_v, net) = line_through(&net, vs.len(), vs)?;
+    let (degree_v, knots_v, net) = pieces_through(&net, vs.len(), vs, breaks[1])?;
     let across = net.len() / us.len();
-    let (degree_u, knots_u, net) = line_through(&transposed(&net, across), us.len(), us)?;
+    let (degree_u, knots_u, net) = pieces_through(&transposed(&net, across), us.len(), us, breaks[0])?;
     let along = net.len() / across;
     let net = transposed(&net, along).iter().map(|p| Point3::new(p[0], p[1], p[2])).collect();
     NurbsSurface::new([degree_u, degree_v], [along, across], net, [knots_u, knots_v])
+}
+
+/// Lines through all rows, each of pieces with three equal knots where they meet; pieces of two rows do not break.
+fn pieces_through(columns: &[[f64; 4]], rows: usize, t: &[f64], breaks: &[f64]) -> Result<Across> {
+    let inner = (1..rows.saturating_sub(1)).filter(|i| t.get(*i).is_some_and(|t| breaks.contains(t)));
+    let mut ends = vec![0];
+    for i in inner {
+        if i >= ends.last().map_or(2, |e| e + 2) && i + 2 < rows {
+            ends.push(i);
+        }
+    }
+    if ends.len() == 1 {
+        return line_through(columns, rows, t);
+    }
+    ends.push(rows - 1);
+    let lines = columns.len() / rows;
+    let (mut knots, mut out) = (Vec::new(), vec![Vec::new(); lines]);
+    for piece in ends.windows(2) {
+        let rows_here = piece[1] - piece[0] + 1;
+        let own: Vec<[f64; 4]> =
+            columns.chunks(rows).flat_map(|c| c[piece[0]..=piece[1]].iter().copied()).collect();
+        let (_, own_knots, net) = through(&own, rows_here, &t[piece[0]..=piece[1]], true)?;
+        let shared = usize::from(!knots.is_empty());
+        for (line, more) in out.iter_mut().zip(net.chunks(net.len() / lines)) {
+            line.extend_from_slice(&more[shared..]);
+        }
+        knots.extend_from_slice(&own_knots[3 * shared..]);
+    }
+    Ok((3, knots, out.concat()))
 }
 
 fn line_through(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Across> {
@@ -142,7 +181,7 @@ fn line_through(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result
     if rows == 2 {
         Ok(straight(columns, rows, parameters, false))
     } else {
-        through(columns, rows, parameters)
+        through(columns, rows, parameters, false)
     }
 }
 
@@ -159,8 +198,9 @@ fn around(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Acros
 }
 
 /// The cubic with its knots at the parameters, whose derivatives at the ends are those of the parabolas through the
-/// first and the last three sections (Bessel's rule): linear in the sections, so that rational ones stay exact.
-fn through(columns: &[[f64; 4]], rows: usize, t: &[f64]) -> Result<Across> {
+/// first and the last three sections (Bessel's rule), or, if `close` and there are so many, of the cubics through four:
+/// linear in the sections, so that rational ones stay exact.
+fn through(columns: &[[f64; 4]], rows: usize, t: &[f64], close: bool) -> Result<Across> {
     let n = rows;
     let mut knots = vec![t[0]; 2];
     knots.extend_from_slice(t);
@@ -175,7 +215,12 @@ fn through(columns: &[[f64; 4]], rows: usize, t: &[f64]) -> Result<Across> {
             })
         };
         let (first, last) = (column[0], column[n - 1]);
-        let (start, end) = (slope(0, 1, 2), slope(n - 1, n - 2, n - 3));
+        let (start, end) = if close && n > 3 {
+            let of = |rows: [usize; 4]| slope_of_cubic(rows.map(|i| t[i]), rows.map(|i| column[i]));
+            (of([0, 1, 2, 3]), of([n - 1, n - 2, n - 3, n - 4]))
+        } else {
+            (slope(0, 1, 2), slope(n - 1, n - 2, n - 3))
+        };
         let second: [f64; 4] = std::array::from_fn(|k| first[k] + start[k] * (t[1] - t[0]) / 3.0);
         let before: [f64; 4] = std::array::from_fn(|k| last[k] - end[k] * (t[n - 1] - t[n - 2]) / 3.0);
         let mut right = vec![first, second];
@@ -186,6 +231,20 @@ fn through(columns: &[[f64; 4]], rows: usize, t: &[f64]) -> Result<Across> {
         out.extend(places.iter().zip(&weights).map(|(p, w)| [p[0], p[1], p[2], w[0]]));
     }
     Ok((3, knots, out))
+}
+
+/// The derivative, at the first of four parameters, of the cubic through four points: Newton's divided differences.
+fn slope_of_cubic(t: [f64; 4], points: [[f64; 4]; 4]) -> [f64; 4] {
+    std::array::from_fn(|k| {
+        let mut d = points.map(|p| p[k]);
+        for level in 1..4 {
+            for i in (level..4).rev() {
+                d[i] = (d[i] - d[i - 1]) / (t[i] - t[i - level]);
+            }
+        }
+        let h = [t[0] - t[1], t[0] - t[2]];
+        d[1] + h[0] * d[2] + h[0] * h[1] * d[3]
+    })
 }
 
 /// Control points of the cubic with knots at `t` whose first and last two are given and which passes the rest.

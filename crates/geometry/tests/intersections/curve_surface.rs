@@ -5,7 +5,8 @@ use katydid_geometry::intersect::{
     ContactKind, SurfaceIntersections, curve_plane, curve_surface, curve_with_surface,
 };
 use katydid_geometry::{
-    Circle, Curve, Interval, Line, NurbsCurve, NurbsSurface, Plane, Point3, Vector3, clamped_uniform_knots,
+    Circle, Curve, Cylinder, Interval, Line, NurbsCurve, NurbsSurface, Plane, Point3, Surface, Vector3,
+    Xform, clamped_uniform_knots,
 };
 use proptest::prelude::*;
 
@@ -206,4 +207,28 @@ fn stretches_in_a_plane_are_told_from_crossings() {
     assert!((start - 1.0).abs() < 1e-8 && (end - 2.0).abs() < 1e-8, "{start} to {end}");
     assert_eq!(found.crossings.len(), 1);
     assert!((found.crossings[0] - 3.5).abs() < 1e-12);
+}
+
+/// A straight line of a cylinder lies in it however both are turned: parts of one size, of which none ever lies within
+/// the other, once were halved down to the tolerance.
+#[test]
+fn rulings_of_cylinders_in_any_place() {
+    for scale in [1.0, 1e3] {
+        for turn in [0.0, 0.1, 0.3, 0.7, 1.1] {
+            let turned = Xform::rotation(turn, Vector3::new(1.0, 2.0, 3.0), Point3::ORIGIN).unwrap();
+            let height = Interval::new(0.0, 4.0 * scale);
+            let tube = Surface::from(Cylinder { plane: Plane::XY, radius: 3.0 * scale, height });
+            let tube = tube.to_nurbs().unwrap().transformed(&turned).unwrap();
+            let at = |z: f64| Point3::new(3.0 * 1f64.cos(), 3.0 * 1f64.sin(), z);
+            let line = |from: f64, to: f64| {
+                let ends = [from, to].map(|z| Point3::ORIGIN + at(z).to_vector() * scale);
+                Curve::from(Line::new(ends[0], ends[1])).transformed(&turned).unwrap()
+            };
+            for line in [line(-1.0, 9.0), line(0.0, 4.0), line(0.5, 3.2), line(0.5, 7.0)] {
+                let found = sound(&line, &tube, 1e-3);
+                assert!(found.visits < 20_000, "{scale} {turn}: {} visits", found.visits);
+                assert_eq!((found.crossings.len(), found.overlaps.len()), (0, 1), "{scale} {turn}");
+            }
+        }
+    }
 }

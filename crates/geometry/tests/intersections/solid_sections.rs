@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use katydid_geometry::brep::{BrepSection, BrepSections};
+use katydid_geometry::brep::{BrepSection, BrepSections, ClosestOnBrep};
 use katydid_geometry::construct::{self, PipeCap};
 use katydid_geometry::{
     Box3, Brep, Circle, Cone, Curve, Cylinder, Interval, Line, Plane, Point3, PolylineCurve, Sphere,
-    Tolerance, Torus, Vector3,
+    SumSurface, Tolerance, Torus, Vector3, Xform,
 };
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 0.001, angle: PI / 180.0 };
@@ -177,4 +177,132 @@ fn pipes_and_revolved_shapes() {
         sound(&ring, &Plane::YZ.offset(h));
         sound(&ring, &Plane::XY.offset(h + 0.1));
     }
+}
+
+/// Motions that put things elsewhere, with the scales that go with them.
+fn places() -> [(Xform, f64); 6] {
+    let turned = |angle: f64| Xform::rotation(angle, Vector3::new(3.0, 1.0, 2.0), Point3::ORIGIN).unwrap();
+    let moved = |x: f64, y: f64, z: f64| Xform::translation(Vector3::new(x, y, z));
+    let grown = |scale: f64| Xform::scale(Point3::ORIGIN, scale);
+    [
+        (Xform::IDENTITY, 1.0),
+        (turned(0.7), 1.0),
+        (moved(12_345.6, -54_321.1, 777.7) * turned(1.9), 1.0),
+        (moved(1e6, 1e6, 0.0) * turned(2.3), 1.0),
+        (turned(0.4) * grown(1e3), 1e3),
+        (turned(1.4) * grown(1e-1), 1e-1),
+    ]
+}
+
+/// What a plane cuts does not depend on where it happens.
+#[test]
+fn sections_far_from_the_origin() {
+    let height = Interval::new(0.0, 5.0);
+    let tube = Brep::from_surface(Cylinder { plane: Plane::XY, radius: 1.0, height }.into()).unwrap();
+    let ball = Brep::from_surface(Sphere { plane: Plane::XY, radius: 1.0 }.into()).unwrap();
+    for (place, scale) in places() {
+        let (tube, ball) = (tube.transformed(&place).unwrap(), ball.transformed(&place).unwrap());
+        let lengths = |brep: &Brep, plane: Plane| {
+            let section = brep.section(&plane.transformed(&place).unwrap(), &TOLERANCE).unwrap();
+            section.curves.iter().map(|c| c.length() / scale).collect::<Vec<_>>()
+        };
+        let along =
+            Plane { x_axis: Vector3::Y, y_axis: Vector3::Z, z_axis: Vector3::X, origin: Point3::ORIGIN };
+        let close = |found: Vec<f64>, wanted: &[f64]| {
+            assert_eq!(found.len(), wanted.len(), "{found:?} instead of {wanted:?} at {place:?}");
+            for (a, b) in found.iter().zip(wanted) {
+                assert!((a - b).abs() < 1e-6, "{found:?} instead of {wanted:?} at {place:?}");
+            }
+        };
+        close(lengths(&tube, along), &[5.0, 5.0]);
+        close(lengths(&tube, Plane { origin: p(0.0, 0.0, 5.0), ..Plane::XY }), &[TAU]);
+        close(lengths(&ball, along), &[TAU]);
+        close(lengths(&ball, Plane::XZ), &[TAU]);
+    }
+}
+
+/// A line along an edge of a box, or along the seam of a tube, is in it between the corners, in one piece.
+#[test]
+fn lines_along_edges_and_seams() {
+    let side = |to: f64| Interval::new(0.0, to);
+    let block = Box3 { plane: Plane::XY, x: side(3.0), y: side(4.0), z: side(5.0) };
+    let block = construct::box_brep(&block).unwrap();
+    let height = Interval::new(0.0, 3.0);
+    let tube = Brep::from_surface(Cylinder { plane: Plane::XY, radius: 1.0, height }.into()).unwrap();
+    let cases = [
+        (&block, [p(-1.0, 0.0, 0.0), p(9.0, 0.0, 0.0)]),
+        (&block, [p(3.0, -1.0, 5.0), p(3.0, 9.0, 5.0)]),
+        (&block, [p(-1.0, 2.0, 0.0), p(9.0, 2.0, 0.0)]),
+        (&tube, [p(1.0, 0.0, -1.0), p(1.0, 0.0, 9.0)]),
+        (&tube, [p(0.6, 0.8, -1.0), p(0.6, 0.8, 9.0)]),
+    ];
+    for (place, scale) in places() {
+        for (i, (brep, ends)) in cases.iter().enumerate() {
+            let brep = Arc::new(brep.transformed(&place).unwrap());
+            let line = Curve::from(Line::new(ends[0], ends[1])).transformed(&place).unwrap();
+            let found = ClosestOnBrep::new(brep).unwrap().curve_crossings(&line, 0.001).unwrap();
+            let lengths: Vec<f64> =
+                found.overlaps.iter().map(|o| line.trimmed(*o).unwrap().length() / scale).collect();
+            let wanted = [3.0, 4.0, 3.0, 3.0, 3.0][i];
+            assert!(found.complete && found.crossings.is_empty(), "case {i}, {scale}: {:?}", found.crossings);
+            assert!(
+                lengths.len() == 1 && (lengths[0] - wanted).abs() < 1e-4,
+                "case {i}, {scale}: {lengths:?}"
+            );
+        }
+    }
+}
+
+/// Pipes with round caps are closed however large.
+#[test]
+fn round_pipes_of_all_sizes() {
+    for scale in [1e-1, 1.0, 1e3, 1e5, 1e6] {
+        let turned = Xform::rotation(0.8, Vector3::new(3.0, 1.0, 2.0), Point3::ORIGIN).unwrap();
+        let rail = Curve::from(Line::new(Point3::ORIGIN, p(3.0, 4.0, 0.0)));
+        let place = turned * Xform::scale(Point3::ORIGIN, scale);
+        let made =
+            construct::pipe(&rail.transformed(&place).unwrap(), 0.5 * scale, PipeCap::Round, &TOLERANCE);
+        let made = made.unwrap();
+        assert!(made.is_solid(), "{scale}");
+    }
+}
+
+/// Curves that fall on the edges of a face are on it all the same, in one piece, and arcs on planes stay exact.
+#[test]
+fn outlines_projected_onto_outlines() {
+    let side = |to: f64| Interval::new(0.0, to);
+    let block = Box3 { plane: Plane::XY, x: side(3.0), y: side(4.0), z: side(5.0) };
+    let block = construct::box_brep(&block).unwrap();
+    let corners = [p(0.0, 0.0, 9.0), p(3.0, 0.0, 9.0), p(3.0, 4.0, 9.0), p(0.0, 4.0, 9.0), p(0.0, 0.0, 9.0)];
+    let outline = Curve::from(PolylineCurve::new(corners.to_vec()).unwrap());
+    let round = Curve::from(Circle { plane: Plane { origin: p(1.5, 2.0, 9.0), ..Plane::XY }, radius: 1.0 });
+    for (place, scale) in places() {
+        let block = block.transformed(&place).unwrap();
+        let down = place.vector(-Vector3::Z);
+        let lengths = |curve: &Curve| -> Vec<f64> {
+            let images = block.project_curve(&curve.transformed(&place).unwrap(), down, &TOLERANCE).unwrap();
+            images.iter().map(|c| c.length() / scale).collect()
+        };
+        for (found, wanted) in [(lengths(&outline), 14.0), (lengths(&round), TAU)] {
+            let fits = found.iter().all(|l| (l - wanted).abs() < 1e-5);
+            assert!(found.len() == 2 && fits, "{scale}: {found:?} instead of twice {wanted}");
+        }
+    }
+}
+
+/// A projection whose lines run within the surface gives nothing, and soon.
+#[test]
+fn projections_edge_on_end_soon() {
+    let begun = std::time::Instant::now();
+    let ends = [p(-10_000.0, 40_000.0, 0.0), p(0.0, 0.0, 0.0)];
+    let strip =
+        SumSurface::extrusion(Line::new(ends[0], ends[1]).into(), Vector3::new(-10_000.0, -19_161.4, 0.0));
+    let strip = Brep::from_surface(strip.unwrap().into()).unwrap();
+    let around = Curve::from(Circle { plane: Plane::XY, radius: 20_000.0 });
+    let found = strip.project_curve(&around, Vector3::new(50_000.0, -47_505.9, 0.0), &TOLERANCE).unwrap();
+    assert!(found.is_empty());
+    let ring = SumSurface::new(around.clone(), around.clone(), Vector3::ZERO).unwrap();
+    let ring = Brep::from_surface(ring.into()).unwrap();
+    let _ = ring.project_curve(&around, Vector3::Z, &TOLERANCE);
+    assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
 }

@@ -199,7 +199,8 @@ fn hemisphere(run: &Run, radius: &Radius, at_end: bool) -> Result<Brep> {
     let side = Plane::from_axes(plane.origin, plane.x_axis, outward)?;
     let quarter =
         Arc { circle: Circle::new(side, r)?, angle: Interval::new(0.0, std::f64::consts::FRAC_PI_2) };
-    let axis = Line::new(plane.origin, plane.origin + outward);
+    // As long as the cap is high: the direction of a short line far away has lost digits, and the pole its place.
+    let axis = Line::new(plane.origin, plane.origin + outward * r.max(1.0));
     let turn = Interval::new(0.0, std::f64::consts::TAU);
     let profile: Curve = ArcCurve::from(quarter).into();
     Brep::from_surface(RevolutionSurface::new(profile, axis, turn)?.into())

@@ -1,7 +1,7 @@
 //! Lines in one direction through a curve, and where they meet a surface.
 
 use crate::curve::traced::Sample;
-use crate::intersect::curve_with_surface;
+use crate::intersect::curve_with_surface_within;
 use crate::surface::geodesic::Unrolled;
 use crate::{Curve, Error, Interval, Line, Point3, Result, Surface, Vector3};
 
@@ -14,6 +14,8 @@ const GRAZING: f64 = 2e-3;
 /// After so many lines that all but graze the surface no more are tried on a stretch: each costs as much as a hundred
 /// others.
 const MOST_GRAZING: usize = 3;
+/// A line of which more pairs of parts are looked at lies next to the surface; others need some hundreds.
+const MOST_VISITS: u64 = 20_000;
 /// What all but grazes: the places are not exact yet.
 const ALMOST: f64 = 1e-2;
 /// How near a line must come to the surface at first, as a part of the size; Newton's method finds the place after that.
@@ -62,10 +64,12 @@ impl<'a> Beam<'a> {
             let t = part.at(k as f64 / LINES as f64);
             let p = self.curve.point_at(t);
             let line = Line::new(p - self.direction * self.reach, p + self.direction * self.reach);
-            let found = curve_with_surface(&line.into(), self.surface, NEAR * self.size)?;
+            let found = curve_with_surface_within(&line.into(), self.surface, NEAR * self.size, MOST_VISITS)?;
             let sine = |uv| self.sheet.normal(uv).map_or(0.0, |normal| normal.dot(self.direction).abs());
             let hits: Vec<[f64; 2]> = found.crossings.iter().map(|hit| [hit.u, hit.v]).collect();
-            grazing += usize::from(!hits.is_empty() && hits.iter().all(|hit| sine(*hit) < ALMOST));
+            // One that runs in the surface for a while only grazes it as well.
+            let along = !found.complete || !found.overlaps.is_empty();
+            grazing += usize::from(along || (!hits.is_empty() && hits.iter().all(|hit| sine(*hit) < ALMOST)));
             for hit in hits {
                 let uv = self.solve(t, hit).filter(|uv| !self.sheet.is_outside(*uv)).unwrap_or(hit);
                 if sine(uv) < GRAZING || self.miss(p, uv) > 1e-9 * self.size {
