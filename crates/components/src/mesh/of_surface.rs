@@ -341,11 +341,12 @@ mod tests {
         assert!((mesh(Trial::of("Mesh Brep").item(cube)).volume() - 8.0).abs() < 1e-12);
         assert_eq!(*mesh(Trial::of("Mesh Brep").item((*speed).clone())), *speed);
         assert!(Trial::of("Mesh Brep").item(Point3::ORIGIN).message().contains("no surface"));
-        let outline = Circle { plane: Plane::XY, radius: 1.0 };
-        let disc = mesh(Trial::of("Mesh Brep").item(outline));
-        assert!((disc.area() - PI).abs() < 0.1, "the inside of a closed flat curve");
-        let open = katydid_geometry::Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
-        assert!(Trial::of("Mesh Brep").item(open).message().contains("no surface"));
+        assert!(
+            Trial::of("Mesh Brep")
+                .item(Circle { plane: Plane::XY, radius: 1.0 })
+                .message()
+                .contains("no surface")
+        );
     }
 
     #[test]

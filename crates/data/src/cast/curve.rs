@@ -1,8 +1,8 @@
 //! Between lines, circles, arcs, rectangles and curves.
 
 use katydid_geometry::{
-    Arc, ArcCurve, Brep, Circle, Curve, Interval, Line, LineCurve, Plane, PlaneSurface, Point3,
-    PolylineCurve, Rectangle, Surface,
+    Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, PolylineCurve,
+    Rectangle, Surface,
 };
 
 use super::Rules;
@@ -69,27 +69,14 @@ pub(super) fn rectangle(value: &Value, rules: &Rules) -> Option<Rectangle> {
     }
 }
 
-/// The flat surface inside a closed flat curve: the whole one of a rectangle, of others with a trim.
-pub(super) fn surface(value: &Value, rules: &Rules) -> Option<Value> {
+/// The flat surface inside a rectangle or a rectangular curve. Other outlines need a trimmed surface.
+pub(super) fn surface(value: &Value, rules: &Rules) -> Option<Surface> {
     let r = match value {
-        Value::Rectangle(r) => Some(**r),
-        Value::Curve(_) => rectangle(value, rules),
-        Value::Circle(_) => None,
+        Value::Rectangle(r) => **r,
+        Value::Curve(_) => rectangle(value, rules)?,
         _ => return None,
     };
-    if let Some(r) = r {
-        let flat = PlaneSurface::new(r.plane, r.x.ordered(), r.y.ordered());
-        return flat.ok().map(|flat| Value::from(Surface::from(flat)));
-    }
-    let outline = curve(value)?;
-    if !outline.is_closed() {
-        return None;
-    }
-    let found = Brep::planar_faces(&[outline], &rules.tolerance).ok()?;
-    match <[Brep; 1]>::try_from(found.breps) {
-        Ok([face]) if found.left.is_empty() => Some(Value::from(face)),
-        _ => None,
-    }
+    PlaneSurface::new(r.plane, r.x.ordered(), r.y.ordered()).ok().map(Surface::from)
 }
 
 fn from_polyline(points: &[Point3], tolerance: f64) -> Option<Rectangle> {

@@ -97,7 +97,7 @@ pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
             Value::Brep(brep) => (brep.faces().len() == 1).then(|| value.clone()),
             Value::Kept(_) => kept(value, kind),
             Value::Box(_) if kind == Kind::Brep => value.brep()?.ok().map(Value::from),
-            _ => curve::surface(value, rules),
+            _ => curve::surface(value, rules).map(Value::from),
         },
         Kind::SubD | Kind::PointCloud => kept(value, kind),
         // A compound is a transform: it stays whole, so that it can be taken apart later.
