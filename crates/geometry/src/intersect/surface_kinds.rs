@@ -5,7 +5,7 @@ use super::curve_surface::{MOST_VISITS, curve_surface_within};
 use crate::{ClosestOnSurface, Curve, Point3, Result, Surface};
 
 /// All points and stretches that a curve and a surface of any kind have in common within `tolerance`: those of
-/// [`curve_surface`] with the surface's NURBS form, which is exact, and with the surface's own parameters.
+/// [`curve_surface`](super::curve_surface()) with the surface's NURBS form, which is exact, and with the surface's own parameters.
 ///
 /// # Errors
 /// The tolerance is negative or not finite.
