@@ -73,6 +73,9 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
     Ok(SurfaceSection { curves, complete })
 }
 
+/// A surface whose derivatives across a patch span less than this part of the square of the longer one has no normal.
+const SINGULAR: f64 = 1e-8;
+
 /// The distance of a Bézier patch from a plane, times the weights.
 fn heights(index: usize, patch: &NurbsSurface, plane: &Plane) -> Cell {
     let (n, o) = (plane.z_axis, plane.origin);
@@ -92,10 +95,15 @@ fn heights(index: usize, patch: &NurbsSurface, plane: &Plane) -> Cell {
 /// The point of the section at a place, and its direction either way.
 fn sample([u, v]: [f64; 2], patch: &NurbsSurface, plane: &Plane) -> Sample {
     let jet = patch.derivatives(u, v, 1, Quadrant::NorthEast);
-    let (su, sv) = (jet.get(1, 0), jet.get(0, 1));
+    let [su, sv] = Direction::BOTH.map(|d| {
+        let [i, j] = if d == Direction::U { [1, 0] } else { [0, 1] };
+        jet.get(i, j) * patch.domain(d).length()
+    });
     let normal = su.cross(sv);
     let direction = normal.cross(plane.z_axis);
-    let told = direction.length() > 1e-6 * normal.length() && normal.length() > 0.0;
+    // In a pole what is left of a normal is rounding.
+    let told = direction.length() > 1e-6 * normal.length()
+        && normal.length() > SINGULAR * su.length().max(sv.length()).powi(2);
     Sample { point: jet.point(), direction: if told { direction.unitized() } else { None } }
 }
 

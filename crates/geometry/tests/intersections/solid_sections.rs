@@ -306,3 +306,38 @@ fn projections_edge_on_end_soon() {
     let _ = ring.project_curve(&around, Vector3::Z, &TOLERANCE);
     assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
 }
+
+/// A plane along the axis passes both poles of round caps, in any direction and of any size.
+#[test]
+fn planes_through_poles() {
+    for scale in [0.1, 1.0, 1e3, 1e5] {
+        for (axis, from) in [
+            (Vector3::new(3.0, 4.0, 0.0), Point3::ORIGIN),
+            (Vector3::new(1.0, -2.0, 2.0), p(10.0, 20.0, -5.0)),
+            (Vector3::Z, p(1.0, 0.0, 0.0)),
+        ] {
+            let from = Point3::new(from.x * scale, from.y * scale, from.z * scale);
+            let (length_of_axis, r) = (axis.length() * scale, 0.5 * scale);
+            let rail: Curve = Line::new(from, from + axis * scale).into();
+            let tolerance = TOLERANCE;
+            let solid = construct::pipe(&rail, r, PipeCap::Round, &tolerance).unwrap();
+            let beside = axis.cross(Vector3::new(0.3, 0.2, 1.0)).unitized().unwrap();
+            for k in 0..8 {
+                let turn = Xform::rotation(f64::from(k) * 0.3, axis, from).unwrap();
+                let plane = Plane::from_normal(from, turn.vector(beside)).unwrap();
+                let section = solid.section(&plane, &tolerance).unwrap();
+                let closed = section.curves.iter().all(Curve::is_closed);
+                assert!(
+                    section.complete && closed && section.curves.len() == 1,
+                    "{scale} {axis:?} {k}: {section:?}"
+                );
+                let want = 2.0 * length_of_axis + TAU * r;
+                assert!(
+                    (length(&section) - want).abs() <= 1e-6 * want,
+                    "{scale} {axis:?} {k}: {} {want}",
+                    length(&section)
+                );
+            }
+        }
+    }
+}

@@ -173,7 +173,12 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
     let mut still: BTreeSet<usize> = BTreeSet::new();
     // Where mitres end between roundings that run into one face.
     let mut points: BTreeSet<Stub> = BTreeSet::new();
-    while !wanted.is_empty() {
+    // A step rounds one edge at least, and an edge leaves an arc at each end at most.
+    let most = 3 * wanted.len();
+    for _ in 0..most {
+        if wanted.is_empty() {
+            break;
+        }
         wanted.sort_by_key(|own| own.edge);
         let fans = Fans { brep: &brep, names: &names };
         let mut wedges = BTreeMap::new();
@@ -232,7 +237,10 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
         names = names.after(&made.kept, &made.borders);
         brep = made.brep;
     }
-    Ok(brep)
+    match wanted.first() {
+        None => Ok(brep),
+        Some(own) => Err(names.refused(own.edge, "the edges that wait for it come to no end")),
+    }
 }
 
 /// What an arc is rounded with between two edges that run on into it: with the ball that arrives there.
