@@ -5,6 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_3dm::{Limits, Object};
 use katydid_geometry::{Brep, construct};
 
+use crate::item::item;
 use crate::{Column, Item, Items, Kind, Value};
 
 impl From<Brep> for Value {
@@ -49,33 +50,7 @@ impl Value {
     }
 }
 
-impl Item for Shared<Brep> {
-    const KIND: Kind = Kind::Brep;
-    type Run = Vec<Self>;
-
-    /// What stands for a brep counts as one.
-    fn get(column: &Column, i: usize) -> Option<Self> {
-        if column.is_null(i) {
-            return None;
-        }
-        match column.items() {
-            Items::Breps(items) => items.get(i).cloned(),
-            _ => column.get(i)?.brep()?.ok(),
-        }
-    }
-
-    fn slice(column: &Column) -> Option<&[Self]> {
-        match column.items() {
-            Items::Breps(items) => Some(items),
-            _ => None,
-        }
-    }
-
-    fn column(items: Vec<Self>, nulls: Option<Vec<bool>>) -> Column {
-        Column::new(Items::Breps(Shared::new(items)), nulls)
-    }
-
-    fn placeholder() -> Self {
-        Self::new(Brep::default())
-    }
-}
+// What stands for a brep counts as one.
+item!(Shared<Brep>, Brep, Breps, Self::new(Brep::default()), |column: &Column, i: usize| {
+    column.get(i)?.brep()?.ok()
+});

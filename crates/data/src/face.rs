@@ -4,6 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_geometry::{Brep, Plane, Point3, Sphere, Surface, Vector3};
 
+use crate::item::item;
 use crate::{Column, Item, Items, Kind, Value};
 
 /// A surface, and whether its normals are turned over: those of a face that a brep has turned, as the faces of solids
@@ -77,30 +78,11 @@ impl Item for Face {
     }
 }
 
-/// A brep of one face counts as the surface of that face, whichever way that looks.
-impl Item for Shared<Surface> {
-    const KIND: Kind = Kind::Surface;
-    type Run = Vec<Self>;
-
-    fn get(column: &Column, i: usize) -> Option<Self> {
-        match column.items() {
-            Items::Surfaces(items) if !column.is_null(i) => items.get(i).cloned(),
-            _ => Face::get(column, i).map(|face| face.surface),
-        }
-    }
-
-    fn slice(column: &Column) -> Option<&[Self]> {
-        match column.items() {
-            Items::Surfaces(items) => Some(items),
-            _ => None,
-        }
-    }
-
-    fn column(items: Vec<Self>, nulls: Option<Vec<bool>>) -> Column {
-        Column::new(Items::Surfaces(Shared::new(items)), nulls)
-    }
-
-    fn placeholder() -> Self {
-        Self::new(Sphere { plane: Plane::XY, radius: 1.0 }.into())
-    }
-}
+// A brep of one face counts as the surface of that face, whichever way that looks.
+item!(
+    Shared<Surface>,
+    Surface,
+    Surfaces,
+    Self::new(Sphere { plane: Plane::XY, radius: 1.0 }.into()),
+    |column: &Column, i: usize| Face::get(column, i).map(|face| face.surface)
+);

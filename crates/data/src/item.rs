@@ -37,8 +37,12 @@ pub trait Item: Clone + std::fmt::Debug + Send + Sync + Sized + 'static {
     fn placeholder() -> Self;
 }
 
+/// `item!(type, kind, run, placeholder)`, and what an item of a column of another type stands for, if anything.
 macro_rules! item {
     ($type:ty, $variant:ident, $items:ident, $placeholder:expr) => {
+        item!($type, $variant, $items, $placeholder, |_: &Column, _: usize| None);
+    };
+    ($type:ty, $variant:ident, $items:ident, $placeholder:expr, $standing_for:expr) => {
         impl Item for $type {
             const KIND: Kind = Kind::$variant;
             type Run = Vec<Self>;
@@ -50,7 +54,7 @@ macro_rules! item {
                 }
                 match column.items() {
                     Items::$items(items) => items.get(i).cloned(),
-                    _ => None,
+                    _ => $standing_for(column, i),
                 }
             }
 
@@ -71,6 +75,7 @@ macro_rules! item {
         }
     };
 }
+pub(crate) use item;
 
 item!(bool, Boolean, Booleans, false);
 item!(i32, Integer, Integers, 0);
@@ -120,38 +125,12 @@ item!(
 
 item!(Shared<Content>, Content, Contents, Shared::new(Content::Layer(Shared::new(ModelLayer::default()))));
 
-impl Item for Xform {
-    const KIND: Kind = Kind::Transform;
-    type Run = Vec<Self>;
-
-    /// A compound counts as the one transform that it comes to.
-    fn get(column: &Column, i: usize) -> Option<Self> {
-        if column.is_null(i) {
-            return None;
-        }
-        match column.items() {
-            Items::Transforms(items) => items.get(i).copied(),
-            Items::Compounds(items) => items.get(i).map(|c| c.whole()),
-            Items::Values(items) => items.get(i)?.as_transform(),
-            _ => None,
-        }
-    }
-
-    fn slice(column: &Column) -> Option<&[Self]> {
-        match column.items() {
-            Items::Transforms(items) => Some(items),
-            _ => None,
-        }
-    }
-
-    fn column(items: Vec<Self>, nulls: Option<Vec<bool>>) -> Column {
-        Column::new(Items::Transforms(Shared::new(items)), nulls)
-    }
-
-    fn placeholder() -> Self {
-        Self::IDENTITY
-    }
-}
+// A compound counts as the one transform that it comes to.
+item!(Xform, Transform, Transforms, Self::IDENTITY, |column: &Column, i: usize| match column.items() {
+    Items::Compounds(items) => items.get(i).map(|compound| compound.whole()),
+    Items::Values(items) => items.get(i)?.as_transform(),
+    _ => None,
+});
 
 impl Item for Value {
     const KIND: Kind = Kind::Generic;

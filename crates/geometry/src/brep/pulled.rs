@@ -200,7 +200,7 @@ impl Walk<'_> {
                 off = off.max(foot.map_or(f64::INFINITY, |uv| self.foot.image(at(uv)).distance_to(image)));
                 wide = wide.max(image.distance_to(point));
             }
-            if off <= limit || (depth >= DEEPEST && off.is_finite()) {
+            if off <= limit || (depth >= DEEPEST && off <= self.farthest) {
                 width = width.max(wide);
                 nodes.push(b);
                 continue;

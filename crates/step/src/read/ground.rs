@@ -72,7 +72,7 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    fn new(form: Form) -> Result<Self> {
+    pub(super) fn new(form: Form) -> Result<Self> {
         let round = [Some(TAU), None];
         let (periods, south_north) = match &form {
             Form::Plane(_) => ([None, None], [None, None]),

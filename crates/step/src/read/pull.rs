@@ -139,9 +139,12 @@ fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Re
         while let Some((a, b, depth)) = stack.pop() {
             let piece = hermite(ground, edge, &a, &b);
             let middle = 0.5 * (a.t + b.t);
+            let away = |place: &Place| ground.point(place.uv).distance_to(edge.point_at(place.t));
+            // The edge may lie off the surface: no halving brings the surface to it.
+            let lift = 2.0 * away(&a).max(away(&b));
             let is_near = [0.25, 0.5, 0.75].iter().all(|x| {
-                let uv = bezier(&piece, *x);
-                ground.point(uv).distance_to(edge.point_at(a.t + (b.t - a.t) * x)) <= tolerance
+                let (uv, point) = (bezier(&piece, *x), edge.point_at(a.t + (b.t - a.t) * x));
+                beside(ground, uv, point, lift) <= tolerance
             });
             if !is_near && depth < MOST_HALVINGS && middle > a.t && middle < b.t && points.len() < 20_000 {
                 let mut uv = ground.parameters(edge.point_at(middle))?;
@@ -170,6 +173,15 @@ fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Re
     let count = knots.len();
     knots.iter_mut().skip(count.saturating_sub(3)).for_each(|t| *t = domain.end);
     Ok(NurbsCurve::new(3, points, knots)?.into())
+}
+
+/// How far a place is from a point, along the surface if the point is above the place by no more than a lift.
+fn beside(ground: &Ground, uv: [f64; 2], point: Point3, lift: f64) -> f64 {
+    let way = point - ground.point(uv);
+    let [x, y] = ground.partials(uv, uv);
+    let Some(up) = x.cross(y).unitized() else { return way.length() };
+    let above = way.dot(up);
+    if above.abs() <= lift { (way - up * above).length() } else { way.length() }
 }
 
 fn flat(uv: [f64; 2]) -> Point3 {
@@ -209,7 +221,7 @@ fn bezier(p: &[[f64; 2]; 4], x: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing test may panic")]
 
     use super::*;
     use katydid_geometry::{Direction, Interval, SumSurface, Surface, Vector3};
@@ -249,6 +261,34 @@ mod tests {
                 }
                 before = Some(uv.x);
             }
+        }
+    }
+
+    /// Viviani's curve from the equator to the pole, as an intersection is written: through points, and a little off
+    /// the ball.
+    #[test]
+    fn edges_off_a_ball_reach_its_pole_in_few_pieces() {
+        let (radius, lift, tolerance) = (4.0, 1e-4, 1e-7);
+        let form = Form::Sphere { plane: katydid_geometry::Plane::XY, radius };
+        let ground = Ground::new(form).unwrap();
+        let at = |k: u32| {
+            let (sin, cos) = (f64::from(k) / 40.0 * std::f64::consts::FRAC_PI_2).sin_cos();
+            (Vector3::new(cos * cos, cos * sin, sin) * (radius + lift)).to_point()
+        };
+        let points: Vec<Point3> = (0..=40).map(at).collect();
+        let spacing = katydid_geometry::KnotSpacing::Chord;
+        let edge: Curve = NurbsCurve::interpolate(5, &points, spacing, None, None).unwrap().into();
+        let flat = pull(&ground, &edge, tolerance, false).unwrap().curve;
+        let Curve::Nurbs(spline) = &flat else { panic!("a cubic is wanted") };
+        assert!(spline.control_points().len() < 3_000, "{}", spline.control_points().len());
+        assert!((flat.end().y - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+        assert!(flat.bounding_box().max.x > std::f64::consts::FRAC_PI_2 - 1e-3, "it stops short of the pole");
+        for k in 0..=300 {
+            let x = f64::from(k) / 300.0;
+            let (uv, point) = (flat.point_at(flat.domain().at(x)), edge.point_at(edge.domain().at(x)));
+            let foot = point.to_vector().unitized().unwrap() * radius;
+            let apart = ground.point([uv.x, uv.y]).distance_to(foot.to_point());
+            assert!(apart < 3.0 * tolerance, "{apart} off at {x}");
         }
     }
 }

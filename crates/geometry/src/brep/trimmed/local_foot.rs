@@ -2,6 +2,9 @@
 
 use crate::{Direction, Point3, Surface, Vector3};
 
+/// A derivative is 0 that is smaller than the other by so much, each over the whole of its domain.
+const POLE: f64 = 1e-12;
+
 /// A surface that feet of perpendiculars are found on from places near them.
 pub(in crate::brep) struct LocalFoot<'a> {
     pub(in crate::brep) surface: &'a Surface,
@@ -50,7 +53,7 @@ impl LocalFoot<'_> {
         let d = self.surface.derivatives(u, v, 2, self.surface.inner_quadrant(u, v));
         let (a, b) = (d.get(1, 0), d.get(0, 1));
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
-        if !(e * g - f * f > 1e-12 * e * g) {
+        if !(e * g - f * f > 1e-12 * e * g) || self.is_pole(e, g) {
             return None;
         }
         let away = place - d.point().to_vector();
@@ -72,6 +75,14 @@ impl LocalFoot<'_> {
         let [e, f, g] = if stable { bent } else { [e, f, g] };
         let determinant = e * g - f * f;
         Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
+    }
+
+    /// Whether one direction leads nowhere, by the squares of both derivatives: beside a pole rounding leaves a little
+    /// of the derivative along it.
+    fn is_pole(&self, e: f64, g: f64) -> bool {
+        let [u, v] = Direction::BOTH.map(|d| self.surface.domain(d).length());
+        let [along_u, along_v] = [e.sqrt() * u, g.sqrt() * v];
+        along_u.min(along_v) <= POLE * along_u.max(along_v)
     }
 
     /// In which directions a point with its foot at these parameters lies beyond the side of the domain there.
@@ -99,5 +110,26 @@ impl LocalFoot<'_> {
             if self.periods[d.index()].is_some() && !domain.contains(t) { domain.wrapped(t) } else { t }
         });
         self.surface.point_at(inside[0], inside[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+    use super::*;
+    use crate::{Plane, Sphere};
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn no_foot_moves_round_a_pole() {
+        let surface = Surface::from(Sphere::new(Plane::XY, 4.0).unwrap().to_revolution());
+        let foot = LocalFoot { surface: &surface, periods: [None; 2] };
+        let moved = |v: f64| foot.slope([1.0, v], surface.point_at(1.0, v).to_vector(), Vector3::X);
+        let north = surface.domain(Direction::V).end;
+        assert!(moved(north).is_none());
+        // One part in a million beside it the foot runs round a circle.
+        let [u, v] = moved(north - 1e-6 * FRAC_PI_2).unwrap();
+        assert!(u.abs() > 1e4 && v.abs() < 1.0, "{u} {v}");
     }
 }

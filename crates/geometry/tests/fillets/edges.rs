@@ -1,38 +1,18 @@
-//! Rounded edges of breps against closed forms.
-
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
+//! Single edges, chains and whole rims, rounded.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
 use katydid_geometry::brep::{FilletBlend, FilletRail};
 use katydid_geometry::construct;
 use katydid_geometry::{
-    Box3, Brep, Circle, Curve, Cylinder, Interval, Line, MeshSettings, NurbsCurve, Plane, Point3,
-    PolylineCurve, Tolerance, Vector3,
+    Brep, Circle, Curve, Cylinder, Interval, Line, NurbsCurve, Plane, Point3, PolylineCurve, Tolerance,
+    Vector3,
 };
 
-const TOLERANCE: Tolerance = Tolerance { absolute: 0.001, angle: PI / 180.0 };
-/// What an arc of radius 1 in a right angle leaves of the square.
-const GAP: f64 = 1.0 - PI / 4.0;
-
-fn p(x: f64, y: f64, z: f64) -> Point3 {
-    Point3::new(x, y, z)
-}
-
-fn cuboid(a: f64, b: f64, c: f64) -> Brep {
-    let [x, y, z] = [a, b, c].map(|n| Interval::new(0.0, n));
-    construct::box_brep(&Box3 { plane: Plane::XY, x, y, z }).unwrap()
-}
-
-fn prism(corners: &[(f64, f64)], height: f64) -> Brep {
-    let mut points: Vec<Point3> = corners.iter().map(|(x, y)| p(*x, *y, 0.0)).collect();
-    points.push(points[0]);
-    let profile: Curve = PolylineCurve::new(points).unwrap().into();
-    construct::extrude(&profile, Vector3::Z * height, true, &TOLERANCE).unwrap()
-}
+use super::{ELL, GAP, TOLERANCE, cuboid, holds, near, outline, p, prism};
 
 fn ell() -> Brep {
-    prism(&[(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)], 3.0)
+    prism(&ELL, 3.0)
 }
 
 /// The edges whose middle a rule holds for.
@@ -40,10 +20,6 @@ fn edges(brep: &Brep, rule: impl Fn(Point3) -> bool) -> Vec<usize> {
     (0..brep.edges().len())
         .filter(|edge| rule(brep.edge_point(*edge, brep.edges()[*edge].part.domain.middle()).unwrap()))
         .collect()
-}
-
-fn near(a: f64, b: f64) -> bool {
-    (a - b).abs() < 1e-6
 }
 
 fn rounded(brep: &Brep, edges: &[usize], radius: f64) -> katydid_geometry::Result<Brep> {
@@ -59,22 +35,6 @@ fn with(
 ) -> katydid_geometry::Result<Brep> {
     let all: Vec<(usize, f64)> = edges.iter().map(|edge| (*edge, radius)).collect();
     brep.filleted(&all, blend, rail, &TOLERANCE)
-}
-
-/// A sound, closed brep whose mesh is closed too, of a volume.
-fn holds(brep: &Brep, volume: f64, within: f64) {
-    assert_eq!(brep.faults(), []);
-    assert!(brep.is_solid());
-    let found = brep.volume_properties(1e-12, || true).unwrap().amount;
-    assert!((found - volume).abs() <= within * volume, "{found} instead of {volume}: {:e}", found - volume);
-    let mesh = brep.mesh(&MeshSettings::default()).unwrap().welded().unwrap();
-    assert!(mesh.is_closed());
-    assert!(mesh.volume() > 0.0 && (mesh.volume() - volume).abs() < 0.1 * volume);
-    let mut worst = 0.0_f64;
-    for edge in 0..brep.edges().len() {
-        worst = worst.max(brep.edge_deviation(edge).unwrap());
-    }
-    assert!(worst <= TOLERANCE.absolute, "an edge lies {worst} off");
 }
 
 #[test]
@@ -209,16 +169,9 @@ fn a_boss_on_a_plate_and_a_hole() {
     let volume = PI * (25.0 + 4.0 * 3.0) + TAU * (2.0 * area + moment);
     holds(&rounded(&boss, &foot, 0.75).unwrap(), volume, 1e-10);
     // A plate with a hole: its rim is convex.
-    let outline: Curve = PolylineCurve::new(
-        [(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0), (-4.0, -4.0)]
-            .iter()
-            .map(|(x, y)| p(*x, *y, 0.0))
-            .collect(),
-    )
-    .unwrap()
-    .into();
+    let square = outline(&[(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)]);
     let hole: Curve = Circle::new(Plane::XY, 2.0).unwrap().into();
-    let base = Brep::planar_faces(&[outline, hole], &TOLERANCE).unwrap().breps.remove(0);
+    let base = Brep::planar_faces(&[square, hole], &TOLERANCE).unwrap().breps.remove(0);
     let plate = construct::extrude_brep(&base, Vector3::Z * 2.0, &TOLERANCE).unwrap();
     let rim: Vec<usize> = (0..plate.edges().len())
         .filter(|e| {
@@ -240,15 +193,7 @@ fn a_boss_on_a_plate_and_a_hole() {
 fn a_chain_without_kinks() {
     // A rectangle with round corners, extruded: its whole rim follows from one of its edges.
     let outline = {
-        let rectangle: Curve = PolylineCurve::new(
-            [(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0), (0.0, 0.0)]
-                .iter()
-                .map(|(x, y)| p(*x, *y, 0.0))
-                .collect(),
-        )
-        .unwrap()
-        .into();
-        let solid = construct::extrude(&rectangle, Vector3::Z * 3.0, true, &TOLERANCE).unwrap();
+        let solid = prism(&[(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0)], 3.0);
         let upright = edges(&solid, |m| near(m.z, 1.5));
         rounded(&solid, &upright, 2.0).unwrap()
     };
@@ -343,14 +288,7 @@ fn rails_that_run_into_themselves_are_refused() {
 #[test]
 fn oblique_ends() {
     // A block sheared along its edges: their ends are cut by slanting faces, and exact still.
-    let profile: Curve = PolylineCurve::new(
-        [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0)]
-            .iter()
-            .map(|(x, y)| p(*x, *y, 0.0))
-            .collect(),
-    )
-    .unwrap()
-    .into();
+    let profile = outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
     let solid = construct::extrude(&profile, Vector3::new(1.0, 0.5, 5.0), true, &TOLERANCE).unwrap();
     // The section of a fillet of an edge, square to it, times its length: ends that are parallel cancel.
     let along = Vector3::new(1.0, 0.5, 5.0).unitized().unwrap();
@@ -418,14 +356,7 @@ fn what_cannot_be_is_refused() {
     says(&[(3, 100.0)], "edge 3: the radius is too large");
     says(&[(3, 1e300)], "edge 3: the radius");
     // On four faces that no one ball touches.
-    let roof: Curve = PolylineCurve::new(
-        [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0), (0.0, 0.0)]
-            .iter()
-            .map(|(x, y)| p(*x, *y, 0.0))
-            .collect(),
-    )
-    .unwrap()
-    .into();
+    let roof = outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0)]);
     let roof = construct::extrude_to_point(&roof, p(2.0, 1.0, 3.0), true, &TOLERANCE).unwrap();
     let ridges: Vec<(usize, f64)> = edges(&roof, |m| !near(m.z, 0.0)).into_iter().map(|e| (e, 0.2)).collect();
     let error = roof.filleted(&ridges, FilletBlend::Arc, FilletRail::RollingBall, &TOLERANCE).unwrap_err();
