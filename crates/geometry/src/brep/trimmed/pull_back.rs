@@ -10,6 +10,11 @@ use crate::{Tolerance, Vector3, Xform};
 
 /// The most halvings of one stretch.
 const DEEPEST: u32 = 11;
+/// Steps from the middle of a stretch to each of its ends, along all stretches of a curve together; and of one at least.
+const STEPS: usize = 192;
+const LEAST_STEPS: usize = 4;
+/// The most steps for one stretch.
+const MOST_STEPS: usize = 24;
 
 impl Surface {
     /// A curve that lies on the surface, or near it, as a curve in the parameter plane (x is u, y is v): of its nearest
@@ -39,8 +44,10 @@ impl Surface {
         let mut foot = Foot::new(self)?;
         let mut parts: Vec<Curve> = Vec::new();
         let mut places = Vec::new();
-        for stretch in curve.smooth_stretches() {
-            let part = self.pulled_stretch(curve, stretch, &mut foot, limit)?;
+        let stretches = curve.smooth_stretches();
+        let steps = (STEPS / stretches.len().max(1)).clamp(LEAST_STEPS, MOST_STEPS);
+        for stretch in stretches {
+            let part = self.pulled_stretch(curve, stretch, steps, &mut foot, limit)?;
             let part = match parts.last() {
                 Some(before) => ending(&part, [before.end(), part.end()])?,
                 None => part,
@@ -61,14 +68,16 @@ impl Surface {
         &self,
         curve: &Curve,
         part: Interval,
+        steps: usize,
         foot: &mut Foot<'_>,
         limit: f64,
     ) -> Result<Curve> {
         let point = |t: f64| curve.point_at(t);
         // The ends may lie where the surface is singular; the middle tells on which turn they are.
         let middle = foot.at(point(part.middle()), None)?;
-        let first = self.walked(foot, &point, part.middle(), part.start, middle)?;
-        let last = self.walked(foot, &point, part.middle(), part.end, middle)?;
+        let halves = [part.start, part.end].map(|end| Interval::new(part.middle(), end));
+        let first = walked(foot, &point, halves[0], steps, middle)?;
+        let last = walked(foot, &point, halves[1], steps, middle)?;
         if let Some(line) = self.axial(foot, &point, part, [first, last], middle, limit)? {
             return Ok(line);
         }
@@ -117,24 +126,6 @@ impl Surface {
             places.push(*t);
         }
         Ok(NurbsCurve::hermite_through(&points, &slopes, &places)?.into())
-    }
-
-    /// The parameters at one place of a curve, on the turn on which one comes to it from another.
-    fn walked(
-        &self,
-        foot: &mut Foot<'_>,
-        point: &impl Fn(f64) -> Point3,
-        from: f64,
-        to: f64,
-        start: [f64; 2],
-    ) -> Result<[f64; 2]> {
-        const STEPS: u32 = 24;
-        let mut uv = start;
-        for k in 1..=STEPS {
-            let t = if k == STEPS { to } else { from + (to - from) * f64::from(k) / f64::from(STEPS) };
-            uv = foot.at(point(t), Some(uv))?;
-        }
-        Ok(uv)
     }
 
     /// The straight line that a curve along a line of constant parameter is.
@@ -210,4 +201,20 @@ impl Surface {
         }
         Ok(out)
     }
+}
+
+/// The parameters at the end of a way along a curve, on the turn on which one comes to it from its start.
+fn walked(
+    foot: &mut Foot<'_>,
+    point: &impl Fn(f64) -> Point3,
+    way: Interval,
+    steps: usize,
+    start: [f64; 2],
+) -> Result<[f64; 2]> {
+    let mut uv = start;
+    for k in 1..=steps {
+        let t = if k == steps { way.end } else { way.at(k as f64 / steps as f64) };
+        uv = foot.at(point(t), Some(uv))?;
+    }
+    Ok(uv)
 }
