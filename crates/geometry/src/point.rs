@@ -36,6 +36,15 @@ impl Point3 {
         (other - self).length()
     }
 
+    /// Whether two points are the same to openNURBS's eyes: each coordinate within 2⁻³², or 2⁻⁴² of both together.
+    pub fn coincides(self, other: Self) -> bool {
+        let near = |x: f64, y: f64| {
+            let d = (x - y).abs();
+            d <= 2.328_306_436_538_696_3e-10 || d <= 2.273_736_754_432_320_6e-13 * (x.abs() + y.abs())
+        };
+        near(self.x, other.x) && near(self.y, other.y) && near(self.z, other.z)
+    }
+
     /// The point at `t` on the way to `other`: this point at 0, the other at 1.
     #[inline]
     pub fn lerp(self, other: Self, t: f64) -> Self {

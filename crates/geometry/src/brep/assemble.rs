@@ -6,7 +6,6 @@
 use super::iso::iso_of;
 use super::{Iso, Parts, TrimKind, Vertex};
 use crate::Point3;
-use crate::curve::coincident;
 
 /// Trims around a vertex that are visited before a walk is given up.
 const LONGEST_WALK: usize = 512;
@@ -350,7 +349,7 @@ impl Parts {
         if part.range == curve.domain() {
             return curve.is_closed();
         }
-        coincident(part.point_at(curve, part.domain.start), part.point_at(curve, part.domain.end))
+        part.point_at(curve, part.domain.start).coincides(part.point_at(curve, part.domain.end))
     }
 
     /// Takes the tolerances of trims and edges from those of older programs, and those of vertices from the ends of

@@ -4,7 +4,6 @@ use super::build::NewEdge;
 use super::flatten::flattened;
 use super::planar::{Rim, add_planar_face};
 use super::{Brep, Builder};
-use crate::curve::coincident;
 use crate::{Curve, Plane, Point3, Result, Tolerance};
 
 /// How far a rim may be off its plane whatever the tolerance, as a part of its size: holes smaller than the tolerance
@@ -148,7 +147,7 @@ impl Brep {
         // Of a hole that is no wider than a hair some edges may stand upright on the plane.
         for (_, _, curve) in &hole.edges {
             let image = flattened(curve, &plane)?.bounding_box();
-            if coincident(image.min, image.max) {
+            if image.min.coincides(image.max) {
                 return Ok(None);
             }
         }

@@ -1,7 +1,7 @@
 //! Edges pulled to a surface on which they lie, or nearly, beside a trim that tells where.
 
 use super::Brep;
-use super::trimmed::LocalFoot;
+use crate::surface::LocalFoot;
 use crate::{Curve, Direction, NurbsCurve, Point3, PolyCurve, Result, Surface, Tolerance, Vector3};
 
 /// Steps along each smooth stretch of an edge, if there are few.

@@ -5,14 +5,12 @@
 
 mod cells;
 mod lift;
-mod local_foot;
 mod pull_back;
 mod rim;
 mod split;
 mod unroll;
 
 pub(super) use lift::followed;
-pub(super) use local_foot::LocalFoot;
 
 use super::Brep;
 use crate::region::{FillRule, Region};

@@ -3,15 +3,6 @@
 use super::Curve;
 use crate::{Arc, Circle, Interval, Line, Plane, Point3, Tolerance, Vector3};
 
-/// Whether two points are the same to openNURBS's eyes: within 2⁻³², or 2.3·10⁻¹³ of their coordinates.
-pub(crate) fn coincident(a: Point3, b: Point3) -> bool {
-    let near = |x: f64, y: f64| {
-        let d = (x - y).abs();
-        d <= 2.328_306_436_538_696_3e-10 || d <= 2.273_736_754_432_320_6e-13 * (x.abs() + y.abs())
-    };
-    near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z)
-}
-
 impl Curve {
     /// Whether the curve ends where it starts and encloses something: a line never does, a polyline from three
     /// segments on, and a NURBS curve from four control points on: with three it runs there and back.
@@ -19,15 +10,15 @@ impl Curve {
         match self {
             Self::Line(_) => false,
             Self::Arc(c) => c.is_circle(),
-            Self::Polyline(c) => c.points().len() >= 4 && coincident(self.start(), self.end()),
+            Self::Polyline(c) => c.points().len() >= 4 && self.start().coincides(self.end()),
             Self::Nurbs(c) => {
-                coincident(self.start(), self.end())
+                self.start().coincides(self.end())
                     && c.point_count() > 3
-                    && c.control_points().iter().any(|&p| !coincident(p, self.start()))
+                    && c.control_points().iter().any(|&p| !p.coincides(self.start()))
             }
             Self::Poly(c) => match c.segments() {
                 [only] => only.is_closed(),
-                _ => coincident(self.start(), self.end()),
+                _ => self.start().coincides(self.end()),
             },
         }
     }

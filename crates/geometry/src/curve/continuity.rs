@@ -1,6 +1,5 @@
 //! How smoothly curves run and join, measured.
 
-use super::classify::coincident;
 use super::{Continuity, Curve};
 use crate::{Tolerance, Vector3};
 
@@ -158,7 +157,7 @@ fn compare(a: &Curve, end: f64, b: &Curve, start: f64, tolerance: &ContinuityTol
         [Some([.., x]), Some([.., y])] => ((x - y).length(), x.length().max(y.length())),
         _ => (f64::INFINITY, 0.0),
     };
-    let touches = distance <= tolerance.distance || coincident(p, q);
+    let touches = distance <= tolerance.distance || p.coincides(q);
     let bend = curvature[0].length().max(curvature[1].length());
     // A straight end has no curvature to take a share of: what a polyline of the model's size would not show.
     let floor = 1e-9 * (1.0 + bend * bend);

@@ -1,6 +1,5 @@
 //! The same curve in another place, direction or domain, and parts of it.
 
-use super::classify::coincident;
 use super::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
 use crate::{Arc, Error, Interval, Line, Point3, Result, Xform};
 
@@ -114,10 +113,10 @@ impl Curve {
                     .zip(c.points().iter().copied())
                     .filter(|(t, _)| a < *t && *t < b)
                     .collect();
-                if inside.first().is_some_and(|(_, p)| coincident(ends[0], *p)) {
+                if inside.first().is_some_and(|(_, p)| ends[0].coincides(*p)) {
                     inside.remove(0);
                 }
-                if inside.last().is_some_and(|(_, p)| coincident(ends[1], *p)) {
+                if inside.last().is_some_and(|(_, p)| ends[1].coincides(*p)) {
                     inside.pop();
                 }
                 let (mut ts, mut points) = (vec![a], vec![ends[0]]);

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::classify::coincident;
 use super::{Curve, PolyCurve, PolylineCurve};
 use crate::brep::with_ends;
 use crate::{Interval, Line, LineCurve, Point3};
@@ -128,9 +127,9 @@ const COINCIDENT: f64 = 5e-10;
 
 /// Whether all of a curve is one place to openNURBS's eyes.
 fn is_speck(curve: &Curve) -> bool {
-    coincident(curve.start(), curve.end()) && !curve.is_closed() && {
+    curve.start().coincides(curve.end()) && !curve.is_closed() && {
         let bounds = curve.bounding_box();
-        coincident(bounds.min, bounds.max)
+        bounds.min.coincides(bounds.max)
     }
 }
 

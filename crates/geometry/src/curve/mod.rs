@@ -45,7 +45,6 @@ mod tween;
 mod two_views;
 
 pub use arc_curve::ArcCurve;
-pub(crate) use classify::coincident;
 pub use closest::{ClosestOnCurve, CurvePoint};
 pub(crate) use closest_local::along_span;
 pub use comb::CurvatureSample;

@@ -4,7 +4,6 @@ use super::NurbsSurface;
 use super::curve::Controls;
 use super::surface::Direction;
 use super::surface_refine::transposed;
-use crate::curve::coincident;
 use crate::{Plane, Point3};
 
 /// One of the four sides of a surface's domain, in the order of openNURBS.
@@ -89,7 +88,7 @@ impl NurbsSurface {
         if self.is_clamped(direction) {
             return self.count(direction) > 2
                 && self.net(direction).iter().all(|line| match (line.first(), line.last()) {
-                    (Some(&a), Some(&b)) => coincident(a, b),
+                    (Some(&a), Some(&b)) => a.coincides(b),
                     _ => false,
                 });
         }
@@ -106,13 +105,13 @@ impl NurbsSurface {
                 .iter()
                 .filter_map(|line| if at_end { line.last() } else { line.first() }.copied())
                 .collect();
-            return line.first().is_some_and(|&a| line.iter().all(|&b| coincident(a, b)));
+            return line.first().is_some_and(|&a| line.iter().all(|&b| a.coincides(b)));
         }
         let domain = self.domain(across);
         let edge = self.isocurve(along, if at_end { domain.end } else { domain.start });
         edge.is_ok_and(|c| {
             let points = c.control_points();
-            points.first().is_some_and(|&a| points.iter().all(|&b| coincident(a, b)))
+            points.first().is_some_and(|&a| points.iter().all(|&b| a.coincides(b)))
         })
     }
 

@@ -4,7 +4,7 @@ use super::loops::Step;
 use super::nodes::{Nodes, excursion};
 use super::sources::Sources;
 use super::strands::{Member, Strand};
-use crate::curve::{chained, coincident};
+use crate::curve::chained;
 use crate::intersect::{ContactKind, Crossing, curve_curve, curve_self};
 use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result};
 
@@ -119,7 +119,7 @@ fn closed_up(mut pieces: Vec<Curve>, scale: f64, tolerance: f64) -> Result<Vec<C
     for i in 0..count {
         let j = (i + 1) % count;
         let (end, start) = (pieces[i].end(), pieces[j].start());
-        if coincident(end, start) {
+        if end.coincides(start) {
             continue;
         }
         if i == j

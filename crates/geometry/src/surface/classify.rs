@@ -1,7 +1,6 @@
 //! Whether a surface is closed, periodic, singular or planar.
 
 use super::Surface;
-use crate::curve::coincident;
 use crate::{Curve, Direction, Plane, Side};
 
 impl Surface {
@@ -105,6 +104,6 @@ impl Surface {
         let [u, v] = Direction::BOTH.map(|d| self.domain(d));
         let corners = [(u.start, v.start), (u.end, v.start), (u.end, v.end), (u.start, v.end)]
             .map(|(u, v)| self.point_at(u, v));
-        (0..4).all(|i| (i + 1..4).all(|j| !coincident(corners[i], corners[j])))
+        (0..4).all(|i| (i + 1..4).all(|j| !corners[i].coincides(corners[j])))
     }
 }

@@ -5,12 +5,16 @@ mod beam;
 use beam::Beam;
 
 use super::geodesic::{Shot, Unrolled, shot};
-use super::{ClosestOnSurface, Surface};
+use super::{ClosestOnSurface, Foot, Surface};
 use crate::curve::traced::{Sample, joined, sampled};
-use crate::{Curve, Error, Interval, OffsetCorner, Result, Tolerance, Vector3};
+use crate::{Curve, Direction, Error, Interval, OffsetCorner, Point3, Result, Tolerance, Vector3};
 
 /// Parts of a smooth stretch of a curve that are looked at before halving begins.
 const PARTS: usize = 8;
+/// A foot that moves by less than this part of the point's way stands.
+const STANDS: f64 = 1e-9;
+/// A foot is foretold from how it moves over no more of the domain than this: one turn of a closed surface.
+const FARTHEST: f64 = 1.0;
 
 fn check(tolerance: &Tolerance) -> Result<f64> {
     let limit = tolerance.absolute;
@@ -42,19 +46,25 @@ impl Surface {
     /// The tolerance is not above 0, or as [`ClosestOnSurface::nearest`].
     pub fn pull_curve(&self, curve: &Curve, tolerance: &Tolerance) -> Result<Vec<Curve>> {
         let limit = check(tolerance)?;
-        let closest = ClosestOnSurface::new(self)?;
+        let sizes = Direction::BOTH.map(|d| self.domain(d).length());
+        let mut foot = Foot::new(self)?;
         let mut rows = Vec::new();
         for part in curve.smooth_stretches() {
-            let step = 1e-5 * part.length();
+            // The foot before, and how it moves: where nearest points are as near all around, the curve keeps to a side.
+            let mut last: Option<(f64, [f64; 2], [f64; 2])> = None;
             let formula = |t: f64| -> Result<Option<Sample>> {
-                let point = closest.nearest(curve.point_at(t))?.point;
-                // The direction by differences from both sides, or from within at the ends.
-                let near = |t: f64| closest.nearest(curve.point_at(t.clamp(part.start, part.end)));
-                let along = near(t + step)?.point - near(t - step)?.point;
-                // A point that stands, or leaps, has no direction.
-                let speed = along.length();
-                let told = speed > 1e-9 * step && speed < 1e3 * limit.max(step);
-                Ok(Some(Sample { point, direction: if told { along.unitized() } else { None } }))
+                let [place, velocity] = curve.jet_at::<2>(t, t >= part.end);
+                let near = last.map(|(before, uv, rate)| {
+                    let ways = rate.map(|rate| rate * (t - before));
+                    let short = (0..2).all(|k| ways[k].abs() <= FARTHEST * sizes[k]);
+                    if short { [uv[0] + ways[0], uv[1] + ways[1]] } else { uv }
+                });
+                let uv = foot.at(place.to_point(), near)?;
+                let rate = foot.slope(uv, place, velocity).unwrap_or_default();
+                last = Some((t, uv, rate));
+                let moved = foot.velocity(uv, rate);
+                let direction = moved.unitized().filter(|_| moved.length() > STANDS * velocity.length());
+                Ok(Some(Sample { point: foot.image(Point3::new(uv[0], uv[1], 0.0)), direction }))
             };
             rows.extend(sampled(part.start, part.end, PARTS, 0.5 * limit, formula)?);
         }
@@ -265,6 +275,24 @@ mod tests {
         let pulled = flat.pull_curve(&line, &FINE).unwrap();
         assert!((length(&pulled) - (1.0 + 8f64.sqrt() + 1.0 - 1.0)).abs() < 1.2, "{}", length(&pulled));
         all_on(&flat, &pulled);
+    }
+
+    #[test]
+    fn pulled_from_the_middle() {
+        // All around the axis of a tube is as near: the pulled curve keeps to the side where it began.
+        let tube: Surface = Cylinder::new(Plane::XY, 2.0, Interval::new(0.0, 10.0)).unwrap().into();
+        let axis: Curve = Line::new(p(0.0, 0.0, 1.0), p(0.0, 0.0, 9.0)).into();
+        let pulled = tube.pull_curve(&axis, &FINE).unwrap();
+        assert_eq!(pulled.len(), 1, "{pulled:?}");
+        all_on(&tube, &pulled);
+        assert!((length(&pulled) - 8.0).abs() < 1e-6, "{}", length(&pulled));
+        // A circle around a tube comes to a closed circle, over the seam.
+        let around: Curve = Circle::new(Plane::XY.offset(4.0), 3.0).unwrap().into();
+        let ring = tube.pull_curve(&around, &FINE).unwrap();
+        assert!(
+            ring.len() == 1 && ring[0].is_closed() && (length(&ring) - 4.0 * PI).abs() < 1e-3,
+            "{ring:?}"
+        );
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Curves on a surface as curves in its parameter plane.
 
-use super::lift::{Foot, ending, in_parameter_plane};
+use super::lift::{ending, in_parameter_plane};
 use super::rim::with_straight_sides;
 use crate::brep::flatten::flattened;
+use crate::surface::Foot;
 use crate::{
     Curve, Direction, Error, Interval, Line, LineCurve, NurbsCurve, Point3, PolyCurve, Result, Surface,
 };

@@ -6,17 +6,17 @@ use crate::{Direction, Point3, Surface, Vector3};
 const POLE: f64 = 1e-12;
 
 /// A surface that feet of perpendiculars are found on from places near them.
-pub(in crate::brep) struct LocalFoot<'a> {
-    pub(in crate::brep) surface: &'a Surface,
+pub(crate) struct LocalFoot<'a> {
+    pub(crate) surface: &'a Surface,
     /// The periods of directions in which parameters may leave the domain.
-    pub(in crate::brep) periods: [Option<f64>; 2],
+    pub(crate) periods: [Option<f64>; 2],
 }
 
 impl LocalFoot<'_> {
     /// A foot by the right angles there: the smallest distance alone leaves its place open by the square root of
     /// rounding, which is more than the tolerance where a surface is large. The first step may be as wide as a share of
     /// the domain, every other half as wide as the one before. With the last step, as such a share.
-    pub(in crate::brep) fn polished(&self, start: [f64; 2], p: Point3, widest: f64) -> ([f64; 2], f64) {
+    pub(crate) fn polished(&self, start: [f64; 2], p: Point3, widest: f64) -> ([f64; 2], f64) {
         let domains = Direction::BOTH.map(|d| self.surface.domain(d));
         let inside = |k: usize, t: f64| if self.periods[k].is_some() { t } else { domains[k].clamp(t) };
         let mut uv = [inside(0, start[0]), inside(1, start[1])];
@@ -41,15 +41,8 @@ impl LocalFoot<'_> {
     /// the foot moves along that side only. `None` where the surface is singular.
     ///
     /// Source: the derivative of (S − p)·Sᵤ = 0, (S − p)·Sᵥ = 0 (L. Piegl and W. Tiller, *The NURBS Book*, 6.1).
-    pub(in crate::brep) fn slope(&self, uv: [f64; 2], place: Vector3, velocity: Vector3) -> Option<[f64; 2]> {
-        let inside = Direction::BOTH.map(|d| {
-            let k = d.index();
-            match self.periods[k] {
-                Some(_) => self.surface.domain(d).wrapped(uv[k]),
-                None => self.surface.domain(d).clamp(uv[k]),
-            }
-        });
-        let [u, v] = inside;
+    pub(crate) fn slope(&self, uv: [f64; 2], place: Vector3, velocity: Vector3) -> Option<[f64; 2]> {
+        let [u, v] = self.inside(uv);
         let d = self.surface.derivatives(u, v, 2, self.surface.inner_quadrant(u, v));
         let (a, b) = (d.get(1, 0), d.get(0, 1));
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
@@ -77,6 +70,24 @@ impl LocalFoot<'_> {
         Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
     }
 
+    /// The derivatives by u and v at parameters on any turn.
+    pub(crate) fn partials(&self, uv: [f64; 2]) -> [Vector3; 2] {
+        let [u, v] = self.inside(uv);
+        let d = self.surface.derivatives(u, v, 1, self.surface.inner_quadrant(u, v));
+        [d.get(1, 0), d.get(0, 1)]
+    }
+
+    /// The same parameters in the domain: of another turn, or the nearest.
+    fn inside(&self, uv: [f64; 2]) -> [f64; 2] {
+        Direction::BOTH.map(|d| {
+            let k = d.index();
+            match self.periods[k] {
+                Some(_) => self.surface.domain(d).wrapped(uv[k]),
+                None => self.surface.domain(d).clamp(uv[k]),
+            }
+        })
+    }
+
     /// Whether one direction leads nowhere, by the squares of both derivatives: beside a pole rounding leaves a little
     /// of the derivative along it.
     fn is_pole(&self, e: f64, g: f64) -> bool {
@@ -86,7 +97,7 @@ impl LocalFoot<'_> {
     }
 
     /// In which directions a point with its foot at these parameters lies beyond the side of the domain there.
-    pub(in crate::brep) fn is_beyond_side(&self, [u, v]: [f64; 2], point: Point3) -> [bool; 2] {
+    pub(crate) fn is_beyond_side(&self, [u, v]: [f64; 2], point: Point3) -> [bool; 2] {
         let d = self.surface.derivatives(u, v, 1, self.surface.inner_quadrant(u, v));
         let away = point - d.point();
         [self.is_beyond(0, u, away, d.get(1, 0)), self.is_beyond(1, v, away, d.get(0, 1))]
@@ -104,7 +115,7 @@ impl LocalFoot<'_> {
     }
 
     /// The image of parameters on any turn.
-    pub(in crate::brep) fn image(&self, uv: Point3) -> Point3 {
+    pub(crate) fn image(&self, uv: Point3) -> Point3 {
         let inside = Direction::BOTH.map(|d| {
             let (t, domain) = (if d == Direction::U { uv.x } else { uv.y }, self.surface.domain(d));
             if self.periods[d.index()].is_some() && !domain.contains(t) { domain.wrapped(t) } else { t }
