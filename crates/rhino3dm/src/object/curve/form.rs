@@ -63,12 +63,8 @@ pub enum CurveForm {
 }
 
 impl CurveForm {
-    /// The form that a curve of the kernel has, in a dimension of 2 or 3: its own, or that of a NURBS curve where openNURBS
-    /// would call its own invalid.
+    /// The form that a curve of the kernel has, in a dimension of 2 or 3.
     pub fn of(curve: &Curve, dimension: i32) -> Self {
-        if let Some(nurbs) = super::sound::as_nurbs(curve) {
-            return Self::Nurbs(NurbsForm::of(&nurbs, dimension));
-        }
         match curve {
             Curve::Line(c) => Self::Line { line: c.line, domain: c.domain, dimension },
             Curve::Arc(c) => Self::Arc { arc: c.arc, offset: None, domain: c.domain, dimension },

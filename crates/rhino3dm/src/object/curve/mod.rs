@@ -7,7 +7,6 @@ mod nurbs;
 mod on_surface;
 mod poly;
 mod polyline;
-mod sound;
 
 pub use form::CurveForm;
 pub use nurbs::NurbsForm;
@@ -41,7 +40,6 @@ pub(super) fn is_curve(class: Uuid) -> bool {
 /// The class under which a curve is written.
 pub(super) fn class_of(curve: &Curve) -> Uuid {
     match curve {
-        _ if sound::as_nurbs(curve).is_some() => class_ids::NURBS_CURVE,
         Curve::Line(_) => class_ids::LINE_CURVE,
         Curve::Arc(_) => class_ids::ARC_CURVE,
         Curve::Polyline(_) => class_ids::POLYLINE_CURVE,

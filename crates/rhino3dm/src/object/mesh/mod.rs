@@ -151,9 +151,7 @@ impl MeshObject {
 }
 
 impl From<&Mesh> for MeshObject {
-    /// Normals without a length, as the kernel has them where no face has an area, look up: openNURBS takes none such.
     fn from(mesh: &Mesh) -> Self {
-        let normal = |n: &Vector3| if *n == Vector3::ZERO { Vector3::Z } else { *n };
         let doubles: Vec<[f64; 3]> = mesh.vertices().iter().map(|p| [p.x, p.y, p.z]).collect();
         let vertices: Vec<[f32; 3]> = doubles.iter().map(|p| p.map(single)).collect();
         let lost = doubles.iter().zip(&vertices).any(|(d, s)| s.map(f64::from) != *d);
@@ -165,7 +163,7 @@ impl From<&Mesh> for MeshObject {
             vertices,
             double_vertices: if lost { doubles } else { Vec::new() },
             faces: faces.collect(),
-            normals: mesh.normals().iter().map(normal).map(|n| [n.x, n.y, n.z].map(single)).collect(),
+            normals: mesh.normals().iter().map(|n| [n.x, n.y, n.z].map(single)).collect(),
             colours: mesh.colours().to_vec(),
             ..Self::default()
         }
