@@ -50,6 +50,9 @@ async fn host() -> SocketAddr {
                 let length = body.len();
                 let head = format!("HTTP/1.1 {status}\r\n{headers}Content-Length: {length}\r\n\r\n");
                 let _ = stream.write_all(&[head.as_bytes(), &body].concat()).await;
+                // What is dropped with bytes unread resets the connection, before the answer is read.
+                let _ = stream.shutdown().await;
+                let _ = tokio::io::copy(&mut stream, &mut tokio::io::sink()).await;
             });
         }
     });
