@@ -15,6 +15,7 @@ use crate::web_args::WebArgs;
 Examples:
   katydid run facade.gh -o facade.3dm           run it, and save the geometry for Rhino
   katydid run facade.gh --set height=3.2 --json the results with another slider value
+  katydid run growth.gh --ticks 100 --json      what it has come to after 100 ticks of its timers
   katydid check projects/                       what is missing to run each file
   katydid convert facade.gh facade.kd           the same as text, to be read, written and compared
   katydid convert model.3dm model.glb           a model for other programs
@@ -71,9 +72,14 @@ pub(crate) struct DefinitionArgs {
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) set: Vec<(String, String)>,
 
-    /// The most seconds the solve may take
+    /// The most seconds the solve may take, with all its ticks
     #[arg(long, value_name = "SECONDS")]
     pub(crate) limit_seconds: Option<f64>,
+
+    /// Run the definition in time: solve it once, then go through N moments at which a Trigger fires or a Data Dam
+    /// lets data through; the last state counts
+    #[arg(long, value_name = "N")]
+    pub(crate) ticks: Option<u64>,
 
     /// The length unit of the document; when not given, that of a .kd file or of the model, else millimeters
     #[arg(long, value_name = "UNIT")]

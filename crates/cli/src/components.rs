@@ -1,6 +1,7 @@
 //! `katydid components`.
 
 use katydid_component::{Access, Component, Port, registry};
+use katydid_data::{Kind, cast};
 use serde_json::json;
 
 use crate::args::ComponentsArgs;
@@ -105,7 +106,21 @@ fn help(component: &Component) {
             ));
         }
     }
+    if let Some(port) = component.outputs.first().filter(|_| component.floating) {
+        taken(port.kind);
+    }
     say("");
+}
+
+/// What a parameter takes beside its own type, what it makes of it, and how sure we are that Grasshopper does the same.
+fn taken(kind: Kind) {
+    let mut ways = cast::ways_to(kind).filter(|way| !way.from.contains(&kind)).peekable();
+    if ways.peek().is_some() {
+        say(&format!("\n{BOLD}Takes{BOLD:#}"));
+    }
+    for way in ways {
+        say(&format!("  {}: {} {DIM}({}){DIM:#}", way.sources(), way.gives, way.sure.word()));
+    }
 }
 
 fn list(components: &[&Component]) {

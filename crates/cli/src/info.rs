@@ -2,7 +2,6 @@
 
 mod summary;
 mod tree;
-mod validity;
 
 use katydid_3dm::WarningKind;
 

@@ -19,6 +19,7 @@ mod serve_args;
 mod serving;
 mod source;
 mod studio;
+mod ticks;
 mod view;
 mod web_args;
 

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use katydid_component::{Files, Limits, RhinoModel};
+use katydid_data::DateTime;
 use katydid_data::cast::Rules;
 use katydid_geometry::Units;
 use katydid_session::Session;
@@ -17,7 +18,7 @@ use crate::{model_file, progress, source};
 pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
     let source = source::definition(&args.file)?;
     let model = args.model.as_deref().map(|path| model(path, args.lenient)).transpose()?;
-    let mut rules = Rules::default();
+    let mut rules = Rules { now: now(), ..Rules::default() };
     if let Some(model) = &model {
         (rules.units, rules.tolerance) = (model.units, model.tolerance);
     }
@@ -50,6 +51,11 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
         session.set(name, value).map_err(|error| error.to_string())?;
     }
     Ok(session)
+}
+
+/// The moment by the clock of the machine, in UTC.
+fn now() -> Option<DateTime> {
+    DateTime::since_1970(SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).ok()?)
 }
 
 fn model(path: &Path, lenient: bool) -> Result<RhinoModel, String> {

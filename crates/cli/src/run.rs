@@ -10,7 +10,7 @@ use katydid_solver::Status;
 use crate::args::{JsonForm, RunArgs};
 use crate::convert_model::model_extensions;
 use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
-use crate::{open, progress, scene_file};
+use crate::{open, scene_file, ticks};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
@@ -33,10 +33,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     options.limits.bytes = args.limit_bytes.unwrap_or(options.limits.bytes);
     // A report shows every output.
     options.skip_unread = args.json.is_none();
-    session.solve();
-    progress::clear();
+    let whole = ticks::solve(&mut session, &args.definition);
 
-    let failed = complain(&session);
+    let failed = complain(&session) || !whole;
     for path in &args.output {
         save(&session, args, path)?;
     }

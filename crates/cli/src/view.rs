@@ -6,7 +6,7 @@ use katydid_picture::{Drawing, HiddenLines, View, canvas, result};
 
 use crate::args::{HiddenLinesName, ViewArgs, ViewName};
 use crate::output::{YELLOW, extension, note, write_file};
-use crate::{open, progress, run};
+use crate::{open, run, ticks};
 
 /// The longer side of a canvas in pixels, when no size is asked for.
 const LONGEST: f64 = 8192.0;
@@ -19,8 +19,7 @@ pub(crate) fn view(args: &ViewArgs) -> Result<u8, String> {
     }
     let background = background(&args.background)?;
     let mut session = open::session(&args.definition)?;
-    session.solve();
-    progress::clear();
+    ticks::solve(&mut session, &args.definition);
     let failed = run::complain(&session);
 
     let size = args.size.unwrap_or([1200, 800]);

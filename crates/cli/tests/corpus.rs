@@ -1,4 +1,4 @@
-//! All real definitions at hand through `check`, `run` and `convert`.
+//! Real definitions at hand through `check` and `convert`; `real_files.rs` runs all of them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
 
@@ -6,9 +6,8 @@ mod common;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-use common::{katydid, said, shared, text, within};
+use common::{katydid, said, shared, text};
 use serde_json::Value;
 
 /// The files under a folder, in order.
@@ -85,40 +84,6 @@ fn check_knows_most_objects_of_the_stock_files() {
         }
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));
-}
-
-#[test]
-fn every_file_runs_to_a_result_or_a_reason() {
-    let Some(root) = shared("data/gh") else { return };
-    let mut all = Vec::new();
-    files(&root, &mut all);
-    assert_eq!(all.len(), 273);
-    let mut failed = Vec::new();
-    let mut codes: BTreeMap<Option<i32>, usize> = BTreeMap::new();
-    let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
-    for file in &all {
-        let words = ["run", text(file), "--json", "--limit-seconds", "15"];
-        let Some(output) = within(Duration::from_secs(20), &words) else {
-            failed.push(format!("{}: hangs", file.display()));
-            continue;
-        };
-        *codes.entry(output.status.code()).or_default() += 1;
-        let stderr = said(&output);
-        if stderr.contains("Internal error") || stderr.contains("panicked") {
-            failed.push(format!("{}: {stderr}", file.display()));
-        }
-        let Ok(report) = serde_json::from_slice::<Value>(&output.stdout) else {
-            failed.push(format!("{}: no report: {stderr}", file.display()));
-            continue;
-        };
-        for object in report["objects"].as_array().unwrap() {
-            if object["kind"] != "annotation" {
-                *statuses.entry(object["status"].as_str().unwrap().to_owned()).or_default() += 1;
-            }
-        }
-    }
-    println!("exit codes {codes:?}, objects {statuses:?}");
-    assert!(failed.is_empty(), "{} files:\n{}", failed.len(), failed.join("\n"));
 }
 
 #[test]

@@ -37,6 +37,7 @@ mod port;
 pub mod registry;
 mod rhino_content;
 mod rhino_model;
+pub mod stored;
 pub mod testing;
 pub mod whole;
 

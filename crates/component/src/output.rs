@@ -337,3 +337,5 @@ sinks!(A 0, B 1, C 2, D 3, E 4; 5);
 sinks!(A 0, B 1, C 2, D 3, E 4, F 5; 6);
 sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6; 7);
 sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7; 8);
+sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8; 9);
+sinks!(A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8, J 9; 10);

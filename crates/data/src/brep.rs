@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_3dm::{Limits, Object};
+use katydid_geometry::subd::SubD;
 use katydid_geometry::{Brep, construct};
 
 use crate::item::item;
@@ -20,6 +21,30 @@ impl From<Brep> for Value {
 }
 
 impl Value {
+    /// A brep that is shared, as [`Value::from`] a brep of its own.
+    pub fn from_shared_brep(brep: Shared<Brep>) -> Self {
+        match brep.as_surface() {
+            Some((surface, false)) => Self::from(surface.clone()),
+            _ => Self::Brep(brep),
+        }
+    }
+
+    /// The subdivision surface that a value holds; `None` for other values.
+    ///
+    /// # Errors
+    /// In words, when it cannot be read.
+    pub fn subd(&self) -> Option<Result<SubD, String>> {
+        let Self::Kept(raw) = self else { return None };
+        if raw.class_name() != "SubD" {
+            return None;
+        }
+        Some(match raw.parse_shape(&Limits::default()) {
+            Ok(Object::SubD(object)) => object.to_subd().map_err(|error| error.to_string()),
+            Ok(_) => Err(format!("A {} is no SubD", raw.class_name())),
+            Err(error) => Err(format!("The SubD cannot be read: {error}")),
+        })
+    }
+
     /// The brep that a value is or stands for: a surface is one of one face, a box one of six, and what is kept as it
     /// was written is read. `None` for what has no faces.
     ///

@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use crate::{
     Colour, Complex, Compound, Content, DateTime, Domain2, Gather, Group, Item, Kind, Location, LoftOptions,
-    Material, MeshSettings, Path, Projection, Symbol, Value,
+    Material, MeshSettings, Path, Projection, QuadSettings, Symbol, Value,
 };
 
 /// A run of items of one type, shared and never changed, with an optional mask of nulls.
@@ -139,6 +139,7 @@ items! {
     Symbols, Symbol, Shared<Symbol>, |x| Value::Symbol(x.clone()), Value::Symbol(x) => x;
     Materials, Material, Material, |x| Value::Material(Shared::new(*x)), Value::Material(x) => *x;
     LoftOptions, LoftOptions, LoftOptions, |x| Value::LoftOptions(Shared::new(*x)), Value::LoftOptions(x) => *x;
+    QuadSettings, QuadSettings, QuadSettings, |x| Value::QuadSettings(Shared::new(*x)), Value::QuadSettings(x) => *x;
     MeshSettings, MeshSettings, MeshSettings, |x| Value::MeshSettings(Shared::new(*x)), Value::MeshSettings(x) => *x;
     Projections, Projection, Projection, |x| Value::Projection(Shared::new(*x)), Value::Projection(x) => *x;
     Groups, Group, Shared<Group>, |x| Value::Group(x.clone()), Value::Group(x) => x;

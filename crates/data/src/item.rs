@@ -10,7 +10,7 @@ use uuid::Uuid;
 use crate::run::{Run, ValueRun};
 use crate::{
     Colour, Column, Complex, Compound, Content, DateTime, Domain2, Group, Items, Kind, Location, LoftOptions,
-    Material, MeshSettings, ModelLayer, Path, Projection, Symbol, Value,
+    Material, MeshSettings, ModelLayer, Path, Projection, QuadSettings, Symbol, Value,
 };
 
 /// A type that an item of data can have, and how it lies in a [`Column`].
@@ -107,6 +107,7 @@ item!(Location, Location, Locations, Location::default());
 item!(Shared<Symbol>, Symbol, Symbols, Shared::new(Symbol::default()));
 item!(LoftOptions, LoftOptions, LoftOptions, LoftOptions::default());
 item!(MeshSettings, MeshSettings, MeshSettings, MeshSettings::default());
+item!(QuadSettings, QuadSettings, QuadSettings, QuadSettings::default());
 item!(Projection, Projection, Projections, Projection::default());
 item!(Material, Material, Materials, Material::from(Colour::default()));
 item!(Shared<Group>, Group, Groups, Shared::new(Group { members: Vec::new() }));

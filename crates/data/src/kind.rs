@@ -47,6 +47,7 @@ pub enum Kind {
     Material,
     LoftOptions,
     MeshSettings,
+    QuadSettings,
     Projection,
     Group,
     /// Geometry of a class that Katydid keeps whole but does not compute with.
@@ -97,6 +98,7 @@ impl Kind {
             Self::Material => "Shader",
             Self::LoftOptions => "Loft Options",
             Self::MeshSettings => "Mesh Settings",
+            Self::QuadSettings => "Quad meshing settings",
             Self::Projection => "Projection",
             Self::Group => "Group",
             Self::Kept => "Geometry",

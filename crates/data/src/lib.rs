@@ -33,6 +33,7 @@ mod material;
 mod mesh_settings;
 mod path;
 mod projection;
+mod quad_settings;
 mod run;
 mod symbol;
 pub mod text;
@@ -48,7 +49,7 @@ pub use column::{Column, Items};
 pub use complex::Complex;
 pub use compound::Compound;
 pub use content::{
-    BlockDefinition, BlockInstance, Content, Filter, ModelLayer, ModelLinetype, ModelObject, Visibility,
+    Atom, BlockDefinition, BlockInstance, Content, Filter, ModelLayer, ModelLinetype, ModelObject, Visibility,
 };
 pub use domain2::Domain2;
 pub use face::Face;
@@ -61,6 +62,7 @@ pub use material::Material;
 pub use mesh_settings::MeshSettings;
 pub use path::{ParsePathError, Path};
 pub use projection::Projection;
+pub use quad_settings::QuadSettings;
 pub use run::{Gather, Run, ValueRun};
 pub use symbol::Symbol;
 pub use time::DateTime;

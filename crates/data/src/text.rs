@@ -100,6 +100,7 @@ pub fn value(value: &Value, style: &Style) -> String {
         Value::Matrix(m) => format!("Matrix ({} rows, {} columns)", m.rows(), m.columns()),
         Value::LoftOptions(_) => "Loft Options".to_owned(),
         Value::MeshSettings(_) => "Mesh Settings".to_owned(),
+        Value::QuadSettings(_) => "Quad Remesh Settings".to_owned(),
         Value::Projection(p) => p.name().to_owned(),
         Value::Material(m) => {
             format!("Material ({},{},{})", m.diffuse.r, m.diffuse.g, m.diffuse.b)
@@ -224,6 +225,7 @@ fn content(content: &Content, style: &Style) -> String {
             name => format!("{} ({name})", content.type_name()),
         },
         (Content::Filter(filter), None) => filter.words(style),
+        (Content::Atom(atom), None) if !atom.element.is_empty() => format!("Atom ({})", atom.element),
         _ => content.type_name().to_owned(),
     }
 }

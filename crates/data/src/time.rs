@@ -23,6 +23,28 @@ fn civil_from_days(days: i64) -> (i64, u32, u32) {
     (year, month, day)
 }
 
+/// The ticks of 1970-01-01, .NET's own constant.
+const UNIX_EPOCH: i64 = 621_355_968_000_000_000;
+
+impl DateTime {
+    /// The moment some time after 1970-01-01 00:00 UTC, as clocks of machines count; `None` beyond the year 9999.
+    pub fn since_1970(elapsed: std::time::Duration) -> Option<Self> {
+        const LAST: i64 = 3_155_378_975_999_999_999;
+        let ticks = i64::try_from(elapsed.as_nanos() / 100).ok()?.checked_add(UNIX_EPOCH)?;
+        (ticks <= LAST).then_some(Self { ticks })
+    }
+
+    /// Days from 0001-01-01 to a date of the Gregorian calendar; `None` for a day that the month does not have.
+    pub(crate) fn day(year: i64, month: i64, day: i64) -> Option<i64> {
+        let y = if month <= 2 { year - 1 } else { year };
+        let year_of_era = y.rem_euclid(400);
+        let day_of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
+        let day_of_era = year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+        let days = y.div_euclid(400) * 146_097 + day_of_era - 306;
+        (civil_from_days(days) == (year, month as u32, day as u32)).then_some(days)
+    }
+}
+
 impl fmt::Display for DateTime {
     /// `2024-02-29 13:05:09`, the seconds whole.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -41,7 +63,9 @@ mod tests {
     fn ticks_are_dates() {
         assert_eq!(DateTime { ticks: 0 }.to_string(), "0001-01-01 00:00:00");
         // .NET's own constant for 1970-01-01.
-        assert_eq!(DateTime { ticks: 621_355_968_000_000_000 }.to_string(), "1970-01-01 00:00:00");
+        let start = DateTime::since_1970(std::time::Duration::ZERO).unwrap();
+        assert_eq!(start.to_string(), "1970-01-01 00:00:00");
+        assert_eq!(DateTime::since_1970(std::time::Duration::MAX), None);
         let leap = 621_355_968_000_000_000 + (19_782 * 86_400 + 47_109) * 10_000_000;
         assert_eq!(DateTime { ticks: leap }.to_string(), "2024-02-29 13:05:09");
     }

@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use crate::{
     Colour, Complex, Compound, Content, DateTime, Domain2, Group, Kind, Location, LoftOptions, Material,
-    MeshSettings, Path, Projection, Symbol,
+    MeshSettings, Path, Projection, QuadSettings, Symbol,
 };
 
 /// The archive version whose rules the bytes of kept objects follow.
@@ -55,6 +55,7 @@ pub enum Value {
     Material(Shared<Material>),
     LoftOptions(Shared<LoftOptions>),
     MeshSettings(Shared<MeshSettings>),
+    QuadSettings(Shared<QuadSettings>),
     Projection(Shared<Projection>),
     Group(Shared<Group>),
     Kept(Shared<RawObject>),
@@ -99,6 +100,7 @@ impl Value {
             Self::Material(_) => Kind::Material,
             Self::LoftOptions(_) => Kind::LoftOptions,
             Self::MeshSettings(_) => Kind::MeshSettings,
+            Self::QuadSettings(_) => Kind::QuadSettings,
             Self::Projection(_) => Kind::Projection,
             Self::Group(_) => Kind::Group,
             Self::Kept(_) => Kind::Kept,
@@ -231,6 +233,7 @@ from! {
     Material, Material;
     LoftOptions, LoftOptions;
     MeshSettings, MeshSettings;
+    QuadSettings, QuadSettings;
     Projection, Projection;
     Group, Group;
     Shared<Group>, Group;

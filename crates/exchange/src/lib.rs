@@ -4,6 +4,8 @@
 //! [`Model`](katydid_3dm::Model). [`write()`] sends it to any destination piece by piece, and tells what the format
 //! could not hold. [`read()`] gives the scene that a file holds.
 //!
+//! Shapefiles ([`shp`]) and molecules ([`pdb`]) are no scenes, and are read as what they are.
+//!
 //! What belongs here: file formats and the way from a model to a scene. Shapes and their computation are
 //! [`katydid_geometry`]'s. Files that nobody vouches for give an [`Error`], never a panic, and no count in them makes
 //! room for more than their bytes can fill.
@@ -26,9 +28,11 @@ mod error;
 mod format;
 mod gltf;
 mod obj;
+pub mod pdb;
 mod piece;
 mod ply;
 mod scene;
+pub mod shp;
 mod step;
 mod stl;
 mod svg;

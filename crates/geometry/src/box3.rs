@@ -1,4 +1,7 @@
-use crate::{BoundingBox, Interval, Plane, Point3, Result, Xform};
+use crate::{BoundingBox, Interval, Plane, Point3, Rectangle, Result, Xform};
+
+/// What coordinates computed in a few steps may be off by, in proportion to their size.
+const ROUNDING: f64 = 1e-12;
 
 /// A box in a frame, by its ranges along the three axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +44,25 @@ impl Box3 {
             (x.start, y.end, z.end),
         ]
         .map(|(u, v, w)| self.plane.at(u, v, w))
+    }
+
+    /// The rectangle that a box without thickness is: one range is nothing beside the rounding of its corners, the other
+    /// two are more. `None` for other boxes. The normal of its plane is the axis of that range.
+    pub fn flat_side(&self) -> Option<Rectangle> {
+        let largest =
+            self.corners().iter().flat_map(|p| [p.x, p.y, p.z]).fold(0.0_f64, |m, c| m.max(c.abs()));
+        let ranges = [self.x, self.y, self.z];
+        let flat = ranges.map(|range| range.length().abs() <= ROUNDING * largest);
+        let Plane { x_axis, y_axis, z_axis, .. } = self.plane;
+        let (at, axes, [x, y]) = match flat {
+            [false, false, true] => ([0.0, 0.0, self.z.start], [x_axis, y_axis, z_axis], [self.x, self.y]),
+            [true, false, false] => ([self.x.start, 0.0, 0.0], [y_axis, z_axis, x_axis], [self.y, self.z]),
+            [false, true, false] => ([0.0, self.y.start, 0.0], [z_axis, x_axis, y_axis], [self.z, self.x]),
+            _ => return None,
+        };
+        let [x_axis, y_axis, z_axis] = axes;
+        let plane = Plane { origin: self.plane.at(at[0], at[1], at[2]), x_axis, y_axis, z_axis };
+        Some(Rectangle { plane, x, y })
     }
 
     /// The point at fractions 0…1 of the three ranges.

@@ -28,7 +28,7 @@ pub enum Source {
         plane: Plane,
         /// The force near the origin.
         strength: f64,
-        /// The unit of distance that the force fades in.
+        /// The unit of distance that the force fades in; of 0 it has faded everywhere.
         radius: f64,
         /// The power it fades with.
         decay: f64,
@@ -148,8 +148,8 @@ impl Field {
                 }
                 Source::Segment { line, charge } => line.is_finite() && charge.is_finite(),
                 Source::Spin { plane, strength, radius, decay } => {
-                    if !(radius > 0.0) {
-                        let must = "greater than 0";
+                    if !(radius >= 0.0) {
+                        let must = "not negative";
                         return Err(Error::OutOfRange {
                             what: "radius of a spin force",
                             value: radius,
@@ -346,7 +346,14 @@ mod tests {
         let bounded = Force { source, bounds };
         assert_eq!(bounded.at(Point3::new(3.0, 0.0, 0.0)), Vector3::ZERO);
         let flat = Source::Spin { plane: Plane::XY, strength: 2.0, radius: 0.0, decay: 2.0 };
-        assert!(Field::new(vec![Force { source: flat, bounds: None }]).is_err());
+        let still = Field::new(vec![Force { source: flat, bounds: None }]).unwrap();
+        assert_eq!(
+            still.at(Point3::new(3.0, 0.0, 0.0)),
+            Vector3::ZERO,
+            "it has faded everywhere but on its axis"
+        );
+        let inside_out = Source::Spin { plane: Plane::XY, strength: 2.0, radius: -1.0, decay: 2.0 };
+        assert!(Field::new(vec![Force { source: inside_out, bounds: None }]).is_err());
     }
 
     #[test]

@@ -53,6 +53,8 @@ pub mod intersect;
 mod interval;
 pub mod isoline;
 pub mod isosurface;
+#[cfg(feature = "lettering")]
+pub mod lettering;
 mod line;
 mod linear;
 mod longest_rectangle;
@@ -111,8 +113,8 @@ pub use matrix::{Matrix, RowReduction};
 #[cfg(feature = "mesh-booleans")]
 pub use mesh::Solid;
 pub use mesh::{
-    Decimation, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, RemeshOptions,
-    Remeshed, Smoothing, SurfaceMeshing,
+    Decimation, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree, QuadOptions,
+    RemeshOptions, Remeshed, Smoothing, SurfaceMeshing,
 };
 pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
 pub use moments::MassProperties;

@@ -1,4 +1,4 @@
-use crate::{Point3, Vector3, Xform};
+use crate::{BoundingBox, Point3, Vector3, Xform};
 
 /// A straight segment; its infinite line is P = from + t·direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,6 +10,19 @@ pub struct Line {
 }
 
 impl Line {
+    /// The part of the line without ends that lies in front of a box, seen along the plane across it: beyond, the line is
+    /// nowhere near what the box holds. `None` for a line without length or a number that is not finite.
+    pub fn beside(&self, bounds: &BoundingBox) -> Option<Self> {
+        let direction = self.unit_direction()?;
+        let along = bounds.corners().map(|p| (p - self.from).dot(direction));
+        let low = along.into_iter().fold(f64::INFINITY, f64::min);
+        let high = along.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        // A little more than the box, so that what touches its sides is met.
+        let margin = (high - low).max(self.length());
+        let part = Self::new(self.from + direction * (low - margin), self.from + direction * (high + margin));
+        part.is_finite().then_some(part)
+    }
+
     /// The segment between two points.
     #[inline]
     pub const fn new(from: Point3, to: Point3) -> Self {

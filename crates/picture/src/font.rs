@@ -1,8 +1,8 @@
 //! The typeface that pictures are measured in, and that PNG is drawn in: DejaVu Sans Condensed.
 
+use katydid_geometry::Point2;
+use katydid_geometry::lettering::{self, Stroke};
 pub(crate) use katydid_scene::font::width;
-use katydid_scene::font::{face, glyphs};
-use ttf_parser::OutlineBuilder;
 
 use crate::drawing::{Path, Segment};
 
@@ -31,59 +31,25 @@ pub(crate) fn fitted(text: &str, size: f64, room: f64) -> String {
 /// The outlines of a text whose base line starts at 0, 0, y down, at a size of 1.
 pub(crate) fn outlines(text: &str) -> Path {
     let mut path = Path::default();
-    let Some(face) = face() else { return path };
-    let scale = 1.0 / f64::from(face.units_per_em());
-    for (glyph, x) in glyphs(text).0 {
-        let mut pen = Pen { path: &mut path, x, scale, at: [0.0; 2] };
-        face.outline_glyph(glyph, &mut pen);
+    let mut at = [0.0; 2];
+    let down = |p: Point2| [p.x, -p.y];
+    for stroke in lettering::strokes(text) {
+        let (segment, to) = match stroke {
+            Stroke::Move(p) => (Segment::Move(down(p)), down(p)),
+            Stroke::Line(p) => (Segment::Line(down(p)), down(p)),
+            Stroke::Quadratic(c, p) => {
+                let (c, p) = (down(c), down(p));
+                // The same curve by degree elevation.
+                let handle = |end: [f64; 2]| [0, 1].map(|k| end[k] + (c[k] - end[k]) * 2.0 / 3.0);
+                (Segment::Cubic(handle(at), handle(p), p), p)
+            }
+            Stroke::Cubic(a, b, p) => (Segment::Cubic(down(a), down(b), down(p)), down(p)),
+            Stroke::Close => (Segment::Close, at),
+        };
+        path.segments.push(segment);
+        at = to;
     }
     path
-}
-
-struct Pen<'a> {
-    path: &'a mut Path,
-    x: f64,
-    scale: f64,
-    at: [f64; 2],
-}
-
-impl Pen<'_> {
-    fn point(&self, x: f32, y: f32) -> [f64; 2] {
-        [self.x + f64::from(x) * self.scale, -f64::from(y) * self.scale]
-    }
-
-    fn add(&mut self, segment: Segment, to: [f64; 2]) {
-        self.at = to;
-        self.path.segments.push(segment);
-    }
-}
-
-impl OutlineBuilder for Pen<'_> {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let p = self.point(x, y);
-        self.add(Segment::Move(p), p);
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        let p = self.point(x, y);
-        self.add(Segment::Line(p), p);
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let (c, p) = (self.point(x1, y1), self.point(x, y));
-        // The same curve by degree elevation.
-        let handle = |end: [f64; 2]| [0, 1].map(|k| end[k] + (c[k] - end[k]) * 2.0 / 3.0);
-        self.add(Segment::Cubic(handle(self.at), handle(p), p), p);
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let p = self.point(x, y);
-        self.add(Segment::Cubic(self.point(x1, y1), self.point(x2, y2), p), p);
-    }
-
-    fn close(&mut self) {
-        self.path.segments.push(Segment::Close);
-    }
 }
 
 #[cfg(test)]

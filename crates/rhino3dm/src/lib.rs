@@ -54,6 +54,7 @@ mod tables;
 mod typecode;
 mod user_table;
 mod v1;
+mod validity;
 mod version;
 mod write;
 
@@ -91,3 +92,4 @@ pub use tables::{
     MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
 };
 pub use user_table::UserTable;
+pub use validity::Validity;

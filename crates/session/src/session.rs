@@ -1,5 +1,5 @@
 use katydid_definition::document::Document;
-use katydid_solver::{Engine, Options, Summary};
+use katydid_solver::{Engine, Options, Summary, Ticks};
 use uuid::Uuid;
 
 use crate::input::{self, InputError};
@@ -80,6 +80,23 @@ impl Session {
     pub fn solve(&mut self) -> Summary {
         self.last = self.engine.solve();
         self.last
+    }
+
+    /// Solves the definition as it stands, and gets ready to run it in time (see [`Ticks`]).
+    pub fn begin_ticks(&mut self) -> Ticks {
+        let (ticks, first) = Ticks::begin(&mut self.engine);
+        self.last = first;
+        ticks
+    }
+
+    /// Goes on to the next moment at which a timer fires or a dam lets data through, and solves what hangs on it;
+    /// `false` when nothing will happen any more. The document must be the one that the ticks were begun with.
+    pub fn tick(&mut self, ticks: &mut Ticks) -> bool {
+        let Some(summary) = ticks.tick(&mut self.engine) else { return false };
+        self.last.solved += summary.solved;
+        self.last.unfinished = summary.unfinished;
+        self.last.time += summary.time;
+        true
     }
 
     /// The results with items as a panel shows them.

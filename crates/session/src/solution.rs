@@ -1,7 +1,7 @@
 //! Results of a document and of what is inside its clusters, as a face asks for them.
 
 use katydid_data::{Tree, text};
-use katydid_definition::document::{Document, Object};
+use katydid_definition::document::{Document, Object, ids};
 use katydid_solver::ObjectReport;
 use uuid::Uuid;
 
@@ -64,7 +64,7 @@ impl<'a> Solution<'a> {
             .collect()
     }
 
-    /// The data of a port: what an output gives, and what the wires of an input bring.
+    /// The data of a port: what an output gives, and what the wires of an input, or of a Param Viewer, bring.
     pub fn data(&self, port: Uuid, within: &[Uuid]) -> Option<Tree> {
         let objects = self.inside(within)?;
         let output = |id: Uuid| {
@@ -74,7 +74,10 @@ impl<'a> Solution<'a> {
             });
             found.and_then(|(k, report)| report.outputs.get(k).cloned())
         };
-        if let Some(tree) = output(port) {
+        // A viewer shows what comes in, and gives its paths.
+        let views =
+            objects.iter().any(|(object, _)| object.component == ids::PARAM_VIEWER && object.id == port);
+        if let Some(tree) = output(port).filter(|_| !views) {
             return Some(tree);
         }
         let input = objects.iter().flat_map(|(object, _)| &object.inputs).find(|input| input.id == port)?;

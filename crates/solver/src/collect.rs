@@ -1,10 +1,10 @@
 //! The data of an input: what its wires bring, or what it keeps itself, cast to its type.
 
-use katydid_component::{Message, Port as Declared};
+use katydid_component::{Message, Port as Declared, stored};
 use katydid_data::{Column, Kind, Tree, Value, cast};
-use katydid_definition::document::{Object, Port};
+use katydid_definition::document::{Object, Port, Side};
 
-use crate::{Options, modifiers, stored};
+use crate::{Options, modifiers};
 
 /// Data on its way into an input, and what to say about it.
 #[derive(Debug, Default)]
@@ -59,7 +59,8 @@ fn fit(
 ) -> Tree {
     let kind = declared.map_or(Kind::Generic, |d| d.kind);
     let tree = cast_to(tree, kind, rules, messages);
-    let tree = if object.is_floating() { tree } else { modifiers::apply(tree, port, rules, messages) };
+    let tree =
+        if object.is_floating() { tree } else { modifiers::apply(tree, port, Side::Input, rules, messages) };
     // An expression may give another type than the port's.
     let tree = cast_to(tree, kind, rules, messages);
     match kind {
@@ -128,7 +129,13 @@ fn replaced(
 
 /// The tree with every item cast to a type; those that cannot be are null, which is told.
 pub(crate) fn cast_to(tree: Tree, kind: Kind, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
-    let cast::Cast { column, failed } = cast::column(tree.column(), kind, rules);
+    let cast::Cast { column, failed, ours } = cast::column(tree.column(), kind, rules);
+    if let Some((from, way)) = ours {
+        messages.push(Message::remark(format!(
+            "{from} to {kind}: {}. This is our reading; nothing tells what Grasshopper does",
+            way.gives
+        )));
+    }
     if let Some((from, count)) = failed {
         let times = if count == 1 { String::new() } else { format!(" ({count} times)") };
         messages.push(Message::warning(format!("Data conversion failed from {from} to {kind}{times}")));

@@ -27,6 +27,8 @@ pub struct Engine {
     pub(crate) dirty: Vec<usize>,
     /// What inputs read in place of their wires and of what they keep, by object and input.
     pub(crate) given: HashMap<(usize, usize), Tree>,
+    /// What recorders have recorded, by object; `None` unless the definition runs in time.
+    pub(crate) memory: Option<HashMap<usize, Tree>>,
 }
 
 /// What one solve did.
@@ -51,6 +53,7 @@ impl Engine {
             reports: vec![None; count],
             dirty: (0..count).collect(),
             given: HashMap::new(),
+            memory: None,
         }
     }
 
@@ -83,6 +86,14 @@ impl Engine {
         }
     }
 
+    /// Has the object at `index` solved anew by the next solve, and all that hangs on it. Nothing happens when there is
+    /// no such object.
+    pub fn expire(&mut self, index: usize) {
+        if index < self.reports.len() {
+            self.touch(index);
+        }
+    }
+
     /// Marks an object and all that hangs on it as dirty.
     pub(crate) fn touch(&mut self, index: usize) {
         let mut stack = vec![index];
@@ -111,9 +122,16 @@ impl Engine {
             depth: 0,
             given: &HashMap::new(),
             brought: &self.given,
+            memory: self.memory.as_ref(),
             wanted: &[],
         };
         let solved = solve_graph(&turn, &self.graph, &mut self.reports, &self.dirty);
+        if let Some(memory) = &mut self.memory {
+            for &at in &self.dirty {
+                let report = self.reports.get(at).and_then(Option::as_ref);
+                memory.extend(report.and_then(|report| Some((at, report.recorded.clone()?))));
+            }
+        }
         let reports = &self.reports;
         self.dirty.retain(|at| reports.get(*at).is_some_and(Option::is_none));
         Summary { solved, unfinished: self.dirty.len(), time: watch.elapsed() }
@@ -137,6 +155,7 @@ pub(crate) fn solve_nested(
         depth: outer.depth + 1,
         given,
         brought: &HashMap::new(),
+        memory: None,
         wanted: &[],
     };
     let all: Vec<usize> = (0..reports.len()).collect();

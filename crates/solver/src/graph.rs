@@ -1,6 +1,6 @@
 //! Who reads whom: the objects of a document as nodes, its wires as arrows between them.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use katydid_definition::document::Document;
 use uuid::Uuid;
@@ -29,10 +29,18 @@ pub(crate) struct Graph {
     pub(crate) rank: Vec<Option<u32>>,
     /// The loops: the objects of each, in the order of the document.
     pub(crate) loops: Vec<Vec<usize>>,
+    /// The objects that read their sources later than in the same solution, with those sources: they have none in
+    /// `sources`, and read nobody as far as the order is concerned.
+    pub(crate) late: BTreeMap<usize, Vec<Vec<Source>>>,
 }
 
 impl Graph {
     pub(crate) fn new(document: &Document) -> Self {
+        Self::with_late(document, &[])
+    }
+
+    /// The graph of a document in which the objects of `late` read their wires in a later solution.
+    pub(crate) fn with_late(document: &Document, late: &[usize]) -> Self {
         let objects = &document.objects;
         let mut outputs: HashMap<Uuid, Source> = HashMap::new();
         for (object, o) in objects.iter().enumerate() {
@@ -48,17 +56,22 @@ impl Graph {
             ..Self::default()
         };
         for (reader, o) in objects.iter().enumerate() {
+            let is_late = late.contains(&reader);
             let mut inputs = Vec::with_capacity(o.inputs.len());
             for port in &o.inputs {
                 let sources: Vec<Source> =
                     port.sources.iter().filter_map(|id| outputs.get(id).copied()).collect();
                 for source in &sources {
                     graph.wanted[source.object][source.output] = true;
-                    if !graph.readers[source.object].contains(&reader) {
+                    if !is_late && !graph.readers[source.object].contains(&reader) {
                         graph.readers[source.object].push(reader);
                     }
                 }
                 inputs.push(sources);
+            }
+            if is_late {
+                let none = vec![Vec::new(); inputs.len()];
+                graph.late.insert(reader, std::mem::replace(&mut inputs, none));
             }
             graph.sources.push(inputs);
         }

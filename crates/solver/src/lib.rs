@@ -20,10 +20,11 @@ mod inputs;
 mod modifiers;
 mod object;
 mod options;
+mod recorder;
 mod remote;
 mod report;
 mod schedule;
-mod stored;
+mod ticks;
 mod update;
 
 pub use engine::{Engine, Summary};
@@ -31,3 +32,4 @@ pub use inputs::Inputs;
 pub use options::{Finished, Listener, Options, Progress, ResultListener};
 pub use remote::{HOPS, Question, Remote, Solved};
 pub use report::{ObjectReport, Status};
+pub use ticks::Ticks;

@@ -4,15 +4,21 @@ use std::sync::Arc;
 
 use katydid_component::Message;
 use katydid_data::{Column, Gather, Item, Items, Tree, Value, cast, formula};
-use katydid_definition::document::{Mapping, Modifiers, Port};
+use katydid_definition::document::{Mapping, Modifiers, Port, Side};
 use katydid_expression::Expression;
 use katydid_geometry::{Direction, Interval, Vector3};
 
 /// Applies the modifiers in Grasshopper's order: expression, the type's own switches, simplify, flatten or
-/// graft, reverse.
-pub(crate) fn apply(tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
+/// graft, reverse. An output is grafted before it is simplified, so that nothing of its new paths stays that all share.
+pub(crate) fn apply(
+    tree: Tree,
+    port: &Port,
+    side: Side,
+    rules: &cast::Rules,
+    messages: &mut Vec<Message>,
+) -> Tree {
     let tree = items(tree, port, rules, messages);
-    shape(tree, &port.modifiers)
+    shape(tree, &port.modifiers, side)
 }
 
 fn items(mut tree: Tree, port: &Port, rules: &cast::Rules, messages: &mut Vec<Message>) -> Tree {
@@ -78,14 +84,18 @@ fn map<T: Item>(tree: &Tree, rules: &cast::Rules, f: impl Fn(T) -> T) -> Tree {
 }
 
 /// The shape of the tree only.
-fn shape(mut tree: Tree, modifiers: &Modifiers) -> Tree {
-    if modifiers.simplify {
+fn shape(mut tree: Tree, modifiers: &Modifiers, side: Side) -> Tree {
+    let graft_first = side == Side::Output && modifiers.mapping == Mapping::Graft;
+    if modifiers.simplify && !graft_first {
         tree = tree.simplify(false);
     }
     match modifiers.mapping {
         Mapping::None => {}
         Mapping::Flatten => tree = tree.flatten(),
         Mapping::Graft => tree = tree.graft(),
+    }
+    if modifiers.simplify && graft_first {
+        tree = tree.simplify(false);
     }
     if modifiers.reverse {
         tree = tree.reverse_branches();

@@ -5,10 +5,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
 use katydid_data::{Column, Kind, Path, Tree};
-use katydid_definition::document::{Document, Object, Special};
+use katydid_definition::document::{Document, Object, Side, Special, ids};
 
 use crate::report::{ObjectReport, Status};
-use crate::{Options, cluster, collect, modifiers, remote};
+use crate::{Options, cluster, collect, modifiers, recorder, remote};
 
 /// What an object needs to run besides its inputs.
 pub(crate) struct Turn<'a> {
@@ -21,6 +21,8 @@ pub(crate) struct Turn<'a> {
     pub(crate) given: &'a HashMap<usize, Tree>,
     /// What inputs read in place of their wires and of what they keep, by object and input.
     pub(crate) brought: &'a HashMap<(usize, usize), Tree>,
+    /// What recorders have recorded, when the definition runs in time.
+    pub(crate) memory: Option<&'a HashMap<usize, Tree>>,
     pub(crate) wanted: &'a [bool],
 }
 
@@ -75,7 +77,8 @@ fn brought(turn: &Turn<'_>, index: usize, object: &Object) -> Option<ObjectRepor
     let component = registry::by_guid(object.component);
     let hands_on = match object.special() {
         // A slider, toggle or list gives what it keeps, whatever comes over a wire.
-        None | Some(Special::Contextual(_) | Special::Panel(_)) => {
+        None
+        | Some(Special::Contextual(_) | Special::Panel(_) | Special::DataRecorder(_) | Special::DataDam(_)) => {
             component.is_some_and(|component| !component.inputs.is_empty())
         }
         Some(_) => false,
@@ -102,6 +105,7 @@ fn run(
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());
     let mut missing = false;
+    let memory = turn.memory.filter(|_| object.component == ids::DATA_RECORDER);
     for (k, port) in object.inputs.iter().enumerate() {
         let declared = component.input(k);
         let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
@@ -111,7 +115,8 @@ fn run(
         };
         messages.extend(collected.messages);
         let optional = declared.is_none_or(|d| d.optional || d.many && d.access != Access::Item);
-        if collected.tree.is_empty() && !optional {
+        // A recorder still has what it has recorded.
+        if collected.tree.is_empty() && !optional && memory.is_none() {
             missing = true;
             let name = if port.nickname.is_empty() { &port.name } else { &port.nickname };
             messages.push(Message::warning(if object.is_floating() {
@@ -149,7 +154,12 @@ fn run(
         return ObjectReport::idle(Status::Error, messages, object.outputs.len());
     };
     messages.extend(outcome.messages);
-    let mut trees = outcome.outputs.into_iter();
+    let recorded = memory.map(|memory| {
+        let new = outcome.outputs.first().cloned().unwrap_or_default();
+        recorder::record(object, memory.get(&index), new, &turn.options.limits, &mut messages)
+    });
+    let trees = recorded.clone().map_or(outcome.outputs, |tree| vec![tree]);
+    let mut trees = trees.into_iter();
     let outputs: Vec<Tree> = (0..object.outputs.len())
         .map(|k| output(object, k, trees.next().unwrap_or_default(), turn.options, &mut messages))
         .collect();
@@ -159,7 +169,7 @@ fn run(
         messages.push(Message::warning(text));
         status = Status::NoData;
     }
-    ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) }
+    ObjectReport { outputs, recorded, ..ObjectReport::idle(status, messages, 0) }
 }
 
 /// What output `k` shows: its data after its own modifiers. A floating parameter is one port, whose modifiers stand
@@ -171,9 +181,13 @@ pub(crate) fn output(
     options: &Options,
     messages: &mut Vec<Message>,
 ) -> Tree {
-    let port = if object.is_floating() { object.inputs.get(k) } else { object.outputs.get(k) };
+    let (port, side) = if object.is_floating() {
+        (object.inputs.get(k), Side::Input)
+    } else {
+        (object.outputs.get(k), Side::Output)
+    };
     match port {
-        Some(port) => modifiers::apply(tree, port, &options.rules, messages),
+        Some(port) => modifiers::apply(tree, port, side, &options.rules, messages),
         None => tree,
     }
 }

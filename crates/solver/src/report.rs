@@ -48,12 +48,15 @@ pub struct ObjectReport {
     pub outputs: Vec<Tree>,
     /// Of a cluster: the reports of the objects inside, in their order.
     pub inside: Option<Arc<[ObjectReport]>>,
+    /// Of a recorder in a run in time: what it has recorded by now, before its modifiers.
+    pub(crate) recorded: Option<Tree>,
 }
 
 impl ObjectReport {
     /// A report of an object that did not run.
     pub(crate) fn idle(status: Status, messages: Vec<Message>, outputs: usize) -> Self {
-        Self { status, messages, time: Duration::ZERO, outputs: vec![Tree::empty(); outputs], inside: None }
+        let outputs = vec![Tree::empty(); outputs];
+        Self { status, messages, time: Duration::ZERO, outputs, inside: None, recorded: None }
     }
 
     /// The status that the messages speak of.

@@ -72,6 +72,7 @@ impl Engine {
         }
         // Places are others now: what was given to them is not.
         self.given.clear();
+        self.memory = None;
         let graph = std::mem::replace(&mut self.graph, Arc::new(Graph::new(&self.document)));
         let mut reports = std::mem::take(&mut self.reports);
         self.reports = was

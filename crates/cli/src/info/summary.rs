@@ -2,18 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use katydid_3dm::{Model, outline};
+use katydid_3dm::{Model, Validity, outline};
 use serde_json::{Value, json};
 
 use super::kind_name;
-use super::validity::{Validity, validity};
 use crate::args::InfoArgs;
 use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, printable, say};
 
 /// Faults and warnings beyond this many are only counted.
 const MOST_LINES: usize = 20;
 
-/// An object that is not valid.
+/// What is wrong or odd about an object.
 struct Fault {
     place: usize,
     class: String,
@@ -30,6 +29,8 @@ pub(super) struct Summary {
     on_layer: Vec<usize>,
     classes: BTreeMap<String, usize>,
     faults: Vec<Fault>,
+    /// Objects that are valid, but not as somebody may have meant them.
+    remarks: Vec<Fault>,
     /// Objects of classes whose validity nobody can tell yet.
     unjudged: usize,
 }
@@ -42,21 +43,22 @@ impl Summary {
                 *count += 1;
             }
         }
-        let (mut faults, mut unjudged) = (Vec::new(), 0);
+        let (mut faults, mut remarks, mut unjudged) = (Vec::new(), Vec::new(), 0);
         for (place, object) in model.objects.iter().enumerate() {
-            match validity(&object.geometry) {
-                Validity::Valid => {}
+            let told = |why| Fault {
+                place,
+                class: object.geometry.class_name(),
+                name: object.attributes.name.clone(),
+                id: object.attributes.id.to_string(),
+                why,
+            };
+            match object.geometry.validity() {
+                Validity::Valid => remarks.extend(object.geometry.remarks().into_iter().map(told)),
                 Validity::Unknown => unjudged += 1,
-                Validity::Invalid(why) => faults.push(Fault {
-                    place,
-                    class: object.geometry.class_name(),
-                    name: object.attributes.name.clone(),
-                    id: object.attributes.id.to_string(),
-                    why,
-                }),
+                Validity::Invalid(why) => faults.push(told(why)),
             }
         }
-        Self { tables, on_layer, classes: model.counts(), faults, unjudged }
+        Self { tables, on_layer, classes: model.counts(), faults, remarks, unjudged }
     }
 
     pub(super) fn to_json(&self, args: &InfoArgs, model: &Model, size: usize) -> Value {
@@ -75,9 +77,10 @@ impl Summary {
                 })
             })
             .collect();
-        let faults = self.faults.iter().map(
-            |f| json!({ "object": f.place, "id": f.id, "class": f.class, "name": f.name, "why": f.why }),
-        );
+        let told = |list: &[Fault]| -> Vec<Value> {
+            let one = |f: &Fault| json!({ "object": f.place, "id": f.id, "class": f.class, "name": f.name, "why": f.why });
+            list.iter().map(one).collect()
+        };
         let warnings = model.warnings.iter().map(|w| {
             json!({ "kind": kind_name(w.kind), "offset": w.offset, "path": w.path.to_string(), "message": w.message })
         });
@@ -97,7 +100,8 @@ impl Summary {
             "tables": tables,
             "layers": layers,
             "objects": self.classes,
-            "invalid": faults.collect::<Vec<_>>(),
+            "invalid": told(&self.faults),
+            "remarks": told(&self.remarks),
             "notJudged": self.unjudged,
             "skipped": model.skipped,
             "warnings": warnings.collect::<Vec<_>>(),
@@ -145,12 +149,19 @@ impl Summary {
     }
 
     fn print_faults(&self, model: &Model) {
-        for fault in self.faults.iter().take(MOST_LINES) {
+        let line = |fault: &Fault| {
             let name =
                 if fault.name.is_empty() { String::new() } else { format!(" '{}'", printable(&fault.name)) };
-            say(&format!("{RED}invalid{RED:#}: {}{name} ({}): {}", fault.class, fault.id, fault.why));
+            format!("{}{name} ({}): {}", fault.class, fault.id, fault.why)
+        };
+        for fault in self.faults.iter().take(MOST_LINES) {
+            say(&format!("{RED}invalid{RED:#}: {}", line(fault)));
         }
         more(self.faults.len(), "invalid objects");
+        for remark in self.remarks.iter().take(MOST_LINES) {
+            say(&format!("{YELLOW}remark{YELLOW:#}: {}", line(remark)));
+        }
+        more(self.remarks.len(), "remarks");
         for warning in model.warnings.iter().take(MOST_LINES) {
             say(&format!(
                 "{YELLOW}{}{YELLOW:#}: {}",

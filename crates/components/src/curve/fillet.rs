@@ -1,8 +1,8 @@
-//! Round corners between straight segments.
+//! Round corners of curves.
 
 use std::sync::Arc as Shared;
 
-use katydid_component::{Message, component};
+use katydid_component::{Context, Message, component};
 use katydid_geometry::{Arc, Curve, Line, Point3, PolyCurve, PolylineCurve};
 
 use super::{shared, warning};
@@ -80,32 +80,31 @@ pub(super) fn rounded(points: &[Point3], cut: Cut, only: Option<usize>) -> Resul
     Ok(PolyCurve::new(segments).map_err(warning)?.into())
 }
 
-fn vertices(curve: &Curve) -> Result<Vec<Point3>, Message> {
-    curve
-        .as_polyline()
-        .ok_or_else(|| Message::error("Only corners between straight segments can be rounded yet"))
-}
-
 fn positive(x: f64, what: &str) -> Result<f64, Message> {
     if x > 0.0 { Ok(x) } else { Err(Message::error(format!("The {what} must be greater than 0"))) }
 }
 
-/// Rounds the corners of a polyline with arcs of one radius. A corner where the arc does not fit stays sharp.
+/// Rounds the corners of a curve with arcs of one radius. A corner where the arc does not fit stays sharp.
 #[component("2f407944-81c3-4062-a485-276454ec4b8c", name = "Fillet", nick = "Fillet", at = "Curve/Util")]
 #[output("Curve", "C", "The rounded curve.")]
 fn fillet(
-    /// The polyline.
+    context: &Context<'_>,
+    /// The curve. Its corners are between lines, arcs or any curves that lie in one plane there.
     #[port("Curve", "C")]
     curve: &Curve,
     /// The radius of the arcs; greater than 0.
     #[port("Radius", "R")]
     radius: f64,
 ) -> Result<Shared<Curve>, Message> {
-    Ok(shared(rounded(&vertices(curve)?, Cut::Radius(positive(radius, "radius")?), None)?))
+    let radius = positive(radius, "radius")?;
+    match curve.as_polyline() {
+        Some(points) => Ok(shared(rounded(&points, Cut::Radius(radius), None)?)),
+        None => Ok(shared(curve.fillet_corners(radius, &context.tolerance()).map_err(warning)?.0)),
+    }
 }
 
-/// Rounds the corners of a polyline with arcs that begin and end at one distance from the corner. A corner where the arc
-/// does not fit stays sharp.
+/// Rounds the corners of a curve with arcs that begin and end at one distance from the corner; between bent curves the
+/// farther end is at that distance. A corner where the arc does not fit stays sharp.
 #[component(
     "6fb21315-a032-400e-a80f-248687f5507f",
     name = "Fillet Distance",
@@ -114,22 +113,28 @@ fn fillet(
 )]
 #[output("Curve", "C", "The rounded curve.")]
 fn fillet_distance(
-    /// The polyline.
+    context: &Context<'_>,
+    /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
     /// From the corner to the ends of the arc; greater than 0.
     #[port("Distance", "D")]
     distance: f64,
 ) -> Result<Shared<Curve>, Message> {
-    Ok(shared(rounded(&vertices(curve)?, Cut::Distance(positive(distance, "distance")?), None)?))
+    let distance = positive(distance, "distance")?;
+    match curve.as_polyline() {
+        Some(points) => Ok(shared(rounded(&points, Cut::Distance(distance), None)?)),
+        None => Ok(shared(curve.fillet_corners_at(distance, &context.tolerance()).map_err(warning)?.0)),
+    }
 }
 
-/// Rounds one corner of a polyline: the one nearest to a parameter.
+/// Rounds one corner of a curve: the one nearest to a parameter.
 #[component("c92cdfc8-3df8-4c4e-abc1-ede092a0aa8a", name = "Fillet", nick = "Fillet", at = "Curve/Util")]
 #[output("Curve", "C", "The rounded curve.")]
 #[output("Parameter", "t", "The parameter of the corner.")]
 fn fillet_at_parameter(
-    /// The polyline.
+    context: &Context<'_>,
+    /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
     /// The parameter to look from.
@@ -139,7 +144,11 @@ fn fillet_at_parameter(
     #[port("Radius", "R")]
     radius: f64,
 ) -> Result<(Shared<Curve>, f64), Message> {
-    let points = vertices(curve)?;
+    let radius = positive(radius, "radius")?;
+    let Some(points) = curve.as_polyline() else {
+        let (made, kink) = curve.fillet_corner(t, radius, &context.tolerance()).map_err(warning)?;
+        return Ok((shared(made), kink));
+    };
     let closed = curve.is_closed();
     let last = points.len().saturating_sub(1);
     let corner = |&i: &usize| if closed { i < last } else { i > 0 && i < last };
@@ -152,7 +161,7 @@ fn fillet_at_parameter(
     let far = |i: usize| parameters.get(i).map_or(f64::INFINITY, |p| (p - t).abs());
     let nearest = (0..points.len()).filter(corner).min_by(|&a, &b| far(a).total_cmp(&far(b)));
     let i = nearest.ok_or_else(|| Message::warning("The curve has no corner"))?;
-    let round = rounded(&points, Cut::Radius(positive(radius, "radius")?), Some(i))?;
+    let round = rounded(&points, Cut::Radius(radius), Some(i))?;
     Ok((shared(round), parameters.get(i).copied().unwrap_or(t)))
 }
 
@@ -161,7 +170,7 @@ mod tests {
     use std::f64::consts::PI;
 
     use katydid_component::testing::Trial;
-    use katydid_geometry::{Curve, Point3, PolylineCurve};
+    use katydid_geometry::{Arc, Curve, Line, Point3, PolyCurve, PolylineCurve};
 
     fn polyline(points: &[[f64; 2]]) -> Curve {
         let points = points.iter().map(|&[x, y]| Point3::new(x, y, 0.0)).collect();
@@ -195,5 +204,29 @@ mod tests {
             || Trial::of_guid("c92cdfc8-3df8-4c4e-abc1-ede092a0aa8a").item(square()).item(1.2).item(1.0);
         assert_eq!(length(one()), format!("{{0}}: {:.6}", 14.0 + PI / 2.0));
         assert_eq!(one().texts(1), ["{0}: 1"]);
+        // Half a disc: two right angles between the line and the arc.
+        let arc = Arc::new(
+            katydid_geometry::Circle { plane: katydid_geometry::Plane::XY, radius: 2.0 },
+            katydid_geometry::Interval::new(0.0, PI),
+        );
+        let line = Line::new(Point3::new(-2.0, 0.0, 0.0), Point3::new(2.0, 0.0, 0.0));
+        let half: Curve = PolyCurve::new(vec![arc.unwrap().into(), line.into()]).unwrap().into();
+        let radius = 0.25;
+        let round = Trial::of_guid(fillet).item(half.clone()).item(radius).run().outputs[0].clone();
+        let Some(katydid_data::Value::Curve(round)) = round.column().get(0) else { panic!("a curve") };
+        // The ball of radius r touches the line and the arc from inside at √((2 − r)² − r²) from the middle.
+        let foot = ((2.0_f64 - radius).powi(2) - radius * radius).sqrt();
+        let turn = PI / 2.0 + (radius / foot).atan();
+        let sides = 2.0 * foot + 2.0 * (PI - 2.0 * (radius / foot).atan()) + 2.0 * radius * turn;
+        assert!((round.length() - sides).abs() < 1e-9, "{} {sides}", round.length());
+        let reach = Trial::of("Fillet Distance").item(half).item(0.5).run().outputs[0].clone();
+        let Some(katydid_data::Value::Curve(reach)) = reach.column().get(0) else { panic!("a curve") };
+        let ends: Vec<f64> = reach
+            .explode(true)
+            .unwrap()
+            .iter()
+            .map(|part| part.start().distance_to(Point3::new(2.0, 0.0, 0.0)))
+            .collect();
+        assert!(ends.iter().any(|d| (d - 0.5).abs() < 1e-9), "{ends:?}");
     }
 }

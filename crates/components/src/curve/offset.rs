@@ -14,6 +14,28 @@ fn own_plane(curve: &Curve) -> Result<Plane, Message> {
     }
 }
 
+/// The plane to offset a curve in: the given one, or, where the curve is flat in another one, that, looking to the same
+/// side.
+fn facing(curve: &Curve, given: &Plane, context: &Context<'_>) -> Plane {
+    let limit = context.tolerance().absolute;
+    if curve.extent_along(given.z_axis).length() <= limit {
+        return *given;
+    }
+    match curve.plane(limit) {
+        // A straight curve lies in many planes: the one with its direction that is nearest to the given one.
+        Some(_) if curve.is_linear(limit) => {
+            let along = curve.end() - curve.start();
+            let across = given.z_axis.cross(along);
+            Plane::from_axes(curve.start(), along, across).map_or(*given, |plane| {
+                if plane.z_axis.dot(given.z_axis) < 0.0 { plane.flipped() } else { plane }
+            })
+        }
+        Some(own) if own.z_axis.dot(given.z_axis) < 0.0 => own.flipped(),
+        Some(own) => own,
+        None => *given,
+    }
+}
+
 /// The curves at a distance beside a curve.
 ///
 /// Lines, arcs, polylines and joined lines and arcs with sharp corners keep their parts, loops included. All else is
@@ -34,7 +56,7 @@ fn offset_curve(
     /// How far to the right of the curve's direction, as seen against the plane's normal; negative to the left. So a counter-clockwise closed curve grows.
     #[port("Distance", "D", default = 1.0)]
     distance: f64,
-    /// The plane to offset in.
+    /// The plane to offset in. A flat curve that does not lie along it is offset in its own plane.
     #[port("Plane", "P", default = Plane::XY)]
     plane: Option<Plane>,
     /// How the outsides of corners are filled: 0 not at all, 1 sharp, 2 round, 3 smooth, 4 by a chamfer.
@@ -62,7 +84,7 @@ fn offset_curve(
         Ok(all)
     };
     let offset = match plane {
-        Some(plane) => beside(&plane, distance)?,
+        Some(plane) => beside(&facing(curve, &plane, context), distance)?,
         None => {
             let plane = own_plane(curve)?;
             let length = |curves: &[Curve]| curves.iter().map(Curve::length).sum::<f64>();

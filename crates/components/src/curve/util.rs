@@ -3,7 +3,9 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_geometry::{Arc, ArcCurve, Curve, Interval, Point3, PolyCurve, PolylineCurve, join_curves};
+use katydid_geometry::{
+    Arc, ArcCurve, Curve, ExtensionStyle, Interval, Point3, PolyCurve, PolylineCurve, join_curves,
+};
 
 use super::shared;
 
@@ -91,22 +93,18 @@ fn extend_curve(
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// 0 adds straight lines; 1 goes on in arcs and 2 smoothly, which straight ends and arcs can do.
+    /// 0 adds straight lines; 1 goes on in arcs with the curvature of the end, 2 smoothly, as the end itself goes on.
     #[port("Type", "T", default = 0)]
     kind: i32,
-    /// The length to add at the start.
+    /// The length to add at the start; a negative one shortens the curve.
     #[port("Start", "L0", default = 0.0)]
     start: f64,
-    /// The length to add at the end.
+    /// The length to add at the end; a negative one shortens the curve.
     #[port("End", "L1", default = 0.0)]
     end: f64,
 ) -> Result<Shared<Curve>, Message> {
     if !(0..=2).contains(&kind) {
         return Err(Message::error(format!("There is no type {kind}: 0 is line, 1 arc, 2 smooth")));
-    }
-    if curve.is_closed() {
-        context.warn("A closed curve has no ends to extend");
-        return Ok(shared(curve.clone()));
     }
     let mut out = curve.clone();
     if start < 0.0 || end < 0.0 {
@@ -125,7 +123,10 @@ fn extend_curve(
     if start == 0.0 && end == 0.0 {
         return Ok(shared(out));
     }
-    let straight = matches!(out, Curve::Line(_) | Curve::Polyline(_)) || out.as_polyline().is_some();
+    if out.is_closed() {
+        context.warn("A closed curve has no ends to extend");
+        return Ok(shared(out));
+    }
     match &out {
         Curve::Arc(c) if kind > 0 => {
             let r = c.arc.circle.radius;
@@ -139,8 +140,14 @@ fn extend_curve(
             }
             Ok(shared(Curve::Arc(if grown { ArcCurve::new(arc) } else { ArcCurve { arc, domain } })))
         }
-        _ if kind == 0 || straight => Ok(shared(out.extended_by_lines(start, end)?)),
-        _ => Err(Message::error("Only straight ends and arcs can go on as arcs or smoothly yet: use type 0")),
+        _ => {
+            let style = match kind {
+                0 => ExtensionStyle::Line,
+                1 => ExtensionStyle::Arc,
+                _ => ExtensionStyle::Smooth,
+            };
+            Ok(shared(out.extended(start, end, style)?))
+        }
     }
 }
 

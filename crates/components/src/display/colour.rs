@@ -242,6 +242,11 @@ fn colour_hsl(
     #[port("Luminance", "L", default = 0.5)]
     luminance: f64,
 ) -> Colour {
+    of_hsl(alpha, hue, saturation, luminance)
+}
+
+/// The colour of hue, saturation and luminance.
+pub(crate) fn of_hsl(alpha: f64, hue: f64, saturation: f64, luminance: f64) -> Colour {
     let (s, l) = (saturation.clamp(0.0, 1.0), luminance.clamp(0.0, 1.0));
     let chroma = s * (1.0 - (2.0 * l - 1.0).abs());
     colour(alpha, of_hue(hue).map(|x| l + chroma * (x - 0.5)))

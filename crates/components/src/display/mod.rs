@@ -3,7 +3,7 @@
 //! What only draws gives no data: such components take their inputs and leave the drawing to the viewer.
 
 mod annotation;
-mod colour;
+pub(crate) mod colour;
 mod dimensions;
 mod drawing;
 mod graphs;

@@ -14,9 +14,11 @@ fn coordinates(plane: &Plane, p: Point3) -> Point3 {
     Point3::new(u, v, 0.0)
 }
 
-/// The parameters at which a curve meets a line between its ends, in order. A stretch that they share counts with its two
+/// The parameters at which a curve meets a line without ends, in order. A stretch that they share counts with its two
 /// ends.
 fn on_line(context: &Context<'_>, curve: &Curve, line: Line) -> Result<Vec<f64>, Message> {
+    let line = line.beside(&curve.bounding_box());
+    let line = line.ok_or_else(|| Message::error("The line has no direction"))?;
     let found = intersect::curve_curve(curve, &Curve::from(line), context.tolerance().absolute)?;
     let mut places: Vec<f64> = found.crossings.iter().map(|c| c.a).collect();
     places.extend(found.overlaps.iter().flat_map(|o| [o.a.start, o.a.end]));
@@ -24,7 +26,7 @@ fn on_line(context: &Context<'_>, curve: &Curve, line: Line) -> Result<Vec<f64>,
     Ok(places)
 }
 
-/// Where a curve meets a line between its ends, in the order of the curve.
+/// Where a curve meets a line without ends, in the order of the curve.
 ///
 /// A stretch that they share counts with its two ends. Nothing is found where they pass each other by more than the
 /// tolerance.
@@ -42,7 +44,7 @@ fn curve_line(
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// The line.
+    /// The line; it goes on beyond its ends.
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
@@ -51,7 +53,7 @@ fn curve_line(
     Ok((curve.points_at(&places), places, n))
 }
 
-/// Where a curve meets a line between its ends. Another form of the component of the same name.
+/// Where a curve meets a line without ends. Another form of the component of the same name.
 #[component(
     "9396be03-8159-43bf-b3e7-2c86c8d04fc0",
     name = "Curve | Line",
@@ -70,7 +72,7 @@ fn curve_line_first(
     /// The line.
     #[port("Line", "L")]
     line: Line,
-    /// Whether only the first meeting along the line is wanted.
+    /// Whether only the first meeting along the line is wanted, from far behind its start.
     #[port("First", "F", default = false)]
     first: bool,
 ) -> Result<(Vec<Point3>, Vec<f64>, i32), Message> {
@@ -83,7 +85,7 @@ fn curve_line_first(
     Ok((curve.points_at(&places), places, n))
 }
 
-/// Where a curve meets a line between its ends. An early form of Curve | Line.
+/// Where a curve meets a line without ends. An early form of Curve | Line.
 #[component(
     "ddaea1a9-d6bd-4a18-ac11-8a4993954a03",
     name = "Curve | Line [OBSOLETE]",
@@ -98,7 +100,7 @@ fn early_curve_line(
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// The line.
+    /// The line; it goes on beyond its ends.
     #[port("Line", "L")]
     line: Line,
 ) -> Result<(Vec<Point3>, Vec<f64>), Message> {
@@ -317,11 +319,11 @@ mod tests {
         assert_eq!(first.texts(0), ["{0;0}: {-4, 3, 0}"]);
         let early = old("ddaea1a9-d6bd-4a18-ac11-8a4993954a03");
         assert_eq!(early.texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
-        // The line has ends.
+        // The line goes on beyond its ends.
         let short = Trial::of("Curve | Line").item(circle).item(line(p(0.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
-        assert_eq!(short.texts(0), ["{0;0}: {4, 3, 0}"]);
+        assert_eq!(short.texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
         let along = Trial::of("Curve | Line").item(line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)));
-        assert_eq!(along.item(line(p(1.0, 0.0, 0.0), p(9.0, 0.0, 0.0))).texts(1), ["{0;0}: 1, 4"]);
+        assert_eq!(along.item(line(p(1.0, 0.0, 0.0), p(9.0, 0.0, 0.0))).texts(1), ["{0;0}: 0, 4"]);
 
         let upright = Plane { origin: p(3.0, 0.0, 0.0), ..Plane::YZ };
         let cut = || Trial::of("Curve | Plane").item(circle).item(upright);

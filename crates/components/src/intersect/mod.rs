@@ -10,6 +10,7 @@ mod piercing;
 pub(crate) mod planes;
 mod region;
 mod shape;
+mod slits;
 mod split;
 mod view;
 

@@ -8,6 +8,7 @@ mod linear;
 mod unary;
 
 mod averages;
+mod calendars;
 mod domain;
 mod matrix;
 mod operators;

@@ -4,13 +4,13 @@ use katydid_component::{Context, Message, component};
 use katydid_data::DateTime;
 
 const SECOND: i64 = 10_000_000;
-const DAY: i64 = 86_400 * SECOND;
+pub(super) const DAY: i64 = 86_400 * SECOND;
 /// The first moment after the last that .NET can tell: the start of the year 10000.
 const END: i64 = 3_652_059 * DAY;
 
 /// Days since 0001-01-01 of a day of the Gregorian calendar. Howard Hinnant, "chrono-compatible low-level date
 /// algorithms".
-fn days(year: i32, month: i32, day: i32) -> i64 {
+pub(super) fn days(year: i32, month: i32, day: i32) -> i64 {
     let (y, m, d) = (i64::from(year), i64::from(month), i64::from(day));
     let y = if m <= 2 { y - 1 } else { y };
     let era = y.div_euclid(400);
@@ -33,7 +33,7 @@ fn calendar(days: i64) -> (i32, i32, i32) {
     (year as i32, month as i32, day as i32)
 }
 
-fn moment(ticks: i64) -> Result<DateTime, Message> {
+pub(super) fn moment(ticks: i64) -> Result<DateTime, Message> {
     match (0..END).contains(&ticks) {
         true => Ok(DateTime { ticks }),
         false => Err(Message::error("The result lies outside the years 1 to 9999")),

@@ -1,6 +1,7 @@
 //! The Mesh tab.
 
 mod analysis;
+mod depth;
 mod light;
 mod of_surface;
 mod parts;

@@ -166,6 +166,7 @@ fn fineness(settings: &MeshSettings) -> katydid_geometry::MeshSettings {
     katydid_geometry::MeshSettings {
         max_distance: settings.tolerance,
         relative_tolerance: settings.relative_tolerance,
+        min_distance: settings.min_tolerance,
         max_angle: settings.refine_angle,
         max_aspect: settings.aspect,
         min_edge: settings.min_edge,
@@ -341,12 +342,8 @@ mod tests {
         assert!((mesh(Trial::of("Mesh Brep").item(cube)).volume() - 8.0).abs() < 1e-12);
         assert_eq!(*mesh(Trial::of("Mesh Brep").item((*speed).clone())), *speed);
         assert!(Trial::of("Mesh Brep").item(Point3::ORIGIN).message().contains("no surface"));
-        assert!(
-            Trial::of("Mesh Brep")
-                .item(Circle { plane: Plane::XY, radius: 1.0 })
-                .message()
-                .contains("no surface")
-        );
+        let disc = mesh(Trial::of("Mesh Brep").item(Circle { plane: Plane::XY, radius: 1.0 }));
+        assert!((disc.area() - PI).abs() < 0.1, "the inside of a closed flat curve");
     }
 
     #[test]

@@ -61,6 +61,12 @@ parameters! {
     /// Settings of a mesher, unchanged.
     mesher_settings, "c3407fda-b505-4686-9165-38fe7a9274cf", "Mesher Settings", "Mesh", "Params/Geometry", Generic;
 
+    /// Settings of a loft, unchanged.
+    loft_options, "a8da9901-f5fb-49ec-9cd1-dfa7b788263e", "Loft Options", "Loft", "Surface/Util", LoftOptions;
+
+    /// Settings of a remesher with quads, unchanged.
+    quadmesh_settings, "b7cbe6eb-0608-4038-88e0-50495a559a41", "Quadmesh Settings", "QMS", "Mesh/Triangulation", QuadSettings;
+
     /// Geometry of any kind, unchanged.
     geometry, "ac2bc2cb-70fb-4dd5-9c78-7e1ea97fe278", "Geometry", "Geo", "Params/Geometry", Geometry;
 

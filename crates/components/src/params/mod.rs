@@ -23,5 +23,7 @@ mod landscape;
 mod passive;
 mod primitive;
 mod rhino;
+mod stored_data;
+mod undocumented;
 mod util;
 pub(crate) mod wildcard;

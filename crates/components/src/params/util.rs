@@ -1,7 +1,7 @@
 //! Params / Util: relays, hooks of clusters, viewers, and what gives results to the outside.
 
 use katydid_component::{Context, Each, ManyTrees, Message, component};
-use katydid_data::{Path, Tree, Value};
+use katydid_data::{Column, Path, Tree, Value};
 
 parameters! {
     /// Hands data on, unchanged: a bend in a wire.
@@ -14,14 +14,44 @@ parameters! {
     cluster_output, "a4b285fe-2e13-4204-b65c-189aa6704da5", "Cluster Output", "Output", "Params/Util", Generic;
 
     /// Collects data over time. A single solution has only the data of the moment, which it hands on.
+    ///
+    /// In a run in time (`katydid run FILE --ticks N`) what comes in with each solution stands behind what came before,
+    /// branch by branch. With a limit, each branch keeps that many of its newest items. A recorder that is switched off
+    /// keeps what it has. A loop of wires that leads through a recorder is closed from one tick to the next.
     data_recorder, "401aa475-997a-4139-991d-f980ffdcf908", "Data Recorder", "Rec", "Params/Util", Generic;
-
-    /// Shows the shape of a data tree, and hands it on.
-    param_viewer, "72a29b54-2e48-474b-a400-d2124c4edf79", "Param Viewer", "Viewer", "Params/Util", Generic;
 }
 
-/// Holds data back for a while, so that a slow definition follows its sliders at rest only. A single solution
-/// waits for nothing: the data is handed on at once.
+/// Shows the shape of a data tree: its paths, and how many items each has. What it gives is the paths.
+#[component(
+    "72a29b54-2e48-474b-a400-d2124c4edf79",
+    name = "Param Viewer",
+    nick = "Viewer",
+    at = "Params/Util",
+    floating
+)]
+#[output("Param Viewer", "Viewer", "The paths of the data, one for each branch.", kind = Path)]
+fn param_viewer(
+    context: &Context<'_>,
+    /// The data to show.
+    #[port("Param Viewer", "Viewer", optional)]
+    data: &Tree,
+) -> Result<Tree, Message> {
+    context.items(data.branch_count())?;
+    let paths: Vec<Value> = data.paths().iter().cloned().map(Value::Path).collect();
+    Ok(if paths.is_empty() {
+        Tree::empty()
+    } else {
+        Tree::branch_at(Path::zero(), Column::of_values(paths, None))
+    })
+}
+
+/// Holds data back for a while, so that what is slow is not solved with every change before it. A single solution waits
+/// for nothing: the data is handed on at once.
+///
+/// In a run in time (`katydid run FILE --ticks N`) a dam with a delay lets the newest data through once so much time
+/// has passed since data came that it has not let through; one without a delay hands on at once. A loop of wires that
+/// leads through a dam is closed after its delay, or with the next tick. What Grasshopper's modes of dams mean is not
+/// documented: the delay alone counts.
 #[component("65283518-ad00-49d3-87fb-f76823ebb162", name = "Data Dam", nick = "Dam", at = "Params/Util")]
 #[output("Data A", "A", "The data that has passed.")]
 fn data_dam(
@@ -77,7 +107,11 @@ fn context_print(
 ) {
 }
 
-/// Starts a new solution at regular times in a program with a window. A single solution takes no notice of it.
+/// Has its targets solved again at regular times. A single solution takes no notice of it.
+///
+/// In a run in time (`katydid run FILE --ticks N`) it fires every so many milliseconds, in the definition's own time:
+/// its targets expire, and they and what hangs on them are solved again. A trigger without an interval, which is fired
+/// by hand in Grasshopper, fires as often as the fastest of the others.
 #[component("5a2b0735-ba98-4b7d-a7d3-c1dfc04475ad", name = "Trigger", nick = "Timer", at = "Params/Util")]
 fn trigger() {}
 
@@ -147,6 +181,13 @@ mod tests {
         // Trial casts as the solver does.
         assert_eq!(Trial::of("Integer").list([2.5, 3.5]).texts(0), ["{0}: 2, 4"]);
         assert!(Trial::of("Number").texts(0).is_empty());
+    }
+
+    #[test]
+    fn a_viewer_gives_the_paths() {
+        let trial = Trial::of("Param Viewer").branches([("{0;1}", [1.5, 2.0]), ("{3}", [4.0, 5.0])]);
+        assert_eq!(trial.texts(0), ["{0}: {0;1}, {3}"]);
+        assert!(Trial::of("Param Viewer").texts(0).is_empty());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The Rhino tab: what reads, makes and takes apart the content of a Rhino model.
 
+mod annotation;
 mod block;
 mod content;
 mod linetype;

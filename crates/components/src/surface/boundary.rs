@@ -8,11 +8,11 @@ use katydid_geometry::{Brep, Curve};
 
 use super::warning;
 
-/// Planar surfaces bounded by the curves of a list.
+/// Planar surfaces bounded by the curves of a list: one for each closed curve.
 ///
-/// Curves inside another are its holes, curves inside holes surfaces again. Open curves are joined first where their
-/// ends meet. Curves in different planes bound surfaces of their own; what is not planar or does not close is left
-/// out with a warning.
+/// A curve that lies wholly inside another one is a hole of it, curves inside holes bound surfaces again. Curves that
+/// touch or overlap bound a surface each. Open curves are joined first where their ends meet. What is not planar or does
+/// not close is left out with a warning.
 #[component(
     "d51e9b65-aa4e-4fd6-976c-cef35d421d05",
     name = "Boundary Surfaces",
@@ -30,7 +30,7 @@ fn boundary_surfaces(
     if curves.is_empty() {
         return Ok(vec![None]);
     }
-    let found = Brep::planar_faces(&curves, &context.tolerance()).map_err(warning)?;
+    let found = Brep::planar_breps(&curves, &context.tolerance()).map_err(warning)?;
     match found.left.len() {
         0 => {}
         1 => context.warn("A curve is left out: it is not planar, not closed, or encloses nothing"),
@@ -67,6 +67,28 @@ mod tests {
         let levels = breps(Trial::of("Boundary Surfaces").list([ring(1.0, 0.0), ring(1.0, 1.0)]));
         assert_eq!(levels.len(), 2);
         assert_eq!(Trial::of("Boundary Surfaces").list([ring(1.0, 0.0)]).texts(0), ["{0}: Trimmed Surface"]);
+    }
+
+    #[test]
+    fn touching_and_overlapping_outlines_bound_a_surface_each() {
+        let side = |x: f64, y: f64| Rectangle {
+            plane: Plane::XY,
+            x: Interval::new(x, x + 1.0),
+            y: Interval::new(y, y + 1.0),
+        };
+        let squares: Vec<Rectangle> = (0..6).map(|k| side(f64::from(k % 3), f64::from(k / 3))).collect();
+        let made = breps(Trial::of("Boundary Surfaces").list(squares.clone()));
+        assert_eq!(made.len(), 6);
+        assert!(made.iter().all(|brep| (mesh_area(brep) - 1.0).abs() < 1e-9));
+        let overlapping = breps(Trial::of("Boundary Surfaces").list([side(0.0, 0.0), side(0.5, 0.5)]));
+        assert_eq!(overlapping.len(), 2);
+        assert_eq!(breps(Trial::of("Boundary Surfaces").list([side(0.0, 0.0), side(0.0, 0.0)])).len(), 2);
+        // A corner in a corner touches the sides: it is no hole.
+        let large = Rectangle { plane: Plane::XY, x: Interval::new(0.0, 3.0), y: Interval::new(0.0, 3.0) };
+        let made = breps(Trial::of("Boundary Surfaces").list([large, side(0.0, 0.0), side(1.5, 1.5)]));
+        let area: f64 = made.iter().map(mesh_area).sum();
+        assert_eq!(made.len(), 2);
+        assert!((area - (9.0 - 1.0 + 1.0)).abs() < 1e-9, "{area}");
     }
 
     #[test]

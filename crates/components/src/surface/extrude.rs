@@ -19,7 +19,12 @@ enum Base {
 
 impl Base {
     fn of(context: &Context<'_>, geometry: &Geometry) -> Result<Self, Message> {
-        if let Some(Value::Curve(curve)) = cast::value(&geometry.0, Kind::Curve, context.rules()) {
+        // What has faces is drawn out as such, and not its border, which it would be as a curve.
+        let shape = cast::value(&geometry.0, Kind::Geometry, context.rules());
+        let has_faces = shape.is_some_and(|shape| shape.brep().is_some());
+        if !has_faces
+            && let Some(Value::Curve(curve)) = cast::value(&geometry.0, Kind::Curve, context.rules())
+        {
             return Ok(Self::Curve(curve));
         }
         let faces = cast::value(&geometry.0, Kind::Brep, context.rules()).and_then(|value| value.brep());

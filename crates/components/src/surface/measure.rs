@@ -5,7 +5,7 @@ use katydid_data::{Geometry, Kind, Value, cast};
 use katydid_geometry::subd::SubD;
 use katydid_geometry::{Error, MassProperties, Mesh, Point3, Vector3};
 
-use super::subd::{fine_levels, subd_of};
+use super::subd::subd_of;
 use super::{named, warning};
 
 /// Areas and volumes of Breps are measured to this part of themselves; smooth ones come out far better.
@@ -18,7 +18,7 @@ fn of_subd(
     subd: &SubD,
     measure: impl Fn(&Mesh) -> Result<MassProperties, Message>,
 ) -> Result<MassProperties, Message> {
-    let levels = fine_levels(subd);
+    let levels = subd.fine_levels();
     let at = |levels: u32| {
         context.check()?;
         measure(&subd.limit_mesh(levels).map_err(warning)?)

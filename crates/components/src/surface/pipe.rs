@@ -47,7 +47,8 @@ fn pipe(
 /// A pipe around a curve whose radius changes.
 ///
 /// The radius goes over smoothly from one of the given places to the next; before the first and after the last it
-/// stays. With fewer radii than parameters the last one is used again.
+/// stays. With fewer radii than parameters the last one is used again. A radius of 0 gives a tip; between the ends it
+/// leaves two pipes that touch there. A negative radius is an error.
 #[component(
     "888f9c3c-f1e1-4344-94b0-5ee6a45aee11",
     name = "Pipe Variable",
@@ -63,7 +64,7 @@ fn pipe_variable(
     /// Parameters of the curve at which a radius is given.
     #[port("Parameters", "t")]
     parameters: List<f64>,
-    /// The radii there.
+    /// The radii there, 0 or more.
     #[port("Radii", "R")]
     radii: List<f64>,
     /// What closes its ends: 0 nothing, 1 discs, 2 hemispheres.
@@ -117,6 +118,8 @@ mod tests {
         assert!(Trial::of("Pipe").item(line()).item(1.0).item(3).message().contains("type 3"));
         let spool = breps(Trial::of("Pipe Variable").item(line()).list([0.0, 1.0]).list([1.0, 2.0]).item(1));
         assert!(spool[0].is_solid() && spool[0].is_valid());
+        let needle = breps(Trial::of("Pipe Variable").item(line()).list([0.0, 5.0]).list([0.0, 1.0]).item(1));
+        assert!(needle[0].is_solid() && needle[0].is_valid() && needle[0].faces().len() == 2);
         assert!(
             !Trial::of("Pipe Variable").item(line()).list([0.0, 0.0]).list([1.0, 2.0]).message().is_empty()
         );

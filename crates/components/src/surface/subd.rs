@@ -2,7 +2,7 @@
 
 use std::sync::Arc as Shared;
 
-use katydid_3dm::{Limits, Object, SubDObject};
+use katydid_3dm::{Object, SubDObject};
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
 use katydid_geometry::subd::{FromMesh, SubD, SubDEdgeTag, SubDNet, SubDVertexTag};
@@ -15,26 +15,15 @@ const NEWEST: i32 = 80;
 
 /// The SubD that a value holds.
 pub(super) fn subd(value: &Value) -> Result<SubD, Message> {
-    let Value::Kept(raw) = value else {
-        return Err(Message::warning(format!("A {} is no SubD", value.kind())));
-    };
-    match raw.parse(&Limits::default()) {
-        Ok(Object::SubD(object)) => object.to_subd().map_err(warning),
-        Ok(_) => Err(Message::warning(format!("A {} is no SubD", raw.class_name()))),
-        Err(error) => Err(Message::warning(format!("The SubD cannot be read: {error}"))),
+    match value.subd() {
+        Some(subd) => subd.map_err(Message::warning),
+        None => Err(Message::warning(format!("A {} is no SubD", value.kind()))),
     }
 }
 
 /// The SubD that a value is; `None` for other values.
 pub(crate) fn subd_of(value: &Value) -> Option<Result<SubD, Message>> {
-    matches!(value, Value::Kept(raw) if raw.class_name() == "SubD").then(|| subd(value))
-}
-
-/// So often a SubD is subdivided to measure it: seven times, less often where that makes too many faces.
-pub(crate) fn fine_levels(subd: &SubD) -> u32 {
-    const MOST_FACES: usize = 200_000;
-    let faces = subd.net().faces().len();
-    (3..=7).rev().find(|levels| faces.saturating_mul(1 << (2 * levels)) <= MOST_FACES).unwrap_or(2)
+    value.subd().map(|subd| subd.map_err(Message::warning))
 }
 
 /// A net as an output gives it.

@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::Message;
 use katydid_data::{Content, Group, ModelObject, Value};
-use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
+use katydid_geometry::{Box3, Brep, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
 
 use super::kept;
 
@@ -37,11 +37,10 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
             Some(image) => Value::from(image),
             None => Value::from(Curve::from(r.to_polyline()?).transformed(xform)?),
         },
-        Value::Box(b) => Value::from(cuboid(b, xform).ok_or_else(|| {
-            Message::error(
-                "This transform makes a solid of the box that is no box, which cannot be shown yet",
-            )
-        })?),
+        Value::Box(b) => match cuboid(b, xform) {
+            Some(image) => Value::from(image),
+            None => Value::from(solid(value)?.transformed(xform)?),
+        },
         Value::TwistedBox(b) => Value::from(TwistedBox { corners: b.corners.map(|p| xform.point(p)) }),
         Value::Curve(curve) => Value::from(curve.transformed(xform)?),
         Value::Surface(surface) => Value::from(surface.transformed(xform)?),
@@ -65,6 +64,17 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
         Value::Kept(object) => kept::transformed(object, xform)?,
         other => return Err(Message::error(format!("A {} cannot be transformed", other.kind()))),
     })
+}
+
+/// What stands for a value as a Brep: the six faces of a box, the walls of an extrusion.
+///
+/// # Errors
+/// The value stands for none.
+pub(super) fn solid(value: &Value) -> Result<Shared<Brep>, Message> {
+    match value.brep() {
+        Some(brep) => brep.map_err(Message::error),
+        None => Err(Message::error(format!("A {} has no faces", value.kind()))),
+    }
 }
 
 /// The images of the axes as unit vectors with the factors they grow by, when they stay at right angles.
@@ -134,7 +144,9 @@ mod tests {
         let Value::Box(image) = apply(&Value::from(b), &Xform::mirror(&Plane::XY)).unwrap() else { panic!() };
         assert_eq!(image.corners()[0].z, -1.0);
         let shear = Xform::shear(&Plane::XY, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]);
-        assert!(apply(&Value::from(b), &shear).is_err());
+        let Value::Brep(sheared) = apply(&Value::from(b), &shear).unwrap() else { panic!("a brep") };
+        assert!(sheared.is_valid() && sheared.is_solid());
+        assert!((sheared.volume_properties(1e-9, || true).unwrap().amount - 1.0).abs() < 1e-12);
         let r = Rectangle { plane: Plane::XY, x: unit, y: unit };
         assert!(matches!(apply(&Value::from(r), &stretch).unwrap(), Value::Rectangle(_)));
         assert!(matches!(apply(&Value::from(r), &shear).unwrap(), Value::Curve(_)));

@@ -1,57 +1,85 @@
 //! What a map does to geometry that is kept as a whole.
 
-use katydid_3dm::{BrepObject, Extrusion, Limits, Object, PointCloud, RawObject};
+mod drawn;
+
+use katydid_3dm::{BrepObject, Extrusion, Limits, Object, PointCloud, RawObject, StoredPart, SubDObject};
 use katydid_component::Message;
 use katydid_data::Value;
-use katydid_geometry::{Brep, Curve, Direction, Line, Surface, Xform};
+use katydid_geometry::{Brep, Curve, Direction, Line, Surface, Vector3, Xform};
 
 /// How far a linear part may be from orthonormal to count as a rotation.
 const ROUND: f64 = 1e-9;
 /// The archive version whose rules the bytes follow.
 const NEWEST: i32 = 80;
 
-/// The image of an object. Breps follow moves, rotations and uniform scales, extrusions moves and rotations, point
-/// clouds and text dots every affine map. Meshes for display are left out: they are made anew where they are needed.
+/// The image of an object. It stays what it is where the map allows: Breps under moves, rotations and uniform scales,
+/// extrusions under moves and rotations; under other maps both become computed Breps. Meshes for display are left out:
+/// they are made anew where they are needed.
 ///
 /// # Errors
-/// Another class or map; an object that cannot be read or made anew.
+/// A class that nothing is known of; an object that cannot be read or made anew.
 pub(super) fn transformed(raw: &RawObject, xform: &Xform) -> Result<Value, Message> {
     if xform.is_identity(0.0) {
         return Ok(Value::from(raw.clone()));
     }
     let class = raw.class_name();
-    let refused = || Message::error(format!("A {class} cannot be transformed yet"));
-    let this_way = || Message::error(format!("A {class} cannot be transformed in this way yet"));
     let broken =
         |error: &dyn std::fmt::Display| Message::error(format!("A {class} cannot be transformed: {error}"));
     let object = raw.parse(&Limits::default()).map_err(|error| broken(&error))?;
-    let factor = xform.similarity_factor(ROUND).filter(|factor| *factor > 0.0);
+    if let Some(curve) = object.curve() {
+        return Ok(Value::from(curve.transformed(xform)?));
+    }
     let image = match object {
-        Object::Brep(brep) => {
-            let factor = factor.ok_or_else(this_way)?;
-            Object::Brep(Box::new(self::brep(*brep, xform, factor).ok_or_else(this_way)?))
+        Object::Point(p) => return Ok(Value::Point(xform.point(p))),
+        Object::Brep(object) => {
+            let factor = xform.similarity_factor(ROUND).filter(|factor| *factor > 0.0);
+            match factor.and_then(|factor| brep(&object, xform, factor)) {
+                Some(image) => Object::Brep(Box::new(image)),
+                None => return computed(&object.brep, xform).map_err(|error| broken(&error)),
+            }
         }
         Object::Extrusion(extrusion) if xform.is_rigid(ROUND) => {
             Object::Extrusion(Box::new(self::extrusion(*extrusion, xform)))
         }
-        Object::PointCloud(cloud) if xform.is_affine() => Object::PointCloud(self::cloud(cloud, xform)),
-        Object::TextDot(mut dot) if xform.is_affine() => {
+        Object::Extrusion(extrusion) => {
+            let solid = extrusion.to_brep().ok_or_else(|| broken(&"its profile or path is no sound one"))?;
+            return computed(&solid.brep, xform).map_err(|error| broken(&error));
+        }
+        Object::Mesh(mesh) => return Ok(Value::from(mesh.to_mesh()?.transformed(xform)?)),
+        Object::SubD(subd) => Object::SubD(Box::new(self::subd(*subd, xform))),
+        Object::PointCloud(cloud) => Object::PointCloud(self::cloud(cloud, xform)),
+        Object::TextDot(mut dot) => {
             dot.point = xform.point(dot.point);
             Object::TextDot(dot)
         }
-        Object::Extrusion(_) | Object::PointCloud(_) | Object::TextDot(_) => return Err(this_way()),
-        _ => return Err(refused()),
+        other => match other.surface() {
+            Some(surface) => return Ok(Value::from(surface.transformed(xform)?)),
+            None => match drawn::transformed(other, xform)? {
+                Some(image) => image,
+                None => return Err(Message::error(format!("A {class} cannot be transformed"))),
+            },
+        },
     };
     image.to_raw(NEWEST, &raw.user_data).map(Value::from).map_err(|error| broken(&error))
 }
 
-/// A brep whose curves and surfaces keep their parameters on the way: trims stay what they are. None when one does not.
-fn brep(object: BrepObject, xform: &Xform, factor: f64) -> Option<BrepObject> {
-    let is_odd = !(object.odd_curves_3d.is_empty() && object.odd_surfaces.is_empty());
-    if is_odd {
+/// The image of a solid as the kernel computes it.
+fn computed(brep: &Brep, xform: &Xform) -> katydid_geometry::Result<Value> {
+    Ok(Value::from(brep.transformed(xform)?))
+}
+
+/// A brep whose curves and surfaces keep their parameters on the way: trims stay what they are. None when one does not,
+/// or the kernel does not have it.
+fn brep(object: &BrepObject, xform: &Xform, factor: f64) -> Option<BrepObject> {
+    let mut parts = object.brep.parts().clone();
+    // What differs in the stored forms beyond what the kernel has is boxes and flags, which are made anew.
+    let curves =
+        object.odd_curves_3d.keys().all(|place| parts.curves_3d.get(*place).is_some_and(Option::is_some));
+    let surfaces =
+        object.odd_surfaces.keys().all(|place| parts.surfaces.get(*place).is_some_and(Option::is_some));
+    if !(curves && surfaces) {
         return None;
     }
-    let mut parts = object.brep.into_parts();
     for curve in parts.curves_3d.iter_mut().flatten() {
         *curve = curve_image(curve, xform)?;
     }
@@ -72,7 +100,7 @@ fn brep(object: BrepObject, xform: &Xform, factor: f64) -> Option<BrepObject> {
     }
     let brep = Brep::from_parts(parts).ok()?;
     let bounds = brep.bounds_of_faces();
-    Some(BrepObject { odd_curves_2d: object.odd_curves_2d, bounds, ..BrepObject::from(brep) })
+    Some(BrepObject { odd_curves_2d: object.odd_curves_2d.clone(), bounds, ..BrepObject::from(brep) })
 }
 
 fn curve_image(curve: &Curve, xform: &Xform) -> Option<Curve> {
@@ -91,6 +119,35 @@ fn extrusion(mut extrusion: Extrusion, xform: &Xform) -> Extrusion {
     extrusion.up = xform.vector(extrusion.up);
     extrusion.meshes.clear();
     extrusion
+}
+
+/// The net's points, and what is stored beside them. The surface goes where its net goes under every affine map.
+fn subd(mut subd: SubDObject, xform: &Xform) -> SubDObject {
+    let point = |p: &mut [f64; 3]| {
+        let image = xform.point((*p).into());
+        *p = [image.x, image.y, image.z];
+    };
+    let part = |part: &mut StoredPart| {
+        if let Some(p) = &mut part.saved_point {
+            point(p);
+        }
+        if let Some(by) = &mut part.displacement {
+            let image = xform.vector(Vector3::new(by[0], by[1], by[2]));
+            *by = [image.x, image.y, image.z];
+        }
+    };
+    for level in &mut subd.levels {
+        for vertex in &mut level.vertices {
+            point(&mut vertex.point);
+            part(&mut vertex.part);
+        }
+        level.edges.iter_mut().for_each(|edge| part(&mut edge.part));
+        level.faces.iter_mut().for_each(|face| part(&mut face.part));
+    }
+    // Planes of symmetry and hashes belong to the old place.
+    subd.symmetry = None;
+    subd.packing.hash = None;
+    subd
 }
 
 /// The points and normals; a plane that somebody gave the cloud is not kept, nor its box.
@@ -138,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn an_extrusion_moves_and_turns_and_nothing_else() {
+    fn an_extrusion_moves_and_turns() {
         let extrusion = || {
             let path = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 5.0));
             Extrusion {

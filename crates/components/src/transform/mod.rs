@@ -7,6 +7,7 @@ mod euclidean;
 mod extent;
 mod kept;
 mod morph;
+mod sanity;
 mod util;
 
 pub(crate) use apply::apply;

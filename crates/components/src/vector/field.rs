@@ -69,7 +69,7 @@ fn spin_force(
     /// The force near the middle of the turn.
     #[port("Strength", "S", default = 1.0)]
     strength: f64,
-    /// The unit of the distance from the middle, above 0.
+    /// The unit of the distance from the middle; of 0 the force has faded everywhere.
     #[port("Radius", "R", default = 5.0)]
     radius: f64,
     /// The power that it fades with.
@@ -236,7 +236,7 @@ mod tests {
         // On the axis of a unit charge from 0 to 1, at distance 2: the integral of 1/s² from 1 to 2.
         let line = first(Trial::of("Line Charge").item(Line::new(O, Point3::new(1.0, 0.0, 0.0))));
         assert_eq!(at(&line, p), ["{0}: {0.5, 0, 0}", "{0}: 0.5"]);
-        assert!(Trial::of("Spin Force").item(Plane::XY).item(1.0).item(0.0).message().contains("radius"));
+        assert!(Trial::of("Spin Force").item(Plane::XY).item(1.0).item(-1.0).message().contains("radius"));
         let bounds = katydid_geometry::Interval::new(0.0, 1.0);
         let cell = katydid_geometry::Box3 { plane: Plane::XY, x: bounds, y: bounds, z: bounds };
         let bounded = first(Trial::of("Point Charge").item(O).item(8.0).item(2.0).item(cell));

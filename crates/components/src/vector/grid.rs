@@ -176,6 +176,57 @@ fn hexagonal(
     Ok((cells, centers))
 }
 
+/// A grid of regular hexagons as the earliest versions had it, in lists.
+///
+/// What its size counts is not documented: here it is the number of columns, and of hexagons in each.
+#[component(
+    "8ce6a747-6d36-4bd4-8af0-9a1081df417d",
+    name = "Grid Hexagonal [OBSOLETE]",
+    nick = "HexGrid",
+    at = "Vector/Point",
+    old
+)]
+#[output("Grid", "G", "The corners of the hexagons, each once.")]
+#[output("Cells", "C", "The hexagons.")]
+#[output("Centers", "M", "Their centres.")]
+#[expect(clippy::type_complexity, reason = "the outputs of the component")]
+fn old_hexagonal(
+    context: &Context<'_>,
+    /// The first hexagon lies about its origin.
+    #[port("Base plane", "P", default = Plane::XY)]
+    plane: Plane,
+    /// The radius of a hexagon, which is its side; greater than 0.
+    #[port("Radius", "R", default = 1.0)]
+    radius: f64,
+    /// The number of columns, and of hexagons in a column; at least 1.
+    #[port("Grid Size", "S", default = 5)]
+    size: i32,
+) -> Result<(Vec<Point3>, Vec<Shared<Curve>>, Vec<Point3>), Message> {
+    /// The corners about a centre, in halves of the radius and of the pitch.
+    const CORNERS: [[i64; 2]; 6] = [[2, 0], [1, 1], [-1, 1], [-2, 0], [-1, -1], [1, -1]];
+    let (n, radius) = (extent(size)?, positive(radius)?);
+    let total = n.saturating_mul(n);
+    context.items(total.saturating_mul(6))?;
+    context.bytes(total.saturating_mul(6 * size_of::<Point3>()))?;
+    context.tell(Message::remark(
+        "What the size of this old grid counts is not documented: columns and rows here",
+    ));
+    let at = |[x, y]: [i64; 2]| plane.at(0.5 * radius * x as f64, 0.5 * 3f64.sqrt() * radius * y as f64, 0.0);
+    let (mut seen, mut corners) = (std::collections::HashSet::new(), Vec::new());
+    let (mut cells, mut centers) = (Vec::with_capacity(total), Vec::with_capacity(total));
+    for a in 0..i64::from(size) {
+        context.check()?;
+        for b in 0..i64::from(size) {
+            let center = [3 * a, 2 * b + a % 2];
+            let around = CORNERS.map(|[x, y]| [center[0] + x, center[1] + y]);
+            corners.extend(around.iter().filter(|corner| seen.insert(**corner)).map(|corner| at(*corner)));
+            cells.push(outline(around.map(at).to_vec())?);
+            centers.push(at(center));
+        }
+    }
+    Ok((corners, cells, centers))
+}
+
 /// A grid of equilateral triangles that point up and down in turn, a branch a column.
 #[component(
     "86a9944b-dea5-4126-9433-9e95ff07927a",
@@ -311,6 +362,27 @@ mod tests {
         assert_eq!(
             texts(&Trial::of("Hexagonal").item(Plane::XY).item(1.0).item(1).item(1).run().outputs[0]).len(),
             1
+        );
+    }
+
+    #[test]
+    fn the_old_grid_is_the_new_one_in_lists() {
+        let old = Trial::of("Grid Hexagonal [OBSOLETE]").default().item(2.0).item(3).run();
+        let new = Trial::of("Hexagonal").default().item(2.0).item(3).item(3).run();
+        let centers = |tree: &katydid_data::Tree| -> Vec<String> {
+            texts(&tree.flatten()).iter().map(|line| line.split_once(": ").unwrap().1.to_owned()).collect()
+        };
+        assert_eq!(centers(&old.outputs[2]), centers(&new.outputs[1]));
+        assert_eq!(old.outputs[1].item_count(), 9);
+        // Nine hexagons with 16 shared sides are a plane net: V − E + F = 1 with E = 54 − 16 and F = 9.
+        assert_eq!(old.outputs[0].item_count(), 1 + 54 - 16 - 9);
+        assert!(
+            Trial::of("Grid Hexagonal [OBSOLETE]")
+                .default()
+                .item(2.0)
+                .item(0)
+                .message()
+                .contains("at least 1")
         );
     }
 

@@ -66,7 +66,7 @@ impl Cells {
 fn strew(
     context: &Context<'_>,
     (count, seed): (i32, i32),
-    existing: &List<'_, Point3>,
+    existing: impl Iterator<Item = Point3>,
     size: f64,
     mut candidate: impl FnMut(&mut DotNetRandom) -> Option<Point3>,
 ) -> Result<Vec<Point3>, Message> {
@@ -74,7 +74,7 @@ fn strew(
     context.items(count)?;
     let mut random = DotNetRandom::new(seed);
     let mut near = Cells::new(if size > 0.0 && size.is_finite() { size } else { 1.0 });
-    existing.present().filter(|p| p.is_finite()).for_each(|p| near.add(p));
+    existing.filter(|p| p.is_finite()).for_each(|p| near.add(p));
     let mut out = Vec::new();
     let mut last = f64::INFINITY;
     for i in 0..count {
@@ -125,7 +125,7 @@ fn populate_2d(
     points: List<Point3>,
 ) -> Result<Vec<Point3>, Message> {
     let size = (region.area().abs() / f64::from(count.max(1))).sqrt();
-    strew(context, (count, seed), &points, size, |random| {
+    strew(context, (count, seed), points.present(), size, |random| {
         let (u, v) = (random.next_double(), random.next_double());
         Some(region.plane.at(region.x.at(u), region.y.at(v), 0.0))
     })
@@ -150,10 +150,51 @@ fn populate_3d(
     points: List<Point3>,
 ) -> Result<Vec<Point3>, Message> {
     let size = (region.volume().abs() / f64::from(count.max(1))).cbrt();
-    strew(context, (count, seed), &points, size, |random| {
+    strew(context, (count, seed), points.present(), size, |random| {
         let (u, v, w) = (random.next_double(), random.next_double(), random.next_double());
         Some(region.at(u, v, w))
     })
+}
+
+/// Strews points about a guide, about equally far apart.
+///
+/// How the points lie about the guide is not documented: here they fill the box around it, and are the same each time.
+#[component(
+    "f08233f1-9772-4514-8965-bde4948503df",
+    name = "Freeform Cloud",
+    nick = "FFCloud",
+    at = "Vector/Grid"
+)]
+#[output("Cloud", "C", "The points, in the order they were found.")]
+fn freeform_cloud(
+    context: &Context<'_>,
+    /// Any geometry.
+    #[port("Guide", "G")]
+    guide: Geometry,
+    /// The number of points, not negative.
+    #[port("Number", "N", default = 100)]
+    count: i32,
+) -> Result<Vec<Point3>, Message> {
+    let around = match cast::value(&guide.0, Kind::Box, context.rules()) {
+        Some(Value::Box(around)) => around,
+        _ => return Err(Message::error(format!("A {} has no box around it", guide.0.kind()))),
+    };
+    let sides =
+        [around.x, around.y, around.z].map(|side| side.length().abs()).into_iter().filter(|side| *side > 0.0);
+    let (mut extent, mut dimensions) = (1.0, 0);
+    for side in sides {
+        extent *= side;
+        dimensions += 1;
+    }
+    let size = (extent / f64::from(count.max(1))).powf(1.0 / f64::from(dimensions.max(1)));
+    let cloud = strew(context, (count, 1), std::iter::empty(), size, |random| {
+        let (u, v, w) = (random.next_double(), random.next_double(), random.next_double());
+        Some(around.at(u, v, w))
+    })?;
+    context.tell(Message::remark(
+        "How the points lie about their guide is not documented: they fill its box here",
+    ));
+    Ok(cloud)
 }
 
 /// Strews points over a mesh, the skin of a box, or a curve, about equally far apart. The same seed gives the same points.
@@ -185,7 +226,7 @@ fn populate_geometry(
     {
         let brep = brep.map_err(Message::warning)?;
         let sown = Sown::new(context, &brep)?;
-        return strew(context, (count, seed), &points, (sown.total / n).sqrt(), |random| {
+        return strew(context, (count, seed), points.present(), (sown.total / n).sqrt(), |random| {
             sown.at([random.next_double(), random.next_double(), random.next_double()])
         });
     }
@@ -203,7 +244,7 @@ fn populate_geometry(
                 (total, t)
             })
             .collect();
-        return strew(context, (count, seed), &points, (total / n).sqrt(), |random| {
+        return strew(context, (count, seed), points.present(), (total / n).sqrt(), |random| {
             let at = random.next_double() * total;
             let (u, v) = (random.next_double(), random.next_double());
             let (_, [a, b, c]) =
@@ -218,7 +259,7 @@ fn populate_geometry(
     };
     let lengths = ArcLength::new(&curve);
     let total = lengths.total();
-    strew(context, (count, seed), &points, total / n, |random| {
+    strew(context, (count, seed), points.present(), total / n, |random| {
         Some(curve.point_at(lengths.parameter_at(random.next_double() * total)))
     })
 }
@@ -311,6 +352,15 @@ mod tests {
 
     fn flat_grid() -> Vec<Point3> {
         (0..50).map(|i| Point3::new(f64::from(i % 10) * 2.0, f64::from(i / 10) * 2.0, 0.0)).collect()
+    }
+
+    #[test]
+    fn a_cloud_fills_the_box_of_its_guide() {
+        let circle = Circle { plane: Plane::XY, radius: 2.0 };
+        let cloud = points(Trial::of("Freeform Cloud").item(circle).item(30));
+        assert_eq!(cloud.len(), 30);
+        assert!(cloud.iter().all(|p| p.x.abs() <= 2.0 && p.y.abs() <= 2.0 && p.z.abs() < 1e-12));
+        assert!(Trial::of("Freeform Cloud").item(circle).item(-1).message().contains("negative"));
     }
 
     #[test]

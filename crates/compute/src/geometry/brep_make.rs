@@ -88,7 +88,7 @@ type Spans = Count<1, 100>;
 
 /// The regions that closed planar curves bound; `None` when there are none.
 fn planar(curves: &[Curve], tolerance: Within) -> Outcome<Option<Vec<Brep>>> {
-    let breps = Brep::planar_faces(curves, &tolerance.tolerance())?.breps;
+    let breps = Brep::planar_breps(curves, &tolerance.tolerance())?.breps;
     Ok((!breps.is_empty()).then_some(breps))
 }
 

@@ -106,7 +106,7 @@ impl SolveRequest {
             }
             _ => Tolerance::default(),
         };
-        Rules { tolerance, units: self.units.unwrap_or_default() }
+        Rules { tolerance, units: self.units.unwrap_or_default(), ..Rules::default() }
     }
 
     /// The version of the archive that geometry is written as.

@@ -53,6 +53,7 @@ impl Wire for MeshingParameters {
             Ok(MeshSettings {
                 max_distance: length("Tolerance", 0.0)?,
                 relative_tolerance: length("RelativeTolerance", 0.0)?,
+                min_distance: length("MinimumTolerance", 0.0)?,
                 max_angle: if angle > 0.0 { angle } else { length("GridAngle", 20_f64.to_radians())? },
                 max_aspect: length("GridAspectRatio", 6.0)?,
                 min_edge: length("MinimumEdgeLength", 0.0001)?,
@@ -72,6 +73,7 @@ impl Wire for MeshingParameters {
         Ok(json!({
             "Tolerance": number(settings.max_distance),
             "RelativeTolerance": number(settings.relative_tolerance),
+            "MinimumTolerance": number(settings.min_distance),
             "RefineAngle": number(settings.max_angle),
             "GridAngle": number(settings.max_angle),
             "GridAspectRatio": number(settings.max_aspect),

@@ -1,26 +1,32 @@
 //! How a value of one type becomes one of another: the conversions that happen when a wire reaches a port.
 //!
-//! One table, a function for each type aimed at. Sources: the rules that pictures of Grasshopper prove, and
-//! public knowledge of its parameters where no picture settles it.
+//! One table of rows ([`Way`]): from which types, to which, what it gives, and how sure we are that Grasshopper does the
+//! same. Help, messages and tests are made of the same rows. Sources: the rules that pictures of Grasshopper prove,
+//! files that could not have worked otherwise, and public knowledge of its parameters.
 
 mod curve;
+mod general;
 mod number;
 mod parse;
 mod place;
+mod shape;
+mod table;
+mod way;
 
 use std::sync::Arc as Shared;
 
 use katydid_geometry::{Tolerance, Units};
 
-use crate::{
-    Column, Compound, Content, Gather, Geometry, Items, Kind, Material, ModelObject, Path, Value, text,
-};
+use crate::{Column, Content, DateTime, Gather, Geometry, Items, Kind, Value};
 
 pub(crate) use place::bounds;
 
 pub use parse::{
     colour as parse_colour, domain as parse_domain, number as parse_number, point as parse_point,
+    time as parse_time,
 };
+pub use table::{all, way, ways_to};
+pub use way::{Sure, Way};
 
 /// What some conversions need to know of the document.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -29,149 +35,58 @@ pub struct Rules {
     pub tolerance: Tolerance,
     /// The unit that texts of lengths carry.
     pub units: Units,
+    /// The moment that the text `Now` stands for; none where there is no clock.
+    pub now: Option<DateTime>,
 }
 
 /// `value` as `kind`; `None` when there is no way from one to the other.
 pub fn value(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
-    if value.kind() == kind {
-        return Some(value.clone());
-    }
-    // What is computed from a brep of one untrimmed face is computed from its surface; the brep itself stays whole.
-    if let (Value::Kept(brep), Kind::Domain2 | Kind::Plane | Kind::Box) = (value, kind) {
-        let bare = brep.bare_surface().ok().flatten()?;
-        return self::value(&Value::from(bare.surface), kind, rules);
-    }
-    if let (Value::Brep(brep), Kind::Domain2 | Kind::Plane) = (value, kind) {
-        let [_] = brep.faces() else { return None };
-        return self::value(&Value::from(brep.face_surface(0)?.clone()), kind, rules);
+    traced(value, kind, rules).map(|(made, _)| made)
+}
+
+/// `value` as `kind`, and the row of the table by which it came; no row where it was of that type before.
+fn traced(value: &Value, kind: Kind, rules: &Rules) -> Option<(Value, Option<&'static Way>)> {
+    let from = value.cast_kind();
+    if from == kind {
+        return Some((value.clone(), None));
     }
     if let Value::Content(content) = value {
-        return self::content(value, content, kind, rules);
+        return self::content(value, content, kind, rules).map(|made| (made, None));
     }
-    match kind {
-        Kind::Generic => Some(value.clone()),
-        Kind::Geometry => geometry(value),
-        Kind::Boolean => number::boolean(value).map(Value::Boolean),
-        Kind::Integer => number::integer(value).map(Value::Integer),
-        Kind::Number => number::number(value).map(Value::Number),
-        Kind::Complex => number::complex(value).map(Value::Complex),
-        Kind::Text => {
-            let style = text::Style { units: rules.units, tolerance: rules.tolerance };
-            Some(Value::text(text::value(value, &style)))
-        }
-        Kind::Colour => number::colour(value).map(Value::Colour),
-        Kind::Time => None,
-        Kind::Guid => match value {
-            Value::Text(text) => uuid::Uuid::parse_str(text.trim()).ok().map(Value::Guid),
-            _ => None,
-        },
-        Kind::Domain => number::domain(value).map(Value::Domain),
-        Kind::Domain2 => number::domain2(value).map(|d| Value::Domain2(Shared::new(d))),
-        Kind::Path => match value {
-            Value::Text(text) => text.parse().ok().map(Value::Path),
-            Value::Integer(i) => Some(Value::Path(Path::from([*i]))),
-            Value::Number(_) => number::integer(value).map(|i| Value::Path(Path::from([i]))),
-            _ => None,
-        },
-        Kind::Point => place::point(value, rules).map(Value::Point),
-        Kind::Vector => place::vector(value, rules).map(Value::Vector),
-        Kind::Plane => place::plane(value, rules).map(|p| Value::Plane(Shared::new(p))),
-        Kind::Line => curve::line(value, rules).map(|l| Value::Line(Shared::new(l))),
-        Kind::Circle => curve::circle(value, rules).map(|c| Value::Circle(Shared::new(c))),
-        Kind::Arc => curve::arc(value, rules).map(|a| Value::Arc(Shared::new(a))),
-        Kind::Rectangle => curve::rectangle(value, rules).map(|r| Value::Rectangle(Shared::new(r))),
-        Kind::Box => place::bounding_box(value).map(|b| Value::Box(Shared::new(b))),
-        Kind::TwistedBox => match value {
-            Value::Box(b) => Some(Value::from(katydid_geometry::TwistedBox::from(**b))),
-            _ => None,
-        },
-        Kind::Curve => curve::curve(value).map(|c| Value::Curve(Shared::new(c))),
-        Kind::Mesh => place::mesh(value).map(|m| Value::Mesh(Shared::new(m))),
-        Kind::MeshFace => match value {
-            Value::Text(text) => parse::mesh_face(text).map(Value::MeshFace),
-            _ => None,
-        },
-        Kind::Surface | Kind::Brep => match value {
-            // A surface without trims is a brep of one face.
-            Value::Surface(_) => Some(value.clone()),
-            Value::Brep(brep) => (brep.faces().len() == 1).then(|| value.clone()),
-            Value::Kept(_) => kept(value, kind),
-            Value::Box(_) if kind == Kind::Brep => value.brep()?.ok().map(Value::from),
-            _ => curve::surface(value, rules).map(Value::from),
-        },
-        Kind::SubD | Kind::PointCloud => kept(value, kind),
-        // A compound is a transform: it stays whole, so that it can be taken apart later.
-        Kind::Transform => match value {
-            Value::Compound(_) => Some(value.clone()),
-            Value::Vector(v) => Some(Value::Transform(Shared::new(katydid_geometry::Xform::translation(*v)))),
-            Value::Matrix(m) if (m.rows(), m.columns()) == (4, 4) => {
-                let rows = std::array::from_fn(|i| std::array::from_fn(|j| m.get(i, j).unwrap_or_default()));
-                Some(Value::Transform(Shared::new(katydid_geometry::Xform { rows })))
-            }
-            _ => None,
-        },
-        Kind::Matrix => match value {
-            Value::Transform(_) | Value::Compound(_) => {
-                let matrix = katydid_geometry::Matrix::new(4, 4, value.as_transform()?.rows.concat());
-                matrix.ok().map(|m| Value::Matrix(Shared::new(m)))
-            }
-            _ => None,
-        },
-        Kind::Material => number::colour(value).map(|c| Value::Material(Shared::new(Material::from(c)))),
-        Kind::Compound => match value {
-            Value::Transform(x) => Some(Value::from(Compound { parts: vec![**x] })),
-            _ => None,
-        },
-        Kind::Location => parse::location(value).map(Value::Location),
-        Kind::Content => geometry(value).map(|geometry| Value::from(ModelObject::new(geometry))),
-        Kind::LoftOptions
-        | Kind::MeshSettings
-        | Kind::Projection
-        | Kind::Field
-        | Kind::Symbol
-        | Kind::Group
-        | Kind::Kept => None,
-    }
+    let way = table::way(from, kind)?;
+    (way.convert)(value, rules).map(|made| (made, Some(way)))
 }
 
 /// Where geometry is asked for, an object is its geometry; a block placed in space stays one.
 fn content(value: &Value, content: &Content, kind: Kind, rules: &Rules) -> Option<Value> {
+    let by_table = || (table::way(Kind::Content, kind)?.convert)(value, rules);
     match (content, kind) {
-        (_, Kind::Generic | Kind::Content) => Some(value.clone()),
-        (_, Kind::Text) => {
-            let style = text::Style { units: rules.units, tolerance: rules.tolerance };
-            Some(Value::text(text::value(value, &style)))
-        }
+        (_, Kind::Generic | Kind::Text) => by_table(),
+        (_, Kind::Content) => Some(value.clone()),
         (Content::Object(object), Kind::Guid) => object.id.map(Value::Guid),
         // The geometry of an object is never an object, so that this goes no deeper.
         (Content::Object(object), _) => self::value(object.geometry.as_ref()?, kind, rules),
         (Content::Instance(_), Kind::Geometry) => Some(value.clone()),
         (Content::Instance(instance), Kind::Transform) => Some(Value::from(instance.transform)),
-        (Content::Instance(_), Kind::Box) => place::bounding_box(value).map(|b| Value::Box(Shared::new(b))),
+        (Content::Instance(_), Kind::Box) => (table::way(Kind::Geometry, kind)?.convert)(value, rules),
         (Content::Layer(layer), Kind::Colour) => layer.colour.map(Value::Colour),
         _ => None,
     }
 }
 
-/// Any geometric value, unchanged; a text that reads as a point becomes one.
-fn geometry(value: &Value) -> Option<Value> {
-    match value {
-        Value::Text(text) => parse::point(text).map(Value::Point),
-        other if other.kind().is_geometry() => Some(other.clone()),
-        _ => None,
+impl Value {
+    /// The type that conversions go by: that of what it is, of geometry that is kept as a program wrote it that of its
+    /// class.
+    fn cast_kind(&self) -> Kind {
+        let Self::Kept(object) = self else { return self.kind() };
+        match object.class_name().as_str() {
+            "Brep" | "Extrusion" => Kind::Brep,
+            "SubD" => Kind::SubD,
+            "PointCloud" => Kind::PointCloud,
+            name if name.ends_with("Surface") => Kind::Surface,
+            _ => Kind::Kept,
+        }
     }
-}
-
-/// Geometry that is kept whole fits the port its class belongs to.
-fn kept(value: &Value, kind: Kind) -> Option<Value> {
-    let Value::Kept(object) = value else { return None };
-    let fits = match (kind, object.class_name().as_str()) {
-        (Kind::Brep, "Brep" | "Extrusion") | (Kind::SubD, "SubD") | (Kind::PointCloud, "PointCloud") => true,
-        (Kind::Surface, name) => name.ends_with("Surface") || matches!(name, "Brep" | "Extrusion"),
-        (Kind::Brep, name) => name.ends_with("Surface"),
-        _ => false,
-    };
-    fits.then(|| value.clone())
 }
 
 /// A column cast to a type, and what could not be cast.
@@ -181,12 +96,20 @@ pub struct Cast {
     pub column: Column,
     /// The type of the first item that could not be cast, and how many could not.
     pub failed: Option<(Kind, usize)>,
+    /// The first conversion among them that is our own reading: nothing tells what Grasshopper does.
+    pub ours: Option<(Kind, &'static Way)>,
+}
+
+impl Cast {
+    fn sure(column: Column) -> Self {
+        Self { column, failed: None, ours: None }
+    }
 }
 
 /// Every item of a column as `kind`. A column that is of that type already is shared, not copied.
 pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
     if kind == Kind::Generic || column.kind() == kind {
-        return Cast { column: column.clone(), failed: None };
+        return Cast::sure(column.clone());
     }
     let whole_already = match kind {
         Kind::Geometry => column.kind().is_geometry(),
@@ -195,33 +118,42 @@ pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
         _ => false,
     };
     if whole_already {
-        return Cast { column: column.clone(), failed: None };
+        return Cast::sure(column.clone());
     }
     if let Some(items) = whole(column.items(), kind) {
         let nulls = column.null_mask().map(<[bool]>::to_vec);
-        return Cast { column: Column::new(items, nulls), failed: None };
+        return Cast::sure(Column::new(items, nulls));
     }
     let mut failed: Option<(Kind, usize)> = None;
+    let mut ours = None;
     let mut cast = Gather::<Value>::with_capacity(column.len());
     for item in column.iter() {
         let Some(item) = item else {
             cast.push(None);
             continue;
         };
-        let result = value(&item, kind, rules);
-        if result.is_none() {
-            failed.get_or_insert((item.kind(), 0)).1 += 1;
-        }
+        let result = match traced(&item, kind, rules) {
+            Some((made, way)) => {
+                if let Some(way) = way.filter(|way| way.sure == Sure::Ours) {
+                    ours.get_or_insert((item.kind(), way));
+                }
+                Some(made)
+            }
+            None => {
+                failed.get_or_insert((item.kind(), 0)).1 += 1;
+                None
+            }
+        };
         cast.push(result);
     }
-    let cast = if kind == Kind::Geometry {
+    let column = if kind == Kind::Geometry {
         let mut geometry = Gather::<Geometry>::with_capacity(cast.len());
         cast.finish().iter().for_each(|item| geometry.push(item.map(Geometry)));
         geometry.finish()
     } else {
         cast.finish()
     };
-    Cast { column: cast, failed }
+    Cast { column, failed, ours }
 }
 
 /// The conversions that cannot fail, over whole runs.
@@ -237,9 +169,13 @@ fn whole(items: &Items, kind: Kind) -> Option<Items> {
         (Items::Numbers(x), Kind::Boolean) => Items::Booleans(map(x, |n| n != 0.0)),
         (Items::Points(x), Kind::Vector) => Items::Vectors(map(x, katydid_geometry::Point3::to_vector)),
         (Items::Vectors(x), Kind::Point) => Items::Points(map(x, katydid_geometry::Vector3::to_point)),
+        (Items::Points(x), Kind::Number) => Items::Numbers(map(x, |p| p.to_vector().length())),
+        (Items::Vectors(x), Kind::Number) => Items::Numbers(map(x, katydid_geometry::Vector3::length)),
         _ => return None,
     })
 }
 
+#[cfg(test)]
+mod table_tests;
 #[cfg(test)]
 mod tests;

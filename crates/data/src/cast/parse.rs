@@ -2,9 +2,9 @@
 
 use katydid_expression::Expression;
 use katydid_expression::Variant;
-use katydid_geometry::{Interval, MeshFace, Point3};
+use katydid_geometry::{Interval, MeshFace, Plane, Point3};
 
-use crate::{Colour, Domain2, Location, Value};
+use crate::{Colour, Complex, DateTime, Domain2, Location, Value};
 
 /// Longer texts are not numbers, points or colours; reading stops before any work is done.
 const LONGEST: usize = 4096;
@@ -154,4 +154,70 @@ fn named_colour(name: &str) -> Option<Colour> {
         _ => return None,
     };
     Some(Colour::rgb(r, g, b))
+}
+
+/// `true` or `false`, in any case.
+pub(super) fn truth(text: &str) -> Option<bool> {
+    let text = trimmed(text)?;
+    [("true", true), ("false", false)]
+        .into_iter()
+        .find(|(word, _)| text.eq_ignore_ascii_case(word))
+        .map(|(_, b)| b)
+}
+
+/// A number, or a real and an imaginary part: `3 + 4i`, `-2i`.
+pub(super) fn complex(text: &str) -> Option<Complex> {
+    if let Some(re) = number(text) {
+        return Some(Complex { re, im: 0.0 });
+    }
+    let body = trimmed(text)?.strip_suffix(['i', 'I'])?.trim_end();
+    // The sign between the parts: the last one that is neither the first character nor that of an exponent.
+    let sign = body.char_indices().rev().find(|&(at, c)| {
+        matches!(c, '+' | '-') && at > 0 && !body.get(..at).is_some_and(|head| head.ends_with(['e', 'E']))
+    });
+    let part = |text: &str| match text.replace(char::is_whitespace, "").as_str() {
+        "" | "+" => Some(1.0),
+        "-" => Some(-1.0),
+        digits => number(digits),
+    };
+    match sign {
+        Some((at, _)) => Some(Complex { re: number(body.get(..at)?)?, im: part(body.get(at..)?)? }),
+        None => part(body).map(|im| Complex { re: 0.0, im }),
+    }
+}
+
+/// `O(x,y,z) Z(x,y,z)`, as a panel shows a plane.
+pub(super) fn plane(text: &str) -> Option<Plane> {
+    let (origin, normal) = trimmed(text)?.strip_prefix(['O', 'o'])?.split_once(['Z', 'z'])?;
+    Plane::from_normal(point(origin)?, point(normal)?.to_vector()).ok()
+}
+
+/// A date, a time of day, or both: `2024-02-29`, `13:05`, `2024/2/29 13:05:09`, `2024-02-29T13:05:09`. A time alone is
+/// that of the first day there is.
+pub fn time(text: &str) -> Option<DateTime> {
+    let text = trimmed(text)?;
+    let (date, clock) = match text.split_once([' ', 'T']) {
+        Some((date, clock)) => (Some(date), Some(clock)),
+        None if text.contains(':') => (None, Some(text)),
+        None => (Some(text), None),
+    };
+    let parts = |text: &str, marks: &[char]| -> Option<Vec<i64>> {
+        text.split(marks).map(|part| part.trim().parse::<u32>().ok().map(i64::from)).collect()
+    };
+    let day = match date {
+        None => 0,
+        Some(date) => match parts(date, &['-', '/', '.'])?.as_slice() {
+            [year @ 1..=9999, month @ 1..=12, day @ 1..=31] => DateTime::day(*year, *month, *day)?,
+            _ => return None,
+        },
+    };
+    let seconds = match clock {
+        None => 0,
+        Some(clock) => match parts(clock, &[':'])?.as_slice() {
+            [hour @ 0..=23, minute @ 0..=59] => hour * 3600 + minute * 60,
+            [hour @ 0..=23, minute @ 0..=59, second @ 0..=59] => hour * 3600 + minute * 60 + second,
+            _ => return None,
+        },
+    };
+    Some(DateTime { ticks: (day * 86_400 + seconds) * 10_000_000 })
 }

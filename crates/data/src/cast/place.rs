@@ -1,12 +1,102 @@
-//! To points, vectors, planes, boxes and meshes.
+//! To points, vectors, planes and boxes.
 
-use katydid_geometry::{BoundingBox, Box3, Interval, Mesh, Plane, Point3, Vector3};
+use std::sync::Arc as Shared;
 
+use katydid_3dm::{Limits, Object, RawObject};
+use katydid_geometry::{BoundingBox, Box3, Interval, Plane, Point3, TwistedBox, Vector3};
+
+use super::Sure::{Likely, Ours, Shown};
+use super::way::{Way, way};
 use super::{Rules, curve, parse};
-use crate::{Content, Value};
+use crate::{Content, Kind, Value};
+
+pub(super) const WAYS: &[Way] = &[
+    way(Kind::Point, &[Kind::Vector], "the point at its end, from the origin", Shown, to_point),
+    way(Kind::Point, &[Kind::Text], "the point that it spells, such as `{1,2,3}`", Shown, to_point),
+    way(Kind::Point, &[Kind::Integer, Kind::Number], "the point of that x", Likely, to_point),
+    way(Kind::Point, &[Kind::Complex], "the point of its real and imaginary parts", Likely, to_point),
+    way(Kind::Point, &[Kind::Plane], "its origin", Shown, to_point),
+    way(Kind::Point, &[Kind::Circle, Kind::Arc], "its centre", Likely, to_point),
+    way(Kind::Point, &[Kind::Line, Kind::Rectangle, Kind::Box], "its middle", Likely, to_point),
+    way(Kind::Point, &[Kind::Curve], "the centre of one that is a circle", Likely, to_point),
+    way(Kind::Vector, &[Kind::Point], "the vector from the origin to it", Shown, to_vector),
+    way(Kind::Vector, &[Kind::Text], "the vector that it spells, such as `{1,2,3}`", Likely, to_vector),
+    way(
+        Kind::Vector,
+        &[Kind::Integer, Kind::Number, Kind::Complex],
+        "the vector to the point that it becomes",
+        Likely,
+        to_vector,
+    ),
+    way(Kind::Vector, &[Kind::Plane], "its normal", Likely, to_vector),
+    way(
+        Kind::Vector,
+        &[Kind::Line, Kind::Curve],
+        "from the start to the end of one that is straight",
+        Likely,
+        to_vector,
+    ),
+    way(Kind::Vector, &[Kind::Surface, Kind::Brep], "the normal of one that is flat", Ours, to_vector),
+    way(
+        Kind::Plane,
+        &[Kind::Point, Kind::Text, Kind::Integer, Kind::Number, Kind::Complex],
+        "world XY moved to the point that it is; a text such as `O(0,0,0) Z(0,0,1)` names a normal too",
+        Shown,
+        to_plane,
+    ),
+    way(Kind::Plane, &[Kind::Vector], "the plane at the origin across it", Likely, to_plane),
+    way(
+        Kind::Plane,
+        &[Kind::Circle, Kind::Arc, Kind::Rectangle, Kind::Box],
+        "its own plane",
+        Shown,
+        to_plane,
+    ),
+    way(Kind::Plane, &[Kind::Line], "the plane across it at its start", Likely, to_plane),
+    way(
+        Kind::Plane,
+        &[Kind::Curve, Kind::Surface, Kind::Brep],
+        "the plane in which it lies",
+        Likely,
+        to_plane,
+    ),
+    way(Kind::Box, &[Kind::Rectangle], "the box of no height on it", Likely, to_box),
+    way(Kind::Box, &[Kind::Geometry], "the box around it along the world axes", Shown, to_box),
+    way(Kind::TwistedBox, &[Kind::Box], "the same box, its corners free", Likely, to_twisted_box),
+    way(
+        Kind::TwistedBox,
+        &[Kind::Rectangle, Kind::Curve, Kind::Surface, Kind::Brep, Kind::Mesh, Kind::SubD, Kind::Group],
+        "the box around it, its corners free",
+        Ours,
+        to_twisted_box,
+    ),
+];
+
+fn to_point(value: &Value, rules: &Rules) -> Option<Value> {
+    point(value, rules).map(Value::Point)
+}
+
+fn to_vector(value: &Value, rules: &Rules) -> Option<Value> {
+    vector(value, rules).map(Value::Vector)
+}
+
+fn to_plane(value: &Value, rules: &Rules) -> Option<Value> {
+    plane(value, rules).map(Value::from)
+}
+
+fn to_box(value: &Value, _: &Rules) -> Option<Value> {
+    bounding_box(value).map(Value::from)
+}
+
+fn to_twisted_box(value: &Value, _: &Rules) -> Option<Value> {
+    match value {
+        Value::Box(b) => Some(Value::from(TwistedBox::from(**b))),
+        other => bounding_box(other).map(|b| Value::from(TwistedBox::from(b))),
+    }
+}
 
 /// The place of a value: a plane's origin, a circle's centre, the middle of a line, rectangle or box.
-pub(super) fn point(value: &Value, rules: &Rules) -> Option<Point3> {
+fn point(value: &Value, rules: &Rules) -> Option<Point3> {
     match value {
         Value::Point(p) => Some(*p),
         Value::Vector(v) => Some(v.to_point()),
@@ -26,19 +116,21 @@ pub(super) fn point(value: &Value, rules: &Rules) -> Option<Point3> {
 }
 
 /// A point's position vector, a plane's normal, a line from start to end.
-pub(super) fn vector(value: &Value, rules: &Rules) -> Option<Vector3> {
+fn vector(value: &Value, rules: &Rules) -> Option<Vector3> {
     match value {
         Value::Point(p) => Some(p.to_vector()),
         Value::Plane(plane) => Some(plane.z_axis),
         Value::Line(line) => Some(line.direction()),
         Value::Curve(_) => curve::line(value, rules).map(|line| line.direction()),
+        Value::Surface(_) | Value::Brep(_) | Value::Kept(_) => plane(value, rules).map(|plane| plane.z_axis),
         Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) | Value::Box(_) => None,
         _ => point(value, rules).map(Point3::to_vector),
     }
 }
 
 /// World XY moved to a point, the plane at the origin with a vector as its normal, or a shape's own plane.
-pub(super) fn plane(value: &Value, rules: &Rules) -> Option<Plane> {
+fn plane(value: &Value, rules: &Rules) -> Option<Plane> {
+    let of_surface = |surface: &katydid_geometry::Surface| surface.plane(rules.tolerance.absolute);
     match value {
         Value::Vector(v) => Plane::from_normal(Point3::ORIGIN, *v).ok(),
         Value::Circle(circle) => Some(circle.plane),
@@ -47,14 +139,21 @@ pub(super) fn plane(value: &Value, rules: &Rules) -> Option<Plane> {
         Value::Box(b) => Some(b.plane),
         Value::Line(line) => Plane::from_normal(line.from, line.direction()).ok(),
         Value::Curve(curve) => curve.plane(rules.tolerance.absolute),
-        Value::Surface(surface) => surface.plane(rules.tolerance.absolute),
-        Value::Transform(_) | Value::Mesh(_) | Value::Kept(_) => None,
+        Value::Surface(surface) => of_surface(surface),
+        Value::Brep(_) | Value::Kept(_) => {
+            let brep = value.brep()?.ok()?;
+            let [_] = brep.faces() else { return None };
+            brep.face_surface(0).and_then(of_surface)
+        }
+        Value::Text(text) => {
+            parse::plane(text).or_else(|| parse::point(text).map(|origin| Plane { origin, ..Plane::XY }))
+        }
         _ => point(value, rules).map(|origin| Plane { origin, ..Plane::XY }),
     }
 }
 
 /// The box along the world axes round any geometry.
-pub(super) fn bounding_box(value: &Value) -> Option<Box3> {
+fn bounding_box(value: &Value) -> Option<Box3> {
     if let Value::Rectangle(r) = value {
         return Some(Box3 { plane: r.plane, x: r.x, y: r.y, z: Interval::new(0.0, 0.0) });
     }
@@ -76,10 +175,11 @@ pub(crate) fn bounds(value: &Value) -> Option<BoundingBox> {
         Value::Box(b) => BoundingBox::from_points(b.corners()),
         Value::TwistedBox(b) => BoundingBox::from_points(b.corners),
         Value::Surface(surface) => surface.bounding_box().ok(),
-        Value::Brep(brep) => {
-            let around = brep.bounding_box_in(&Plane::XY).ok()?;
-            BoundingBox::from_points(around.corners())
-        }
+        Value::Brep(brep) => of_brep(brep),
+        Value::Kept(kept) => match value.brep() {
+            Some(brep) => of_brep(&brep.ok()?),
+            None => of_kept(kept),
+        },
         Value::Content(content) => match &**content {
             Content::Object(object) => bounds(object.geometry.as_ref()?),
             Content::Instance(instance) => instance.bounds(),
@@ -93,11 +193,18 @@ pub(crate) fn bounds(value: &Value) -> Option<BoundingBox> {
     }
 }
 
-/// A box, also a twisted one, as a mesh of six quads.
-pub(super) fn mesh(value: &Value) -> Option<Mesh> {
-    match value {
-        Value::Box(b) => Mesh::cuboid(b, 1, 1, 1).ok(),
-        Value::TwistedBox(b) => b.to_mesh().ok(),
+fn of_brep(brep: &Shared<katydid_geometry::Brep>) -> Option<BoundingBox> {
+    BoundingBox::from_points(brep.bounding_box_in(&Plane::XY).ok()?.corners())
+}
+
+/// The bounds of a SubD or a point cloud that is kept as a program wrote it.
+fn of_kept(kept: &RawObject) -> Option<BoundingBox> {
+    match kept.parse_shape(&Limits::default()).ok()? {
+        Object::SubD(subd) => {
+            let subd = subd.to_subd().ok()?;
+            BoundingBox::from_points(subd.limit_mesh(subd.fine_levels()).ok()?.vertices().iter().copied())
+        }
+        Object::PointCloud(cloud) => BoundingBox::from_points(cloud.points.iter().copied()),
         _ => None,
     }
 }

@@ -1,7 +1,7 @@
 use katydid_geometry::{Curve, Interval, Line, MeshFace, Plane, Point3, Vector3};
 
 use super::*;
-use crate::{Colour, Domain2};
+use crate::{Colour, Domain2, text};
 
 fn to(v: Value, kind: Kind) -> Option<Value> {
     value(&v, kind, &Rules::default())
@@ -144,9 +144,18 @@ fn surfaces_and_what_becomes_one() {
     let outline: Vec<Point3> = r.corners().into_iter().chain([r.corners()[0]]).collect();
     let outline = Value::from(Curve::from(PolylineCurve::new(outline).unwrap()));
     assert!(matches!(to(outline, Kind::Brep), Some(Value::Surface(_))));
-    // Round outlines need trimmed surfaces.
+    // Other closed flat outlines give trimmed surfaces.
     let circle = Circle { plane: Plane::XY, radius: 1.0 };
-    assert_eq!(to(circle.into(), Kind::Surface), None);
+    for kind in [Kind::Surface, Kind::Brep] {
+        let Some(Value::Brep(disc)) = to(circle.into(), kind) else { panic!("a face") };
+        let area = disc.area_properties(1e-9, || true).unwrap().amount;
+        assert!(disc.faces().len() == 1 && (area - std::f64::consts::PI).abs() < 1e-6);
+    }
+    let zigzag = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]];
+    let zigzag = zigzag.map(|[x, y, z]| Point3::new(x, y, z)).to_vec();
+    for open in [zigzag.clone(), zigzag[..3].to_vec()] {
+        assert_eq!(to(Value::from(Curve::from(PolylineCurve::new(open).unwrap())), Kind::Surface), None);
+    }
 
     let surface = Value::Surface(flat.clone());
     for kind in [Kind::Brep, Kind::Surface, Kind::Geometry, Kind::Generic] {
@@ -162,7 +171,8 @@ fn surfaces_and_what_becomes_one() {
     assert_eq!((b.x, b.y), (Interval::new(0.0, 3.0), Interval::new(-1.0, 2.0)));
     let ball = Value::from(Surface::from(Sphere::around(Point3::ORIGIN, 1.0).unwrap()));
     assert_eq!(to(ball.clone(), Kind::Plane), None);
-    assert_eq!(to(ball, Kind::Mesh), None);
+    let Some(Value::Mesh(mesh)) = to(ball, Kind::Mesh) else { panic!("a mesh") };
+    assert!((mesh.area() - 4.0 * std::f64::consts::PI).abs() < 0.2);
 }
 
 #[test]

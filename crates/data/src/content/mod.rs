@@ -1,11 +1,14 @@
-//! What a Rhino model holds beside plain geometry, as items of data: Grasshopper calls it content.
+//! What a Rhino model holds beside plain geometry, as items of data: Grasshopper calls it content. And atoms, which
+//! are geometry with attributes likewise.
 
+mod atom;
 mod attribute;
 mod block;
 mod filter;
 mod object;
 mod tables;
 
+pub use atom::Atom;
 pub use block::{BlockDefinition, BlockInstance};
 pub use filter::Filter;
 pub use object::{ModelObject, Visibility};
@@ -28,6 +31,8 @@ pub enum Content {
     Linetype(Shared<ModelLinetype>),
     /// Which items pass.
     Filter(Filter),
+    /// An atom of a molecule.
+    Atom(Atom),
 }
 
 impl Content {
@@ -40,6 +45,7 @@ impl Content {
             Self::Layer(_) => "Model Layer",
             Self::Linetype(_) => "Model Linetype",
             Self::Filter(_) => "Content Filter",
+            Self::Atom(_) => "Atom",
         }
     }
 
@@ -47,7 +53,7 @@ impl Content {
     pub fn path(&self) -> Option<&str> {
         let path = match self {
             Self::Object(object) => object.name.as_ref(),
-            Self::Instance(_) | Self::Filter(_) => return None,
+            Self::Instance(_) | Self::Filter(_) | Self::Atom(_) => return None,
             Self::Block(block) => block.name.as_ref(),
             Self::Layer(layer) => layer.path.as_ref(),
             Self::Linetype(linetype) => linetype.name.as_ref(),
@@ -76,4 +82,5 @@ from! {
     ModelLinetype, Linetype;
     Shared<ModelLinetype>, Linetype;
     Filter, Filter;
+    Atom, Atom;
 }

@@ -41,6 +41,10 @@ pub const GRADIENT: Uuid = uuid!("6da9f120-3ad0-4b6e-9fe0-f8cde3a649b7");
 pub const RELAY: Uuid = uuid!("b6236720-8d88-4289-93c3-ac4c99f9b97b");
 /// Path Mapper.
 pub const PATH_MAPPER: Uuid = uuid!("f9b89a46-bc5d-4f7a-9a6f-134f93ac3af9");
+/// Param Viewer.
+pub const PARAM_VIEWER: Uuid = uuid!("72a29b54-2e48-474b-a400-d2124c4edf79");
+/// Data Dam.
+pub const DATA_DAM: Uuid = uuid!("65283518-ad00-49d3-87fb-f76823ebb162");
 /// Data Recorder.
 pub const DATA_RECORDER: Uuid = uuid!("401aa475-997a-4139-991d-f980ffdcf908");
 /// Cherry Picker.

@@ -59,6 +59,8 @@ pub enum Stored {
     LoftOptions(Box<LoftOptions>),
     /// The settings of a mesher.
     MeshSettings(Box<MeshSettings>),
+    /// The settings of a remesher with quads.
+    QuadSettings(Box<QuadSettings>),
     /// Content of a Rhino model by its path, a linetype or layer say; the parameter tells which.
     Content(String),
     /// A curve, surface, brep, mesh or the like.
@@ -160,6 +162,25 @@ pub struct MeshSettings {
     pub simple_planes: bool,
 }
 
+/// The settings of a remesher with quads, as numbers of RhinoCommon's enumerations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct QuadSettings {
+    /// How many quads are wanted.
+    pub count: i32,
+    /// How much quads vary in size, 0 to 100.
+    pub adaptive_size: f64,
+    /// Whether there may be more quads than wanted where the shape curves.
+    pub adaptive_count: bool,
+    /// Whether sharp edges are kept.
+    pub hard_edges: bool,
+    /// Which edges between faces are kept: 0 none, 1 some, 2 all.
+    pub seams: i32,
+    /// The planes of symmetry: 1 for x, 2 for y, 4 for z, added together.
+    pub symmetry: i32,
+    /// What guide curves do: 0 lead about, 1 a ring of edges, 2 a loop of edges.
+    pub guides: i32,
+}
+
 impl Stored {
     /// Reads an item by its shape: which items it has tells what it is.
     pub fn read(item: &Chunk) -> Self {
@@ -217,6 +238,7 @@ impl Stored {
             Self::Material(_) => "material",
             Self::LoftOptions(_) => "loft options",
             Self::MeshSettings(_) => "mesh settings",
+            Self::QuadSettings(_) => "quad settings",
             Self::Content(_) => "model content",
             Self::Geometry(_) => "geometry",
             Self::Unknown(_) => "unknown value",
@@ -298,6 +320,18 @@ fn composite(item: &Chunk) -> Option<Stored> {
             ends: item.i32("LoftEnds")?,
             rebuild: item.i32("Rebuild")?,
             refit: item.f64("Refit")?,
+        })));
+    }
+    // Settings that are none are kept as they are.
+    if let (Some(count), Some(false)) = (item.i32("tqc"), item.bool("null")) {
+        return Some(Stored::QuadSettings(Box::new(QuadSettings {
+            count,
+            adaptive_size: item.f64("as")?,
+            adaptive_count: item.bool("aqc")?,
+            hard_edges: item.bool("dhe")?,
+            seams: item.i32("pme")?,
+            symmetry: item.i32("sa")?,
+            guides: item.i32("gci")?,
         })));
     }
     Some(Stored::MeshSettings(Box::new(MeshSettings {

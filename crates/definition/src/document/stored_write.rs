@@ -96,6 +96,16 @@ impl Stored {
                 Item::new("SimplePlanes", m.simple_planes),
                 Item::new("Tolerance", m.tolerance),
             ],
+            Self::QuadSettings(q) => vec![
+                Item::new("aqc", q.adaptive_count),
+                Item::new("as", q.adaptive_size),
+                Item::new("dhe", q.hard_edges),
+                Item::new("gci", q.guides),
+                Item::new("null", false),
+                Item::new("pme", q.seams),
+                Item::new("sa", q.symmetry),
+                Item::new("tqc", q.count),
+            ],
             Self::Content(path) => vec![Item::new("Path", path.as_str())],
             Self::Geometry(geometry) => geometry_items(geometry),
         }
@@ -108,6 +118,7 @@ impl Stored {
             | Self::Unknown(_)
             | Self::Content(_)
             | Self::MeshSettings(_)
+            | Self::QuadSettings(_)
             | Self::LoftOptions(_) => return None,
             Self::Geometry(geometry) => return geometry.type_name.clone(),
             Self::Number(_) => "GH_Number",

@@ -45,6 +45,7 @@ mod residue;
 mod slot;
 mod statement;
 mod text;
+mod timing;
 mod value;
 mod write;
 

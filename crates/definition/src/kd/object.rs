@@ -6,7 +6,7 @@ use super::ast::{Group, Modifier, Target, Values};
 use super::build::{Builder, Node, What};
 use super::problem::Fault;
 use super::slot::Slot;
-use super::{own, residue, value};
+use super::{own, residue, timing, value};
 use crate::archive::{self, Chunk, Colour, Item, ItemValue};
 use crate::document::{Access, ids};
 
@@ -49,12 +49,15 @@ fn sources(builder: &mut Builder<'_, '_>, at: usize) -> Vec<Vec<Uuid>> {
     wires.into_iter().map(|wires| wires.iter().filter_map(|wire| builder.source(wire)).collect()).collect()
 }
 
-/// The ids of a group's members.
+/// The ids of a group's members, or of a trigger's targets.
 fn members(builder: &mut Builder<'_, '_>, at: usize) -> Vec<Uuid> {
-    let Some(Node { what: What::Group(group), .. }) = builder.nodes.get(at) else { return Vec::new() };
-    let group: &Group = group;
-    let mut ids = Vec::with_capacity(group.members.len());
-    for member in &group.members {
+    let referred: Vec<&Target> = match builder.nodes.get(at).map(|node| (node.what, node.component)) {
+        Some((What::Group(group), _)) => group.members.iter().collect(),
+        Some((What::Call(call), ids::TRIGGER)) => timing::targets(call).collect(),
+        _ => return Vec::new(),
+    };
+    let mut ids = Vec::with_capacity(referred.len());
+    for member in referred {
         match member {
             Target::Guid(id) => ids.push(*id),
             Target::Label(label) => {
@@ -90,6 +93,12 @@ fn build(
     }
     if let What::Group(group) = node.what {
         frame(&mut container, group, members, faults);
+    }
+    if node.component == ids::TRIGGER {
+        for (k, id) in members.iter().enumerate() {
+            container.items.push(Item::indexed("Target", count(k), *id));
+        }
+        container.set("TargetCount", count(members.len()));
     }
     if let Some(place) = node.place
         && (place.pivot.is_some() || place.bounds.is_some())

@@ -3,11 +3,10 @@
 use uuid::Uuid;
 
 use super::ast::{Argument, Lit, LitKind, Target, Values};
-use super::pipeline;
 use super::problem::Fault;
 use super::raw_value::{colour_form, string_form};
-use super::text;
 use super::value::{colour, plain};
+use super::{pipeline, text, timing};
 use crate::archive::{Chunk, Colour, ItemValue};
 use crate::document::{Object, ids};
 
@@ -44,6 +43,9 @@ pub(super) fn take<'a>(
         }
         ids::SCRIBBLE => scribble(&mut own, container),
         ids::GEOMETRY_PIPELINE => pipeline::take(&mut own, container),
+        ids::TRIGGER => timing::trigger(&mut own, container),
+        ids::DATA_RECORDER => timing::recorder(&mut own, container),
+        ids::DATA_DAM => timing::dam(&mut own, container),
         _ => {}
     }
     own.rest
@@ -51,7 +53,7 @@ pub(super) fn take<'a>(
 
 /// The arguments of an object that are not taken yet.
 pub(super) struct Own<'a, 'f> {
-    rest: Vec<&'a Argument>,
+    pub(super) rest: Vec<&'a Argument>,
     faults: &'f mut Vec<Fault>,
 }
 
@@ -97,7 +99,7 @@ impl Own<'_, '_> {
         value
     }
 
-    fn number(&mut self, name: &str) -> Option<f64> {
+    pub(super) fn number(&mut self, name: &str) -> Option<f64> {
         self.named(name, "a number", |argument| {
             if let LitKind::Number(x, _) = literal(argument)?.kind { Some(x) } else { None }
         })
@@ -251,6 +253,7 @@ pub(super) fn print(object: &Object) -> Vec<String> {
         ids::EXPRESSION => c.str("Expression").map(|text| string_form(text, 0)).into_iter().collect(),
         ids::SCRIBBLE => print_scribble(c),
         ids::GEOMETRY_PIPELINE => pipeline::print(c),
+        ids::TRIGGER | ids::DATA_RECORDER | ids::DATA_DAM => timing::print(object.component, c),
         _ => Vec::new(),
     }
 }

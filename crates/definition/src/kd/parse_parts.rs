@@ -10,7 +10,7 @@ use super::problem::{Fault, nearest};
 use super::{raw_value, text};
 
 /// Values that are written like calls. Components have capitals, or quotes.
-pub(super) const MADE: [&str; 18] = [
+pub(super) const MADE: [&str; 19] = [
     "point",
     "vector",
     "plane",
@@ -25,6 +25,7 @@ pub(super) const MADE: [&str; 18] = [
     "material",
     "loft",
     "mesher",
+    "quads",
     "content",
     "geometry",
     "rgb",

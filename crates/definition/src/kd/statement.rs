@@ -181,7 +181,8 @@ pub(super) fn print(sheet: &mut Sheet<'_, '_>, at: usize) -> String {
     if all_written && facts.is_some() {
         line.push('!');
     }
-    let mut arguments = own::print(object);
+    let mut arguments = targets(sheet, object);
+    arguments.extend(own::print(object));
     arguments.extend(inputs(sheet, at, all_written));
     line.push_str(&format!("({})", arguments.join(", ")));
     let flags = [
@@ -197,16 +198,28 @@ pub(super) fn print(sheet: &mut Sheet<'_, '_>, at: usize) -> String {
     line + &outputs(sheet, at, all_written)
 }
 
+/// What an object by its id is called in the text.
+fn reference(sheet: &Sheet<'_, '_>, id: uuid::Uuid) -> String {
+    let found = sheet.lookup.object(id).and_then(|at| sheet.entries.get(at));
+    found.map_or_else(|| format!("@{id}"), |entry| entry.label.to_string())
+}
+
+/// The objects that a trigger has solved again.
+fn targets(sheet: &Sheet<'_, '_>, object: &Object) -> Vec<String> {
+    match object.special() {
+        Some(Special::Trigger(trigger)) => {
+            trigger.targets.into_iter().map(|id| reference(sheet, id)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
 fn group(sheet: &Sheet<'_, '_>, entry: &Entry<'_>) -> String {
     let attributes = object::print_frame(entry.object.container());
     let attributes =
         if attributes.is_empty() { String::new() } else { format!("({})", attributes.join(", ")) };
     let Some(Special::Group(group)) = entry.object.special() else { return String::new() };
-    let member = |id| {
-        let found = sheet.lookup.object(id).and_then(|at| sheet.entries.get(at));
-        found.map_or_else(|| format!("@{id}"), |entry| entry.label.to_string())
-    };
-    let members: Vec<String> = group.members.into_iter().map(member).collect();
+    let members: Vec<String> = group.members.into_iter().map(|id| reference(sheet, id)).collect();
     format!("group {}{attributes}: {}", entry.label, members.join(", "))
 }
 

@@ -9,7 +9,8 @@ use super::raw_value::{colour_form, double, missing_data};
 use super::text;
 use crate::archive::Colour;
 use crate::document::{
-    Branch, LoftOptions, Material, MeshSettings, Persistent, Stored, StoredGeometry, format_path,
+    Branch, LoftOptions, Material, MeshSettings, Persistent, QuadSettings, Stored, StoredGeometry,
+    format_path,
 };
 
 /// The bytes by their number.
@@ -260,6 +261,15 @@ fn made(lit: &Lit, what: &str, list: &[(Option<String>, Lit)], data: &Data<'_>) 
             jagged_seams: p.boolean()?,
             simple_planes: p.boolean()?,
         })),
+        "quads" => Stored::QuadSettings(Box::new(QuadSettings {
+            count: p.integer()?,
+            adaptive_size: p.number()?,
+            adaptive_count: p.boolean()?,
+            hard_edges: p.boolean()?,
+            seams: p.integer()?,
+            symmetry: p.integer()?,
+            guides: p.integer()?,
+        })),
         _ => return Err(wrong(lit, "a value")),
     };
     p.end()?;
@@ -406,6 +416,16 @@ fn print_one(value: &Stored, expect: Expect, keep: &mut dyn FnMut(&[u8]) -> u32)
                 m.simple_planes
             )
         }
+        Stored::QuadSettings(q) => format!(
+            "quads({}, {}, {}, {}, {}, {}, {})",
+            q.count,
+            plain(q.adaptive_size),
+            q.adaptive_count,
+            q.hard_edges,
+            q.seams,
+            q.symmetry,
+            q.guides
+        ),
         Stored::Geometry(geometry) => geometry_form(geometry, keep),
     }
 }

@@ -45,6 +45,7 @@ fn whole(surface: &Surface, curve: &Curve) -> Iso {
 pub(super) fn hull(curve: &Curve) -> Option<BoundingBox> {
     match curve {
         Curve::Arc(_) => Some(curve.bounding_box()),
+        Curve::Line(c) => BoundingBox::from_points([c.line.from, c.line.to]),
         Curve::Poly(poly) => poly.segments().iter().map(hull).reduce(|a, b| Some(a?.union(&b?))).flatten(),
         _ => BoundingBox::from_points(controls(curve)?),
     }
@@ -137,6 +138,10 @@ pub(super) fn is_straight(curve: &Curve, tolerance: f64) -> bool {
         && !c.is_clamped()
     {
         return false;
+    }
+    if let Curve::Line(c) = curve {
+        let square = (c.line.to - c.line.from).dot(c.line.to - c.line.from);
+        return square.is_finite() && square > 0.0;
     }
     let Some(points) = controls(curve) else { return false };
     let (Some(&from), Some(&to)) = (points.first(), points.last()) else { return false };

@@ -4,9 +4,6 @@ use super::build::{Along, NewEdge, NewVertex, Path};
 use super::{Brep, Builder, LoopKind};
 use crate::{Curve, Direction, Error, Interval, Line, LineCurve, Point3, Result, Side, Surface, Tolerance};
 
-/// A normal shorter than this part of what the surface's size lets expect is none.
-const NO_NORMAL: f64 = 1e-12;
-
 impl Brep {
     /// The brep of one face that is a whole surface. Sides where the surface closes become one edge with two trims,
     /// a seam; sides that are a single point become singular trims. Edges run the way of the loop: south, east,
@@ -21,7 +18,8 @@ impl Brep {
 
     /// The brep of a surface cut along its kinks: one face for every smooth part. A kink is a line of constant
     /// parameter across which the tangent turns by more than `tolerance.angle`. Parts that are only a curve or a point
-    /// are left out: those of a straight piece drawn along itself, or turned about itself.
+    /// are left out: those of a straight piece drawn along itself, or turned about itself. A kink that openNURBS does not
+    /// tell from the one before it is no line of its own, so that a hair-thin piece goes with its neighbour.
     ///
     /// # Errors
     /// As [`Brep::from_surface`].
@@ -31,38 +29,30 @@ impl Brep {
             let mut cuts = vec![domain.start];
             cuts.extend(surface.kinks(d, tolerance.angle));
             cuts.push(domain.end);
+            without_hairs(surface, d, &mut cuts);
             cuts
         });
         patches(surface, &cuts)
     }
 }
 
-/// Refuses a surface that is a curve or a point.
-fn check_area(surface: &Surface) -> Result<()> {
-    let domains = Direction::BOTH.map(|d| surface.domain(d));
-    let places = [0.137, 0.319, 0.5, 0.684, 0.891];
-    let (mut size, mut area) = (0.0_f64, 0.0_f64);
-    let mut first: Option<Point3> = None;
-    for x in places {
-        for y in places {
-            let (u, v) = (domains[0].at(x), domains[1].at(y));
-            let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
-            let origin = *first.get_or_insert(d.point());
-            size = size.max(d.point().distance_to(origin));
-            size = size
-                .max(d.get(1, 0).length() * domains[0].length())
-                .max(d.get(0, 1).length() * domains[1].length());
-            area =
-                area.max(d.get(1, 0).cross(d.get(0, 1)).length() * domains[0].length() * domains[1].length());
-        }
+/// Drops inner cuts between which and the one before, or the end, the surface has no width.
+fn without_hairs(surface: &Surface, direction: Direction, cuts: &mut Vec<f64>) {
+    let across = surface.domain(direction.other());
+    let at = |t: f64, x: f64| match direction {
+        Direction::U => surface.point_at(t, across.at(x)),
+        Direction::V => surface.point_at(across.at(x), t),
+    };
+    let thin = |a: f64, b: f64| {
+        let middle = 0.5 * (a + b);
+        [0.0, 0.41, 1.0].iter().all(|&x| at(a, x).coincides(at(b, x)) && at(a, x).coincides(at(middle, x)))
+    };
+    let Some(end) = cuts.pop() else { return };
+    cuts.dedup_by(|b, a| thin(*a, *b));
+    if cuts.len() > 1 && cuts.last().is_some_and(|last| thin(*last, end)) {
+        cuts.pop();
     }
-    if !(size.is_finite() && area.is_finite()) {
-        return Err(Error::NotFinite("surface"));
-    }
-    if area > NO_NORMAL * size * size && area > 0.0 {
-        return Ok(());
-    }
-    Err(Error::degenerate("surface", "it has no area"))
+    cuts.push(end);
 }
 
 /// The nodes of a grid of patches, those in one place told as one.
@@ -104,16 +94,19 @@ struct Grid {
 
 /// The faces between cuts in both directions, joined.
 fn patches(surface: &Surface, cuts: &[Vec<f64>; 2]) -> Result<Brep> {
-    check_area(surface)?;
+    surface.check_area()?;
     let mut bare = Vec::new();
     let counts = [cuts[0].len() - 1, cuts[1].len() - 1];
     let mut cells = Vec::with_capacity(counts[0] * counts[1]);
     for u in cuts[0].windows(2) {
         for v in cuts[1].windows(2) {
             let ranges = [Interval::new(u[0], u[1]), Interval::new(v[0], v[1])];
-            let cell =
-                if counts == [1, 1] { surface.clone() } else { surface.sub_surface(ranges[0], ranges[1])? };
-            bare.push(check_area(&cell).is_err());
+            let cell = if counts == [1, 1] {
+                surface.clone()
+            } else {
+                surface.sub_surface(ranges[0], ranges[1])?.with_segments_as_lines()
+            };
+            bare.push(cell.check_area().is_err());
             cells.push(cell);
         }
     }

@@ -4,28 +4,56 @@ use super::{Brep, CurvePart, Parts, Solidity, Trim};
 use crate::quadrature::GAUSS_6;
 use crate::{Curve, Direction, Interval, Point3, Surface};
 
-/// Parts into which a range is divided where it has no knots to say.
-const PARTS: usize = 8;
+/// Parts into which a range of a surface is divided where its pieces are fewer and no polynomials that the rule is
+/// exact for.
+const PARTS: usize = 4;
+/// Parts into which each piece of a curved trim is divided.
+const TRIM_PARTS: usize = 8;
+/// The rule is exact for polynomials up to degree 11, and the density of a surface of degree p has degree 3p − 1.
+const EXACT_DEGREE: usize = 4;
 
-/// The integral over a range, by parts.
+/// Gauss's rule of two points, for what many breaks divide finely.
+const GAUSS_2: [[f64; 2]; 1] = [[0.577_350_269_189_625_7, 1.0]];
+/// What is divided into more parts than this takes the short rule.
+const MANY: usize = 12;
+
+/// The integral over a range, by parts between increasing breaks.
 fn integral(range: Interval, breaks: &[f64], mut f: impl FnMut(f64) -> f64) -> f64 {
+    let rule = if breaks.len() > MANY { GAUSS_2.as_slice() } else { GAUSS_6.as_slice() };
     let [low, high] = [range.min(), range.max()];
-    let inner = breaks.iter().copied().filter(|t| low < *t && *t < high);
-    let stops: Vec<f64> = std::iter::once(low).chain(inner).chain(std::iter::once(high)).collect();
     let mut sum = 0.0;
-    for w in stops.windows(2) {
-        let (middle, half) = (0.5 * (w[0] + w[1]), 0.5 * (w[1] - w[0]));
-        for [x, weight] in GAUSS_6 {
+    let mut from = low;
+    let inner = breaks.iter().copied().filter(|t| low < *t && *t < high);
+    for to in inner.chain(std::iter::once(high)) {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        for [x, weight] in rule {
             sum += weight * half * (f(middle - half * x) + f(middle + half * x));
         }
+        from = to;
     }
     if range.start <= range.end { sum } else { -sum }
 }
 
-/// The knots of a direction, or even parts where there are few.
+/// Whether a curve consists of polynomials that the rule is exact for.
+fn is_plain(curve: &Curve) -> bool {
+    match curve {
+        Curve::Line(_) | Curve::Polyline(_) => true,
+        Curve::Nurbs(c) => !c.is_rational() && c.degree() <= EXACT_DEGREE,
+        Curve::Arc(_) => false,
+        Curve::Poly(c) => c.segments().iter().all(is_plain),
+    }
+}
+
+/// Where the integral over a direction is divided: at the knots, and evenly where the rule is not exact between few.
 fn breaks(surface: &Surface, direction: Direction) -> Vec<f64> {
     let spans = surface.span_parameters(direction);
-    if spans.len() > PARTS {
+    let exact = match surface {
+        Surface::Plane(_) => true,
+        Surface::Sum(s) => s.curves().get(direction.index()).is_some_and(is_plain),
+        Surface::Nurbs(s) => !s.is_rational() && s.degree(direction) <= EXACT_DEGREE,
+        Surface::Revolution(_) => false,
+    };
+    if exact || spans.len() > PARTS {
         return spans;
     }
     let domain = surface.domain(direction);
@@ -46,8 +74,23 @@ fn stops(surface: &Surface, curve: &Curve, part: &CurvePart) -> Vec<f64> {
         out.sort_by(f64::total_cmp);
         return out;
     }
-    let count = PARTS * curve.pieces().len().min(16);
+    let count = TRIM_PARTS * curve.pieces().len().min(16);
     (1..count).map(|k| domain.at(k as f64 / count as f64)).collect()
+}
+
+/// Whether position · normal of a surface is the same all along v: of planes, and of curves drawn straight.
+fn is_even_along_v(surface: &Surface) -> bool {
+    match surface {
+        Surface::Plane(_) => true,
+        Surface::Sum(s) => matches!(s.curves(), [_, Curve::Line(_)]),
+        _ => false,
+    }
+}
+
+/// A third of position · normal, by the area of parameters.
+fn density(surface: &Surface, u: f64, v: f64, origin: Point3) -> f64 {
+    let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
+    (d.point() - origin).dot(d.get(1, 0).cross(d.get(0, 1))) / 3.0
 }
 
 impl Parts {
@@ -58,29 +101,54 @@ impl Parts {
         for face in self.faces.iter().filter(|face| !face.deleted) {
             let Some(surface) = self.face_surface(face) else { continue };
             let trims = face.loops.iter().filter_map(|l| self.loops.get(*l)).flat_map(|chain| &chain.trims);
-            let flux: f64 =
-                trims.filter_map(|t| self.trims.get(*t)).map(|trim| self.flux(trim, surface, origin)).sum();
+            let trims = trims.filter_map(|t| self.trims.get(*t));
+            let flux: f64 = if surface.is_affine() {
+                let [u, v] = Direction::BOTH.map(|d| surface.domain(d).start);
+                let density = density(surface, u, v, origin);
+                trims.map(|trim| self.flat_flux(trim, surface, origin, density)).sum()
+            } else {
+                trims.map(|trim| self.flux(trim, surface, origin)).sum()
+            };
             volume += if face.reversed { -flux } else { flux };
         }
         volume
+    }
+
+    /// The share of a trim where what is integrated is the same everywhere: exact for straight ones.
+    fn flat_flux(&self, trim: &Trim, surface: &Surface, origin: Point3, density: f64) -> f64 {
+        let part = &trim.part;
+        match self.trim_curve(trim) {
+            Some(curve @ Curve::Line(_)) => {
+                let [p, q] = [part.domain.start, part.domain.end].map(|t| part.point_at(curve, t));
+                let floor = surface.domain(Direction::V).start;
+                -density * (q.x - p.x) * (0.5 * (p.y + q.y) - floor)
+            }
+            _ => self.flux(trim, surface, origin),
+        }
     }
 
     /// The share of a trim in the integral of a third of position · normal over its face.
     fn flux(&self, trim: &Trim, surface: &Surface, origin: Point3) -> f64 {
         let Some(curve) = self.trim_curve(trim) else { return 0.0 };
         let part = &trim.part;
-        let rows = breaks(surface, Direction::V);
+        if let Curve::Line(line) = curve
+            && line.line.from.x == line.line.to.x
+        {
+            return 0.0;
+        }
+        let even = is_even_along_v(surface);
+        let rows = if even { Vec::new() } else { breaks(surface, Direction::V) };
         let floor = surface.domain(Direction::V).start;
-        let density = |u: f64, v: f64| {
-            let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
-            (d.point() - origin).dot(d.get(1, 0).cross(d.get(0, 1))) / 3.0
-        };
+        let density = |u: f64, v: f64| density(surface, u, v, origin);
         let speed = part.range.length() / part.domain.length() * if part.reversed { -1.0 } else { 1.0 };
         -integral(part.domain, &stops(surface, curve, part), |t| {
             let [place, slope] = curve.jet_at::<2>(part.to_curve_parameter(t), false);
             let slope = slope.x * speed;
             if slope == 0.0 {
                 return 0.0;
+            }
+            if even {
+                return slope * (place.y - floor) * density(place.x, floor);
             }
             slope * integral(Interval::new(floor, place.y), &rows, |v| density(place.x, v))
         })
@@ -91,7 +159,10 @@ impl Brep {
     /// Which way the normals of a closed brep point, by the sign of its volume; unknown for one that is not closed or
     /// encloses next to nothing.
     pub fn solid_orientation(&self) -> Solidity {
-        let Some(bounds) = self.bounds_of_faces().filter(|_| self.is_solid()) else {
+        if !self.is_solid() {
+            return Solidity::Unknown;
+        }
+        let Some(bounds) = self.bounds_of_corners().or_else(|| self.bounds_of_faces()) else {
             return Solidity::Unknown;
         };
         let size = bounds.diagonal().length();
@@ -103,6 +174,17 @@ impl Brep {
         } else {
             Solidity::Inward
         }
+    }
+
+    /// The box around the vertices of a polyhedron, whose faces are flat and edges straight.
+    fn bounds_of_corners(&self) -> Option<crate::BoundingBox> {
+        let parts = self.parts();
+        let live = parts.faces.iter().filter(|face| !face.deleted);
+        let flat = live.clone().all(|face| parts.face_surface(face).is_some_and(Surface::is_affine));
+        let edges = parts.edges.iter().filter(|edge| !edge.deleted);
+        let straight = edges.clone().all(|edge| matches!(parts.edge_curve(edge), Some(Curve::Line(_))));
+        let corners = parts.vertices.iter().filter(|vertex| !vertex.deleted).map(|vertex| vertex.point);
+        if flat && straight { crate::BoundingBox::from_points(corners) } else { None }
     }
 
     /// The same faces seen from the other side.

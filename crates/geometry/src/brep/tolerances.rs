@@ -38,8 +38,14 @@ impl Parts {
         let (Some(flat), Some(surface)) = (self.trim_curve(trim), self.trim_surface(trim)) else {
             return 0.0;
         };
-        let pieces = flat.pieces().len() + space.pieces().len();
-        let count = (PLACES * pieces).clamp(2 * PLACES, MOST_PLACES);
+        let straight = matches!((flat, space), (Curve::Line(_), Curve::Line(_))) && surface.is_affine();
+        let count = if straight {
+            // What is apart changes evenly from end to end.
+            1
+        } else {
+            let pieces = flat.pieces().len() + space.pieces().len();
+            (PLACES * pieces).clamp(2 * PLACES, MOST_PLACES)
+        };
         let mut index: Option<ClosestOnCurve<'_>> = None;
         let mut worst = 0.0_f64;
         for k in 0..=count {

@@ -1,5 +1,6 @@
 //! Curves and faces drawn along a direction, along a curve or to a point.
 
+use super::walls::{Way, drawn_out};
 use super::{cap_plane, check};
 use crate::{
     Brep, Curve, Error, NurbsSurface, Point3, Result, SumSurface, Surface, Tolerance, Vector3, Xform,
@@ -78,12 +79,10 @@ fn closed_if(capped: bool, brep: Brep, tolerance: &Tolerance) -> Result<Brep> {
 /// The direction has no length; the brep has no naked edges, or walls and faces do not meet.
 pub fn extrude_brep(base: &Brep, direction: Vector3, tolerance: &Tolerance) -> Result<Brep> {
     tolerance.positive_distance()?;
-    let top = base.transformed(&Xform::translation(direction))?;
-    let walls = walls(base, tolerance, |edge| Ok(SumSurface::extrusion(edge, direction)?.into()))?;
-    solid([base.clone(), top], walls, tolerance)
+    drawn_out(base, &Way::Straight(direction))
 }
 
-/// The solid that an open brep draws when it moves along a curve without turning.
+/// The solid that an open brep draws when it moves along a curve without turning. At kinks of the curve walls are cut.
 ///
 /// # Errors
 /// As [`extrude_brep`]; also a closed path.
@@ -92,10 +91,23 @@ pub fn extrude_brep_along(base: &Brep, path: &Curve, tolerance: &Tolerance) -> R
     if path.is_closed() {
         return Err(Error::degenerate("extrusion", "along a closed path it has no ends"));
     }
+    if path.smooth_runs(tolerance)?.len() == 1 {
+        return drawn_out(base, &Way::Along(path));
+    }
     let shift = -path.start().to_vector();
     let top = base.transformed(&Xform::translation(path.end() - path.start()))?;
-    let walls = walls(base, tolerance, |edge| Ok(SumSurface::new(edge, path.clone(), shift)?.into()))?;
-    solid([base.clone(), top], walls, tolerance)
+    let mut all = vec![base.clone(), top];
+    for edge in base.naked_edges() {
+        if let Some(curve) = base.edge_as_curve(edge)? {
+            let wall = SumSurface::new(curve, path.clone(), shift)?.into();
+            all.push(Brep::from_kinked_surface(&wall, tolerance)?);
+        }
+    }
+    let whole = Brep::joined_into_one(&all, tolerance)?;
+    if whole.is_solid() {
+        return Ok(whole);
+    }
+    Err(Error::degenerate("extrusion", "its faces do not close"))
 }
 
 /// The solid between an open brep and a point.
@@ -104,31 +116,5 @@ pub fn extrude_brep_along(base: &Brep, path: &Curve, tolerance: &Tolerance) -> R
 /// The brep has no naked edges, or the apex lies on it.
 pub fn extrude_brep_to_point(base: &Brep, apex: Point3, tolerance: &Tolerance) -> Result<Brep> {
     tolerance.positive_distance()?;
-    let walls = walls(base, tolerance, |edge| Ok(NurbsSurface::to_apex(&edge.to_nurbs()?, apex)?.into()))?;
-    solid([base.clone()], walls, tolerance)
-}
-
-/// A wall along every naked edge.
-fn walls(base: &Brep, tolerance: &Tolerance, wall: impl Fn(Curve) -> Result<Surface>) -> Result<Vec<Brep>> {
-    let naked = base.naked_edges();
-    if naked.is_empty() {
-        return Err(Error::degenerate("extrusion", "the brep has no naked edges"));
-    }
-    let mut out = Vec::with_capacity(naked.len());
-    for edge in naked {
-        if let Some(curve) = base.edge_as_curve(edge)? {
-            out.push(Brep::from_kinked_surface(&wall(curve)?, tolerance)?);
-        }
-    }
-    Ok(out)
-}
-
-fn solid<const N: usize>(ends: [Brep; N], walls: Vec<Brep>, tolerance: &Tolerance) -> Result<Brep> {
-    let mut all: Vec<Brep> = ends.into();
-    all.extend(walls);
-    let whole = Brep::joined_into_one(&all, tolerance)?;
-    if whole.is_solid() {
-        return Ok(whole);
-    }
-    Err(Error::degenerate("extrusion", "its faces do not close"))
+    drawn_out(base, &Way::To(apex))
 }

@@ -16,6 +16,7 @@ mod primitives;
 mod revolve;
 mod sweep;
 mod tapered;
+mod walls;
 
 pub use baseball::baseball_sphere;
 pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};

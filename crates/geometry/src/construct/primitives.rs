@@ -26,11 +26,15 @@ pub fn box_brep(shape: &Box3) -> Result<Brep> {
     if !corners.iter().all(|p| p.is_finite()) {
         return Err(Error::NotFinite("box"));
     }
+    if let Some(flat) = shape.flat_side() {
+        let sheet = PlaneSurface::new(flat.plane, flat.x.ordered(), flat.y.ordered())?;
+        return Brep::from_surface(sheet.into());
+    }
     let sizes =
         [corners[1] - corners[0], corners[3] - corners[0], corners[4] - corners[0]].map(Vector3::length);
     let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
     if !sizes.iter().all(|s| *s > 1e-12 * largest) {
-        return Err(Error::degenerate("box", "it is flat"));
+        return Err(Error::degenerate("box", "it has no area"));
     }
     let mut builder = Builder::new();
     let vertices = corners.map(|p| builder.vertex(p));

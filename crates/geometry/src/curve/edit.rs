@@ -213,7 +213,8 @@ impl Curve {
         over_seam(first, self.trimmed(Interval::new(domain.start, t))?)
     }
 
-    /// The pieces between parameters, in order. Parameters outside the domain and repeated ones are ignored.
+    /// The pieces between parameters, in order. Parameters outside the domain are ignored, and so are those that rounding
+    /// alone tells apart from another one or from an end of the domain.
     ///
     /// A closed curve is cut into as many pieces as there are parameters: unless it is cut at its seam, the piece
     /// over the seam is one, and it is the last, as Rhino has it. Without a parameter the curve comes back whole.
@@ -224,9 +225,12 @@ impl Curve {
         let domain = self.domain();
         let mut cuts: Vec<f64> = parameters.iter().copied().filter(|t| domain.contains(*t)).collect();
         cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
-        let at_seam = cuts.first() == Some(&domain.start) || cuts.last() == Some(&domain.end);
-        cuts.retain(|&t| domain.start < t && t < domain.end);
+        // Parameters that were computed carry a few roundings of the largest number in the domain.
+        let rounding = 16.0 * f64::EPSILON * domain.start.abs().max(domain.end.abs());
+        cuts.dedup_by(|a, b| (*a - *b).abs() <= rounding);
+        let at_seam = cuts.first().is_some_and(|t| t - domain.start <= rounding)
+            || cuts.last().is_some_and(|t| domain.end - t <= rounding);
+        cuts.retain(|&t| t - domain.start > rounding && domain.end - t > rounding);
         if cuts.is_empty() {
             return Ok(vec![self.clone()]);
         }

@@ -195,7 +195,58 @@ impl Curve {
     /// # Errors
     /// The radius is not above 0, or a part has no extent.
     pub fn fillet_corners(&self, radius: f64, tolerance: &Tolerance) -> Result<(Self, Vec<f64>)> {
-        self.worked_corners(tolerance, |a, b| a.fillet_with(b, radius, tolerance), radius)
+        self.worked_corners(tolerance, |_| true, |a, b| a.fillet_with(b, radius, tolerance), radius)
+    }
+
+    /// The curve with only the kink nearest to a parameter rounded by an arc of a radius, and the parameter of that kink.
+    ///
+    /// # Errors
+    /// The curve has no kink, or the radius does not fit there or is not above 0.
+    pub fn fillet_corner(&self, near: f64, radius: f64, tolerance: &Tolerance) -> Result<(Self, f64)> {
+        let kinks = self.discontinuities(Continuity::G1, tolerance);
+        let ends = [self.domain().start, self.domain().end];
+        let inner = kinks.into_iter().filter(|t| self.is_closed() || !ends.contains(t));
+        let kink = inner.min_by(|a, b| (a - near).abs().total_cmp(&(b - near).abs()));
+        let kink = kink.ok_or_else(|| Error::degenerate("curve", "it has no corner"))?;
+        let work = |a: &Self, b: &Self| a.fillet_with(b, radius, tolerance);
+        let (made, left) = self.worked_corners(tolerance, |t| t == kink, work, radius)?;
+        if !left.is_empty() {
+            return Err(Error::OutOfRange {
+                what: "radius",
+                value: radius,
+                must: "small enough for both curves beside the corner",
+            });
+        }
+        Ok((made, kink))
+    }
+
+    /// The curve with all its kinks rounded by arcs that end a distance from them, and the parameters of the kinks where
+    /// that does not fit. Between curves the two ends of an arc are not equally far away: the farther one is at the
+    /// distance.
+    ///
+    /// # Errors
+    /// The distance is not above 0, or a part has no extent.
+    pub fn fillet_corners_at(&self, distance: f64, tolerance: &Tolerance) -> Result<(Self, Vec<f64>)> {
+        let work = |a: &Self, b: &Self| a.fillet_reaching(b, distance, tolerance);
+        self.worked_corners(tolerance, |_| true, work, distance)
+    }
+
+    /// [`Curve::fillet_with`] of the radius whose arc ends at a distance from the corner, found by scaling: near a corner
+    /// the distance grows with the radius.
+    fn fillet_reaching(&self, next: &Self, distance: f64, tolerance: &Tolerance) -> Result<CornerPiece> {
+        let (_, turn) = self.corner_with(next, tolerance)?;
+        let mut radius = distance / (0.5 * turn).tan();
+        for _ in 0..50 {
+            let made = self.fillet_with(next, radius, tolerance)?;
+            let corner = self.end();
+            let reach = [made.piece.start(), made.piece.end()].map(|p| p.distance_to(corner));
+            let reach = reach[0].max(reach[1]);
+            if (reach - distance).abs() <= 1e-12 * distance {
+                return Ok(made);
+            }
+            radius *= distance / reach;
+        }
+        self.fillet_with(next, radius, tolerance)
     }
 
     /// The curve with all its kinks cut by segments, `distance` along the curve to both sides, and the parameters of
@@ -204,12 +255,14 @@ impl Curve {
     /// # Errors
     /// The distance is not above 0, or a part has no extent.
     pub fn chamfer_corners(&self, distance: f64, tolerance: &Tolerance) -> Result<(Self, Vec<f64>)> {
-        self.worked_corners(tolerance, |a, b| a.chamfer_with(b, distance, distance, tolerance), distance)
+        let work = |a: &Self, b: &Self| a.chamfer_with(b, distance, distance, tolerance);
+        self.worked_corners(tolerance, |_| true, work, distance)
     }
 
     fn worked_corners(
         &self,
         tolerance: &Tolerance,
+        chosen: impl Fn(f64) -> bool,
         work: impl Fn(&Self, &Self) -> Result<CornerPiece>,
         size: f64,
     ) -> Result<(Self, Vec<f64>)> {
@@ -235,6 +288,9 @@ impl Curve {
         for i in 0..if seam { n } else { n - 1 } {
             let j = (i + 1) % n;
             let kink = if j == 0 { domain.start } else { ends[j] };
+            if !chosen(kink) {
+                continue;
+            }
             if i == j {
                 // One closed part with a kink at its seam: its own end and start.
                 let middle = domain.middle();

@@ -32,8 +32,14 @@ impl Curve {
             let x = match frames.last() {
                 None => leaving.perpendicular(),
                 Some(&(before, old_t, old_x)) => {
-                    let x = double_reflection(self.point_at(before) - point, old_t, old_x, arriving);
-                    turned(x, arriving, leaving)
+                    let from = self.point_at(before);
+                    // Between places a rounding apart the way is noise, and a reflection in it would turn the frame.
+                    let x = if from.coincides(point) {
+                        turned(old_x, old_t, arriving)
+                    } else {
+                        Some(double_reflection(from - point, old_t, old_x, arriving))
+                    };
+                    x.and_then(|x| turned(x, arriving, leaving))
                 }
             };
             let Some(x) = x.and_then(|x| x.rejected_from(leaving)).and_then(Vector3::unitized) else {
@@ -89,4 +95,33 @@ fn double_reflection(back: Vector3, old_t: Vector3, old_x: Vector3, new_t: Vecto
 fn turned(x: Vector3, a: Vector3, b: Vector3) -> Option<Vector3> {
     let axis = a.cross(b);
     if axis.length() < 1e-15 { Some(x) } else { x.rotated(axis.length().atan2(a.dot(b)), axis) }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Curve, NurbsCurve, Point3};
+
+    /// Parameters a rounding beside the places that frames are carried by, such as the middle of a span, get the same
+    /// frame as those; that of a plane curve keeps its place against the plane.
+    #[test]
+    fn places_a_rounding_apart() {
+        let points = [[7.0, 0.0, 0.0], [7.0, 20.0, 30.0], [7.0, -10.0, 60.0], [7.0, 10.0, 90.0]];
+        let curve: Curve = NurbsCurve::clamped_uniform(3, &points.map(Point3::from)).unwrap().into();
+        let domain = curve.domain();
+        let first = curve.perpendicular_frame_at(domain.start).unwrap();
+        for k in 1..64 {
+            let t = domain.at(f64::from(k) / 64.0);
+            for near in
+                [t, t.next_up(), t.next_down(), t * (1.0 + 1e-14), t * (1.0 - 1e-14), t * (1.0 + 1e-12)]
+            {
+                for asked in [near, domain.end] {
+                    let frames = curve.perpendicular_frames(&[near, asked]);
+                    for frame in frames.into_iter().flatten() {
+                        let apart = frame.x_axis.x - first.x_axis.x;
+                        assert!(apart.abs() < 1e-6, "{k} {near} {apart}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -4,6 +4,7 @@ use super::bend::Bender;
 use super::edges::{EdgePoints, Use, points_along};
 use super::fill::{Filled, fill};
 use super::grid::Grid;
+use super::kinks::kink_lines;
 use super::mend::{Sheet, mend};
 use super::outline::{Corner, Outline};
 use super::result::{BrepMesh, FaceMesh};
@@ -184,14 +185,19 @@ impl<'a> Job<'a> {
         if far {
             return Err(no("a trim lies far outside of the domain of its surface"));
         }
-        let breaks = [0, 1].map(|d| {
-            let [from, to] = reach[d];
-            let near = |t: f64, end: f64| if (t - end).abs() < 1e-7 * domain[d].length() { end } else { t };
-            let [from, to] = [near(from, domain[d].start), near(to, domain[d].end)];
-            let values: Vec<f64> =
-                (trims.iter()).filter_map(|t| t.aligned.filter(|a| a.0 == d).map(|a| a.1)).collect();
-            lines([from, to], &values, &surface.span_parameters(Direction::BOTH[d]), narrow[d])
-        });
+        let lines_with = |extra: &dyn Fn(Direction) -> Vec<f64>| {
+            [0, 1].map(|d| {
+                let [from, to] = reach[d];
+                let near =
+                    |t: f64, end: f64| if (t - end).abs() < 1e-7 * domain[d].length() { end } else { t };
+                let [from, to] = [near(from, domain[d].start), near(to, domain[d].end)];
+                let values: Vec<f64> =
+                    (trims.iter()).filter_map(|t| t.aligned.filter(|a| a.0 == d).map(|a| a.1)).collect();
+                lines([from, to], &values, &extra(Direction::BOTH[d]), narrow[d])
+            })
+        };
+        let breaks = lines_with(&|d| kink_lines(surface, d));
+        let pieces = lines_with(&|d| surface.span_parameters(d));
         if breaks.iter().any(|list| list.len() < 2) {
             return Err(no("its loops have no extent"));
         }
@@ -199,7 +205,7 @@ impl<'a> Job<'a> {
             *value = line_of(&breaks[*d], *value, narrow[*d]);
         }
         let flat = self.limits.simple_planes && surface.is_planar(1e-3 * self.limits.distance);
-        let grid = Grid::new(&Bender::new(surface), breaks, &self.limits, flat)?;
+        let grid = Grid::new(&Bender::new(surface), breaks, &pieces, &self.limits, flat)?;
         Ok(FacePlan { place, face, surface, grid, trims })
     }
 

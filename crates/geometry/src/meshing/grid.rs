@@ -32,19 +32,22 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The cells over the rectangle that `breaks` span: their lines are those of the grid, whatever the limits.
+    /// The cells over the rectangle that `breaks` span: their lines are those of the grid, whatever the limits. `pieces`
+    /// are the breaks and all parameters at which pieces of the surface meet, however smoothly: bounds hold between
+    /// them.
     ///
     /// # Errors
     /// The limits ask for more than eight million cells.
     pub(super) fn new(
         bender: &Bender<'_>,
         breaks: [Vec<f64>; 2],
+        pieces: &[Vec<f64>; 2],
         limits: &Limits,
         flat: bool,
     ) -> Result<Self> {
         let flat = flat && limits.simple_planes;
-        let probes = probes(bender, &breaks, limits);
-        let mut counts = [0, 1].map(|d| counts(&probes, &breaks[d], d, limits));
+        let probes = probes(bender, pieces, limits);
+        let mut counts = [0, 1].map(|d| counts(&probes, &breaks, d, limits));
         adjust(&probes, &breaks, &mut counts, limits, flat);
         let lines = [0, 1].map(|d| divided(&breaks[d], &counts[d]));
         let cells = (lines[0].len() - 1).saturating_mul(lines[1].len() - 1);
@@ -227,36 +230,33 @@ fn probes(bender: &Bender<'_>, breaks: &[Vec<f64>; 2], limits: &Limits) -> Probe
 
 /// For every stretch between breaks the number of parts of the first grid: that of the place that asks for the most,
 /// halved as often as the place that asks for the least allows.
-fn counts(probes: &Probes, breaks: &[f64], d: usize, limits: &Limits) -> Vec<u32> {
-    let (lines, across) = (&probes.lines[d], &probes.lines[1 - d]);
+fn counts(probes: &Probes, breaks: &[Vec<f64>; 2], d: usize, limits: &Limits) -> Vec<u32> {
     let columns = probes.lines[1].len().saturating_sub(1);
-    breaks
-        .windows(2)
-        .map(|stretch| {
-            let [first, last] = probes.reached(d, [stretch[0], stretch[1]]);
-            let (mut most, mut least) = (0.0_f64, f64::INFINITY);
+    let mut out = Vec::with_capacity(breaks[d].len());
+    for own in breaks[d].windows(2) {
+        let wide = own[1] - own[0];
+        let [first, last] = probes.reached(d, [own[0], own[1]]);
+        let (mut most, mut least) = (1.0_f64, f64::INFINITY);
+        for other in breaks[1 - d].windows(2) {
+            let across = other[1] - other[0];
+            let size = if d == 0 { [wide, across] } else { [across, wide] };
+            let [from, to] = probes.reached(1 - d, [other[0], other[1]]);
             for i in first..=last {
-                let Some(own) = lines.get(i..=i + 1).map(|w| w[1] - w[0]) else { continue };
-                for (j, w) in across.windows(2).enumerate() {
-                    let other = w[1] - w[0];
-                    let (place, size) = if d == 0 {
-                        (i * columns + j, [own, other])
-                    } else {
-                        (j * columns + i, [other, own])
-                    };
+                for j in from..=to {
+                    let place = if d == 0 { i * columns + j } else { j * columns + i };
                     let Some(bend) = probes.bends().get(place) else { continue };
-                    let density = need::parts(bend, size, limits)[d] / own;
-                    most = most.max(density);
-                    least = least.min(density);
+                    // What the whole rectangle between breaks would take if it bent as much everywhere.
+                    let n = need::parts(bend, size, limits)[d];
+                    most = most.max(n);
+                    least = least.min(n);
                 }
             }
-            let wide = stretch[1] - stretch[0];
-            let most = (most * wide - 1e-6).ceil().max(1.0);
-            let least = (least * wide).max(1.0);
-            let halvings = (most / least).log2().floor().clamp(0.0, 9.0);
-            (most / halvings.exp2()).ceil().clamp(1.0, 1e6) as u32
-        })
-        .collect()
+        }
+        let most = (most - 1e-6).ceil().max(1.0);
+        let halvings = (most / least.max(1.0)).log2().floor().clamp(0.0, 9.0);
+        out.push((most / halvings.exp2()).ceil().clamp(1.0, 1e6) as u32);
+    }
+    out
 }
 
 /// Brings the number of cells of the first grid between its bounds.

@@ -7,6 +7,7 @@ mod corner_cutting;
 mod edges;
 mod fill;
 mod grid;
+mod kinks;
 mod mend;
 mod need;
 mod net;

@@ -82,13 +82,7 @@ pub(super) fn halving(bend: &Bend, cell: [f64; 2], limits: &Limits) -> Option<us
     if is_sheared(bend, cell, sides, limits, 1.6) {
         return either(direction_of(&bend.along, cell, sides));
     }
-    for d in 0..2 {
-        if cell[d] * bend.turn[d] > limits.angle * (1.0 + 1e-9) && room(&d) {
-            return Some(d);
-        }
-    }
-    let long = usize::from(sides[1] > sides[0]);
-    (sides[long] > 1.5 * limits.aspect * sides[1 - long] && room(&long)).then_some(long)
+    (0..2).find(|d| cell[*d] * bend.turn[*d] > limits.angle * (1.0 + 1e-9) && room(d))
 }
 
 /// Whether a cell is sheared too far, by more than may be overlooked.

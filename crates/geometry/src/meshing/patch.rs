@@ -98,8 +98,100 @@ impl Patch {
         let suu = duu.size.plus(su, 2.0 * du.weight).plus(reach, duu.weight).over(light);
         let suv = duv.size.plus(sv, du.weight).plus(su, dv.weight).plus(reach, duv.weight).over(light);
         let svv = dvv.size.plus(sv, 2.0 * dv.weight).plus(reach, dvv.weight).over(light);
+        if let Some(own) = self.plain_along(1, n, lengths) {
+            return ([own.first_across, own.first], [own.second_across, own.twist, own.second]);
+        }
+        if let Some(own) = self.plain_along(0, n, lengths) {
+            return ([own.first, own.first_across], [own.second, own.twist, own.second_across]);
+        }
         ([su.length, sv.length], [suu, suv, svv])
     }
+
+    /// The bounds of derivatives by a direction along which the weights do not change: then steps between neighbours
+    /// are points of a patch with the weights of the other direction, and where they are all the same, as on a tube
+    /// that is straight, nothing twists.
+    fn plain_along(&self, d: usize, n: Vector3, lengths: [f64; 2]) -> Option<Plain> {
+        let (along, across) = (self.degrees[d], self.degrees[1 - d]);
+        let at = |k: usize, l: usize| if d == 0 { self.at(k, l) } else { self.at(l, k) };
+        let even = |l: usize| {
+            let w = at(0, l)[3];
+            (1..=along).all(|k| (at(k, l)[3] - w).abs() <= 1e-14 * w)
+        };
+        if !(0..=across).all(even) {
+            return None;
+        }
+        let weight = |l: usize| at(0, l)[3];
+        let point = |k: usize, l: usize| {
+            let c = at(k, l);
+            Vector3::new(c[0], c[1], c[2]) / c[3]
+        };
+        let step = |k: usize, l: usize| point(k + 1, l) - point(k, l);
+        let centre =
+            if along > 0 { step(along / 2 - usize::from(along > 1), across / 2) } else { Vector3::ZERO };
+        let (by, by_across) = (along as f64 / lengths[d], across as f64 / lengths[1 - d]);
+        let light = (0..=across).map(weight).fold(f64::MAX, f64::min);
+        let mut first = 0.0_f64;
+        let (mut second, mut reach, mut net) = (Size::default(), Size::default(), Net::default());
+        for l in 0..=across {
+            for k in 0..along {
+                first = first.max(step(k, l).length() * by);
+                reach.include(step(k, l) - centre, n);
+                if k + 1 < along {
+                    let bend = step(k + 1, l) - step(k, l);
+                    second.include(bend * (by * (along as f64 - 1.0) / lengths[d]), n);
+                }
+                if l < across {
+                    let off = (step(k, l + 1) - centre) * weight(l + 1) - (step(k, l) - centre) * weight(l);
+                    net.include([off.x, off.y, off.z, weight(l + 1) - weight(l)], by_across, n);
+                }
+            }
+        }
+        let twist = net.size.plus(reach, net.weight).over(light);
+        // Every row across is a curve of its own, whose points the other direction only mixes.
+        let (mut first_across, mut second_across) = (0.0_f64, Size::default());
+        for k in 0..=along {
+            let row: Vec<[f64; 4]> = (0..=across).map(|l| at(k, l)).collect();
+            let (speed, bend) = row_bounds(&row, n, by_across, light);
+            first_across = first_across.max(speed);
+            second_across = second_across.max(&bend);
+        }
+        let twist = Size::default().plus(twist, by);
+        Some(Plain { first, second, twist, first_across, second_across })
+    }
+}
+
+/// Bounds of the first and second derivatives of a rational curve: its control points, the degree over the length of
+/// its range, and its least weight.
+fn row_bounds(row: &[[f64; 4]], n: Vector3, by: f64, light: f64) -> (f64, Size) {
+    let Some(centre) = row.get(row.len() / 2).map(|c| [c[0] / c[3], c[1] / c[3], c[2] / c[3]]) else {
+        return (0.0, Size::default());
+    };
+    // About the middle point, so that what the weights multiply is small.
+    let local =
+        |c: &[f64; 4]| [c[0] - c[3] * centre[0], c[1] - c[3] * centre[1], c[2] - c[3] * centre[2], c[3]];
+    let minus = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn::<f64, 4, _>(|k| a[k] - b[k]);
+    let mut reach = Size::default();
+    let points: Vec<[f64; 4]> = row.iter().map(local).collect();
+    for c in &points {
+        reach.include(Vector3::new(c[0], c[1], c[2]) / c[3], n);
+    }
+    let steps: Vec<[f64; 4]> = points.windows(2).map(|w| minus(&w[1], &w[0])).collect();
+    let (mut once, mut twice) = (Net::default(), Net::default());
+    steps.iter().for_each(|step| once.include(*step, by, n));
+    let degree = row.len() as f64 - 1.0;
+    let again = by * by * (degree - 1.0) / degree.max(1.0);
+    steps.windows(2).for_each(|w| twice.include(minus(&w[1], &w[0]), again, n));
+    let speed = once.size.plus(reach, once.weight).over(light);
+    (speed.length, twice.size.plus(speed, 2.0 * once.weight).plus(reach, twice.weight).over(light))
+}
+
+/// Bounds of derivatives by a direction along which weights do not change, and by the other one.
+struct Plain {
+    first: f64,
+    second: Size,
+    twist: Size,
+    first_across: f64,
+    second_across: Size,
 }
 
 /// Bounds of a net of homogeneous differences.
@@ -122,6 +214,14 @@ impl Size {
             normal: self.normal + factor * other.normal,
             tangent: self.tangent + factor * other.tangent,
             length: self.length + factor * other.length,
+        }
+    }
+
+    fn max(self, other: &Self) -> Self {
+        Self {
+            normal: self.normal.max(other.normal),
+            tangent: self.tangent.max(other.tangent),
+            length: self.length.max(other.length),
         }
     }
 
@@ -192,6 +292,32 @@ mod tests {
             }
             let slack = if rational { 1.8 } else { 1.2 };
             assert!((0..3).all(|k| second[k].length <= slack * reached[k]), "{second:?} {reached:?}");
+        }
+    }
+
+    /// A straight tube does not twist, whatever the weights around it; a cone's twist is what it is.
+    #[test]
+    fn tubes_with_weights_around() {
+        let w = 0.5_f64.sqrt();
+        for top in [1.0, 0.25] {
+            let ring = |r: f64, z: f64| [[r, 0.0, z, 1.0], [r * w, r * w, z * w, w], [0.0, r, z, 1.0]];
+            let (low, high) = (ring(1.0, 0.0), ring(top, 50.0));
+            let points: Vec<[f64; 4]> = low.into_iter().zip(high).flat_map(|(a, b)| [a, b]).collect();
+            let patch = Patch::new([2, 1], points.clone());
+            let around: Vec<[f64; 4]> =
+                points.chunks(2).map(|c| c[0]).chain(points.chunks(2).map(|c| c[1])).collect();
+            for (patch, along) in [(patch, 1), (Patch::new([1, 2], around), 0)] {
+                let (first, second) = patch.bounds(Vector3::Z, [1.0, 1.0]);
+                // The corner of the control points is √2 away from the axis.
+                let [side, corner] = [1.0, 2_f64.sqrt()].map(|x| 50_f64.hypot(x * (1.0 - top)));
+                assert!((side - 1e-12..=corner + 1e-12).contains(&first[along]), "{first:?}");
+                // However long the tube.
+                assert!(first[1 - along] < 4.0, "{first:?}");
+                // A quarter of a circle begins with a speed of √2.
+                let least = 2_f64.sqrt() * (1.0 - top);
+                assert!(second[1].length >= least - 1e-12 && second[1].length <= 3.0 * least + 1e-12);
+                assert!(second[if along == 1 { 2 } else { 0 }].length == 0.0);
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! How fine a mesh of a surface or brep is.
 
+use std::f64::consts::SQRT_2;
+
 use crate::{Error, Result};
 
 /// How fine the mesh of a surface or brep is. A limit of 0 is off.
@@ -13,9 +15,11 @@ pub struct MeshSettings {
     /// A greatest distance in proportion to the size of what is meshed: 0 is off, towards 1 it is finer. It is
     /// 0.5 · 10^(−1 − 3x) of the diagonal of the box around it, so 0.65 is about 0.0005 of the size.
     pub relative_tolerance: f64,
+    /// What the distance by size does not go below.
+    pub min_distance: f64,
     /// The greatest turn of the normal from one side of a mesh face to the other.
     pub max_angle: f64,
-    /// The longest side of a quad over its shortest.
+    /// The longest side of a quad of the first grid over its shortest; below √2 it counts as √2.
     pub max_aspect: f64,
     /// Sides are not halved when their halves would be shorter; wins over every other limit but `max_edge`.
     pub min_edge: f64,
@@ -40,6 +44,7 @@ impl Default for MeshSettings {
         Self {
             max_distance: 0.0,
             relative_tolerance: 0.65,
+            min_distance: 0.0,
             max_angle: 0.0,
             max_aspect: 0.0,
             min_edge: 0.0001,
@@ -76,6 +81,7 @@ impl MeshSettings {
         for (what, value) in [
             ("greatest distance", self.max_distance),
             ("relative tolerance", self.relative_tolerance),
+            ("least distance", self.min_distance),
             ("greatest angle", self.max_angle),
             ("aspect ratio", self.max_aspect),
             ("shortest edge", self.min_edge),
@@ -92,7 +98,7 @@ impl MeshSettings {
     pub(super) fn limits(&self, size: f64) -> Limits {
         let off = |x: f64| if x > 0.0 { x } else { f64::INFINITY };
         let share = if self.relative_tolerance > 0.0 {
-            0.5 * 10_f64.powf(-1.0 - 3.0 * self.relative_tolerance.min(1.0)) * size
+            (0.5 * 10_f64.powf(-1.0 - 3.0 * self.relative_tolerance.min(1.0)) * size).max(self.min_distance)
         } else {
             0.0
         };
@@ -100,7 +106,7 @@ impl MeshSettings {
             // Nearer than rounding cannot be asked for.
             distance: off(self.max_distance).min(off(share)).max(1e-9 * size),
             angle: off(self.max_angle),
-            aspect: if self.max_aspect >= 1.0 { self.max_aspect } else { f64::INFINITY },
+            aspect: if self.max_aspect > 0.0 { self.max_aspect.max(SQRT_2) } else { f64::INFINITY },
             min_edge: self.min_edge.min(off(self.max_edge)),
             max_edge: off(self.max_edge),
             min_count: self.min_count,

@@ -1,10 +1,11 @@
 //! Maps of space that bend: what they do to curves, surfaces and meshes.
 //!
 //! A [`Morph`] takes points to points. What is made of points follows: meshes by their vertices, curves by samples to
-//! which a curve is fitted within a tolerance, surfaces by their control points after refinement.
+//! which a curve is fitted within a tolerance, surfaces by splines through the images of their points, Breps by all of these.
 
 mod axis;
 mod bend;
+mod brep;
 mod cage;
 mod curve;
 mod flow;

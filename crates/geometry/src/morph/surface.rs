@@ -1,10 +1,17 @@
 //! Surfaces under a map.
 
 use super::Morph;
-use crate::{Direction, NurbsSurface, Point3, Result, Surface, Tolerance};
+use crate::intersect::curve_plane;
+use crate::{Direction, NurbsSurface, Plane, Point3, Result, Side, Surface, Tolerance};
 
 /// No image has more control points than this.
 const MOST: usize = 40_000;
+/// A map is affine where mapped control points miss by no more than this part of the size: rounding.
+const EXACT: f64 = 1e-12;
+/// To what part of itself the error must come down for halving the spans of one direction alone to be worthwhile.
+const WORTHWHILE: f64 = 0.25;
+/// Parameters nearer than this part of the domain are one.
+const SAME: f64 = 1e-9;
 
 /// The surface with its control points mapped.
 pub(super) fn by_controls(surface: &NurbsSurface, morph: &dyn Morph) -> Result<NurbsSurface> {
@@ -18,12 +25,13 @@ pub(super) fn by_controls(surface: &NurbsSurface, morph: &dyn Morph) -> Result<N
 }
 
 impl Surface {
-    /// The image of the surface: its NURBS form with the control points mapped, after its spans have been halved so
-    /// often that it is within `tolerance.absolute` of the exact image in the corners and
-    /// middles of every patch and its edges. The domains stay.
+    /// The image of the surface within `tolerance.absolute` of the exact one, as far as places inside every patch and on
+    /// its edges tell. Where the map is affine, the NURBS form with its control points mapped; else a bicubic one (or of
+    /// the surface's own degrees, if higher) through the images of as many points as it has control points, with spans
+    /// halved until that suffices and kinks where the map's seams run along parameter lines. The domains stay, and the
+    /// parameters are those of [`Surface::to_nurbs`].
     ///
-    /// Moved control points miss by the square of the span's size times the curvature of the map: each halving
-    /// quarters it. With 40,000 control points it ends, near enough or not.
+    /// With 40,000 control points it ends, near enough or not.
     ///
     /// # Errors
     /// As the map's, and when the surface has no NURBS form.
@@ -32,7 +40,7 @@ impl Surface {
         let mut source = self.to_nurbs()?;
         let plain = by_controls(&source, morph)?;
         let size = source.hull_box().min.distance_to(source.hull_box().max);
-        if is_near(&source, &plain, morph, 1e-12 * size)? {
+        if miss(&source, &plain, morph)? <= EXACT * size {
             // The map is affine where the surface is.
             return Ok(plain.into());
         }
@@ -44,44 +52,168 @@ impl Surface {
                 source = source.raised_to(direction, 3)?;
             }
         }
-        loop {
-            let image = by_controls(&source, morph)?;
-            if is_near(&source, &image, morph, tolerance.absolute)? {
-                return Ok(image.into());
+        for seam in morph.seams() {
+            source = kinked(source, &seam)?;
+        }
+        let sides = Sides::of(self);
+        let mut image = through(&source, morph, &sides)?;
+        let mut worst = miss(&source, &image, morph)?;
+        while !(worst <= tolerance.absolute) {
+            let mut best: Option<(f64, NurbsSurface, NurbsSurface)> = None;
+            // One direction where that alone brings it nearer, as for what is bent one way.
+            for directions in [&Direction::BOTH[..1], &Direction::BOTH[1..], &Direction::BOTH[..]] {
+                let next = halved(&source, directions)?;
+                if next.point_count() > MOST {
+                    continue;
+                }
+                let made = through(&next, morph, &sides)?;
+                let left = miss(&next, &made, morph)?;
+                let nearer = best.as_ref().is_none_or(|(least, ..)| left < *least);
+                let enough = left <= tolerance.absolute || left <= WORTHWHILE * worst;
+                if nearer {
+                    best = Some((left, next, made));
+                }
+                if enough {
+                    break;
+                }
             }
-            let mut next = source.clone();
-            for direction in Direction::BOTH {
-                let spans = source.span_parameters(direction);
-                let middles: Vec<f64> = spans.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
-                next = next.refined(direction, &middles)?;
+            let Some((left, next, made)) = best else { break };
+            (worst, source, image) = (left, next, made);
+        }
+        Ok(image.into())
+    }
+}
+
+/// Every span in some directions cut in two.
+fn halved(surface: &NurbsSurface, directions: &[Direction]) -> Result<NurbsSurface> {
+    let mut next = surface.clone();
+    for direction in directions {
+        let spans = surface.span_parameters(*direction);
+        let middles: Vec<f64> = spans.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
+        next = next.refined(*direction, &middles)?;
+    }
+    Ok(next)
+}
+
+/// The surface with full knots where a plane cuts it along a parameter line.
+fn kinked(surface: NurbsSurface, seam: &Plane) -> Result<NurbsSurface> {
+    let mut out = surface;
+    for direction in Direction::BOTH {
+        let (domain, across) = (out.domain(direction), out.domain(direction.other()));
+        let near = SAME * domain.length();
+        let mut common: Option<Vec<f64>> = None;
+        for x in [0.0, 0.37, 1.0] {
+            let Ok(curve) = Surface::from(out.clone()).isocurve(direction, across.at(x)) else { continue };
+            let found = curve_plane(&curve, seam, 1e-9)?.crossings;
+            common = Some(match common {
+                None => found,
+                Some(before) => {
+                    before.into_iter().filter(|t| found.iter().any(|s| (s - t).abs() <= near)).collect()
+                }
+            });
+        }
+        let degree = out.degree(direction);
+        for t in common.unwrap_or_default() {
+            if t <= domain.start + near || t >= domain.end - near {
+                continue;
             }
-            if next.point_count() > MOST {
-                return Ok(image.into());
+            let have = out.knots(direction).iter().filter(|k| (*k - t).abs() <= near).count();
+            let exact = out.knots(direction).iter().copied().find(|k| (k - t).abs() <= near).unwrap_or(t);
+            out = out.refined(direction, &vec![exact; degree.saturating_sub(have)])?;
+        }
+    }
+    Ok(out)
+}
+
+/// Where a surface closes, and where it is a single point.
+struct Sides {
+    closed: [bool; 2],
+    singular: [[bool; 2]; 2],
+}
+
+impl Sides {
+    fn of(surface: &Surface) -> Self {
+        Self {
+            closed: Direction::BOTH.map(|d| surface.is_closed(d)),
+            singular: [[Side::West, Side::East], [Side::South, Side::North]]
+                .map(|pair| pair.map(|side| surface.is_singular(side))),
+        }
+    }
+
+    /// Makes what is one on the surface one among the images, which rounding has parted.
+    fn settle(&self, points: &mut [Point3], [rows, columns]: [usize; 2]) {
+        let at = |i: usize, j: usize| i * columns + j;
+        let mut copy = |from: usize, to: usize| {
+            if let (Some(&p), true) = (points.get(from), to < points.len())
+                && let Some(place) = points.get_mut(to)
+            {
+                *place = p;
             }
-            source = next;
+        };
+        let (last_row, last_column) = (rows.saturating_sub(1), columns.saturating_sub(1));
+        if self.singular[0][0] {
+            (1..columns).for_each(|j| copy(at(0, 0), at(0, j)));
+        }
+        if self.singular[0][1] {
+            (1..columns).for_each(|j| copy(at(last_row, 0), at(last_row, j)));
+        }
+        if self.singular[1][0] {
+            (1..rows).for_each(|i| copy(at(0, 0), at(i, 0)));
+        }
+        if self.singular[1][1] {
+            (1..rows).for_each(|i| copy(at(0, last_column), at(i, last_column)));
+        }
+        if self.closed[0] {
+            (0..columns).for_each(|j| copy(at(0, j), at(last_row, j)));
+        }
+        if self.closed[1] {
+            (0..rows).for_each(|i| copy(at(i, 0), at(i, last_column)));
         }
     }
 }
 
-/// Whether the image follows the map at the quarters of all patches, of few patches in more places.
-fn is_near(source: &NurbsSurface, image: &NurbsSurface, morph: &dyn Morph, tolerance: f64) -> Result<bool> {
+/// The surface with the source's knots through the images of its points.
+fn through(source: &NurbsSurface, morph: &dyn Morph, sides: &Sides) -> Result<NurbsSurface> {
+    let [us, vs] = Direction::BOTH.map(|d| {
+        let domain = source.domain(d);
+        source.greville_abscissae(d).into_iter().map(|t| domain.clamp(t)).collect::<Vec<_>>()
+    });
+    let mut points = Vec::with_capacity(us.len() * vs.len());
+    for &u in &us {
+        for &v in &vs {
+            points.push(morph.image(source.point_at(u, v))?);
+        }
+    }
+    sides.settle(&mut points, [us.len(), vs.len()]);
+    source.through(&points)
+}
+
+/// How far the image is from what the map makes of the source, at places in all patches, of few patches in more.
+fn miss(source: &NurbsSurface, image: &NurbsSurface, morph: &dyn Morph) -> Result<f64> {
     let spans = Direction::BOTH.map(|d| source.span_parameters(d));
-    let parts = if spans[0].len() * spans[1].len() <= 100 { 8 } else { 2 };
+    let parts = match spans[0].len() * spans[1].len() {
+        few if few <= 100 => 8,
+        some if some <= 1000 => 4,
+        _ => 2,
+    };
     let [us, vs] = spans.map(|spans| {
         let part = |w: &[f64], k: u32| w[0] + (w[1] - w[0]) * (f64::from(k) / f64::from(parts));
         let mut out: Vec<f64> = spans.windows(2).flat_map(|w| (0..parts).map(move |k| part(w, k))).collect();
         out.extend(spans.last());
         out
     });
+    let mut worst = 0.0_f64;
     for &u in &us {
         for &v in &vs {
             let wanted: Point3 = morph.image(source.point_at(u, v))?;
-            if !(wanted.distance_to(image.point_at(u, v)) <= tolerance) {
-                return Ok(false);
+            let apart = wanted.distance_to(image.point_at(u, v));
+            if apart.is_nan() {
+                return Ok(f64::INFINITY);
             }
+            worst = worst.max(apart);
         }
     }
-    Ok(true)
+    Ok(worst)
 }
 
 #[cfg(test)]

@@ -11,15 +11,7 @@ use crate::{Arc, ArcCurve, Circle, Ellipse, Interval, Plane, Result};
 /// span's angle as its weight (P&T, *The NURBS Book*, §7.3).
 fn conic(plane: &Plane, rx: f64, ry: f64, angle: Interval, domain: Interval) -> Result<NurbsCurve> {
     let sweep = angle.length();
-    // One span up to a quarter turn, two up to a half, else four, as openNURBS has it.
-    let quarters = sweep.abs() / FRAC_PI_2 - 1e-9;
-    let spans: usize = if quarters <= 1.0 {
-        1
-    } else if quarters <= 2.0 {
-        2
-    } else {
-        4
-    };
+    let spans = Arc::spans_of(sweep);
     let half = sweep / (2 * spans) as f64;
     let weight = half.cos();
     let at = |theta: f64, w: f64| {
@@ -60,6 +52,17 @@ fn exact_sin_cos(theta: f64) -> (f64, f64) {
 }
 
 impl Arc {
+    /// The spans that the NURBS form of an arc of an angle has: one up to a quarter turn, two up to a half, else four, as
+    /// openNURBS has it.
+    pub(crate) fn spans_of(angle: f64) -> usize {
+        let quarters = angle.abs() / FRAC_PI_2 - 1e-9;
+        match quarters {
+            few if few <= 1.0 => 1,
+            few if few <= 2.0 => 2,
+            _ => 4,
+        }
+    }
+
     /// The exact NURBS form over `domain`: rational of degree 2, one, two or four spans of at most a quarter turn.
     ///
     /// # Errors

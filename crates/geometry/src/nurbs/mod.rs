@@ -33,6 +33,7 @@ mod surface_grid;
 mod surface_interpolate;
 mod surface_properties;
 mod surface_refine;
+mod surface_through;
 mod uniform;
 mod weights;
 

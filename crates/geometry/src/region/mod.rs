@@ -36,6 +36,7 @@ mod meetings;
 mod nodes;
 mod relation;
 mod sides;
+mod slits;
 mod sources;
 mod split;
 mod strands;
@@ -47,6 +48,7 @@ pub(crate) use winding::Outline;
 
 pub use cell::plane_cell;
 pub use relation::{CurveRelation, relation};
+pub use slits::{Slit, slits};
 pub use trim::TrimmedCurve;
 
 use crate::{Containment, Curve, Error, Plane, Point3, Result, Xform};

@@ -16,10 +16,11 @@ pub struct FromMesh {
 }
 
 impl SubDNet {
-    /// The net whose vertices and faces are those of a mesh; vertices in exactly one place become one.
+    /// The net whose vertices and faces are those of a mesh; vertices in exactly one place become one. Faces lose sides
+    /// without length; those with fewer than three sides left, or with a place that they use twice, are left out.
     ///
     /// # Errors
-    /// The mesh has no faces; or a face uses a place twice.
+    /// The mesh has no faces with three corners.
     pub fn from_mesh(mesh: &Mesh, options: &FromMesh) -> Result<Self> {
         if mesh.faces().is_empty() {
             return Err(Error::degenerate("mesh", "it has no faces"));
@@ -31,9 +32,22 @@ impl SubDNet {
         // For each edge of the merged mesh the vertices of the mesh at its ends, face by face.
         let mut ends: HashMap<[usize; 2], Vec<[u32; 2]>> = HashMap::new();
         for face in mesh.faces() {
+            // A side without length, as at the poles of a sphere, is none.
+            let root = |i: u32| merged.get(i as usize).copied().unwrap_or(i);
+            let mut corners: Vec<u32> = face.indices().to_vec();
+            corners.dedup_by_key(|i| root(*i));
+            if corners.len() > 1 && corners.first().map(|i| root(*i)) == corners.last().map(|i| root(*i)) {
+                corners.pop();
+            }
+            let mut different: Vec<u32> = corners.iter().map(|i| root(*i)).collect();
+            different.sort_unstable();
+            different.dedup();
+            if different.len() < 3 || different.len() < corners.len() {
+                continue;
+            }
             let mut polygon: Vec<(usize, u32)> = Vec::with_capacity(4);
-            for &i in face.indices() {
-                let root = merged.get(i as usize).copied().unwrap_or(i);
+            for i in corners {
+                let root = root(i);
                 let place = *place_of.entry(root).or_insert_with(|| {
                     points.extend(mesh.vertices().get(root as usize).copied());
                     points.len() - 1
@@ -45,6 +59,9 @@ impl SubDNet {
                 ends.entry([low.0, high.0]).or_default().push([low.1, high.1]);
             }
             polygons.push(polygon.into_iter().map(|p| p.0).collect());
+        }
+        if polygons.is_empty() {
+            return Err(Error::degenerate("mesh", "none of its faces has three corners"));
         }
         let mut net = Self::from_polygons(points, &polygons)?;
         if options.creases {

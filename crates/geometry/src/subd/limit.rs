@@ -16,6 +16,14 @@ const MOST_FACES: usize = 4_000_000;
 const EVEN: f64 = 0.5;
 
 impl SubD {
+    /// How often the finest net is subdivided where the surface is measured by a mesh: seven times, less often where that
+    /// makes too many faces.
+    pub fn fine_levels(&self) -> u32 {
+        const MOST_FACES: usize = 200_000;
+        let faces = self.net().faces().len();
+        (3..=7).rev().find(|levels| faces.saturating_mul(1 << (2 * levels)) <= MOST_FACES).unwrap_or(2)
+    }
+
     /// The surface as a mesh of quads whose vertices lie on it: its finest net subdivided up to `levels` times, at least
     /// once, and less often where that would be more than four million faces. At darts the vertices are near the surface,
     /// the nearer the more levels. Faces that meet at a crease share its vertices.

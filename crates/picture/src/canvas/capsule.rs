@@ -57,6 +57,15 @@ pub(super) fn body(one: &Placed<'_>, fill: Colour) -> Vec<Item> {
     items
 }
 
+/// A frame for what is drawn inside a capsule.
+pub(super) fn window(one: &Placed<'_>) -> (Vec<Item>, [f64; 4]) {
+    let mut items = body(one, theme::capsule(one).0);
+    let [x, y, w, h] = one.frame.rect;
+    let rect = [x + 6.0, y + 4.0, (w - 12.0).max(4.0), (h - 8.0).max(4.0)];
+    items.push(Shape::filled(Path::rectangle(rect), theme::PAPER).outlined(theme::EDGE, 0.6).into());
+    (items, rect)
+}
+
 /// A small text above an object.
 fn above(one: &Placed<'_>, text: &str) -> Item {
     let [x, y, w, _] = one.frame.rect;

@@ -7,15 +7,14 @@ use katydid_definition::document::special::{
 };
 use uuid::{Uuid, uuid};
 
-use super::capsule::{body, grips, middle, titled};
-use super::{Placed, theme};
+use super::capsule::{body, grips, middle, titled, window};
+use super::{Placed, charts, theme};
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
 use crate::font;
 use crate::project::gradient;
 use katydid_scene::colour::of_archive as colour;
 
 const DISPLAY_MATRIX: Uuid = uuid!("b6d27aa4-a61f-4d08-b76e-1105fef0e9e4");
-const QUICK_GRAPH: Uuid = uuid!("2b69bf71-4e69-43aa-b7be-4f6ce7e45bef");
 
 /// An object with settings of its own; `None` for one that looks like any other.
 pub(super) fn draw(one: &Placed<'_>, special: &Special) -> Option<Vec<Item>> {
@@ -45,8 +44,7 @@ pub(super) fn draw(one: &Placed<'_>, special: &Special) -> Option<Vec<Item>> {
 pub(super) fn shown(one: &Placed<'_>) -> Option<Vec<Item>> {
     let mut items = match one.object.component {
         DISPLAY_MATRIX => matrix(one)?,
-        QUICK_GRAPH => quick_graph(one)?,
-        _ => return None,
+        _ => return charts::draw(one),
     };
     items.extend(grips(one));
     Some(items)
@@ -126,15 +124,6 @@ fn value_list(one: &Placed<'_>, list: &ValueList) -> Vec<Item> {
     let arrow = Path::polygon([[tip - 4.0, cy - 2.0], [tip + 4.0, cy - 2.0], [tip, cy + 3.0]]);
     items.push(Shape::filled(arrow, theme::EDGE).into());
     items
-}
-
-/// A frame for what is drawn inside a capsule.
-fn window(one: &Placed<'_>) -> (Vec<Item>, [f64; 4]) {
-    let mut items = body(one, theme::capsule(one).0);
-    let [x, y, w, h] = one.frame.rect;
-    let rect = [x + 6.0, y + 4.0, (w - 12.0).max(4.0), (h - 8.0).max(4.0)];
-    items.push(Shape::filled(Path::rectangle(rect), theme::PAPER).outlined(theme::EDGE, 0.6).into());
-    (items, rect)
 }
 
 fn strip(one: &Placed<'_>, g: &Gradient) -> Vec<Item> {
@@ -257,25 +246,5 @@ fn matrix(one: &Placed<'_>) -> Option<Vec<Item>> {
             font::fitted(&text::number((number * 100.0).round() / 100.0), size, ww / columns as f64 - 2.0);
         items.push(Label::new(at, text, size, theme::INK).anchored(Anchor::End).into());
     }
-    Some(items)
-}
-
-fn quick_graph(one: &Placed<'_>) -> Option<Vec<Item>> {
-    let tree = one.output(0)?;
-    let numbers: Vec<f64> = tree
-        .column()
-        .iter()
-        .flatten()
-        .filter_map(|value| if let Value::Number(x) = value { Some(x) } else { None })
-        .filter(|x| x.is_finite())
-        .take(10_000)
-        .collect();
-    let (mut items, [x, y, w, h]) = window(one);
-    let low = numbers.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let range = if high > low { high - low } else { 1.0 };
-    let last = numbers.len().saturating_sub(1).max(1) as f64;
-    let at = |(k, n): (usize, &f64)| [x + w * k as f64 / last, y + h * (1.0 - (n - low) / range)];
-    items.push(Shape::stroked(Path::polyline(numbers.iter().enumerate().map(at)), theme::RED, 1.2).into());
     Some(items)
 }

@@ -2,12 +2,14 @@
 //! groups, panels with what they show, sliders where they stand.
 
 mod capsule;
+mod charts;
 mod controls;
 mod frame;
 mod notes;
 mod panel;
 mod sign;
 mod theme;
+mod viewport;
 mod wires;
 
 use katydid_data::Tree;
@@ -64,7 +66,11 @@ pub fn canvas(engine: &Engine, options: &Options) -> Drawing {
             drawing.items.push(Item::Group(told(one), items));
         }
     }
-    crop(&mut drawing, &placed, &document);
+    let windows = viewport::windows(engine, &placed);
+    for (_, window) in &windows {
+        drawing.items.push(Item::Group("The model".to_owned(), viewport::draw(engine, *window)));
+    }
+    crop(&mut drawing, &placed, &document, &windows);
     drawing.title = format!("Canvas: {}", result::title(&document, options));
     drawing.description = description(&document, &placed);
     drawing
@@ -115,10 +121,15 @@ pub(crate) fn type_name(object: &Object) -> Option<&str> {
 }
 
 /// Moves everything to the corner and gives the picture its size.
-fn crop(drawing: &mut Drawing, placed: &[Option<Placed<'_>>], document: &Document) {
+fn crop(
+    drawing: &mut Drawing,
+    placed: &[Option<Placed<'_>>],
+    document: &Document,
+    windows: &[(usize, [f64; 4])],
+) {
     let frames = placed.iter().flatten().map(|one| one.frame.outer());
     let groups = notes::group_frames(document, placed);
-    let all = frames.chain(groups).reduce(frame::union);
+    let all = frames.chain(groups).chain(windows.iter().map(|(_, window)| *window)).reduce(frame::union);
     let [x, y, w, h] = all.unwrap_or([0.0, 0.0, 200.0, 100.0]);
     let by = [MARGIN - x, MARGIN - y];
     drawing.items.iter_mut().for_each(|item| item.transform(1.0, by));

@@ -56,6 +56,9 @@ pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
 pub use user_data::UserData;
 
+/// The dimension of curves in space.
+pub(crate) const SPACE_DIMENSION: i32 = curve::SPACE;
+
 pub(crate) use brep::{Reading as BrepReading, read_trim as brep_trim};
 pub(crate) use class_object::{ClassObject, write_class, write_null};
 

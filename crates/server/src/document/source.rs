@@ -2,8 +2,10 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 
 use katydid_component::{Files, RhinoModel};
+use katydid_data::DateTime;
 use katydid_data::cast::Rules;
 use katydid_definition::document::Document;
 use katydid_geometry::Units;
@@ -31,6 +33,11 @@ pub(crate) struct Source {
     pub(crate) id: String,
 }
 
+/// The moment by the clock of the machine, in UTC: what the text `Now` stands for in the definition.
+fn now() -> Option<DateTime> {
+    DateTime::since_1970(SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).ok()?)
+}
+
 impl Source {
     /// An empty one.
     pub(crate) fn empty() -> Self {
@@ -39,7 +46,7 @@ impl Source {
             name: String::new(),
             path: None,
             hash: None,
-            rules: Rules::default(),
+            rules: Rules { now: now(), ..Rules::default() },
             files: Files::None,
             model: None,
             id: chance(),

@@ -210,7 +210,7 @@ fn put_table(
             content::put_layer(model, layer);
         }
         Content::Linetype(linetype) => content::put_linetype(model, linetype),
-        Content::Object(_) | Content::Instance(_) | Content::Filter(_) => {}
+        Content::Object(_) | Content::Instance(_) | Content::Filter(_) | Content::Atom(_) => {}
     }
     Ok(())
 }

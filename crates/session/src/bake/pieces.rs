@@ -25,9 +25,9 @@ pub(super) fn of(
         Value::Surface(surface) => pieces.push(Object::Surface((**surface).clone())),
         Value::Brep(brep) => pieces.push(brep_object(brep)),
         Value::Mesh(mesh) => pieces.push(Object::from((**mesh).clone())),
-        Value::Box(shape) => match (value.brep(), flat(shape)) {
-            (Some(Ok(brep)), _) => pieces.push(brep_object(&brep)),
-            (_, Some(sheet)) => pieces.push(Object::Surface(sheet)),
+        Value::Box(shape) => match (flat(shape), value.brep()) {
+            (Some(sheet), _) => pieces.push(Object::Surface(sheet)),
+            (_, Some(Ok(brep))) => pieces.push(brep_object(&brep)),
             _ => return Err("a box without volume".to_owned()),
         },
         Value::TwistedBox(_) => match cast::value(value, Kind::Mesh, rules) {

@@ -35,7 +35,10 @@ export function ViewerFace({ object, text, size }: { object: ObjectView; text: b
   const output = useOutput(port);
   const paths = usePaths(object.inputs[0]?.id ?? port, MOST_PATHS, output);
   if (!output || output.items === 0) return <span className="no-picture">{t("canvas.empty")}</span>;
-  const count = t("canvas.data.count", { items: output.items, branches: output.branches });
+  // What a viewer gives is the paths of what it shows: an item for each branch.
+  const branches = output.items;
+  const items = (paths ?? []).reduce((sum, path) => sum + path.items, 0);
+  const count = t("canvas.data.count", { items, branches });
   if (!text) return <Tree title={count} paths={paths ?? []} size={size} />;
   return (
     <div className="paths nowheel" data-scrolls>
@@ -45,7 +48,7 @@ export function ViewerFace({ object, text, size }: { object: ObjectView; text: b
           <span>{path}</span> <span>N = {items}</span>
         </p>
       ))}
-      {paths && output.branches > paths.length ? <p>{t("canvas.data.more", { count: output.branches - paths.length })}</p> : null}
+      {paths && branches > paths.length ? <p>{t("canvas.data.more", { count: branches - paths.length })}</p> : null}
     </div>
   );
 }

@@ -14,11 +14,11 @@ fn circle(
     /// Its origin is the centre; the circle starts on its x axis.
     #[port("Plane", "P", default = Plane::XY)]
     plane: Plane,
-    /// Greater than 0.
+    /// Not 0; of a negative one the size counts.
     #[port("Radius", "R", default = 1.0)]
     radius: f64,
 ) -> Result<Circle, Message> {
-    Circle::new(plane, radius).map_err(warning)
+    Circle::new(plane, radius.abs()).map_err(warning)
 }
 
 /// A circle from centre, normal and radius.
@@ -36,11 +36,11 @@ fn circle_cnr(
     /// The direction it is seen from; not zero.
     #[port("Normal", "N", default = Vector3::new(0.0, 0.0, 1.0))]
     normal: Vector3,
-    /// Greater than 0.
+    /// Not 0; of a negative one the size counts.
     #[port("Radius", "R", default = 1.0)]
     radius: f64,
 ) -> Result<Circle, Message> {
-    Circle::from_normal(center, normal, radius).map_err(warning)
+    Circle::from_normal(center, normal, radius.abs()).map_err(warning)
 }
 
 /// The circle through three points.
@@ -192,6 +192,8 @@ mod tests {
     fn circles() {
         assert_eq!(Trial::of("Circle").item(Plane::XY).item(2.0).texts(0), ["{0}: Circle(R:2.00 mm)"]);
         assert!(!Trial::of("Circle").item(Plane::XY).item(0.0).message().is_empty());
+        let turned = Trial::of("Circle").item(Plane::XY).item(-2.0);
+        assert_eq!(turned.texts(0), Trial::of("Circle").item(Plane::XY).item(2.0).texts(0));
         let round = Trial::of("Circle CNR").item(O).item(Vector3::X).item(2.0);
         assert_eq!(round.texts(0), ["{0}: Circle(R:2.00 mm)"]);
         let three = || Trial::of("Circle 3Pt").item(O).item(X).item(Y);

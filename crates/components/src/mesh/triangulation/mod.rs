@@ -5,6 +5,7 @@ mod dome;
 mod hull;
 mod metaball;
 mod proximity;
+mod quads;
 mod remesh;
 mod substrate;
 mod trees;

@@ -3,7 +3,8 @@
 use katydid_component::{Context, component};
 use katydid_data::{Column, Path, Tree, Value};
 
-/// Shows data as text. Without a wire it is a note: its own text goes out, as one text or as one text a line.
+/// Shows data as text. Without a wire it is a note: its own text goes out, as one text or as one text a line. Lines
+/// with nothing in them are no items.
 ///
 /// What comes over a wire is shown and handed on unchanged.
 #[component("59e0b89a-e487-49f8-bab8-b5bab16be14c", name = "Panel", nick = "", at = "Params/Input", floating)]
@@ -22,11 +23,14 @@ fn panel(
     let properties = settings.child("PanelProperties").and_then(|chunk| chunk.bool("Multiline"));
     let multiline = properties.or_else(|| settings.bool("MultilineData")).unwrap_or(true);
     let text = settings.str("UserText").unwrap_or_default();
-    let items = if multiline || text.is_empty() {
-        vec![Value::from(text)]
+    let mut items: Vec<Value> = if multiline {
+        Vec::new()
     } else {
-        text.lines().map(Value::from).collect()
+        text.lines().filter(|line| !line.is_empty()).map(Value::from).collect()
     };
+    if items.is_empty() {
+        items.push(Value::from(text));
+    }
     Tree::branch_at(Path::zero(), Column::of_values(items, None))
 }
 
@@ -49,8 +53,9 @@ mod tests {
         let panel = |text, multiline| {
             Trial::of("Panel").settings(settings(text, multiline)).run().outputs[0].item_count()
         };
-        assert_eq!((panel("a\r\nb", true), panel("a\r\nb\n\nc", false), panel("", false)), (1, 4, 1));
-        assert_eq!(Trial::of("Panel").settings(settings("\r\n1\r\n2", false)).texts(0), ["{0}: , 1, 2"]);
+        assert_eq!((panel("a\r\nb", true), panel("a\r\nb\n\nc", false), panel("", false)), (1, 3, 1));
+        assert_eq!(Trial::of("Panel").settings(settings("\r\n1\r\n2", false)).texts(0), ["{0}: 1, 2"]);
+        assert_eq!((panel("\n", false), panel(" \n1\n", false)), (1, 2));
     }
 
     #[test]

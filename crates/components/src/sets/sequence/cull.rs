@@ -26,7 +26,8 @@ fn cull_pattern(
 ) -> Result<Vec<Option<Value>>, Message> {
     context.items(list.len())?;
     if pattern.is_empty() {
-        return Err(Message::error("The pattern is empty"));
+        context.warn("The pattern is empty: nothing says which items to keep");
+        return Ok(Vec::new());
     }
     let pattern: Vec<bool> = pattern.iter().map(|keep| keep.unwrap_or(false)).collect();
     Ok(list.iter().zip(pattern.iter().cycle()).filter_map(|(item, &keep)| keep.then_some(item)).collect())
@@ -94,7 +95,19 @@ mod tests {
         assert_eq!(list().list(["1", "0", "0"]).texts(0), ["{0}: 0, 3"]);
         assert_eq!(list().texts(0), ["{0}: 2, 3"]);
         assert_eq!(list().list([0.0, 2.5]).texts(0), ["{0}: 1, 3, 5"]);
-        assert_eq!(list().list::<bool>([]).message(), "The pattern is empty");
+        // A branch without a pattern keeps none; the others are culled as ever.
+        assert_eq!(list().list::<bool>([]).texts(0), ["{0}:"]);
+        assert_eq!(
+            list().list::<bool>([]).message(),
+            "The pattern is empty: nothing says which items to keep"
+        );
+        let data = [("{0}", ["a", "b"]), ("{1}", ["c", "d"])];
+        let mut patterns = katydid_data::TreeBuilder::<bool>::new();
+        patterns.branch([0].into());
+        patterns.branch([1].into());
+        [true, false].into_iter().for_each(|keep| patterns.push(Some(keep)));
+        let both = Trial::of("Cull Pattern").branches(data).tree(patterns.finish());
+        assert_eq!(both.texts(0), ["{0}:", "{1}: c"]);
     }
 
     #[test]

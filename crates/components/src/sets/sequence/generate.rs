@@ -29,7 +29,7 @@ fn series(
 }
 
 /// Divides a domain into equal steps and gives the numbers between them, both ends included: one more than
-/// there are steps.
+/// there are steps. Fewer than 0 steps give no numbers.
 #[component("9445ca40-cc73-4861-a455-146308676855", name = "Range", nick = "Range", at = "Sets/Sequence")]
 #[output("Range", "R", "The numbers, from the start of the domain to its end.")]
 fn range(
@@ -41,7 +41,10 @@ fn range(
     #[port("Steps", "N", default = 10)]
     steps: i32,
 ) -> Result<Vec<f64>, Message> {
-    let steps = count(steps, "Steps")?;
+    let Ok(steps) = count(steps, "Steps") else {
+        context.tell(Message::remark(format!("{steps} steps give no numbers")));
+        return Ok(Vec::new());
+    };
     context.items(steps.saturating_add(1))?;
     if steps == 0 {
         return Ok(vec![domain.start]);
@@ -162,7 +165,8 @@ mod tests {
         assert_eq!(range(-10.0, 10.0, 5).texts(0), ["{0;0}: -10, -6, -2, 2, 6, 10"]);
         assert_eq!(range(1.0, 0.0, 2).texts(0), ["{0;0}: 1, 0.5, 0"]);
         assert_eq!(range(3.0, 4.0, 0).texts(0), ["{0;0}: 3"]);
-        assert_eq!(range(3.0, 4.0, -1).message(), "Steps is negative: -1");
+        assert_eq!(range(3.0, 4.0, -1).texts(0), ["{0;0}:"]);
+        assert_eq!(range(3.0, 4.0, -7).message(), "-7 steps give no numbers");
         assert_eq!(range(0.1, 0.7, 3).run().outputs[0].column().get(3), Some(0.7.into()));
         assert_eq!(
             Trial::of("Range").item("20").item("10").texts(0),

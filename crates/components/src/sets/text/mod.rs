@@ -2,6 +2,7 @@
 
 mod compare;
 mod format;
+mod on_surface;
 mod pattern;
 
 use std::sync::Arc;

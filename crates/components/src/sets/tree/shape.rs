@@ -99,9 +99,9 @@ fn simplify_tree(
     Ok(tree.simplify(front))
 }
 
-/// Turns rows into columns: item i of each branch goes to branch i.
+/// Turns rows into columns: every branch is a row, and the items number i of all branches go to branch i.
 ///
-/// Branches are taken together when their paths differ in the last element only. Where a branch is too short
+/// The new paths are the first path with the number of the column as its last element. Where a branch is too short
 /// there is a null. Paths of different lengths are an error.
 #[component("41aa4112-9c9b-42f4-847e-503b9d90e4c7", name = "Flip Matrix", nick = "Flip", at = "Sets/Tree")]
 #[output("Data", "D", "The turned tree; the last path element is the number of the column.")]
@@ -115,53 +115,52 @@ fn flip_matrix(
     if let Some(other) = data.paths().iter().find(|p| p.len() != first.len()) {
         return Err(Message::error(format!("The paths {first} and {other} differ in length")));
     }
-    // Branches stand in order of their paths, so that those of one matrix follow each other.
-    let mut matrices: Vec<(Path, std::ops::Range<usize>)> = Vec::new();
-    for (b, path) in data.paths().iter().enumerate() {
-        let parent = path.parent();
-        match matrices.last_mut() {
-            Some((last, rows)) if *last == parent => rows.end = b + 1,
-            _ => matrices.push((parent, b..b + 1)),
-        }
+    let rows: Vec<_> = (0..data.branch_count()).map(|b| data.range(b)).collect();
+    let columns = rows.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
+    room(context, columns.saturating_mul(rows.len()))?;
+    let parent = first.parent();
+    let mut indices: Vec<usize> = Vec::with_capacity(columns * rows.len());
+    for column in 0..columns {
+        // An index outside all items gathers a null.
+        indices
+            .extend(rows.iter().map(|row| if column < row.len() { row.start + column } else { usize::MAX }));
     }
-    let mut paths = Vec::new();
-    let mut ends = Vec::new();
-    let mut indices: Vec<usize> = Vec::new();
-    for (parent, rows) in matrices {
-        let columns = rows.clone().map(|b| data.range(b).len()).max().unwrap_or(0);
-        room(context, columns.saturating_mul(rows.len()))?;
-        for column in 0..columns {
-            paths.push(parent.child(column));
-            for row in rows.clone().map(|b| data.range(b)) {
-                // An index outside all items gathers a null.
-                indices.push(if column < row.len() { row.start + column } else { usize::MAX });
-            }
-            ends.push(indices.len());
-        }
-    }
+    let paths = (0..columns).map(|column| parent.child(column)).collect();
+    let ends = (1..=columns).map(|column| column * rows.len()).collect();
     Ok(Tree::from_parts(paths, ends, data.column().gather(&indices)))
 }
 
-/// Every path without some of its elements: the first `n`, or with `last` the last.
+/// Every path without some of its elements: the first `n`, or with `last` the last. A path of which nothing is left is
+/// that of the first branch, {0}, so that no data is lost.
 fn shortened(context: &Context<'_>, tree: &Tree, n: usize, last: bool) -> Result<Tree, Message> {
     whole(context, tree)?;
     if n == 0 {
         return Ok(tree.clone());
     }
     let shorten = |path: &Path| {
-        let kept = path.len().checked_sub(n).filter(|&kept| kept > 0);
-        let range = kept.map(|kept| if last { 0..kept } else { n..path.len() });
-        let elements = range.and_then(|range| path.elements().get(range));
-        let none = || Message::error(format!("The path {path} has no element left without {n} of them"));
-        elements.map(Path::from).ok_or_else(none)
+        let kept = path.len().checked_sub(n).filter(|&kept| kept > 0)?;
+        let range = if last { 0..kept } else { n..path.len() };
+        path.elements().get(range).map(Path::from)
     };
-    Ok(tree.with_paths(tree.paths().iter().map(shorten).collect::<Result<_, _>>()?))
+    let mut emptied = None;
+    let paths = tree.paths().iter().map(|path| {
+        shorten(path).unwrap_or_else(|| {
+            emptied.get_or_insert(path);
+            Path::zero()
+        })
+    });
+    let paths = paths.collect();
+    if let Some(path) = emptied {
+        let text = format!("The path {path} has no element left without {n} of them: its data goes to {{0}}");
+        context.tell(Message::remark(text));
+    }
+    Ok(tree.with_paths(paths))
 }
 
 /// Makes paths shorter: a negative offset takes elements off their end, a positive one off their front.
 ///
-/// Branches whose paths become the same are joined in order. A path that would lose all its elements is an
-/// error.
+/// Branches whose paths become the same are joined in order. What has a path that would lose all its elements goes to
+/// {0}, and a remark says so.
 #[component("2d61f4e0-47c5-41d6-a41d-6afa96ee63af", name = "Shift Paths", nick = "PShift", at = "Sets/Tree")]
 #[output("Data", "D", "The tree with shorter paths.")]
 fn shift_paths(
@@ -179,8 +178,8 @@ fn shift_paths(
 
 /// Merges the outermost branches of a tree: takes elements off the end of every path.
 ///
-/// Branches whose paths become the same are joined in order. A path that would lose all its elements is an
-/// error.
+/// Branches whose paths become the same are joined in order. What has a path that would lose all its elements goes to
+/// {0}, and a remark says so.
 #[component("1177d6ee-3993-4226-9558-52b7fd63e1e3", name = "Trim Tree", nick = "Trim", at = "Sets/Tree")]
 #[output("Tree", "T", "The tree with shorter paths.")]
 fn trim_tree(
@@ -289,7 +288,8 @@ mod tests {
         ]);
         assert_eq!(
             trial.texts(0),
-            ["{0;0}: 1, 4", "{0;1}: 2, 5", "{0;2}: 3, 6", "{1;0}: 7", "{1;1}: 8", "{1;2}: 9"]
+            ["{0;0}: 1, 4, 7", "{0;1}: 2, 5, 8", "{0;2}: 3, 6, 9"],
+            "every branch is a row: files turn rows that list components have put a level deeper"
         );
         let ragged = katydid_data::Tree::merge([
             &katydid_data::Tree::list(vec![1, 2]),
@@ -319,6 +319,9 @@ mod tests {
         assert_eq!(tree("Shift Paths").item(1).texts(0), ["{0;0}: 1", "{0;1}: 2", "{1;0}: 3"]);
         assert_eq!(tree("Shift Paths").item(-2).texts(0), ["{0}: 1, 2, 3"]);
         assert_eq!(tree("Shift Paths").item(0).texts(0).len(), 3);
+        // Nothing is lost where nothing of a path is left.
+        assert_eq!(tree("Shift Paths").item(-3).texts(0), ["{0}: 1, 2, 3"]);
+        assert_eq!(tree("Trim Tree").item(7).texts(0), ["{0}: 1, 2, 3"]);
         assert!(tree("Shift Paths").item(i32::MIN).message().starts_with("The path {0;0;0} has no element"));
         assert_eq!(tree("Trim Tree").texts(0), ["{0;0}: 1, 2", "{0;1}: 3"]);
         assert_eq!(tree("Trim Tree").item(0).texts(0).len(), 3);

@@ -3,15 +3,16 @@
 mod along;
 mod cages;
 mod forces;
+mod kept;
 mod mirrors;
 mod onto;
 
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message};
-use katydid_data::{Geometry, Group, Kind, Value, cast};
+use katydid_data::{Content, Geometry, Group, Kind, ModelObject, Value, cast};
 use katydid_geometry::morph::{Morph, morphed_frame, rigid_part};
-use katydid_geometry::{Curve, Line, Plane, Point3, Surface, TwistedBox};
+use katydid_geometry::{Brep, Curve, Line, Plane, Point3, Surface, TwistedBox};
 
 /// Groups in groups beyond this depth are refused.
 const DEEPEST: usize = 100;
@@ -104,22 +105,41 @@ fn deformed(
             let members = group.members.iter().map(member).collect::<Result<_, Message>>()?;
             Value::Group(Shared::new(Group { members }))
         }
+        Value::Vector(v) => {
+            let origin = Point3::ORIGIN;
+            Value::Vector(morph.image(origin + *v)? - morph.image(origin)?)
+        }
+        Value::Brep(brep) => solid(context, brep, morph, manner)?,
+        Value::Box(_) => solid(context, &*super::apply::solid(value)?, morph, manner)?,
         Value::Kept(object) => match object.bare_surface() {
             Ok(Some(bare)) => sheet(&bare.surface)?,
-            _ => {
-                return Err(Message::error(format!(
-                    "Not supported: a {} cannot be deformed yet; its mesh can be",
-                    object.class_name()
-                )));
-            }
+            _ => kept::deformed(context, value, object, morph, manner)?,
         },
-        Value::Box(_) => {
-            return Err(Message::error(
-                "Not supported: a Box cannot be deformed yet; its mesh or a twisted box can be",
-            ));
-        }
+        Value::Content(content) => match &**content {
+            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                deformed(context, geometry, morph, manner, depth + 1)?
+            }
+            // What is drawn by a block of its own is carried as a whole.
+            Content::Instance(_) => {
+                context.tell(Message::remark("A block is carried as a whole: it cannot bend"));
+                moved(value, morph)?
+            }
+            other => return Err(Message::error(format!("A {} cannot be deformed", other.type_name()))),
+        },
         other => return Err(Message::error(format!("A {} cannot be deformed", other.kind()))),
     })
+}
+
+/// The image of a solid, with a warning where the map leaves a sound one unsound: it folds or tears what it maps.
+fn solid(context: &Context<'_>, brep: &Brep, morph: &dyn Morph, manner: Manner) -> Result<Value, Message> {
+    let image = match manner {
+        Manner::Controls => brep.with_morphed_controls(morph)?,
+        _ => brep.morphed(morph, &context.tolerance())?,
+    };
+    if !image.is_valid() && brep.is_valid() {
+        context.warn("Edges and faces of the result do not fit together: the map may fold or tear the shape");
+    }
+    Ok(Value::from(image))
 }
 
 /// The value carried as a whole, as the map carries the middle of its box.

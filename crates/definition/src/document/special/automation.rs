@@ -11,6 +11,13 @@ pub struct Trigger {
     pub targets: Vec<Uuid>,
 }
 
+/// A Data Dam, which holds data back for a while.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DataDam {
+    /// How long, in steps of 100 ns; 0 for not at all.
+    pub delay: i64,
+}
+
 /// A Galapagos solver.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Galapagos {
@@ -26,6 +33,12 @@ impl Trigger {
             interval: c.i32("TimerInterval").or_else(|| c.i32("Interval")).unwrap_or(0),
             targets: c.list("Target").into_iter().filter_map(|(_, id)| id.as_guid()).collect(),
         }
+    }
+}
+
+impl DataDam {
+    pub(super) fn read(c: &Chunk) -> Self {
+        Self { delay: c.i64("BufferDelay").unwrap_or(0) }
     }
 }
 

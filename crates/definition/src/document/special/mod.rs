@@ -14,7 +14,7 @@ mod trees;
 mod value_list;
 
 pub use annotation::{Border, Group, Mark, Scribble, Sketch};
-pub use automation::{Galapagos, Trigger};
+pub use automation::{DataDam, Galapagos, Trigger};
 pub use colours::{Gradient, Grip};
 pub use contextual::Contextual;
 pub use dials::{DigitScroller, GenePool, Knob, MdSlider};
@@ -61,6 +61,8 @@ pub enum Special {
     PathMapper(PathMapper),
     /// Cherry Picker.
     CherryPicker(CherryPicker),
+    /// Data Dam.
+    DataDam(DataDam),
     /// Data Recorder.
     DataRecorder(DataRecorder),
     /// Image Sampler.
@@ -100,6 +102,7 @@ impl Object {
             ids::GRADIENT => Special::Gradient(Gradient::read(c)?),
             ids::PATH_MAPPER => Special::PathMapper(PathMapper::read(c)),
             ids::CHERRY_PICKER => Special::CherryPicker(CherryPicker::read(c)?),
+            ids::DATA_DAM => Special::DataDam(DataDam::read(c)),
             ids::DATA_RECORDER => Special::DataRecorder(DataRecorder::read(c)),
             ids::IMAGE_SAMPLER => Special::ImageSampler(ImageSampler::read(c)),
             ids::EXPRESSION => Special::Expression(c.str("Expression")?.to_owned()),

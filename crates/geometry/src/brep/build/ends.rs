@@ -14,9 +14,12 @@ pub(super) fn close_gaps(paths: &mut [Path], largest: f64) -> Result<()> {
     if !all.clone().all(Point3::is_finite) {
         return Err(Error::NotFinite("end of a loop's curve"));
     }
+    let count = paths.len();
+    if (0..count).all(|i| ends[i][1] == ends[(i + 1) % count][0]) {
+        return Ok(());
+    }
     let size = crate::BoundingBox::from_points(paths.iter().flat_map(|p| p.curve.hull_points()))
         .map_or(0.0, |b| b.diagonal().length());
-    let count = paths.len();
     let mut wanted = ends.clone();
     for i in 0..count {
         let j = (i + 1) % count;

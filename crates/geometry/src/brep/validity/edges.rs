@@ -56,7 +56,7 @@ impl Parts {
 
     fn edge_curve_faults(&self, i: usize, edge: &Edge, faults: &mut Faults) {
         let Some(curve) = self.edge_curve(edge) else {
-            faults.unless(false, EDGE, i, || "it has no curve".into());
+            faults.shown_unless(false, Symptom::Missing, EDGE, i, || "it has no curve".into());
             return;
         };
         let part = &edge.part;

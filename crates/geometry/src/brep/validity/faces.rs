@@ -14,7 +14,9 @@ impl Parts {
                 });
                 continue;
             }
-            faults.unless(self.face_surface(face).is_some(), FACE, i, || "it has no surface".into());
+            faults.shown_unless(self.face_surface(face).is_some(), Symptom::Missing, FACE, i, || {
+                "it has no surface".into()
+            });
             faults.unless(!face.loops.is_empty(), FACE, i, || "it has no loops".into());
             for (at, &place) in face.loops.iter().enumerate() {
                 faults.unless(occurrences(&face.loops, place) == 1, FACE, i, || {

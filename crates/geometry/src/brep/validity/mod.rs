@@ -50,6 +50,8 @@ pub enum Symptom {
     Seam,
     /// Two faces have one boundary.
     SharedBoundary,
+    /// A face, an edge or a trim has no surface or curve.
+    Missing,
     /// Nothing but parts that do not name each other as they should.
     Parts,
 }

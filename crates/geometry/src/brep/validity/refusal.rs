@@ -20,6 +20,7 @@ fn seen(symptom: Symptom) -> &'static str {
         Symptom::Gap => "the boundary of a face would have a gap",
         Symptom::Seam => "the two sides of a closed face would not match",
         Symptom::SharedBoundary => "two faces would have one boundary",
+        Symptom::Missing => "a face or an edge would have no shape",
         Symptom::Parts => "its faces and edges would not fit together",
     }
 }

@@ -33,7 +33,7 @@ impl Parts {
 
     fn trim_curve_faults(&self, i: usize, trim: &Trim, faults: &mut Faults) {
         let Some(curve) = self.trim_curve(trim) else {
-            faults.unless(false, TRIM, i, || "it has no curve".into());
+            faults.shown_unless(false, Symptom::Missing, TRIM, i, || "it has no curve".into());
             return;
         };
         let part = &trim.part;
@@ -148,21 +148,28 @@ impl Parts {
     /// The images of the trim's ends are where its edge ends, and closed ones run the same way.
     fn distance_faults(&self, i: usize, trim: &Trim, edge: &Edge, surface: &Surface, faults: &mut Faults) {
         let (Some(flat), Some(space)) = (self.trim_curve(trim), self.edge_curve(edge)) else { return };
+        let closed = trim.vertices[0] == trim.vertices[1] && edge.vertices == trim.vertices;
+        let needs_slopes = closed || trim.tolerance != [0.0; 2];
         let mut sum = edge.tolerance;
         let mut apart = [0.0; 2];
         let mut turned = false;
         for at_end in [false, true] {
             let end = |domain: crate::Interval| if at_end { domain.end } else { domain.start };
             let uv = trim.part.point_at(flat, end(trim.part.domain));
-            let (image, [du, dv]) = image(surface, uv);
+            let (image, [du, dv]) = if needs_slopes {
+                image(surface, uv)
+            } else {
+                (surface.point_at(uv.x, uv.y), [Vector3::ZERO; 2])
+            };
             sum += du.length() * trim.tolerance[0] + dv.length() * trim.tolerance[1];
             let edge_end = at_end != trim.reversed;
             let place = if edge_end { edge.part.domain.end } else { edge.part.domain.start };
             if let Some(distance) = apart.get_mut(usize::from(at_end)) {
                 *distance = edge.part.point_at(space, place).distance_to(image);
             }
-            if let (Some(t), Some(e)) =
-                (trim.part.end_tangent(flat, at_end), edge.part.end_tangent(space, edge_end))
+            if closed
+                && let (Some(t), Some(e)) =
+                    (trim.part.end_tangent(flat, at_end), edge.part.end_tangent(space, edge_end))
             {
                 let along = (du * t.x + dv * t.y).dot(e);
                 turned |= if trim.reversed { along > 0.0 } else { along < 0.0 };
@@ -174,7 +181,6 @@ impl Parts {
                 format!("its {name} is {distance} away from that of its edge")
             });
         }
-        let closed = trim.vertices[0] == trim.vertices[1] && edge.vertices == trim.vertices;
         faults.shown_unless(!(closed && turned), Symptom::EdgeTurned, TRIM, i, || {
             "its edge is closed and runs the other way than stated".into()
         });

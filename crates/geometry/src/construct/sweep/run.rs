@@ -6,7 +6,7 @@ use crate::{Arc, Curve, Error, Interval, Line, Plane, Result, Tolerance, Vector3
 /// Kinks below this angle are none.
 const SMOOTH: f64 = 1e-6;
 /// What is straight or circular within this part of its size is taken for exactly so.
-const EXACT: f64 = 1e-10;
+pub(super) const EXACT: f64 = 1e-10;
 
 /// What kind of curve a run is.
 #[derive(Debug, Clone, Copy)]

@@ -1,12 +1,14 @@
 //! Meshes made anew of triangles of about one size.
 
 mod net;
+mod quads;
 mod target;
 
 use super::{Mesh, MeshFace};
 use crate::mesh::polygon::polygon_faces;
 use crate::{Error, Line, Point3, Result};
 use net::Net;
+pub use quads::QuadOptions;
 use target::Target;
 
 /// What [`Mesh::remeshed`] shall reach.

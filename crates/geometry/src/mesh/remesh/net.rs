@@ -3,6 +3,14 @@ use std::collections::HashSet;
 use super::{Remeshed, too_many};
 use crate::{Error, Line, Mesh, MeshFace, Point3, Result, Vector3};
 
+/// Whether a surface stays one when an edge collapses, of whose ends the neighbours are given.
+fn stays_whole(near: &[u32], far: &[u32], sides: &[u32]) -> bool {
+    // Only the corners across the edge may be neighbours of both.
+    let common = near.iter().filter(|v| far.binary_search(v).is_ok()).count();
+    // A closed net of four faces would fall flat.
+    common == sides.len() && !(sides.len() == 2 && near.len() == 3 && far.len() == 3)
+}
+
 /// A face that is no more.
 const GONE: [u32; 3] = [u32::MAX; 3];
 /// Splitting halves edges: so many rounds are enough for any lengths.
@@ -74,7 +82,7 @@ impl Net {
         (self.on_kept[a as usize], self.on_kept[b as usize]) = (true, true);
     }
 
-    fn at(&self, i: u32) -> Point3 {
+    pub(super) fn at(&self, i: u32) -> Point3 {
         self.points[i as usize]
     }
 
@@ -93,7 +101,7 @@ impl Net {
     }
 
     /// All edges, the smaller end first, in order.
-    fn edges(&self) -> Vec<[u32; 2]> {
+    pub(super) fn edges(&self) -> Vec<[u32; 2]> {
         let sides = self.faces.iter().filter(|t| **t != GONE);
         let mut out: Vec<[u32; 2]> = sides.flat_map(|&[a, b, c]| [key(a, b), key(b, c), key(c, a)]).collect();
         out.sort_unstable();
@@ -102,12 +110,12 @@ impl Net {
     }
 
     /// The faces along an edge.
-    fn sides(&self, a: u32, b: u32) -> Vec<u32> {
+    pub(super) fn sides(&self, a: u32, b: u32) -> Vec<u32> {
         self.around[a as usize].iter().copied().filter(|&f| self.faces[f as usize].contains(&b)).collect()
     }
 
     /// The vertices that edges join to one.
-    fn neighbours(&self, v: u32) -> Vec<u32> {
+    pub(super) fn neighbours(&self, v: u32) -> Vec<u32> {
         let mut out: Vec<u32> = self.around[v as usize]
             .iter()
             .flat_map(|&f| self.faces[f as usize])
@@ -119,7 +127,7 @@ impl Net {
     }
 
     /// The other ends of the edges at a vertex that stay.
-    fn kept_neighbours(&self, v: u32) -> Vec<u32> {
+    pub(super) fn kept_neighbours(&self, v: u32) -> Vec<u32> {
         if !self.on_kept[v as usize] {
             return Vec::new();
         }
@@ -217,7 +225,7 @@ impl Net {
     }
 
     /// Whether the edges that stay go on about straight at a vertex.
-    fn goes_straight(&self, v: u32, ends: &[u32]) -> bool {
+    pub(super) fn goes_straight(&self, v: u32, ends: &[u32]) -> bool {
         let [p, q] = ends else { return false };
         let (d, e) = (self.at(v) - self.at(*p), self.at(*q) - self.at(v));
         d.angle_to(e).is_none_or(|x| x < 0.5)
@@ -225,13 +233,7 @@ impl Net {
 
     fn may_collapse(&self, stays: u32, goes: u32, place: Point3, sides: &[u32], longest: f64) -> bool {
         let (near, far) = (self.neighbours(stays), self.neighbours(goes));
-        // Only the corners across the edge may be neighbours of both.
-        let common = near.iter().filter(|v| far.binary_search(v).is_ok()).count();
-        if common != sides.len() {
-            return false;
-        }
-        // A closed net of four faces would fall flat.
-        if sides.len() == 2 && near.len() == 3 && far.len() == 3 {
+        if !stays_whole(&near, &far, sides) {
             return false;
         }
         let too_long = |v: &u32| *v != stays && *v != goes && self.at(*v).distance_to(place) > longest;
@@ -243,6 +245,36 @@ impl Net {
                 .iter()
                 .filter(|f| !sides.contains(f))
                 .all(|&f| self.turns_little(f, v, place))
+        })
+    }
+
+    /// Makes one vertex of the ends of an edge wherever they are, if the net stays a surface and the edges that stay
+    /// keep their course: the one that stays, and the one that is no more.
+    pub(super) fn merge(&mut self, a: u32, b: u32) -> Option<[u32; 2]> {
+        let sides = self.sides(a, b);
+        if sides.is_empty() {
+            return None;
+        }
+        let (stays, goes, place) = self.collapse_to(a, b, &sides)?;
+        let whole = stays_whole(&self.neighbours(stays), &self.neighbours(goes), &sides);
+        (whole && !self.flattens(stays, goes, &sides)).then(|| {
+            self.collapse(stays, goes, place, &sides);
+            [stays, goes]
+        })
+    }
+
+    /// Whether a face would lie along an edge that stays, with all its corners on it.
+    fn flattens(&self, stays: u32, goes: u32, sides: &[u32]) -> bool {
+        let kept = |a: u32, b: u32| {
+            let own = |v: u32| if v == stays { [stays, goes] } else { [v, v] };
+            own(a).iter().any(|&x| own(b).iter().any(|&y| x != y && self.is_kept(x, y)))
+        };
+        self.around[goes as usize].iter().filter(|f| !sides.contains(f)).any(|&f| {
+            let t = self.faces[f as usize].map(|i| if i == goes { stays } else { i });
+            (0..3).any(|k| {
+                let (v, p, q) = (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
+                kept(v, p) && kept(v, q) && self.goes_straight(v, &[p, q])
+            })
         })
     }
 
@@ -361,6 +393,47 @@ impl Net {
         {
             self.points[v as usize] = p;
         }
+    }
+
+    /// The vertices that have faces.
+    pub(super) fn vertices(&self) -> Vec<u32> {
+        (0..self.points.len() as u32).filter(|&v| !self.around[v as usize].is_empty()).collect()
+    }
+
+    /// How many vertices there are, those that are no more included.
+    pub(super) fn vertex_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The unit normal at a vertex.
+    pub(super) fn normal_at(&self, v: u32) -> Vector3 {
+        let sum: Vector3 = self.around[v as usize].iter().map(|&f| self.normal(f)).sum();
+        sum.unitized().unwrap_or(Vector3::Z)
+    }
+
+    /// A third of the area of the faces at a vertex.
+    pub(super) fn area_at(&self, v: u32) -> f64 {
+        self.around[v as usize].iter().map(|&f| self.normal(f).length()).sum::<f64>() / 6.0
+    }
+
+    /// Whether an edge stays.
+    pub(super) fn is_kept(&self, a: u32, b: u32) -> bool {
+        self.kept.contains(&key(a, b))
+    }
+
+    /// The faces with their numbers.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
+        self.faces.iter().zip(0..).filter(|(t, _)| **t != GONE).map(|(t, f)| (f, *t))
+    }
+
+    /// The corners of the two faces along an edge, without the edge, in the sense of the faces.
+    pub(super) fn joined(&self, f: u32, g: u32, [a, b]: [u32; 2]) -> Option<[u32; 4]> {
+        let own = self.faces[f as usize];
+        let across = |f: u32| self.faces[f as usize].into_iter().find(|&i| i != a && i != b);
+        let (c, d) = (across(f)?, across(g)?);
+        let start = own.iter().position(|&i| i == c)?;
+        let (first, second) = (own[(start + 1) % 3], own[(start + 2) % 3]);
+        (c != d).then_some([c, first, d, second])
     }
 
     pub(super) fn finish(self) -> Result<Remeshed> {

@@ -1,18 +1,20 @@
 //! Values that are kept in a port, as a data tree.
 
 use katydid_3dm::{Limits, RawObject};
-use katydid_component::{Message, RhinoModel, RhinoObject};
 use katydid_data::{
-    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
+    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, QuadSettings, Tree,
+    TreeBuilder, Value,
 };
 use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
 
+use crate::{Message, RhinoModel, RhinoObject};
+
 /// The values of a port, and what the user should know of those that could not be had. Geometry that only a Rhino
 /// model has is looked up in `model`.
-pub(crate) fn tree(persistent: &Persistent, model: Option<&RhinoModel>) -> (Tree, Vec<Message>) {
+pub fn tree(persistent: &Persistent, model: Option<&RhinoModel>) -> (Tree, Vec<Message>) {
     let mut missing = Missing { model, ..Missing::default() };
     let mut builder = TreeBuilder::<Value>::new();
     for branch in &persistent.branches {
@@ -123,6 +125,15 @@ fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
             refine: m.refine,
             jagged_seams: m.jagged_seams,
             simple_planes: m.simple_planes,
+        }),
+        Stored::QuadSettings(q) => Value::from(QuadSettings {
+            count: q.count,
+            adaptive_size: q.adaptive_size,
+            adaptive_count: q.adaptive_count,
+            hard_edges: q.hard_edges,
+            seams: q.seams,
+            symmetry: q.symmetry,
+            guides: q.guides,
         }),
         Stored::Geometry(g) => return geometry(g, missing),
         // Which coordinates Points to Numbers takes; the meaning of other codes is not known.
