@@ -20,9 +20,9 @@ impl Brep {
                     let image = surface.transformed(xform)?;
                     let map = ParameterMaps::to_image(surface, &image);
                     *surface = image;
-                    map
+                    Some(map)
                 }
-                None => ParameterMaps::default(),
+                None => None,
             });
         }
         self.move_trims(&mut parts, &maps)?;
@@ -49,11 +49,11 @@ impl Brep {
     }
 
     /// Gives the trims of surfaces whose parameters moved curves of their own.
-    fn move_trims(&self, parts: &mut Parts, maps: &[ParameterMaps]) -> Result<()> {
+    fn move_trims(&self, parts: &mut Parts, maps: &[Option<ParameterMaps>]) -> Result<()> {
         for (place, trim) in self.trims().iter().enumerate() {
             let face = trim.in_loop.and_then(|l| self.loops().get(l)).and_then(|chain| chain.face);
             let surface = face.and_then(|f| self.faces().get(f)).and_then(|face| face.surface);
-            let map = surface.and_then(|s| maps.get(s)).filter(|map| !map.is_identity());
+            let map = surface.and_then(|s| maps.get(s)?.as_ref()).filter(|map| !map.is_identity());
             let (Some(map), Some(flat)) = (map, self.trim_as_curve(place)?) else { continue };
             let moved = map.moved(&flat)?;
             let part = CurvePart::whole(parts.curves_2d.len(), moved.domain());

@@ -4,9 +4,8 @@
 use super::trimmed::followed;
 use crate::{Arc, Curve, Direction, Interval, Line, LineCurve, Plane, Point3, Result, Surface, Vector3};
 
-/// How near to the exact place a moved trim is, as a part of the domain: one that cannot be followed so closely, because
-/// it was drawn roughly, is followed less closely.
-const NEAR: [f64; 3] = [1e-9, 1e-6, 1e-4];
+/// How near to the exact place a moved trim is, as a part of the domain.
+const NEAR: f64 = 1e-9;
 
 /// A stretch of parameters over which an arc's angle grows evenly, and over which the conic that takes its place has
 /// its own pace.
@@ -50,22 +49,28 @@ impl ArcStretch {
 }
 
 /// How a parameter moves when arcs become NURBS curves; elsewhere it stays.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct ParameterMap {
+    domain: Interval,
     arcs: Vec<ArcStretch>,
 }
 
 impl ParameterMap {
+    /// No parameter moves.
+    fn identity(domain: Interval) -> Self {
+        Self { domain, arcs: Vec::new() }
+    }
+
     /// From a curve to its NURBS form.
     fn of_curve(curve: &Curve) -> Self {
-        let mut map = Self::default();
+        let mut map = Self::identity(curve.domain());
         map.add(curve, curve.domain());
         map
     }
 
     /// From a curve to an image of it that has the same kind, but for arcs that became NURBS curves.
     pub(super) fn of_image(curve: &Curve, image: &Curve) -> Self {
-        let mut map = Self::default();
+        let mut map = Self::identity(curve.domain());
         match (curve, image) {
             (Curve::Arc(_), Curve::Nurbs(_)) => map.add(curve, curve.domain()),
             (Curve::Poly(a), Curve::Poly(b)) => {
@@ -108,14 +113,18 @@ impl ParameterMap {
     }
 
     /// Where a parameter goes, and the derivative.
+    ///
+    /// An arc at the end of the domain goes on beyond it: a trim may lie outside the domain by a rounding, and must not
+    /// change its pace there.
     fn at(&self, t: f64) -> (f64, f64) {
-        let arc = self.arcs.iter().find(|arc| arc.domain.contains(t));
+        let inside = self.domain.clamp(t);
+        let arc = self.arcs.iter().find(|arc| arc.domain.contains(inside));
         arc.map_or((t, 1.0), |arc| arc.moved(t))
     }
 }
 
 /// How both parameters of a surface move.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct ParameterMaps {
     maps: [ParameterMap; 2],
     /// The shorter domain.
@@ -126,13 +135,13 @@ impl ParameterMaps {
     /// From a surface to its NURBS form.
     pub(crate) fn to_nurbs(surface: &Surface) -> Self {
         let maps = match surface {
-            Surface::Plane(_) | Surface::Nurbs(_) => Default::default(),
+            Surface::Plane(_) | Surface::Nurbs(_) => identity(surface),
             Surface::Sum(sum) => sum.curves().each_ref().map(ParameterMap::of_curve),
             Surface::Revolution(turned) => {
                 let round = turned.angle_direction();
                 let stretch = ArcStretch::new(turned.angle().length(), turned.domain(round));
                 Direction::BOTH.map(|direction| match direction == round {
-                    true => ParameterMap { arcs: vec![stretch] },
+                    true => ParameterMap { domain: stretch.domain, arcs: vec![stretch] },
                     false => ParameterMap::of_curve(turned.profile()),
                 })
             }
@@ -150,12 +159,13 @@ impl ParameterMaps {
             }
             (Surface::Revolution(a), Surface::Revolution(b)) => {
                 let along = ParameterMap::of_image(a.profile(), b.profile());
+                let round = ParameterMap::identity(a.domain(a.angle_direction()));
                 match a.angle_direction() {
-                    Direction::U => [ParameterMap::default(), along],
-                    Direction::V => [along, ParameterMap::default()],
+                    Direction::U => [round, along],
+                    Direction::V => [along, round],
                 }
             }
-            _ => Default::default(),
+            _ => identity(surface),
         };
         Self { maps, size: size(surface) }
     }
@@ -171,14 +181,14 @@ impl ParameterMaps {
         for (map, normal) in self.maps.iter().zip([Vector3::X, Vector3::Y]) {
             for knot in map.knots() {
                 let plane = Plane::from_normal(Point3::ORIGIN + normal * knot, normal)?;
-                cuts.extend(flat.intersect_plane(&plane, NEAR[0] * self.size)?);
+                cuts.extend(flat.intersect_plane(&plane, NEAR * self.size)?);
             }
         }
         cuts.sort_by(f64::total_cmp);
         let mut out = Vec::new();
         for whole in flat.smooth_stretches() {
             // Cuts nearer to each other or to an end than this part of the stretch make no stretch of their own.
-            let least = NEAR[0] * whole.length();
+            let least = NEAR * whole.length();
             let mut start = whole.start;
             for &cut in &cuts {
                 if cut - start > least && whole.end - cut > least {
@@ -192,7 +202,7 @@ impl ParameterMaps {
     }
 
     /// The curve of the parameter plane that another becomes: exact where it runs along a parameter line, else within a
-    /// billionth of the domain, or as near as it can be followed.
+    /// billionth of the domain.
     ///
     /// # Errors
     /// It cannot be followed.
@@ -213,20 +223,12 @@ impl ParameterMaps {
             let (x, y) = (u.at(place.x), v.at(place.y));
             Ok((Point3::new(x.0, y.0, 0.0), Vector3::new(slope.x * x.1, slope.y * y.1, 0.0)))
         };
-        if let Ok(curve) = followed(&self.stretches(flat)?, NEAR[0] * self.size, formula) {
-            return Ok(curve.into());
-        }
-        // From knot to knot: a curve may change its pace at any.
-        let pieces: Vec<Interval> = flat.pieces().iter().map(|piece| piece.whole).collect();
-        let mut made = followed(&pieces, NEAR[0] * self.size, formula);
-        for near in NEAR.into_iter().skip(1) {
-            if made.is_ok() {
-                break;
-            }
-            made = followed(&pieces, near * self.size, formula);
-        }
-        Ok(made?.into())
+        Ok(followed(&self.stretches(flat)?, NEAR * self.size, formula)?.into())
     }
+}
+
+fn identity(surface: &Surface) -> [ParameterMap; 2] {
+    Direction::BOTH.map(|direction| ParameterMap::identity(surface.domain(direction)))
 }
 
 fn size(surface: &Surface) -> f64 {
@@ -237,7 +239,7 @@ fn size(surface: &Surface) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Circle, PlaneSurface, RevolutionSurface, Sphere};
+    use crate::{Circle, NurbsCurve, PlaneSurface, RevolutionSurface, Sphere};
 
     #[test]
     fn a_moved_parameter_names_the_same_point() {
@@ -272,6 +274,23 @@ mod tests {
         }
         let sheet: Surface = PlaneSurface::new(Plane::XY, Interval::UNIT, Interval::UNIT).unwrap().into();
         assert!(ParameterMaps::to_nurbs(&sheet).is_identity());
+    }
+
+    /// A trim of a real model ended a rounding beyond the end of the angle, where the pace must not jump.
+    #[test]
+    fn a_trim_may_leave_the_domain_by_a_rounding() {
+        let ball: Surface = Sphere::around(Point3::ORIGIN, 1.0).unwrap().into();
+        let [du, dv] = Direction::BOTH.map(|d| ball.domain(d));
+        for beyond in [1e-15, 1e-9, 1e-3] {
+            let (from, to) = (du.at(0.7), du.end + beyond);
+            let ends = [from, to].map(|u| Point3::new(u, dv.at(0.5), 0.0));
+            let flat = NurbsCurve::new(1, ends.to_vec(), vec![0.0, 1.0]);
+            let moved = ParameterMaps::to_nurbs(&ball).moved(&flat.unwrap().into()).unwrap();
+            let end = moved.end();
+            // A quarter of a turn over the sine of its half, as the derivative of the tangent of half an angle gives it.
+            let pace = std::f64::consts::FRAC_PI_4 / std::f64::consts::FRAC_PI_4.sin();
+            assert!((end.x - du.end - beyond * pace).abs() < 2.0 * beyond * beyond + 1e-14, "{beyond} {}", end.x);
+        }
     }
 
     #[test]
