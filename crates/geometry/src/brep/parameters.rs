@@ -289,7 +289,11 @@ mod tests {
             let end = moved.end();
             // A quarter of a turn over the sine of its half, as the derivative of the tangent of half an angle gives it.
             let pace = std::f64::consts::FRAC_PI_4 / std::f64::consts::FRAC_PI_4.sin();
-            assert!((end.x - du.end - beyond * pace).abs() < 2.0 * beyond * beyond + 1e-14, "{beyond} {}", end.x);
+            assert!(
+                (end.x - du.end - beyond * pace).abs() < 2.0 * beyond * beyond + 1e-14,
+                "{beyond} {}",
+                end.x
+            );
         }
     }
 
