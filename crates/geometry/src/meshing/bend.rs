@@ -152,7 +152,19 @@ impl<'a> Bender<'a> {
             let [du, dv] = plane.partials();
             return Bend { speed: [du.length(), dv.length()], ..Bend::default() };
         }
-        let normals = self.normals(rectangle);
+        let own = self.nurbs.as_ref().and_then(|nurbs| nurbs.part(rectangle));
+        let [u, v] = rectangle;
+        // A direction that vanishes at a pole has a limit, which the patch's own derivatives do not tell.
+        let inside = own.as_ref().and_then(|(patch, lengths)| {
+            let partials = patch.partials();
+            let normals: Option<Vec<Vector3>> = partials.iter().map(|[du, dv]| normal(*du, *dv)).collect();
+            let [du, dv] = partials.first()?;
+            Some((normals?, [du.length() / lengths[0], dv.length() / lengths[1]]))
+        });
+        let (normals, shortest) = match inside {
+            Some((normals, speeds)) => (normals.into_iter().map(Some).collect(), speeds),
+            None => (self.normals(rectangle), self.middle_speeds([u, v])),
+        };
         let middle = normals.first().copied().flatten();
         // The tangent of the greatest angle between normals; none when they are not known or turn too far.
         let slope = middle.and_then(|n| {
@@ -162,8 +174,8 @@ impl<'a> Bender<'a> {
             (least > 0.5).then(|| (1.0 - least * least).max(0.0).sqrt() / least)
         });
         let n = middle.unwrap_or(Vector3::ZERO);
-        let (first, second) = match self.nurbs.as_ref().and_then(|nurbs| nurbs.part(rectangle)) {
-            Some((patch, lengths)) => patch.bounds(n, lengths),
+        let (first, second) = match &own {
+            Some((patch, lengths)) => patch.bounds(n, *lengths),
             None => self.sampled(rectangle, n),
         };
         let off = second.map(|s| match slope {
@@ -173,7 +185,6 @@ impl<'a> Bender<'a> {
         let along = second.map(|s| if slope.is_some() { s.tangent } else { 0.0 });
         // The normal turns by the curvature along each parameter and by the twist.
         let per = |x: f64, by: f64| if by > 0.0 { x / by } else { 0.0 };
-        let shortest = self.middle_speeds(rectangle);
         let turn = [
             per(second[0].normal, shortest[0]).hypot(per(second[1].normal, shortest[1])),
             per(second[2].normal, shortest[1]).hypot(per(second[1].normal, shortest[0])),
@@ -225,6 +236,12 @@ impl<'a> Bender<'a> {
         }
         (first, second)
     }
+}
+
+/// The direction across two; none where they are nearly parallel, or one vanishes.
+fn normal(du: Vector3, dv: Vector3) -> Option<Vector3> {
+    let across = du.cross(dv);
+    (across.length() > 1e-9 * du.length() * dv.length()).then(|| across.unitized()).flatten()
 }
 
 /// Bounds of vectors: their parts along a normal and across it, and their lengths.

@@ -34,9 +34,6 @@ pub(super) struct EdgePoints {
     pub(super) uses: Vec<(usize, Vec<Point2>)>,
 }
 
-/// Segments so much shorter than the distance are short enough, whatever rounding says of their shape.
-const SHORTEST: f64 = 0.05;
-
 /// A segment of more than this share of an edge may come by one point twice.
 const LONG: f64 = 0.1;
 
@@ -193,13 +190,16 @@ fn is_coarse(edge: &Track<'_>, uses: &[Use<'_>], a: &Stop, b: &Stop, limits: &Li
     if length.max(legs) > limits.max_edge * (1.0 + 1e-9) {
         return true;
     }
-    if legs < 2.0 * limits.min_edge.max(SHORTEST * limits.distance) {
+    if legs < 2.0 * limits.short {
         return false;
     }
     let turned = jets.windows(2).filter_map(|w| w[0][1].angle_to(w[1][1])).sum::<f64>();
     // A closed edge in one or two segments encloses nothing.
     if turned > FRAC_PI_2 * 1.01 || length < 0.5 * legs {
         return true;
+    }
+    if legs < 2.0 * limits.min_edge {
+        return false;
     }
     let along = chord.unitized().unwrap_or(first[1]);
     let away = |v: crate::Vector3| (v - along * v.dot(along)).length();

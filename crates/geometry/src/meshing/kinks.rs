@@ -90,6 +90,30 @@ mod tests {
         assert!(coarse.faces().len() <= 60, "{}", coarse.faces().len());
     }
 
+    /// Tubes thinner than the shortest edge stay tubes.
+    #[test]
+    fn thin_pipes_stay_closed() {
+        let from = Point3::new(0.0, 0.0, 0.0);
+        let bent: Curve =
+            crate::Arc::through(from, Point3::new(10.0, 3.0, 15.0), Point3::new(0.0, 12.0, 30.0))
+                .unwrap()
+                .into();
+        let straight: Curve = Line::new(from, Point3::new(0.0, 0.0, 30.0)).into();
+        for rail in [bent, straight] {
+            for radius in [0.01, 0.3, 1.0, 2.0] {
+                let brep = pipe(&rail, radius, PipeCap::Flat, &tolerance()).unwrap();
+                let settings = MeshSettings { max_edge: 28.0, min_edge: 10.0, ..custom() };
+                let mesh = closed(&brep, &settings);
+                // A square in the circle has this part of its area.
+                let least = 2.0 / std::f64::consts::PI * 0.8;
+                let whole = brep.volume_properties(1e-6, || true).unwrap().amount;
+                let share = mesh.volume() / whole;
+                assert!((least..=1.0).contains(&share), "{radius}: {share}");
+                assert!(mesh.faces().len() <= 120, "{radius}: {}", mesh.faces().len());
+            }
+        }
+    }
+
     /// A pipe's surface has a knot at each place that it was fitted through: they are no lines of its mesh.
     #[test]
     fn smooth_knots_are_no_lines() {

@@ -1,11 +1,16 @@
 //! Into how many parts a rectangle of parameters must be divided to keep the limits.
 
+use std::f64::consts::PI;
+
 use super::bend::Bend;
 use super::settings::Limits;
 
 /// How far cells may be sheared along the surface, as a fraction of their shortest side: beyond, straight sides of
 /// triangles pass over places that the parameters say are elsewhere.
 const SHEAR: f64 = 0.15;
+
+/// The most that normals may turn in a cell, whatever the shortest edge: a tube in one or two parts encloses nothing.
+const MOST_TURN: f64 = 2.0 * PI / 3.0;
 
 /// The numbers of parts in u and v, at least 1, that keep the limits on a rectangle with as few cells as possible.
 pub(super) fn parts(bend: &Bend, [h, k]: [f64; 2], limits: &Limits) -> [f64; 2] {
@@ -31,7 +36,8 @@ pub(super) fn parts(bend: &Bend, [h, k]: [f64; 2], limits: &Limits) -> [f64; 2] 
     }
     [0, 1].map(|d| {
         let most = if limits.min_edge > 0.0 { (sides[d] / limits.min_edge).max(1.0) } else { f64::INFINITY };
-        n[d].min(most).max(sides[d] / limits.max_edge).clamp(1.0, 1e6)
+        let round = if sides[d] > limits.short { [h, k][d] * bend.turn[d] / MOST_TURN } else { 0.0 };
+        n[d].min(most).max(round).max(sides[d] / limits.max_edge).clamp(1.0, 1e6)
     })
 }
 
@@ -71,6 +77,9 @@ pub(super) fn halving(bend: &Bend, cell: [f64; 2], limits: &Limits) -> Option<us
     let sides = [cell[0] * bend.speed[0], cell[1] * bend.speed[1]];
     for d in 0..2 {
         if sides[d] > limits.max_edge * (1.0 + 1e-9) {
+            return Some(d);
+        }
+        if sides[d] > limits.short && cell[d] * bend.turn[d] > MOST_TURN * (1.0 + 1e-9) {
             return Some(d);
         }
     }

@@ -42,6 +42,39 @@ impl Patch {
         Self { degrees: self.degrees, points }
     }
 
+    /// The partial derivatives by u and v, over the unit square, in the middle, at the corners and in the middles of the
+    /// sides, in this order.
+    pub(super) fn partials(&self) -> [[Vector3; 2]; 9] {
+        const PLACES: [[usize; 2]; 9] =
+            [[1, 1], [0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]];
+        let bases = self.degrees.map(|degree| [0.0, 0.5, 1.0].map(|t| Basis::new(degree, t)));
+        PLACES.map(|[i, j]| self.partials_at(&bases[0][i], &bases[1][j]))
+    }
+
+    fn partials_at(&self, u: &Basis, v: &Basis) -> [Vector3; 2] {
+        let [mut point, mut by_u, mut by_v] = [[0.0; 4]; 3];
+        for (i, row) in self.points.chunks(self.degrees[1] + 1).enumerate() {
+            let (a, da) = u.at(i);
+            if a == 0.0 && da == 0.0 {
+                continue;
+            }
+            for (j, c) in row.iter().enumerate() {
+                let (b, db) = v.at(j);
+                for k in 0..4 {
+                    point[k] += a * b * c[k];
+                    by_u[k] += da * b * c[k];
+                    by_v[k] += a * db * c[k];
+                }
+            }
+        }
+        // S = A/w: Su = (Au − wu S)/w.
+        let place = [0, 1, 2].map(|k| point[k] / point[3]);
+        [by_u, by_v].map(|d| {
+            let [x, y, z] = [0, 1, 2].map(|k| (d[k] - d[3] * place[k]) / point[3]);
+            Vector3::new(x, y, z)
+        })
+    }
+
     /// Bounds of the lengths of the first derivatives and of the second derivatives by uu, uv and vv, for parameters
     /// over `lengths` instead of the unit square: of all that a convex hull property holds for.
     pub(super) fn bounds(&self, n: Vector3, lengths: [f64; 2]) -> ([f64; 2], [Size; 3]) {
@@ -49,6 +82,14 @@ impl Patch {
         let weights = || self.points.iter().map(|c| c[3]);
         let (light, heavy) = (weights().fold(f64::MAX, f64::min), weights().fold(0.0, f64::max));
         let even = heavy <= light * (1.0 + 1e-14);
+        if !even {
+            if let Some(own) = self.plain_along(1, n, lengths) {
+                return ([own.first_across, own.first], [own.second_across, own.twist, own.second]);
+            }
+            if let Some(own) = self.plain_along(0, n, lengths) {
+                return ([own.first, own.first_across], [own.second, own.twist, own.second_across]);
+            }
+        }
         // About the middle point, so that what the weights multiply is small.
         let centre = self.at(p / 2, q / 2);
         let centre = [0, 1, 2].map(|k| centre[k] / centre[3]);
@@ -98,12 +139,6 @@ impl Patch {
         let suu = duu.size.plus(su, 2.0 * du.weight).plus(reach, duu.weight).over(light);
         let suv = duv.size.plus(sv, du.weight).plus(su, dv.weight).plus(reach, duv.weight).over(light);
         let svv = dvv.size.plus(sv, 2.0 * dv.weight).plus(reach, dvv.weight).over(light);
-        if let Some(own) = self.plain_along(1, n, lengths) {
-            return ([own.first_across, own.first], [own.second_across, own.twist, own.second]);
-        }
-        if let Some(own) = self.plain_along(0, n, lengths) {
-            return ([own.first, own.first_across], [own.second, own.twist, own.second_across]);
-        }
         ([su.length, sv.length], [suu, suv, svv])
     }
 
@@ -157,6 +192,38 @@ impl Patch {
         }
         let twist = Size::default().plus(twist, by);
         Some(Plain { first, second, twist, first_across, second_across })
+    }
+}
+
+/// The Bernstein polynomials of one degree at a parameter, and their derivatives.
+struct Basis {
+    values: Vec<(f64, f64)>,
+}
+
+impl Basis {
+    fn new(degree: usize, t: f64) -> Self {
+        // Those of the degree below first: they give the derivatives, and one step more gives the values.
+        let mut lower = vec![0.0; degree.max(1)];
+        lower[0] = 1.0;
+        for level in 1..degree {
+            for i in (0..=level).rev() {
+                let before = if i > 0 { lower[i - 1] } else { 0.0 };
+                lower[i] = (1.0 - t) * lower[i] + t * before;
+            }
+        }
+        let at = |i: usize| lower.get(i).copied().unwrap_or(0.0);
+        let values = (0..=degree).map(|i| {
+            let before = if i > 0 { at(i - 1) } else { 0.0 };
+            if degree == 0 {
+                return (1.0, 0.0);
+            }
+            ((1.0 - t) * at(i) + t * before, degree as f64 * (before - at(i)))
+        });
+        Self { values: values.collect() }
+    }
+
+    fn at(&self, i: usize) -> (f64, f64) {
+        self.values.get(i).copied().unwrap_or_default()
     }
 }
 
@@ -293,6 +360,39 @@ mod tests {
             let slack = if rational { 1.8 } else { 1.2 };
             assert!((0..3).all(|k| second[k].length <= slack * reached[k]), "{second:?} {reached:?}");
         }
+    }
+
+    #[test]
+    fn partials_are_those_of_the_surface() {
+        let points: Vec<Point3> = (0..12)
+            .map(|k| {
+                let (i, j) = ((k / 4) as f64, (k % 4) as f64);
+                Point3::new(i + 0.1 * j * j, j - 0.2 * i, (i * 1.3 + j).sin())
+            })
+            .collect();
+        let weights: Vec<f64> = (0..12).map(|k| 1.0 + 0.3 * (k as f64).cos()).collect();
+        let knots = [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]];
+        let surface = NurbsSurface::with_weights([2, 3], [3, 4], &points, &weights, knots).unwrap();
+        let patch = Patch::new([2, 3], surface.homogeneous_points());
+        let (u, v) = ([0.25, 0.75], [0.0, 0.5]);
+        let places = [
+            [0.5, 0.5],
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+            [0.5, 0.0],
+            [1.0, 0.5],
+            [0.5, 1.0],
+            [0.0, 0.5],
+        ];
+        for ([du, dv], [x, y]) in patch.part([u, v]).partials().into_iter().zip(places) {
+            let d = surface.derivatives(0.25 + 0.5 * x, 0.5 * y, 1, Quadrant::NorthEast);
+            assert!((du - d.get(1, 0) * 0.5).length() < 1e-12, "{x} {y}");
+            assert!((dv - d.get(0, 1) * 0.5).length() < 1e-12, "{x} {y}");
+        }
+        let flat = Patch::new([1, 0], vec![[0.0, 0.0, 0.0, 1.0], [3.0, 0.0, 0.0, 1.0]]);
+        assert_eq!(flat.partials()[4], [Vector3::new(3.0, 0.0, 0.0), Vector3::ZERO]);
     }
 
     /// A straight tube does not twist, whatever the weights around it; a cone's twist is what it is.

@@ -4,6 +4,9 @@ use std::f64::consts::SQRT_2;
 
 use crate::{Error, Result};
 
+/// What is too short to be divided, as a part of the greatest distance.
+const SHORT: f64 = 0.05;
+
 /// How fine the mesh of a surface or brep is. A limit of 0 is off.
 ///
 /// The names are those of Rhino's mesh settings; lengths are in model units and angles in radians.
@@ -21,7 +24,8 @@ pub struct MeshSettings {
     pub max_angle: f64,
     /// The longest side of a quad of the first grid over its shortest; below √2 it counts as √2.
     pub max_aspect: f64,
-    /// Sides are not halved when their halves would be shorter; wins over every other limit but `max_edge`.
+    /// Sides are not halved when their halves would be shorter; wins over every other limit but `max_edge`. What turns by
+    /// more than 120 degrees is halved all the same.
     pub min_edge: f64,
     /// The longest side of a quad along the parameters, and of every segment of an edge.
     pub max_edge: f64,
@@ -102,9 +106,11 @@ impl MeshSettings {
         } else {
             0.0
         };
+        // Nearer than rounding cannot be asked for.
+        let distance = off(self.max_distance).min(off(share)).max(1e-9 * size);
         Limits {
-            // Nearer than rounding cannot be asked for.
-            distance: off(self.max_distance).min(off(share)).max(1e-9 * size),
+            distance,
+            short: if distance.is_finite() { SHORT * distance } else { 1e-6 * size },
             angle: off(self.max_angle),
             aspect: if self.max_aspect > 0.0 { self.max_aspect.max(SQRT_2) } else { f64::INFINITY },
             min_edge: self.min_edge.min(off(self.max_edge)),
@@ -121,6 +127,8 @@ impl MeshSettings {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     pub(super) distance: f64,
+    /// What is so short is not divided, whatever rounding says of its shape.
+    pub(super) short: f64,
     pub(super) angle: f64,
     pub(super) aspect: f64,
     pub(super) min_edge: f64,
