@@ -44,7 +44,7 @@ pub(super) const WAYS: &[Way] = &[
     way(
         Kind::Number,
         &[Kind::Text],
-        "the number, or the value of the formula, that it spells; 1 for `true`, 0 for `false`",
+        "the number, or the value of the formula, that it spells: `1,000` is 1000; 1 for `true`, 0 for `false`",
         Shown,
         to_number,
     ),
@@ -191,7 +191,8 @@ pub(super) fn number(value: &Value) -> Option<f64> {
         Value::Boolean(b) => Some(f64::from(u8::from(*b))),
         Value::Integer(i) => Some(f64::from(*i)),
         Value::Text(text) => {
-            parse::number(text).or_else(|| parse::truth(text).map(|b| f64::from(u8::from(b))))
+            let spelled = parse::number(text).or_else(|| parse::grouped_number(text));
+            spelled.or_else(|| parse::truth(text).map(|b| f64::from(u8::from(b))))
         }
         Value::Complex(z) if z.im == 0.0 => Some(z.re),
         Value::Time(time) => Some((time.ticks - FIRST_DAY) as f64 / TICKS_A_DAY),

@@ -41,6 +41,19 @@ pub fn number(text: &str) -> Option<f64> {
     }
 }
 
+/// A number with commas between its whole digits, which .NET passes over wherever they stand: `1,000` is 1000, and so
+/// is `1,0,00`. A real definition gives the panel `0,0,550` to a point and, as a height, to a number.
+pub(super) fn grouped_number(text: &str) -> Option<f64> {
+    let text = trimmed(text)?;
+    let whole = text.find(['.', 'e', 'E']).unwrap_or(text.len());
+    let (digits, rest) = text.split_at(whole);
+    let unsigned = digits.trim_start_matches(['+', '-']);
+    if !digits.contains(',') || !unsigned.starts_with(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    katydid_expression::format::parse_number(&(digits.replace(',', "") + rest))
+}
+
 /// `{1,2,3}`, `1, 2, 3`, `{1,2}` (z is 0), the separators commas or semicolons.
 pub fn point(text: &str) -> Option<Point3> {
     let text = trimmed(text)?;

@@ -49,7 +49,12 @@ fn texts_are_read() {
         to(Value::text("u:{0 To 50} v:{0 To 20}"), Kind::Domain2),
         Some(Value::Domain2(square.into()))
     );
-    for nonsense in ["", "x", "1,2", "{", "to", "{1,2,3", "Q{a}"] {
+    // .NET passes over commas between digits: `0,0,550` is a point, and the height of a box in a real definition.
+    for (spelled, x) in [("0,0,550", 550.0), ("1,000.5", 1000.5), ("-1,2", -12.0), ("1,0e1", 100.0)] {
+        assert_eq!(to(Value::text(spelled), Kind::Number), Some(Value::Number(x)), "{spelled}");
+    }
+    assert_eq!(to(Value::text("0,0,550"), Kind::Integer), Some(Value::Integer(550)));
+    for nonsense in ["", "x", ",2", "1.5,2", "1,2 mm", "{", "to", "{1,2,3", "Q{a}"] {
         assert_eq!(to(Value::text(nonsense), Kind::Number), None, "{nonsense}");
     }
 }
