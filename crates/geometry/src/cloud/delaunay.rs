@@ -26,6 +26,17 @@ impl HasPosition for Site {
 
 /// A triangulation of sites.
 pub(super) type SiteMesh = DelaunayTriangulation<Site>;
+
+/// How sites hang together.
+#[derive(Debug, Clone)]
+pub(super) enum Links {
+    /// By the edges of triangles.
+    Mesh(SiteMesh),
+    /// One by one: all lie on a line, in this order. The first of those that share a place stands for them.
+    ///
+    /// `spade` sorts such points anew for each that comes.
+    Row(Vec<u32>),
+}
 /// A corner of the triangulation.
 pub(super) type Corner<'a> = VertexHandle<'a, Site>;
 
@@ -36,10 +47,10 @@ pub(super) type Corner<'a> = VertexHandle<'a, Site>;
 /// (B. Žalik, I. Kolingerová, *A sweep-line algorithm for spatial triangulation*, 2005).
 #[derive(Debug, Clone)]
 pub struct Delaunay {
-    mesh: SiteMesh,
+    links: Links,
     /// For every point the first in its place, when some points share one.
     shared: Option<Vec<u32>>,
-    /// For every point its vertex.
+    /// For every point its vertex, or its place in the row.
     vertices: Vec<u32>,
     triangles: Vec<[u32; 3]>,
 }
@@ -50,15 +61,22 @@ impl Delaunay {
     /// # Errors
     /// A coordinate is not finite or beyond 3.2e60, or there are 2²⁹ points or more.
     pub fn new(points: &[Point2]) -> Result<Self> {
-        let (mesh, shared) = triangulated(points)?;
+        let (links, shared) = linked(points)?;
         let mut vertices = vec![0; points.len()];
-        for vertex in mesh.vertices() {
-            if let Some(place) = vertices.get_mut(vertex.data().index as usize) {
-                *place = vertex.index() as u32;
+        let mut keep = |index: u32, vertex: usize| {
+            if let Some(place) = vertices.get_mut(index as usize) {
+                *place = vertex as u32;
             }
+        };
+        let mut triangles = Vec::new();
+        match &links {
+            Links::Mesh(mesh) => {
+                mesh.vertices().for_each(|vertex| keep(vertex.data().index, vertex.index()));
+                triangles.extend(mesh.inner_faces().map(|f| f.vertices().map(|v| v.data().index)));
+            }
+            Links::Row(row) => row.iter().enumerate().for_each(|(k, &index)| keep(index, k)),
         }
-        let triangles = mesh.inner_faces().map(|f| f.vertices().map(|v| v.data().index)).collect();
-        Ok(Self { mesh, shared, vertices, triangles })
+        Ok(Self { links, shared, vertices, triangles })
     }
 
     /// The triangles by the indices of their corners, counter-clockwise.
@@ -86,26 +104,29 @@ impl Delaunay {
         self.shared.is_some()
     }
 
-    fn corner(&self, i: usize) -> Option<Corner<'_>> {
-        let vertex = *self.vertices.get(self.first_at(i))?;
-        self.mesh.get_vertex(FixedVertexHandle::from_index(vertex as usize))
-    }
-
     /// The points that an edge joins to point `i`, counter-clockwise around it.
     pub fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
-        self.corner(i).into_iter().flat_map(|v| v.out_edges().map(|e| e.to().data().index as usize))
+        let vertex = self.vertices.get(self.first_at(i)).map(|&vertex| vertex as usize);
+        let (corner, beside) = match (&self.links, vertex) {
+            (_, None) => (None, None),
+            (Links::Mesh(mesh), Some(vertex)) => {
+                (mesh.get_vertex(FixedVertexHandle::from_index(vertex)), None)
+            }
+            (Links::Row(row), Some(place)) => (None, Some(beside(row, place))),
+        };
+        let around = corner.into_iter().flat_map(|v: Corner<'_>| v.out_edges().map(|e| e.to().data().index));
+        around.chain(beside.into_iter().flatten()).map(|index| index as usize)
     }
 
     /// Every edge once, by the indices of its ends, the smaller first; in order.
     pub fn edges(&self) -> Vec<[u32; 2]> {
-        let mut out: Vec<[u32; 2]> = self
-            .mesh
-            .undirected_edges()
-            .map(|e| {
-                let [a, b] = e.vertices().map(|v| v.data().index);
-                [a.min(b), a.max(b)]
-            })
-            .collect();
+        let ordered = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+        let mut out: Vec<[u32; 2]> = match &self.links {
+            Links::Mesh(mesh) => {
+                mesh.undirected_edges().map(|e| ordered(e.vertices().map(|v| v.data().index))).collect()
+            }
+            Links::Row(row) => row.iter().zip(row.iter().skip(1)).map(|(&a, &b)| ordered([a, b])).collect(),
+        };
         out.sort_unstable();
         out
     }
@@ -113,38 +134,73 @@ impl Delaunay {
     /// The points along the border, counter-clockwise, those on straight stretches included. For points on one line it
     /// goes there and back.
     pub fn border(&self) -> Vec<u32> {
-        let mut out: Vec<u32> = self.mesh.convex_hull().map(|e| e.from().data().index).collect();
-        out.reverse();
-        out
+        match &self.links {
+            Links::Mesh(mesh) => {
+                let mut out: Vec<u32> = mesh.convex_hull().map(|e| e.from().data().index).collect();
+                out.reverse();
+                out
+            }
+            Links::Row(row) => {
+                let back = row.iter().rev().skip(1).take(row.len().saturating_sub(2));
+                if row.len() < 2 { Vec::new() } else { row.iter().chain(back).copied().collect() }
+            }
+        }
     }
 }
 
-/// The triangulation, and, when some points share a place, for every point the first in its place.
-pub(super) fn triangulated(points: &[Point2]) -> Result<(SiteMesh, Option<Vec<u32>>)> {
+/// Those before and behind a place in a row.
+pub(super) fn beside(row: &[u32], place: usize) -> impl Iterator<Item = u32> + use<> {
+    let at = |k: usize| row.get(k).copied();
+    let before = place.checked_sub(1).and_then(at);
+    before.into_iter().chain(at(place + 1))
+}
+
+/// How points hang together, and, when some share a place, for every point the first in its place.
+pub(super) fn linked(points: &[Point2]) -> Result<(Links, Option<Vec<u32>>)> {
     check_points2(points)?;
+    // 0 has one sign: places are compared by their bits.
     let settled = |x: f64| if x.abs() < SMALLEST { 0.0 } else { x };
-    let place = |p: &Point2| spade::Point2::new(settled(p.x), settled(p.y));
-    let sites = points.iter().zip(0..).map(|(p, index)| Site { position: place(p), index }).collect();
+    let places: Vec<Point2> = points.iter().map(|p| Point2::new(settled(p.x), settled(p.y))).collect();
+    if on_a_line(&places) {
+        let mut row: Vec<u32> = (0..places.len() as u32).collect();
+        let at = |i: u32| places.get(i as usize).copied().unwrap_or_default();
+        let compared = |p: Point2, q: Point2| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
+        row.sort_unstable_by(|&i, &j| compared(at(i), at(j)).then(i.cmp(&j)));
+        row.dedup_by(|next, kept| at(*next) == at(*kept));
+        let shared = (row.len() < places.len()).then(|| firsts(&places));
+        return Ok((Links::Row(row), shared));
+    }
+    let sites = places
+        .iter()
+        .zip(0..)
+        .map(|(p, index)| Site { position: spade::Point2::new(p.x, p.y), index })
+        .collect();
     let mut mesh = DelaunayTriangulation::<Site>::bulk_load(sites)
         .map_err(|e| Error::Invalid { what: "points to triangulate", why: e.to_string() })?;
     // Where points share a place the triangulation names any one of them: it shall be the first.
     let shared = (mesh.num_vertices() < points.len()).then(|| {
-        let mut first: HashMap<[u64; 2], u32> = HashMap::with_capacity(points.len());
-        let firsts: Vec<u32> = points
-            .iter()
-            .zip(0..)
-            .map(|(p, i)| {
-                let p = place(p);
-                *first.entry([(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()]).or_insert(i)
-            })
-            .collect();
+        let firsts = firsts(&places);
         for handle in mesh.fixed_vertices() {
             let data = mesh.vertex_data_mut(handle);
             data.index = firsts.get(data.index as usize).copied().unwrap_or(data.index);
         }
         firsts
     });
-    Ok((mesh, shared))
+    Ok((Links::Mesh(mesh), shared))
+}
+
+/// For every point the first in its place.
+fn firsts(places: &[Point2]) -> Vec<u32> {
+    let mut first: HashMap<[u64; 2], u32> = HashMap::with_capacity(places.len());
+    places.iter().zip(0..).map(|(p, i)| *first.entry([p.x.to_bits(), p.y.to_bits()]).or_insert(i)).collect()
+}
+
+/// Whether all points lie on one line, exactly.
+fn on_a_line(points: &[Point2]) -> bool {
+    let Some(&a) = points.first() else { return true };
+    let Some(&b) = points.iter().find(|&&p| p != a) else { return true };
+    let coordinate = |p: Point2| robust::Coord { x: p.x, y: p.y };
+    points.iter().all(|&p| robust::orient2d(coordinate(a), coordinate(b), coordinate(p)) == 0.0)
 }
 
 /// The centre of the circle through three points; not finite when they lie on a line.
@@ -194,6 +250,33 @@ mod tests {
                 assert_eq!(d.neighbours(1).count(), 2);
             }
         }
+    }
+
+    /// The edges along a line do not hang on how many points there are, nor on their order.
+    #[test]
+    fn a_long_row_is_sorted_once() {
+        let n = 100_000_u32;
+        let row: Vec<Point2> = (0..n)
+            .map(|i| f64::from(i.wrapping_mul(7919) % n))
+            .map(|x| Point2::new(0.25 * x - 3.0, 2.0 - 0.5 * x))
+            .chain([Point2::new(-3.0, 2.0)])
+            .collect();
+        let d = Delaunay::new(&row).unwrap();
+        assert_eq!(d.edges().len(), n as usize - 1);
+        assert!(d.edges().iter().all(|&[a, b]| {
+            let distance = row[a as usize].distance_to(row[b as usize]);
+            (distance - 0.25_f64.hypot(0.5)).abs() < 1e-9
+        }));
+        assert_eq!(d.border().len(), 2 * (n as usize - 1));
+        assert_eq!((d.first_at(n as usize), d.neighbours(n as usize).count()), (0, 1));
+        let border = crate::cloud::ConvexPolygon::rectangle(
+            crate::Interval::new(-10.0, 30_000.0),
+            crate::Interval::new(-60_000.0, 10.0),
+        );
+        let cells = crate::cloud::Voronoi::new(&row, &border.unwrap()).unwrap();
+        let area: f64 = (0..cells.len()).map(|i| cells.area(i)).sum();
+        assert!((area / (30_010.0 * 60_010.0) - 1.0).abs() < 1e-9, "{area}");
+        assert_eq!(cells.area(n as usize), 0.0);
     }
 
     #[test]

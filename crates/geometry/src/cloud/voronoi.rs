@@ -3,7 +3,7 @@ use std::ops::Range;
 use spade::Triangulation;
 
 use super::convex_polygon::{ConvexPolygon, doubled_area, nearer_part, outline};
-use super::delaunay::{Corner, circumcenter, triangulated};
+use super::delaunay::{Links, SiteMesh, beside, circumcenter, linked};
 use crate::{Curve, Plane, Point2, Result};
 
 /// The Voronoi diagram of sites in a plane, inside a convex boundary: for every site the part of the boundary's inside
@@ -28,14 +28,7 @@ impl Voronoi {
     /// # Errors
     /// As [`Delaunay::new`](super::Delaunay::new).
     pub fn new(sites: &[Point2], boundary: &ConvexPolygon) -> Result<Self> {
-        let (mesh, shared) = triangulated(sites)?;
-        let centers: Vec<Center> = mesh
-            .all_faces()
-            .map(|face| match face.as_inner() {
-                None => Center::OUTSIDE,
-                Some(face) => Center::new(face.positions().map(|p| Point2::new(p.x, p.y)), boundary),
-            })
-            .collect();
+        let (links, shared) = linked(sites)?;
         let size = boundary
             .corners()
             .iter()
@@ -47,28 +40,75 @@ impl Voronoi {
             ranges: vec![0..0; sites.len()],
             duplicates: shared.is_some(),
         };
-        let mut scratch = (Vec::new(), Vec::new());
-        // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
-        for corner in mesh.vertices() {
-            let i = corner.data().index as usize;
-            let Some(&site) = sites.get(i) else { continue };
-            let start = out.corners.len();
-            let inner = corner.out_edges().all(|e| {
-                let center = centers.get(e.face().index()).filter(|c| c.inside);
-                out.corners.extend(center.map(|c| c.place));
-                center.is_some()
-            });
-            if !inner || corner.out_edge().is_none() {
-                out.corners.truncate(start);
-                cut_out(boundary, site, corner, sites, &mut scratch);
-                out.corners.extend_from_slice(&scratch.0);
-            }
-            out.tidy(start, 1e-12 * size);
-            if let Some(range) = out.ranges.get_mut(i) {
-                *range = start..out.corners.len();
+        let near = 1e-12 * size;
+        match &links {
+            Links::Mesh(mesh) => out.cells_of(mesh, boundary, near),
+            Links::Row(row) => {
+                let mut scratch = (Vec::new(), Vec::new());
+                for (place, &site) in row.iter().enumerate() {
+                    let start = out.corners.len();
+                    out.cut_out(boundary, site, beside(row, place), &mut scratch);
+                    out.keep(start, site, near);
+                }
             }
         }
         Ok(out)
+    }
+
+    /// The cells of a triangulation.
+    fn cells_of(&mut self, mesh: &SiteMesh, boundary: &ConvexPolygon, near: f64) {
+        let centers: Vec<Center> = mesh
+            .all_faces()
+            .map(|face| match face.as_inner() {
+                None => Center::OUTSIDE,
+                Some(face) => Center::new(face.positions().map(|p| Point2::new(p.x, p.y)), boundary),
+            })
+            .collect();
+        let mut scratch = (Vec::new(), Vec::new());
+        // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
+        for corner in mesh.vertices() {
+            let start = self.corners.len();
+            let inner = corner.out_edges().all(|e| {
+                let center = centers.get(e.face().index()).filter(|c| c.inside);
+                self.corners.extend(center.map(|c| c.place));
+                center.is_some()
+            });
+            let site = corner.data().index;
+            if !inner || corner.out_edge().is_none() {
+                self.corners.truncate(start);
+                let around = corner.out_edges().map(|edge| edge.to().data().index);
+                self.cut_out(boundary, site, around, &mut scratch);
+            }
+            self.keep(start, site, near);
+        }
+    }
+
+    /// Adds the part of the boundary nearest to a site: the sites around it cut it out.
+    fn cut_out(
+        &mut self,
+        boundary: &ConvexPolygon,
+        site: u32,
+        around: impl Iterator<Item = u32>,
+        (ring, next): &mut (Vec<Point2>, Vec<Point2>),
+    ) {
+        let Some(&own) = self.sites.get(site as usize) else { return };
+        ring.clear();
+        ring.extend_from_slice(boundary.corners());
+        for other in around {
+            let Some(&other) = self.sites.get(other as usize) else { continue };
+            if nearer_part(ring, own, other, next) {
+                std::mem::swap(ring, next);
+            }
+        }
+        self.corners.extend_from_slice(ring);
+    }
+
+    /// Makes the corners from `start` on the cell of a site.
+    fn keep(&mut self, start: usize, site: u32, near: f64) {
+        self.tidy(start, near);
+        if let Some(range) = self.ranges.get_mut(site as usize) {
+            *range = start..self.corners.len();
+        }
     }
 
     /// Takes corners out of the last cell that are nearer than `tolerance` to the one before, and the cell when it has
@@ -145,24 +185,6 @@ impl Center {
         let next = boundary.corners().iter().cycle().skip(1);
         let inside = boundary.corners().iter().zip(next).all(|(&a, &b)| (b - a).cross(place - a) >= 0.0);
         Self { place, inside }
-    }
-}
-
-/// The part of the boundary nearest to a site, into the first ring of the scratch space.
-fn cut_out(
-    boundary: &ConvexPolygon,
-    site: Point2,
-    corner: Corner<'_>,
-    sites: &[Point2],
-    (ring, next): &mut (Vec<Point2>, Vec<Point2>),
-) {
-    ring.clear();
-    ring.extend_from_slice(boundary.corners());
-    for edge in corner.out_edges() {
-        let Some(&other) = sites.get(edge.to().data().index as usize) else { continue };
-        if nearer_part(ring, site, other, next) {
-            std::mem::swap(ring, next);
-        }
     }
 }
 
