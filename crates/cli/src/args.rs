@@ -121,7 +121,7 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "N")]
     pub(crate) limit_items: Option<u64>,
 
-    /// The most bytes one object's texts may take
+    /// The most bytes that the solve may take; when not given, 4 GiB and 1 GiB for each object
     #[arg(long, value_name = "N")]
     pub(crate) limit_bytes: Option<u64>,
 }

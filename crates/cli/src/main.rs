@@ -29,6 +29,10 @@ use clap::Parser;
 
 use crate::args::{Command, Katydid};
 
+/// Counts the memory that solves take, so that their limits hold.
+#[global_allocator]
+static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
+
 /// The call was wrong, or a file could not be opened.
 const EXIT_USAGE: u8 = 2;
 

@@ -30,7 +30,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     let mut session = open::session(&args.definition)?;
     let options = session.options_mut();
     options.limits.items = args.limit_items.unwrap_or(options.limits.items);
-    options.limits.bytes = args.limit_bytes.unwrap_or(options.limits.bytes);
+    if let Some(bytes) = args.limit_bytes {
+        options.limits = options.limits.with_bytes(bytes);
+    }
     // A report shows every output.
     options.skip_unread = args.json.is_none();
     let whole = ticks::solve(&mut session, &args.definition);

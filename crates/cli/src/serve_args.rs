@@ -52,7 +52,7 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "N", default_value_t = Limits::default().items)]
     limit_items: u64,
 
-    /// The most bytes one object's items may take
+    /// The most bytes that one solve may take
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().bytes)]
     limit_bytes: u64,
 
@@ -111,7 +111,7 @@ impl ServeArgs {
             timeout: time(self.timeout),
             job_timeout: time(self.job_timeout),
             most_body: self.max_body,
-            limits: Limits { items: self.limit_items, bytes: self.limit_bytes, time: None },
+            limits: Limits { items: self.limit_items, ..Limits::default() }.with_bytes(self.limit_bytes),
             workers: self.workers.map(usize::from),
             most_waiting: self.queue,
             most_jobs: self.jobs,

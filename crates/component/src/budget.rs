@@ -3,6 +3,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 use katydid_geometry::Patience;
+use katydid_memory::Account;
 
 use crate::Message;
 
@@ -11,15 +12,28 @@ use crate::Message;
 pub struct Limits {
     /// The most items that one object may put out.
     pub items: u64,
-    /// The most bytes that the items of one object may take, texts above all.
+    /// The most bytes that one object may take: its results, and what it needs on the way.
+    ///
+    /// Bytes are counted where the program's allocator is [`katydid_memory::Counting`]. Elsewhere only those are that
+    /// components ask for: of texts and files above all.
     pub bytes: u64,
+    /// The most bytes that the whole solve may take.
+    pub solve_bytes: u64,
     /// How long the whole solve may take; `None` for as long as it needs.
     pub time: Option<Duration>,
 }
 
+impl Limits {
+    /// The same with a limit of memory: for the whole solve, and so for each of its objects.
+    #[must_use]
+    pub fn with_bytes(self, bytes: u64) -> Self {
+        Self { bytes, solve_bytes: bytes, ..self }
+    }
+}
+
 impl Default for Limits {
     fn default() -> Self {
-        Self { items: 20_000_000, bytes: 1 << 30, time: None }
+        Self { items: 20_000_000, bytes: 1 << 30, solve_bytes: 4 << 30, time: None }
     }
 }
 
@@ -39,41 +53,95 @@ impl Cancel {
     }
 }
 
-/// What is left for one object of what a solve may use.
+/// What a thread may take before a loop looks at the whole: each look costs as much as a small item.
+const UNSETTLED: u64 = 1 << 18;
+
+/// What is left for one object of what a solve may use: items, bytes, time, and whether somebody still waits. All that
+/// may be long or large asks here.
 #[derive(Debug)]
 pub struct Budget {
+    items: AtomicU64,
+    /// The bytes that were asked for, where nobody counts.
+    asked: AtomicU64,
+    waiting: Arc<Waiting>,
+}
+
+/// The part that every thread asks which works for the object.
+#[derive(Debug)]
+struct Waiting {
     limits: Limits,
     cancel: Cancel,
     deadline: Deadline,
-    items: AtomicU64,
-    bytes: AtomicU64,
+    account: Account,
+}
+
+impl katydid_geometry::Waiting for Waiting {
+    fn go_on(&self) -> bool {
+        self.account.settle();
+        !self.cancel.is_cancelled() && !self.deadline.is_over() && !self.account.is_over()
+    }
+
+    fn begin(&self) {
+        self.account.begin();
+    }
+
+    fn end(&self) {
+        self.account.end();
+    }
+}
+
+impl Waiting {
+    /// The message to show when `more` bytes do not fit.
+    fn room(&self, more: u64) -> Result<(), Message> {
+        self.account.settle();
+        match self.account.without_room(more) {
+            None => Ok(()),
+            Some(over) if std::ptr::eq(over, &self.account) => Err(too_large("", over.limit())),
+            Some(whole) => Err(too_large(" in the whole solution", whole.limit())),
+        }
+    }
+}
+
+fn too_large(place: &str, limit: u64) -> Message {
+    Message::error(format!("More than {limit} bytes{place}: raise the memory limit if that much is wanted"))
 }
 
 impl Budget {
-    /// A budget for one object. `deadline` is when the whole solve must be done.
-    pub fn new(limits: Limits, cancel: Cancel, deadline: Deadline) -> Self {
-        Self { limits, cancel, deadline, items: AtomicU64::new(0), bytes: AtomicU64::new(0) }
+    /// A budget for one object. `deadline` is when the whole solve must be done, `solve` counts what it takes.
+    pub fn new(limits: Limits, cancel: Cancel, deadline: Deadline, solve: Arc<Account>) -> Self {
+        let account = Account::part_of(solve, limits.bytes);
+        let waiting = Arc::new(Waiting { limits, cancel, deadline, account });
+        Self { items: AtomicU64::new(0), asked: AtomicU64::new(0), waiting }
     }
 
     /// Whether work may go on.
     ///
     /// # Errors
-    /// The message to show when somebody cancelled or the time is over.
+    /// The message to show when somebody cancelled, the time is over, or more memory is taken than may be.
     pub fn check(&self) -> Result<(), Message> {
-        if self.cancel.is_cancelled() {
+        let waiting = &*self.waiting;
+        if waiting.cancel.is_cancelled() {
             return Err(Message::error("The solution was cancelled"));
         }
-        if self.deadline.is_over() {
-            let seconds = self.limits.time.unwrap_or_default().as_secs_f64();
+        if waiting.deadline.is_over() {
+            let seconds = waiting.limits.time.unwrap_or_default().as_secs_f64();
             return Err(Message::error(format!("The time limit of {seconds} seconds is over")));
         }
-        Ok(())
+        waiting.room(0)
     }
 
-    /// The same for what the kernel does on this thread.
+    /// The same where it is asked at every step of a loop: it looks only when this thread has taken much since it looked
+    /// last.
+    ///
+    /// # Errors
+    /// As [`Budget::check`].
+    pub fn check_memory(&self) -> Result<(), Message> {
+        if self.waiting.account.unsettled() < UNSETTLED { Ok(()) } else { self.waiting.room(0) }
+    }
+
+    /// The same for all that is done on one thread: what it takes meanwhile is counted for the object.
     pub fn patience(&self) -> Patience {
-        let (cancel, deadline) = (self.cancel.clone(), self.deadline);
-        Patience::new(move || !cancel.is_cancelled() && !deadline.is_over())
+        Patience::of(self.waiting.clone())
     }
 
     /// Takes `n` items, before they are made.
@@ -81,7 +149,7 @@ impl Budget {
     /// # Errors
     /// The message to show when the object would put out more than it may.
     pub fn items(&self, n: usize) -> Result<(), Message> {
-        let limit = self.limits.items;
+        let limit = self.waiting.limits.items;
         if take(&self.items, n, limit) {
             return Ok(());
         }
@@ -93,7 +161,7 @@ impl Budget {
     /// # Errors
     /// The message to show when they could not.
     pub fn fits(&self, n: usize) -> Result<(), Message> {
-        let limit = self.limits.items;
+        let limit = self.waiting.limits.items;
         if self.items.load(Ordering::Relaxed).checked_add(n as u64).is_some_and(|total| total <= limit) {
             return Ok(());
         }
@@ -104,16 +172,16 @@ impl Budget {
         Message::error(format!("More than {limit} items: raise the item limit if that many are wanted"))
     }
 
-    /// Takes `n` bytes, before they are made.
+    /// Asks for `n` bytes, before they are made.
     ///
     /// # Errors
-    /// The message to show when the object would put out more than it may.
+    /// The message to show when the object, or the whole solve, would take more than it may.
     pub fn bytes(&self, n: usize) -> Result<(), Message> {
-        let limit = self.limits.bytes;
-        if take(&self.bytes, n, limit) {
-            return Ok(());
+        if katydid_memory::is_counting() {
+            return self.waiting.room(n as u64);
         }
-        Err(Message::error(format!("More than {limit} bytes: raise the memory limit if that much is wanted")))
+        let limit = self.waiting.limits.bytes;
+        if take(&self.asked, n, limit) { Ok(()) } else { Err(too_large("", limit)) }
     }
 }
 
@@ -125,7 +193,9 @@ fn take(taken: &AtomicU64, n: usize, limit: u64) -> bool {
 
 impl Default for Budget {
     fn default() -> Self {
-        Self::new(Limits::default(), Cancel::default(), Deadline::never())
+        let limits = Limits::default();
+        let solve = Arc::new(Account::new(limits.solve_bytes));
+        Self::new(limits, Cancel::default(), Deadline::never(), solve)
     }
 }
 

@@ -10,14 +10,15 @@ use katydid_data::Tree;
 use crate::input::Row;
 use crate::matching::Matching;
 use crate::output::Sinks;
+use crate::pace::Pace;
 use crate::{Access, Call, Context, Message, Notes, Outcome};
 
 /// Below this many iterations a run is not worth cutting.
 #[cfg(feature = "parallel")]
 const SMALLEST_PIECE: usize = 256;
 
-/// How often the budget is asked whether to go on.
-const CHECK_EVERY: usize = 1024;
+/// The most small results that are counted together.
+const COUNTED_TOGETHER: usize = 1024;
 
 /// Runs `function` over the data of `call`. It gives `Ok(None)` when a required item is null.
 #[doc(hidden)]
@@ -86,6 +87,7 @@ fn piece<S: Sinks>(
     let mut set = matching.set_of(range.start);
     let mut at = range.start;
     let mut stopped = None;
+    let mut pace = Pace::default();
     // Small results are counted together, so that threads do not queue for the counter.
     let mut untaken = 0;
     'sets: while at < range.end {
@@ -95,9 +97,8 @@ fn piece<S: Sinks>(
         }
         let ranges = matching.ranges(set);
         for i in at..iterations.end.min(range.end) {
-            if (i - range.start) % CHECK_EVERY == CHECK_EVERY - 1
-                && let Err(message) = call.budget.check()
-            {
+            let budget = call.budget;
+            if let Err(message) = if pace.is_due() { budget.check() } else { budget.check_memory() } {
                 stopped = Some(message);
                 break 'sets;
             }
@@ -116,7 +117,7 @@ fn piece<S: Sinks>(
                 }
             };
             untaken += results.as_ref().map_or(0, S::count);
-            if untaken >= CHECK_EVERY {
+            if untaken >= COUNTED_TOGETHER {
                 if let Err(message) = call.budget.items(untaken) {
                     stopped = Some(message);
                     break 'sets;

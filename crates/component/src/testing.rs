@@ -1,9 +1,11 @@
 //! Runs a component by name on data written down in a test.
 
+use std::sync::Arc;
+
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, text};
 use katydid_definition::archive::{Chunk, ItemValue};
 
-use crate::{Budget, Call, Component, Files, Limits, Outcome, RhinoModel, registry};
+use crate::{Account, Budget, Call, Component, Files, Limits, Outcome, RhinoModel, registry};
 
 /// A component with its inputs.
 ///
@@ -176,8 +178,9 @@ impl Trial {
         while self.component.inputs.get(self.inputs.len()).is_some_and(|p| !p.many) {
             self = self.default();
         }
-        let budget = Budget::new(self.limits, Default::default(), Default::default());
-        (self.component.run)(&Call {
+        let solve = Arc::new(Account::new(self.limits.solve_bytes));
+        let budget = Budget::new(self.limits, Default::default(), Default::default(), solve);
+        let call = Call {
             inputs: &self.inputs,
             input_names: &self.names,
             output_count: self.outputs,
@@ -187,7 +190,8 @@ impl Trial {
             budget: &budget,
             files: &self.files,
             model: self.model.as_ref(),
-        })
+        };
+        budget.patience().during(|| (self.component.run)(&call))
     }
 
     /// Runs it, and gives the texts of one output, a line a branch: `{0;1}: 2, 5`.

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use katydid_component::{Budget, Call, Component, Limits, Port, registry};
+use katydid_component::{Account, Budget, Call, Component, Limits, Port, registry};
 use katydid_data::{
     BlockDefinition, BlockInstance, Column, Filter, ModelLayer, ModelLinetype, ModelObject, Path, Tree,
     TreeBuilder, Value, cast,
@@ -19,6 +19,9 @@ use katydid_geometry::{
     Rectangle, RevolutionSurface, Sphere, Surface, Vector3, Xform,
     field::{Field, Force, Source},
 };
+
+#[global_allocator]
+static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
 
 /// No component may take this long over a handful of items: it hangs.
 const PATIENCE: u64 = 60;
@@ -228,9 +231,11 @@ impl Watch {
 fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String> {
     *watch.running.lock().unwrap() = component.name.to_owned();
     watch.beats.fetch_add(1, Ordering::Relaxed);
-    let limits = Limits { items: 20_000, bytes: 16 << 20, time: Some(Duration::from_secs(2)) };
+    let time = Some(Duration::from_secs(2));
+    let limits = Limits { items: 20_000, time, ..Limits::default() }.with_bytes(16 << 20);
     let deadline = katydid_component::Deadline::after(limits.time);
-    let budget = Budget::new(limits, Default::default(), deadline);
+    let solve = Arc::new(Account::new(limits.solve_bytes));
+    let budget = Budget::new(limits, Default::default(), deadline, solve);
     let names: Vec<String> = (0..inputs.len())
         .map(|i| component.input(i).map_or_else(String::new, |p| p.nick.to_owned()))
         .collect();
@@ -246,7 +251,8 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         files: &Default::default(),
         model: None,
     };
-    let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| (component.run)(&call))) else {
+    let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| budget.patience().during(|| (component.run)(&call))))
+    else {
         return Some("panics".into());
     };
     if outcome.outputs.len() < component.outputs.iter().filter(|p| !p.many).count() {

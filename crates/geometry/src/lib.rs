@@ -124,7 +124,7 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
-pub use patience::Patience;
+pub use patience::{Patience, Waiting};
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
 pub use point2::Point2;

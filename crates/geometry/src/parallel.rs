@@ -20,7 +20,7 @@ pub(crate) fn each<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync 
 /// Waits for a loop on several threads that asks for no patience.
 #[cfg(feature = "parallel")]
 pub(crate) fn waiting<T>(threads: impl FnOnce() -> T) -> T {
-    Patience::default().during(threads)
+    Patience::waiting(threads)
 }
 
 #[cfg(all(test, feature = "parallel"))]

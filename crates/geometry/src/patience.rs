@@ -29,9 +29,44 @@ thread_local! {
     static OVER: Cell<bool> = const { Cell::new(false) };
 }
 
+/// Somebody who waits for work, and who may count what it takes.
+pub trait Waiting: Send + Sync {
+    /// Whether the work shall go on. It is asked often, from whichever thread does the work.
+    fn go_on(&self) -> bool;
+
+    /// The work begins on this thread, or goes on there after other work.
+    fn begin(&self) {}
+
+    /// The work ends on this thread, or other work comes between.
+    fn end(&self) {}
+}
+
+impl<F: Fn() -> bool + Send + Sync> Waiting for F {
+    fn go_on(&self) -> bool {
+        self()
+    }
+}
+
+/// Waits as somebody else does, but without end.
+struct Endless(Patience);
+
+impl Waiting for Endless {
+    fn go_on(&self) -> bool {
+        true
+    }
+
+    fn begin(&self) {
+        self.0.begin();
+    }
+
+    fn end(&self) {
+        self.0.end();
+    }
+}
+
 /// How long somebody waits for work; without end by default.
 #[derive(Clone, Default)]
-pub struct Patience(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
+pub struct Patience(Option<Arc<dyn Waiting>>);
 
 impl std::fmt::Debug for Patience {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -47,7 +82,9 @@ struct Before {
 
 impl Drop for Before {
     fn drop(&mut self) {
-        NOW.set(std::mem::take(&mut self.now));
+        let before = std::mem::take(&mut self.now);
+        NOW.replace(before.clone()).end();
+        before.begin();
         OVER.set(self.over);
     }
 }
@@ -58,12 +95,44 @@ impl Patience {
         Self(Some(Arc::new(go_on)))
     }
 
+    /// Patience as somebody has it.
+    pub fn of(waiting: Arc<dyn Waiting>) -> Self {
+        Self(Some(waiting))
+    }
+
     /// Does work on this thread with this patience, instead of that which was there before.
     ///
     /// Loops of the kernel that run on several threads carry it along.
     pub fn during<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _before = Before { now: NOW.replace(self.clone()), over: OVER.replace(false) };
-        work()
+        let before = Before { now: NOW.replace(self.clone()), over: OVER.replace(false) };
+        before.now.end();
+        self.begin();
+        let done = work();
+        drop(before);
+        done
+    }
+
+    /// Waits on this thread for work that others do, and that carries its own patience along.
+    ///
+    /// A thread that waits may be given anybody's work. It does not end with the patience of who waits here; what it
+    /// takes is counted by whom it is for, and what nobody counts is counted here.
+    pub fn waiting<T>(work: impl FnOnce() -> T) -> T {
+        match Self::now() {
+            Self(None) => work(),
+            own => Self(Some(Arc::new(Endless(own)))).during(work),
+        }
+    }
+
+    fn begin(&self) {
+        if let Some(waiting) = &self.0 {
+            waiting.begin();
+        }
+    }
+
+    fn end(&self) {
+        if let Some(waiting) = &self.0 {
+            waiting.end();
+        }
     }
 
     /// The patience for what this thread does now.
@@ -81,7 +150,7 @@ pub(crate) fn check() -> Result<()> {
     ASKED.set(asked);
     if asked.is_multiple_of(EVERY) && !OVER.get() {
         // The question is asked with nothing borrowed: it is somebody else's code.
-        OVER.set(Patience::now().0.is_some_and(|go_on| !go_on()));
+        OVER.set(Patience::now().0.is_some_and(|waiting| !waiting.go_on()));
     }
     if OVER.get() { Err(Error::Stopped) } else { Ok(()) }
 }
@@ -94,6 +163,41 @@ mod tests {
 
     fn runs(most: u32) -> u32 {
         (0..most).find(|_| check().is_err()).unwrap_or(most)
+    }
+
+    /// Writes down when work begins and ends.
+    struct Diary(&'static str, Arc<std::sync::Mutex<String>>);
+
+    impl Waiting for Diary {
+        fn go_on(&self) -> bool {
+            false
+        }
+
+        fn begin(&self) {
+            self.1.lock().unwrap().push_str(&format!("+{}", self.0));
+        }
+
+        fn end(&self) {
+            self.1.lock().unwrap().push_str(&format!("-{}", self.0));
+        }
+    }
+
+    #[test]
+    fn one_work_runs_at_a_time() {
+        let diary = Arc::new(std::sync::Mutex::new(String::new()));
+        let [a, b] = ["a", "b"].map(|name| Patience::of(Arc::new(Diary(name, diary.clone()))));
+        a.during(|| {
+            b.during(|| ());
+            Patience::default().during(|| ());
+            assert!(runs(1000) < 1000);
+            // Counted for the same work, but without its end.
+            Patience::waiting(|| {
+                assert_eq!(runs(1000), 1000);
+                b.during(|| ());
+            });
+            assert!(runs(1000) < 1000);
+        });
+        assert_eq!(*diary.lock().unwrap(), "+a-a+b-b+a-a+a-a+a-a+b-b+a-a+a-a");
     }
 
     #[test]

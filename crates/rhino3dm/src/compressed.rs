@@ -168,7 +168,7 @@ pub(crate) fn pack_all<const N: usize>(plain: [&[u8]; N]) -> Result<[Packed; N]>
         use rayon::prelude::*;
         let all = packed.par_iter_mut().zip(plain);
         // A thread that waits may be given others' work, which has a patience of its own.
-        katydid_geometry::Patience::default().during(|| all.try_for_each(pack))?;
+        katydid_geometry::Patience::waiting(|| all.try_for_each(pack))?;
         return Ok(packed);
     }
     packed.iter_mut().zip(plain).try_for_each(pack)?;

@@ -3,7 +3,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-use katydid_component::{Deadline, Message};
+use katydid_component::{Account, Budget, Deadline, Message};
 use katydid_data::Tree;
 use katydid_definition::document::{Document, Object};
 
@@ -115,9 +115,11 @@ impl Engine {
     /// with another [`Cancel`](katydid_component::Cancel).
     pub fn solve(&mut self) -> Summary {
         let watch = Watch::start();
+        let account = Arc::new(Account::new(self.options.limits.solve_bytes));
         let turn = Turn {
             document: &self.document,
             options: &self.options,
+            account: &account,
             deadline: Deadline::after(self.options.limits.time),
             depth: 0,
             given: &HashMap::new(),
@@ -151,6 +153,7 @@ pub(crate) fn solve_nested(
     let turn = Turn {
         document,
         options: &options,
+        account: outer.account,
         deadline: outer.deadline,
         depth: outer.depth + 1,
         given,
@@ -201,7 +204,16 @@ fn solve_graph(
             graph.sources[object].iter().map(|sources| sources.iter().filter_map(tree).collect()).collect();
         let wanted = if turn.options.skip_unread { &graph.wanted[object][..] } else { &[] };
         let turn = Turn { wanted, ..*turn };
-        let mut report = solve(&turn, object, &wired);
+        let limits = turn.options.limits;
+        let budget = Budget::new(limits, turn.options.cancel.clone(), turn.deadline, turn.account.clone());
+        let mut report = budget.patience().during(|| {
+            let report = solve(&turn, object, &wired, &budget);
+            // What an object gives may be made larger by its outputs' modifiers and casts.
+            budget.bytes(0).err().map_or(report, |message| {
+                let outputs = objects.get(object).map_or(0, |object| object.outputs.len());
+                ObjectReport::idle(Status::Error, vec![message], outputs)
+            })
+        });
         report.time = watch.elapsed();
         // It may have noticed, and stopped half-way.
         if cancelled() {

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 
-use katydid_component::{Access, Budget, Call, Component, Deadline, Message, registry};
+use katydid_component::{Access, Account, Budget, Call, Component, Deadline, Message, registry};
 use katydid_data::{Column, Kind, Path, Tree};
 use katydid_definition::document::{Document, Object, Side, Special, ids};
 
@@ -14,6 +15,8 @@ use crate::{Options, cluster, collect, modifiers, recorder, remote};
 pub(crate) struct Turn<'a> {
     pub(crate) document: &'a Document,
     pub(crate) options: &'a Options,
+    /// What the whole solve takes.
+    pub(crate) account: &'a Arc<Account>,
     pub(crate) deadline: Deadline,
     /// How many clusters the object is inside of.
     pub(crate) depth: usize,
@@ -27,7 +30,7 @@ pub(crate) struct Turn<'a> {
 }
 
 /// Solves object `index`, whose wires bring `wired`: for each input, the trees in wire order.
-pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> ObjectReport {
+pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>], budget: &Budget) -> ObjectReport {
     let Some(object) = turn.document.objects.get(index) else {
         return ObjectReport::idle(Status::Ok, Vec::new(), 0);
     };
@@ -48,11 +51,11 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>]) -> Obje
     if let Some(report) = cluster::solve(turn, object, wired) {
         return report;
     }
-    if let Some(report) = remote::solve(turn, object, wired) {
+    if let Some(report) = remote::solve(turn, object, wired, budget) {
         return report;
     }
     match registry::by_guid(object.component) {
-        Some(component) => run(turn, index, object, component, wired),
+        Some(component) => run(turn, index, object, component, wired, budget),
         None => unsupported(turn.document, object),
     }
 }
@@ -100,6 +103,7 @@ fn run(
     object: &Object,
     component: &'static Component,
     wired: &[Vec<&Tree>],
+    budget: &Budget,
 ) -> ObjectReport {
     let rules = turn.options.rules;
     let mut messages = Vec::new();
@@ -136,7 +140,6 @@ fn run(
         return ObjectReport::idle(Status::NoData, messages, object.outputs.len());
     }
     let names: Vec<String> = object.inputs.iter().map(|port| port.nickname.clone()).collect();
-    let budget = Budget::new(turn.options.limits, turn.options.cancel.clone(), turn.deadline);
     let call = Call {
         inputs: &inputs,
         input_names: &names,
@@ -144,7 +147,7 @@ fn run(
         wanted: turn.wanted,
         settings: object.container(),
         rules,
-        budget: &budget,
+        budget,
         files: &turn.options.files,
         model: turn.options.model.as_deref(),
     };

@@ -59,7 +59,12 @@ pub struct Solved {
 }
 
 /// Solves a Hops component; `None` when the object is none, or no server may be asked at all.
-pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> Option<ObjectReport> {
+pub(crate) fn solve(
+    turn: &Turn<'_>,
+    object: &Object,
+    wired: &[Vec<&Tree>],
+    budget: &Budget,
+) -> Option<ObjectReport> {
     let remote = turn.options.remote.as_ref().filter(|_| object.component == HOPS)?;
     let rules = turn.options.rules;
     let mut messages = Vec::new();
@@ -67,7 +72,6 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
         Ok(steered) => steered,
         Err(status) => return Some(ObjectReport::idle(status, messages, object.outputs.len())),
     };
-    let budget = Budget::new(turn.options.limits, turn.options.cancel.clone(), turn.deadline);
     let question = Question {
         component: object.id,
         location: &steered.location,
@@ -75,7 +79,7 @@ pub(crate) fn solve(turn: &Turn<'_>, object: &Object, wired: &[Vec<&Tree>]) -> O
         inputs: steered.inputs,
         outputs: object.outputs.iter().map(|port| port.name.as_str()).collect(),
         rules,
-        budget: &budget,
+        budget,
         limits: Limits { time: turn.deadline.left(), ..turn.options.limits },
         cancel: &turn.options.cancel,
     };

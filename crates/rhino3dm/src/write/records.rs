@@ -39,8 +39,7 @@ impl Records<'_> {
                 |mut w, (place, object)| self.record(object, place, &mut w).map(|()| w),
             );
             // A thread that waits may be given others' work, which has a patience of its own.
-            let stretches: Vec<Result<Writer>> =
-                katydid_geometry::Patience::default().during(|| stretches.collect());
+            let stretches: Vec<Result<Writer>> = katydid_geometry::Patience::waiting(|| stretches.collect());
             return stretches.into_iter().try_for_each(|stretch| {
                 w.chunks(&stretch?.into_bytes());
                 Ok(())

@@ -67,7 +67,7 @@ impl Reins {
             return Err(self.late());
         }
         let Allowance { items, bytes, .. } = self.allowance;
-        let limits = Limits { items, bytes, time };
+        let limits = Limits { items, time, ..Limits::default() }.with_bytes(bytes);
         Ok(Bounds { limits, cancel: self.cancel.clone(), progress: self.progress.clone(), recursion: 0 })
     }
 
