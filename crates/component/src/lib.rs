@@ -37,6 +37,7 @@ mod port;
 pub mod registry;
 mod rhino_content;
 mod rhino_model;
+mod shortened;
 pub mod stored;
 pub mod testing;
 pub mod whole;
@@ -52,6 +53,7 @@ pub use message::{Level, Message, Notes};
 pub use output::Each;
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};
+pub use shortened::shortened;
 
 /// What the [`component`] attribute writes code against; not for use by hand.
 #[doc(hidden)]
