@@ -3,8 +3,8 @@
 use katydid_server::{Config, Server};
 
 use crate::args::StudioArgs;
-use crate::output::{BOLD, YELLOW, note, say};
-use crate::serving::{self, ended};
+use crate::output::{BOLD, YELLOW, note, printed, say};
+use crate::serving::{self, Signals};
 
 pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
     let config = Config {
@@ -18,11 +18,12 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         ..Config::default()
     };
     serving::run(async {
+        let mut signals = Signals::listen()?;
         let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, args);
-        ended().await;
-        server.stop().await;
-        Ok(0)
+        printed()?;
+        signals.next().await;
+        Ok(signals.stopping(server.stop()).await)
     })
 }
 

@@ -25,6 +25,7 @@ mod geometry;
 mod http;
 mod listen;
 mod lock;
+mod names;
 mod secret;
 mod server;
 

@@ -183,7 +183,7 @@ impl Actor {
         };
         let form = Form::of(&path).ok_or("a definition is saved as .gh, .ghx or .kd")?;
         let (bytes, left_out) = files::write(form, self.editor.document())?;
-        files::replace(&path, &bytes)
+        katydid_session::write_file(&path, &bytes)
             .map_err(|error| format!("{}: {}", path.display(), files::plain(&error)))?;
         for what in left_out.iter().take(10) {
             self.notice("warning", format!("left out: {what}"));

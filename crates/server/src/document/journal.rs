@@ -18,6 +18,8 @@ use crate::lock::held;
 const SOON: Duration = Duration::from_millis(160);
 /// The ending of journals.
 const ENDING: &str = "journal";
+/// The ending of those that cannot be read.
+const DAMAGED: &str = "damaged";
 /// The ids of documents that were never saved have so many letters; those of files have fewer.
 const UNSAVED: usize = 32;
 
@@ -97,6 +99,13 @@ impl Place {
         Box::new(Movable { file: Arc::clone(&self.file), store })
     }
 
+    /// Keeps a journal that cannot be read under another name: it may hold what somebody wants back. Without that it
+    /// would be written over.
+    fn put_aside(&self) {
+        let file = held(&self.file);
+        let _ = fs::rename(&*file, file.with_extension(DAMAGED));
+    }
+
     /// The journal of a document goes where it is looked for when its file is opened.
     fn go_to(&mut self, id: &str) -> io::Result<()> {
         let next = self.folder.join(id).with_extension(ENDING);
@@ -123,6 +132,9 @@ impl Keeper {
         let Some(folder) = folder else { return (Editor::new(document, rules), Self::default()) };
         let opened = Place::new(folder, id).and_then(|place| {
             let editor = Editor::with_journal(document.clone(), rules, origin(path, hash), place.store())?;
+            if editor.lost_journal().is_some() {
+                place.put_aside();
+            }
             Ok((editor, place))
         });
         match opened {
@@ -226,6 +238,18 @@ mod tests {
         assert!(left_behind(folder.path()).is_empty());
         let (editor, _) = open(folder.path(), &id_of(&path));
         assert_eq!(editor.document().objects.len(), 2);
+    }
+
+    #[test]
+    fn a_journal_that_cannot_be_read_is_put_aside() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, aside) = (folder.path().join("one.journal"), folder.path().join("one.damaged"));
+        fs::write(&file, "garbage").unwrap();
+        let (mut editor, keeper) = open(folder.path(), "one");
+        assert!(editor.lost_journal().is_some() && keeper.place.is_some());
+        editor.apply(&place(1), None, &[]).unwrap();
+        editor.flush();
+        assert!(file.exists() && fs::read(&aside).unwrap() == b"garbage");
     }
 
     #[test]

@@ -7,7 +7,6 @@ use std::time::UNIX_EPOCH;
 
 use serde::Serialize;
 
-use super::replace;
 use crate::lock::held;
 
 /// So many are remembered.
@@ -52,7 +51,7 @@ impl Recent {
         // A list that cannot be kept is no reason to stop.
         let made = file.parent().map(fs::create_dir_all);
         if let (Some(Ok(())), Ok(text)) = (made, serde_json::to_vec(&*list)) {
-            let _ = replace(file, &text);
+            let _ = katydid_session::write_file(file, &text);
         }
     }
 
