@@ -55,7 +55,7 @@ impl Service {
             jobs: Jobs::new(config.most_jobs, config.keep_jobs),
             metrics: Metrics::default(),
             lock: Lock::new(config.key()),
-            origins: Origins::new(&config.origins),
+            origins: Origins::new(&config.origins, config.key().is_some()),
             room: Room::new(config.most_body, config.timeout.max(Duration::from_secs(1))),
             pace: Pace::default(),
             trial: Trial::default(),

@@ -5,7 +5,6 @@
 //! none of ours), the page that sends them (`Origin`, and `Sec-Fetch-Site` where the browser says), and the token,
 //! which is needed once others than this machine can reach the port.
 
-use std::net::{IpAddr, Ipv6Addr};
 use std::sync::Arc;
 
 use axum::extract::{Request, State as Extract};
@@ -21,6 +20,7 @@ use uuid::Uuid;
 use super::State;
 use super::answer::Refused;
 use crate::Config;
+use crate::names::{is_this_machine, of_origin, without_port};
 use crate::secret::Secret;
 
 /// The name of the cookie that holds the token.
@@ -90,14 +90,7 @@ impl Guard {
     /// Whether a name in a request is one of this server: `localhost` and numbers, which no name server can redirect.
     /// Where others can reach it, it is known by its number or by a name that they were given: the token protects it.
     fn is_ours(&self, host: &str) -> bool {
-        let name = without_port(host);
-        if name.eq_ignore_ascii_case("localhost") || name.to_ascii_lowercase().ends_with(".localhost") {
-            return true;
-        }
-        match address(name) {
-            Some(address) => !self.is_local || address.is_loopback(),
-            None => !self.is_local && !name.is_empty(),
-        }
+        is_this_machine(host) || (!self.is_local && !without_port(host).is_empty())
     }
 }
 
@@ -113,24 +106,9 @@ fn one<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
     all.next().is_none().then_some(first)
 }
 
-fn without_port(host: &str) -> &str {
-    match host.rsplit_once(':') {
-        Some((name, port)) if !port.is_empty() && port.bytes().all(|b| b.is_ascii_digit()) => name,
-        _ => host,
-    }
-}
-
-fn address(name: &str) -> Option<IpAddr> {
-    match name.strip_prefix('[').and_then(|name| name.strip_suffix(']')) {
-        Some(inner) => inner.parse::<Ipv6Addr>().ok().map(IpAddr::V6),
-        None => name.parse().ok(),
-    }
-}
-
 /// Whether an origin is the page of that very host and port.
 fn same(origin: &str, host: &str) -> bool {
-    let of = origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"));
-    of.is_some_and(|of| of.eq_ignore_ascii_case(host))
+    of_origin(origin).is_some_and(|of| of.eq_ignore_ascii_case(host))
 }
 
 /// The tokens that a request brings: in its address, and in the page's cookie.
@@ -192,7 +170,7 @@ pub(crate) async fn check(Extract(state): Extract<Arc<State>>, request: Request,
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-    use std::net::Ipv4Addr;
+    use std::net::{IpAddr, Ipv4Addr};
 
     use super::*;
 
