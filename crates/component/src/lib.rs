@@ -40,6 +40,7 @@ mod rhino_model;
 mod shortened;
 pub mod stored;
 pub mod testing;
+mod trust;
 pub mod whole;
 
 pub use budget::{Budget, Cancel, Deadline, Limits};
@@ -54,6 +55,7 @@ pub use output::Each;
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};
 pub use shortened::shortened;
+pub use trust::{Origin, Trust};
 
 /// What the [`component`] attribute writes code against; not for use by hand.
 #[doc(hidden)]

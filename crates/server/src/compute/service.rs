@@ -5,6 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use katydid_component::{Origin, Trust};
 use katydid_compute::{Compute, HopsSettings, RequestLimits, Settings, WebSettings};
 
 use super::Config;
@@ -35,6 +36,7 @@ pub(crate) struct Service {
 impl Service {
     pub(crate) fn new(config: Config) -> Self {
         let settings = Settings {
+            files: Trust::shared(Vec::new()).files(Origin::Sent),
             cache_bytes: config.cache_bytes,
             request: RequestLimits { bytes: config.most_body, ..RequestLimits::default() },
             web: WebSettings {

@@ -74,11 +74,12 @@ struct Progress {
 impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
-        let Source { document, name, path, hash, rules, files, model, id } = source;
+        let files = shared.trust.files(source.origin());
+        let Source { document, name, path, hash, rules, model, id } = source;
         let (mut editor, keeper) =
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
-        editor.about_mut().path = path.as_ref().map(|path| path.display().to_string());
+        editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
         let options = Options { rules: editor.rules(), files, model, ..Options::default() };
         let (jobs, inbox) = channel();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
