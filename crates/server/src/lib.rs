@@ -21,6 +21,7 @@ mod config;
 mod document;
 mod error;
 mod files;
+mod framing;
 mod geometry;
 mod http;
 mod listen;
