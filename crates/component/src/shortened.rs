@@ -64,7 +64,7 @@ mod tests {
             (format!("Radius is -{}, which", 1e300), "Radius is -1e300, which".to_owned()),
             (format!("{} and {}", f64::MAX, 1e-300), "1.7976931348623157e308 and 1e-300".to_owned()),
             (format!("x{}y", "9".repeat(400)), "x999999999999… (400 digits)y".to_owned()),
-            (format!("{}.", "1".repeat(70)), format!("{:e}.", 1.111_111_111_111_111e69)),
+            (format!("{}.", "1".repeat(70)), "1.1111111111111112e69.".to_owned()),
             (format!("0.{}", "0".repeat(400)), "0.0000000000… (401 digits)".to_owned()),
         ] {
             assert_eq!(shortened(text), wanted);
