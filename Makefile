@@ -10,7 +10,11 @@ TESTED := --workspace --exclude katydid-kernel-bench \
 BUILT := $(abspath $(or $(CARGO_TARGET_DIR),target))/debug
 RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 
-.PHONY: studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+# Where tools are installed that take long to compile; `make clean` leaves them.
+TOOLS := $(abspath .tools)
+DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
+
+.PHONY: deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -84,6 +88,17 @@ $(VENV)/installed: python-tests/requirements.txt
 lint:
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets -- -D warnings
+
+# Licences and sources of all dependencies, by deny.toml. Not part of `make test`: cargo-deny takes minutes to compile.
+deny: $(DENY)
+	$(DENY) --locked check licenses bans sources
+
+# The same for known faults: the database of them comes from the network.
+deny-advisories: $(DENY)
+	$(DENY) --locked check advisories
+
+$(DENY):
+	cargo install cargo-deny --locked --root $(TOOLS)
 
 docs:
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps

@@ -63,7 +63,10 @@ fn no_model(extension: &str) -> String {
             "a definition holds no geometry until it runs: use katydid run -o".to_owned()
         }
         "mtl" => "it holds the materials of an .obj file, and no geometry: convert the .obj file".to_owned(),
-        "" => format!("its name has no ending that tells what it is; models that are read end with {}", readable_extensions()),
+        "" => format!(
+            "its name has no ending that tells what it is; models that are read end with {}",
+            readable_extensions()
+        ),
         other => format!("models that end with .{other} are not read: only {}", readable_extensions()),
     }
 }

@@ -29,7 +29,10 @@ impl Signals {
         {
             use tokio::signal::unix::{SignalKind, signal};
             let heard = |kind| signal(kind).map_err(|error| format!("signals cannot be heard: {error}"));
-            Ok(Self { interrupt: heard(SignalKind::interrupt())?, terminate: heard(SignalKind::terminate())? })
+            Ok(Self {
+                interrupt: heard(SignalKind::interrupt())?,
+                terminate: heard(SignalKind::terminate())?,
+            })
         }
         #[cfg(not(unix))]
         Ok(Self {})

@@ -33,7 +33,9 @@ fn greet(server: &Server, args: &StudioArgs) {
     if !args.host.is_loopback() {
         note(&format!("{YELLOW}note{YELLOW:#}: others can join with this address, and change what is open"));
         if args.files.is_empty() {
-            note("definitions read no files of this machine; --files FOLDER lets them read those of a folder");
+            note(
+                "definitions read no files of this machine; --files FOLDER lets them read those of a folder",
+            );
         }
     }
     if !server.has_page() {

@@ -104,7 +104,13 @@ mod tests {
             folders: folders.iter().map(|&folder| folder.clone()).collect(),
         };
         assert_eq!(both(&[&inside]).read("a.txt", 100).unwrap(), b"hello");
-        assert!(both(&[&inside]).read("../secret.txt", 100).unwrap_err().text.contains("no such file in the folders"));
+        assert!(
+            both(&[&inside])
+                .read("../secret.txt", 100)
+                .unwrap_err()
+                .text
+                .contains("no such file in the folders")
+        );
         assert_eq!(both(&[&inside, &folder]).read("../secret.txt", 100).unwrap(), b"s");
         assert!(both(&[]).read("a.txt", 100).is_err());
         assert!(any.read("a.txt", 4).unwrap_err().text.contains("more than 4 bytes"));

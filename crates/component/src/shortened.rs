@@ -69,7 +69,9 @@ mod tests {
         ] {
             assert_eq!(shortened(text), wanted);
         }
-        for text in ["", "1.5, 2.25; 3..4 5. .6", "ä1ö", &"7".repeat(64), &"word 12 ".repeat(20), &"é".repeat(90)] {
+        for text in
+            ["", "1.5, 2.25; 3..4 5. .6", "ä1ö", &"7".repeat(64), &"word 12 ".repeat(20), &"é".repeat(90)]
+        {
             assert_eq!(shortened(text), text);
         }
     }

@@ -9,7 +9,7 @@ pub enum Error {
     #[error("writing the file: {0}")]
     Io(#[from] std::io::Error),
     /// A coordinate is NaN or infinite, or too large for the numbers of the format.
-    #[error("{what} has a coordinate that {format} cannot hold: {value:e}")]
+    #[error("{what} has a coordinate that {format} cannot hold: {value}")]
     Coordinate {
         /// The thing, by name or place.
         what: String,

@@ -31,7 +31,11 @@ impl<S> Followed<S> {
 }
 
 impl<S: AsyncRead + Unpin> AsyncRead for Followed<S> {
-    fn poll_read(mut self: Pin<&mut Self>, cx: &mut Context<'_>, buf: &mut ReadBuf<'_>) -> Poll<std::io::Result<()>> {
+    fn poll_read(
+        mut self: Pin<&mut Self>,
+        cx: &mut Context<'_>,
+        buf: &mut ReadBuf<'_>,
+    ) -> Poll<std::io::Result<()>> {
         let before = buf.filled().len();
         let read = Pin::new(&mut self.stream).poll_read(cx, buf);
         if self.requests.follow(buf.filled().get(before..).unwrap_or_default()) {
@@ -42,7 +46,11 @@ impl<S: AsyncRead + Unpin> AsyncRead for Followed<S> {
 }
 
 impl<S: AsyncWrite + Unpin> AsyncWrite for Followed<S> {
-    fn poll_write(mut self: Pin<&mut Self>, cx: &mut Context<'_>, bytes: &[u8]) -> Poll<std::io::Result<usize>> {
+    fn poll_write(
+        mut self: Pin<&mut Self>,
+        cx: &mut Context<'_>,
+        bytes: &[u8],
+    ) -> Poll<std::io::Result<usize>> {
         Pin::new(&mut self.stream).poll_write(cx, bytes)
     }
 
@@ -183,7 +191,8 @@ mod tests {
         let whole = Requests::default().follow(stream.as_bytes());
         for size in [1, 2, 3, 7, 50] {
             let mut requests = Requests::default();
-            let found = stream.as_bytes().chunks(size).fold(false, |found, part| requests.follow(part) | found);
+            let found =
+                stream.as_bytes().chunks(size).fold(false, |found, part| requests.follow(part) | found);
             assert_eq!(found, whole, "{size}: {stream}");
         }
         whole

@@ -159,5 +159,6 @@ async fn serve(
 fn doubtful() -> Response {
     let why = "it has both Content-Length and Transfer-Encoding: how long it is, is in doubt";
     let body = serde_json::json!({ "error": why, "cause": "bad-request", "errors": [why] }).to_string();
-    (StatusCode::BAD_REQUEST, [(CONNECTION, "close"), (CONTENT_TYPE, "application/json")], body).into_response()
+    (StatusCode::BAD_REQUEST, [(CONNECTION, "close"), (CONTENT_TYPE, "application/json")], body)
+        .into_response()
 }

@@ -6,7 +6,9 @@ use std::net::{IpAddr, Ipv6Addr};
 /// answers for, and the addresses of the loopback.
 pub(crate) fn is_this_machine(host: &str) -> bool {
     let name = without_port(host).to_ascii_lowercase();
-    name == "localhost" || name.ends_with(".localhost") || address(&name).is_some_and(|address| address.is_loopback())
+    name == "localhost"
+        || name.ends_with(".localhost")
+        || address(&name).is_some_and(|address| address.is_loopback())
 }
 
 /// The host without its port.
@@ -36,12 +38,21 @@ mod tests {
 
     #[test]
     fn only_what_no_name_server_can_turn_elsewhere_is_this_machine() {
-        for host in ["localhost", "LOCALHOST:80", "a.localhost:1", "127.0.0.1", "127.1.2.3:9", "[::1]", "[::1]:6500"] {
+        for host in
+            ["localhost", "LOCALHOST:80", "a.localhost:1", "127.0.0.1", "127.1.2.3:9", "[::1]", "[::1]:6500"]
+        {
             assert!(is_this_machine(host), "{host}");
         }
-        for host in
-            ["", "localhost.evil.example", "127.0.0.1.evil.example", "::1", "[::2]:1", "192.168.0.1", "0.0.0.0", "evil"]
-        {
+        for host in [
+            "",
+            "localhost.evil.example",
+            "127.0.0.1.evil.example",
+            "::1",
+            "[::2]:1",
+            "192.168.0.1",
+            "0.0.0.0",
+            "evil",
+        ] {
             assert!(!is_this_machine(host), "{host}");
         }
     }

@@ -323,8 +323,9 @@ async fn other_users_of_this_machine_get_nothing() {
         ("GET", &format!("/socket?document={id}")),
         ("GET", &format!("/socket?document={id}&token=wrong")),
     ] {
-        let request =
-            format!("{method} {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n");
+        let request = format!(
+            "{method} {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
+        );
         let answer = studio.raw(request.as_bytes()).await;
         assert_eq!(answer.status, 401, "{method} {path}");
         assert!(!answer.head.to_lowercase().contains("set-cookie"), "{method} {path}");

@@ -138,7 +138,10 @@ fn readers(home: &Path) -> Vec<String> {
     all.extend([
         format!("path = Panel({text})\nf = Read File(path)"),
         format!("path = File Path({text})\nf = Read File(path)"),
-        format!("path = Concatenate({}, \"/secret.txt\")\nf = Read File(path)", quoted(&home.display().to_string())),
+        format!(
+            "path = Concatenate({}, \"/secret.txt\")\nf = Read File(path)",
+            quoted(&home.display().to_string())
+        ),
         format!("path = Value List(* \"a\": {})\nf = Read File(path)", quoted(&text)),
         format!("f = Read File([\"none.txt\", {text}])"),
         format!("f = Read File({text}, false)"),
@@ -217,7 +220,8 @@ async fn who_joins_reads_no_file_of_the_machine() {
     face.solved(1).await;
     assert_eq!(face.texts("shown own"), [SECRET]);
     let found = tried(&mut face, &ways).await;
-    let missing: Vec<&String> = ways.iter().enumerate().filter(|(k, _)| !found.contains(k)).map(|(_, w)| w).collect();
+    let missing: Vec<&String> =
+        ways.iter().enumerate().filter(|(k, _)| !found.contains(k)).map(|(_, w)| w).collect();
     println!("{} of {} ways lead to a file for its owner, all but {missing:#?}", found.len(), ways.len());
     assert!(found.len() >= 40, "{}", found.len());
 
@@ -271,7 +275,9 @@ async fn asked(studio: &Studio, face: &mut Face, home: &Path, own: &Path) {
     let document = first(studio);
     let json = |value: &str| format!("{{\"path\":{}}}", quoted(value));
     let mut bodies = Vec::new();
-    for name in [path.as_str(), "secret.txt", "../secret.txt", &own.display().to_string(), "file:///etc/passwd"] {
+    for name in
+        [path.as_str(), "secret.txt", "../secret.txt", &own.display().to_string(), "file:///etc/passwd"]
+    {
         let answer = studio.post_json("/api/open", &json(name)).await;
         assert_eq!(answer.status, 403, "{name}");
         bodies.push(answer.body);
@@ -338,11 +344,12 @@ async fn folders_that_the_owner_opens_are_read_and_no_others() {
     std::fs::write(open.join("a.txt"), "welcome").unwrap();
     #[cfg(unix)]
     std::os::unix::fs::symlink(own.with_file_name("secret.txt"), open.join("link.txt")).unwrap();
-    let ways: Vec<String> = ["a.txt", &open.join("a.txt").display().to_string(), "link.txt", "../home/secret.txt"]
-        .iter()
-        .map(|path| format!("f = Read File({})", quoted(path)))
-        .chain(readers(own.parent().unwrap()))
-        .collect();
+    let ways: Vec<String> =
+        ["a.txt", &open.join("a.txt").display().to_string(), "link.txt", "../home/secret.txt"]
+            .iter()
+            .map(|path| format!("f = Read File({})", quoted(path)))
+            .chain(readers(own.parent().unwrap()))
+            .collect();
     let studio = Studio::start_with(shared(&own, vec![open])).await;
     let mut face = studio.join(&first(&studio)).await;
     face.solved(1).await;

@@ -122,7 +122,10 @@ mod tests {
         let mut half = OutputFile::create(&path).unwrap();
         half.write_all(b"thr").unwrap();
         drop(half);
-        assert_eq!((fs::read(&path).unwrap(), names(folder.path())), (b"two".to_vec(), vec!["a.kd".to_owned()]));
+        assert_eq!(
+            (fs::read(&path).unwrap(), names(folder.path())),
+            (b"two".to_vec(), vec!["a.kd".to_owned()])
+        );
         let long = folder.path().join(format!("{}.kd", "é".repeat(120)));
         write_file(&long, b"x").unwrap();
         assert_eq!(fs::read(&long).unwrap(), b"x");

@@ -178,7 +178,9 @@ impl<'a> File<'a> {
             let title = buffer.title(place);
             buffers.push(match (&buffer.uri, binary) {
                 (None, Some(binary)) if place == 0 => Cow::Borrowed(binary),
-                (None, _) => return Err(malformed(title, "its bytes are not in the file, and it names no other file")),
+                (None, _) => {
+                    return Err(malformed(title, "its bytes are not in the file, and it names no other file"));
+                }
                 (Some(uri), _) => Cow::Owned(resolve(uri, &title, fetch)?),
             });
         }

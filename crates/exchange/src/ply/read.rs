@@ -74,9 +74,8 @@ struct Binary<'a> {
 impl Binary<'_> {
     fn take<const N: usize>(&mut self) -> Result<[u8; N]> {
         let bytes = self.bytes.get(self.at..).and_then(|left| left.first_chunk::<N>());
-        let mut bytes = *bytes.ok_or_else(|| {
-            Error::malformed(FORMAT, self.place(), "the file ends before all is told")
-        })?;
+        let mut bytes = *bytes
+            .ok_or_else(|| Error::malformed(FORMAT, self.place(), "the file ends before all is told"))?;
         self.at += N;
         if self.big {
             bytes.reverse();

@@ -48,7 +48,8 @@ impl Origins {
     /// Why a request may not be answered: a page sends it that may not ask, or has made its own name point here.
     pub(crate) fn refuses(&self, asking: &HeaderMap) -> Option<&'static str> {
         const PAGE: &str = "this page may not ask: --allow-origin names those that may";
-        const NAME: &str = "this name is none of the server's: ask 127.0.0.1, or start it with a key or --allow-origin";
+        const NAME: &str =
+            "this name is none of the server's: ask 127.0.0.1, or start it with a key or --allow-origin";
         if *self == Self::Any {
             return None;
         }
@@ -74,7 +75,8 @@ impl Origins {
             Self::Local => of.is_some_and(is_this_machine),
             Self::Named { origins, has_key } => {
                 let is_own = of.is_some_and(|of| {
-                    host(asking).is_some_and(|host| host.eq_ignore_ascii_case(of)) && (*has_key || is_this_machine(of))
+                    host(asking).is_some_and(|host| host.eq_ignore_ascii_case(of))
+                        && (*has_key || is_this_machine(of))
                 });
                 is_own || origins.iter().any(|one| one.as_bytes().eq_ignore_ascii_case(origin.as_bytes()))
             }
@@ -145,10 +147,19 @@ mod tests {
         let local = Origins::new(&[], false);
         let host = ("host", "127.0.0.1:6500");
         assert!(!refused(&local, &[host]));
-        for origin in ["http://localhost:3000", "https://localhost", "http://127.0.0.1:1", "http://[::1]:8080"] {
+        for origin in
+            ["http://localhost:3000", "https://localhost", "http://127.0.0.1:1", "http://[::1]:8080"]
+        {
             assert!(!refused(&local, &[host, ("origin", origin)]), "{origin}");
         }
-        for origin in ["https://evil.example", "null", "", "file://", "http://localhost.evil.example", "http://10.0.0.1"] {
+        for origin in [
+            "https://evil.example",
+            "null",
+            "",
+            "file://",
+            "http://localhost.evil.example",
+            "http://10.0.0.1",
+        ] {
             assert!(refused(&local, &[host, ("origin", origin)]), "{origin}");
         }
         assert!(refused(&local, &[host, ("sec-fetch-site", "cross-site")]));

@@ -97,9 +97,9 @@ impl Guard {
             return false;
         }
         let mut ticket = held(&self.ticket);
-        let is_it = ticket.as_ref().is_some_and(|ticket| {
-            queried(uri, "ticket").any(|text| ticket.secret.is(text.as_bytes()))
-        });
+        let is_it = ticket
+            .as_ref()
+            .is_some_and(|ticket| queried(uri, "ticket").any(|text| ticket.secret.is(text.as_bytes())));
         if is_it {
             *ticket = None;
         }
@@ -273,7 +273,11 @@ mod tests {
             assert_eq!(token.len(), 64);
             let host = ("host", "127.0.0.1:6510");
             for uri in ["/", "/api/start", "/socket", "/api/start?token=wrong", "/?token=", "/assets/a.js"] {
-                assert_eq!(refused(&guard, &Method::GET, uri, &[host]), Some(StatusCode::UNAUTHORIZED), "{uri}");
+                assert_eq!(
+                    refused(&guard, &Method::GET, uri, &[host]),
+                    Some(StatusCode::UNAUTHORIZED),
+                    "{uri}"
+                );
             }
             assert_eq!(refused(&guard, &Method::GET, &format!("/?token={token}"), &[host]), None);
             let cookie = |name: &str| {
@@ -284,7 +288,8 @@ mod tests {
             // That of another studio of this machine.
             assert_eq!(cookie("katydid_token_6511"), Some(StatusCode::UNAUTHORIZED));
         }
-        let far = Guard::new(&Config { address: IpAddr::V4(Ipv4Addr::UNSPECIFIED), ..Config::default() }, 6510);
+        let far =
+            Guard::new(&Config { address: IpAddr::V4(Ipv4Addr::UNSPECIFIED), ..Config::default() }, 6510);
         let uri = format!("/?token={}", far.token());
         assert_eq!(refused(&far, &Method::GET, &uri, &[("host", "192.168.1.5:6510")]), None);
     }

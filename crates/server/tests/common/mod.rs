@@ -59,7 +59,10 @@ impl Studio {
     /// A line of a request's head that brings the token.
     pub(crate) fn cookie(&self) -> String {
         let port = self.server.address().port();
-        self.token.as_ref().map(|token| format!("Cookie: katydid_token_{port}={token}\r\n")).unwrap_or_default()
+        self.token
+            .as_ref()
+            .map(|token| format!("Cookie: katydid_token_{port}={token}\r\n"))
+            .unwrap_or_default()
     }
 
     /// The address of the socket of a document, with the token.

@@ -22,7 +22,8 @@ async fn bodies_that_are_too_large() {
     let start = Instant::now();
     let head = "POST /io HTTP/1.1\r\nHost: localhost\r\nContent-Length: 10737418240\r\n\r\n";
     assert_eq!(compute.raw(head.as_bytes()).await.status, 413);
-    let head = "POST /jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2000000\r\nExpect: 100-continue\r\n\r\n";
+    let head =
+        "POST /jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2000000\r\nExpect: 100-continue\r\n\r\n";
     assert_eq!(compute.raw(head.as_bytes()).await.status, 413);
     assert!(start.elapsed() < Duration::from_secs(5));
     // One that does not say how long it is.
@@ -76,7 +77,8 @@ async fn bodies_that_come_in_pieces_or_not_at_all() {
     // More is announced than comes.
     let start = Instant::now();
     let mut stream = compute.connect().await;
-    let head = format!("POST /grasshopper HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n{body}", 9999);
+    let head =
+        format!("POST /grasshopper HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n{body}", 9999);
     stream.write_all(head.as_bytes()).await.unwrap();
     let mut heard = Vec::new();
     assert_eq!(next(&mut stream, &mut heard).await.status, 408);
@@ -121,7 +123,10 @@ async fn heads_that_make_no_sense() {
     assert!(start.elapsed() < Duration::from_secs(5));
     sleep(Duration::from_millis(50)).await;
     let mut stream = compute.connect().await;
-    stream.write_all(b"HEAD /version HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").await.unwrap();
+    stream
+        .write_all(b"HEAD /version HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+        .await
+        .unwrap();
     let mut bytes = Vec::new();
     timeout(PATIENCE, stream.read_to_end(&mut bytes)).await.unwrap().unwrap();
     assert!(bytes.starts_with(b"HTTP/1.1 200") && bytes.ends_with(b"\r\n\r\n"), "a head and no body");
@@ -142,7 +147,9 @@ async fn a_request_that_says_its_length_twice_is_refused() {
         (format!("Content-Length: {}\r\n{pieces}", 5 + smuggled.len()), &format!("0\r\n\r\n{smuggled}")),
     ] {
         // First on its connection, and behind a good request.
-        for before in [String::new(), format!("POST /grasshopper HTTP/1.1\r\nHost: localhost\r\n{length}\r\n{body}")] {
+        for before in
+            [String::new(), format!("POST /grasshopper HTTP/1.1\r\nHost: localhost\r\n{length}\r\n{body}")]
+        {
             let mut stream = compute.connect().await;
             let mut heard = Vec::new();
             if !before.is_empty() {

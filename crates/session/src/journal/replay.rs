@@ -38,7 +38,9 @@ impl Editor {
         let (records, length) = record::read(&bytes);
         let mut records = records.into_iter();
         let begin = match records.next() {
-            Some(Record::Begin(begin)) => base(&begin).map(|base| (*begin, base)).ok_or("its document is damaged"),
+            Some(Record::Begin(begin)) => {
+                base(&begin).map(|base| (*begin, base)).ok_or("its document is damaged")
+            }
             _ if bytes.is_empty() => Err(""),
             _ if bytes.starts_with(record::MAGIC) => Err("its beginning is damaged"),
             _ => Err("it is no journal"),

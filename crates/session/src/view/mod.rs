@@ -215,11 +215,14 @@ fn problems(editor: &Editor, document: &Document, views: &[ObjectView]) -> Vec<P
         object: None,
     });
     let torn = editor.found().filter(|found| found.torn).map(|_| Problem {
-        text: "the journal of unsaved edits is damaged at its end: the last of them may be missing".to_owned(),
+        text: "the journal of unsaved edits is damaged at its end: the last of them may be missing"
+            .to_owned(),
         object: None,
     });
     let lost = editor.lost_journal().map(|why| Problem {
-        text: format!("unsaved edits of an earlier session could not be restored: their journal cannot be read, {why}"),
+        text: format!(
+            "unsaved edits of an earlier session could not be restored: their journal cannot be read, {why}"
+        ),
         object: None,
     });
     let notes = document.notes.iter().map(|text| Problem { text: text.clone(), object: None });
