@@ -32,7 +32,7 @@ fn greet(server: &Server, args: &ServeArgs, has_key: bool) {
             "{YELLOW}note{YELLOW:#}: others can ask, with the key; nothing is encrypted: put a proxy with TLS before it"
         ));
     } else if !has_key {
-        note("only programs of this machine can ask, without a key");
+        note("only programs and web pages of this machine can ask, without a key");
     }
 }
 

@@ -179,7 +179,10 @@ impl<'a> File<'a> {
             buffers.push(match (&buffer.uri, binary) {
                 (None, Some(binary)) if place == 0 => Cow::Borrowed(binary),
                 (None, _) => {
-                    return Err(malformed(title, "its bytes are not in the file, and it names no other file"));
+                    return Err(malformed(
+                        title,
+                        "its bytes are not in the file, and it names no other file",
+                    ));
                 }
                 (Some(uri), _) => Cow::Owned(resolve(uri, &title, fetch)?),
             });

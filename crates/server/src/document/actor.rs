@@ -141,7 +141,10 @@ impl Actor {
             self.publish_results();
         }
         self.solving.tick();
-        if let Some(trouble) = self.keeper.tick(&mut self.editor) {
+        self.keeper.tick(&mut self.editor);
+        if self.faces.count() > 0
+            && let Some(trouble) = self.keeper.trouble()
+        {
             self.notice("warning", trouble);
         }
     }

@@ -12,6 +12,7 @@ use katydid_session::Editor;
 use katydid_session::journal::{FileStore, Source as Origin, Store};
 
 use super::source::id_of;
+use crate::files::private_folder;
 use crate::lock::held;
 
 /// What the journal has waiting is written after so long at the latest.
@@ -80,7 +81,7 @@ fn origin(path: Option<&Path>, hash: Option<blake3::Hash>) -> Origin {
 }
 
 fn locked(folder: &Path, id: &str) -> io::Result<File> {
-    fs::create_dir_all(folder)?;
+    private_folder(folder)?;
     let lock =
         File::options().create(true).truncate(false).write(true).open(folder.join(format!("{id}.lock")))?;
     lock.try_lock().map_err(|_| io::Error::other("another Katydid has this document open"))?;
@@ -158,8 +159,8 @@ impl Keeper {
         }
     }
 
-    /// Writes what has waited long enough; says what went wrong, once.
-    pub(super) fn tick(&mut self, editor: &mut Editor) -> Option<String> {
+    /// Writes what has waited long enough.
+    pub(super) fn tick(&mut self, editor: &mut Editor) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = None;
             editor.tick();
@@ -168,6 +169,10 @@ impl Keeper {
                 self.place = None;
             }
         }
+    }
+
+    /// What went wrong, once: to be asked when there is somebody to tell.
+    pub(super) fn trouble(&mut self) -> Option<String> {
         self.trouble.take()
     }
 
@@ -258,6 +263,7 @@ mod tests {
         let (_, first) = open(folder.path(), "one");
         let (_, mut second) = open(folder.path(), "one");
         assert!(first.trouble.is_none() && first.place.is_some() && second.place.is_none());
-        assert!(second.tick(&mut Editor::new(Document::new(), Rules::default())).is_some());
+        second.tick(&mut Editor::new(Document::new(), Rules::default()));
+        assert!(second.trouble().is_some() && second.trouble().is_none());
     }
 }

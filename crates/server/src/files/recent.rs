@@ -49,7 +49,7 @@ impl Recent {
         list.truncate(MOST);
         let Some(file) = &self.file else { return };
         // A list that cannot be kept is no reason to stop.
-        let made = file.parent().map(fs::create_dir_all);
+        let made = file.parent().map(super::private_folder);
         if let (Some(Ok(())), Ok(text)) = (made, serde_json::to_vec(&*list)) {
             let _ = katydid_session::write_file(file, &text);
         }
