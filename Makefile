@@ -8,8 +8,13 @@ PYTHON ?= python3
 TESTED := --workspace --exclude katydid-kernel-bench \
 	--features katydid-geometry/serde,katydid-geometry/glam,katydid-geometry/nalgebra
 BUILT := $(abspath $(or $(CARGO_TARGET_DIR),target))/debug
+RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 
-.PHONY: studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+# Where tools are installed that take long to compile; `make clean` leaves them.
+TOOLS := $(abspath .tools)
+DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
+
+.PHONY: deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -28,7 +33,10 @@ test-python: $(VENV)/installed programs
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
 test-step: $(VENV)-step/installed
 	cargo build --release -p katydid
-	$(VENV)-step/bin/python -m pytest -q python-tests/step
+	cargo build --release -p katydid-definition --example write_steps
+	cargo build --release -p katydid-step --examples
+	KATYDID=$(RELEASED)/katydid KATYDID_EXAMPLES=$(RELEASED)/examples \
+		$(VENV)-step/bin/python -m pytest -q python-tests/step
 
 $(VENV)-step/installed: python-tests/step/requirements.txt
 	$(PYTHON) -m venv $(VENV)-step
@@ -38,7 +46,9 @@ $(VENV)-step/installed: python-tests/step/requirements.txt
 # What the clients of Rhino.Compute from PyPI and npm make of `katydid serve`. Not part of `make test`: it fetches them.
 test-compute: $(VENV)-compute/installed
 	cargo build --release -p katydid
-	$(VENV)-compute/bin/python -m pytest -q python-tests/compute
+	cargo build --release -p katydid-compute --example endpoint
+	KATYDID=$(RELEASED)/katydid KATYDID_EXAMPLES=$(RELEASED)/examples \
+		$(VENV)-compute/bin/python -m pytest -q python-tests/compute
 
 $(VENV)-compute/installed: python-tests/compute/requirements.txt
 	$(PYTHON) -m venv $(VENV)-compute
@@ -78,6 +88,17 @@ $(VENV)/installed: python-tests/requirements.txt
 lint:
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets -- -D warnings
+
+# Licences and sources of all dependencies, by deny.toml. Not part of `make test`: cargo-deny takes minutes to compile.
+deny: $(DENY)
+	$(DENY) --locked check licenses bans sources
+
+# The same for known faults: the database of them comes from the network.
+deny-advisories: $(DENY)
+	$(DENY) --locked check advisories
+
+$(DENY):
+	cargo install cargo-deny --locked --root $(TOOLS)
 
 docs:
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps

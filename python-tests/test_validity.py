@@ -1,13 +1,12 @@
 """`katydid info` calls those objects invalid that rhino3dm, the official reader, calls invalid, and no others."""
 
 import json
-import os
 import subprocess
 
 import pytest
 import rhino3dm
 
-from program import ROOT
+from program import ROOT, binary
 
 MODELS = ROOT.parent / "shared" / "data" / "3dm"
 FILES = sorted(MODELS.glob("*.3dm")) if MODELS.exists() else []
@@ -15,9 +14,7 @@ FILES = sorted(MODELS.glob("*.3dm")) if MODELS.exists() else []
 
 def report(path):
     """What `katydid info` says; it ends with 1 where something is invalid."""
-    command = os.environ.get("KATYDID")
-    command = [command] if command else ["cargo", "run", "--release", "-q", "-p", "katydid", "--"]
-    done = subprocess.run([*command, "info", str(path), "--json"], cwd=ROOT, capture_output=True, text=True)
+    done = subprocess.run([binary(), "info", str(path), "--json"], cwd=ROOT, capture_output=True, text=True)
     assert done.returncode in (0, 1), done.stderr
     return json.loads(done.stdout)
 
@@ -167,8 +164,6 @@ EXAMPLES = ROOT / "docs" / "components" / "examples"
     ids=lambda path: path.stem,
 )
 def test_what_definitions_save(tmp_path, path):
-    command = os.environ.get("KATYDID")
-    command = [command] if command else ["cargo", "run", "--release", "-q", "-p", "katydid", "--"]
     out = tmp_path / "saved.3dm"
-    subprocess.run([*command, "run", str(path), "-o", str(out)], cwd=ROOT, capture_output=True, check=True)
+    subprocess.run([binary(), "run", str(path), "-o", str(out)], cwd=ROOT, capture_output=True, check=True)
     assert ours(out) == theirs(out) == []

@@ -1,3 +1,4 @@
+import { randomUUID } from "node:crypto";
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -16,9 +17,22 @@ const [port, own] = preview ? [first, first + 1] : [first + 1, first];
 const address = (at: number) => `http://127.0.0.1:${at}`;
 // What the tests open and save is kept apart from what the person at the keyboard does.
 const state = mkdtempSync(join(tmpdir(), "katydid-e2e-"));
+// The processes that run the tests read this file too, and inherit the variable.
+const token = (process.env.KATYDID_TOKEN ??= randomUUID());
+/** As the studio gives it to whoever opens the address that it prints. */
+const cookie = {
+  name: `katydid_token_${port}`,
+  value: token,
+  domain: "127.0.0.1",
+  path: "/",
+  expires: -1,
+  httpOnly: true,
+  secure: false,
+  sameSite: "Strict" as const,
+};
 
 const studio = {
-  command: `${binary} studio --no-open --port ${port}`,
+  command: `${binary} studio --no-open --port ${port} --token ${token}`,
   url: `${address(port)}/api/start`,
   env: { XDG_STATE_HOME: state },
   reuseExistingServer: false,
@@ -42,6 +56,7 @@ export default defineConfig({
   reporter: [["line"]],
   use: {
     baseURL: address(preview ? own : port),
+    storageState: { cookies: [cookie], origins: [] },
     actionTimeout: 20_000,
     viewport: { width: 1280, height: 800 },
     trace: "retain-on-failure",

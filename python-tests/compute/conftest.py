@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import threading
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -9,10 +10,13 @@ from pathlib import Path
 
 import pytest
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from program import binary  # noqa: E402 what all tests share lies one folder up
+
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("KATYDID_SHARED", ROOT.parent / "shared"))
 TOOLS = SHARED / "tools" / "compute-clients"
-BINARY = Path(os.environ.get("KATYDID", ROOT / "target" / "release" / "katydid"))
+BINARY = binary()
 
 
 @contextmanager

@@ -2,22 +2,18 @@
 
 import json
 import math
-import os
 import subprocess
-from pathlib import Path
 
 import pytest
 import rhino3dm as r
+from program import ROOT, example
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILT = os.environ.get("KATYDID_ENDPOINT")
-COMMAND = [BUILT] if BUILT else ["cargo", "run", "-q", "-p", "katydid-compute", "--example", "endpoint"]
 P = r.Point3d
 
 
 @pytest.fixture(scope="module")
 def program():
-    with subprocess.Popen(COMMAND, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+    with subprocess.Popen([example("endpoint")], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
         yield running
         running.stdin.close()
 

@@ -15,7 +15,8 @@ from OCP.BRepBndLib import BRepBndLib
 from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_FACE, TopAbs_SOLID
 
-from test_step import ROOT, opened, parts, volume
+from program import ROOT, example
+from test_step import opened, parts, volume
 
 SEEDS = int(os.environ.get("KATYDID_CASES", "25"))
 NEAR = 1e-6
@@ -50,13 +51,7 @@ def size(shape):
 
 
 def written(folder):
-    command = os.environ.get("KATYDID_WRITE_SOLIDS")
-    command = (
-        [command]
-        if command
-        else ["cargo", "run", "--release", "-q", "-p", "katydid-step", "--example", "step_solids", "--"]
-    )
-    done = subprocess.run([*command, folder, str(SEEDS)], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
+    done = subprocess.run([example("step_solids"), folder, str(SEEDS)], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     return [line.split("\t") for line in done.stdout.splitlines()]
 
 

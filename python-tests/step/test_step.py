@@ -1,9 +1,6 @@
 """Open CASCADE reads the STEP files that Katydid writes, and Katydid reads those of Open CASCADE."""
 
 import math
-import os
-import subprocess
-from pathlib import Path
 
 import pytest
 import rhino3dm
@@ -26,14 +23,7 @@ from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
-
-ROOT = Path(__file__).resolve().parents[2]
-
-
-def katydid(*words):
-    command = os.environ.get("KATYDID")
-    command = [command] if command else ["cargo", "run", "--release", "-q", "-p", "katydid", "--"]
-    return subprocess.run([*command, *map(str, words)], cwd=ROOT, check=True, capture_output=True, text=True)
+from program import ROOT, katydid
 
 
 def opened(path):

@@ -1,7 +1,6 @@
 """Katydid reads what Open CASCADE writes: in each schema and unit as many solids and faces, and the same volume."""
 
 import math
-import os
 import subprocess
 
 import pytest
@@ -35,7 +34,8 @@ from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
 from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID
 from OCP.TopoDS import TopoDS
 
-from test_step import ROOT, parts, volume
+from program import ROOT, example
+from test_step import parts, volume
 
 as_edge = getattr(TopoDS, "Edge_s", None) or TopoDS.Edge
 Z = gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))
@@ -266,13 +266,7 @@ FORMS = [("AP214CD", "MM"), ("AP203", "INCH"), ("AP214IS", "M"), ("AP242DIS", "M
 
 
 def read_back(paths):
-    command = os.environ.get("KATYDID_READ_STEPS")
-    command = (
-        [command]
-        if command
-        else ["cargo", "run", "--release", "-q", "-p", "katydid-step", "--example", "read_steps", "--"]
-    )
-    done = subprocess.run([*command, "--measure", *paths], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
+    done = subprocess.run([example("read_steps"), "--measure", *paths], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     return [line.split("\t") for line in done.stdout.splitlines()]
 
 

@@ -20,7 +20,8 @@ from OCP.TopAbs import TopAbs_FACE, TopAbs_SOLID, TopAbs_VERTEX
 from OCP.TopoDS import TopoDS
 
 from closed_shell import AS_FACE, closed_volume
-from test_step import ROOT, opened, parts, volume
+from program import ROOT, example
+from test_step import opened, parts, volume
 
 SHARED = Path(os.environ.get("KATYDID_SHARED", ROOT.parent / "shared"))
 # So many solids there are in the real files; so many volumes are one as they stand, and all are with their gaps closed.
@@ -60,14 +61,8 @@ def solids(tmp_path_factory):
     if not files:
         pytest.skip("the real files are not here")
     folder = tmp_path_factory.mktemp("steps")
-    command = os.environ.get("KATYDID_WRITE_STEPS")
-    command = (
-        [command]
-        if command
-        else ["cargo", "run", "--release", "-q", "-p", "katydid-definition", "--example", "write_steps", "--"]
-    )
     done = subprocess.run(
-        [*command, folder, *files], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True, errors="replace"
+        [example("write_steps"), folder, *files], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True, errors="replace"
     )
     return [Solid(folder, line) for line in done.stdout.splitlines()]
 

@@ -8,6 +8,21 @@ test("the start page offers a new definition, a file and the book's definitions"
   await expect(page.getByRole("button", { name: /^Anchor, vector, tip/ })).toBeVisible();
 });
 
+test("without the token nobody gets the page", async ({ browser, baseURL }) => {
+  test.skip(Boolean(process.env.PREVIEW), "the page does not come out of the binary");
+  const context = await browser.newContext({ storageState: { cookies: [], origins: [] }, ...(baseURL && { baseURL }) });
+  const page = await context.newPage();
+  expect((await page.goto("/"))?.status()).toBe(401);
+  // The address that is printed lets in; the cookie does so from then on.
+  await page.goto(`/?token=${process.env.KATYDID_TOKEN}`);
+  await expect(page.getByRole("button", { name: "New definition" })).toBeVisible();
+  await page.goto("/");
+  await page.getByRole("button", { name: "New definition" }).click();
+  await page.waitForURL(/document=/);
+  await expect(page.getByRole("region", { name: "Canvas", exact: true })).toBeVisible();
+  await context.close();
+});
+
 test.describe("a file that is no definition", () => {
   test.use({ excused: [/status of 4\d\d/] });
 

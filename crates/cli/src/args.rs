@@ -378,9 +378,14 @@ pub(crate) struct StudioArgs {
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub(crate) host: IpAddr,
 
-    /// What who joins must know; made by chance when others can join and none is given
+    /// What whoever uses the studio must know; made by chance when none is given
     #[arg(long, value_name = "TOKEN", value_parser = token)]
     pub(crate) token: Option<String>,
+
+    /// A folder whose files definitions may read that were sent or that others can join; those that you open by their
+    /// path here, and nobody else can join, read what you may read
+    #[arg(long = "files", value_name = "FOLDER")]
+    pub(crate) files: Vec<PathBuf>,
 
     /// Only print the address
     #[arg(long)]

@@ -7,7 +7,7 @@ use katydid_definition::document::Document;
 use katydid_definition::kd;
 
 use crate::args::ConvertArgs;
-use crate::convert_model::{self, is_model};
+use crate::convert_model::{self, is_model, readable_extensions};
 use crate::output::{YELLOW, extension, note, write_file};
 use crate::source;
 use katydid_session::Registry;
@@ -23,8 +23,12 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
             "--version, --tolerance, --ascii, --view, --hidden and --lenient are for models".to_owned()
         );
     }
-    if !["gh", "ghx", "ghuser", "kd"].contains(&to.as_str()) {
-        return Err(format!(".{to} is not a form of a definition: use .gh, .ghx or .kd"));
+    if !is_definition(&to) {
+        return Err(format!("{}: a definition is written as .gh, .ghx or .kd", args.to.display()));
+    }
+    if !is_definition(&from) {
+        let forms = "a definition is read from .gh, .ghx, .ghuser or .kd";
+        return Err(format!("{}: {forms}, a model from {}", args.from.display(), readable_extensions()));
     }
     let bytes = match (from.as_str(), to.as_str()) {
         ("kd", "kd") => {
@@ -37,6 +41,10 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     };
     write_file(&args.to, &bytes)?;
     Ok(0)
+}
+
+fn is_definition(extension: &str) -> bool {
+    ["gh", "ghx", "ghuser", "kd"].contains(&extension)
 }
 
 fn failed(path: &Path, error: &dyn std::fmt::Display) -> String {

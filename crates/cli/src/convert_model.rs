@@ -20,10 +20,7 @@ pub(crate) fn is_model(extension: &str) -> bool {
 pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     let (from, to) = (extension(&args.from), extension(&args.to));
     if !is_model(&from) {
-        return Err(format!(
-            "{}: a definition holds no geometry until it runs: use katydid run -o",
-            args.from.display()
-        ));
+        return Err(format!("{}: {}", args.from.display(), no_model(&from)));
     }
     if !is_model(&to) {
         return Err(format!("{}: a model can be converted to {}", args.to.display(), model_extensions()));
@@ -59,9 +56,34 @@ pub(crate) fn convert(args: &ConvertArgs) -> Result<u8, String> {
     Ok(u8::from(is_partial))
 }
 
-/// `.3dm, .obj, … or .svg`.
+/// Why files of an extension cannot become a model.
+fn no_model(extension: &str) -> String {
+    match extension {
+        "gh" | "ghx" | "ghuser" | "kd" => {
+            "a definition holds no geometry until it runs: use katydid run -o".to_owned()
+        }
+        "mtl" => "it holds the materials of an .obj file, and no geometry: convert the .obj file".to_owned(),
+        "" => format!(
+            "its name has no ending that tells what it is; models that are read end with {}",
+            readable_extensions()
+        ),
+        other => format!("models that end with .{other} are not read: only {}", readable_extensions()),
+    }
+}
+
+/// The endings of models that are written: `.3dm, .obj, … or .svg`.
 pub(crate) fn model_extensions() -> String {
-    let all: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
+    listed(|_| true)
+}
+
+/// The endings of models that are read: drawings are only written.
+pub(crate) fn readable_extensions() -> String {
+    listed(|format| format != Format::Svg)
+}
+
+fn listed(takes: impl Fn(Format) -> bool) -> String {
+    let all = Format::ALL.iter().filter(|format| takes(**format));
+    let all: Vec<String> = all.map(|format| format!(".{}", format.extension())).collect();
     match all.split_last() {
         Some((last, others)) => format!(".3dm, {} or {last}", others.join(", ")),
         None => ".3dm".to_owned(),

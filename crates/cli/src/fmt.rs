@@ -1,12 +1,12 @@
 //! `katydid fmt`.
 
-use std::io::{Read, Write};
+use std::io::Read;
 use std::path::Path;
 
 use katydid_definition::kd;
 
 use crate::args::FmtArgs;
-use crate::output::{complain, extension, say, write_file};
+use crate::output::{complain, extension, print, say, write_file};
 use crate::source;
 
 /// Standard input longer than this is not read.
@@ -47,10 +47,7 @@ fn one(file: &Path, check: bool) -> Result<bool, String> {
     match (check, piped) {
         (true, _) if !same => say(&name.display().to_string()),
         (true, _) => {}
-        (false, true) => {
-            let mut out = std::io::stdout().lock();
-            out.write_all(new.as_bytes()).map_err(|error| source::plain(&error))?;
-        }
+        (false, true) => print(&new),
         (false, false) if !same => write_file(file, new.as_bytes())?,
         (false, false) => {}
     }

@@ -33,11 +33,14 @@ use crate::args::{Command, Katydid};
 #[global_allocator]
 static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
 
-/// The call was wrong, or a file could not be opened.
+/// The call was wrong, or something could not be opened or written.
 const EXIT_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
-    let Katydid { command } = Katydid::parse();
+    let Katydid { command } = match Katydid::try_parse() {
+        Ok(words) => words,
+        Err(error) => return explained(&error),
+    };
     katydid_components::link();
     let result = match &command {
         Command::Run(args) => run::run(args),
@@ -51,10 +54,27 @@ fn main() -> ExitCode {
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args),
     };
-    match result {
+    // What was to be printed and was not is an error, whatever else went well.
+    match result.and_then(|code| output::printed().map(|()| code)) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
             output::complain(&error);
+            ExitCode::from(EXIT_USAGE)
+        }
+    }
+}
+
+/// Prints help, the version, or what was wrong with the call.
+fn explained(error: &clap::Error) -> ExitCode {
+    let unwritten = error.print().is_err_and(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
+    match output::printed() {
+        Ok(()) if !unwritten => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(EXIT_USAGE)),
+        Ok(()) => {
+            output::complain("the help could not be written");
+            ExitCode::from(EXIT_USAGE)
+        }
+        Err(why) => {
+            output::complain(&why);
             ExitCode::from(EXIT_USAGE)
         }
     }

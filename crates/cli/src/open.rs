@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
-use katydid_component::{Files, Limits, RhinoModel};
+use katydid_component::{Limits, Origin, RhinoModel, Trust};
 use katydid_data::DateTime;
 use katydid_data::cast::Rules;
 use katydid_geometry::Units;
@@ -27,7 +27,7 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
     }
     let time = args.limit_seconds.map(Duration::try_from_secs_f64).transpose();
     // Who runs a definition here may read their own files; the paths start where the definition lies.
-    let files = Files::Any(args.file.parent().unwrap_or(Path::new("")).to_path_buf());
+    let files = Trust::own(Vec::new()).files(Origin::File(&args.file));
     let settings = katydid_compute::Settings {
         files: files.clone(),
         web: args.web.web()?,

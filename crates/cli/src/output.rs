@@ -1,10 +1,12 @@
 //! Printing: results to standard output, messages to standard error, colours only on a terminal.
 
-use std::fs;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
+use std::sync::OnceLock;
 
 use anstyle::{AnsiColor, Style};
+use katydid_component::shortened;
+use katydid_session::OutputFile;
 
 pub(crate) const RED: Style = AnsiColor::Red.on_default().bold();
 pub(crate) const YELLOW: Style = AnsiColor::Yellow.on_default().bold();
@@ -12,14 +14,46 @@ pub(crate) const GREEN: Style = AnsiColor::Green.on_default();
 pub(crate) const DIM: Style = Style::new().dimmed();
 pub(crate) const BOLD: Style = Style::new().bold();
 
-/// A line on standard output. A reader that has gone away is no error.
+/// Why standard output could not be written, from the first time that it could not.
+static UNWRITTEN: OnceLock<String> = OnceLock::new();
+
+/// A line on standard output. Whether it was written is asked once, by [`printed`]; after a failure nothing more is
+/// tried.
 pub(crate) fn say(line: &str) {
-    let _ = writeln!(anstream::stdout().lock(), "{line}");
+    if UNWRITTEN.get().is_none() {
+        keep(writeln!(anstream::stdout().lock(), "{line}"));
+    }
 }
 
-/// A line on standard error.
+/// Text on standard output as it is: nothing in it is taken for a colour.
+pub(crate) fn print(text: &str) {
+    keep(std::io::stdout().lock().write_all(text.as_bytes()));
+}
+
+/// Whether all that was to be printed was.
+///
+/// # Errors
+/// When standard output could not be written, as on a full disk. A reader that has gone away is no error: it has what it
+/// wanted.
+pub(crate) fn printed() -> Result<(), String> {
+    keep(std::io::stdout().flush());
+    match UNWRITTEN.get() {
+        Some(why) => Err(format!("standard output could not be written: {why}")),
+        None => Ok(()),
+    }
+}
+
+fn keep(written: std::io::Result<()>) {
+    if let Err(error) = written
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        let _ = UNWRITTEN.set(error.to_string());
+    }
+}
+
+/// A line on standard error; numbers of very many digits are shortened.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(anstream::stderr().lock(), "{line}");
+    let _ = writeln!(anstream::stderr().lock(), "{}", shortened(line));
 }
 
 /// Why the command could not be done.
@@ -27,10 +61,9 @@ pub(crate) fn complain(error: &str) {
     note(&format!("{RED}error{RED:#}: {error}"));
 }
 
-/// Writes a file whole or not at all: beside it first, then in its place.
+/// Writes a file whole or not at all.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    let failed = |error: std::io::Error| format!("{}: {}", path.display(), super::source::plain(&error));
-    write_file_with(path, |out| out.write_all(bytes).map_err(failed))
+    katydid_session::write_file(path, bytes).map_err(|error| failed(path, &error))
 }
 
 /// The same for a file that is written piece by piece.
@@ -38,16 +71,13 @@ pub(crate) fn write_file_with(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<(), String>,
 ) -> Result<(), String> {
-    let failed = |error: std::io::Error| format!("{}: {}", path.display(), super::source::plain(&error));
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    let beside = Path::new(&beside);
-    let mut file = fs::File::create(beside).map_err(failed)?;
-    let written = write(&mut file);
-    drop(file);
-    written.and_then(|()| fs::rename(beside, path).map_err(failed)).inspect_err(|_| {
-        let _ = fs::remove_file(beside);
-    })
+    let mut file = OutputFile::create(path).map_err(|error| failed(path, &error))?;
+    write(&mut file)?;
+    file.finish().map_err(|error| failed(path, &error))
+}
+
+fn failed(path: &Path, error: &std::io::Error) -> String {
+    format!("{}: {}", path.display(), crate::source::plain(error))
 }
 
 /// The extension in lower case, without the dot.

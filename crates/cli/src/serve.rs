@@ -2,9 +2,9 @@
 
 use katydid_server::compute::{self, Server};
 
-use crate::output::{BOLD, YELLOW, note, say};
+use crate::output::{BOLD, YELLOW, note, printed, say};
 use crate::serve_args::{LogForm, ServeArgs};
-use crate::serving::{self, ended};
+use crate::serving::{self, Signals};
 
 /// Where the key may be when it is not on the command line, where others could see it.
 const KEY: &str = "RHINO_COMPUTE_KEY";
@@ -13,13 +13,14 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
     log(args.log);
     let config = args.config(std::env::var(KEY).ok())?;
     serving::run(async {
+        let mut signals = Signals::listen()?;
         let has_key = config.key.as_deref().is_some_and(|key| !key.trim().is_empty());
         let server = compute::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, args, has_key);
-        ended().await;
-        note("ending: requests that are under way are finished");
-        server.stop().await;
-        Ok(0)
+        printed()?;
+        signals.next().await;
+        note("ending: requests that are under way are finished; a second signal ends at once");
+        Ok(signals.stopping(server.stop()).await)
     })
 }
 
@@ -31,7 +32,7 @@ fn greet(server: &Server, args: &ServeArgs, has_key: bool) {
             "{YELLOW}note{YELLOW:#}: others can ask, with the key; nothing is encrypted: put a proxy with TLS before it"
         ));
     } else if !has_key {
-        note("only programs of this machine can ask, without a key");
+        note("only programs and web pages of this machine can ask, without a key");
     }
 }
 

@@ -11,11 +11,11 @@ use crate::web_args::WebArgs;
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The server runs until Ctrl+C or SIGTERM; requests that are under way are finished first.
+The server runs until Ctrl+C or SIGTERM; requests that are under way are finished first, unless it is told a second time.
 
 Hops and the Rhino.Compute clients look for port 6500; for those that look for 5000 or 8081, say --port.
 
-The exit code is 0 when it was ended, 2 when the port is taken or a key is missing.")]
+The exit code is 0 when it was ended, 130 or 143 when it was told twice, 2 when the port is taken or a key is missing.")]
 pub(crate) struct ServeArgs {
     /// The port; 0 for any that is free
     #[arg(long, value_name = "N", default_value_t = 6500)]
@@ -29,7 +29,8 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "KEY")]
     key: Option<String>,
 
-    /// A page that may ask from a browser, by its scheme and host; all may when none is named
+    /// A page that may ask from a browser, by its scheme and host, or * for all. When none is named, all may ask with a
+    /// key, and without a key those of this machine
     #[arg(long, value_name = "ORIGIN")]
     allow_origin: Vec<String>,
 

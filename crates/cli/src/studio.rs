@@ -3,14 +3,15 @@
 use katydid_server::{Config, Server};
 
 use crate::args::StudioArgs;
-use crate::output::{BOLD, YELLOW, note, say};
-use crate::serving::{self, ended};
+use crate::output::{BOLD, YELLOW, note, printed, say};
+use crate::serving::{self, Signals};
 
 pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
     let config = Config {
         address: args.host,
         port: args.port,
         token: args.token.clone(),
+        folders: args.files.clone(),
         file: args.file.clone(),
         model: args.model.clone(),
         player: args.player,
@@ -18,11 +19,12 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         ..Config::default()
     };
     serving::run(async {
+        let mut signals = Signals::listen()?;
         let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, args);
-        ended().await;
-        server.stop().await;
-        Ok(0)
+        printed()?;
+        signals.next().await;
+        Ok(signals.stopping(server.stop()).await)
     })
 }
 
@@ -30,12 +32,17 @@ fn greet(server: &Server, args: &StudioArgs) {
     say(&format!("{BOLD}{}{BOLD:#}", server.url()));
     if !args.host.is_loopback() {
         note(&format!("{YELLOW}note{YELLOW:#}: others can join with this address, and change what is open"));
+        if args.files.is_empty() {
+            note(
+                "definitions read no files of this machine; --files FOLDER lets them read those of a folder",
+            );
+        }
     }
     if !server.has_page() {
         note(&format!("{YELLOW}note{YELLOW:#}: the page is not built: the address tells how"));
     }
     note("Ctrl+C ends it");
-    if !args.no_open && ::open::that_detached(server.url()).is_err() {
+    if !args.no_open && ::open::that_detached(server.opening()).is_err() {
         note(&format!("{YELLOW}note{YELLOW:#}: no browser could be started: open the address in one"));
     }
 }

@@ -8,7 +8,8 @@ use katydid_session::Session;
 
 use crate::args::DefinitionArgs;
 use crate::output::{YELLOW, note};
-use crate::{progress, serving};
+use crate::progress;
+use crate::serving::Signals;
 
 /// Solves the definition, with as many ticks as are asked for; tells whether it came to their end.
 pub(crate) fn solve(session: &mut Session, args: &DefinitionArgs) -> bool {
@@ -70,11 +71,14 @@ fn interrupted() -> Arc<AtomicBool> {
     let raised = Arc::clone(&flag);
     std::thread::spawn(move || {
         let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else { return };
-        runtime.block_on(serving::ended());
-        raised.store(true, Ordering::Relaxed);
-        note("ends after this tick; Ctrl+C once more ends at once");
-        runtime.block_on(serving::ended());
-        std::process::exit(130);
+        runtime.block_on(async {
+            // Without signals the program ends at the first one, as programs do.
+            let Ok(mut signals) = Signals::listen() else { return };
+            signals.next().await;
+            raised.store(true, Ordering::Relaxed);
+            note("ends after this tick; Ctrl+C once more ends at once");
+            std::process::exit(signals.next().await.into());
+        });
     });
     flag
 }

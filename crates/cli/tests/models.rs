@@ -83,6 +83,10 @@ fn wrong_calls_say_why() {
         (vec!["convert", EXAMPLE, text(&with("kd")), "--lenient"], "are for models"),
         (vec!["convert", "scan.ply", text(&with("3dm")), "--lenient"], "for .3dm files that are read"),
         (vec!["convert", "nowhere.3dm", text(&with("obj"))], "no such file"),
+        (vec!["convert", "x.mtl", text(&with("3dm"))], "x.mtl: it holds the materials of an .obj file"),
+        (vec!["convert", "x.mtl", text(&with("kd"))], "x.mtl: a definition is read from"),
+        (vec!["convert", "x.dwg", text(&with("3dm"))], "models that end with .dwg are not read"),
+        (vec!["convert", "x", text(&with("obj"))], "no ending"),
         (vec!["info", EXAMPLE], "not a .3dm archive"),
     ] {
         let output = katydid(&words);

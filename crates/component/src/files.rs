@@ -1,11 +1,11 @@
 use std::fs;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::Message;
 
-/// Which files of the machine a definition may read. A definition names files by itself, so whoever solves one that
-/// came from elsewhere decides.
+/// Which files of the machine a definition may read. A definition names files by itself, so [`Trust`](crate::Trust)
+/// decides when one is opened.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Files {
     /// None.
@@ -15,6 +15,13 @@ pub enum Files {
     Any(PathBuf),
     /// Those in this folder and the folders inside it.
     Inside(PathBuf),
+    /// Those in these folders and the folders inside them.
+    Folders {
+        /// Where a path that is not absolute starts.
+        start: PathBuf,
+        /// The folders.
+        folders: Vec<PathBuf>,
+    },
 }
 
 impl Files {
@@ -27,16 +34,17 @@ impl Files {
         let problem = |why: &str| Message::error(format!("{path} cannot be read: {why}"));
         let folder = match self {
             Self::None => return Err(problem("files may not be read here")),
-            Self::Any(folder) | Self::Inside(folder) => folder,
+            Self::Any(folder) | Self::Inside(folder) | Self::Folders { start: folder, .. } => folder,
         };
         let named = PathBuf::from(path.trim());
         let first = folder.join(&named);
         let beside =
             path.rsplit(['/', '\\']).next().filter(|name| !name.is_empty()).map(|name| folder.join(name));
-        let found = std::iter::once(first).chain(beside).find(|file| self.allows(file) && file.exists());
+        let found = std::iter::once(first).chain(beside).find_map(|file| self.admitted(file));
         let Some(found) = found else {
             return Err(problem(match self {
                 Self::Inside(_) => "there is no such file in the folder that may be read",
+                Self::Folders { .. } => "there is no such file in the folders that may be read",
                 _ => "there is no such file",
             }));
         };
@@ -55,15 +63,18 @@ impl Files {
         Ok(bytes)
     }
 
-    /// Whether a file may be read, links followed.
-    fn allows(&self, file: &Path) -> bool {
+    /// The file itself, links followed, when it is there and may be read.
+    fn admitted(&self, file: PathBuf) -> Option<PathBuf> {
+        let within = |folders: &[PathBuf]| {
+            let real = file.canonicalize().ok()?;
+            let is_in = |folder: &PathBuf| folder.canonicalize().is_ok_and(|folder| real.starts_with(folder));
+            folders.iter().any(is_in).then_some(real)
+        };
         match self {
-            Self::None => false,
-            Self::Any(_) => true,
-            Self::Inside(folder) => match (folder.canonicalize(), file.canonicalize()) {
-                (Ok(folder), Ok(file)) => file.starts_with(folder),
-                _ => false,
-            },
+            Self::None => None,
+            Self::Any(_) => file.exists().then_some(file),
+            Self::Inside(folder) => within(std::slice::from_ref(folder)),
+            Self::Folders { folders, .. } => within(folders),
         }
     }
 }
@@ -88,6 +99,20 @@ mod tests {
         assert_eq!(only.read("a.txt", 100).unwrap(), b"hello");
         assert!(only.read("../secret.txt", 100).unwrap_err().text.contains("no such file in the folder"));
         assert!(only.read(&folder.join("secret.txt").display().to_string(), 100).is_err());
+        let both = |folders: &[&PathBuf]| Files::Folders {
+            start: inside.clone(),
+            folders: folders.iter().map(|&folder| folder.clone()).collect(),
+        };
+        assert_eq!(both(&[&inside]).read("a.txt", 100).unwrap(), b"hello");
+        assert!(
+            both(&[&inside])
+                .read("../secret.txt", 100)
+                .unwrap_err()
+                .text
+                .contains("no such file in the folders")
+        );
+        assert_eq!(both(&[&inside, &folder]).read("../secret.txt", 100).unwrap(), b"s");
+        assert!(both(&[]).read("a.txt", 100).is_err());
         assert!(any.read("a.txt", 4).unwrap_err().text.contains("more than 4 bytes"));
         assert!(any.read(".", 4).unwrap_err().text.contains("not a file"));
         assert!(any.read("", 4).is_err());

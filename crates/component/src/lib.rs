@@ -38,8 +38,10 @@ mod port;
 pub mod registry;
 mod rhino_content;
 mod rhino_model;
+mod shortened;
 pub mod stored;
 pub mod testing;
+mod trust;
 pub mod whole;
 
 pub use budget::{Budget, Cancel, Deadline, Limits};
@@ -54,6 +56,8 @@ pub use message::{Level, Message, Notes};
 pub use output::Each;
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};
+pub use shortened::shortened;
+pub use trust::{Origin, Trust};
 
 /// What the [`component`] attribute writes code against; not for use by hand.
 #[doc(hidden)]

@@ -1,5 +1,7 @@
 use std::fmt;
 
+use crate::shortened;
+
 /// How much a message matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
@@ -21,7 +23,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// What a component tells its user, in the user's words.
+/// What a component tells its user, in the user's words. Numbers of very many digits are shortened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     /// How much it matters.
@@ -33,17 +35,17 @@ pub struct Message {
 impl Message {
     /// The work could not be done.
     pub fn error(text: impl Into<String>) -> Self {
-        Self { level: Level::Error, text: text.into() }
+        Self { level: Level::Error, text: shortened(text) }
     }
 
     /// Done, but with a catch.
     pub fn warning(text: impl Into<String>) -> Self {
-        Self { level: Level::Warning, text: text.into() }
+        Self { level: Level::Warning, text: shortened(text) }
     }
 
     /// Worth knowing.
     pub fn remark(text: impl Into<String>) -> Self {
-        Self { level: Level::Remark, text: text.into() }
+        Self { level: Level::Remark, text: shortened(text) }
     }
 }
 

@@ -1,5 +1,7 @@
 use std::fmt;
 
+use katydid_component::shortened;
+
 /// Why something asked for could not be done, as far as the asker has to know.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -34,7 +36,7 @@ pub struct Fault {
 impl Fault {
     /// A fault of that cause.
     pub fn new(cause: Cause, message: impl Into<String>) -> Self {
-        Self { cause, message: message.into() }
+        Self { cause, message: shortened(message) }
     }
 
     /// What was sent makes no sense.

@@ -127,3 +127,47 @@ proptest! {
         let _ = read(format!("ply\nformat ascii 1.0\n{text}").as_bytes(), Format::Ply);
     }
 }
+
+#[test]
+fn messages_name_the_line_of_a_ply_file() {
+    let head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    let points = "0 0 0\n1 0 0\n0 1 0\n";
+    for (body, place) in [
+        ("0 0 0\n1 zero 0\n", "line 11: it is no number"),
+        ("0 0 0\n1 0 0\n\n0 inf 0\n", "line 13, vertex 2"),
+        ("0 0 0\n1 0", "line 11: the file ends"),
+        (&format!("{points}3 0 1 7\n"), "line 13: it refers to vertex 7, but there are 3"),
+        (&format!("{points}3 0 1 1.5\n"), "line 13: 1.5 is no place in a list"),
+        (&format!("{points}3 0\n1 -2\n"), "line 14: -2 is no place"),
+    ] {
+        let error = read(format!("{head}{body}").as_bytes(), Format::Ply).unwrap_err().to_string();
+        assert!(error.contains(place), "{body}: {error}");
+    }
+    assert_eq!(read(format!("{head}{points}3 0 1 2").as_bytes(), Format::Ply).unwrap().things.len(), 1);
+}
+
+#[test]
+fn messages_name_the_buffer_of_a_gltf_file() {
+    let file = |buffers: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],
+               "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+               "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}}],
+               "bufferViews":[{{"buffer":1,"byteLength":36}}],"buffers":{buffers}}}"#
+        )
+    };
+    let empty = r#"{"byteLength":0,"uri":"data:;base64,"}"#;
+    for (buffers, wanted) in [
+        (format!("[{empty},{{}}]"), "buffer 1: its bytes are not in the file"),
+        (format!(r#"[{empty},{{"name":"points"}}]"#), "buffer 1 'points': its bytes"),
+        (format!(r#"[{empty},{{"uri":"data:;base64,%%"}}]"#), "buffer 1: Invalid"),
+        (format!(r#"[{empty},{{"name":"p","uri":"data:,x"}}]"#), "buffer 1 'p': data that is not in base 64"),
+        (format!(r#"[{empty},{{"name":"p","uri":"p.bin"}}]"#), "buffer 1 'p': "),
+        (format!("[{empty},{empty}]"), "accessor 0: its bytes are beyond the end of buffer 1"),
+        (format!("[{empty}]"), "accessor 0: its bytes are in buffer 1, which is not there"),
+    ] {
+        let error = read(file(&buffers).as_bytes(), Format::Gltf).unwrap_err().to_string();
+        assert!(error.contains(wanted), "{buffers}: {error}");
+    }
+}

@@ -1,6 +1,8 @@
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::PathBuf;
 
+use katydid_component::Trust;
+
 /// How the server runs.
 #[derive(Debug, Clone)]
 pub struct Config {
@@ -8,8 +10,11 @@ pub struct Config {
     pub address: IpAddr,
     /// The port; 0 for any that is free.
     pub port: u16,
-    /// What who joins must know. Made by chance where none is given and others than this machine can reach it.
+    /// What whoever uses the studio must know; made by chance where none is given. Other users of this machine can reach
+    /// the port too, so there always is one.
     pub token: Option<String>,
+    /// The folders whose files definitions may read although they were sent, or others than this machine can join.
+    pub folders: Vec<PathBuf>,
     /// The definition to open.
     pub file: Option<PathBuf>,
     /// The Rhino model that the definition refers to.
@@ -28,12 +33,13 @@ pub struct Config {
 pub(crate) const PORT: u16 = 6510;
 
 impl Default for Config {
-    /// On this machine alone, without a token.
+    /// On this machine alone, with a token made by chance.
     fn default() -> Self {
         Self {
             address: IpAddr::V4(Ipv4Addr::LOCALHOST),
             port: PORT,
             token: None,
+            folders: Vec::new(),
             file: None,
             model: None,
             player: false,
@@ -53,6 +59,12 @@ impl Config {
             .or_else(|| variable("LOCALAPPDATA"))
             .or_else(|| Some(variable("HOME")?.join(".local").join("state")))?;
         Some(state.join("katydid"))
+    }
+
+    /// Who works on the documents: whoever runs it alone, who knows the token, or others too.
+    pub(crate) fn trust(&self) -> Trust {
+        let folders = self.folders.clone();
+        if self.is_local() { Trust::own(folders) } else { Trust::shared(folders) }
     }
 
     /// Whether nobody but this machine can reach it.

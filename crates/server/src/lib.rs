@@ -21,10 +21,12 @@ mod config;
 mod document;
 mod error;
 mod files;
+mod framing;
 mod geometry;
 mod http;
 mod listen;
 mod lock;
+mod names;
 mod secret;
 mod server;
 

@@ -2,11 +2,15 @@
 
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use axum::Router;
 use axum::body::Body;
 use axum::extract::Request;
+use axum::http::StatusCode;
+use axum::http::header::{CONNECTION, CONTENT_TYPE};
+use axum::response::{IntoResponse, Response};
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::{TcpListener, TcpStream};
@@ -15,6 +19,7 @@ use tokio::task::JoinHandle;
 use tower_service::Service;
 
 use crate::Error;
+use crate::framing::Followed;
 
 /// So many connections at a time.
 const MOST_CONNECTIONS: u32 = 1024;
@@ -124,10 +129,17 @@ async fn serve(
     grace: Duration,
 ) {
     let _ = stream.set_nodelay(true);
+    let (stream, is_doubtful) = Followed::new(stream);
     let service = service_fn(move |mut request: hyper::Request<hyper::body::Incoming>| {
         request.extensions_mut().insert(peer);
         let request: Request = request.map(Body::new);
-        router.clone().call(request)
+        let answer = (!is_doubtful.load(Ordering::Acquire)).then(|| router.clone().call(request));
+        async move {
+            match answer {
+                Some(answer) => answer.await,
+                None => Ok(doubtful()),
+            }
+        }
     });
     let mut builder = hyper::server::conn::http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME).max_buf_size(HEAD_BYTES);
@@ -141,4 +153,12 @@ async fn serve(
             let _ = tokio::time::timeout(grace, connection).await;
         }
     }
+}
+
+/// The answer to a request that says twice how long it is. What follows on its connection cannot be told apart.
+fn doubtful() -> Response {
+    let why = "it has both Content-Length and Transfer-Encoding: how long it is, is in doubt";
+    let body = serde_json::json!({ "error": why, "cause": "bad-request", "errors": [why] }).to_string();
+    (StatusCode::BAD_REQUEST, [(CONNECTION, "close"), (CONTENT_TYPE, "application/json")], body)
+        .into_response()
 }

@@ -15,11 +15,18 @@ use crate::{Config, Error};
 const GRACE: Duration = Duration::from_secs(2);
 
 /// A server that runs.
-#[derive(Debug)]
 pub struct Server {
     url: String,
+    opening: String,
     state: Arc<State>,
     listening: Listening,
+}
+
+impl std::fmt::Debug for Server {
+    /// Without the addresses: the token is in them.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Server").field("address", &self.address()).finish_non_exhaustive()
+    }
 }
 
 /// Starts a server.
@@ -30,7 +37,7 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     katydid_components::link();
     let (listener, address) = bind(SocketAddr::new(config.address, config.port)).await?;
     let (file, model, player) = (config.file.clone(), config.model.clone(), config.player);
-    let state = Arc::new(State::new(config));
+    let state = Arc::new(State::new(config, address.port()));
     let mut query = Vec::new();
     if player {
         query.push("player".to_owned());
@@ -41,10 +48,11 @@ pub async fn start(config: Config) -> Result<Server, Error> {
         let id = state.documents.open(source).map_err(Error::Open)?;
         query.push(format!("document={id}"));
     }
-    query.extend(state.guard.token().map(|token| format!("token={token}")));
-    let url = url(address, &query.join("&"));
+    let with = |secret: String| url(address, &[query.as_slice(), &[secret]].concat().join("&"));
+    let opening = with(format!("ticket={}", state.guard.ticket()));
+    let url = with(format!("token={}", state.guard.token()));
     let listening = Listening::start(listener, address, http::router(Arc::clone(&state)), GRACE);
-    Ok(Server { url, state, listening })
+    Ok(Server { url, opening, state, listening })
 }
 
 fn opened(file: &std::path::Path, model: Option<&std::path::Path>) -> Result<Source, String> {
@@ -62,9 +70,15 @@ impl Server {
         self.listening.address()
     }
 
-    /// The address of the page, with the token where one is needed.
+    /// The address of the page, with the token.
     pub fn url(&self) -> &str {
         &self.url
+    }
+
+    /// The address of the page for the command that starts a browser: it works once. Other users of the machine can see
+    /// the words of that command, and the token must not be among them.
+    pub fn opening(&self) -> &str {
+        &self.opening
     }
 
     /// Whether the page is here: it is built apart.

@@ -7,6 +7,7 @@ mod common;
 use std::time::Duration;
 
 use common::{PATIENCE, Studio, is_done, refusal};
+use katydid_server::Config;
 use katydid_session::protocol::{
     AnalysisView, Ask, BendView, CombMeasure, CombView, Edit, Event, ObjectChange, Probe, ProbePlace, Probed,
     Row, Setting,
@@ -318,5 +319,23 @@ async fn exact_rows_are_kept_again_as_they_were() {
             },
             other => panic!("{other:?}"),
         }
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn who_joins_hears_that_edits_are_not_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, state) = (folder.path().join("a.kd"), folder.path().join("state"));
+    std::fs::write(&file, "katydid 1\nr = Number Slider(2.0, 0..10)\n").unwrap();
+    let start = || {
+        Studio::start_with(|config| Config { file: Some(file.clone()), state: Some(state.clone()), ..config })
+    };
+    let (_first, second) = (start().await, start().await);
+    let (_, query) = second.server.url().split_once("document=").unwrap();
+    // Whoever joins late hears it too: it waits for somebody.
+    tokio::time::sleep(Duration::from_millis(300)).await;
+    let mut face = second.join(query.split('&').next().unwrap()).await;
+    while !face.notices.iter().any(|notice| notice.contains("another Katydid")) {
+        face.hear().await;
     }
 }

@@ -34,7 +34,7 @@ fn endless() -> String {
 async fn pages_of_other_sites_get_no_socket() {
     let studio = Studio::start().await;
     let id = studio.upload(EMPTY).await;
-    let url = format!("ws://{}/socket?document={id}", studio.host());
+    let url = studio.socket(&id);
     for (header, value) in [
         ("origin", "https://evil.example"),
         ("origin", "null"),
@@ -52,7 +52,7 @@ async fn pages_of_other_sites_get_no_socket() {
     let mut request = url.as_str().into_client_request().unwrap();
     request.headers_mut().insert("origin", format!("http://{}", studio.host()).parse().unwrap());
     assert!(tokio_tungstenite::connect_async(request).await.is_ok());
-    let nobody = format!("ws://{}/socket?document=none", studio.host());
+    let nobody = studio.socket("none");
     assert!(
         matches!(tokio_tungstenite::connect_async(nobody).await, Err(Error::Http(r)) if r.status() == 404)
     );
@@ -76,10 +76,10 @@ async fn names_that_were_made_to_point_here_are_refused() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_gigabyte_is_refused_before_it_is_sent() {
     let studio = Studio::start().await;
-    let host = studio.host();
+    let (host, cookie) = (studio.host(), studio.cookie());
     let start = Instant::now();
     let request = format!(
-        "POST /api/upload?name=a.gh HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: 1073741824\r\n\r\n"
+        "POST /api/upload?name=a.gh HTTP/1.1\r\nHost: {host}\r\n{cookie}Connection: close\r\nContent-Length: 1073741824\r\n\r\n"
     );
     let answer = studio.raw(request.as_bytes()).await;
     assert_eq!(answer.status, 413);
@@ -89,9 +89,9 @@ async fn a_gigabyte_is_refused_before_it_is_sent() {
     // Who does not say how much comes is stopped on the way.
     let studio = Studio::start_with(|config| katydid_server::Config { most_upload: 1 << 20, ..config }).await;
     let mut stream = TcpStream::connect(studio.server.address()).await.unwrap();
-    let host = studio.host();
+    let (host, cookie) = (studio.host(), studio.cookie());
     let head = format!(
-        "POST /api/upload?name=a.gh HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nTransfer-Encoding: chunked\r\n\r\n"
+        "POST /api/upload?name=a.gh HTTP/1.1\r\nHost: {host}\r\n{cookie}Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n"
     );
     stream.write_all(head.as_bytes()).await.unwrap();
     let chunk = [b"10000\r\n".as_slice(), &[0; 0x10000], b"\r\n"].concat();
@@ -185,9 +185,10 @@ async fn frames_that_make_no_sense() {
     let mut stream = TcpStream::connect(studio.server.address()).await.unwrap();
     let id = studio.upload(EMPTY).await;
     let head = format!(
-        "GET /socket?document={id} HTTP/1.1\r\nHost: {}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
+        "GET /socket?document={id} HTTP/1.1\r\nHost: {}\r\n{}Connection: Upgrade\r\nUpgrade: websocket\r\n\
          Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
-        studio.host()
+        studio.host(),
+        studio.cookie()
     );
     stream.write_all(head.as_bytes()).await.unwrap();
     stream.write_all(&[0xff; 10_000]).await.unwrap();
@@ -305,6 +306,45 @@ async fn ten_thousand_objects() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn other_users_of_this_machine_get_nothing() {
+    let studio = Studio::start().await;
+    let id = studio.upload(EMPTY).await;
+    let host = studio.host();
+    for (method, path) in [
+        ("GET", "/"),
+        ("GET", "/api/start"),
+        ("POST", "/api/open"),
+        ("POST", "/api/upload?name=a.kd"),
+        ("GET", &format!("/api/save?document={id}&format=kd")),
+        ("GET", "/api/components"),
+        ("GET", "/geometry/1"),
+        ("GET", "/image/1"),
+        ("GET", "/assets/index.js"),
+        ("GET", &format!("/socket?document={id}")),
+        ("GET", &format!("/socket?document={id}&token=wrong")),
+    ] {
+        let request = format!(
+            "{method} {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
+        );
+        let answer = studio.raw(request.as_bytes()).await;
+        assert_eq!(answer.status, 401, "{method} {path}");
+        assert!(!answer.head.to_lowercase().contains("set-cookie"), "{method} {path}");
+    }
+    let url = format!("ws://{host}/socket?document={id}");
+    assert!(matches!(tokio_tungstenite::connect_async(&url).await, Err(Error::Http(r)) if r.status() == 401));
+    // The address that is printed lets in, and so does the one for the browser: once.
+    for (address, times) in [(studio.server.url(), 3), (studio.server.opening(), 1)] {
+        let path = address.strip_prefix(&format!("http://{host}")).unwrap();
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n");
+        for k in 0..4 {
+            let is_in = studio.raw(request.as_bytes()).await.status != 401;
+            assert_eq!(is_in, k < times || times > 1, "{k}");
+        }
+    }
+    assert!(!studio.server.opening().contains("token"));
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn who_can_be_reached_by_others_wants_a_token_and_gives_no_files() {
     let studio = Studio::start_with(|config| katydid_server::Config {
         address: IpAddr::V4(Ipv4Addr::UNSPECIFIED),
@@ -319,10 +359,11 @@ async fn who_can_be_reached_by_others_wants_a_token_and_gives_no_files() {
     assert_eq!((start.status, start.json()["local"].as_bool()), (200, Some(false)));
     let page = studio.get("/?token=open-sesame").await;
     assert!(page.head.contains("HttpOnly") && page.head.contains("SameSite=Strict"));
-    let cookie = "Cookie: katydid_token=open-sesame\r\nContent-Type: application/json\r\n";
-    let answer = studio.ask("POST", "/api/open", cookie, b"{\"path\":\"/tmp/a.gh\"}").await;
+    let port = studio.server.address().port();
+    let cookie = format!("Cookie: katydid_token_{port}=open-sesame\r\nContent-Type: application/json\r\n");
+    let answer = studio.ask("POST", "/api/open", &cookie, b"{\"path\":\"/tmp/a.gh\"}").await;
     assert_eq!(answer.status, 403);
-    let new = studio.ask("POST", "/api/open", cookie, b"{\"new\":true}").await.json();
+    let new = studio.ask("POST", "/api/open", &cookie, b"{\"new\":true}").await.json();
     let id = new["document"].as_str().unwrap();
     let url = format!("ws://{}/socket?document={id}", studio.host());
     assert!(matches!(tokio_tungstenite::connect_async(&url).await, Err(Error::Http(r)) if r.status() == 401));

@@ -5,7 +5,8 @@
 //! [`journal`], and faces, which get it as a patch in the words of the [`protocol`]. A [`Session`] is an editor with an
 //! engine that follows it, for whoever sets inputs and wants results.
 //!
-//! Nothing here knows where requests come from: no sockets, and no files but the journal's. The command line, the server
+//! Nothing here knows where requests come from: no sockets, no files but the journal's, and
+//! [`write_file`], by which everybody who writes a file writes it whole or not at all. The command line, the server
 //! and the studio all stand on this.
 //!
 //! ```
@@ -28,6 +29,8 @@ mod editor;
 mod edits;
 mod input;
 pub mod journal;
+#[cfg(not(target_family = "wasm"))]
+mod output_file;
 pub mod protocol;
 mod report;
 mod results;
@@ -42,6 +45,8 @@ pub use check::{Check, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
 pub use input::{InputError, inputs};
+#[cfg(not(target_family = "wasm"))]
+pub use output_file::{OutputFile, write_file};
 pub use report::{Items, Report};
 pub use results::{Digits, result_view, rows, structure};
 pub use session::Session;

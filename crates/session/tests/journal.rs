@@ -87,10 +87,11 @@ fn a_torn_end_is_dropped_and_written_on() {
     assert_eq!(editor.document().objects.len(), 2);
     assert!(!editor.found().unwrap().torn);
     drop(editor);
-    // What is no journal at all is left behind.
+    // What is no journal at all is left behind, and that is said.
     std::fs::write(&path, b"something else").unwrap();
     let mut editor = open(&path, Document::new(), "1");
     assert!(editor.found().is_none() && editor.document().objects.is_empty());
+    assert_eq!(editor.lost_journal(), Some("it is no journal"));
     place(&mut editor, 4, "Panel");
     std::mem::forget(editor);
     assert_eq!(open(&path, Document::new(), "1").document().objects.len(), 1);
@@ -136,4 +137,41 @@ fn a_folder_that_is_not_there_stops_the_journal_and_not_the_editing() {
     place(&mut editor, 2, "Panel");
     assert!(editor.journal_failure().is_some());
     assert_eq!(editor.document().objects.len(), 2);
+}
+
+#[test]
+fn a_journal_that_cannot_be_read_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut editor = open(&path, Document::new(), "1");
+    assert!(editor.lost_journal().is_none() && editor.state(&[]).unwrap().problems.is_empty());
+    place(&mut editor, 1, "Panel");
+    place(&mut editor, 2, "Panel");
+    std::mem::forget(editor);
+    let good = std::fs::read(&path).unwrap();
+    let begin = 16 + u32::from_le_bytes(good[8..12].try_into().unwrap()) as usize;
+    let flipped = |at: usize| {
+        let mut bytes = good.clone();
+        bytes[at] ^= 0xff;
+        bytes
+    };
+    for (bytes, why) in [
+        (b"garbage".to_vec(), "it is no journal"),
+        (vec![0; 4096], "it is no journal"),
+        (good[..20].to_vec(), "its beginning is damaged"),
+        (flipped(30), "its beginning is damaged"),
+        (flipped(begin + 20), "its edits are damaged"),
+    ] {
+        std::fs::write(&path, bytes).unwrap();
+        let mut editor = open(&path, Document::new(), "1");
+        assert_eq!(editor.lost_journal(), Some(why));
+        assert!(editor.state(&[]).unwrap().problems.iter().any(|p| p.text.contains(why)), "{why}");
+        // Once the document is saved there is nothing to be said any more.
+        editor.note_saved(None);
+        assert!(editor.lost_journal().is_none());
+    }
+    // One that ends in the middle of a record is restored up to there.
+    std::fs::write(&path, &good[..good.len() - 3]).unwrap();
+    let editor = open(&path, Document::new(), "1");
+    assert!(editor.state(&[]).unwrap().problems.iter().any(|p| p.text.contains("damaged at its end")));
 }

@@ -20,7 +20,7 @@ export type ExportFormat = "3dm" | "step" | "glb" | "obj" | "stl" | "svg" | "png
 export const DEFINITIONS = [".gh", ".ghx", ".kd"];
 export const MODELS = [".3dm"];
 
-/** The token of a server that listens for others, as its address told it. */
+/** The token of the server, as the address of the page told it; empty where the cookie has it. */
 export function token(): string {
   return new URLSearchParams(location.search).get("token") ?? "";
 }

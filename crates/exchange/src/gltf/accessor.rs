@@ -75,13 +75,24 @@ impl File<'_> {
             let end = view.byte_offset.checked_add(view.byte_length)?;
             Some((buffer.get(view.byte_offset..end)?.get(offset..)?, view.byte_stride))
         });
-        found.ok_or_else(|| malformed(place, "its bytes are not in the file"))
+        found.ok_or_else(|| malformed(place, self.beyond(index)))
+    }
+
+    /// Why the bytes of a view are not there, with the buffer where they should be.
+    fn beyond(&self, view: usize) -> String {
+        let buffer = self.json.buffer_views.get(view).map(|view| view.buffer);
+        let known = buffer.and_then(|place| Some((place, self.json.buffers.get(place)?)));
+        match (known, buffer) {
+            (Some((place, buffer)), _) => format!("its bytes are beyond the end of {}", buffer.title(place)),
+            (None, Some(place)) => format!("its bytes are in buffer {place}, which is not there"),
+            (None, None) => format!("its bytes are in view {view}, which is not there"),
+        }
     }
 
     fn part(&self, part: &SparsePart, count: usize, size: usize, place: &str) -> Result<&[u8]> {
         let (bytes, _) = self.view(part.buffer_view, part.byte_offset, place)?;
         let needed = count.checked_mul(size).and_then(|needed| bytes.get(..needed));
-        needed.ok_or_else(|| malformed(place, "its bytes are not in the file"))
+        needed.ok_or_else(|| malformed(place, self.beyond(part.buffer_view)))
     }
 }
 

@@ -131,7 +131,19 @@ pub(super) struct BufferView {
 
 #[derive(Deserialize)]
 pub(super) struct Buffer {
+    #[serde(default)]
+    pub(super) name: String,
     pub(super) uri: Option<String>,
+}
+
+impl Buffer {
+    /// What a message calls it: its number, and its name where it has one.
+    pub(super) fn title(&self, place: usize) -> String {
+        match self.name.as_str() {
+            "" => format!("buffer {place}"),
+            name => format!("buffer {place} '{}'", name.escape_debug()),
+        }
+    }
 }
 
 /// The JSON and the bytes of all buffers.
@@ -163,10 +175,16 @@ impl<'a> File<'a> {
         }
         let mut buffers = Vec::new();
         for (place, buffer) in json.buffers.iter().enumerate() {
+            let title = buffer.title(place);
             buffers.push(match (&buffer.uri, binary) {
                 (None, Some(binary)) if place == 0 => Cow::Borrowed(binary),
-                (None, _) => return Err(malformed(format!("buffer {place}"), "it is not in the file")),
-                (Some(uri), _) => Cow::Owned(resolve(uri, fetch)?),
+                (None, _) => {
+                    return Err(malformed(
+                        title,
+                        "its bytes are not in the file, and it names no other file",
+                    ));
+                }
+                (Some(uri), _) => Cow::Owned(resolve(uri, &title, fetch)?),
             });
         }
         Ok(Self { json, buffers })
@@ -210,12 +228,17 @@ fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>)> {
     Ok((json, None))
 }
 
-/// The bytes that a buffer names.
-fn resolve(uri: &str, fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>>) -> Result<Vec<u8>> {
-    let Some(data) = uri.strip_prefix("data:") else { return fetch(uri) };
+/// The bytes that a buffer names, in the file itself or in another one; `title` is what messages call the buffer.
+fn resolve(uri: &str, title: &str, fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>>) -> Result<Vec<u8>> {
+    let Some(data) = uri.strip_prefix("data:") else {
+        return fetch(uri).map_err(|error| match error {
+            Error::Unsupported(what) => Error::Unsupported(format!("{title}: {what}")),
+            other => malformed(title, other.to_string()),
+        });
+    };
     let (_, text) = data
         .split_once(";base64,")
-        .ok_or_else(|| Error::Unsupported("data that is not in base 64".into()))?;
+        .ok_or_else(|| Error::Unsupported(format!("{title}: data that is not in base 64")))?;
     let bytes = STANDARD.decode(text).or_else(|_| STANDARD_NO_PAD.decode(text.trim_end_matches('=')));
-    bytes.map_err(|error| malformed("a buffer", error.to_string()))
+    bytes.map_err(|error| malformed(title, error.to_string()))
 }

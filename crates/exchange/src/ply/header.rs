@@ -74,6 +74,8 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Where the body begins.
     pub(super) length: usize,
+    /// The lines before it.
+    pub(super) lines: usize,
 }
 
 /// Headers with more lines or elements than this are no headers.
@@ -110,7 +112,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
             }
             ["end_header"] => {
                 let encoding = encoding.ok_or_else(|| wrong("the header names no form"))?;
-                return Ok(Header { encoding, elements, length });
+                return Ok(Header { encoding, elements, length, lines: number });
             }
             // Comments, obj_info, empty lines.
             _ => {}

@@ -10,7 +10,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Scene> {
     let header = header::read(bytes)?;
     let body = bytes.get(header.length..).unwrap_or_default();
     let mut source: Box<dyn Numbers + '_> = match header.encoding {
-        Encoding::Ascii => Box::new(Words { words: body.split(u8::is_ascii_whitespace), read: 0 }),
+        Encoding::Ascii => Box::new(Words { bytes: body, at: 0, line: header.lines + 1 }),
         Encoding::Little => Box::new(Binary { bytes: body, at: 0, big: false }),
         Encoding::Big => Box::new(Binary { bytes: body, at: 0, big: true }),
     };
@@ -27,27 +27,41 @@ trait Numbers {
     fn next(&mut self, scalar: Scalar) -> Result<f64>;
     /// How many numbers of that type can be left at most.
     fn most(&self, scalar: Scalar) -> usize;
+    /// Where the last number is, for messages.
+    fn place(&self) -> String;
 }
 
-struct Words<'a, I: Iterator<Item = &'a [u8]>> {
-    words: I,
-    read: usize,
+/// Numbers as text, with blanks or ends of lines between them.
+struct Words<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    /// The line of the file in which the last number is.
+    line: usize,
 }
 
-impl<'a, I: Iterator<Item = &'a [u8]>> Numbers for Words<'a, I> {
+impl Numbers for Words<'_> {
     fn next(&mut self, _: Scalar) -> Result<f64> {
-        self.read += 1;
-        let wrong = |why: &str| Error::malformed(FORMAT, format!("number {}", self.read), why);
-        let word =
-            self.words.find(|word| !word.is_empty()).ok_or_else(|| wrong("the file ends before it"))?;
-        std::str::from_utf8(word)
-            .ok()
-            .and_then(|word| word.parse().ok())
-            .ok_or_else(|| wrong("it is no number"))
+        let left = self.bytes.get(self.at..).unwrap_or_default();
+        let start = left.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(left.len());
+        let (blanks, left) = left.split_at(start);
+        self.line += blanks.iter().filter(|byte| **byte == b'\n').count();
+        let end = left.iter().position(u8::is_ascii_whitespace).unwrap_or(left.len());
+        let word = left.get(..end).unwrap_or_default();
+        self.at += start + end;
+        let wrong = |why: &str| Error::malformed(FORMAT, self.place(), why);
+        if word.is_empty() {
+            return Err(wrong("the file ends before all is told"));
+        }
+        let number = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+        number.ok_or_else(|| wrong("it is no number"))
     }
 
     fn most(&self, _: Scalar) -> usize {
         usize::MAX
+    }
+
+    fn place(&self) -> String {
+        format!("line {}", self.line)
     }
 }
 
@@ -60,13 +74,8 @@ struct Binary<'a> {
 impl Binary<'_> {
     fn take<const N: usize>(&mut self) -> Result<[u8; N]> {
         let bytes = self.bytes.get(self.at..).and_then(|left| left.first_chunk::<N>());
-        let mut bytes = *bytes.ok_or_else(|| {
-            Error::malformed(
-                FORMAT,
-                format!("byte {} of the body", self.at),
-                "the file ends before all is told",
-            )
-        })?;
+        let mut bytes = *bytes
+            .ok_or_else(|| Error::malformed(FORMAT, self.place(), "the file ends before all is told"))?;
         self.at += N;
         if self.big {
             bytes.reverse();
@@ -91,6 +100,10 @@ impl Numbers for Binary<'_> {
 
     fn most(&self, scalar: Scalar) -> usize {
         self.bytes.len().saturating_sub(self.at) / scalar.size()
+    }
+
+    fn place(&self) -> String {
+        format!("byte {} of the body", self.at)
     }
 }
 
@@ -177,11 +190,8 @@ impl Found {
             }
             let point = Point3::from(place);
             if !point.is_finite() {
-                return Err(Error::malformed(
-                    FORMAT,
-                    format!("vertex {number}"),
-                    "a coordinate is not finite",
-                ));
+                let place = format!("{}, vertex {number}", source.place());
+                return Err(Error::malformed(FORMAT, place, "a coordinate is not finite"));
             }
             self.points.points.push(point);
             if has_normals {
@@ -204,6 +214,7 @@ impl Found {
                     continue;
                 };
                 let corners = list(source, count, property.scalar)?;
+                self.check(&corners, source)?;
                 match *corners.as_slice() {
                     [a, b, c] => self.faces.push(MeshFace::Triangle([a, b, c])),
                     [a, b, c, d] => self.faces.push(MeshFace::Quad([a, b, c, d])),
@@ -233,7 +244,8 @@ impl Found {
                 };
                 let corners = numbers(source, count, property.scalar)?;
                 for strip in corners.split(|i| *i < 0.0) {
-                    let strip = strip.iter().map(|i| whole(*i)).collect::<Result<Vec<u32>>>()?;
+                    let strip = strip.iter().map(|i| whole(*i, source)).collect::<Result<Vec<u32>>>()?;
+                    self.check(&strip, source)?;
                     for (place, w) in strip.windows(3).enumerate() {
                         let [a, b, c] = *w else { continue };
                         let turned = if place % 2 == 0 { [a, b, c] } else { [b, a, c] };
@@ -252,16 +264,30 @@ impl Found {
             let mut ends = [None; 2];
             for property in &element.properties {
                 match (property.name.as_str(), property.count) {
-                    ("vertex1", None) => ends[0] = Some(whole(source.next(property.scalar)?)?),
-                    ("vertex2", None) => ends[1] = Some(whole(source.next(property.scalar)?)?),
+                    ("vertex1", None) => ends[0] = Some(index(source, property.scalar)?),
+                    ("vertex2", None) => ends[1] = Some(index(source, property.scalar)?),
                     _ => skip(property, source)?,
                 }
             }
             if let [Some(a), Some(b)] = ends {
+                self.check(&[a, b], source)?;
                 self.edges.push([a, b]);
             }
         }
         Ok(())
+    }
+
+    /// Refuses indices of vertices that are not there, with the place. Where vertices come behind what refers to them,
+    /// this is seen at the end.
+    fn check(&self, corners: &[u32], source: &dyn Numbers) -> Result<()> {
+        let count = self.points.points.len();
+        match corners.iter().find(|corner| **corner as usize >= count) {
+            Some(corner) if count > 0 => {
+                let why = format!("it refers to vertex {corner}, but there are {count}");
+                Err(Error::malformed(FORMAT, source.place(), why))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn into_scene(self) -> Result<Scene> {
@@ -297,29 +323,32 @@ fn part(x: f64, scalar: Scalar) -> u8 {
     x.round().clamp(0.0, 255.0) as u8
 }
 
-fn whole(x: f64) -> Result<u32> {
+fn whole(x: f64, source: &dyn Numbers) -> Result<u32> {
     let is_index = x >= 0.0 && x < f64::from(u32::MAX) && x == x.trunc();
     if is_index {
         Ok(x as u32)
     } else {
-        Err(Error::malformed(FORMAT, format!("index {x}"), "it is no place in a list"))
+        Err(Error::malformed(FORMAT, source.place(), format!("{x} is no place in a list")))
     }
 }
 
+fn index(source: &mut dyn Numbers, scalar: Scalar) -> Result<u32> {
+    let x = source.next(scalar)?;
+    whole(x, source)
+}
+
 fn numbers(source: &mut dyn Numbers, count: Scalar, scalar: Scalar) -> Result<Vec<f64>> {
-    let count = whole(source.next(count)?)? as usize;
+    let count = index(source, count)? as usize;
     if count > source.most(scalar) {
-        return Err(Error::malformed(
-            FORMAT,
-            "a list",
-            format!("it says to have {count} numbers, more than are left"),
-        ));
+        let why = format!("a list says to have {count} numbers, more than are left");
+        return Err(Error::malformed(FORMAT, source.place(), why));
     }
     (0..count).map(|_| source.next(scalar)).collect()
 }
 
 fn list(source: &mut dyn Numbers, count: Scalar, scalar: Scalar) -> Result<Vec<u32>> {
-    numbers(source, count, scalar)?.into_iter().map(whole).collect()
+    let numbers = numbers(source, count, scalar)?;
+    numbers.into_iter().map(|x| whole(x, source)).collect()
 }
 
 fn skip(property: &Property, source: &mut dyn Numbers) -> Result<()> {

@@ -18,7 +18,8 @@ pub struct Config {
     pub port: u16,
     /// What a client must know, in the header `RhinoComputeKey`. Needed where others than this machine can ask.
     pub key: Option<String>,
-    /// The pages that may ask from a browser, as `https://example.org`; all when there are none.
+    /// The pages that may ask from a browser, as `https://example.org`, or `*` for all. When there are none, all may ask
+    /// a server that has a key, and those of this machine one that has none.
     pub origins: Vec<String>,
     /// The hosts that definitions may be fetched from and that Hops components may ask, as `example.org` or
     /// `127.0.0.1:8081`; none when there are none.

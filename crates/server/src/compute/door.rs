@@ -77,6 +77,9 @@ fn before(
     if address.is_some_and(|address| address.is_open) {
         return None;
     }
+    if let Some(why) = service.origins.refuses(headers) {
+        return Some(Sent::from(Refusal::new(StatusCode::FORBIDDEN, "refused", why)));
+    }
     service.lock.refuses(headers)
 }
 

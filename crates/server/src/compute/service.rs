@@ -5,6 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use katydid_component::{Origin, Trust};
 use katydid_compute::{Compute, HopsSettings, RequestLimits, Settings, WebSettings};
 
 use super::Config;
@@ -35,6 +36,7 @@ pub(crate) struct Service {
 impl Service {
     pub(crate) fn new(config: Config) -> Self {
         let settings = Settings {
+            files: Trust::shared(Vec::new()).files(Origin::Sent),
             cache_bytes: config.cache_bytes,
             request: RequestLimits { bytes: config.most_body, ..RequestLimits::default() },
             web: WebSettings {
@@ -55,7 +57,7 @@ impl Service {
             jobs: Jobs::new(config.most_jobs, config.keep_jobs),
             metrics: Metrics::default(),
             lock: Lock::new(config.key()),
-            origins: Origins::new(&config.origins),
+            origins: Origins::new(&config.origins, config.key().is_some()),
             room: Room::new(config.most_body, config.timeout.max(Duration::from_secs(1))),
             pace: Pace::default(),
             trial: Trial::default(),

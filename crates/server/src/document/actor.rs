@@ -74,11 +74,12 @@ struct Progress {
 impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
-        let Source { document, name, path, hash, rules, files, model, id } = source;
+        let files = shared.trust.files(source.origin());
+        let Source { document, name, path, hash, rules, model, id } = source;
         let (mut editor, keeper) =
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
-        editor.about_mut().path = path.as_ref().map(|path| path.display().to_string());
+        editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
         let options = Options { rules: editor.rules(), files, model, ..Options::default() };
         let (jobs, inbox) = channel();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
@@ -140,7 +141,10 @@ impl Actor {
             self.publish_results();
         }
         self.solving.tick();
-        if let Some(trouble) = self.keeper.tick(&mut self.editor) {
+        self.keeper.tick(&mut self.editor);
+        if self.faces.count() > 0
+            && let Some(trouble) = self.keeper.trouble()
+        {
             self.notice("warning", trouble);
         }
     }

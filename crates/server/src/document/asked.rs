@@ -173,7 +173,7 @@ impl Actor {
     /// Saves the document where it is kept, or at a path of this machine.
     fn save(&mut self, path: Option<String>) -> Result<(), String> {
         let path = match path {
-            Some(_) if !self.shared.paths => {
+            Some(_) if !self.shared.trust.names_paths() => {
                 return Err(
                     "files of the server's machine cannot be named from here: download it instead".to_owned()
                 );
@@ -183,15 +183,16 @@ impl Actor {
         };
         let form = Form::of(&path).ok_or("a definition is saved as .gh, .ghx or .kd")?;
         let (bytes, left_out) = files::write(form, self.editor.document())?;
-        files::replace(&path, &bytes)
-            .map_err(|error| format!("{}: {}", path.display(), files::plain(&error)))?;
+        katydid_session::write_file(&path, &bytes)
+            .map_err(|error| format!("{}: {}", self.shared.trust.told(&path), files::plain(&error)))?;
         for what in left_out.iter().take(10) {
             self.notice("warning", format!("left out: {what}"));
         }
         let path = std::fs::canonicalize(&path).unwrap_or(path);
+        let told = self.shared.trust.told(&path);
         let about = self.editor.about_mut();
         about.name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        about.path = Some(path.display().to_string());
+        about.path = Some(told);
         self.keeper.saved(&mut self.editor, &path, blake3::hash(&bytes));
         if let Some(recent) = &self.shared.recent {
             recent.note(&path);

@@ -12,12 +12,15 @@ use katydid_session::Editor;
 use katydid_session::journal::{FileStore, Source as Origin, Store};
 
 use super::source::id_of;
+use crate::files::private_folder;
 use crate::lock::held;
 
 /// What the journal has waiting is written after so long at the latest.
 const SOON: Duration = Duration::from_millis(160);
 /// The ending of journals.
 const ENDING: &str = "journal";
+/// The ending of those that cannot be read.
+const DAMAGED: &str = "damaged";
 /// The ids of documents that were never saved have so many letters; those of files have fewer.
 const UNSAVED: usize = 32;
 
@@ -78,7 +81,7 @@ fn origin(path: Option<&Path>, hash: Option<blake3::Hash>) -> Origin {
 }
 
 fn locked(folder: &Path, id: &str) -> io::Result<File> {
-    fs::create_dir_all(folder)?;
+    private_folder(folder)?;
     let lock =
         File::options().create(true).truncate(false).write(true).open(folder.join(format!("{id}.lock")))?;
     lock.try_lock().map_err(|_| io::Error::other("another Katydid has this document open"))?;
@@ -95,6 +98,13 @@ impl Place {
     fn store(&self) -> Box<dyn Store> {
         let store = FileStore::new(held(&self.file).clone());
         Box::new(Movable { file: Arc::clone(&self.file), store })
+    }
+
+    /// Keeps a journal that cannot be read under another name: it may hold what somebody wants back. Without that it
+    /// would be written over.
+    fn put_aside(&self) {
+        let file = held(&self.file);
+        let _ = fs::rename(&*file, file.with_extension(DAMAGED));
     }
 
     /// The journal of a document goes where it is looked for when its file is opened.
@@ -123,6 +133,9 @@ impl Keeper {
         let Some(folder) = folder else { return (Editor::new(document, rules), Self::default()) };
         let opened = Place::new(folder, id).and_then(|place| {
             let editor = Editor::with_journal(document.clone(), rules, origin(path, hash), place.store())?;
+            if editor.lost_journal().is_some() {
+                place.put_aside();
+            }
             Ok((editor, place))
         });
         match opened {
@@ -146,8 +159,8 @@ impl Keeper {
         }
     }
 
-    /// Writes what has waited long enough; says what went wrong, once.
-    pub(super) fn tick(&mut self, editor: &mut Editor) -> Option<String> {
+    /// Writes what has waited long enough.
+    pub(super) fn tick(&mut self, editor: &mut Editor) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = None;
             editor.tick();
@@ -156,6 +169,10 @@ impl Keeper {
                 self.place = None;
             }
         }
+    }
+
+    /// What went wrong, once: to be asked when there is somebody to tell.
+    pub(super) fn trouble(&mut self) -> Option<String> {
         self.trouble.take()
     }
 
@@ -229,11 +246,24 @@ mod tests {
     }
 
     #[test]
+    fn a_journal_that_cannot_be_read_is_put_aside() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, aside) = (folder.path().join("one.journal"), folder.path().join("one.damaged"));
+        fs::write(&file, "garbage").unwrap();
+        let (mut editor, keeper) = open(folder.path(), "one");
+        assert!(editor.lost_journal().is_some() && keeper.place.is_some());
+        editor.apply(&place(1), None, &[]).unwrap();
+        editor.flush();
+        assert!(file.exists() && fs::read(&aside).unwrap() == b"garbage");
+    }
+
+    #[test]
     fn two_programs_do_not_write_one_journal() {
         let folder = tempfile::tempdir().unwrap();
         let (_, first) = open(folder.path(), "one");
         let (_, mut second) = open(folder.path(), "one");
         assert!(first.trouble.is_none() && first.place.is_some() && second.place.is_none());
-        assert!(second.tick(&mut Editor::new(Document::new(), Rules::default())).is_some());
+        second.tick(&mut Editor::new(Document::new(), Rules::default()));
+        assert!(second.trouble().is_some() && second.trouble().is_none());
     }
 }

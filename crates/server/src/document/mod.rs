@@ -20,7 +20,7 @@ use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::time::Duration;
 
-use katydid_component::RhinoModel;
+use katydid_component::{RhinoModel, Trust};
 use katydid_solver::Engine;
 use tokio::sync::oneshot;
 
@@ -140,6 +140,6 @@ pub(crate) struct Shared {
     pub(crate) recent: Option<crate::files::Recent>,
     /// The folder of journals.
     pub(crate) journals: Option<std::path::PathBuf>,
-    /// Whether faces may name paths of this machine.
-    pub(crate) paths: bool,
+    /// Who works on the documents, and what they may therefore read of this machine.
+    pub(crate) trust: Trust,
 }

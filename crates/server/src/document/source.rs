@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use katydid_component::{Files, RhinoModel};
+use katydid_component::{Origin, RhinoModel};
 use katydid_data::DateTime;
 use katydid_data::cast::Rules;
 use katydid_definition::document::Document;
@@ -26,8 +26,6 @@ pub(crate) struct Source {
     pub(crate) hash: Option<blake3::Hash>,
     /// Its own units and tolerances, or those of its model.
     pub(crate) rules: Rules,
-    /// The files that it may read.
-    pub(crate) files: Files,
     pub(crate) model: Option<Arc<RhinoModel>>,
     /// The id that it is known by.
     pub(crate) id: String,
@@ -47,7 +45,6 @@ impl Source {
             path: None,
             hash: None,
             rules: Rules { now: now(), ..Rules::default() },
-            files: Files::None,
             model: None,
             id: chance(),
         }
@@ -58,7 +55,7 @@ impl Source {
         Self { name: "Unsaved".to_owned(), id: id.to_owned(), ..Self::empty() }
     }
 
-    /// One that was sent: it may read no files of this machine.
+    /// One that was sent.
     pub(crate) fn sent(name: &str, form: Form, bytes: &[u8]) -> Result<Self, String> {
         let (document, units) = files::read(form, bytes).map_err(|error| format!("{name}: {error}"))?;
         let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
@@ -66,8 +63,7 @@ impl Source {
         Ok(source.with_units(units))
     }
 
-    /// One of a file of this machine. Its file components read what whoever runs Katydid may read, as when it is run
-    /// from the command line; their paths start where it lies.
+    /// One of a file of this machine.
     pub(crate) fn file(path: &Path) -> Result<Self, String> {
         let told = |error: &std::io::Error| format!("{}: {}", path.display(), files::plain(error));
         let path = std::fs::canonicalize(path).map_err(|error| told(&error))?;
@@ -84,7 +80,6 @@ impl Source {
             document,
             name: path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
             hash: Some(blake3::hash(&bytes)),
-            files: Files::Any(path.parent().unwrap_or(Path::new("")).to_path_buf()),
             id: id_of(&path),
             path: Some(path),
             ..Self::empty()
@@ -97,6 +92,11 @@ impl Source {
         (self.rules.units, self.rules.tolerance) = (model.units, model.tolerance);
         self.model = Some(Arc::new(model));
         self
+    }
+
+    /// Where it comes from, as far as that decides which files it may read.
+    pub(crate) fn origin(&self) -> Origin<'_> {
+        self.path.as_deref().map_or(Origin::Sent, Origin::File)
     }
 
     fn with_units(mut self, units: Option<Units>) -> Self {

@@ -3,11 +3,13 @@
 mod export;
 mod form;
 mod gallery;
+mod plain;
+mod private;
 mod recent;
-mod replace;
 
 pub(crate) use export::{Wishes, content_type, export};
 pub(crate) use form::{Form, read, write};
 pub(crate) use gallery::Gallery;
+pub(crate) use plain::plain;
+pub(crate) use private::private_folder;
 pub(crate) use recent::Recent;
-pub(crate) use replace::{plain, replace};

@@ -7,7 +7,6 @@ use std::time::UNIX_EPOCH;
 
 use serde::Serialize;
 
-use super::replace;
 use crate::lock::held;
 
 /// So many are remembered.
@@ -50,9 +49,9 @@ impl Recent {
         list.truncate(MOST);
         let Some(file) = &self.file else { return };
         // A list that cannot be kept is no reason to stop.
-        let made = file.parent().map(fs::create_dir_all);
+        let made = file.parent().map(super::private_folder);
         if let (Some(Ok(())), Ok(text)) = (made, serde_json::to_vec(&*list)) {
-            let _ = replace(file, &text);
+            let _ = katydid_session::write_file(file, &text);
         }
     }
 

@@ -41,7 +41,7 @@ const MOST_LEFT: usize = 20;
 /// What the start page offers.
 pub(crate) async fn start(Extract(state): Extract<Arc<State>>) -> Answer<Json<Value>> {
     let shared = Arc::clone(&state.shared);
-    let recent = if shared.paths {
+    let recent = if shared.trust.names_paths() {
         blocking(move || Ok(shared.recent.as_ref().map(files::Recent::entries).unwrap_or_default())).await?
     } else {
         Vec::new()
@@ -51,7 +51,7 @@ pub(crate) async fn start(Extract(state): Extract<Arc<State>>) -> Answer<Json<Va
         .iter()
         .map(|(id, about)| json!({"id": id, "name": about.name, "changed": about.changed}))
         .collect();
-    if let Some(journals) = state.shared.journals.clone().filter(|_| state.shared.paths) {
+    if let Some(journals) = state.shared.journals.clone().filter(|_| state.shared.trust.names_paths()) {
         let left = blocking(move || Ok(left_behind(&journals))).await?;
         let left = left.into_iter().filter(|id| !about.iter().any(|(known, _)| known == id));
         open.extend(left.take(MOST_LEFT).map(|id| json!({"id": id, "name": "Unsaved", "changed": true})));
@@ -61,7 +61,7 @@ pub(crate) async fn start(Extract(state): Extract<Arc<State>>) -> Answer<Json<Va
         "gallery": Gallery::all(),
         "open": open,
         "version": env!("CARGO_PKG_VERSION"),
-        "local": state.shared.paths,
+        "local": state.shared.trust.names_paths(),
     })))
 }
 
@@ -79,7 +79,7 @@ pub(crate) async fn open(
     opening: Result<Json<Opening>, JsonRejection>,
 ) -> Answer<Json<Value>> {
     let Json(opening) = opening.map_err(|error| Refused::new(error.status(), error.body_text()))?;
-    let paths = state.shared.paths;
+    let paths = state.shared.trust.names_paths();
     let source = match opening {
         Opening { path: Some(_), .. } if !paths => {
             return Err(Refused::forbidden(

@@ -2,11 +2,10 @@
 //!
 //! A page of another site can make its visitor's browser send requests to this machine. Three things tell them from
 //! those of the studio's own page: the name that the browser looked up (`Host`: a name that was made to point here is
-//! none of ours), the page that sends them (`Origin`, and `Sec-Fetch-Site` where the browser says), and the token,
-//! which is needed once others than this machine can reach the port.
+//! none of ours), the page that sends them (`Origin`, and `Sec-Fetch-Site` where the browser says), and the token. The
+//! token also keeps out the other users of this machine, whose programs reach the port as well.
 
-use std::net::{IpAddr, Ipv6Addr};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use axum::extract::{Request, State as Extract};
 use axum::http::header::{
@@ -21,10 +20,9 @@ use uuid::Uuid;
 use super::State;
 use super::answer::Refused;
 use crate::Config;
+use crate::lock::held;
+use crate::names::{is_this_machine, of_origin, without_port};
 use crate::secret::Secret;
-
-/// The name of the cookie that holds the token.
-const COOKIE_NAME: &str = "katydid_token";
 
 /// What the page may load: nothing from elsewhere, and no script but its own files.
 const POLICY: &str = "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; \
@@ -34,34 +32,78 @@ const POLICY: &str = "default-src 'self'; script-src 'self'; style-src 'self' 'u
 /// Tells the studio's own requests from others.
 #[derive(Debug)]
 pub(crate) struct Guard {
-    token: Option<Token>,
+    token: Token,
+    /// What opens the page once, in place of the token.
+    ticket: Mutex<Option<Token>>,
+    /// The name of the cookie that holds the token. Browsers keep one cookie of a name for all ports of a machine: two
+    /// studios must not take each other's.
+    cookie: String,
     /// Whether only this machine can reach the port.
     is_local: bool,
 }
 
-#[derive(Debug)]
 struct Token {
     text: String,
     secret: Secret,
 }
 
+impl Token {
+    fn new(text: String) -> Self {
+        Self { secret: Secret::new(&text), text }
+    }
+
+    /// One that nobody guesses.
+    fn chance() -> Self {
+        Self::new(format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple()))
+    }
+}
+
+impl std::fmt::Debug for Token {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Token")
+    }
+}
+
 impl Guard {
-    pub(crate) fn new(config: &Config) -> Self {
-        let is_local = config.is_local();
-        let chance = || format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
-        let text =
-            config.token.clone().filter(|token| !token.is_empty()).or_else(|| (!is_local).then(chance));
-        let token = text.map(|text| Token { secret: Secret::new(&text), text });
-        Self { token, is_local }
+    pub(crate) fn new(config: &Config, port: u16) -> Self {
+        let given = config.token.clone().filter(|token| !token.is_empty());
+        Self {
+            token: given.map_or_else(Token::chance, Token::new),
+            ticket: Mutex::new(Some(Token::chance())),
+            cookie: format!("katydid_token_{port}"),
+            is_local: config.is_local(),
+        }
     }
 
-    /// The token that is needed, if one is.
-    pub(crate) fn token(&self) -> Option<&str> {
-        self.token.as_ref().map(|token| token.text.as_str())
+    /// The token that is needed.
+    pub(crate) fn token(&self) -> &str {
+        &self.token.text
     }
 
-    fn knows(&self, given: &str) -> bool {
-        self.token.as_ref().is_none_or(|token| token.secret.is(given.as_bytes()))
+    /// What opens the page once; empty when it has.
+    pub(crate) fn ticket(&self) -> String {
+        held(&self.ticket).as_ref().map(|ticket| ticket.text.clone()).unwrap_or_default()
+    }
+
+    /// Whether a request brings the token, in its address or in the page's cookie.
+    fn knows(&self, uri: &Uri, headers: &HeaderMap) -> bool {
+        let is_it = |text: &str| self.token.secret.is(text.as_bytes());
+        queried(uri, "token").any(is_it) || cookies(headers, &self.cookie).any(is_it)
+    }
+
+    /// Whether a request for the page brings the ticket, which is used up by that.
+    fn takes_ticket(&self, method: &Method, uri: &Uri) -> bool {
+        if *method != Method::GET || uri.path() != "/" {
+            return false;
+        }
+        let mut ticket = held(&self.ticket);
+        let is_it = ticket
+            .as_ref()
+            .is_some_and(|ticket| queried(uri, "ticket").any(|text| ticket.secret.is(text.as_bytes())));
+        if is_it {
+            *ticket = None;
+        }
+        is_it
     }
 
     /// Why a request is none of the studio's.
@@ -80,9 +122,8 @@ impl Guard {
         if !is_page && !matches!(site, "same-origin" | "none") {
             return Some(Refused::forbidden("pages of other sites may not ask"));
         }
-        // The page itself holds nothing that others may not see, but without its token it can do nothing.
-        let known = given(uri, headers).any(|token| self.knows(&token)) || self.token.is_none();
-        (!known).then(|| {
+        let is_known = self.knows(uri, headers) || self.takes_ticket(method, uri);
+        (!is_known).then(|| {
             Refused::new(StatusCode::UNAUTHORIZED, "a token is needed: use the address that Katydid printed")
         })
     }
@@ -90,14 +131,7 @@ impl Guard {
     /// Whether a name in a request is one of this server: `localhost` and numbers, which no name server can redirect.
     /// Where others can reach it, it is known by its number or by a name that they were given: the token protects it.
     fn is_ours(&self, host: &str) -> bool {
-        let name = without_port(host);
-        if name.eq_ignore_ascii_case("localhost") || name.to_ascii_lowercase().ends_with(".localhost") {
-            return true;
-        }
-        match address(name) {
-            Some(address) => !self.is_local || address.is_loopback(),
-            None => !self.is_local && !name.is_empty(),
-        }
+        is_this_machine(host) || (!self.is_local && !without_port(host).is_empty())
     }
 }
 
@@ -113,45 +147,22 @@ fn one<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
     all.next().is_none().then_some(first)
 }
 
-fn without_port(host: &str) -> &str {
-    match host.rsplit_once(':') {
-        Some((name, port)) if !port.is_empty() && port.bytes().all(|b| b.is_ascii_digit()) => name,
-        _ => host,
-    }
-}
-
-fn address(name: &str) -> Option<IpAddr> {
-    match name.strip_prefix('[').and_then(|name| name.strip_suffix(']')) {
-        Some(inner) => inner.parse::<Ipv6Addr>().ok().map(IpAddr::V6),
-        None => name.parse().ok(),
-    }
-}
-
 /// Whether an origin is the page of that very host and port.
 fn same(origin: &str, host: &str) -> bool {
-    let of = origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"));
-    of.is_some_and(|of| of.eq_ignore_ascii_case(host))
+    of_origin(origin).is_some_and(|of| of.eq_ignore_ascii_case(host))
 }
 
-/// The tokens that a request brings: in its address, and in the page's cookie.
-fn given(uri: &Uri, headers: &HeaderMap) -> impl Iterator<Item = String> {
-    let query = uri.query().unwrap_or_default().to_owned();
-    let cookies: Vec<String> = headers
-        .get_all(COOKIE)
-        .iter()
-        .filter_map(|cookie| cookie.to_str().ok())
-        .flat_map(|all| all.split(';'))
-        .filter_map(|one| one.trim().split_once('='))
-        .filter(|(name, _)| *name == COOKIE_NAME)
-        .map(|(_, token)| token.to_owned())
-        .collect();
-    let named: Vec<String> = query
-        .split('&')
-        .filter_map(|pair| pair.split_once('='))
-        .filter(|(name, _)| *name == "token")
-        .map(|(_, token)| token.to_owned())
-        .collect();
-    named.into_iter().chain(cookies)
+/// The values of a name in the address of a request.
+fn queried<'a>(uri: &'a Uri, wanted: &'a str) -> impl Iterator<Item = &'a str> {
+    let pairs = uri.query().unwrap_or_default().split('&').filter_map(|pair| pair.split_once('='));
+    pairs.filter(move |(name, _)| *name == wanted).map(|(_, value)| value)
+}
+
+/// The values of the cookies of a name.
+fn cookies<'a>(headers: &'a HeaderMap, wanted: &'a str) -> impl Iterator<Item = &'a str> {
+    let all = headers.get_all(COOKIE).iter().filter_map(|cookie| cookie.to_str().ok());
+    let pairs = all.flat_map(|all| all.split(';')).filter_map(|one| one.trim().split_once('='));
+    pairs.filter(move |(name, _)| *name == wanted).map(|(_, value)| value)
 }
 
 /// Lets a request through, or refuses it.
@@ -162,11 +173,9 @@ pub(crate) async fn check(Extract(state): Extract<Arc<State>>, request: Request,
         None => {
             let is_page = !is_inner(request.uri().path());
             let mut response = next.run(request).await;
-            if let Some(token) = guard.token().filter(|_| is_page)
-                && let Ok(cookie) = HeaderValue::from_str(&format!(
-                    "{COOKIE_NAME}={token}; Path=/; HttpOnly; SameSite=Strict"
-                ))
-            {
+            let (name, token) = (&guard.cookie, guard.token());
+            let cookie = format!("{name}={token}; Path=/; HttpOnly; SameSite=Strict");
+            if is_page && let Ok(cookie) = HeaderValue::from_str(&cookie) {
                 response.headers_mut().append(SET_COOKIE, cookie);
             }
             response
@@ -192,7 +201,7 @@ pub(crate) async fn check(Extract(state): Extract<Arc<State>>, request: Request,
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-    use std::net::Ipv4Addr;
+    use std::net::{IpAddr, Ipv4Addr};
 
     use super::*;
 
@@ -206,12 +215,20 @@ mod tests {
         for (name, value) in headers {
             map.append(*name, HeaderValue::from_str(value).unwrap());
         }
+        if guard.token() == "secret" && !headers.iter().any(|(name, _)| *name == "cookie") {
+            map.append(COOKIE, HeaderValue::from_static("katydid_token_6510=secret"));
+        }
         guard.refuses(method, &uri.parse().unwrap(), &map).map(|refused| refused.into_response().status())
+    }
+
+    /// A guard whose token the requests bring.
+    fn known() -> Guard {
+        Guard::new(&Config { token: Some("secret".to_owned()), ..Config::default() }, 6510)
     }
 
     #[test]
     fn only_names_of_this_machine_are_ours() {
-        let guard = Guard::new(&Config::default());
+        let guard = known();
         for host in ["127.0.0.1:6510", "localhost:5173", "[::1]:6510", "LOCALHOST", "127.0.0.1"] {
             assert_eq!(refused(&guard, &Method::GET, "/api/start", &[("host", host)]), None, "{host}");
         }
@@ -228,7 +245,7 @@ mod tests {
 
     #[test]
     fn pages_of_other_sites_may_not_ask() {
-        let guard = Guard::new(&Config::default());
+        let guard = known();
         let ask = |method: &Method, uri: &str, origin: &str| {
             refused(&guard, method, uri, &[("host", "localhost:6510"), ("origin", origin)])
         };
@@ -249,23 +266,44 @@ mod tests {
     }
 
     #[test]
-    fn who_can_be_reached_by_others_wants_a_token() {
-        let open = Config { address: IpAddr::V4(Ipv4Addr::UNSPECIFIED), ..Config::default() };
-        let guard = Guard::new(&open);
-        let token = guard.token().unwrap().to_owned();
-        assert_eq!(token.len(), 64);
-        let host = ("host", "192.168.1.5:6510");
-        assert_eq!(refused(&guard, &Method::GET, "/api/start", &[host]), Some(StatusCode::UNAUTHORIZED));
-        assert_eq!(
-            refused(&guard, &Method::GET, "/api/start?token=wrong", &[host]),
-            Some(StatusCode::UNAUTHORIZED)
-        );
-        assert_eq!(refused(&guard, &Method::GET, &format!("/?token={token}"), &[host]), None);
-        let cookie = format!("other=1; katydid_token={token}");
-        assert_eq!(refused(&guard, &Method::GET, "/api/start", &[host, ("cookie", &cookie)]), None);
-        let own = Guard::new(&Config { token: Some("secret".to_owned()), ..Config::default() });
-        let host = ("host", "localhost");
-        assert_eq!(refused(&own, &Method::GET, "/", &[host]), Some(StatusCode::UNAUTHORIZED));
-        assert_eq!(refused(&own, &Method::GET, "/?token=secret", &[host]), None);
+    fn everybody_needs_the_token() {
+        for address in [Ipv4Addr::LOCALHOST, Ipv4Addr::UNSPECIFIED] {
+            let guard = Guard::new(&Config { address: IpAddr::V4(address), ..Config::default() }, 6510);
+            let token = guard.token().to_owned();
+            assert_eq!(token.len(), 64);
+            let host = ("host", "127.0.0.1:6510");
+            for uri in ["/", "/api/start", "/socket", "/api/start?token=wrong", "/?token=", "/assets/a.js"] {
+                assert_eq!(
+                    refused(&guard, &Method::GET, uri, &[host]),
+                    Some(StatusCode::UNAUTHORIZED),
+                    "{uri}"
+                );
+            }
+            assert_eq!(refused(&guard, &Method::GET, &format!("/?token={token}"), &[host]), None);
+            let cookie = |name: &str| {
+                let cookie = format!("other=1; {name}={token}");
+                refused(&guard, &Method::GET, "/api/start", &[host, ("cookie", &cookie)])
+            };
+            assert_eq!(cookie("katydid_token_6510"), None);
+            // That of another studio of this machine.
+            assert_eq!(cookie("katydid_token_6511"), Some(StatusCode::UNAUTHORIZED));
+        }
+        let far =
+            Guard::new(&Config { address: IpAddr::V4(Ipv4Addr::UNSPECIFIED), ..Config::default() }, 6510);
+        let uri = format!("/?token={}", far.token());
+        assert_eq!(refused(&far, &Method::GET, &uri, &[("host", "192.168.1.5:6510")]), None);
+    }
+
+    #[test]
+    fn a_ticket_opens_the_page_once() {
+        let guard = Guard::new(&Config::default(), 6510);
+        let uri = format!("/?document=1&ticket={}", guard.ticket());
+        let host = ("host", "127.0.0.1:6510");
+        let ask = |method: &Method, uri: &str| refused(&guard, method, uri, &[host]);
+        let inner = uri.replace("/?", "/api/start?");
+        let unknown = Some(StatusCode::UNAUTHORIZED);
+        assert_eq!((ask(&Method::GET, &inner), ask(&Method::HEAD, &uri)), (unknown, unknown));
+        assert_eq!(ask(&Method::GET, "/?ticket="), unknown);
+        assert_eq!((ask(&Method::GET, &uri), ask(&Method::GET, &uri)), (None, unknown));
     }
 }

@@ -35,15 +35,15 @@ pub(crate) struct State {
 const MOST_QUESTION: usize = 64 << 10;
 
 impl State {
-    pub(crate) fn new(config: Config) -> Self {
+    pub(crate) fn new(config: Config, port: u16) -> Self {
         let shared = Arc::new(Shared {
             recent: Some(Recent::new(config.state.as_deref())),
             journals: config.state.as_ref().map(|state| state.join("journals")),
-            paths: config.is_local(),
+            trust: config.trust(),
             ..Shared::default()
         });
         Self {
-            guard: Guard::new(&config),
+            guard: Guard::new(&config, port),
             documents: Documents::new(Arc::clone(&shared), config.most_documents),
             shared,
             most_upload: config.most_upload,

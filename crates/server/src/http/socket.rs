@@ -61,7 +61,7 @@ async fn find(state: &Arc<State>, id: &str) -> Option<Handle> {
     if let Some(handle) = state.documents.get(id) {
         return Some(handle);
     }
-    if !state.shared.paths {
+    if !state.shared.trust.names_paths() {
         return None;
     }
     let (shared, wanted) = (Arc::clone(&state.shared), id.to_owned());

@@ -24,6 +24,8 @@ pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 pub(crate) struct Studio {
     pub(crate) server: Server,
     pub(crate) folder: TempDir,
+    /// The token that every request brings; none where a test brings its own.
+    token: Option<String>,
 }
 
 pub(crate) struct Answer {
@@ -48,7 +50,25 @@ impl Studio {
         let folder = tempfile::tempdir().unwrap();
         let state = Some(folder.path().join("state"));
         let config = change(Config { port: 0, state, ..Config::default() });
-        Self { server: katydid_server::start(config).await.unwrap(), folder }
+        let is_own = config.token.is_some();
+        let server = katydid_server::start(config).await.unwrap();
+        let token = server.url().rsplit_once("token=").map(|(_, token)| token.to_owned());
+        Self { server, folder, token: token.filter(|_| !is_own) }
+    }
+
+    /// A line of a request's head that brings the token.
+    pub(crate) fn cookie(&self) -> String {
+        let port = self.server.address().port();
+        self.token
+            .as_ref()
+            .map(|token| format!("Cookie: katydid_token_{port}={token}\r\n"))
+            .unwrap_or_default()
+    }
+
+    /// The address of the socket of a document, with the token.
+    pub(crate) fn socket(&self, document: &str) -> String {
+        let token = self.token.as_ref().map(|token| format!("&token={token}")).unwrap_or_default();
+        format!("ws://{}/socket?document={document}{token}", self.host())
     }
 
     pub(crate) fn host(&self) -> String {
@@ -68,10 +88,10 @@ impl Studio {
     }
 
     pub(crate) async fn ask(&self, method: &str, path: &str, headers: &str, body: &[u8]) -> Answer {
-        let host = self.host();
+        let (host, cookie) = (self.host(), self.cookie());
         let length = body.len();
         let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: {length}\r\n{headers}\r\n"
+            "{method} {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: {length}\r\n{cookie}{headers}\r\n"
         );
         self.raw(&[head.as_bytes(), body].concat()).await
     }
@@ -92,7 +112,7 @@ impl Studio {
     }
 
     pub(crate) async fn join(&self, document: &str) -> Face {
-        let url = format!("ws://{}/socket?document={document}", self.host());
+        let url = self.socket(document);
         let config = WebSocketConfig::default().max_message_size(None).max_frame_size(None);
         let (socket, _) =
             tokio_tungstenite::connect_async_with_config(url, Some(config), false).await.unwrap();
@@ -108,6 +128,7 @@ impl Studio {
             finished: 0,
             cancelled: false,
             notices: Vec::new(),
+            heard: String::new(),
         }
     }
 
@@ -134,6 +155,8 @@ pub(crate) struct Face {
     pub(crate) finished: u64,
     pub(crate) cancelled: bool,
     pub(crate) notices: Vec<String>,
+    /// All texts that came, as they came.
+    pub(crate) heard: String,
 }
 
 impl Face {
@@ -143,6 +166,7 @@ impl Face {
         match next.expect("the socket is open").expect("a frame") {
             Message::Text(text) => {
                 let event: Event = serde_json::from_str(text.as_str()).unwrap();
+                self.heard.push_str(text.as_str());
                 self.take(&event);
                 Some(event)
             }

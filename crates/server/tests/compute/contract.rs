@@ -162,7 +162,8 @@ async fn the_key_is_asked_for() {
 #[tokio::test(flavor = "multi_thread")]
 async fn pages_of_other_sites() {
     let page = "Origin: https://a.example\r\n";
-    let compute = Compute::start().await;
+    let everybody = vec!["*".to_owned()];
+    let compute = Compute::start_with(|config| Config { origins: everybody, ..config }).await;
     for (method, path) in [("GET", "/version"), ("POST", "/grasshopper"), ("GET", "/nowhere")] {
         let answer = compute.ask(method, path, page, b"").await;
         assert_eq!(answer.header("access-control-allow-origin"), "*", "{path}");
@@ -174,7 +175,32 @@ async fn pages_of_other_sites() {
     assert_eq!(answer.header("access-control-allow-origin"), "https://a.example");
     assert_eq!(answer.header("vary"), "Origin");
     let answer = compute.ask("GET", "/version", "Origin: https://b.example\r\n", b"").await;
-    assert_eq!(answer.header("access-control-allow-origin"), "");
+    assert_eq!((answer.status, answer.header("access-control-allow-origin")), (403, ""));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn without_a_key_pages_of_this_machine_alone_may_ask() {
+    let compute = Compute::start().await;
+    let body = json!({"algo": gh(SUM), "values": [input("RH_IN:A", "0", &[json!(1)])]}).to_string();
+    let post = |headers: String| {
+        let (compute, body) = (&compute, &body);
+        async move { compute.ask("POST", "/grasshopper", &headers, body.as_bytes()).await }
+    };
+    for origin in ["https://evil.example", "null", "http://localhost.evil.example", "http://192.168.0.7"] {
+        let answer = post(format!("Origin: {origin}\r\n")).await;
+        assert_eq!((answer.status, answer.header("access-control-allow-origin")), (403, ""), "{origin}");
+        assert!(answer.is_refused(), "{}", answer.text());
+        let asked = format!("Origin: {origin}\r\nAccess-Control-Request-Method: POST\r\n");
+        let answer = compute.ask("OPTIONS", "/grasshopper", &asked, b"").await;
+        assert_eq!(answer.header("access-control-allow-origin"), "", "{origin}");
+    }
+    for origin in ["http://localhost:3000", "http://127.0.0.1:8080", "http://[::1]:5173"] {
+        let answer = post(format!("Origin: {origin}\r\n")).await;
+        assert_eq!((answer.status, answer.header("access-control-allow-origin")), (200, origin), "{origin}");
+    }
+    assert_eq!(post(String::new()).await.status, 200);
+    assert_eq!(post("Sec-Fetch-Site: cross-site\r\n".to_owned()).await.status, 403);
+    assert_eq!(compute.ask("GET", "/docs", "Sec-Fetch-Site: cross-site\r\n", b"").await.status, 200);
 }
 
 #[tokio::test(flavor = "multi_thread")]

@@ -67,7 +67,10 @@ async fn who_leaves_is_not_worked_for() {
     let mut leaving = Vec::new();
     for _ in 0..12 {
         let mut stream = compute.connect().await;
-        let head = format!("POST /grasshopper HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n\r\n", body.len());
+        let head = format!(
+            "POST /grasshopper HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
         stream.write_all(format!("{head}{body}").as_bytes()).await.unwrap();
         leaving.push(stream);
     }
@@ -127,7 +130,8 @@ async fn what_is_under_way_is_finished_when_it_stops() {
     let address = compute.host();
     let body = json!({"algo": gh(&endless(0))}).to_string();
     let mut stream = compute.connect().await;
-    let head = format!("POST /grasshopper HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n\r\n", body.len());
+    let head =
+        format!("POST /grasshopper HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n", body.len());
     stream.write_all(format!("{head}{body}").as_bytes()).await.unwrap();
     sleep(Duration::from_millis(300)).await;
     let answered = async {

@@ -22,6 +22,17 @@ impl Editor {
         self
     }
 
+    /// The same, beside a journal that could not be used.
+    pub(crate) fn without_journal(mut self, why: &'static str) -> Self {
+        self.lost = Some(why);
+        self
+    }
+
+    /// Why the journal that was there could not be used, if it could not: unsaved edits of an earlier session are lost.
+    pub fn lost_journal(&self) -> Option<&'static str> {
+        self.lost
+    }
+
     /// What was found in the journal and made again, until it is settled.
     pub fn found(&self) -> Option<&Found> {
         self.found.as_ref()
@@ -89,6 +100,7 @@ impl Editor {
         self.saved = Some(self.history.state());
         self.found = None;
         self.file = None;
+        self.lost = None;
         if let Some(journal) = &mut self.journal {
             journal.restart(source);
         }

@@ -57,6 +57,8 @@ pub struct Editor {
     found: Option<Found>,
     /// The document as its file has it, as long as that is asked.
     file: Option<Arc<Document>>,
+    /// Why a journal that was there could not be used.
+    lost: Option<&'static str>,
 }
 
 /// What a face shows of a document besides the document.
@@ -84,6 +86,7 @@ impl Editor {
             journal: None,
             found: None,
             file: None,
+            lost: None,
         }
     }
 

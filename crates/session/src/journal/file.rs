@@ -52,10 +52,6 @@ impl Store for FileStore {
                 _ => Ok(()),
             };
         }
-        let beside = self.path.with_extension("new");
-        let mut file = File::create(&beside)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        std::fs::rename(&beside, &self.path)
+        crate::write_file(&self.path, bytes)
     }
 }

@@ -38,12 +38,20 @@ impl Editor {
         let (records, length) = record::read(&bytes);
         let mut records = records.into_iter();
         let begin = match records.next() {
-            Some(Record::Begin(begin)) => *begin,
-            // Nothing that could be used.
-            _ => return Ok(Self::new(document, rules).journalled(Journal::new(store, source, true, 0))),
+            Some(Record::Begin(begin)) => {
+                base(&begin).map(|base| (*begin, base)).ok_or("its document is damaged")
+            }
+            _ if bytes.is_empty() => Err(""),
+            _ if bytes.starts_with(record::MAGIC) => Err("its beginning is damaged"),
+            _ => Err("it is no journal"),
         };
-        let Some(base) = base(&begin) else {
-            return Ok(Self::new(document, rules).journalled(Journal::new(store, source, true, 0)));
+        let (begin, base) = match begin {
+            Ok(found) => found,
+            Err(why) => {
+                let editor = Self::new(document, rules);
+                let editor = if why.is_empty() { editor } else { editor.without_journal(why) };
+                return Ok(editor.journalled(Journal::new(store, source, true, 0)));
+            }
         };
         let saved = document;
         let mut editor = Self::new(base, rules);
@@ -72,7 +80,9 @@ impl Editor {
         };
         // Without a step there is nothing to restore.
         if steps == 0 {
-            return Ok(Self::new(saved, rules).journalled(Journal::new(store, source, true, 0)));
+            let editor = Self::new(saved, rules);
+            let editor = if torn { editor.without_journal("its edits are damaged") } else { editor };
+            return Ok(editor.journalled(Journal::new(store, source, true, 0)));
         }
         if torn {
             store.replace(bytes.get(..length).unwrap_or_default())?;

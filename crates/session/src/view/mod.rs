@@ -214,6 +214,17 @@ fn problems(editor: &Editor, document: &Document, views: &[ObjectView]) -> Vec<P
         text: "the file was saved elsewhere since these edits were made".to_owned(),
         object: None,
     });
+    let torn = editor.found().filter(|found| found.torn).map(|_| Problem {
+        text: "the journal of unsaved edits is damaged at its end: the last of them may be missing"
+            .to_owned(),
+        object: None,
+    });
+    let lost = editor.lost_journal().map(|why| Problem {
+        text: format!(
+            "unsaved edits of an earlier session could not be restored: their journal cannot be read, {why}"
+        ),
+        object: None,
+    });
     let notes = document.notes.iter().map(|text| Problem { text: text.clone(), object: None });
     let unsupported = views.iter().filter_map(|view| match &view.support {
         Support::Yes => None,
@@ -226,5 +237,6 @@ fn problems(editor: &Editor, document: &Document, views: &[ObjectView]) -> Vec<P
         }),
     });
     let odd = document.problems().into_iter().map(|text| Problem { text, object: None });
-    changed.into_iter().chain(notes).chain(unsupported).chain(odd).take(MOST_PROBLEMS).collect()
+    let journal = changed.into_iter().chain(torn).chain(lost);
+    journal.chain(notes).chain(unsupported).chain(odd).take(MOST_PROBLEMS).collect()
 }
