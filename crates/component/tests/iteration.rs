@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
 
 use katydid_component::{
-    Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component, registry,
+    Account, Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component, registry,
     whole,
 };
 use katydid_data::{Path, Tree, TreeBuilder, Value};
@@ -146,7 +146,8 @@ fn whole_columns_give_what_the_loop_gives() {
 
 fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> Outcome {
     let component = registry::by_name(name).unwrap();
-    let budget = Budget::new(limits, Default::default(), Default::default());
+    let solve = std::sync::Arc::new(Account::new(limits.solve_bytes));
+    let budget = Budget::new(limits, Default::default(), Default::default(), solve);
     let call = Call {
         inputs,
         input_names: &[],
