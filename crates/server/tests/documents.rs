@@ -330,12 +330,19 @@ async fn who_joins_hears_that_edits_are_not_kept() {
     let start = || {
         Studio::start_with(|config| Config { file: Some(file.clone()), state: Some(state.clone()), ..config })
     };
-    let (_first, second) = (start().await, start().await);
-    let (_, query) = second.server.url().split_once("document=").unwrap();
+    let first = start().await;
+    let (_, query) = first.server.url().split_once("document=").unwrap();
+    let id = query.split('&').next().unwrap();
+    let mut holder = first.join(id).await;
+    holder.solved(1).await;
+    let second = start().await;
     // Whoever joins late hears it too: it waits for somebody.
     tokio::time::sleep(Duration::from_millis(300)).await;
-    let mut face = second.join(query.split('&').next().unwrap()).await;
+    let mut face = second.join(id).await;
+    let since = Instant::now();
     while !face.notices.iter().any(|notice| notice.contains("another Katydid")) {
+        assert!(since.elapsed() < PATIENCE, "{:?}", face.notices);
         face.hear().await;
     }
+    assert!(holder.notices.is_empty(), "{:?}", holder.notices);
 }
