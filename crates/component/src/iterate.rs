@@ -17,6 +17,9 @@ use crate::{Access, Call, Context, Message, Notes, Outcome};
 #[cfg(feature = "parallel")]
 const SMALLEST_PIECE: usize = 256;
 
+/// The most places that are made ready for results: how many there will be is not known to be allowed.
+const MOST_READY: usize = 1 << 16;
+
 /// The most small results that are counted together.
 const COUNTED_TOGETHER: usize = 1024;
 
@@ -47,20 +50,22 @@ pub fn run<S: Sinks>(
         }
     });
     let mut notes = Notes::default();
-    // One piece is taken as it is; for several there is room for all of them.
-    let room = if cuts.len() > 1 { total } else { 0 };
-    let mut sinks = S::new(room, call.output_count);
-    let mut stopped = None;
     let pieces = pieces.into_iter().filter_map(|p| p.into_inner().unwrap_or_else(PoisonError::into_inner));
+    let mut parts = Vec::with_capacity(cuts.len());
+    let mut stopped = None;
     for next in pieces {
         notes.append(next.notes);
         stopped = stopped.or(next.stopped);
-        sinks.append(next.sinks);
+        parts.push(next.sinks);
     }
     if let Some(message) = stopped {
         notes.add(message);
         return Outcome { outputs: vec![Tree::empty(); call.output_count], messages: notes.into_messages() };
     }
+    // One piece is taken as it is; for several there is room for all of them.
+    let room = if cuts.len() > 1 { total } else { 0 };
+    let mut sinks = S::new(room, call.output_count);
+    parts.into_iter().for_each(|part| sinks.append(part));
     Outcome { outputs: sinks.finish(&matching), messages: notes.into_messages() }
 }
 
@@ -83,7 +88,7 @@ fn piece<S: Sinks>(
     function: &(impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync),
 ) -> Piece<S> {
     let context = Context::new(call);
-    let mut sinks = S::new(range.len(), call.output_count);
+    let mut sinks = S::new(range.len().min(MOST_READY), call.output_count);
     let mut set = matching.set_of(range.start);
     let mut at = range.start;
     let mut stopped = None;

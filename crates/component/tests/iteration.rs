@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
 
 use katydid_component::{
-    Account, Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component, registry,
-    whole,
+    Account, Budget, Call, Context, Each, Limits, List, ManyItems, ManyLists, Message, Outcome, component,
+    registry, whole,
 };
 use katydid_data::{Path, Tree, TreeBuilder, Value};
 use katydid_definition::archive::Chunk;
