@@ -81,7 +81,7 @@ async fn files_that_are_none() {
 /// Each ends in an error that says what is too much, or in a refusal, and takes little time and memory until then.
 #[tokio::test(flavor = "multi_thread")]
 async fn definitions_that_want_too_much() {
-    let limits = Limits { items: 1_000_000, bytes: 8 << 20, time: None };
+    let limits = Limits { items: 1_000_000, ..Limits::default() }.with_bytes(8 << 20);
     let compute =
         Compute::start_with(|config| Config { timeout: Duration::from_secs(20), limits, ..config }).await;
     let doubled: String = (1..=40).map(|n| format!("t{n} = Concatenate(t{}, t{})\n", n - 1, n - 1)).collect();
