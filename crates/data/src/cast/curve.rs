@@ -90,7 +90,8 @@ fn to_border(value: &Value, rules: &Rules) -> Option<Value> {
 pub(super) fn curve(value: &Value) -> Option<Curve> {
     match value {
         Value::Curve(curve) => Some((**curve).clone()),
-        Value::Line(line) => Some(LineCurve::new(**line).into()),
+        // A line is a curve over 0 to 1: real definitions evaluate, shatter and frame lines of any length there.
+        Value::Line(line) => Some(LineCurve { line: **line, domain: Interval::UNIT }.into()),
         Value::Circle(circle) => {
             let angle = Interval::new(0.0, std::f64::consts::TAU);
             Some(ArcCurve::new(Arc { circle: **circle, angle }).into())

@@ -16,6 +16,16 @@ fn numbers_round_to_integers_with_halves_to_even() {
     assert_eq!(to(Value::Number(f64::NAN), Kind::Integer), None);
 }
 
+/// Eight real definitions by six authors evaluate, shatter or frame lines of any length at 0 to 1.
+#[test]
+fn a_line_is_a_curve_over_0_to_1() {
+    let line = Line::new(Point3::new(2.0, 3.0, 0.0), Point3::new(13.0, 6.0, 0.0));
+    let Some(Value::Curve(curve)) = to(Value::from(line), Kind::Curve) else { panic!() };
+    assert_eq!(curve.domain(), Interval::UNIT);
+    assert!(curve.point_at(0.3).distance_to(Point3::new(5.3, 3.9, 0.0)) < 1e-14);
+    assert_eq!(to(Value::from(line), Kind::Number), Some(Value::Number(130.0_f64.sqrt())));
+}
+
 #[test]
 fn zero_is_false() {
     assert_eq!(to(Value::Number(0.0), Kind::Boolean), Some(Value::Boolean(false)));
