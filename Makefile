@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+.PHONY: attack deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -115,6 +115,12 @@ bench-kernel:
 # The kernel beside the answers of other kernels.
 oracle:
 	cargo run --release -p katydid-geometry --example oracle -- ../shared/data/oracle/on_dev.json ../shared/data/oracle/occ_dev.json
+
+# Every component with extreme inputs, its memory and processor time measured from outside. `SECONDS_OF_ATTACK=120` takes
+# a sample.
+attack:
+	cargo build --release -p katydid
+	$(PYTHON) attack/components.py target/release/katydid $(addprefix --seconds ,$(SECONDS_OF_ATTACK))
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:

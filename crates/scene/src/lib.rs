@@ -29,6 +29,7 @@ mod facets;
 pub mod font;
 mod form;
 mod gradients;
+mod leader;
 mod painter;
 mod rows;
 mod solids;

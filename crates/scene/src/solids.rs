@@ -8,7 +8,7 @@ use katydid_3dm::{Limits, Model, ModelObject, Object, RawObject};
 use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
 use katydid_geometry::{Brep, Curve, MeshSettings, Plane, Point3};
 
-use crate::{Facets, Form, Place, tessellated};
+use crate::{Facets, Form, Place, leader, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
 const SMOOTH: f64 = 5e-4;
@@ -36,6 +36,11 @@ pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
         && let Ok(form) = of_brep(&brep.brep)
     {
         return Ok(vec![form]);
+    }
+    if let Object::Annotation(annotation) = &object
+        && let Some(forms) = leader::of(annotation)
+    {
+        return Ok(forms);
     }
     let model = Model { objects: vec![ModelObject::from(object)], ..Model::default() };
     let exchanged = Exchanged::from_model(&model);

@@ -336,7 +336,7 @@ mod tests {
         assert_eq!(Trial::of_guid("c75b62fa-0a33-4da7-a5bd-03fd0068fd93").item(line).texts(0), ["{0}: 4"]);
         assert_eq!(Trial::of("Curve Domain").item(circle()).texts(1), ["{0}: 0 To 12.566371"]);
         let changed = Trial::of("Curve Domain").item(line).item(Interval::new(1.0, 2.0)).run();
-        assert_eq!(texts(&changed.outputs[1]), ["{0}: 0 To 4"]);
+        assert_eq!(texts(&changed.outputs[1]), ["{0}: 0 To 1"]);
         let old = Trial::of_guid("15ac45a8-b190-420a-bd66-e78ed6bcfaa4").tree(changed.outputs[0].clone());
         assert_eq!(old.texts(0), ["{0}: 1 To 2"]);
         let corner = || polyline(&[[0.0; 3], [4.0, 0.0, 0.0], [4.0, 3.0, 0.0]]);

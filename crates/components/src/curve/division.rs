@@ -287,7 +287,10 @@ mod tests {
 
     #[test]
     fn steps() {
-        assert_eq!(Trial::of("Divide Length").item(LINE).item(40.0).texts(2), ["{0;0}: 0, 40, 80"]);
+        assert_eq!(
+            Trial::of("Divide Length").item(LINE).item(40.0).texts(2),
+            ["{0;0}: 0, 0.416667, 0.833333"]
+        );
         assert!(!Trial::of("Divide Length").item(LINE).item(0.0).message().is_empty());
         let straight = Trial::of("Divide Distance").item(corner()).item(32f64.sqrt()).texts(0);
         assert_eq!(straight[0].matches("{4, 4, 0}").count(), 1);
@@ -295,7 +298,7 @@ mod tests {
 
     #[test]
     fn pieces() {
-        let pieces = Trial::of("Shatter").item(LINE).list([40.0, 500.0, 10.0, 40.0]).run();
+        let pieces = Trial::of("Shatter").item(Curve::from(LINE)).list([40.0, 500.0, 10.0, 40.0]).run();
         assert_eq!(pieces.outputs[0].item_count(), 3);
         let dashes = Trial::of("Dash Pattern").item(LINE).list([30.0, 10.0]).run();
         assert_eq!(dashes.outputs[0].item_count(), 3);

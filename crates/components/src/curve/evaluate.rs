@@ -406,7 +406,7 @@ mod tests {
         assert_eq!(metres(2.0).texts(2), ["{0}: 0.5"]);
         assert_eq!(metres(9.0).texts(0), ["{0}: null"]);
         let near = Trial::of("Curve Closest Point").item(Point3::new(1.0, 2.0, 0.0)).item(LINE).run();
-        assert_eq!(texts(&near.outputs[1]), ["{0}: 1"]);
+        assert_eq!(texts(&near.outputs[1]), ["{0}: 0.25"]);
         assert_eq!(Trial::of("End Points").item(corner()).texts(1), ["{0}: {4, 4, 0}"]);
         assert_eq!(Trial::of("Curve Middle").item(corner()).texts(0), ["{0}: {4, 0, 0}"]);
     }
@@ -428,10 +428,10 @@ mod tests {
     #[test]
     fn derivatives_and_lengths() {
         let both = Trial::of("Derivatives").item(LINE).item(1.0).outputs(3).run();
-        assert_eq!(texts(&both.outputs[1]), ["{0}: {1, 0, 0}"]);
+        assert_eq!(texts(&both.outputs[1]), ["{0}: {4, 0, 0}"]);
         assert_eq!(texts(&both.outputs[2]), ["{0}: {0, 0, 0}"]);
         let list = Trial::of_guid("c2e16ca3-9508-4fa4-aeb3-0b1f0ebb72e3").item(LINE).item(1.0).item(2);
-        assert_eq!(list.texts(1), ["{0;0}: {1, 0, 0}, {0, 0, 0}"]);
+        assert_eq!(list.texts(1), ["{0;0}: {4, 0, 0}, {0, 0, 0}"]);
         let part = Trial::of("Length Domain").item(corner()).item(Interval::new(0.5, 9.0));
         assert_eq!(part.texts(0), ["{0}: 6"]);
         assert_eq!(Trial::of("Length Parameter").item(corner()).item(0.5).texts(1), ["{0}: 6"]);

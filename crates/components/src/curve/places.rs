@@ -377,7 +377,7 @@ mod tests {
             cut().item(1.0).texts(0),
             ["{0;0;0}: {1, 0, 0}", "{0;0;1}: {2, 0, 0}", "{0;0;2}: {3, 0, 0}"]
         );
-        assert_eq!(cut().item(2.0).texts(1), ["{0;0;0}: 1.5"]);
+        assert_eq!(cut().item(2.0).texts(1), ["{0;0;0}: 0.6"]);
         assert!(cut().item(0.0).message().contains("greater than 0"));
         assert!(cut().item(1e-300).message().contains("too many"));
         let plane = Plane::from_normal(O, Vector3::X).unwrap();

@@ -476,7 +476,7 @@ mod tests {
         let span = span.item(Point3::new(3.0, 0.0, 0.0)).item(Vector3::X * 3.0);
         assert_eq!(span.texts(1), ["{0}: 3"]);
         let line = Line::new(Point3::ORIGIN, Point3::new(8.0, 0.0, 0.0));
-        let part = curve(Trial::of("Sub Curve").item(line).item(Interval::new(2.0, 5.0)));
+        let part = curve(Trial::of("Sub Curve").item(line).item(Interval::new(0.25, 0.625)));
         assert_eq!(part.length(), 3.0);
     }
 

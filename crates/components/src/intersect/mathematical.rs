@@ -323,7 +323,7 @@ mod tests {
         let short = Trial::of("Curve | Line").item(circle).item(line(p(0.0, 3.0, 0.0), p(9.0, 3.0, 0.0)));
         assert_eq!(short.texts(0), ["{0;0}: {4, 3, 0}, {-4, 3, 0}"]);
         let along = Trial::of("Curve | Line").item(line(p(0.0, 0.0, 0.0), p(4.0, 0.0, 0.0)));
-        assert_eq!(along.item(line(p(1.0, 0.0, 0.0), p(9.0, 0.0, 0.0))).texts(1), ["{0;0}: 0, 4"]);
+        assert_eq!(along.item(line(p(1.0, 0.0, 0.0), p(9.0, 0.0, 0.0))).texts(1), ["{0;0}: 0, 1"]);
 
         let upright = Plane { origin: p(3.0, 0.0, 0.0), ..Plane::YZ };
         let cut = || Trial::of("Curve | Plane").item(circle).item(upright);

@@ -141,7 +141,7 @@ mod tests {
         let (a, b) = (Line::new(p(0.0, 0.0), p(4.0, 0.0)), Line::new(p(1.0, -1.0), p(1.0, 3.0)));
         let cross = || Trial::of("Curve | Curve").item(a).item(b);
         let all: Vec<String> = (0..3).map(|k| cross().texts(k).join("")).collect();
-        assert_eq!(all, ["{0;0}: {1, 0, 0}", "{0;0}: 1", "{0;0}: 1"]);
+        assert_eq!(all, ["{0;0}: {1, 0, 0}", "{0;0}: 0.25", "{0;0}: 0.25"]);
         let shared = Trial::of("Curve | Curve").item(a).item(Line::new(p(9.0, 0.0), p(3.0, 0.0)));
         assert_eq!(shared.texts(0), ["{0;0}: {3, 0, 0}, {4, 0, 0}"]);
         let above = Line::new(Point3::new(1.0, -1.0, 1.0), Point3::new(1.0, 1.0, 1.0));

@@ -42,7 +42,7 @@ pub(super) const WAYS: &[Way] = &[
     way(
         Kind::Curve,
         &[Kind::Line, Kind::Circle, Kind::Arc, Kind::Rectangle],
-        "the same shape, as a curve",
+        "the same shape, as a curve; that of a line runs from 0 to 1",
         Shown,
         |v, _| curve(v).map(Value::from),
     ),

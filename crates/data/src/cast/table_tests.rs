@@ -146,7 +146,7 @@ fn cells() -> Vec<(Value, Kind, &'static str)> {
         (Value::Number(2.5), K::Domain, "0 To 2.5"),
         (t("2 to 5"), K::Domain, "2 To 5"),
         (straight(), K::Domain, "0 To 5"),
-        (line(), K::Domain, "0 To 5"),
+        (line(), K::Domain, "0 To 1"),
         (circle(), K::Domain, "0 To 6.283185"),
         (Value::from(arc()), K::Domain, "0 To 3.141593"),
         (Value::from(rectangle()), K::Domain, "0 To 4"),

@@ -177,7 +177,7 @@ fn surfaces_and_what_becomes_one() {
         assert_eq!(to(surface.clone(), kind), Some(surface.clone()), "{kind}");
     }
     let line = Line { from: Point3::ORIGIN, to: Point3::new(0.0, 3.0, 4.0) };
-    assert_eq!(to(line.into(), Kind::Domain), Some(Interval::new(0.0, 5.0).into()));
+    assert_eq!(to(line.into(), Kind::Domain), Some(Interval::UNIT.into()));
     let domains = Domain2 { u: flat.domain(Direction::U), v: flat.domain(Direction::V) };
     assert_eq!(to(surface.clone(), Kind::Domain2), Some(domains.into()));
     assert_eq!(to(surface.clone(), Kind::Plane), Some(Plane::XY.into()));

@@ -12,6 +12,8 @@ pub(super) const PLACES: u32 = 1 << 10;
 const MOST: usize = 8_000_000;
 /// A quarter of a turn, as bounds tell it of the quarters of a tube.
 const QUARTER: f64 = 1.1 * std::f64::consts::FRAC_PI_2;
+/// So few parts are asked for by bounds that are wide, where one is enough.
+const UNDIVIDED: f64 = 1.5;
 /// Most rectangles over which bounds are computed.
 const PROBES: f64 = 60_000.0;
 
@@ -208,8 +210,11 @@ fn probes(bender: &Bender<'_>, breaks: &[Vec<f64>; 2], limits: &Limits) -> Probe
         for (j, v) in breaks[1].windows(2).enumerate() {
             let Some(bend) = coarse.bends().get(i * columns + j) else { continue };
             let n = need::parts(bend, [u[1] - u[0], v[1] - v[0]], limits);
-            // Normals should not turn by more than a quarter inside one either: bounds say little there.
-            let turned = |d: usize, wide: f64| (bend.turn[d] * wide / QUARTER).min(16.0) * 3.0;
+            // Normals should not turn far inside one either, where the limits ask for parts: else by a quarter.
+            let turned = |d: usize, wide: f64| {
+                let most = if n[d] > UNDIVIDED { 0.6 } else { QUARTER };
+                (bend.turn[d] * wide / most).min(16.0) * 3.0
+            };
             finest[0][i] = finest[0][i].max(n[0]).max(turned(0, u[1] - u[0]));
             finest[1][j] = finest[1][j].max(n[1]).max(turned(1, v[1] - v[0]));
         }
