@@ -88,7 +88,7 @@ fn summarise(session: &Session, args: &RunArgs) {
         times.push((report.time, object));
     }
     let total: usize = counts.iter().sum();
-    let milliseconds = session.report().milliseconds;
+    let milliseconds = 1e3 * session.summary().time.as_secs_f64();
     let mut line = format!("{GREEN}{}{GREEN:#} of {total} objects ran", counts[0] + counts[1]);
     let words = ["", " with warnings", " with errors", " disabled", " not supported", " without data"];
     for (count, word) in counts.iter().zip(words).skip(1).filter(|(count, _)| **count > 0) {

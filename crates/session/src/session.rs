@@ -99,6 +99,11 @@ impl Session {
         true
     }
 
+    /// What the last solve did, or all the ticks of a run in time.
+    pub fn summary(&self) -> Summary {
+        self.last
+    }
+
     /// The results with items as a panel shows them.
     pub fn report(&self) -> Report {
         self.report_with(Items::Texts)
