@@ -80,6 +80,14 @@ pub(super) fn rounded(points: &[Point3], cut: Cut, only: Option<usize>) -> Resul
     Ok(PolyCurve::new(segments).map_err(warning)?.into())
 }
 
+/// Whether a radius or distance of 0 leaves the curve as it is; it says so.
+fn nothing(context: &Context<'_>, x: f64, what: &str) -> bool {
+    if x == 0.0 {
+        context.tell(Message::remark(format!("A {what} of 0 rounds nothing")));
+    }
+    x == 0.0
+}
+
 fn positive(x: f64, what: &str) -> Result<f64, Message> {
     if x > 0.0 { Ok(x) } else { Err(Message::error(format!("The {what} must be greater than 0"))) }
 }
@@ -92,10 +100,13 @@ fn fillet(
     /// The curve. Its corners are between lines, arcs or any curves that lie in one plane there.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// The radius of the arcs; greater than 0.
+    /// The radius of the arcs; 0 leaves the curve as it is.
     #[port("Radius", "R")]
     radius: f64,
 ) -> Result<Shared<Curve>, Message> {
+    if nothing(context, radius, "radius") {
+        return Ok(shared(curve.clone()));
+    }
     let radius = positive(radius, "radius")?;
     match curve.as_polyline() {
         Some(points) => Ok(shared(rounded(&points, Cut::Radius(radius), None)?)),
@@ -117,10 +128,13 @@ fn fillet_distance(
     /// The curve.
     #[port("Curve", "C")]
     curve: &Curve,
-    /// From the corner to the ends of the arc; greater than 0.
+    /// From the corner to the ends of the arc; 0 leaves the curve as it is.
     #[port("Distance", "D")]
     distance: f64,
 ) -> Result<Shared<Curve>, Message> {
+    if nothing(context, distance, "distance") {
+        return Ok(shared(curve.clone()));
+    }
     let distance = positive(distance, "distance")?;
     match curve.as_polyline() {
         Some(points) => Ok(shared(rounded(&points, Cut::Distance(distance), None)?)),
@@ -140,10 +154,13 @@ fn fillet_at_parameter(
     /// The parameter to look from.
     #[port("Parameter", "t", default = 0.293)]
     t: f64,
-    /// The radius of the arc; greater than 0.
+    /// The radius of the arc; 0 leaves the curve as it is.
     #[port("Radius", "R")]
     radius: f64,
 ) -> Result<(Shared<Curve>, f64), Message> {
+    if nothing(context, radius, "radius") {
+        return Ok((shared(curve.clone()), t));
+    }
     let radius = positive(radius, "radius")?;
     let Some(points) = curve.as_polyline() else {
         let (made, kink) = curve.fillet_corner(t, radius, &context.tolerance()).map_err(warning)?;
@@ -194,7 +211,8 @@ mod tests {
         );
         // Too large for the sides: the corner stays.
         assert_eq!(length(Trial::of_guid(fillet).item(corner()).item(5.0)), "{0}: 8");
-        assert!(Trial::of_guid(fillet).item(corner()).item(0.0).message().contains("greater than 0"));
+        assert!(Trial::of_guid(fillet).item(corner()).item(-1.0).message().contains("greater than 0"));
+        assert_eq!(length(Trial::of_guid(fillet).item(corner()).item(0.0)), "{0}: 8");
         let by_distance = Trial::of("Fillet Distance").item(corner()).item(2.0);
         assert_eq!(length(by_distance), format!("{{0}}: {:.6}", 4.0 + PI));
         let square = || polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]]);

@@ -71,11 +71,12 @@ fn of_volume(context: &Context<'_>, geometry: &Value) -> Result<MassProperties, 
         }
         Value::Kept(_) | Value::Brep(_) | Value::Surface(_) | Value::Box(_) => {
             let brep = solid(geometry)?;
-            if !brep.is_solid() {
-                let what = if brep.faces().len() == 1 { "An open surface" } else { "An open Brep" };
-                return Err(Message::warning(format!("{what} has no volume")));
+            if brep.is_solid() {
+                return measured(context, brep.volume_properties(FRACTION, || context.check().is_ok()));
             }
-            measured(context, brep.volume_properties(FRACTION, || context.check().is_ok()))
+            let what = if brep.faces().len() == 1 { "An open surface" } else { "An open Brep" };
+            context.warn(format!("{what} has no volume: that between it and the centre of its box is given"));
+            measured(context, brep.open_volume_properties(FRACTION, || context.check().is_ok()))
         }
         other => Err(Message::warning(format!("A {} has no volume", other.kind()))),
     }
@@ -139,7 +140,8 @@ fn brep_area(
 
 /// The volume inside a closed Brep, a closed mesh, a closed SubD or a box.
 ///
-/// The volume of an open mesh means nothing: a warning. An open Brep has none.
+/// What is open has no volume. Its faces and the centre of the box around it enclose one, which is given with a warning;
+/// a flat shape gives a null.
 #[component(
     "224f7648-5956-4b26-80d9-8d771f3dfd5d",
     name = "Volume",
@@ -410,7 +412,14 @@ mod tests {
         assert_eq!(volume(block().into()).texts(1), ["{0}: {1, 1, 1}"]);
         assert_eq!(volume(can().into()).texts(0), ["{0}: 6.283185"]);
         let tube: Surface = Cylinder::new(Plane::XY, 1.0, Interval::UNIT).unwrap().into();
-        assert!(volume(tube.into()).message().contains("open surface"));
+        // A cone of height r over each strip of the wall: a third of r times its area.
+        let open = || volume(tube.clone().into());
+        assert!(open().message().contains("open surface"));
+        assert_eq!(open().texts(0), ["{0}: 2.094395"]);
+        assert!(open().texts(1)[0].ends_with("0.5}"));
+        let flat: Surface =
+            katydid_geometry::PlaneSurface::new(Plane::XY, Interval::UNIT, Interval::UNIT).unwrap().into();
+        assert_eq!(volume(flat.into()).texts(0), ["{0}: null"]);
         assert!(volume(circle.into()).message().contains("no volume"));
     }
 

@@ -97,6 +97,22 @@ impl Brep {
         self.measured(Measure::Volume, fraction, &go_on)
     }
 
+    /// The volume between the faces of an open brep and the centre of the box around them, its centroid and moments:
+    /// what Rhino gives where no shell is closed. It means little, since it depends on that point. Of a solid it is the
+    /// volume. See [`Brep::area_properties`] for `fraction` and `go_on`.
+    ///
+    /// # Errors
+    /// The faces enclose no volume with the point, as those of a plane do not; or as for the area.
+    pub fn open_volume_properties(&self, fraction: f64, go_on: impl Fn() -> bool) -> Result<MassProperties> {
+        let found = self.measured(Measure::Volume, fraction, &go_on)?;
+        let size = self.frame()?.size;
+        // Rounding leaves of a flat shell a volume of that order.
+        if !(found.amount > 1e-9 * size.powi(3)) {
+            return Err(Error::degenerate("brep", "it is flat, and has no volume"));
+        }
+        Ok(found)
+    }
+
     /// The area of one face within its trims; see [`Brep::area_properties`].
     ///
     /// # Errors

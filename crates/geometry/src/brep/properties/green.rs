@@ -1,7 +1,7 @@
 //! Integrals over faces as integrals along their trims.
 
 use super::bound::{Bound, Nearness, bound};
-use super::rule::{Work, integral};
+use super::rule::{Work, integral, polynomial};
 use super::strip::Strip;
 use super::{Frame, Measure, inner_direction};
 use crate::brep::{Brep, LoopKind};
@@ -135,7 +135,10 @@ impl<'a> Sheet<'a> {
         }
         let inner_tolerance = 0.1 * tolerance / (most - least);
         let mut stops = Vec::with_capacity(self.breaks.len() + 2);
-        integral(&path.stops, tolerance, &mut |t| {
+        // On a plane what is integrated is cubic in the parameters, and quartic along a straight trim afterwards.
+        let flat = self.surface.is_affine();
+        let straight = flat && matches!(path.curve, Curve::Line(_));
+        let mut at = |t: f64| {
             work.check()?;
             let [place, slope] = path.curve.jet_at::<2>(t, false);
             let (to, across, slope) = match self.inner {
@@ -145,16 +148,25 @@ impl<'a> Sheet<'a> {
             if slope == 0.0 || to == self.floor {
                 return Ok([0.0; 10]);
             }
-            self.stops_to(to, &mut stops);
-            let (value, _) = integral(&stops, inner_tolerance, &mut |s| {
+            let mut density = |s: f64| {
                 work.take(1)?;
                 Ok(match self.inner {
                     Direction::U => self.density(measure, s, across),
                     Direction::V => self.density(measure, across, s),
                 })
-            })?;
+            };
+            let value = if flat {
+                polynomial([self.floor, to], &mut density)?
+            } else {
+                self.stops_to(to, &mut stops);
+                integral(&stops, inner_tolerance, &mut density)?.0
+            };
             Ok(value.map(|v| sign * slope * v))
-        })
+        };
+        if straight {
+            return Ok((polynomial([domain.start, domain.end], &mut at)?, 0.0));
+        }
+        integral(&path.stops, tolerance, &mut at)
     }
 
     /// From the floor to a parameter, by the knots between.
