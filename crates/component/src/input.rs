@@ -4,6 +4,13 @@ use std::ops::Range;
 use katydid_data::{Column, Item, Tree, Value};
 use smallvec::SmallVec;
 
+/// Tells the lists of a call apart; see [`List::key`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ListKey {
+    column: usize,
+    range: Range<usize>,
+}
+
 /// One branch of a port with list access.
 #[derive(Debug, Clone)]
 pub struct List<'a, T: Item> {
@@ -56,6 +63,11 @@ impl<'a, T: Item> List<'a, T> {
             .null_mask()
             .is_none_or(|n| n.get(self.range.clone()).is_some_and(|n| !n.contains(&true)));
         if no_nulls { U::slice(self.column)?.get(self.range.clone()) } else { None }
+    }
+
+    /// Which list it is: the same for every iteration of a call that is given the same branch, and for no other.
+    pub fn key(&self) -> ListKey {
+        ListKey { column: std::ptr::from_ref(self.column).addr(), range: self.range.clone() }
     }
 
     /// All items with their gaps.

@@ -48,7 +48,7 @@ pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};
 pub use context::Context;
 pub use files::Files;
-pub use input::{List, ManyItems, ManyLists, ManyTrees};
+pub use input::{List, ListKey, ManyItems, ManyLists, ManyTrees};
 pub use katydid_component_macros::component;
 pub use katydid_memory::Account;
 pub use matching::Matching;

@@ -3,12 +3,13 @@
 //! A component with `columns = function` in its attribute is asked this way first. The function gives `None` where
 //! the data is not as plain as it needs, and the ordinary loop runs; the results are the same either way.
 
+use std::ops::Range;
+
 use katydid_data::{Item, Tree};
 
 use crate::{Call, Outcome};
 
 /// A piece that is worth a thread.
-#[cfg(feature = "parallel")]
 const PIECE: usize = 16 * 1024;
 
 /// Every item of input 0 through `f`, as output 0 at the same paths; empty trees on the other outputs. `None` when
@@ -49,6 +50,66 @@ fn collect<A: Item, B: Item>(items: &[A], f: impl Fn(&A) -> Option<B> + Sync) ->
 #[cfg(not(feature = "parallel"))]
 fn collect<A: Item, B: Item>(items: &[A], f: impl Fn(&A) -> Option<B> + Sync) -> Option<Vec<B>> {
     items.iter().map(f).collect()
+}
+
+/// Numbers of all inputs through `f`, as output 0: it takes a slice of each input and a count, and gives so many results;
+/// a slice has as many numbers, or the one that serves for all. Inputs have the same branches, or a single item. `None`
+/// when the data is not that plain, `f` gives `None` for a piece, or the budget does not allow it.
+pub fn numbers(call: &Call<'_>, f: impl Fn(&[&[f64]], usize) -> Option<Vec<f64>> + Sync) -> Option<Outcome> {
+    if call.settings.i32("PrincipalIndex").is_some()
+        || call.inputs.iter().any(|tree| tree.column().has_nulls())
+    {
+        return None;
+    }
+    let lead = call.inputs.iter().max_by_key(|tree| (tree.item_count(), tree.branch_count()))?;
+    let n = lead.item_count();
+    let columns =
+        call.inputs.iter().map(|tree| f64::slice(tree.column())).collect::<Option<Vec<&[f64]>>>()?;
+    let same = |tree: &Tree| {
+        tree.paths() == lead.paths() && (0..tree.branch_count()).all(|b| tree.range(b) == lead.range(b))
+    };
+    // A single item does not give the paths: there are fewer branches of it, or its path is as long at most.
+    let serves = |tree: &Tree| {
+        let path = |tree: &Tree| tree.paths().first().cloned();
+        let (own, leading) = (path(tree), path(lead));
+        tree.item_count() == 1
+            && tree.branch_count() == 1
+            && (lead.branch_count() > 1 || own == leading || own.map(|p| p.len()) < leading.map(|p| p.len()))
+    };
+    if !call.inputs.iter().all(|tree| same(tree) || serves(tree)) {
+        return None;
+    }
+    // The loop that runs instead says why.
+    call.budget.check().ok()?;
+    call.budget.items(n).ok()?;
+    let results = pieces(n, |range, results| {
+        let slices: Option<Vec<&[f64]>> = columns.iter().map(|column| part(column, n, &range)).collect();
+        let found = f(&slices?, results.len()).filter(|found| found.len() == results.len())?;
+        results.copy_from_slice(&found);
+        Some(())
+    })?;
+    let mut outputs = vec![Tree::empty(); call.output_count];
+    *outputs.first_mut()? = lead.with_column(f64::column(results, None));
+    Some(Outcome { outputs, messages: Vec::new() })
+}
+
+/// The numbers of a column that belong to a range of the results; all of one that serves for all.
+fn part<'a>(column: &'a [f64], n: usize, range: &Range<usize>) -> Option<&'a [f64]> {
+    if column.len() == n { column.get(range.clone()) } else { Some(column) }
+}
+
+/// Fills `n` numbers piece by piece; `None` when a piece gives `None`.
+fn pieces(n: usize, fill: impl Fn(Range<usize>, &mut [f64]) -> Option<()> + Sync) -> Option<Vec<f64>> {
+    let mut results = vec![0.0; n];
+    let fill = |(k, piece): (usize, &mut [f64])| fill(k * PIECE..k * PIECE + piece.len(), piece);
+    #[cfg(feature = "parallel")]
+    if n >= 2 * PIECE && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let filled = results.par_chunks_mut(PIECE).enumerate().map(fill);
+        return filled.all(|piece| piece.is_some()).then_some(results);
+    }
+    results.chunks_mut(PIECE).enumerate().try_for_each(fill)?;
+    Some(results)
 }
 
 /// The one item of input `k`, when it has just one and input 0 gives the paths.

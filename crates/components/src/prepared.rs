@@ -4,9 +4,11 @@ use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc as Shared;
 
-use katydid_component::{Context, Message};
+use katydid_component::{Context, List, ListKey, Message};
+use katydid_data::Item;
 use katydid_geometry::brep::ClosestOnBrep;
-use katydid_geometry::{Brep, ClosestOnSurface, Mesh, MeshTree, Surface};
+use katydid_geometry::cloud::PointTree;
+use katydid_geometry::{Brep, ClosestOnSurface, Mesh, MeshTree, Point3, Surface};
 
 /// Of each kind those asked for last.
 const KEPT: usize = 32;
@@ -50,6 +52,14 @@ struct Shelves {
     meshes: Shelf<Mesh, PreparedMesh>,
     surfaces: Shelf<Surface, ClosestOnSurface>,
     breps: Shelf<Brep, ClosestOnBrep>,
+    cloud: RefCell<Option<AskedCloud>>,
+}
+
+/// The list of points that was asked last, how often, and its tree once that is worth while.
+struct AskedCloud {
+    key: ListKey,
+    times: usize,
+    tree: Option<Rc<Cloud>>,
 }
 
 fn shelves<'a>(context: &'a Context<'_>) -> Result<&'a Shelves, Message> {
@@ -90,4 +100,49 @@ pub(crate) fn surface(
 pub(crate) fn brep(context: &Context<'_>, brep: &Shared<Brep>) -> Result<Rc<ClosestOnBrep>, Message> {
     let make = || Ok(ClosestOnBrep::new(brep.clone())?);
     shelves(context)?.breps.of(context, brep, |kept| *kept == **brep, make)
+}
+
+/// The points of a list in a tree.
+pub(crate) struct Cloud {
+    tree: PointTree,
+    /// The place in the list of each point of the tree.
+    places: Vec<usize>,
+}
+
+impl Cloud {
+    /// The places of the points nearest to a point, at most `count`, the nearest first, of equally near ones the first.
+    pub(crate) fn nearest(&self, point: Point3, count: usize) -> Vec<usize> {
+        let found = self.tree.nearest(point, count, [0.0, f64::INFINITY], None);
+        found.into_iter().filter_map(|i| self.places.get(i).copied()).collect()
+    }
+}
+
+/// So many questions are answered by looking at every point.
+const FEW: usize = 8;
+
+/// A list of points as a tree, once it was asked a few times; `None` before, and where a point is not finite.
+///
+/// # Errors
+/// The solve was stopped.
+pub(crate) fn cloud<T: Item>(
+    context: &Context<'_>,
+    list: &List<'_, T>,
+    point: impl Fn(T) -> Option<Point3>,
+) -> Result<Option<Rc<Cloud>>, Message> {
+    let mut asked = shelves(context)?.cloud.borrow_mut();
+    let key = list.key();
+    match asked.as_mut().filter(|last| last.key == key) {
+        None => *asked = Some(AskedCloud { key, times: 1, tree: None }),
+        Some(last) => {
+            last.times += 1;
+            if last.times == FEW {
+                context.check()?;
+                let points = list.iter().enumerate().filter_map(|(i, item)| Some((i, point(item?)?)));
+                let (places, points): (Vec<usize>, Vec<Point3>) = points.unzip();
+                last.tree = PointTree::new(&points).ok().map(|tree| Rc::new(Cloud { tree, places }));
+            }
+            return Ok(last.tree.clone());
+        }
+    }
+    Ok(None)
 }

@@ -47,10 +47,11 @@ impl Tree {
         }
         let shortest = self.paths.iter().map(Path::len).min().unwrap_or(0);
         let same_length = self.paths.iter().all(|p| p.len() == first.len());
-        let shared = |k: usize| self.paths.iter().all(|p| p.elements().get(k) == first.elements().get(k));
+        let is_shared = |k: usize| self.paths.iter().all(|p| p.elements().get(k) == first.elements().get(k));
+        let shared: Vec<bool> = (0..shortest).map(is_shared).collect();
         // Elements at equal places can be told apart from the front only, unless all paths have one length.
-        let lead = (0..shortest).take_while(|&k| shared(k)).count();
-        let drop = |k: usize| if front || !same_length { k < lead } else { shared(k) };
+        let lead = shared.iter().take_while(|shared| **shared).count();
+        let drop = |k: usize| if front || !same_length { k < lead } else { shared.get(k) == Some(&true) };
         let paths = self
             .paths
             .iter()

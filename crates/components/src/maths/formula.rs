@@ -33,6 +33,13 @@ impl Formula {
         }
     }
 
+    /// So many values for columns of numbers, one column for each variable; a column that is shorter repeats its last
+    /// number. They are those of [`Formula::evaluate`] to the last bit; `None` where the formula is not about numbers
+    /// alone, or a value has no result.
+    pub(crate) fn of_numbers(&self, columns: &[&[f64]], count: usize) -> Option<Vec<f64>> {
+        self.program.evaluate_numbers(columns, count)?.ok()
+    }
+
     /// The text it was read from.
     pub(crate) fn text(&self) -> &str {
         &self.text

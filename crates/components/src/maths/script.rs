@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use katydid_component::{Context, ManyItems, Message, component};
+use katydid_component::{Call, Context, ManyItems, Message, Outcome, component, whole};
 use katydid_data::{Value, formula as values};
 use katydid_expression::Variant;
 
@@ -27,7 +27,8 @@ fn variable(name: &str, value: Option<Value>) -> Result<Variant, Message> {
     name = "Expression",
     nick = "Expression",
     at = "Maths/Script",
-    also("ef4ead41-6762-4adf-8a20-12b973bdf008")
+    also("ef4ead41-6762-4adf-8a20-12b973bdf008"),
+    columns = expression_of_numbers
 )]
 #[output("Result", "R", "The value of the formula.")]
 fn expression(
@@ -46,6 +47,14 @@ fn expression(
     let variables = variables.into_iter().enumerate();
     let variables: Result<Vec<Variant>, Message> = variables.map(|(k, v)| variable(name(k), v)).collect();
     formula.evaluate(&variables?)
+}
+
+/// A formula about numbers over whole columns of them.
+fn expression_of_numbers(call: &Call<'_>) -> Option<Outcome> {
+    let text = call.settings.str("Expression")?;
+    let names: Vec<&str> = call.input_names.iter().map(String::as_str).collect();
+    let formula = Formula::new(text, &names).ok()?;
+    whole::numbers(call, |columns, count| formula.of_numbers(columns, count))
 }
 
 /// The last formula read, so that a formula that comes over a wire is read once and not for each item.

@@ -168,14 +168,15 @@ fn face_circles(
     "Its place on the mesh, as Mesh Eval takes it: the face and the weights of its corners."
 )]
 fn mesh_closest_point(
+    context: &Context<'_>,
     /// The point to start from.
     #[port("Point", "P")]
     point: Point3,
     /// The mesh.
     #[port("Mesh", "M")]
-    mesh: &Mesh,
+    mesh: Shared<Mesh>,
 ) -> Result<(Point3, i32, Shared<str>), Message> {
-    let near = mesh.closest_point(point)?;
+    let near = prepared::mesh(context, &mesh)?.tree.closest(point)?;
     let [a, b, c, d] = near.weights;
     Ok((near.point, integer(near.face), format!("{}[{a};{b};{c};{d}]", near.face).into()))
 }

@@ -1,11 +1,12 @@
 //! Vector / Point: points among points and other geometry.
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::{Geometry, Path, Tree, TreeBuilder};
+use katydid_data::{Geometry, Path, Tree, TreeBuilder, Value};
 use katydid_geometry::{Curve, Point3, Vector3};
 
 use super::hit;
 use super::near::ByX;
+use crate::prepared;
 
 /// Where a tree output of this iteration begins: the branch's path and the number of the iteration.
 fn place(context: &Context<'_>) -> Path {
@@ -25,6 +26,7 @@ fn index(i: usize) -> i32 {
 #[output("CP Index", "i", "Its place in the cloud.")]
 #[output("Distance", "D", "The distance to it.")]
 fn closest_point(
+    context: &Context<'_>,
     /// The point to start from.
     #[port("Point", "P")]
     point: Point3,
@@ -32,6 +34,11 @@ fn closest_point(
     #[port("Cloud", "C")]
     cloud: List<Point3>,
 ) -> Result<(Point3, i32, f64), Message> {
+    if let Some(tree) = prepared::cloud(context, &cloud, Some)?.filter(|_| point.is_finite()) {
+        let found = tree.nearest(point, 1).first().and_then(|&i| Some((i, cloud.get(i)?)));
+        let (i, q) = found.ok_or_else(|| Message::error("The cloud has no points"))?;
+        return Ok((q, index(i), q.distance_to(point)));
+    }
     let squared = |q: Point3| (q - point).length_squared();
     let mut best: Option<(usize, Point3, f64)> = None;
     for (i, q) in cloud.iter().enumerate() {
@@ -44,6 +51,9 @@ fn closest_point(
     let (i, q, _) = best.ok_or_else(|| Message::error("The cloud has no points"))?;
     Ok((q, index(i), q.distance_to(point)))
 }
+
+/// A search for more nearest points than this sorts them all.
+const MOST_NEAREST: usize = 64;
 
 /// The points of a cloud nearest to a point, the nearest first.
 ///
@@ -70,6 +80,16 @@ fn closest_points(
     count: i32,
 ) -> Result<(Vec<Point3>, Vec<i32>, Vec<f64>), Message> {
     let count = usize::try_from(count).map_err(|_| Message::error("The count must not be negative"))?;
+    let tree = if count <= MOST_NEAREST { prepared::cloud(context, &cloud, Some)? } else { None };
+    if let Some(tree) = tree.filter(|_| point.is_finite()) {
+        let found = tree.nearest(point, count).into_iter();
+        let found: Vec<(usize, Point3)> = found.filter_map(|i| Some((i, cloud.get(i)?))).collect();
+        return Ok((
+            found.iter().map(|f| f.1).collect(),
+            found.iter().map(|f| index(f.0)).collect(),
+            found.iter().map(|f| f.1.distance_to(point)).collect(),
+        ));
+    }
     let mut all: Vec<(f64, usize, Point3)> =
         cloud.iter().enumerate().filter_map(|(i, q)| q.map(|q| (q.distance_to(point), i, q))).collect();
     context.check()?;
@@ -109,6 +129,16 @@ fn nearest(
     point: Point3,
     geometry: &List<'_, Geometry>,
 ) -> Result<(Option<Point3>, Option<f64>), Message> {
+    if let Some(points) = geometry.slice_of::<Point3>().filter(|_| point.is_finite()) {
+        let of = |piece: Geometry| match piece.0 {
+            Value::Point(p) => Some(p),
+            _ => None,
+        };
+        if let Some(tree) = prepared::cloud(context, geometry, of)? {
+            let found = tree.nearest(point, 1).first().and_then(|&i| points.get(i).copied());
+            return Ok((found, found.map(|q| q.distance_to(point))));
+        }
+    }
     let mut best: Option<(f64, Point3)> = None;
     for piece in geometry.present() {
         if let Some(q) = hit::closest(context, &piece.0, point)? {

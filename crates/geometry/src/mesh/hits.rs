@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::MeshTree;
-use super::closest::closest_on_triangle;
+use super::closest::{MeshPoint, closest_on_triangle};
 use crate::{Error, Point3, Result, Vector3};
 
 /// Where a line passes through a mesh.
@@ -87,21 +87,36 @@ impl MeshTree {
     /// # Errors
     /// `q` is not finite, or the mesh has no faces.
     pub fn nearest(&self, q: Point3) -> Result<Point3> {
+        Ok(self.closest(q)?.point)
+    }
+
+    /// The point of the mesh nearest to `q` with its face, as [`Mesh::closest_point`] gives it; of equally near ones that
+    /// on the first face.
+    ///
+    /// # Errors
+    /// `q` is not finite, or the mesh has no faces.
+    pub fn closest(&self, q: Point3) -> Result<MeshPoint> {
         if !q.is_finite() {
-            return Err(Error::NotFinite("point"));
+            return Err(Error::NotFinite("point to project on the mesh"));
         }
-        let mut best: Option<(f64, Point3)> = None;
+        let mut best: Option<(f64, usize, Point3, [f64; 3])> = None;
+        // The next larger number, so that triangles as near as the best one are looked at too.
         self.tree.visit_near(&q.into(), f64::INFINITY, |i| {
             if let Some(&triangle) = self.triangles.get(i) {
-                let (p, _) = closest_on_triangle(triangle, q);
+                let (p, weights) = closest_on_triangle(triangle, q);
                 let squared = (p - q).length_squared();
-                if best.is_none_or(|(b, _)| squared < b) {
-                    best = Some((squared, p));
+                if best.is_none_or(|(b, first, ..)| squared < b || (squared == b && i < first)) {
+                    best = Some((squared, i, p, weights));
                 }
             }
-            best.map_or(f64::INFINITY, |(b, _)| b)
+            best.map_or(f64::INFINITY, |(b, ..)| b.next_up())
         });
-        best.map(|(_, p)| p).ok_or(Error::degenerate("mesh", "it has no faces"))
+        let (_, i, point, [a, b, c]) = best.ok_or(Error::degenerate("mesh", "it has no faces"))?;
+        let face = self.faces.get(i).copied().unwrap_or(0);
+        // The second triangle of a quad has its corners 0, 2 and 3.
+        let second = i > 0 && self.faces.get(i - 1) == Some(&face);
+        let weights = if second { [a, 0.0, b, c] } else { [a, b, c, 0.0] };
+        Ok(MeshPoint { face: face as usize, weights, point, distance: point.distance_to(q) })
     }
 
     /// Visits the triangles that may meet a strip without end: from `start` for `reach` along `x`, and across `normal` no

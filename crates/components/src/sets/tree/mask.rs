@@ -101,6 +101,24 @@ impl Mask {
         self.items.is_some()
     }
 
+    /// The path of a mask that only one path fits.
+    pub(super) fn only_path(&self) -> Option<Vec<i32>> {
+        let only = |element: &Element| match element {
+            Element::One(Rule(any)) => match any.as_slice() {
+                [all] => match all.as_slice() {
+                    [Term::In(Set::List(integers, None))] => match integers.as_slice() {
+                        [one] => i32::try_from(*one).ok(),
+                        _ => None,
+                    },
+                    _ => None,
+                },
+                _ => None,
+            },
+            Element::Any => None,
+        };
+        self.path.as_ref()?.iter().map(only).collect()
+    }
+
     /// Whether a path fits.
     pub(super) fn fits_path(&self, path: &[i32]) -> bool {
         let Some(rules) = &self.path else { return true };

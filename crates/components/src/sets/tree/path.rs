@@ -1,5 +1,6 @@
 //! Paths as data, and masks on them.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message, component};
@@ -123,6 +124,34 @@ struct Side {
     indices: Vec<usize>,
 }
 
+/// Masks to be tried in order: those that name one path are looked up, not tried.
+struct Masks {
+    exact: HashMap<Vec<i32>, usize>,
+    others: Vec<(usize, Mask)>,
+}
+
+impl Masks {
+    fn new(masks: Vec<Mask>) -> Self {
+        let (mut exact, mut others) = (HashMap::new(), Vec::new());
+        for (k, mask) in masks.into_iter().enumerate() {
+            match mask.only_path() {
+                Some(path) => {
+                    exact.entry(path).or_insert(k);
+                }
+                None => others.push((k, mask)),
+            }
+        }
+        Self { exact, others }
+    }
+
+    /// The place of the first mask that fits a path.
+    fn first_fit(&self, path: &[i32]) -> Option<usize> {
+        let exact = self.exact.get(path).copied();
+        let before = self.others.iter().take_while(|(k, _)| exact.is_none_or(|exact| *k < exact));
+        before.clone().find(|(_, mask)| mask.fits_path(path)).map(|(k, _)| *k).or(exact)
+    }
+}
+
 /// Gives branches other paths: those that fit a mask go to the path at the same place in the other list.
 ///
 /// The first mask that fits counts; the last path serves for all further masks. Branches that come to the same
@@ -150,10 +179,11 @@ fn replace_paths(
     let masks = masks(&search)?;
     let paths: Vec<Path> = replace.present().collect();
     let Some(last) = paths.last() else { return Err(Message::error("There is no new path")) };
+    let masks = Masks::new(masks);
     let mut renamed = Vec::with_capacity(data.branch_count());
     for path in data.paths() {
         context.check()?;
-        let found = masks.iter().position(|mask| mask.fits_path(path.elements()));
+        let found = masks.first_fit(path.elements());
         renamed.push(found.map_or(path, |k| paths.get(k).unwrap_or(last)).clone());
     }
     Ok(data.with_paths(renamed))
@@ -162,6 +192,18 @@ fn replace_paths(
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
+
+    /// Whatever masks stand before or behind one that names a single path, the first that fits counts.
+    #[test]
+    fn the_first_mask_that_fits_counts() {
+        let replaced = |masks: [&str; 3]| {
+            let tree = Trial::of("Replace Paths").branches([("{0;1}", [1]), ("{0;2}", [2])]);
+            tree.list(masks).list(["{7}", "{8}", "{9}"]).texts(0)
+        };
+        assert_eq!(replaced(["{0;1}", "*", "{0;2}"]), ["{7}: 1", "{8}: 2"]);
+        assert_eq!(replaced(["{0;?}", "{0;1}", "{0;2}"]), ["{7}: 1, 2"]);
+        assert_eq!(replaced(["{1;?}", "{0;2}", "{0;2}"]), ["{0;1}: 1", "{8}: 2"]);
+    }
 
     #[test]
     fn paths_are_made_and_taken_apart() {

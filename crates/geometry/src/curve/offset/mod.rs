@@ -3,6 +3,7 @@
 mod approximate;
 mod chain;
 mod corner;
+mod mitre;
 mod restyle;
 mod simple;
 mod trim;
@@ -113,6 +114,11 @@ impl Curve {
         }
         if distance == 0.0 {
             return Ok(vec![self.clone()]);
+        }
+        if corner == OffsetCorner::Sharp
+            && let Some(plain) = self.plain_mitre(plane, distance, tolerance.absolute)
+        {
+            return Ok(vec![plain]);
         }
         // Chamfers and blends take the place of arcs in what is left.
         let drawn = match corner {
