@@ -6,9 +6,9 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, ListKey, Message};
 use katydid_data::Item;
-use katydid_geometry::brep::ClosestOnBrep;
+use katydid_geometry::brep::{ClosestOnBrep, CurveProjection};
 use katydid_geometry::cloud::PointTree;
-use katydid_geometry::{Brep, ClosestOnSurface, Mesh, MeshTree, Point3, Surface};
+use katydid_geometry::{Brep, ClosestOnSurface, Mesh, MeshTree, Point3, Surface, SurfaceProjection, Vector3};
 
 /// Of each kind those asked for last.
 const KEPT: usize = 32;
@@ -52,6 +52,8 @@ struct Shelves {
     meshes: Shelf<Mesh, PreparedMesh>,
     surfaces: Shelf<Surface, ClosestOnSurface>,
     breps: Shelf<Brep, ClosestOnBrep>,
+    projections: Along<Brep, CurveProjection>,
+    surface_projections: Along<Surface, SurfaceProjection>,
     cloud: RefCell<Option<AskedCloud>>,
 }
 
@@ -100,6 +102,47 @@ pub(crate) fn surface(
 pub(crate) fn brep(context: &Context<'_>, brep: &Shared<Brep>) -> Result<Rc<ClosestOnBrep>, Message> {
     let make = || Ok(ClosestOnBrep::new(brep.clone())?);
     shelves(context)?.breps.of(context, brep, |kept| *kept == **brep, make)
+}
+
+/// What projects curves onto a Brep along a direction.
+pub(crate) fn projection(
+    context: &Context<'_>,
+    brep: &Shared<Brep>,
+    direction: Vector3,
+) -> Result<Rc<CurveProjection>, Message> {
+    let make = || Ok(CurveProjection::new(brep.clone(), direction).map_err(warning)?);
+    along(&shelves(context)?.projections, direction).of(context, brep, |kept| *kept == **brep, make)
+}
+
+/// What projects curves onto a surface along a direction.
+pub(crate) fn projection_onto(
+    context: &Context<'_>,
+    surface: &Shared<Surface>,
+    direction: Vector3,
+) -> Result<Rc<SurfaceProjection>, Message> {
+    let make = || Ok(SurfaceProjection::new(surface.clone(), direction).map_err(warning)?);
+    along(&shelves(context)?.surface_projections, direction).of(context, surface, |_| false, make)
+}
+
+fn warning(error: katydid_geometry::Error) -> Message {
+    Message::warning(error.to_string())
+}
+
+/// Shelves by direction.
+type Along<S, P> = RefCell<Vec<(Vector3, Rc<Shelf<S, P>>)>>;
+
+/// The shelf of what was made along a direction.
+fn along<S, P>(shelves: &Along<S, P>, direction: Vector3) -> Rc<Shelf<S, P>> {
+    let mut shelves = shelves.borrow_mut();
+    if let Some((_, shelf)) = shelves.iter().find(|(other, _)| *other == direction) {
+        return shelf.clone();
+    }
+    if shelves.len() >= KEPT {
+        shelves.remove(0);
+    }
+    let shelf = Rc::new(Shelf::default());
+    shelves.push((direction, shelf.clone()));
+    shelf
 }
 
 /// The points of a list in a tree.

@@ -132,7 +132,8 @@ pub use quaternion::Quaternion;
 pub use rectangle::{Rectangle, regular_polygon};
 pub use surface::{
     ClosestOnSurface, Cone, Cylinder, Geodesic, NormalSection, PlaneSurface, RevolutionSurface, Sphere,
-    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
+    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, SurfaceProjection,
+    Torus,
 };
 pub use swing::{SwingArcs, swing_arcs};
 pub use tangent_circle::touching_circle;

@@ -7,6 +7,7 @@ use katydid_data::{Kind, Value, cast};
 use katydid_geometry::{Brep, Curve, Mesh, Point3, Surface, Vector3};
 
 use super::{shared, warning};
+use crate::prepared;
 
 /// What a curve can be brought onto.
 enum Ground {
@@ -55,9 +56,11 @@ fn project(
 ) -> Result<Vec<Shared<Curve>>, Message> {
     let tolerance = context.tolerance();
     let curves = match Ground::of(context, &brep)? {
-        Ground::Surface(surface) => surface.project_curve(curve, direction, &tolerance),
+        Ground::Surface(surface) => {
+            prepared::projection_onto(context, &surface, direction)?.project(curve, &tolerance)
+        }
         Ground::Mesh(mesh) => mesh.project_curve(curve, direction, tolerance.absolute),
-        Ground::Brep(brep) => brep.project_curve(curve, direction, &tolerance),
+        Ground::Brep(brep) => prepared::projection(context, &brep, direction)?.project(curve, &tolerance),
     };
     Ok(curves.map_err(warning)?.into_iter().map(Shared::new).collect())
 }

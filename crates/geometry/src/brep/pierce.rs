@@ -3,7 +3,7 @@
 use super::inside::{ClosestOnBrep, Sheet};
 use super::trimmed;
 use crate::intersect::curve_with_surface;
-use crate::{Curve, Error, Interval, Point3, Result, Surface, Vector3, Xform};
+use crate::{Curve, Interval, Point3, Result, Surface, Vector3};
 
 /// A point that a curve and a brep have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,6 @@ pub struct BrepPiercing {
 const SAMPLES: usize = 24;
 /// The most samples of one curve.
 const MOST: usize = 2_000;
-/// The sine of the angle below which a direction runs along a plane.
-const EDGE_ON: f64 = 1e-9;
 /// Halvings from a sample to the border.
 const HALVINGS: usize = 46;
 
@@ -94,7 +92,7 @@ impl ClosestOnBrep {
     }
 
     /// As [`Self::curve_on_face`], with what is nearer to an edge than a distance.
-    fn curve_within(&self, face: usize, curve: &Curve, near_edges: f64) -> Result<Vec<Curve>> {
+    pub(super) fn curve_within(&self, face: usize, curve: &Curve, near_edges: f64) -> Result<Vec<Curve>> {
         let sheet = self.sheets().iter().find(|s| s.face == face).ok_or_else(trimmed::no_face)?;
         let surface = self.brep().face_surface(face).ok_or_else(trimmed::no_face)?;
         let domain = curve.domain();
@@ -212,40 +210,4 @@ fn merged(ranges: Vec<Interval>, least: f64) -> Vec<Interval> {
         }
     }
     out
-}
-
-impl super::Brep {
-    /// Curves projected onto the faces along a direction, forwards and backwards, within the trims.
-    ///
-    /// # Errors
-    /// The direction has no length, the tolerance is not above 0, or there are no faces.
-    pub fn project_curve(
-        &self,
-        curve: &Curve,
-        direction: Vector3,
-        tolerance: &crate::Tolerance,
-    ) -> Result<Vec<Curve>> {
-        if !(direction.length() > 0.0) {
-            return Err(Error::degenerate("direction", "it has no length"));
-        }
-        let search = ClosestOnBrep::new(std::sync::Arc::new(self.clone()))?;
-        let mut out = Vec::new();
-        for sheet in search.sheets() {
-            let Some(surface) = self.face_surface(sheet.face) else { continue };
-            // On a plane the image is exact, and an arc's an arc or an ellipse.
-            let images = match surface {
-                Surface::Plane(flat)
-                    if direction.dot(flat.plane().z_axis).abs() > EDGE_ON * direction.length() =>
-                {
-                    vec![curve.transformed(&Xform::projection_along(flat.plane(), direction)?)?]
-                }
-                Surface::Plane(_) => Vec::new(),
-                other => other.project_curve(curve, direction, tolerance)?,
-            };
-            for image in images {
-                out.extend(search.curve_within(sheet.face, &image, tolerance.absolute)?);
-            }
-        }
-        Ok(crate::join_curves(&out, tolerance.absolute, false))
-    }
 }

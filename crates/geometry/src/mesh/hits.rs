@@ -100,23 +100,23 @@ impl MeshTree {
             return Err(Error::NotFinite("point to project on the mesh"));
         }
         let mut best: Option<(f64, usize, Point3, [f64; 3])> = None;
-        // The next larger number, so that triangles as near as the best one are looked at too.
         self.tree.visit_near(&q.into(), f64::INFINITY, |i| {
             if let Some(&triangle) = self.triangles.get(i) {
                 let (p, weights) = closest_on_triangle(triangle, q);
-                let squared = (p - q).length_squared();
-                if best.is_none_or(|(b, first, ..)| squared < b || (squared == b && i < first)) {
-                    best = Some((squared, i, p, weights));
+                let distance = p.distance_to(q);
+                if best.is_none_or(|(b, first, ..)| distance < b || (distance == b && i < first)) {
+                    best = Some((distance, i, p, weights));
                 }
             }
-            best.map_or(f64::INFINITY, |(b, ..)| b.next_up())
+            // A little more than the square, so that triangles as near as the best one are looked at too.
+            best.map_or(f64::INFINITY, |(b, ..)| (b * b * (1.0 + 8.0 * f64::EPSILON)).next_up())
         });
-        let (_, i, point, [a, b, c]) = best.ok_or(Error::degenerate("mesh", "it has no faces"))?;
+        let (distance, i, point, [a, b, c]) = best.ok_or(Error::degenerate("mesh", "it has no faces"))?;
         let face = self.faces.get(i).copied().unwrap_or(0);
         // The second triangle of a quad has its corners 0, 2 and 3.
         let second = i > 0 && self.faces.get(i - 1) == Some(&face);
         let weights = if second { [a, 0.0, b, c] } else { [a, b, c, 0.0] };
-        Ok(MeshPoint { face: face as usize, weights, point, distance: point.distance_to(q) })
+        Ok(MeshPoint { face: face as usize, weights, point, distance })
     }
 
     /// Visits the triangles that may meet a strip without end: from `start` for `reach` along `x`, and across `normal` no

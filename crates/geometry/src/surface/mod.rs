@@ -41,6 +41,8 @@ pub(crate) use foot::Foot;
 pub use geodesic::Geodesic;
 pub(crate) use local_foot::LocalFoot;
 pub use plane_surface::PlaneSurface;
+pub(crate) use pull::LineIndex;
+pub use pull::SurfaceProjection;
 pub use revolution::RevolutionSurface;
 pub use sphere::Sphere;
 pub use sum::SumSurface;

@@ -1,8 +1,10 @@
 //! Curves pulled, pushed and offset onto surfaces.
 
 mod beam;
+mod lines;
 
 use beam::Beam;
+pub(crate) use lines::LineIndex;
 
 use super::geodesic::{Shot, Unrolled, shot};
 use super::{ClosestOnSurface, Foot, Surface};
@@ -34,6 +36,28 @@ impl Curve {
     /// The smooth stretches of the curve.
     pub(crate) fn smooth_stretches(&self) -> Vec<Interval> {
         self.pieces().iter().map(|p| p.whole).collect()
+    }
+}
+
+/// A surface prepared for many curves that are projected onto it along one direction.
+pub struct SurfaceProjection {
+    surface: std::sync::Arc<Surface>,
+    lines: LineIndex,
+}
+
+impl SurfaceProjection {
+    /// # Errors
+    /// The direction has no length.
+    pub fn new(surface: std::sync::Arc<Surface>, direction: Vector3) -> Result<Self> {
+        Ok(Self { lines: LineIndex::new(&surface, direction)?, surface })
+    }
+
+    /// As [`Surface::project_curve`].
+    ///
+    /// # Errors
+    /// The tolerance is not above 0.
+    pub fn project(&self, curve: &Curve, tolerance: &Tolerance) -> Result<Vec<Curve>> {
+        self.surface.project_along(curve, &self.lines, tolerance)
     }
 }
 
@@ -87,8 +111,19 @@ impl Surface {
         direction: Vector3,
         tolerance: &Tolerance,
     ) -> Result<Vec<Curve>> {
+        check(tolerance)?;
+        self.project_along(curve, &LineIndex::new(self, direction)?, tolerance)
+    }
+
+    /// As [`Surface::project_curve`], for a surface that is prepared for many curves.
+    pub(crate) fn project_along(
+        &self,
+        curve: &Curve,
+        lines: &LineIndex,
+        tolerance: &Tolerance,
+    ) -> Result<Vec<Curve>> {
         let limit = check(tolerance)?;
-        let beam = Beam::new(self, curve, direction)?;
+        let beam = Beam::new(self, curve, lines);
         let mut rows = Vec::new();
         for part in curve.smooth_stretches() {
             for way in beam.ways(part)? {

@@ -1,9 +1,9 @@
 //! Lines in one direction through a curve, and where they meet a surface.
 
+use super::lines::{LineIndex, Met};
 use crate::curve::traced::Sample;
-use crate::intersect::curve_with_surface_within;
 use crate::surface::geodesic::Unrolled;
-use crate::{Curve, Error, Interval, Line, Point3, Result, Surface, Vector3};
+use crate::{Curve, Interval, Point3, Result, Surface, Vector3};
 
 /// Lines of a smooth stretch that are met with the surface at first.
 const LINES: usize = 32;
@@ -14,12 +14,8 @@ const GRAZING: f64 = 2e-3;
 /// After so many lines that all but graze the surface no more are tried on a stretch: each costs as much as a hundred
 /// others.
 const MOST_GRAZING: usize = 3;
-/// A line of which more pairs of parts are looked at lies next to the surface; others need some hundreds.
-const MOST_VISITS: u64 = 20_000;
 /// What all but grazes: the places are not exact yet.
 const ALMOST: f64 = 1e-2;
-/// How near a line must come to the surface at first, as a part of the size; Newton's method finds the place after that.
-const NEAR: f64 = 1e-6;
 
 /// A place where the line through a point of the curve meets the surface.
 #[derive(Debug, Clone, Copy)]
@@ -30,9 +26,9 @@ pub(super) struct Meeting {
 }
 
 pub(super) struct Beam<'a> {
-    surface: &'a Surface,
     sheet: Unrolled<'a>,
     curve: &'a Curve,
+    lines: &'a LineIndex,
     direction: Vector3,
     /// Two directions across.
     across: [Vector3; 2],
@@ -42,14 +38,10 @@ pub(super) struct Beam<'a> {
 }
 
 impl<'a> Beam<'a> {
-    pub(super) fn new(surface: &'a Surface, curve: &'a Curve, direction: Vector3) -> Result<Self> {
-        let direction = direction.unitized().ok_or(Error::degenerate("direction", "it has no length"))?;
-        let x = direction.perpendicular().ok_or(Error::degenerate("direction", "it has no length"))?;
-        let both = curve.bounding_box().union(&surface.bounding_box()?);
-        let size = both.diagonal().length();
-        let sheet = Unrolled::new(surface);
-        let across = [x, direction.cross(x)];
-        Ok(Self { surface, sheet, curve, direction, across, reach: 1.01 * size, size })
+    pub(super) fn new(surface: &'a Surface, curve: &'a Curve, lines: &'a LineIndex) -> Self {
+        let size = curve.bounding_box().union(&lines.bounds).diagonal().length();
+        let (direction, across) = (lines.direction, lines.across);
+        Self { sheet: Unrolled::new(surface), curve, lines, direction, across, reach: 1.01 * size, size }
     }
 
     /// The way of each meeting along a smooth stretch of the curve.
@@ -63,12 +55,9 @@ impl<'a> Beam<'a> {
             }
             let t = part.at(k as f64 / LINES as f64);
             let p = self.curve.point_at(t);
-            let line = Line::new(p - self.direction * self.reach, p + self.direction * self.reach);
-            let found = curve_with_surface_within(&line.into(), self.surface, NEAR * self.size, MOST_VISITS)?;
+            let Met { places: hits, along } = self.lines.meet(p, self.reach, self.size)?;
             let sine = |uv| self.sheet.normal(uv).map_or(0.0, |normal| normal.dot(self.direction).abs());
-            let hits: Vec<[f64; 2]> = found.crossings.iter().map(|hit| [hit.u, hit.v]).collect();
             // One that runs in the surface for a while only grazes it as well.
-            let along = !found.complete || !found.overlaps.is_empty();
             grazing += usize::from(along || (!hits.is_empty() && hits.iter().all(|hit| sine(*hit) < ALMOST)));
             for hit in hits {
                 let uv = self.solve(t, hit).filter(|uv| !self.sheet.is_outside(*uv)).unwrap_or(hit);
