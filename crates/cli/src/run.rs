@@ -125,5 +125,8 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
     for reason in left_out {
         note(&format!("{YELLOW}left out{YELLOW:#}: {reason}"));
     }
+    for remark in baked.remarks {
+        note(&format!("{YELLOW}remark{YELLOW:#}: {remark}"));
+    }
     Ok(())
 }

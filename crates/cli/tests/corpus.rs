@@ -7,21 +7,8 @@ mod common;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use common::{katydid, said, shared, text};
+use common::{definitions, katydid, said, shared, text};
 use serde_json::Value;
-
-/// The files under a folder, in order.
-fn files(folder: &Path, all: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            files(&path, all);
-        } else if path.extension().is_some_and(|e| e == "gh" || e == "ghx") {
-            all.push(path);
-        }
-    }
-}
 
 /// The files that use stock components only.
 fn targets(root: &Path) -> Vec<PathBuf> {
@@ -91,8 +78,7 @@ fn converting_there_and_back_changes_nothing() {
     let Some(root) = shared("data/gh") else { return };
     let folder = tempfile::tempdir().unwrap();
     let (there, back) = (folder.path().join("there.ghx"), folder.path().join("back.gh"));
-    let mut all = Vec::new();
-    files(&root, &mut all);
+    let all = definitions(&root);
     for file in all.iter().filter(|f| f.extension().is_some_and(|e| e == "gh")).step_by(9) {
         for (from, to) in [(file, &there), (&there, &back)] {
             let output = katydid(&["convert", text(from), text(to)]);

@@ -12,10 +12,9 @@
 mod common;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use common::{said, shared, text, within};
+use common::{definitions, said, shared, text, within};
 use katydid_definition::document::{Document, Side};
 use serde_json::Value;
 use uuid::Uuid;
@@ -28,19 +27,6 @@ const LIST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/real_files.txt");
 /// too; or nulls are what the component is for.
 const REASONS: [&str; 9] =
     ["plug-in", "script", "solids", "model", "file", "server", "input", "author", "design"];
-
-/// The files under a folder, in order.
-fn files(folder: &Path, all: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            files(&path, all);
-        } else if path.extension().is_some_and(|e| e == "gh" || e == "ghx") {
-            all.push(path);
-        }
-    }
-}
 
 /// What is wrong with an object by itself: its first warning or error, else that it gives nulls.
 fn trouble(object: &Value) -> Option<String> {
@@ -103,8 +89,7 @@ fn roots(report: &Value, document: &Document) -> Vec<(String, String)> {
 #[test]
 fn every_message_and_null_of_real_files_has_a_reason() {
     let Some(root) = shared("data/gh") else { return };
-    let mut all = Vec::new();
-    files(&root, &mut all);
+    let all = definitions(&root);
     assert_eq!(all.len(), 273);
     let mut failed = Vec::new();
     let mut found: BTreeMap<(String, String, String), usize> = BTreeMap::new();

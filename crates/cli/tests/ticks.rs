@@ -80,6 +80,32 @@ fn only_what_hangs_on_the_target_is_recorded_again() {
 }
 
 #[test]
+fn a_tracker_draws_the_values_of_all_ticks() {
+    let run = Run::of(
+        "n = Number Slider(4, 0..10)\n\
+         clock = Trigger(n, interval = 500)\n\
+         rec = Data Recorder(n)\n\
+         count = List Length(rec)\n\
+         tracker = Value Tracker(count)\n",
+    );
+    // It hands on what comes.
+    assert_eq!(run.item("tracker", &["--ticks", "5"]), run.item("count", &["--ticks", "5"]));
+    let picture = run.file.with_extension("svg");
+    // How many values its line joins.
+    let values = |words: &[&str]| {
+        let output = katydid(&[&["view", text(&run.file), "--canvas", "-o", text(&picture)], words].concat());
+        assert!(output.status.success(), "{}", said(&output));
+        let drawing = std::fs::read_to_string(&picture).unwrap();
+        let line = drawing.split("<path ").find(|path| path.contains("stroke-width=\"1.4\"")).unwrap();
+        let path = line.split('"').nth(1).unwrap();
+        path.split(['M', 'L', ' ']).filter(|number| !number.is_empty()).count() / 2
+    };
+    // One value is a level line.
+    assert_eq!(values(&[]), 2);
+    assert_eq!(values(&["--ticks", "5"]), 6);
+}
+
+#[test]
 fn a_recorder_keeps_the_newest_of_each_branch() {
     // The recorder numbers its own loop: each tick adds one to the last of what is there.
     let run = Run::of(

@@ -2,8 +2,7 @@
 
 use katydid_3dm::{Limits, RawObject};
 use katydid_data::{
-    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, QuadSettings, Tree,
-    TreeBuilder, Value,
+    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
 };
 use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
@@ -126,15 +125,7 @@ fn value(stored: &Stored, missing: &mut Missing<'_>) -> Option<Value> {
             jagged_seams: m.jagged_seams,
             simple_planes: m.simple_planes,
         }),
-        Stored::QuadSettings(q) => Value::from(QuadSettings {
-            count: q.count,
-            adaptive_size: q.adaptive_size,
-            adaptive_count: q.adaptive_count,
-            hard_edges: q.hard_edges,
-            seams: q.seams,
-            symmetry: q.symmetry,
-            guides: q.guides,
-        }),
+        Stored::QuadSettings(q) => Value::from(**q),
         Stored::Geometry(g) => return geometry(g, missing),
         // Which coordinates Points to Numbers takes; the meaning of other codes is not known.
         Stored::Unknown(chunk) if chunk.i32("CMask") == Some(4) => Value::text("XYZ"),

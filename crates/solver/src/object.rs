@@ -109,7 +109,8 @@ fn run(
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());
     let mut missing = false;
-    let memory = turn.memory.filter(|_| object.component == ids::DATA_RECORDER);
+    let records = object.component == ids::DATA_RECORDER;
+    let memory = turn.memory.filter(|_| records || object.component == ids::VALUE_TRACKER);
     for (k, port) in object.inputs.iter().enumerate() {
         let declared = component.input(k);
         let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
@@ -120,7 +121,7 @@ fn run(
         messages.extend(collected.messages);
         let optional = declared.is_none_or(|d| d.optional || d.many && d.access != Access::Item);
         // A recorder still has what it has recorded.
-        if collected.tree.is_empty() && !optional && memory.is_none() {
+        if collected.tree.is_empty() && !optional && !(records && memory.is_some()) {
             missing = true;
             let name = if port.nickname.is_empty() { &port.name } else { &port.nickname };
             messages.push(Message::warning(if object.is_floating() {
@@ -161,7 +162,9 @@ fn run(
         let new = outcome.outputs.first().cloned().unwrap_or_default();
         recorder::record(object, memory.get(&index), new, &turn.options.limits, &mut messages)
     });
-    let trees = recorded.clone().map_or(outcome.outputs, |tree| vec![tree]);
+    // A tracker hands on what came, a recorder what it has recorded.
+    let given = recorded.clone().filter(|_| records);
+    let trees = given.map_or(outcome.outputs, |tree| vec![tree]);
     let mut trees = trees.into_iter();
     let outputs: Vec<Tree> = (0..object.outputs.len())
         .map(|k| output(object, k, trees.next().unwrap_or_default(), turn.options, &mut messages))

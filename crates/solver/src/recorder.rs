@@ -1,8 +1,11 @@
-//! What a Data Recorder has at the end of a solution, when a definition runs in time.
+//! What a Data Recorder or a Value Tracker has at the end of a solution, when a definition runs in time.
 
 use katydid_component::{Limits, Message};
 use katydid_data::Tree;
-use katydid_definition::document::{Object, Special};
+use katydid_definition::document::{Object, Special, ids};
+
+/// So many of the newest values of a branch does a tracker keep.
+const TRACKED: i32 = 10_000;
 
 /// What the recorder `object` holds once `new` came in: the items behind those that it has recorded, branch by branch;
 /// of each branch no more than its limit says, the newest. One that is switched off keeps what it has, and one that
@@ -16,6 +19,7 @@ pub(crate) fn record(
 ) -> Tree {
     let (recording, limit) = match object.special() {
         Some(Special::DataRecorder(recorder)) => (recorder.recording, recorder.limit),
+        _ if object.component == ids::VALUE_TRACKER => (true, Some(TRACKED)),
         _ => (true, None),
     };
     let Some(before) = before else { return newest(new, limit) };

@@ -48,7 +48,7 @@ pub struct ObjectReport {
     pub outputs: Vec<Tree>,
     /// Of a cluster: the reports of the objects inside, in their order.
     pub inside: Option<Arc<[ObjectReport]>>,
-    /// Of a recorder in a run in time: what it has recorded by now, before its modifiers.
+    /// Of a recorder or tracker in a run in time: what it has recorded by now, before its modifiers.
     pub(crate) recorded: Option<Tree>,
 }
 
@@ -57,6 +57,11 @@ impl ObjectReport {
     pub(crate) fn idle(status: Status, messages: Vec<Message>, outputs: usize) -> Self {
         let outputs = vec![Tree::empty(); outputs];
         Self { status, messages, time: Duration::ZERO, outputs, inside: None, recorded: None }
+    }
+
+    /// Of a Value Tracker in a run in time: its values from solution to solution, branch by branch.
+    pub fn history(&self) -> Option<&Tree> {
+        self.recorded.as_ref()
     }
 
     /// The status that the messages speak of.

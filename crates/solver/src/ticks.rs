@@ -24,6 +24,7 @@ const MILLISECOND: u64 = SECOND / 1000;
 /// - A **Trigger** fires every so many milliseconds; its targets expire and are solved again. One without an interval is
 ///   fired by hand in Grasshopper, here as often as the fastest of the others.
 /// - A **Data Recorder** adds what comes in with each solution of it to what it has recorded.
+/// - A **Value Tracker** keeps the values of each solution of it for its chart, and hands on what comes in.
 /// - A **Data Dam** with a delay passes on the newest data so long after data came that it has not passed on.
 /// - A **loop of wires** that leads through a dam or a recorder is closed over time: what the object reads is what was
 ///   there at the end of the tick before, or a dam's delay ago.

@@ -19,6 +19,21 @@ pub(crate) fn shared(path: &str) -> Option<PathBuf> {
     None
 }
 
+/// The definitions in a folder and the folders in it, in order.
+pub(crate) fn definitions(folder: &Path) -> Vec<PathBuf> {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    let mut all = Vec::new();
+    for path in entries {
+        if path.is_dir() {
+            all.extend(definitions(&path));
+        } else if path.extension().is_some_and(|e| e == "gh" || e == "ghx") {
+            all.push(path);
+        }
+    }
+    all
+}
+
 /// The command with these words.
 pub(crate) fn katydid(words: &[&str]) -> Output {
     within(Duration::from_secs(120), words).expect("the command hangs")

@@ -71,7 +71,8 @@ fn pie_chart(
 
 /// Follows numbers from solution to solution, and hands them on.
 ///
-/// A picture of the canvas knows one solution only: each branch is a line of its numbers, with the last one in figures.
+/// Each branch is a line of its numbers, with the last one in figures: in a run in time (`--ticks`) of those of all
+/// solutions, the newest 10,000, else of this one.
 #[component(
     "615367b4-c9d0-4cb7-986c-cb861226136f",
     name = "Value Tracker",
@@ -81,12 +82,10 @@ fn pie_chart(
 )]
 #[output("Value Tracker", "Tracker", "The numbers.", kind = Number)]
 fn value_tracker(
-    context: &Context<'_>,
     /// The numbers to follow.
     #[port("Value Tracker", "Tracker", optional, kind = Number)]
     data: &Tree,
 ) -> Tree {
-    reading(context, "Values of earlier solutions are not kept: those of this one are shown");
     data.clone()
 }
 

@@ -47,6 +47,8 @@ pub const PARAM_VIEWER: Uuid = uuid!("72a29b54-2e48-474b-a400-d2124c4edf79");
 pub const DATA_DAM: Uuid = uuid!("65283518-ad00-49d3-87fb-f76823ebb162");
 /// Data Recorder.
 pub const DATA_RECORDER: Uuid = uuid!("401aa475-997a-4139-991d-f980ffdcf908");
+/// Value Tracker.
+pub const VALUE_TRACKER: Uuid = uuid!("615367b4-c9d0-4cb7-986c-cb861226136f");
 /// Cherry Picker.
 pub const CHERRY_PICKER: Uuid = uuid!("0ab6acbf-40a6-40e1-a14e-cf0c06268e68");
 /// Image Sampler.

@@ -45,7 +45,7 @@ pub use persistent::{Branch, Persistent, format_path, parse_path};
 pub use port::{Access, Mapping, Modifiers, Port, PortPlace, Side, WireDisplay};
 pub use script::{Script, ScriptLanguage};
 pub use special::Special;
-pub use stored::{LoftOptions, Material, MeshSettings, QuadSettings, Stored, StoredGeometry};
+pub use stored::{LoftOptions, Material, MeshSettings, Stored, StoredGeometry};
 pub use user_object::UserObject;
 pub use wires::{Lookup, PortRef, Wire};
 

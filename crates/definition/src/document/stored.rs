@@ -1,3 +1,4 @@
+use katydid_data::QuadSettings;
 use katydid_geometry::{Arc, Box3, Circle, Interval, Line, Plane, Point3, Rectangle, Vector3};
 use uuid::Uuid;
 
@@ -160,25 +161,6 @@ pub struct MeshSettings {
     pub jagged_seams: bool,
     /// Whether planar faces get few triangles.
     pub simple_planes: bool,
-}
-
-/// The settings of a remesher with quads, as numbers of RhinoCommon's enumerations.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct QuadSettings {
-    /// How many quads are wanted.
-    pub count: i32,
-    /// How much quads vary in size, 0 to 100.
-    pub adaptive_size: f64,
-    /// Whether there may be more quads than wanted where the shape curves.
-    pub adaptive_count: bool,
-    /// Whether sharp edges are kept.
-    pub hard_edges: bool,
-    /// Which edges between faces are kept: 0 none, 1 some, 2 all.
-    pub seams: i32,
-    /// The planes of symmetry: 1 for x, 2 for y, 4 for z, added together.
-    pub symmetry: i32,
-    /// What guide curves do: 0 lead about, 1 a ring of edges, 2 a loop of edges.
-    pub guides: i32,
 }
 
 impl Stored {

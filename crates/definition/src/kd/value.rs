@@ -1,5 +1,6 @@
 //! Values in the text and in ports.
 
+use katydid_data::QuadSettings;
 use katydid_geometry::{Arc, Box3, Circle, Interval, Line, Plane, Point3, Rectangle, Vector3};
 
 use super::ast::{Lit, LitKind, Values};
@@ -9,8 +10,7 @@ use super::raw_value::{colour_form, double, missing_data};
 use super::text;
 use crate::archive::Colour;
 use crate::document::{
-    Branch, LoftOptions, Material, MeshSettings, Persistent, QuadSettings, Stored, StoredGeometry,
-    format_path,
+    Branch, LoftOptions, Material, MeshSettings, Persistent, Stored, StoredGeometry, format_path,
 };
 
 /// The bytes by their number.

@@ -9,7 +9,9 @@
 //! Only what is along the normal takes a mesh off its surface; what is along the surface counts by the tangent of the
 //! angle that normals turn by inside the rectangle.
 
-use super::patch::Patch;
+use std::borrow::Cow;
+
+use super::patch::{Bases, Patch};
 use crate::{NurbsSurface, Quadrant, Surface, Vector3};
 
 /// Bounds over a rectangle of parameters.
@@ -87,6 +89,8 @@ pub(super) struct Bender<'a> {
 struct Nurbs {
     spans: [Vec<f64>; 2],
     patches: Vec<Patch>,
+    /// Those of the degrees in u and v.
+    bases: [Bases; 2],
 }
 
 impl Nurbs {
@@ -97,11 +101,12 @@ impl Nurbs {
         Some(Self {
             spans: Direction::BOTH.map(|d| surface.span_parameters(d)),
             patches: patches.iter().map(|p| Patch::new(degrees, p.homogeneous_points())).collect(),
+            bases: degrees.map(Bases::new),
         })
     }
 
     /// The piece over part of a span.
-    fn part(&self, rectangle: [[f64; 2]; 2]) -> Option<(Patch, [f64; 2])> {
+    fn part(&self, rectangle: [[f64; 2]; 2]) -> Option<(Cow<'_, Patch>, [f64; 2])> {
         let mut place = [0; 2];
         let mut inside = [[0.0; 2]; 2];
         let mut lengths = [0.0; 2];
@@ -116,7 +121,8 @@ impl Nurbs {
             inside[d] = [(from - start) / (end - start), (to - start) / (end - start)];
         }
         let patch = self.patches.get(place[0] * (self.spans[1].len() - 1) + place[1])?;
-        Some((patch.part(inside), lengths))
+        let whole = inside == [[0.0, 1.0]; 2];
+        Some((if whole { Cow::Borrowed(patch) } else { Cow::Owned(patch.part(inside)) }, lengths))
     }
 }
 
@@ -155,17 +161,16 @@ impl<'a> Bender<'a> {
         let own = self.nurbs.as_ref().and_then(|nurbs| nurbs.part(rectangle));
         let [u, v] = rectangle;
         // A direction that vanishes at a pole has a limit, which the patch's own derivatives do not tell.
-        let inside = own.as_ref().and_then(|(patch, lengths)| {
-            let partials = patch.partials();
-            let normals: Option<Vec<Vector3>> = partials.iter().map(|[du, dv]| normal(*du, *dv)).collect();
-            let [du, dv] = partials.first()?;
-            Some((normals?, [du.length() / lengths[0], dv.length() / lengths[1]]))
+        let inside = own.as_ref().zip(self.nurbs.as_ref()).and_then(|((patch, lengths), nurbs)| {
+            let partials = patch.partials(&nurbs.bases);
+            let normals = partials.map(|[du, dv]| normal(du, dv));
+            let [du, dv] = partials[0];
+            let speeds = [du.length() / lengths[0], dv.length() / lengths[1]];
+            normals.iter().all(Option::is_some).then_some((normals, speeds))
         });
-        let (normals, shortest) = match inside {
-            Some((normals, speeds)) => (normals.into_iter().map(Some).collect(), speeds),
-            None => (self.normals(rectangle), self.middle_speeds([u, v])),
-        };
-        let middle = normals.first().copied().flatten();
+        let (normals, shortest) =
+            inside.unwrap_or_else(|| (self.normals(rectangle), self.middle_speeds([u, v])));
+        let middle = normals[0];
         // The tangent of the greatest angle between normals; none when they are not known or turn too far.
         let slope = middle.and_then(|n| {
             let least = normals.iter().map(|m| m.map_or(-1.0, |m| m.dot(n))).fold(1.0, f64::min);
@@ -198,10 +203,9 @@ impl<'a> Bender<'a> {
     }
 
     /// The normals in the middle and around.
-    fn normals(&self, [u, v]: [[f64; 2]; 2]) -> Vec<Option<Vector3>> {
-        let mut out = Vec::with_capacity(9);
+    fn normals(&self, [u, v]: [[f64; 2]; 2]) -> [Option<Vector3>; 9] {
         // Just inside, so that they are those of this piece.
-        for (x, y) in [
+        [
             (0.5, 0.5),
             (1e-6, 1e-6),
             (0.999_999, 1e-6),
@@ -211,18 +215,15 @@ impl<'a> Bender<'a> {
             (0.999_999, 0.5),
             (0.5, 0.999_999),
             (1e-6, 0.5),
-        ] {
-            let (s, t) = (u[0] + (u[1] - u[0]) * x, v[0] + (v[1] - v[0]) * y);
-            out.push(self.surface.normal_at(s, t));
-        }
-        out
+        ]
+        .map(|(x, y)| self.surface.normal_at(u[0] + (u[1] - u[0]) * x, v[0] + (v[1] - v[0]) * y))
     }
 
     /// The bounds by looking at 25 places, with a margin: for circles, whose derivatives change slowly.
     fn sampled(&self, [u, v]: [[f64; 2]; 2], n: Vector3) -> ([f64; 2], [Size; 3]) {
         const MARGIN: f64 = 1.05;
         let mut first = [0.0_f64; 2];
-        let mut second = [Size::default(); 3];
+        let mut second = [Greatest::default(); 3];
         for i in 0..5 {
             for j in 0..5 {
                 let inside = |x: [f64; 2], k: usize| x[0] + (x[1] - x[0]) * (0.001 + 0.2495 * k as f64);
@@ -234,14 +235,15 @@ impl<'a> Bender<'a> {
                 }
             }
         }
-        (first, second)
+        (first, second.map(Greatest::size))
     }
 }
 
 /// The direction across two; none where they are nearly parallel, or one vanishes.
 fn normal(du: Vector3, dv: Vector3) -> Option<Vector3> {
     let across = du.cross(dv);
-    (across.length() > 1e-9 * du.length() * dv.length()).then(|| across.unitized()).flatten()
+    let least = 1e-18 * du.length_squared() * dv.length_squared();
+    (across.length_squared() > least).then(|| across.unitized()).flatten()
 }
 
 /// Bounds of vectors: their parts along a normal and across it, and their lengths.
@@ -252,11 +254,23 @@ pub(super) struct Size {
     pub(super) length: f64,
 }
 
-impl Size {
+/// The greatest of vectors so far: the same numbers with their squares, of which the roots are taken in the end.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Greatest {
+    normal: f64,
+    tangent: f64,
+    length: f64,
+}
+
+impl Greatest {
     pub(super) fn include(&mut self, v: Vector3, n: Vector3) {
         let along = v.dot(n);
         self.normal = self.normal.max(along.abs());
-        self.tangent = self.tangent.max((v - n * along).length());
-        self.length = self.length.max(v.length());
+        self.tangent = self.tangent.max((v - n * along).length_squared());
+        self.length = self.length.max(v.length_squared());
+    }
+
+    pub(super) fn size(self) -> Size {
+        Size { normal: self.normal, tangent: self.tangent.sqrt(), length: self.length.sqrt() }
     }
 }

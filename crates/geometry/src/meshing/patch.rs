@@ -1,6 +1,6 @@
 //! Bézier patches and bounds of their derivatives by control points.
 
-use super::bend::Size;
+use super::bend::{Greatest, Size};
 use crate::Vector3;
 
 /// A Bézier patch over the unit square: homogeneous control points, v running fastest.
@@ -43,12 +43,11 @@ impl Patch {
     }
 
     /// The partial derivatives by u and v, over the unit square, in the middle, at the corners and in the middles of the
-    /// sides, in this order.
-    pub(super) fn partials(&self) -> [[Vector3; 2]; 9] {
+    /// sides, in this order. The bases are those of the patch's degrees.
+    pub(super) fn partials(&self, bases: &[Bases; 2]) -> [[Vector3; 2]; 9] {
         const PLACES: [[usize; 2]; 9] =
             [[1, 1], [0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]];
-        let bases = self.degrees.map(|degree| [0.0, 0.5, 1.0].map(|t| Basis::new(degree, t)));
-        PLACES.map(|[i, j]| self.partials_at(&bases[0][i], &bases[1][j]))
+        PLACES.map(|[i, j]| self.partials_at(&bases[0].0[i], &bases[1].0[j]))
     }
 
     fn partials_at(&self, u: &Basis, v: &Basis) -> [Vector3; 2] {
@@ -60,6 +59,10 @@ impl Patch {
             }
             for (j, c) in row.iter().enumerate() {
                 let (b, db) = v.at(j);
+                // At an end all but two are zero.
+                if b == 0.0 && db == 0.0 {
+                    continue;
+                }
                 for k in 0..4 {
                     point[k] += a * b * c[k];
                     by_u[k] += da * b * c[k];
@@ -101,7 +104,7 @@ impl Patch {
         let minus = |a: [f64; 4], b: [f64; 4]| std::array::from_fn::<f64, 4, _>(|k| a[k] - b[k]);
         let (pf, qf) = (p as f64 / lengths[0], q as f64 / lengths[1]);
         let mut nets = [Net::default(); 5];
-        let mut reach = Size::default();
+        let mut reach = Greatest::default();
         for i in 0..=p {
             for j in 0..=q {
                 let c = local(i, j);
@@ -126,7 +129,8 @@ impl Patch {
                 }
             }
         }
-        let [du, dv, duu, duv, dvv] = nets;
+        let [du, dv, duu, duv, dvv] = nets.map(Net::done);
+        let reach = reach.size();
         if even {
             return (
                 [du.size.length / light, dv.size.length / light],
@@ -156,42 +160,56 @@ impl Patch {
             return None;
         }
         let weight = |l: usize| at(0, l)[3];
-        let point = |k: usize, l: usize| {
-            let c = at(k, l);
-            Vector3::new(c[0], c[1], c[2]) / c[3]
-        };
+        let mut points = Vec::with_capacity((along + 1) * (across + 1));
+        for l in 0..=across {
+            points.extend((0..=along).map(|k| {
+                let c = at(k, l);
+                Vector3::new(c[0], c[1], c[2]) / c[3]
+            }));
+        }
+        let point = |k: usize, l: usize| points.get(l * (along + 1) + k).copied().unwrap_or(Vector3::ZERO);
         let step = |k: usize, l: usize| point(k + 1, l) - point(k, l);
         let centre =
             if along > 0 { step(along / 2 - usize::from(along > 1), across / 2) } else { Vector3::ZERO };
         let (by, by_across) = (along as f64 / lengths[d], across as f64 / lengths[1 - d]);
         let light = (0..=across).map(weight).fold(f64::MAX, f64::min);
         let mut first = 0.0_f64;
-        let (mut second, mut reach, mut net) = (Size::default(), Size::default(), Net::default());
+        let (mut second, mut reach, mut net) = (Greatest::default(), Greatest::default(), Net::default());
         for l in 0..=across {
             for k in 0..along {
-                first = first.max(step(k, l).length() * by);
-                reach.include(step(k, l) - centre, n);
+                let own = step(k, l);
+                first = first.max(own.length_squared());
+                reach.include(own - centre, n);
                 if k + 1 < along {
-                    let bend = step(k + 1, l) - step(k, l);
+                    let bend = step(k + 1, l) - own;
                     second.include(bend * (by * (along as f64 - 1.0) / lengths[d]), n);
                 }
                 if l < across {
-                    let off = (step(k, l + 1) - centre) * weight(l + 1) - (step(k, l) - centre) * weight(l);
+                    let off = (step(k, l + 1) - centre) * weight(l + 1) - (own - centre) * weight(l);
                     net.include([off.x, off.y, off.z, weight(l + 1) - weight(l)], by_across, n);
                 }
             }
         }
-        let twist = net.size.plus(reach, net.weight).over(light);
+        let (first, second, net) = (first.sqrt() * by, second.size(), net.done());
+        let twist = net.size.plus(reach.size(), net.weight).over(light);
         // Every row across is a curve of its own, whose points the other direction only mixes.
         let (mut first_across, mut second_across) = (0.0_f64, Size::default());
         for k in 0..=along {
-            let row: Vec<[f64; 4]> = (0..=across).map(|l| at(k, l)).collect();
-            let (speed, bend) = row_bounds(&row, n, by_across, light);
+            let (speed, bend) = row_bounds(across, |l| at(k, l), n, by_across, light);
             first_across = first_across.max(speed);
             second_across = second_across.max(&bend);
         }
         let twist = Size::default().plus(twist, by);
         Some(Plain { first, second, twist, first_across, second_across })
+    }
+}
+
+/// The Bernstein polynomials of one degree at the start, in the middle and at the end.
+pub(super) struct Bases([Basis; 3]);
+
+impl Bases {
+    pub(super) fn new(degree: usize) -> Self {
+        Self([0.0, 0.5, 1.0].map(|t| Basis::new(degree, t)))
     }
 }
 
@@ -227,27 +245,31 @@ impl Basis {
     }
 }
 
-/// Bounds of the first and second derivatives of a rational curve: its control points, the degree over the length of
-/// its range, and its least weight.
-fn row_bounds(row: &[[f64; 4]], n: Vector3, by: f64, light: f64) -> (f64, Size) {
-    let Some(centre) = row.get(row.len() / 2).map(|c| [c[0] / c[3], c[1] / c[3], c[2] / c[3]]) else {
-        return (0.0, Size::default());
-    };
-    // About the middle point, so that what the weights multiply is small.
-    let local =
-        |c: &[f64; 4]| [c[0] - c[3] * centre[0], c[1] - c[3] * centre[1], c[2] - c[3] * centre[2], c[3]];
+/// Bounds of the first and second derivatives of a rational curve: its degree and control points, the degree over the
+/// length of its range, and its least weight.
+fn row_bounds(degree: usize, at: impl Fn(usize) -> [f64; 4], n: Vector3, by: f64, light: f64) -> (f64, Size) {
+    let middle = at(degree.div_ceil(2));
+    let centre = [0, 1, 2].map(|k| middle[k] / middle[3]);
     let minus = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn::<f64, 4, _>(|k| a[k] - b[k]);
-    let mut reach = Size::default();
-    let points: Vec<[f64; 4]> = row.iter().map(local).collect();
-    for c in &points {
+    let again = by * by * (degree as f64 - 1.0) / (degree as f64).max(1.0);
+    let (mut once, mut twice, mut reach) = (Net::default(), Net::default(), Greatest::default());
+    let (mut before, mut last): (Option<[f64; 4]>, Option<[f64; 4]>) = (None, None);
+    for k in 0..=degree {
+        let c = at(k);
+        // About the middle point, so that what the weights multiply is small.
+        let c = [c[0] - c[3] * centre[0], c[1] - c[3] * centre[1], c[2] - c[3] * centre[2], c[3]];
         reach.include(Vector3::new(c[0], c[1], c[2]) / c[3], n);
+        if let Some(before) = before {
+            let step = minus(&c, &before);
+            once.include(step, by, n);
+            if let Some(last) = last {
+                twice.include(minus(&step, &last), again, n);
+            }
+            last = Some(step);
+        }
+        before = Some(c);
     }
-    let steps: Vec<[f64; 4]> = points.windows(2).map(|w| minus(&w[1], &w[0])).collect();
-    let (mut once, mut twice) = (Net::default(), Net::default());
-    steps.iter().for_each(|step| once.include(*step, by, n));
-    let degree = row.len() as f64 - 1.0;
-    let again = by * by * (degree - 1.0) / degree.max(1.0);
-    steps.windows(2).for_each(|w| twice.include(minus(&w[1], &w[0]), again, n));
+    let (once, twice, reach) = (once.done(), twice.done(), reach.size());
     let speed = once.size.plus(reach, once.weight).over(light);
     (speed.length, twice.size.plus(speed, 2.0 * once.weight).plus(reach, twice.weight).over(light))
 }
@@ -261,9 +283,15 @@ struct Plain {
     second_across: Size,
 }
 
-/// Bounds of a net of homogeneous differences.
+/// A net of homogeneous differences.
 #[derive(Debug, Clone, Copy, Default)]
 struct Net {
+    size: Greatest,
+    weight: f64,
+}
+
+/// Bounds of a net of homogeneous differences.
+struct NetBounds {
     size: Size,
     weight: f64,
 }
@@ -272,6 +300,10 @@ impl Net {
     fn include(&mut self, d: [f64; 4], scale: f64, n: Vector3) {
         self.size.include(Vector3::new(d[0], d[1], d[2]) * scale, n);
         self.weight = self.weight.max((d[3] * scale).abs());
+    }
+
+    fn done(self) -> NetBounds {
+        NetBounds { size: self.size.size(), weight: self.weight }
     }
 }
 
@@ -321,7 +353,7 @@ fn restrict(points: &mut [[f64; 4]], [from, to]: [f64; 2]) {
 
 #[cfg(test)]
 mod tests {
-    use super::Patch;
+    use super::{Bases, Patch};
     use crate::{NurbsSurface, Point3, Quadrant, Vector3};
 
     #[test]
@@ -386,13 +418,14 @@ mod tests {
             [0.5, 1.0],
             [0.0, 0.5],
         ];
-        for ([du, dv], [x, y]) in patch.part([u, v]).partials().into_iter().zip(places) {
+        let bases = [2, 3].map(Bases::new);
+        for ([du, dv], [x, y]) in patch.part([u, v]).partials(&bases).into_iter().zip(places) {
             let d = surface.derivatives(0.25 + 0.5 * x, 0.5 * y, 1, Quadrant::NorthEast);
             assert!((du - d.get(1, 0) * 0.5).length() < 1e-12, "{x} {y}");
             assert!((dv - d.get(0, 1) * 0.5).length() < 1e-12, "{x} {y}");
         }
         let flat = Patch::new([1, 0], vec![[0.0, 0.0, 0.0, 1.0], [3.0, 0.0, 0.0, 1.0]]);
-        assert_eq!(flat.partials()[4], [Vector3::new(3.0, 0.0, 0.0), Vector3::ZERO]);
+        assert_eq!(flat.partials(&[1, 0].map(Bases::new))[4], [Vector3::new(3.0, 0.0, 0.0), Vector3::ZERO]);
     }
 
     /// A straight tube does not twist, whatever the weights around it; a cone's twist is what it is.

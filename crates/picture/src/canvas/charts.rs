@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use katydid_data::{Colour, Tree, Value, text};
+use katydid_definition::document::ids;
 use katydid_geometry::{BoundingBox, Mesh};
 use uuid::{Uuid, uuid};
 
@@ -14,7 +15,6 @@ use crate::font;
 const QUICK_GRAPH: Uuid = uuid!("2b69bf71-4e69-43aa-b7be-4f6ce7e45bef");
 const BAR_GRAPH: Uuid = uuid!("e1905a16-da43-4705-bd65-41d34328c4e6");
 const PIE_CHART: Uuid = uuid!("952c2bcc-b5ec-480a-a0d7-27f016632e33");
-const VALUE_TRACKER: Uuid = uuid!("615367b4-c9d0-4cb7-986c-cb861226136f");
 const IMAGE_GALLERY: Uuid = uuid!("54ab3f01-a769-4742-a7bf-cec48a1acb6f");
 
 /// More values than this are not drawn: nobody could tell them apart.
@@ -48,11 +48,12 @@ pub(super) fn draw(one: &Placed<'_>) -> Option<Vec<Item>> {
         QUICK_GRAPH => lines,
         BAR_GRAPH => bars,
         PIE_CHART => sectors,
-        VALUE_TRACKER => tracker,
+        ids::VALUE_TRACKER => tracker,
         IMAGE_GALLERY => gallery,
         _ => return None,
     };
-    let tree = one.output(0)?;
+    let history = one.report.and_then(|report| report.history());
+    let tree = history.or_else(|| one.output(0))?;
     let (mut items, rect) = window(one);
     items.extend(chart(one, tree, rect));
     items.extend(grips(one));

@@ -41,6 +41,7 @@ pub use hatch::{Hatch, HatchLoop};
 pub use katydid_geometry::brep::Solidity;
 pub use light::{Light, LightStyle};
 pub use mapping_tag::MappingTag;
+pub(crate) use mesh::single;
 pub use mesh::{CurvatureStatistics, MeshObject, MeshParameters, Ngon, SubDMeshing};
 pub use morph_control::{Localizer, MorphControl, MorphShape};
 pub use nurbs_cage::NurbsCage;

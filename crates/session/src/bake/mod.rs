@@ -3,6 +3,7 @@
 mod blocks;
 mod content;
 mod pieces;
+mod valid;
 
 use std::collections::HashSet;
 
@@ -32,6 +33,8 @@ pub struct Baked {
     pub model: Model,
     /// What could not be put in, in words.
     pub left_out: Vec<String>,
+    /// What is in it and invalid by the rules of openNURBS, in words.
+    pub remarks: Vec<String>,
 }
 
 /// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`),
@@ -40,13 +43,17 @@ pub struct Baked {
 /// Each object of the definition has a layer of its name, but model objects have what is said of them: name, layer,
 /// colour, groups, state and user text; blocks, layers and linetypes go into the tables. What comes out of a Custom Preview has the colour of its
 /// material, members of a group of geometry are a group, and user text tells where each piece comes from: `Object`
-/// is the id of the object, `Path` and `Index` its place in the data.
+/// is the id of the object, `Path` and `Index` its place in the data. Meshes that openNURBS would call invalid are made
+/// valid, or left out where nothing of them is left.
 pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     let document = engine.document();
     let rules = engine.options().rules;
     let model = Model { units: rules.units, tolerance: rules.tolerance, ..Model::default() };
-    let mut baking =
-        Baking { engine, baked: Baked { model, left_out: Vec::new() }, blocks: content::Blocks::default() };
+    let mut baking = Baking {
+        engine,
+        baked: Baked { model, left_out: Vec::new(), remarks: Vec::new() },
+        blocks: content::Blocks::default(),
+    };
     let inputs = Inputs::new(engine);
     let marked = marked(document);
     for (index, object) in document.objects.iter().enumerate() {
@@ -67,6 +74,7 @@ pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     if baked.model.layers.is_empty() {
         baked.model.layer_at("Default");
     }
+    valid::make_valid(&mut baked);
     if options.blocks {
         blocks::gather(&mut baked.model);
     }

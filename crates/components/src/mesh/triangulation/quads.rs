@@ -10,16 +10,19 @@ use crate::mesh::{room, shared};
 
 /// Where faces meet at more than this angle is a hard edge: 30 degrees.
 const HARD: f64 = std::f64::consts::FRAC_PI_6;
+/// Faces of a Brep of less than so many quads count little.
+const SMALL: f64 = 4.0;
 /// The most faces on the way.
 const MOST_FACES: usize = 4_000_000;
 /// At so many places a guide curve leads the quads.
 const PLACES: usize = 64;
 
-/// Makes a mesh anew of quads of about one size that follow its shape.
+/// Makes a mesh anew of quads that follow its shape.
 ///
 /// The number of quads comes near to the wanted one, and vertices lie on the mesh. A closed mesh gives a closed mesh, and
-/// the border of an open one keeps its shape. A guide curve turns the quads near it so that edges run along it. Quads
-/// are of one size: the settings for adaptive size and count are left aside.
+/// the border of an open one keeps its shape. A guide curve turns the quads near it so that edges run along it. With an
+/// adaptive size quads are smaller where the mesh curves and larger where it is flat. Seam edges are those along which
+/// the mesh is not welded: where it was made of a Brep, the edges between its faces.
 #[component(
     "1a17d3f0-c8f8-4ee9-8dab-ea1c29db6a49",
     name = "Quad Remesh",
@@ -42,13 +45,20 @@ fn quad_remesh(
     let count = usize::try_from(settings.count).ok().filter(|n| *n > 0);
     let count = count.ok_or_else(|| Message::error("The target count must be at least 1"))?;
     room(context, count)?;
-    if settings.adaptive_size > 0.0 || settings.adaptive_count {
-        context.tell(Message::remark("The quads are of one size: adaptive sizes are not supported"));
-    }
-    // Faces of a mesh have no seams but its hard edges.
-    let crease = (settings.hard_edges || settings.seams > 0).then_some(HARD);
-    let guides = guides.present().flat_map(|curve| along(&curve)).collect();
-    let options = QuadOptions { count, crease, guides, limit: MOST_FACES };
+    let seams = match settings.seams {
+        0 => Vec::new(),
+        1 => mesh.seams(Some(SMALL * mesh.area() / count as f64)),
+        _ => mesh.seams(None),
+    };
+    let options = QuadOptions {
+        count,
+        crease: settings.hard_edges.then_some(HARD),
+        seams,
+        adaptive: (0.01 * settings.adaptive_size).clamp(0.0, 1.0),
+        more: settings.adaptive_count,
+        guides: guides.present().flat_map(|curve| along(&curve)).collect(),
+        limit: MOST_FACES,
+    };
     let axes = [1, 2, 4].map(|bit| settings.symmetry & bit != 0);
     Ok(shared(mesh.quad_remeshed_symmetric(&options, axes, context.tolerance().absolute)?))
 }
@@ -75,16 +85,19 @@ fn quad_remesh_settings(
     /// How many quads are wanted, at least 1.
     #[port("Target Count", "Tc", default = 1000)]
     count: i32,
-    /// How much quads may vary in size, 0 to 100. Not followed: quads are of one size.
+    /// How much quads may vary in size, 0 to 100: at 0 all are of one size, at 100 their sides go with the radius of
+    /// curvature, up to four times smaller and larger than the mean.
     #[port("Adaptive Size", "As", default = 0.0)]
     adaptive_size: f64,
-    /// Whether there may be more quads where the shape curves. Not followed.
+    /// Whether there may be more quads than the target: then they are smaller where the shape curves, by the adaptive size,
+    /// and nowhere larger than the target makes them.
     #[port("Adaptive Count", "Ac", default = false)]
     adaptive_count: bool,
     /// Whether edges stay where faces meet at more than 30 degrees.
     #[port("Hard Edges", "He", default = false)]
     hard_edges: bool,
-    /// Which edges between faces stay: 0 none, 1 those that matter, 2 all. Of a mesh, 1 and 2 keep its hard edges.
+    /// Which edges between faces of a Brep stay edges, and in general where a mesh is not welded: 0 none, 1 those between
+    /// faces larger than four quads, 2 all.
     #[port("Seam Edges", "Se", default = 0)]
     seams: i32,
     /// About which plane through the middle of its box the mesh is symmetric: 0 none, 1 that across x, 2 across y,
@@ -125,7 +138,8 @@ fn quad_remesh_settings(
 mod tests {
     use katydid_component::testing::Trial;
     use katydid_data::{QuadSettings, Value};
-    use katydid_geometry::{Mesh, MeshFace, Plane};
+    use katydid_geometry::construct::cylinder;
+    use katydid_geometry::{Cylinder, Interval, Mesh, MeshFace, Plane, Point3};
 
     fn quads(settings: QuadSettings) -> Mesh {
         let sphere = Mesh::sphere(&Plane::XY, 2.0, 32, 16).unwrap();
@@ -157,6 +171,40 @@ mod tests {
     }
 
     #[test]
+    fn a_brep_keeps_its_seams_and_sizes_adapt() {
+        // A cylinder without caps: where its surface closes no face bends, so only the seam can tell.
+        let tube = Cylinder::new(Plane::XY, 1.0, Interval::new(0.0, 4.0)).unwrap();
+        let remeshed = |settings: QuadSettings| {
+            let brep = Value::from(cylinder(&tube, [true; 2]).unwrap());
+            let out = Trial::of("Quad Remesh").item(brep).default().item(settings).run();
+            assert!(out.messages.is_empty(), "{:?}", out.messages);
+            let Some(Value::Mesh(mesh)) = out.outputs[0].column().get(0) else { panic!("a mesh") };
+            (*mesh).clone()
+        };
+        // The rims, the line where the wall closes, and nothing.
+        let on_lines = |mesh: &Mesh| {
+            let wanted = |p: Point3, q: Point3| {
+                let rim = |p: Point3| p.z.abs() < 1e-9 || (p.z - 4.0).abs() < 1e-9;
+                let closing = |p: Point3| (p.x - 1.0).abs() < 1e-9 && p.y.abs() < 1e-9;
+                let around = |p: Point3| p.x.hypot(p.y) > 0.98;
+                [rim(p) && rim(q) && around(p) && around(q), closing(p) && closing(q)]
+            };
+            let lines = mesh.edges().iter().filter_map(|e| mesh.edge_line(e)).collect::<Vec<_>>();
+            [0, 1].map(|k| lines.iter().filter(|l| wanted(l.from, l.to)[k]).map(|l| l.length()).sum::<f64>())
+        };
+        let [hard, none] = on_lines(&remeshed(QuadSettings { seams: 0, ..plain(600) }));
+        assert!(hard > 12.3 && none < 3.0, "{hard} {none}");
+        let smart = QuadSettings { hard_edges: false, seams: 1, ..plain(600) };
+        let [rims, none] = on_lines(&remeshed(smart));
+        assert!(rims > 12.3 && none < 3.0, "{rims} {none}");
+        let [rims, closing] = on_lines(&remeshed(QuadSettings { seams: 2, ..smart }));
+        assert!(rims > 12.3 && (closing - 4.0).abs() < 1e-9, "{rims} {closing}");
+        // Caps are flat and the wall is not: with more quads for what curves there are more.
+        let grown = remeshed(QuadSettings { adaptive_size: 100.0, adaptive_count: true, ..plain(600) });
+        assert!(grown.faces().len() > 690, "{}", grown.faces().len());
+    }
+
+    #[test]
     fn settings_are_checked() {
         assert_eq!(Trial::of("Quad Remesh Settings").texts(0), ["{0}: Quad Remesh Settings"]);
         let made =
@@ -167,8 +215,5 @@ mod tests {
         assert!(Trial::of("Quad Remesh Settings").item(9).item(200.0).message().contains("0 to 100"));
         let wrong = Trial::of("Quad Remesh Settings").item(9).default().default().default().default().item(7);
         assert!(wrong.message().contains("0 to 3"));
-        let sphere = Mesh::sphere(&Plane::XY, 2.0, 8, 4).unwrap();
-        let remark = Trial::of("Quad Remesh").item(sphere);
-        assert!(remark.message().contains("one size"));
     }
 }

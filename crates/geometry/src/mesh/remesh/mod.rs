@@ -2,6 +2,7 @@
 
 mod net;
 mod quads;
+mod seams;
 mod target;
 
 use super::{Mesh, MeshFace};
@@ -63,8 +64,8 @@ impl Mesh {
         let other = target.map(|t| Target::new(t, Vec::new())).transpose()?;
         let surface = other.as_ref().unwrap_or(&own);
         for _ in 0..options.iterations {
-            net.split_long(4.0 / 3.0 * length, options.limit)?;
-            net.collapse_short(4.0 / 5.0 * length, 4.0 / 3.0 * length);
+            net.split_long(|_| 4.0 / 3.0 * length, options.limit)?;
+            net.collapse_short(|_| 4.0 / 5.0 * length, |_| 4.0 / 3.0 * length);
             net.flip();
             net.smooth(|p| surface.nearest(p), |p| own.nearest_on_line(p));
             options.points.iter().filter(|p| p.is_finite()).for_each(|&p| net.pull_nearest_to(p));

@@ -1,6 +1,7 @@
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::{Remeshed, too_many};
+use crate::box_tree::{BoxTree, bounds_of};
 use crate::{Error, Line, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Whether a surface stays one when an edge collapses, of whose ends the neighbours are given.
@@ -11,6 +12,8 @@ fn stays_whole(near: &[u32], far: &[u32], sides: &[u32]) -> bool {
     common == sides.len() && !(sides.len() == 2 && near.len() == 3 && far.len() == 3)
 }
 
+/// Edges are on a line within this part of the mesh's size.
+const ON_LINE: f64 = 1e-9;
 /// A face that is no more.
 const GONE: [u32; 3] = [u32::MAX; 3];
 /// Splitting halves edges: so many rounds are enough for any lengths.
@@ -77,6 +80,36 @@ impl Net {
         Ok(net)
     }
 
+    /// As [`Net::new`]; edges that lie on the given lines stay too.
+    pub(super) fn with_lines(mesh: &Mesh, crease: Option<f64>, lines: &[Line]) -> Result<Self> {
+        let mut net = Self::new(mesh, crease)?;
+        if lines.is_empty() {
+            return Ok(net);
+        }
+        let boxes: Vec<_> = lines.iter().map(|l| bounds_of([l.from, l.to].map(Into::into))).collect();
+        let tree = BoxTree::by_place(&boxes);
+        let size = mesh.bounding_box().map_or(0.0, |b| b.diagonal().length());
+        let on_line = |p: Point3| {
+            let mut nearest = f64::INFINITY;
+            tree.visit_near(&p.into(), (ON_LINE * size).powi(2), |i| {
+                if let Some(line) = lines.get(i) {
+                    let foot = line.at(line.closest_parameter(p).clamp(0.0, 1.0));
+                    nearest = nearest.min((foot - p).length_squared());
+                }
+                nearest
+            });
+            nearest <= (ON_LINE * size).powi(2)
+        };
+        let mut near: HashMap<u32, bool> = HashMap::new();
+        for [a, b] in net.edges() {
+            let ends = [a, b].map(|v| *near.entry(v).or_insert_with(|| on_line(net.at(v))));
+            if ends == [true; 2] && on_line(net.middle(a, b)) {
+                net.keep(a, b);
+            }
+        }
+        Ok(net)
+    }
+
     fn keep(&mut self, a: u32, b: u32) {
         self.kept.insert(key(a, b));
         (self.on_kept[a as usize], self.on_kept[b as usize]) = (true, true);
@@ -88,6 +121,10 @@ impl Net {
 
     fn length(&self, a: u32, b: u32) -> f64 {
         self.at(a).distance_to(self.at(b))
+    }
+
+    fn middle(&self, a: u32, b: u32) -> Point3 {
+        self.at(a).lerp(self.at(b), 0.5)
     }
 
     /// The doubled area vector of a face.
@@ -141,11 +178,11 @@ impl Net {
         all.into_iter().map(|[a, b]| Line::new(self.at(a), self.at(b))).collect()
     }
 
-    pub(super) fn split_long(&mut self, longest: f64, limit: usize) -> Result<()> {
+    pub(super) fn split_long(&mut self, longest: impl Fn(Point3) -> f64, limit: usize) -> Result<()> {
         for _ in 0..ROUNDS {
             let mut done = true;
             for [a, b] in self.edges() {
-                if self.length(a, b) > longest {
+                if self.length(a, b) > longest(self.middle(a, b)) {
                     self.split(a, b);
                     done = false;
                 }
@@ -191,17 +228,21 @@ impl Net {
         }
     }
 
-    pub(super) fn collapse_short(&mut self, shortest: f64, longest: f64) {
+    pub(super) fn collapse_short(
+        &mut self,
+        shortest: impl Fn(Point3) -> f64,
+        longest: impl Fn(Point3) -> f64,
+    ) {
         for [a, b] in self.edges() {
             if self.around[a as usize].is_empty() || self.around[b as usize].is_empty() {
                 continue;
             }
             let sides = self.sides(a, b);
-            if sides.is_empty() || self.length(a, b) >= shortest {
+            if sides.is_empty() || self.length(a, b) >= shortest(self.middle(a, b)) {
                 continue;
             }
             if let Some((stays, goes, place)) = self.collapse_to(a, b, &sides)
-                && self.may_collapse(stays, goes, place, &sides, longest)
+                && self.may_collapse(stays, goes, place, &sides, longest(place))
             {
                 self.collapse(stays, goes, place, &sides);
             }

@@ -178,7 +178,7 @@ impl From<Mesh> for MeshObject {
 
 /// A number in single precision.
 #[allow(clippy::cast_possible_truncation, reason = "rounding to single precision is the point")]
-fn single(x: f64) -> f32 {
+pub(crate) fn single(x: f64) -> f32 {
     x as f32
 }
 

@@ -8,22 +8,27 @@ use crate::{Point3, Result};
 const SAME: f64 = 0.5;
 
 /// Makes one vertex of those that share a lattice point, the nearest first, where the surface stays what it is. `at`
-/// has the lattice point of each vertex, and then the mean of those that became one.
-pub(super) fn gather(net: &mut Net, at: &mut [Point3], side: f64) -> Result<()> {
+/// has the lattice point of each vertex, and then the mean of those that became one; `sides` are those of the cells.
+pub(super) fn gather(net: &mut Net, at: &mut [Point3], sides: &[f64]) -> Result<()> {
     let mut members = vec![1.0; at.len()];
+    // Distances in parts of the side there.
+    let apart = |at: &[Point3], a: u32, b: u32| {
+        let (a, b) = (a as usize, b as usize);
+        at[a].distance_to(at[b]) / (0.5 * (sides[a] + sides[b]))
+    };
     loop {
         let mut near: Vec<(f64, [u32; 2])> = net
             .edges()
             .into_iter()
-            .map(|[a, b]| (at[a as usize].distance_to(at[b as usize]), [a, b]))
-            .filter(|(distance, _)| *distance < SAME * side)
+            .map(|[a, b]| (apart(at, a, b), [a, b]))
+            .filter(|(distance, _)| *distance < SAME)
             .collect();
         near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut changed = false;
         for (_, [a, b]) in near {
             check()?;
             // What has become one since then may have moved away.
-            if at[a as usize].distance_to(at[b as usize]) >= SAME * side {
+            if apart(at, a, b) >= SAME {
                 continue;
             }
             let Some([stays, goes]) = net.merge(a, b) else { continue };

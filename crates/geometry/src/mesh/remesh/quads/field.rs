@@ -6,9 +6,9 @@ use crate::{Point3, Result, Vector3};
 /// Rounds on each level of the hierarchy.
 const ROUNDS: usize = 8;
 
-/// Solves the fields of crosses and of lattices with cells of a side, and gives of each place the lattice point nearest
-/// to it.
-pub(super) fn solve(finest: Level, side: f64) -> Result<Vec<Point3>> {
+/// Solves the fields of crosses and of lattices with cells of the places' sides, and gives of each place the lattice point
+/// nearest to it.
+pub(super) fn solve(finest: Level) -> Result<Vec<Point3>> {
     let mut levels = vec![finest];
     let mut parents: Vec<Vec<u32>> = Vec::new();
     while let Some(last) = levels.last() {
@@ -41,7 +41,7 @@ pub(super) fn solve(finest: Level, side: f64) -> Result<Vec<Point3>> {
     for (k, level) in levels.iter().enumerate().rev() {
         for _ in 0..ROUNDS {
             check()?;
-            shift(level, &crosses[k], &mut places, side);
+            shift(level, &crosses[k], &mut places);
         }
         if let Some((finer, up)) = k.checked_sub(1).map(|j| (&levels[j], &parents[j])) {
             let taken = |(i, &p): (usize, &u32)| {
@@ -104,9 +104,9 @@ fn turn(level: &Level, directions: &mut [Vector3]) {
 }
 
 /// Moves each lattice to the mean of its neighbours', one after the other.
-fn shift(level: &Level, directions: &[Vector3], places: &mut [Point3], side: f64) {
+fn shift(level: &Level, directions: &[Vector3], places: &mut [Point3]) {
     for i in 0..level.len() {
-        let (v, normal) = (level.points[i], level.normals[i]);
+        let (v, normal, side) = (level.points[i], level.normals[i], level.sides[i]);
         if let Hold::Point(p) = level.held[i] {
             places[i] = p;
             continue;
@@ -119,7 +119,7 @@ fn shift(level: &Level, directions: &[Vector3], places: &mut [Point3], side: f64
             let (a, b) = cross.fitted(&other);
             let own = Lattice { place: sum, cross: Cross { direction: a, normal } };
             let near = Lattice { place: places[j], cross: Cross { direction: b, ..other } };
-            let (p, q) = own.fitted(&near, [v, level.points[j]], side);
+            let (p, q) = own.fitted(&near, [v, level.points[j]], 0.5 * (side + level.sides[j]));
             sum = p.lerp(q, w / (weight + w));
             weight += w;
             sum = sum - normal * normal.dot(sum - v);

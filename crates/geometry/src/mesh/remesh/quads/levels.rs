@@ -20,35 +20,43 @@ impl Hold {
     }
 }
 
-/// A graph of places on a surface with the fields on it.
-pub(super) struct Level {
+/// Places on a surface with the fields on it.
+pub(super) struct Places {
     pub(super) points: Vec<Point3>,
     /// Unit normals.
     pub(super) normals: Vec<Vector3>,
-    areas: Vec<f64>,
-    /// Where the links of each place begin in the list of all, and where the last ones end.
-    starts: Vec<u32>,
-    links: Vec<(u32, f64)>,
+    pub(super) areas: Vec<f64>,
+    /// The sides of the lattices' cells.
+    pub(super) sides: Vec<f64>,
     /// Directions that are fixed.
     pub(super) along: Vec<Option<Vector3>>,
     pub(super) held: Vec<Hold>,
 }
 
+/// A graph of places.
+pub(super) struct Level {
+    places: Places,
+    /// Where the links of each place begin in the list of all, and where the last ones end.
+    starts: Vec<u32>,
+    links: Vec<(u32, f64)>,
+}
+
+impl std::ops::Deref for Level {
+    type Target = Places;
+
+    fn deref(&self) -> &Places {
+        &self.places
+    }
+}
+
 impl Level {
-    pub(super) fn new(
-        points: Vec<Point3>,
-        normals: Vec<Vector3>,
-        areas: Vec<f64>,
-        lists: impl Iterator<Item = Vec<(u32, f64)>>,
-        along: Vec<Option<Vector3>>,
-        held: Vec<Hold>,
-    ) -> Self {
+    pub(super) fn new(places: Places, lists: impl Iterator<Item = Vec<(u32, f64)>>) -> Self {
         let (mut starts, mut links) = (vec![0], Vec::new());
         for list in lists {
             links.extend(list);
             starts.push(links.len() as u32);
         }
-        Self { points, normals, areas, starts, links, along, held }
+        Self { places, starts, links }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -67,7 +75,7 @@ impl Level {
             let nearest = places.min_by(|a, b| a.1.distance_to(p).total_cmp(&b.1.distance_to(p)));
             let Some(i) = nearest.map(|(i, _)| i).filter(|i| self.along[*i].is_none()) else { continue };
             let normal = self.normals[i];
-            self.along[i] = (direction - normal * normal.dot(direction)).unitized();
+            self.places.along[i] = (direction - normal * normal.dot(direction)).unitized();
         }
         self
     }
@@ -120,6 +128,10 @@ impl Level {
             .iter()
             .map(pair)
             .map(|[i, j]| if i == j { self.areas[i] } else { self.areas[i] + self.areas[j] });
+        let sides = members.iter().map(pair).map(|[i, j]| {
+            let t = share([i, j]);
+            self.sides[i] * (1.0 - t) + self.sides[j] * t
+        });
         let along = members.iter().map(pair).map(|[i, j]| self.along[i].or(self.along[j]));
         let held = members.iter().map(pair).map(|[i, j]| self.held[i].stronger(self.held[j]));
         let lists = members.iter().zip(0_u32..).map(|(m, own)| {
@@ -138,13 +150,14 @@ impl Level {
             list
         });
         let lists: Vec<_> = lists.collect();
-        Self::new(
-            points.collect(),
-            normals.collect(),
-            areas.collect(),
-            lists.into_iter(),
-            along.collect(),
-            held.collect(),
-        )
+        let places = Places {
+            points: points.collect(),
+            normals: normals.collect(),
+            areas: areas.collect(),
+            sides: sides.collect(),
+            along: along.collect(),
+            held: held.collect(),
+        };
+        Self::new(places, lists.into_iter())
     }
 }

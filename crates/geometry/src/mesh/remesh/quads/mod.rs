@@ -5,14 +5,16 @@ mod field;
 mod lattice;
 mod levels;
 mod relax;
+mod sizes;
 mod symmetry;
 
 use super::net::Net;
 use super::target::Target;
 use super::too_many;
 use crate::patience::check;
-use crate::{Error, Mesh, Point3, Result, Vector3};
-use levels::{Hold, Level};
+use crate::{Error, Line, Mesh, Point3, Result, Vector3};
+use levels::{Hold, Level, Places};
+use sizes::Sizes;
 
 /// What [`Mesh::quad_remeshed`] shall reach.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +23,12 @@ pub struct QuadOptions {
     pub count: usize,
     /// Edges where faces meet at more than this angle between their normals, in radians, stay edges.
     pub crease: Option<f64>,
+    /// Edges of the mesh that lie on these lines stay edges; [`Mesh::seams`] has those between its parts.
+    pub seams: Vec<Line>,
+    /// How much smaller quads are where the mesh curves and larger where it is flat: from 0, all of one size, to 1.
+    pub adaptive: f64,
+    /// Whether there may be more quads than wanted for what curves: then none is larger than if all were of one size.
+    pub more: bool,
     /// Places near the mesh with directions in which edges shall run there.
     pub guides: Vec<(Point3, Vector3)>,
     /// The most faces that there may be on the way.
@@ -28,12 +36,22 @@ pub struct QuadOptions {
 }
 
 impl QuadOptions {
-    /// About so many quads, sharp edges not kept.
+    /// About so many quads of one size, sharp edges not kept.
     pub fn new(count: usize) -> Self {
-        Self { count, crease: None, guides: Vec::new(), limit: 4_000_000 }
+        Self {
+            count,
+            crease: None,
+            seams: Vec::new(),
+            adaptive: 0.0,
+            more: false,
+            guides: Vec::new(),
+            limit: 4_000_000,
+        }
     }
 }
 
+/// The curvature that sizes follow is taken on at least so many triangles.
+const TRIANGLES: f64 = 4000.0;
 /// Rounds of making the triangles even on the way.
 const EVEN: usize = 5;
 /// Edges of the triangles on the way, as a part of the sides of the cells.
@@ -44,14 +62,16 @@ const TRIES: usize = 4;
 const NEAR: f64 = 0.05;
 
 impl Mesh {
-    /// The same shape in quads of about one size whose edges follow its creases, borders and curvature.
+    /// The same shape in quads whose edges follow its creases, borders and curvature, of about one size unless they
+    /// adapt to the curvature.
     ///
     /// W. Jakob, M. Tarini, D. Panozzo, O. Sorkine-Hornung, *Instant Field-Aligned Meshes*, 2015: on even triangles a
     /// field of crosses is smoothed, then a field of lattices along the crosses, both over a hierarchy of coarser
     /// graphs and by distances in space, which aligns them to features. The cells are then put together in a way of our
     /// own that leaves no holes: vertices that share a point of the lattice become one by collapses that keep the
     /// surface what it is, two triangles along a diagonal of a cell become a quad, and every face is divided about its
-    /// middle, which leaves quads only. Vertices lie on the mesh, those of creases and borders on them. A closed mesh
+    /// middle, which leaves quads only. Where sizes adapt, the lattices' steps differ from place to place: two neighbours
+    /// are fitted with the mean of their steps. Vertices lie on the mesh, those of creases and borders on them. A closed mesh
     /// gives a closed mesh; vertices in one place count as one. The same mesh always gives the same quads.
     ///
     /// # Errors
@@ -65,14 +85,20 @@ impl Mesh {
         if options.guides.iter().any(|(p, d)| !(p.is_finite() && d.is_finite())) {
             return Err(Error::NotFinite("guide"));
         }
-        let base = Net::new(self, options.crease)?;
+        if !(0.0..=1.0).contains(&options.adaptive) {
+            let must = "from 0 to 1";
+            return Err(Error::OutOfRange { what: "adaptation of sizes", value: options.adaptive, must });
+        }
+        let base = Net::with_lines(self, options.crease, &options.seams)?;
         let surface = Target::new(self, base.lines())?;
         let area = self.area();
         // Each cell becomes four quads.
         let mut side = (4.0 * area / wanted).sqrt();
+        let sizes = self.sizes(side, options, &surface)?;
+        let wanted = wanted * sizes.share;
         let mut best: Option<(f64, Self)> = None;
         for _ in 0..TRIES {
-            let made = self.in_cells(side, options, &surface)?;
+            let made = self.in_cells(side, &sizes, options, &surface)?;
             let share = made.faces().len() as f64 / wanted;
             let off = share.ln().abs();
             if best.as_ref().is_none_or(|(least, _)| off < *least) {
@@ -86,37 +112,75 @@ impl Mesh {
         best.map(|(_, mesh)| mesh).ok_or(Error::degenerate("mesh to remesh", "it has no faces with an area"))
     }
 
-    /// Quads from cells with sides of a length.
-    fn in_cells(&self, side: f64, options: &QuadOptions, surface: &Target) -> Result<Self> {
-        let fine = side * FINE;
-        // An equilateral triangle has √3/4 times the square of its side.
-        if !(self.area() / (0.25 * 3.0_f64.sqrt() * fine * fine) <= options.limit as f64) {
+    /// How large cells are where, as factors of a side.
+    fn sizes(&self, side: f64, options: &QuadOptions, surface: &Target) -> Result<Sizes> {
+        if options.adaptive == 0.0 {
+            return Ok(Sizes::even());
+        }
+        let length = (side * FINE).min(triangle_side(self.area() / TRIANGLES));
+        let net = self.even_net(|_| length, length, options, surface)?;
+        Ok(Sizes::by_curvature(&net, side, options.adaptive, options.more))
+    }
+
+    /// Even triangles whose edges have about the length that is wanted where they are; `mean` is what it is about.
+    fn even_net(
+        &self,
+        length: impl Fn(Point3) -> f64,
+        mean: f64,
+        options: &QuadOptions,
+        surface: &Target,
+    ) -> Result<Net> {
+        if !(self.area() / triangle_area(mean) <= options.limit as f64) {
             return Err(too_many());
         }
-        let mut net = Net::new(self, options.crease)?;
+        let mut net = Net::with_lines(self, options.crease, &options.seams)?;
         for _ in 0..EVEN {
             check()?;
-            net.split_long(4.0 / 3.0 * fine, options.limit)?;
-            net.collapse_short(4.0 / 5.0 * fine, 4.0 / 3.0 * fine);
+            net.split_long(|p| 4.0 / 3.0 * length(p), options.limit)?;
+            net.collapse_short(|p| 4.0 / 5.0 * length(p), |p| 4.0 / 3.0 * length(p));
             net.flip();
             net.smooth(|p| surface.nearest(p), |p| surface.nearest_on_line(p));
         }
-        let (vertices, level) = level_of(&net, &options.guides);
-        let places = field::solve(level, side)?;
+        Ok(net)
+    }
+
+    /// Quads from cells with sides of a length, times what the sizes say.
+    fn in_cells(&self, side: f64, sizes: &Sizes, options: &QuadOptions, surface: &Target) -> Result<Self> {
+        let fine = side * FINE;
+        let mean = fine / sizes.share.sqrt();
+        let mut net = self.even_net(|p| fine * sizes.at(p), mean, options, surface)?;
+        let (vertices, level) = level_of(&net, &options.guides, |p| side * sizes.at(p));
+        let mut sides = vec![side; net.vertex_count()];
+        for (&v, own) in vertices.iter().zip(&level.sides) {
+            if let Some(side) = sides.get_mut(v as usize) {
+                *side = *own;
+            }
+        }
+        let places = field::solve(level)?;
         let mut at = vec![Point3::ORIGIN; net.vertex_count()];
         for (&v, place) in vertices.iter().zip(places) {
             if let Some(at) = at.get_mut(v as usize) {
                 *at = place;
             }
         }
-        cells::gather(&mut net, &mut at, side)?;
+        cells::gather(&mut net, &mut at, &sides)?;
         let quads = cells::quads(&net, &at);
         relax::finished(&net, at, &quads, surface)
     }
 }
 
+/// The area of an equilateral triangle.
+fn triangle_area(side: f64) -> f64 {
+    0.25 * 3.0_f64.sqrt() * side * side
+}
+
+/// The side of an equilateral triangle of an area.
+fn triangle_side(area: f64) -> f64 {
+    (4.0 * area / 3.0_f64.sqrt()).sqrt()
+}
+
 /// The vertices that have faces, and the graph of them that fields are smoothed on.
-fn level_of(net: &Net, guides: &[(Point3, Vector3)]) -> (Vec<u32>, Level) {
+fn level_of(net: &Net, guides: &[(Point3, Vector3)], side: impl Fn(Point3) -> f64) -> (Vec<u32>, Level) {
     let vertices = net.vertices();
     let mut number = vec![u32::MAX; net.vertex_count()];
     for (&v, k) in vertices.iter().zip(0..) {
@@ -143,7 +207,8 @@ fn level_of(net: &Net, guides: &[(Point3, Vector3)]) -> (Vec<u32>, Level) {
             _ => held[k] = Hold::Point(points[k]),
         }
     }
-    let level = Level::new(points, normals, areas, links, along, held);
+    let sides = points.iter().map(|&p| side(p)).collect();
+    let level = Level::new(Places { points, normals, areas, sides, along, held }, links);
     (vertices, level.guided(guides))
 }
 
@@ -211,6 +276,89 @@ mod tests {
         assert!((mesh.volume() - 8.0).abs() < 1e-9, "{}", mesh.volume());
         println!("box: square {:.3}, regular {:.3}", squareness(&mesh), regular(&mesh));
         assert!(squareness(&mesh) > 0.95 && regular(&mesh) > 0.95);
+    }
+
+    /// An ellipsoid of half axes 1, 1 and 4: the greatest curvature is 1 at its waist and 4 at its tips.
+    fn spindle() -> Mesh {
+        let ball = Mesh::sphere(&Plane::XY, 1.0, 96, 96).unwrap();
+        let points = ball.vertices().iter().map(|p| Point3::new(p.x, p.y, 4.0 * p.z)).collect();
+        Mesh::new(points, ball.faces().to_vec()).unwrap()
+    }
+
+    /// The mean side of the quads whose middles are at heights within a range.
+    fn mean_side(mesh: &Mesh, heights: Interval) -> f64 {
+        let areas: Vec<f64> = (0..mesh.faces().len())
+            .filter_map(|i| {
+                let p = mesh.face_points(i)?;
+                let height = 0.25 * p.iter().map(|p| p.z.abs()).sum::<f64>();
+                heights.contains(height).then(|| 0.5 * (p[2] - p[0]).cross(p[3] - p[1]).length())
+            })
+            .collect();
+        (areas.iter().sum::<f64>() / areas.len() as f64).sqrt()
+    }
+
+    #[test]
+    fn sizes_adapt_to_curvature() {
+        let (waist, tip) = (Interval::new(0.0, 0.5), Interval::new(3.7, 4.0));
+        let spindle = spindle();
+        let made = |adaptive: f64, more: bool| {
+            let options = QuadOptions { adaptive, more, ..QuadOptions::new(2000) };
+            spindle.quad_remeshed(&options).unwrap()
+        };
+        let even = made(0.0, false);
+        let usual = mean_side(&even, waist);
+        let ratio = |mesh: &Mesh| mean_side(mesh, tip) / mean_side(mesh, waist);
+        println!("even: {} quads, tip over waist {:.3}", even.faces().len(), ratio(&even));
+        assert!((ratio(&even) - 1.0).abs() < 0.2, "{}", ratio(&even));
+        let mut last = ratio(&even);
+        for adaptive in [0.5, 1.0] {
+            let mesh = made(adaptive, false);
+            sound(&mesh, 2000, true);
+            let now = ratio(&mesh);
+            println!("{adaptive}: tip over waist {now:.3}, square {:.3}", squareness(&mesh));
+            assert!(now < 0.85 * last, "{now} after {last}");
+            assert!(squareness(&mesh) > 0.85, "{}", squareness(&mesh));
+            last = now;
+            let more = made(adaptive, true);
+            assert!(quads_only(&more) && more.is_closed() && more.is_manifold() && more.is_oriented());
+            println!(
+                "more: {} quads, {:.3} and {:.3}",
+                more.faces().len(),
+                mean_side(&more, waist),
+                ratio(&more)
+            );
+            assert!(more.faces().len() > 2100, "{}", more.faces().len());
+            assert!(mean_side(&more, waist) < 1.1 * usual);
+        }
+        assert!(last < 0.55, "{last}");
+        // A ball curves the same everywhere.
+        let ball = Mesh::sphere(&Plane::XY, 2.0, 48, 24).unwrap();
+        let options = QuadOptions { adaptive: 1.0, more: true, ..QuadOptions::new(400) };
+        sound(&ball.quad_remeshed(&options).unwrap(), 400, true);
+        assert!(ball.quad_remeshed(&QuadOptions { adaptive: 1.5, ..options }).is_err());
+    }
+
+    #[test]
+    fn seams_stay_edges() {
+        // Two halves of a sheet that meet at x = 1.3: nothing but the seam tells of it.
+        let half = |x: Interval, n: usize| {
+            let square = Rectangle { plane: Plane::XY, x, y: Interval::new(0.0, 2.0) };
+            Mesh::plane(&square, n, 5).unwrap()
+        };
+        let sheet =
+            Mesh::join(&[half(Interval::new(0.0, 1.3), 4), half(Interval::new(1.3, 3.0), 5)]).unwrap();
+        let along = |mesh: &Mesh| {
+            let on = |p: Point3| (p.x - 1.3).abs() < 1e-9;
+            let lines = mesh.edges().iter().filter_map(|e| mesh.edge_line(e)).collect::<Vec<_>>();
+            lines.iter().filter(|l| on(l.from) && on(l.to)).map(|l| l.length()).sum::<f64>()
+        };
+        let seams = sheet.seams(None);
+        let kept = sheet.quad_remeshed(&QuadOptions { seams, ..QuadOptions::new(150) }).unwrap();
+        sound(&kept, 150, false);
+        assert!((along(&kept) - 2.0).abs() < 1e-9, "{}", along(&kept));
+        assert!((kept.area() - 6.0).abs() < 1e-9);
+        let free = sheet.quad_remeshed(&QuadOptions::new(150)).unwrap();
+        assert!(along(&free) < 1.0);
     }
 
     #[test]
