@@ -2,6 +2,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::{Remeshed, too_many};
 use crate::box_tree::{BoxTree, bounds_of};
+use crate::patience::check;
 use crate::{Error, Line, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Whether a surface stays one when an edge collapses, of whose ends the neighbours are given.
@@ -182,6 +183,7 @@ impl Net {
         for _ in 0..ROUNDS {
             let mut done = true;
             for [a, b] in self.edges() {
+                check()?;
                 if self.length(a, b) > longest(self.middle(a, b)) {
                     self.split(a, b);
                     done = false;
@@ -234,6 +236,10 @@ impl Net {
         longest: impl Fn(Point3) -> f64,
     ) {
         for [a, b] in self.edges() {
+            // Whoever has this done looks whether to go on.
+            if check().is_err() {
+                return;
+            }
             if self.around[a as usize].is_empty() || self.around[b as usize].is_empty() {
                 continue;
             }
@@ -356,6 +362,10 @@ impl Net {
     /// Flips edges where that brings the numbers of neighbours nearer to what they should be.
     pub(super) fn flip(&mut self) {
         for [a, b] in self.edges() {
+            // Whoever has this done looks whether to go on.
+            if check().is_err() {
+                return;
+            }
             if self.kept.contains(&[a, b]) {
                 continue;
             }
@@ -404,6 +414,9 @@ impl Net {
         for v in 0..self.points.len() as u32 {
             if self.around[v as usize].is_empty() {
                 continue;
+            }
+            if check().is_err() {
+                return;
             }
             let (here, ends) = (self.at(v), self.kept_neighbours(v));
             let place = match ends.as_slice() {
