@@ -94,9 +94,9 @@ impl MeshObject {
                 distinct.push(corner);
             }
         }
-        match distinct.as_slice() {
-            &[a, b, c] => Some([a, b, c, c]),
-            &[a, b, c, d] => Some([a, b, c, d]),
+        match *distinct.as_slice() {
+            [a, b, c] => Some([a, b, c, c]),
+            [a, b, c, d] => Some([a, b, c, d]),
             _ => None,
         }
     }
