@@ -40,7 +40,7 @@ impl Surface {
         let mut source = self.to_nurbs()?;
         let plain = by_controls(&source, morph)?;
         let size = source.hull_box().min.distance_to(source.hull_box().max);
-        if miss(&source, &plain, morph)? <= EXACT * size {
+        if miss(&source, &plain, morph)?.worst <= EXACT * size {
             // The map is affine where the surface is.
             return Ok(plain.into());
         }
@@ -58,20 +58,24 @@ impl Surface {
         let sides = Sides::of(self);
         let mut image = through(&source, morph, &sides)?;
         let mut worst = miss(&source, &image, morph)?;
-        while !(worst <= tolerance.absolute) {
-            let mut best: Option<(f64, NurbsSurface, NurbsSurface)> = None;
+        // What one direction alone did not mend once is not tried again.
+        let mut first = 0;
+        while !(worst.worst <= tolerance.absolute) {
+            let mut best: Option<(Miss, NurbsSurface, NurbsSurface)> = None;
+            let choices = [&Direction::BOTH[..1], &Direction::BOTH[1..], &Direction::BOTH[..]];
             // One direction where that alone brings it nearer, as for what is bent one way.
-            for directions in [&Direction::BOTH[..1], &Direction::BOTH[1..], &Direction::BOTH[..]] {
-                let next = halved(&source, directions)?;
+            for (choice, directions) in choices.into_iter().enumerate().skip(first) {
+                let next = halved(&source, directions, &worst, tolerance.absolute)?;
                 if next.point_count() > MOST {
                     continue;
                 }
                 let made = through(&next, morph, &sides)?;
                 let left = miss(&next, &made, morph)?;
-                let nearer = best.as_ref().is_none_or(|(least, ..)| left < *least);
-                let enough = left <= tolerance.absolute || left <= WORTHWHILE * worst;
+                let nearer = best.as_ref().is_none_or(|(least, ..)| left.worst < least.worst);
+                let enough = left.worst <= tolerance.absolute || left.worst <= WORTHWHILE * worst.worst;
                 if nearer {
                     best = Some((left, next, made));
+                    first = choice;
                 }
                 if enough {
                     break;
@@ -84,12 +88,13 @@ impl Surface {
     }
 }
 
-/// Every span in some directions cut in two.
-fn halved(surface: &NurbsSurface, directions: &[Direction]) -> Result<NurbsSurface> {
+/// Every span in some directions that misses by more than it may cut in two.
+fn halved(surface: &NurbsSurface, directions: &[Direction], by: &Miss, most: f64) -> Result<NurbsSurface> {
     let mut next = surface.clone();
     for direction in directions {
         let spans = surface.span_parameters(*direction);
-        let middles: Vec<f64> = spans.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
+        let far = spans.windows(2).zip(&by.spans[direction.index()]).filter(|(_, miss)| !(**miss <= most));
+        let middles: Vec<f64> = far.map(|(w, _)| 0.5 * (w[0] + w[1])).collect();
         next = next.refined(*direction, &middles)?;
     }
     Ok(next)
@@ -188,32 +193,48 @@ fn through(source: &NurbsSurface, morph: &dyn Morph, sides: &Sides) -> Result<Nu
     source.through(&points)
 }
 
-/// How far the image is from what the map makes of the source, at places in all patches, of few patches in more.
-fn miss(source: &NurbsSurface, image: &NurbsSurface, morph: &dyn Morph) -> Result<f64> {
+/// How far an image is from what the map makes of the source.
+struct Miss {
+    worst: f64,
+    /// The same over each span of u, and of v.
+    spans: [Vec<f64>; 2],
+}
+
+/// How far the image is off, at places in all patches, of few patches in more.
+fn miss(source: &NurbsSurface, image: &NurbsSurface, morph: &dyn Morph) -> Result<Miss> {
     let spans = Direction::BOTH.map(|d| source.span_parameters(d));
-    let parts = match spans[0].len() * spans[1].len() {
+    let counts = spans.each_ref().map(|spans| spans.len().saturating_sub(1));
+    let parts = match counts[0] * counts[1] {
         few if few <= 100 => 8,
         some if some <= 1000 => 4,
         _ => 2,
     };
+    // Each place with its span; the ends of spans count for the one before too.
     let [us, vs] = spans.map(|spans| {
-        let part = |w: &[f64], k: u32| w[0] + (w[1] - w[0]) * (f64::from(k) / f64::from(parts));
-        let mut out: Vec<f64> = spans.windows(2).flat_map(|w| (0..parts).map(move |k| part(w, k))).collect();
-        out.extend(spans.last());
+        let part = |w: &[f64], k: usize| w[0] + (w[1] - w[0]) * (k as f64 / parts as f64);
+        let within = |(span, w): (usize, &[f64])| (0..parts).map(|k| (part(w, k), span)).collect::<Vec<_>>();
+        let mut out: Vec<(f64, usize)> = spans.windows(2).enumerate().flat_map(within).collect();
+        out.extend(spans.last().map(|end| (*end, spans.len().saturating_sub(2))));
         out
     });
-    let mut worst = 0.0_f64;
-    for &u in &us {
-        for &v in &vs {
+    let mut found = Miss { worst: 0.0, spans: counts.map(|n| vec![0.0; n]) };
+    for (i, &(u, in_u)) in us.iter().enumerate() {
+        for (j, &(v, in_v)) in vs.iter().enumerate() {
             let wanted: Point3 = morph.image(source.point_at(u, v))?;
             let apart = wanted.distance_to(image.point_at(u, v));
-            if apart.is_nan() {
-                return Ok(f64::INFINITY);
+            let apart = if apart.is_nan() { f64::INFINITY } else { apart };
+            found.worst = found.worst.max(apart);
+            for (spans, place, span) in [(0, i, in_u), (1, j, in_v)] {
+                let before = if place % parts == 0 { span.saturating_sub(1) } else { span };
+                for k in [before, span] {
+                    if let Some(worst) = found.spans[spans].get_mut(k) {
+                        *worst = worst.max(apart);
+                    }
+                }
             }
-            worst = worst.max(apart);
         }
     }
-    Ok(worst)
+    Ok(found)
 }
 
 #[cfg(test)]
