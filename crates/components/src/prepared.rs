@@ -110,7 +110,7 @@ pub(crate) fn projection(
     brep: &Shared<Brep>,
     direction: Vector3,
 ) -> Result<Rc<CurveProjection>, Message> {
-    let make = || Ok(CurveProjection::new(brep.clone(), direction).map_err(warning)?);
+    let make = || CurveProjection::new(brep.clone(), direction).map_err(warning);
     along(&shelves(context)?.projections, direction).of(context, brep, |kept| *kept == **brep, make)
 }
 
@@ -120,7 +120,7 @@ pub(crate) fn projection_onto(
     surface: &Shared<Surface>,
     direction: Vector3,
 ) -> Result<Rc<SurfaceProjection>, Message> {
-    let make = || Ok(SurfaceProjection::new(surface.clone(), direction).map_err(warning)?);
+    let make = || SurfaceProjection::new(surface.clone(), direction).map_err(warning);
     along(&shelves(context)?.surface_projections, direction).of(context, surface, |_| false, make)
 }
 
