@@ -1,5 +1,5 @@
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use katydid_geometry::Patience;
@@ -73,12 +73,18 @@ struct Waiting {
     cancel: Cancel,
     deadline: Deadline,
     account: Account,
+    /// Why there was no memory: what was given up for that may have been given back since.
+    refused: OnceLock<Message>,
 }
 
 impl katydid_geometry::Waiting for Waiting {
     fn go_on(&self) -> bool {
-        self.account.settle();
-        !self.cancel.is_cancelled() && !self.deadline.is_over() && !self.account.is_over()
+        !self.cancel.is_cancelled() && !self.deadline.is_over() && self.has_room(0)
+    }
+
+    fn has_room(&self, bytes: u64) -> bool {
+        let refused = self.room(bytes).map_err(|message| self.refused.get_or_init(|| message));
+        refused.is_ok()
     }
 
     fn begin(&self) {
@@ -97,6 +103,9 @@ impl Waiting {
         match self.account.without_room(more) {
             None => Ok(()),
             Some(over) if std::ptr::eq(over, &self.account) => Err(too_large("", over.limit())),
+            Some(_) if self.account.was_refused() => Err(Message::error(
+                "No memory is left for this beside what else is solved now: try again later",
+            )),
             Some(whole) => Err(too_large(" in the whole solution", whole.limit())),
         }
     }
@@ -110,7 +119,7 @@ impl Budget {
     /// A budget for one object. `deadline` is when the whole solve must be done, `solve` counts what it takes.
     pub fn new(limits: Limits, cancel: Cancel, deadline: Deadline, solve: Arc<Account>) -> Self {
         let account = Account::part_of(solve, limits.bytes);
-        let waiting = Arc::new(Waiting { limits, cancel, deadline, account });
+        let waiting = Arc::new(Waiting { limits, cancel, deadline, account, refused: OnceLock::new() });
         Self { items: AtomicU64::new(0), asked: AtomicU64::new(0), waiting }
     }
 
@@ -127,7 +136,7 @@ impl Budget {
             let seconds = waiting.limits.time.unwrap_or_default().as_secs_f64();
             return Err(Message::error(format!("The time limit of {seconds} seconds is over")));
         }
-        waiting.room(0)
+        waiting.refused.get().map_or_else(|| waiting.room(0), |message| Err(message.clone()))
     }
 
     /// The same where it is asked at every step of a loop: it looks only when this thread has taken much since it looked

@@ -5,7 +5,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-use katydid_data::Tree;
+use katydid_data::{Path, Tree};
 
 use crate::input::Row;
 use crate::matching::Matching;
@@ -66,6 +66,13 @@ pub fn run<S: Sinks>(
     let room = if cuts.len() > 1 { total } else { 0 };
     let mut sinks = S::new(room, call.output_count);
     parts.into_iter().for_each(|part| sinks.append(part));
+    // Every output has the paths for itself.
+    let shape = size_of::<Path>() + size_of::<usize>();
+    let shapes = matching.paths.len().saturating_mul(call.output_count).saturating_mul(shape);
+    if let Err(message) = call.budget.bytes(sinks.copied().saturating_add(shapes)) {
+        notes.add(message);
+        return Outcome { outputs: vec![Tree::empty(); call.output_count], messages: notes.into_messages() };
+    }
     Outcome { outputs: sinks.finish(&matching), messages: notes.into_messages() }
 }
 

@@ -22,6 +22,10 @@ pub trait Sink: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items the result of one iteration holds, for the budget.
     fn count(result: &Self::Result) -> usize;
+    /// The bytes that are copied in the end.
+    fn copied(&self) -> usize {
+        0
+    }
     /// The trees, one a port.
     fn finish(self, matching: &Matching) -> Vec<Tree>;
 }
@@ -183,6 +187,12 @@ impl Sink for Trees {
         0
     }
 
+    fn copied(&self) -> usize {
+        let is_many = self.0.len() > 1;
+        let weights = self.0.iter().filter(|_| is_many).map(Tree::copied_weight);
+        weights.fold(0, usize::saturating_add)
+    }
+
     fn finish(self, _: &Matching) -> Vec<Tree> {
         vec![Tree::merge(&self.0)]
     }
@@ -262,6 +272,10 @@ impl Sink for EachTrees {
         0
     }
 
+    fn copied(&self) -> usize {
+        self.0.iter().map(Sink::copied).fold(0, usize::saturating_add)
+    }
+
     fn finish(self, matching: &Matching) -> Vec<Tree> {
         self.0.into_iter().flat_map(|sink| sink.finish(matching)).collect()
     }
@@ -280,6 +294,10 @@ pub trait Sinks: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items in the results of one iteration.
     fn count(results: &Self::Results) -> usize;
+    /// The bytes that are copied in the end.
+    fn copied(&self) -> usize {
+        0
+    }
     /// The trees of all outputs.
     fn finish(self, matching: &Matching) -> Vec<Tree>;
 }
@@ -307,6 +325,10 @@ macro_rules! sinks {
             fn count(results: &Self::Results) -> usize {
                 0 $(+ $name::count(&results.$index))*
             }
+            fn copied(&self) -> usize {
+                [$(self.$index.copied()),*].into_iter().fold(0, usize::saturating_add)
+            }
+
             fn finish(self, matching: &Matching) -> Vec<Tree> {
                 let trees: [Vec<Tree>; $n] = [$(self.$index.finish(matching)),*];
                 trees.into_iter().flatten().collect()

@@ -1,5 +1,7 @@
 //! What rewrites paths and leaves the items where they are, and the joining of trees.
 
+use katydid_geometry::Patience;
+
 use crate::{Column, Path, Tree};
 
 impl Tree {
@@ -21,6 +23,10 @@ impl Tree {
     /// Every item in a branch of its own: item i of `{p}` goes to `{p;i}`. An empty branch stays as it is.
     #[must_use]
     pub fn graft(&self) -> Self {
+        // Whoever has this done looks whether to go on.
+        if !Patience::has_room(self.item_count().saturating_mul(size_of::<Path>() + size_of::<usize>())) {
+            return Self::empty();
+        }
         let mut paths = Vec::with_capacity(self.item_count());
         let mut ends = Vec::with_capacity(self.item_count());
         for branch in self.branches() {

@@ -15,6 +15,13 @@ impl Tree {
         let paths: usize = self.paths().iter().map(path).sum();
         paths + self.branch_count() * size_of::<usize>() + self.column().weight()
     }
+
+    /// About how many bytes a copy takes: what items share with it is not copied.
+    pub fn copied_weight(&self) -> usize {
+        let places = size_of::<crate::Path>() + size_of::<usize>();
+        let items = self.column().weight().min(self.item_count().saturating_mul(size_of::<Value>()));
+        items.saturating_add(self.branch_count().saturating_mul(places))
+    }
 }
 
 impl Column {

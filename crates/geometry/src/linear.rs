@@ -1,5 +1,7 @@
 //! Small dense linear algebra that several files share.
 
+use crate::{Result, patience};
+
 /// Eigenvalues, ascending, and unit eigenvectors of a symmetric 3×3 matrix by cyclic Jacobi rotations
 /// (Golub & Van Loan, *Matrix Computations*, §8.5).
 pub(crate) fn symmetric_eigen(mut a: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
@@ -35,6 +37,9 @@ pub(crate) fn symmetric_eigen(mut a: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3])
     (values, vectors)
 }
 
+/// With more entries beside the diagonal a step of the elimination takes microseconds.
+const WIDE: usize = 16;
+
 /// A banded system of linear equations for points in space.
 pub(crate) struct Banded {
     half: usize,
@@ -46,8 +51,13 @@ pub(crate) struct Banded {
 
 impl Banded {
     /// The system with as many rows as right-hand sides (`n` of them) and `half` entries beside the diagonal.
-    pub(crate) fn new(n: usize, half: usize, right: Vec<[f64; 3]>) -> Self {
-        Self { half, entries: vec![0.0; n * (3 * half + 1)], right }
+    ///
+    /// # Errors
+    /// There is no memory for it, or nobody waits any more.
+    pub(crate) fn new(n: usize, half: usize, right: Vec<[f64; 3]>) -> Result<Self> {
+        let count = n.saturating_mul(3 * half + 1);
+        patience::room::<f64>(count)?;
+        Ok(Self { half, entries: vec![0.0; count], right })
     }
 
     /// Adds to the entry at a row and column; outside the band nothing happens.
@@ -87,6 +97,9 @@ impl Banded {
         // After step k, the entry of row i in column c stands at c + half − i.
         for k in 0..n {
             let last = n.min(k + half + 1);
+            if half > WIDE && patience::check().is_err() {
+                return None;
+            }
             if exchange {
                 let size = |i: usize| self.entries[i * width + half + k - i].abs();
                 let pivot = (k..last).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
@@ -145,7 +158,7 @@ mod tests {
                 if exchange && i == j && i % 3 == 1 { 0.0 } else { near + 0.1 * ((i * 7 + j) as f64).sin() }
             };
             let want: Vec<[f64; 3]> = (0..n).map(|i| [i as f64, (i as f64).cos(), 1.0]).collect();
-            let mut system = Banded::new(n, half, vec![[0.0; 3]; n]);
+            let mut system = Banded::new(n, half, vec![[0.0; 3]; n]).unwrap();
             for i in 0..n {
                 let mut sum = [0.0; 3];
                 for j in i.saturating_sub(half)..(i + half + 1).min(n) {
@@ -159,6 +172,6 @@ mod tests {
                 assert!((a - b).abs() < 1e-10, "{a} {b}");
             }
         }
-        assert!(Banded::new(2, 1, vec![[1.0; 3]; 2]).solve().is_none());
+        assert!(Banded::new(2, 1, vec![[1.0; 3]; 2]).unwrap().solve().is_none());
     }
 }

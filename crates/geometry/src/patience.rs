@@ -34,6 +34,12 @@ pub trait Waiting: Send + Sync {
     /// Whether the work shall go on. It is asked often, from whichever thread does the work.
     fn go_on(&self) -> bool;
 
+    /// Whether the work may take so many bytes more. It is asked before large tables are made.
+    fn has_room(&self, bytes: u64) -> bool {
+        let _ = bytes;
+        true
+    }
+
     /// The work begins on this thread, or goes on there after other work.
     fn begin(&self) {}
 
@@ -53,6 +59,10 @@ struct Endless(Patience);
 impl Waiting for Endless {
     fn go_on(&self) -> bool {
         true
+    }
+
+    fn has_room(&self, bytes: u64) -> bool {
+        self.0.0.as_ref().is_none_or(|waiting| waiting.has_room(bytes))
     }
 
     fn begin(&self) {
@@ -135,6 +145,17 @@ impl Patience {
         }
     }
 
+    /// Whether nobody waits any more for what this thread does, or there is no memory for it: asked now and then in long
+    /// loops outside the kernel.
+    pub fn is_over() -> bool {
+        check().is_err()
+    }
+
+    /// Whether what this thread does may take so many bytes more. When it may not, it is over.
+    pub fn has_room(bytes: usize) -> bool {
+        room::<u8>(bytes).is_ok()
+    }
+
     /// The patience for what this thread does now.
     pub(crate) fn now() -> Self {
         NOW.with_borrow(Clone::clone)
@@ -155,6 +176,33 @@ pub(crate) fn check() -> Result<()> {
     if OVER.get() { Err(Error::Stopped) } else { Ok(()) }
 }
 
+/// The same before a step that may take milliseconds: the question is passed on each time.
+///
+/// # Errors
+/// As [`check`].
+pub(crate) fn check_now() -> Result<()> {
+    ASKED.set(EVERY.wrapping_sub(1));
+    check()
+}
+
+/// Smaller tables are counted once they are there.
+const SMALL: u64 = 1 << 16;
+
+/// Whether to go on with a table of so many entries of a type, before it is made.
+///
+/// # Errors
+/// As [`check`], and when there is no memory for it.
+pub(crate) fn room<T>(count: usize) -> Result<()> {
+    let bytes = u64::try_from(count.saturating_mul(size_of::<T>())).unwrap_or(u64::MAX);
+    if bytes <= SMALL {
+        return check();
+    }
+    if Patience::now().0.is_some_and(|waiting| !waiting.has_room(bytes)) {
+        OVER.set(true);
+    }
+    check_now()
+}
+
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicU32, Ordering};
@@ -163,6 +211,35 @@ mod tests {
 
     fn runs(most: u32) -> u32 {
         (0..most).find(|_| check().is_err()).unwrap_or(most)
+    }
+
+    struct Megabyte;
+
+    impl Waiting for Megabyte {
+        fn go_on(&self) -> bool {
+            true
+        }
+
+        fn has_room(&self, bytes: u64) -> bool {
+            bytes <= 1 << 20
+        }
+    }
+
+    #[test]
+    fn tables_are_asked_for() {
+        assert!(room::<u64>(usize::MAX).is_ok());
+        let some = Patience::of(Arc::new(Megabyte));
+        some.during(|| {
+            assert!(room::<u64>(1 << 17).is_ok() && runs(1000) == 1000);
+            Patience::waiting(|| assert!(room::<u64>(1 << 18).is_err()));
+            assert_eq!(room::<u64>(1 << 18), Err(Error::Stopped));
+            assert!(check_now().is_err() && runs(1000) == 0);
+        });
+        let asked = Arc::new(AtomicU32::new(0));
+        let own = asked.clone();
+        Patience::new(move || own.fetch_add(1, Ordering::Relaxed) < 9).during(|| {
+            assert_eq!((0..100).take_while(|_| check_now().is_ok()).count(), 9);
+        });
     }
 
     /// Writes down when work begins and ends.

@@ -4,11 +4,14 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use katydid_geometry::isoline::Metaballs;
 use katydid_geometry::region::Region;
+use katydid_geometry::subd::{FromMesh, SubDNet};
+use katydid_geometry::substrate::substrate;
 use katydid_geometry::{
     Arc, Brep, Circle, Continuity, Curve, Interval, KnotSpacing, Line, Mesh, MeshFace, NurbsCurve,
-    NurbsSurface, OffsetCorner, Patience, Plane, Point3, PolyCurve, PolylineCurve, Tolerance, Vector3, Xform,
-    construct, intersect, join_curves,
+    NurbsSurface, OffsetCorner, Patience, Plane, Point2, Point3, PolyCurve, PolylineCurve, RemeshOptions,
+    Sphere, Tolerance, Vector3, Waiting, Xform, cloud, construct, intersect, join_curves,
 };
 use proptest::prelude::*;
 
@@ -178,12 +181,28 @@ fn what_takes_long_ends_when_nobody_waits() {
     let closed: Curve = NurbsCurve::periodic_uniform(3, &tangle(60, 0.5).control_points()).unwrap().into();
     let ring: Curve = Circle::new(Plane::YZ, 0.01).unwrap().into();
     let sections: Vec<Curve> = (0..200).map(|i| tangle(20 + i, 0.1).into()).collect();
-    let works: [(&str, &dyn Fn() -> katydid_geometry::Result<()>); 8] = [
-        ("offset", &|| a.offset(&Plane::XY, 0.5, OffsetCorner::Round, &tolerance).map(drop)),
-        ("region", &|| Region::union_of(std::slice::from_ref(&closed), &Plane::XY, 1e-3).map(drop)),
-        ("planar faces", &|| Brep::planar_faces(std::slice::from_ref(&closed), &tolerance).map(drop)),
-        ("loft", &|| construct::loft(&sections, &construct::LoftOptions::default(), &tolerance).map(drop)),
-        ("sweep", &|| {
+    let zigzag: Curve = PolylineCurve::new(tangle(300, 0.0).control_points()).unwrap().into();
+    let beside = zigzag.transformed(&Xform::translation(Vector3::new(0.0, 3.0, 0.0))).unwrap();
+    let rung: Curve = Line::new(zigzag.start(), beside.start()).into();
+    let sphere = Mesh::sphere(&Plane::XY, 1.0, 60, 60).unwrap();
+    let ball = Brep::from_surface(Sphere::around(Point3::ORIGIN, 5.0).unwrap().into()).unwrap();
+    let small =
+        RemeshOptions { length: 0.05, iterations: 50, crease: None, points: Vec::new(), limit: 1 << 20 };
+    let field = Metaballs::new(&tangle(300, 0.0).control_points(), &[1.0], &Plane::XY).unwrap();
+    let unit = Interval::new(0.0, 1.0);
+    let mut number = 0.5;
+    let mut random = move || {
+        number = (number * 997.0_f64 + 0.123).fract();
+        number
+    };
+    let works: [(&str, &mut dyn FnMut() -> katydid_geometry::Result<()>); 17] = [
+        ("offset", &mut || a.offset(&Plane::XY, 0.5, OffsetCorner::Round, &tolerance).map(drop)),
+        ("region", &mut || Region::union_of(std::slice::from_ref(&closed), &Plane::XY, 1e-3).map(drop)),
+        ("planar faces", &mut || Brep::planar_faces(std::slice::from_ref(&closed), &tolerance).map(drop)),
+        ("loft", &mut || {
+            construct::loft(&sections, &construct::LoftOptions::default(), &tolerance).map(drop)
+        }),
+        ("sweep", &mut || {
             construct::sweep_one(
                 &a,
                 std::slice::from_ref(&ring),
@@ -192,9 +211,20 @@ fn what_takes_long_ends_when_nobody_waits() {
             )
             .map(drop)
         }),
-        ("rebuild", &|| a.rebuilt(3, 1000, false).map(drop)),
-        ("nearest points", &|| a.closest_points(&tangle(2000, 2.0).control_points()).map(drop)),
-        ("curves", &|| (0..200).try_for_each(|_| intersect::curve_curve(&a, &b, 1e-3).map(drop))),
+        ("rebuild", &mut || a.rebuilt(3, 1000, false).map(drop)),
+        ("nearest points", &mut || a.closest_points(&tangle(2000, 2.0).control_points()).map(drop)),
+        ("curves", &mut || (0..200).try_for_each(|_| intersect::curve_curve(&a, &b, 1e-3).map(drop))),
+        ("sweep along two rails", &mut || {
+            construct::sweep_two([&zigzag, &beside], std::slice::from_ref(&rung), false, &tolerance).map(drop)
+        }),
+        ("mesh as a brep", &mut || Brep::from_mesh(&sphere, &tolerance).map(drop)),
+        ("mesh as a subd", &mut || SubDNet::from_mesh(&sphere, &FromMesh::default()).map(drop)),
+        ("aligned vertices", &mut || sphere.with_aligned_vertices(1e-6).map(drop)),
+        ("remeshed", &mut || sphere.remeshed(&small, None).map(drop)),
+        ("projected to a brep", &mut || ball.project_curve(&zigzag, Vector3::Z, &tolerance).map(drop)),
+        ("extruded", &mut || construct::extrude(&zigzag, Vector3::Z, false, &tolerance).map(drop)),
+        ("outlines of balls", &mut || field.isolines(0.5, 1e-4, usize::MAX).map(drop)),
+        ("cracks", &mut || substrate([unit, unit], 5000, &[0.3], 0.1, &mut random).map(drop)),
     ];
     for (name, work) in works {
         let asked = std::sync::Arc::new(AtomicUsize::new(0));
@@ -206,5 +236,41 @@ fn what_takes_long_ends_when_nobody_waits() {
         assert_eq!(made, Err(katydid_geometry::Error::Stopped), "{name}");
         // And what was given up is given up soon.
         assert!(asked < 100, "{name} asked {asked} times");
+    }
+}
+
+/// Refuses tables of more than a megabyte.
+struct Megabyte;
+
+impl Waiting for Megabyte {
+    fn go_on(&self) -> bool {
+        true
+    }
+
+    fn has_room(&self, bytes: u64) -> bool {
+        bytes <= 1 << 20
+    }
+}
+
+#[test]
+fn what_takes_much_memory_asks_for_it() {
+    let places: Vec<Point2> = (0..50_000).map(|i| Point2::new(f64::from(i), f64::from(i % 1013))).collect();
+    let points: Vec<Point3> = places.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+    let polygons: Vec<Vec<usize>> = (0..20_000).map(|i| vec![i, i + 1, i + 2]).collect();
+    let corners: Vec<Point3> = points.iter().chain(&points[..2]).copied().collect();
+    let rows: Vec<Curve> = (0..100).map(|i| tangle(300, f64::from(i)).into()).collect();
+    let options = construct::LoftOptions::default();
+    let works: [(&str, &dyn Fn() -> katydid_geometry::Result<()>); 4] = [
+        ("triangles", &|| cloud::Delaunay::new(&places).map(drop)),
+        ("a curve through points", &|| {
+            NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, None, None).map(drop)
+        }),
+        ("a subd", &|| SubDNet::from_polygons(corners.clone(), &polygons).map(drop)),
+        ("a loft", &|| construct::loft(&rows, &options, &Tolerance::default()).map(drop)),
+    ];
+    for (name, work) in works {
+        let made = Patience::of(std::sync::Arc::new(Megabyte)).during(work);
+        assert_eq!(made, Err(katydid_geometry::Error::Stopped), "{name}");
+        assert!(work().is_ok(), "{name}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicI64, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering};
 
 use crate::counting::held;
 
@@ -26,23 +26,49 @@ pub struct Account {
     bytes: AtomicI64,
     limit: u64,
     whole: Option<Arc<Account>>,
+    /// For work beside other work: the bytes that the whole does not count, and whether it had no room for the rest.
+    share: Option<(u64, AtomicBool)>,
 }
 
 impl Account {
     /// An empty account with a limit in bytes.
     pub fn new(limit: u64) -> Self {
+        Self::with(limit, None, None)
+    }
+
+    fn with(limit: u64, whole: Option<Arc<Self>>, share: Option<(u64, AtomicBool)>) -> Self {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        Self { number, bytes: AtomicI64::new(0), limit, whole: None }
+        Self { number, bytes: AtomicI64::new(0), limit, whole, share }
     }
 
     /// An empty account for a part of other work, with a limit of its own.
     pub fn part_of(whole: Arc<Self>, limit: u64) -> Self {
-        Self { whole: Some(whole), ..Self::new(limit) }
+        Self::with(limit, Some(whole), None)
     }
 
-    /// This account and those that it is a part of.
-    fn chain(&self) -> impl Iterator<Item = &Self> {
-        std::iter::successors(Some(self), |account| account.whole.as_deref())
+    /// An empty account for work beside other work: a request of a server. What it takes beyond its share, and only
+    /// that, counts for the whole, which gets it back when the account is dropped. So the whole never has room for more
+    /// than its limit, and each has its share whatever the others take.
+    pub fn beside(whole: Arc<Self>, share: u64) -> Self {
+        Self::with(u64::MAX, Some(whole), Some((share, AtomicBool::new(false))))
+    }
+
+    /// What the whole counts of so many bytes of this work.
+    fn passed_on(&self, bytes: i64) -> i64 {
+        match &self.share {
+            Some((share, _)) => bytes.max(0).saturating_sub_unsigned(*share).max(0),
+            None => bytes,
+        }
+    }
+
+    /// Counts `more` bytes, which may be below 0, here and in the whole.
+    fn add(&self, mut more: i64) {
+        let mut account = Some(self);
+        while let Some(here) = account.filter(|_| more != 0) {
+            let before = here.bytes.fetch_add(more, Ordering::Relaxed);
+            more = here.passed_on(before.wrapping_add(more)).wrapping_sub(here.passed_on(before));
+            account = here.whole.as_deref();
+        }
     }
 
     /// From here on what this thread takes is this work's. What it took before and nobody settled is nobody's.
@@ -58,11 +84,7 @@ impl Account {
         }
         let now = held();
         let since = now.wrapping_sub(MARK.replace(now));
-        if since != 0 {
-            for account in self.chain() {
-                account.bytes.fetch_add(since, Ordering::Relaxed);
-            }
-        }
+        self.add(since);
     }
 
     /// How much this thread has taken or given back for this work since it settled last.
@@ -91,11 +113,44 @@ impl Account {
 
     /// The account in whose limit `more` bytes do not fit: this one, or one that it is a part of.
     pub fn without_room(&self, more: u64) -> Option<&Self> {
-        self.chain().find(|account| account.bytes().saturating_add(more) > account.limit)
+        let (mut more, mut account, mut beside) = (i64::try_from(more).unwrap_or(i64::MAX), self, None);
+        loop {
+            let now = account.bytes.load(Ordering::Relaxed).max(0);
+            let then = now.saturating_add(more);
+            if then.unsigned_abs() > account.limit {
+                if let Some(refused) = beside {
+                    AtomicBool::store(refused, true, Ordering::Relaxed);
+                }
+                return Some(account);
+            }
+            if let Some((share, refused)) = &account.share {
+                if then.unsigned_abs() <= *share {
+                    return None;
+                }
+                beside = Some(refused);
+            }
+            more = account.passed_on(then) - account.passed_on(now);
+            account = account.whole.as_deref()?;
+        }
     }
 
     /// Whether more is counted than this work, or a whole that it is a part of, may take.
     pub fn is_over(&self) -> bool {
         self.without_room(0).is_some()
+    }
+
+    /// Whether work [`beside`](Self::beside) other work, or a part of it, was told that the whole has no room.
+    pub fn was_refused(&self) -> bool {
+        let mut chain = std::iter::successors(Some(self), |account| account.whole.as_deref());
+        chain
+            .any(|account| account.share.as_ref().is_some_and(|(_, refused)| refused.load(Ordering::Relaxed)))
+    }
+}
+
+impl Drop for Account {
+    fn drop(&mut self) {
+        if let (Some(_), Some(whole)) = (&self.share, &self.whole) {
+            whole.add(-self.passed_on(self.bytes.load(Ordering::Relaxed)));
+        }
     }
 }

@@ -109,3 +109,29 @@ fn what_would_not_fit_is_told_before_it_is_taken() {
     assert!(account.without_room(u64::MAX).is_some());
     assert!(!account.is_over());
 }
+
+#[test]
+fn work_beside_other_work_has_its_share_and_gives_back_the_rest() {
+    let whole = Arc::new(Account::new(5 * MEGA));
+    let [large, small] = [0, 1].map(|_| Arc::new(Account::beside(whole.clone(), 2 * MEGA)));
+    let solve = Account::part_of(large.clone(), 100 * MEGA);
+    solve.begin();
+    let kept = block(6);
+    solve.end();
+    assert!(about(large.bytes(), 6) && about(whole.bytes(), 4) && !solve.is_over());
+    // The rest of the whole is one megabyte: for who has used up the own share, and nobody is refused the own share.
+    assert!(solve.without_room(MEGA / 2).is_none() && !large.was_refused());
+    assert_eq!(solve.without_room(2 * MEGA).unwrap().limit(), 5 * MEGA);
+    assert!(solve.was_refused() && large.was_refused());
+    assert!(small.without_room(2 * MEGA).is_none() && small.without_room(4 * MEGA).is_some());
+    solve.begin();
+    let more = block(6);
+    solve.end();
+    assert!(solve.is_over() && !small.is_over());
+    drop((solve, large));
+    assert_eq!(whole.bytes(), 0);
+    small.begin();
+    drop((kept, more));
+    small.end();
+    assert_eq!((small.bytes(), whole.bytes()), (0, 0));
+}

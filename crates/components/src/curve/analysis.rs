@@ -3,7 +3,9 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_geometry::{Arc, Continuity, Curve, Interval, Plane, Point3, PolylineCurve, Rectangle};
+use katydid_geometry::{
+    Arc, ArcLength, Continuity, Curve, Interval, Plane, Point3, PolylineCurve, Rectangle,
+};
 
 use super::{shared, warning};
 
@@ -253,10 +255,11 @@ fn segment_lengths(
     cuts.extend(curve.discontinuities(Continuity::G1, &context.tolerance()));
     cuts.push(own.end);
     cuts.dedup();
+    let lengths = ArcLength::new(curve);
     let parts: Vec<(f64, Interval)> = cuts
         .windows(2)
         .filter_map(|w| match w {
-            [a, b] => Some((curve.length_between(Interval::new(*a, *b)), Interval::new(*a, *b))),
+            [a, b] => Some((lengths.length_at(*b) - lengths.length_at(*a), Interval::new(*a, *b))),
             _ => None,
         })
         .collect();

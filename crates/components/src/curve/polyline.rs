@@ -26,6 +26,7 @@ fn integer(n: usize) -> i32 {
 #[output("Polyline", "P", "The polyline of fewer vertices.")]
 #[output("Reduction", "R", "How many were left out.")]
 fn reduce(
+    context: &Context<'_>,
     /// The polyline.
     #[port("Polyline", "P")]
     curve: &Curve,
@@ -49,6 +50,7 @@ fn reduce(
     }
     let mut todo = vec![(0, points.len() - 1)];
     while let Some((a, b)) = todo.pop() {
+        context.check()?;
         let (Some(&from), Some(&to)) = (points.get(a), points.get(b)) else { continue };
         let chord = Line::new(from, to);
         let far = |i: usize| points.get(i).map_or(0.0, |p| chord.distance_to(*p));

@@ -8,24 +8,35 @@ use katydid_data::{Tree, TreeBuilder, Value};
 use crate::sets::key::{Key, places, same};
 use crate::sets::{integer, room};
 
-/// The different members of a list in order of their first appearance, each with its key. Nulls are no members.
-fn members(list: &List<'_, Value>) -> Vec<(Key, Value)> {
-    let mut seen = HashSet::new();
-    list.present()
-        .filter_map(|item| {
-            let key = Key::of(Some(&item));
-            seen.insert(key.clone()).then_some((key, item))
-        })
-        .collect()
+/// Asks for room for a table of the keys of a list.
+fn ask(context: &Context<'_>, list: &List<'_, Value>) -> Result<(), Message> {
+    context.bytes(list.len().saturating_mul(2 * size_of::<(Key, Value)>()))
 }
 
-fn keys(list: &List<'_, Value>) -> HashSet<Key> {
-    list.present().map(|item| Key::of(Some(&item))).collect()
+/// The different members of a list in order of their first appearance, each with its key. Nulls are no members.
+fn members(context: &Context<'_>, list: &List<'_, Value>) -> Result<Vec<(Key, Value)>, Message> {
+    ask(context, list)?;
+    let mut seen = HashSet::new();
+    let new = list.present().filter_map(|item| {
+        let key = Key::of(Some(&item));
+        seen.insert(key.clone()).then_some((key, item))
+    });
+    Ok(new.collect())
+}
+
+fn keys(context: &Context<'_>, list: &List<'_, Value>) -> Result<HashSet<Key>, Message> {
+    ask(context, list)?;
+    Ok(list.present().map(|item| Key::of(Some(&item))).collect())
 }
 
 /// The members of a list for which `keep` says so.
-fn filtered(list: &List<'_, Value>, keep: impl Fn(&Key) -> bool) -> Vec<Value> {
-    members(list).into_iter().filter_map(|(key, item)| keep(&key).then_some(item)).collect()
+fn filtered(
+    context: &Context<'_>,
+    list: &List<'_, Value>,
+    keep: impl Fn(&Key) -> bool,
+) -> Result<Vec<Value>, Message> {
+    let all = members(context, list)?;
+    Ok(all.into_iter().filter_map(|(key, item)| keep(&key).then_some(item)).collect())
 }
 
 /// Makes a set of a list: every different item once, in the order they first appear.
@@ -47,6 +58,7 @@ fn create_set(
     list: List<Value>,
 ) -> Result<(Vec<Value>, Vec<Option<i32>>), Message> {
     context.items(list.len().saturating_mul(2))?;
+    ask(context, &list)?;
     let mut places: HashMap<Key, usize> = HashMap::new();
     let mut set = Vec::new();
     let mut map = Vec::with_capacity(list.len());
@@ -71,15 +83,18 @@ fn create_set(
 )]
 #[output("Union", "U", "What is in A or in B.")]
 fn set_union(
+    context: &Context<'_>,
     /// The first set.
     #[port("Set A", "A")]
     a: List<Value>,
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Vec<Value> {
+) -> Result<Vec<Value>, Message> {
+    ask(context, &a)?;
+    ask(context, &b)?;
     let mut seen = HashSet::new();
-    a.present().chain(b.present()).filter(|item| seen.insert(Key::of(Some(item)))).collect()
+    Ok(a.present().chain(b.present()).filter(|item| seen.insert(Key::of(Some(item)))).collect())
 }
 
 /// The members that two sets have in common, in the order of A.
@@ -92,15 +107,16 @@ fn set_union(
 )]
 #[output("Union", "U", "What is in A and in B.")]
 fn set_intersection(
+    context: &Context<'_>,
     /// The first set.
     #[port("Set A", "A")]
     a: List<Value>,
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Vec<Value> {
-    let others = keys(&b);
-    filtered(&a, |key| others.contains(key))
+) -> Result<Vec<Value>, Message> {
+    let others = keys(context, &b)?;
+    filtered(context, &a, |key| others.contains(key))
 }
 
 /// The members of a set that are not in another.
@@ -112,15 +128,16 @@ fn set_intersection(
 )]
 #[output("Union", "U", "What is in A and not in B.")]
 fn set_difference(
+    context: &Context<'_>,
     /// The set to take from.
     #[port("Set A", "A")]
     a: List<Value>,
     /// What is taken away.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Vec<Value> {
-    let others = keys(&b);
-    filtered(&a, |key| !others.contains(key))
+) -> Result<Vec<Value>, Message> {
+    let others = keys(context, &b)?;
+    filtered(context, &a, |key| !others.contains(key))
 }
 
 /// The members that are in one of two sets only: those of A, then those of B.
@@ -132,17 +149,18 @@ fn set_difference(
 )]
 #[output("ExDifference", "X", "What is in A or in B, but not in both.")]
 fn symmetric_difference(
+    context: &Context<'_>,
     /// The first set.
     #[port("Set A", "A")]
     a: List<Value>,
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Vec<Value> {
-    let (in_a, in_b) = (keys(&a), keys(&b));
-    let mut result = filtered(&a, |key| !in_b.contains(key));
-    result.extend(filtered(&b, |key| !in_a.contains(key)));
-    result
+) -> Result<Vec<Value>, Message> {
+    let (in_a, in_b) = (keys(context, &a)?, keys(context, &b)?);
+    let mut result = filtered(context, &a, |key| !in_b.contains(key))?;
+    result.extend(filtered(context, &b, |key| !in_a.contains(key))?);
+    Ok(result)
 }
 
 /// The members that are in at least two of three sets, in order of their first appearance.
@@ -154,6 +172,7 @@ fn symmetric_difference(
 )]
 #[output("Result", "R", "What is in two sets or in all three.")]
 fn set_majority(
+    context: &Context<'_>,
     /// The first set.
     #[port("Set A", "A")]
     a: List<Value>,
@@ -163,45 +182,45 @@ fn set_majority(
     /// The third set.
     #[port("Set C", "C")]
     c: List<Value>,
-) -> Vec<Value> {
-    let sets = [keys(&a), keys(&b), keys(&c)];
+) -> Result<Vec<Value>, Message> {
+    let sets = [keys(context, &a)?, keys(context, &b)?, keys(context, &c)?];
     let mut seen = HashSet::new();
     let wanted = |key: &Key| sets.iter().filter(|set| set.contains(key)).count() > 1;
-    a.present()
-        .chain(b.present())
-        .filter(|item| {
-            let key = Key::of(Some(item));
-            wanted(&key) && seen.insert(key)
-        })
-        .collect()
+    let several = a.present().chain(b.present()).filter(|item| {
+        let key = Key::of(Some(item));
+        wanted(&key) && seen.insert(key)
+    });
+    Ok(several.collect())
 }
 
 /// Tells whether two sets have no member in common.
 #[component("81800098-1060-4e2b-80d4-17f835cc825f", name = "Disjoint", nick = "Disjoint", at = "Sets/Sets")]
 #[output("Result", "R", "True when nothing is in both.")]
 fn disjoint(
+    context: &Context<'_>,
     /// The first set.
     #[port("Set A", "A")]
     a: List<Value>,
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> bool {
-    keys(&a).is_disjoint(&keys(&b))
+) -> Result<bool, Message> {
+    Ok(keys(context, &a)?.is_disjoint(&keys(context, &b)?))
 }
 
 /// Tells whether all members of B are in A too.
 #[component("4cfc0bb0-0745-4772-a520-39f9bf3d99bc", name = "SubSet", nick = "SubSet", at = "Sets/Sets")]
 #[output("Result", "R", "True when B is a part of A, or all of it; an empty B always is.")]
 fn subset(
+    context: &Context<'_>,
     /// The large set.
     #[port("Set A", "A")]
     a: List<Value>,
     /// What may be a part of it.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> bool {
-    keys(&b).is_subset(&keys(&a))
+) -> Result<bool, Message> {
+    Ok(keys(context, &b)?.is_subset(&keys(context, &a)?))
 }
 
 /// Finds all places of a member in a list.
@@ -282,6 +301,7 @@ fn replace_members(
     replace: List<Value>,
 ) -> Result<Vec<Option<Value>>, Message> {
     context.items(set.len())?;
+    ask(context, &find)?;
     let mut places: HashMap<Key, usize> = HashMap::new();
     for (k, item) in find.iter().enumerate() {
         places.entry(Key::of(item.as_ref())).or_insert(k);

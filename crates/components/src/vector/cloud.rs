@@ -288,6 +288,7 @@ fn point_groups(
             *g = Some(groups.len());
         }
         while let Some(&i) = members.get(next) {
+            context.check()?;
             next += 1;
             let Some(&p) = list.get(i) else { continue };
             for j in near.within(p, distance) {

@@ -132,6 +132,11 @@ pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
             cast.push(None);
             continue;
         };
+        // Whoever has this done looks whether to go on.
+        if katydid_geometry::Patience::is_over() {
+            cast.push(None);
+            continue;
+        }
         let result = match traced(&item, kind, rules) {
             Some((made, way)) => {
                 if let Some(way) = way.filter(|way| way.sure == Sure::Ours) {

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Bounds, BoxTree, DEEPEST, LEAF};
+use crate::patience;
 
 /// Whether two boxes come within `margin` of each other along every axis.
 #[inline]
@@ -51,8 +52,13 @@ impl BoxTree {
         mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
     ) {
         let size = |b: &Bounds| (0..3).map(|c| b[1][c] - b[0][c]).sum::<f64>();
-        let mut stack = vec![(0_u32, 0_u32)];
+        let (mut stack, mut steps) = (vec![(0_u32, 0_u32)], 0_u32);
         while let Some((i, j)) = stack.pop() {
+            steps = steps.wrapping_add(1);
+            // Who waits no longer does not look at what was found either.
+            if steps.is_multiple_of(1024) && patience::check_now().is_err() {
+                return;
+            }
             let (Some(a), Some(b)) = (self.nodes.get(i as usize), other.nodes.get(j as usize)) else {
                 continue;
             };

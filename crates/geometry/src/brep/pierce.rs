@@ -122,6 +122,7 @@ impl ClosestOnBrep {
         near_edges: f64,
     ) -> Result<Vec<Interval>> {
         let close = |t: f64, distance: f64| -> Result<bool> {
+            crate::patience::check()?;
             let p = curve.point_at(t);
             let [u, v] = match surface {
                 Surface::Plane(flat) => flat.parameters_of(p),
@@ -231,6 +232,7 @@ impl super::Brep {
         let search = ClosestOnBrep::new(std::sync::Arc::new(self.clone()))?;
         let mut out = Vec::new();
         for sheet in search.sheets() {
+            crate::patience::check_now()?;
             let Some(surface) = self.face_surface(sheet.face) else { continue };
             // On a plane the image is exact, and an arc's an arc or an ellipse.
             let images = match surface {

@@ -1,6 +1,8 @@
 use super::check_points3;
 use crate::box_tree::{Bounds, BoxTree};
-use crate::{Point3, Result};
+#[cfg(feature = "parallel")]
+use crate::patience::Patience;
+use crate::{Point3, Result, patience};
 
 /// Points in a tree, to find those near a place.
 #[derive(Debug, Clone)]
@@ -96,15 +98,20 @@ fn squared_distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
 /// As [`PointTree::new`].
 pub fn proximity(points: &[Point3], count: usize, distances: [f64; 2]) -> Result<Vec<Vec<usize>>> {
     let tree = PointTree::new(points)?;
-    let near = |(i, &p): (usize, &Point3)| tree.nearest(p, count, distances, Some(i));
+    let near = |(i, &p): (usize, &Point3)| {
+        patience::check_now()?;
+        Ok(tree.nearest(p, count, distances, Some(i)))
+    };
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
+        let patience = Patience::now();
+        let near = |at: (usize, &Point3)| patience.during(|| near(at));
         let all = points.par_iter().enumerate().with_min_len(256).map(near);
-        Ok(crate::parallel::waiting(|| all.collect()))
+        crate::parallel::waiting(|| all.collect())
     }
     #[cfg(not(feature = "parallel"))]
-    Ok(points.iter().enumerate().map(near).collect())
+    points.iter().enumerate().map(near).collect()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use spade::Triangulation;
 
 use super::convex_polygon::{ConvexPolygon, doubled_area, nearer_part, outline};
 use super::delaunay::{Links, SiteMesh, beside, circumcenter, linked};
-use crate::{Curve, Plane, Point2, Result};
+use crate::{Curve, Plane, Point2, Result, patience};
 
 /// The Voronoi diagram of sites in a plane, inside a convex boundary: for every site the part of the boundary's inside
 /// that is nearer to it than to any other site.
@@ -34,6 +34,7 @@ impl Voronoi {
             .iter()
             .flat_map(|&p| boundary.corners().iter().map(move |&q| p.distance_to(q)))
             .fold(0.0, f64::max);
+        patience::room::<[f64; 20]>(sites.len())?;
         let mut out = Self {
             sites: sites.to_vec(),
             corners: Vec::with_capacity(6 * sites.len()),
@@ -42,7 +43,7 @@ impl Voronoi {
         };
         let near = 1e-12 * size;
         match &links {
-            Links::Mesh(mesh) => out.cells_of(mesh, boundary, near),
+            Links::Mesh(mesh) => out.cells_of(mesh, boundary, near)?,
             Links::Row(row) => {
                 let mut scratch = (Vec::new(), Vec::new());
                 for (place, &site) in row.iter().enumerate() {
@@ -56,7 +57,8 @@ impl Voronoi {
     }
 
     /// The cells of a triangulation.
-    fn cells_of(&mut self, mesh: &SiteMesh, boundary: &ConvexPolygon, near: f64) {
+    fn cells_of(&mut self, mesh: &SiteMesh, boundary: &ConvexPolygon, near: f64) -> Result<()> {
+        patience::room::<Center>(mesh.num_all_faces())?;
         let centers: Vec<Center> = mesh
             .all_faces()
             .map(|face| match face.as_inner() {
@@ -67,6 +69,7 @@ impl Voronoi {
         let mut scratch = (Vec::new(), Vec::new());
         // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
         for corner in mesh.vertices() {
+            patience::check()?;
             let start = self.corners.len();
             let inner = corner.out_edges().all(|e| {
                 let center = centers.get(e.face().index()).filter(|c| c.inside);
@@ -81,6 +84,7 @@ impl Voronoi {
             }
             self.keep(start, site, near);
         }
+        Ok(())
     }
 
     /// Adds the part of the boundary nearest to a site: the sites around it cut it out.

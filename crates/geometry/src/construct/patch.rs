@@ -161,7 +161,7 @@ fn heights(local: &[([f64; 3], f64)], domains: [Interval; 2], options: &PatchOpt
     let size = domains[0].length().hypot(domains[1].length());
     // Heights in units of the size.
     let (rows, columns) = (counts[0], counts[1]);
-    let mut system = Banded::new(rows * columns, DEGREE * columns + DEGREE, vec![[0.0; 3]; rows * columns]);
+    let mut system = Banded::new(rows * columns, DEGREE * columns + DEGREE, vec![[0.0; 3]; rows * columns])?;
     let mut right = vec![0.0; rows * columns];
     let total: f64 = local.iter().map(|(_, w)| w).sum();
     for ([x, y, z], weight) in local {

@@ -1,9 +1,10 @@
 //! Curves turned about an axis.
 
 use super::check;
+use crate::nurbs::check_net;
 use crate::{
     Brep, Curve, Error, Interval, Line, NurbsSurface, Plane, Point3, Result, RevolutionSurface, Surface,
-    Tolerance, Vector3,
+    Tolerance, Vector3, patience,
 };
 
 /// The surface of a curve turned about an axis between two angles in radians, by the right-hand rule from the axis'
@@ -68,8 +69,10 @@ pub fn rail_revolve(
         return Err(Error::degenerate("rail", "it starts at the height of the curve's foot"));
     }
     let mut net = Vec::new();
+    check_net([rail.point_count(), profile.point_count()])?;
     let (along, across) = (local(rail.homogeneous_points()), local(profile.homogeneous_points()));
     for r in &along {
+        patience::check()?;
         for p in &across {
             let w = r[3] * p[3];
             // The plane across the axis as complex numbers: turned and scaled by the rail's over its first.

@@ -3,7 +3,7 @@
 use super::Curve;
 use super::piece::{Piece, Shape};
 use super::speed::{Hodographs, Place, Speed};
-use crate::Interval;
+use crate::{Interval, patience};
 
 /// What the rules for parts of a span must agree to, where nobody says otherwise.
 const DEFAULT: f64 = 2e-13;
@@ -64,7 +64,12 @@ fn simple_length(piece: &Piece<'_>, to: f64) -> Option<f64> {
 impl<'a> ArcLength<'a> {
     /// Measures the pieces of a curve.
     pub fn new(curve: &'a Curve) -> Self {
-        let pieces = curve.pieces();
+        let mut pieces = curve.pieces();
+        // The parts and the hodograph of a span take some hundred bytes. Who has no room for that measures nothing: the
+        // work is given up as soon as it is asked for.
+        if patience::room::<[f64; 40]>(pieces.len()).is_err() {
+            pieces.clear();
+        }
         let mut sums = Vec::with_capacity(pieces.len() + 1);
         let mut tables = Vec::with_capacity(pieces.len() + 1);
         let (mut parts, mut hodographs) = (Vec::with_capacity(2 * pieces.len()), Hodographs::default());

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use crate::box_tree::{Bounds, BoxTree, bounds_of, boxes_meet};
 use crate::mesh::{MeshTree, align_points};
-use crate::{Error, Line, Point3, Result, Vector3};
+use crate::{Error, Line, Point3, Result, Vector3, patience};
 
 /// A corner this near to the other triangle's plane, as a part of the meshes' size, lies in it: it cannot be told from
 /// one that does.
@@ -48,7 +48,9 @@ pub fn mesh_mesh(a: &MeshTree, b: &MeshTree, tolerance: f64) -> Result<Vec<Vec<P
             must: "finite and not negative",
         });
     }
-    Ok(chained(&mesh_mesh_segments(a, b), tolerance))
+    let segments = mesh_mesh_segments(a, b);
+    patience::check_now()?;
+    chained(&segments, tolerance)
 }
 
 /// The common segment of two triangles; `None` when they do not meet, meet in a point, or lie in one plane.
@@ -99,9 +101,9 @@ fn cut(t: &[Point3; 3], h: [f64; 3]) -> Option<[Point3; 2]> {
 }
 
 /// Segments joined to polylines.
-fn chained(segments: &[Line], tolerance: f64) -> Vec<Vec<Point3>> {
+fn chained(segments: &[Line], tolerance: f64) -> Result<Vec<Vec<Point3>>> {
     let mut ends: Vec<Point3> = segments.iter().flat_map(|l| [l.from, l.to]).collect();
-    align_points(&mut ends, tolerance);
+    align_points(&mut ends, tolerance)?;
     let mut numbers: HashMap<[u64; 3], usize> = HashMap::new();
     let mut points: Vec<Point3> = Vec::new();
     let mut number = |p: &Point3| {
@@ -121,17 +123,18 @@ fn chained(segments: &[Line], tolerance: f64) -> Vec<Vec<Point3>> {
             }
         }
     }
-    walked(&points, &split(&points, pairs, tolerance))
+    Ok(walked(&points, &split(&points, pairs, tolerance)?))
 }
 
 /// Cuts each segment at the points that lie on it, so that stretches which overlap become equal and are there once.
-fn split(points: &[Point3], pairs: Vec<[usize; 2]>, tolerance: f64) -> Vec<[usize; 2]> {
+fn split(points: &[Point3], pairs: Vec<[usize; 2]>, tolerance: f64) -> Result<Vec<[usize; 2]>> {
     let at = |i: usize| points.get(i).copied().unwrap_or_default();
     let boxes: Vec<Bounds> = points.iter().map(|p| bounds_of([<[f64; 3]>::from(*p)])).collect();
     let tree = BoxTree::by_place(&boxes);
     let mut seen = HashSet::new();
     let mut out = Vec::with_capacity(pairs.len());
     for [i, j] in pairs {
+        patience::check()?;
         let (a, b) = (at(i), at(j));
         let reach = bounds_of([a, b].map(<[f64; 3]>::from));
         let (along, length) = (b - a, (b - a).length());
@@ -155,7 +158,7 @@ fn split(points: &[Point3], pairs: Vec<[usize; 2]>, tolerance: f64) -> Vec<[usiz
             }
         }
     }
-    out
+    Ok(out)
 }
 
 /// The polylines through points joined by segments: first those between ends and crossings, then the closed ones.

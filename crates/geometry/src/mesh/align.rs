@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Mesh;
-use crate::{Error, Point3, Result};
+use crate::{Error, Point3, Result, patience};
 
 impl Mesh {
     /// The mesh with every vertex that lies within `tolerance` of an earlier one moved to it, and the number of those
@@ -21,7 +21,7 @@ impl Mesh {
             });
         }
         let mut vertices = self.vertices.clone();
-        let moved = align_points(&mut vertices, tolerance);
+        let moved = align_points(&mut vertices, tolerance)?;
         if moved == 0 {
             return Ok((self.clone(), 0));
         }
@@ -32,17 +32,21 @@ impl Mesh {
 
 /// Moves every point that lies within `tolerance` of an earlier one that stayed to the nearest such; gives the number
 /// that moved.
-pub(crate) fn align_points(points: &mut [Point3], tolerance: f64) -> usize {
+///
+/// # Errors
+/// Nobody waits any more.
+pub(crate) fn align_points(points: &mut [Point3], tolerance: f64) -> Result<usize> {
     let size = points.iter().fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
     // Below the resolution of the numbers only equal ones are near, and they are together already.
     if !(tolerance > size * 1e-15) {
-        return 0;
+        return Ok(0);
     }
     // Cells as wide as the tolerance: what is near lies in the cell or one beside it.
     let cell = |p: &Point3| [p.x, p.y, p.z].map(|x| (x / tolerance).floor() as i64);
     let mut anchors: HashMap<[i64; 3], Vec<Point3>> = HashMap::new();
     let mut moved = 0;
     for p in points {
+        patience::check()?;
         let [x, y, z] = cell(p);
         let mut best: Option<(f64, Point3)> = None;
         for k in 0..27 {
@@ -62,7 +66,7 @@ pub(crate) fn align_points(points: &mut [Point3], tolerance: f64) -> usize {
             None => anchors.entry([x, y, z]).or_default().push(*p),
         }
     }
-    moved
+    Ok(moved)
 }
 
 #[cfg(test)]

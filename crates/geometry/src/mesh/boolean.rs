@@ -8,7 +8,7 @@ use manifold_rust::manifold::Manifold;
 use manifold_rust::types::{BooleanEngine, Error as Status, MeshGL64, OpType};
 
 use super::{Mesh, MeshFace};
-use crate::{Error, Point3, Result};
+use crate::{Error, Point3, Result, patience};
 
 /// Coordinates beyond this are refused: their products leave the range of numbers.
 const FARTHEST: f64 = 1e60;
@@ -41,6 +41,8 @@ impl Solid {
         if mesh.vertices.iter().any(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()) > FARTHEST) {
             return Err(Error::degenerate("mesh", "it lies too far from the origin for a boolean"));
         }
+        // The library cannot be asked on its way: what it takes is asked for before.
+        patience::room::<[u64; 48]>(2 * mesh.faces.len())?;
         let merged = mesh.merged_indices();
         let mut triangles: Vec<[u32; 3]> = Vec::with_capacity(2 * mesh.faces.len());
         for t in mesh.faces.iter().flat_map(|f| f.triangles()) {
@@ -97,6 +99,7 @@ impl Solid {
     }
 
     fn with(&self, other: &Self, operation: OpType) -> Result<Self> {
+        patience::room::<[u64; 48]>(self.0.num_tri().saturating_add(other.0.num_tri()))?;
         guarded(|| self.0.boolean_with_engine(&other.0, operation, BooleanEngine::Auto))
     }
 

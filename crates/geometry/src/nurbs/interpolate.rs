@@ -95,7 +95,7 @@ impl NurbsCurve {
         // folding 0, n−1, 1, n−2, … makes the cyclic band an ordinary one.
         let shift = degree / 2;
         let fold = |i: usize| if 2 * i < n { 2 * i } else { 2 * (n - 1 - i) + 1 };
-        let mut system = Banded::new(n, (2 * shift + 3).min(n), points.iter().map(|_| [0.0; 3]).collect());
+        let mut system = Banded::new(n, (2 * shift + 3).min(n), points.iter().map(|_| [0.0; 3]).collect())?;
         let mut values = [0.0; MAX_DEGREE + 1];
         for (i, p) in points.iter().enumerate() {
             let t = places[i];
@@ -182,7 +182,7 @@ fn cubic(points: &[Point3], t: &[f64], start: Option<Vector3>, end: Option<Vecto
     right.extend([<[f64; 3]>::from(first), second.into()]);
     right.extend(points[1..n - 1].iter().map(|&p| <[f64; 3]>::from(p)));
     right.extend([<[f64; 3]>::from(before), last.into()]);
-    let mut system = Banded::new(n + 2, 1, right);
+    let mut system = Banded::new(n + 2, 1, right)?;
     for i in [0, 1, n, n + 1] {
         system.add(i, i, 1.0);
     }
@@ -227,7 +227,7 @@ fn averaged(
     let mut knots = vec![t[0]; degree];
     knots.extend((1..count - degree).map(|i| places[i..i + degree].iter().sum::<f64>() / degree as f64));
     knots.extend(std::iter::repeat_n(t[n - 1], degree));
-    let mut system = Banded::new(count, degree, vec![[0.0; 3]; count]);
+    let mut system = Banded::new(count, degree, vec![[0.0; 3]; count])?;
     let mut values = [0.0; MAX_DEGREE + 1];
     let first = usize::from(start.is_some());
     for (i, (&u, &p)) in t.iter().zip(points).enumerate() {

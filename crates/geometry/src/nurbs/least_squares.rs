@@ -218,7 +218,7 @@ impl NurbsCurve {
         make_knots_periodic(degree, &mut knots);
         // Folding 0, n−1, 1, n−2, … makes the cyclic band an ordinary one of twice the width.
         let fold = |i: usize| if 2 * i < count { 2 * i } else { 2 * (count - 1 - i) + 1 };
-        let mut system = Banded::new(count, (2 * degree + 1).min(count), vec![[0.0; 3]; count]);
+        let mut system = Banded::new(count, (2 * degree + 1).min(count), vec![[0.0; 3]; count])?;
         let mut right = vec![Vector3::ZERO; count];
         let mut values = [0.0; MAX_DEGREE + 1];
         for (p, &t) in points.iter().zip(parameters) {
@@ -308,7 +308,7 @@ impl Rows {
     }
 
     fn system(&self, right: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
-        let mut system = Banded::new(self.upper.len(), self.degree, right);
+        let mut system = Banded::new(self.upper.len(), self.degree, right).ok()?;
         for (i, row) in self.upper.iter().enumerate() {
             if self.fixed[i].is_some() {
                 system.add(i, i, 1.0);
@@ -395,7 +395,7 @@ impl Rows {
                 std::array::from_fn(|d| apply(row, &|i| solution[i][d]) - wanted[d])
             })
             .collect();
-        let mut small = Banded::new(m, m, missed);
+        let mut small = Banded::new(m, m, missed)?;
         for (i, row) in rows.iter().enumerate() {
             for (k, column) in columns.iter().enumerate() {
                 let free = |i: usize| if self.fixed[i].is_none() { column[i] } else { 0.0 };

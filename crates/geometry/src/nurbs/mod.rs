@@ -50,6 +50,7 @@ pub use least_squares::{ExactCondition, LeastSquares, placed_knots};
 pub(crate) use skin::{
     Skinning, curve_through, section_parameters, skinned, surface_through, surface_through_pieces,
 };
+pub(crate) use surface::check_net;
 pub use surface::{Direction, NurbsSurface, Quadrant};
 pub(crate) use surface_evaluate::MAX_ORDER;
 pub use surface_evaluate::SurfaceDerivatives;

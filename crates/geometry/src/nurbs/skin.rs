@@ -8,7 +8,7 @@ use super::surface_refine::transposed;
 use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
 use super::{KnotSpacing, NurbsCurve, NurbsSurface};
 use crate::linear::Banded;
-use crate::{Error, Point3, Result};
+use crate::{Error, Point3, Result, patience};
 
 /// How a surface runs across the curves that it is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,6 +62,7 @@ pub(crate) fn skinned(
 ) -> Result<NurbsSurface> {
     let first = curves.first().ok_or(Error::degenerate("sections", "there are none"))?;
     let (count, rows) = (first.point_count(), curves.len());
+    patience::room::<[f64; 4]>(4 * count * rows)?;
     // Column by column: the control points of the same number in all sections.
     let net: Vec<[f64; 4]> = curves.iter().flat_map(NurbsCurve::homogeneous_points).collect();
     let columns = transposed(&net, count);
@@ -190,6 +191,7 @@ fn around(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Acros
     let lines = Lines::new(3, true, rows, parameters.to_vec())?;
     let mut out = Vec::with_capacity(columns.len() + 3 * columns.len() / rows);
     for column in columns.chunks(rows) {
+        patience::check()?;
         let places = lines.solve(&column.iter().map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>())?;
         let weights = lines.solve(&column.iter().map(|p| [p[3], 0.0, 0.0]).collect::<Vec<_>>())?;
         out.extend(places.iter().zip(&weights).map(|(p, w)| [p[0], p[1], p[2], w[0]]));
@@ -207,6 +209,7 @@ fn through(columns: &[[f64; 4]], rows: usize, t: &[f64], close: bool) -> Result<
     knots.extend([t[n - 1]; 2]);
     let mut out = Vec::with_capacity(columns.len() / n * (n + 2));
     for column in columns.chunks(n) {
+        patience::check()?;
         let slope = |a: usize, b: usize, c: usize| -> [f64; 4] {
             let (h0, h1) = (t[b] - t[a], t[c] - t[b]);
             std::array::from_fn(|k| {
@@ -250,7 +253,7 @@ fn slope_of_cubic(t: [f64; 4], points: [[f64; 4]; 4]) -> [f64; 4] {
 /// Control points of the cubic with knots at `t` whose first and last two are given and which passes the rest.
 fn solve(knots: &[f64], t: &[f64], right: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>> {
     let n = t.len();
-    let mut system = Banded::new(n + 2, 1, right);
+    let mut system = Banded::new(n + 2, 1, right)?;
     for i in [0, 1, n, n + 1] {
         system.add(i, i, 1.0);
     }

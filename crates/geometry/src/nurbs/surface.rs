@@ -1,15 +1,15 @@
 use super::curve::{Controls, project};
 use super::knots::check_knots;
-use crate::{Error, Interval, Point3, Result};
+use crate::{Error, Interval, Point3, Result, patience};
 
 /// The most control points of a surface that is made of curves or of another surface: their counts multiply.
 const MOST_POINTS: usize = 10_000_000;
 
-/// Refuses a net that is too large, before there is room for it.
-pub(super) fn check_net(counts: [usize; 2]) -> Result<()> {
+/// Refuses a net that is too large, or that there is no memory for, before it is made.
+pub(crate) fn check_net(counts: [usize; 2]) -> Result<()> {
     let points = counts[0].saturating_mul(counts[1]);
     if points <= MOST_POINTS {
-        return Ok(());
+        return patience::room::<[f64; 8]>(points);
     }
     let what = "count of control points of a surface";
     Err(Error::OutOfRange { what, value: points as f64, must: "at most 10,000,000" })

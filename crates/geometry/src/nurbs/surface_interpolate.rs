@@ -64,7 +64,7 @@ impl Lines {
             (true, false) => 2 * (n - 1 - i) + 1,
         };
         let half = if self.periodic { (2 * shift + 3).min(n) } else { p };
-        let mut system = Banded::new(n, half, vec![[0.0; 3]; n]);
+        let mut system = Banded::new(n, half, vec![[0.0; 3]; n])?;
         for (i, &point) in points.iter().enumerate() {
             let t = self.parameters.get(i).copied().unwrap_or(f64::NAN);
             let j = span_index(&self.knots, p, t, !self.periodic && i + 1 == n);

@@ -9,7 +9,7 @@ use crate::{Error, Point3, Result};
 /// The control points of the line through points at its Greville abscissae.
 fn line(degree: usize, knots: &[f64], places: &[f64], points: &[Point3]) -> Result<Vec<Point3>> {
     let n = points.len();
-    let mut system = Banded::new(n, degree, vec![[0.0; 3]; n]);
+    let mut system = Banded::new(n, degree, vec![[0.0; 3]; n])?;
     let mut values = [0.0; MAX_DEGREE + 1];
     for (i, (&t, point)) in places.iter().zip(points).enumerate() {
         let j = span_index(knots, degree, t, i + 1 == n);

@@ -88,6 +88,8 @@ fn joined(
     context.items(points.len().saturating_mul(group.max(1)))?;
     let distances = [least.unwrap_or(0.0), most.unwrap_or(f64::INFINITY)];
     let measured: Vec<Point3> = points.iter().map(|&p| measured(p)).collect();
+    // A link is known by its ends, and is in both results.
+    context.bytes(points.len().saturating_mul(group).saturating_mul(2 * size_of::<(usize, usize)>()))?;
     let near = cloud::proximity(&measured, group, distances)?;
     let (mut links, mut topology) = (TreeBuilder::<Line>::new(), TreeBuilder::<i32>::new());
     let mut known: HashSet<(usize, usize)> = HashSet::with_capacity(points.len().saturating_mul(group));

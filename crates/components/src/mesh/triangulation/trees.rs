@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Tree, TreeBuilder};
 use katydid_geometry::cloud::{OcTree, QuadTree};
-use katydid_geometry::{Box3, Curve, Interval, Plane, Point3, Rectangle};
+use katydid_geometry::{Box3, Curve, Error, Interval, Patience, Plane, Point3, Rectangle};
 
 use super::{flat, place, present};
 
@@ -52,6 +52,9 @@ fn quad_tree(
     context.items(tree.leaves().len())?;
     let (mut cells, mut inside) = (TreeBuilder::<Shared<Curve>>::new(), TreeBuilder::<Point3>::new());
     for (k, leaf) in tree.leaves().iter().enumerate() {
+        if Patience::is_over() {
+            return Err(Error::Stopped.into());
+        }
         let path = place(context).child(k);
         let range = |c: usize| Interval::new(leaf.min[c], leaf.max[c]);
         let cell = Rectangle { plane, x: range(0), y: range(1) }.to_polyline()?;
@@ -88,6 +91,9 @@ fn oc_tree(
     context.items(tree.leaves().len())?;
     let (mut cells, mut inside) = (TreeBuilder::<Box3>::new(), TreeBuilder::<Point3>::new());
     for (k, leaf) in tree.leaves().iter().enumerate() {
+        if Patience::is_over() {
+            return Err(Error::Stopped.into());
+        }
         let path = place(context).child(k);
         let range = |c: usize| Interval::new(leaf.min[c], leaf.max[c]);
         cells.branch(path.clone());

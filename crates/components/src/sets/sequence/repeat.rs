@@ -27,6 +27,7 @@ fn duplicate_data(
 ) -> Result<Vec<Option<Value>>, Message> {
     let n = count(number, "Number")?;
     context.items(data.len().saturating_mul(n))?;
+    context.bytes(data.len().saturating_mul(n).saturating_mul(2 * size_of::<Value>()))?;
     Ok(if order {
         (0..n).flat_map(|_| data.iter()).collect()
     } else {
@@ -54,6 +55,7 @@ fn early_duplicate_data(
 ) -> Result<Vec<Option<Value>>, Message> {
     let n = count(number, "Number")?;
     context.items(data.len().saturating_mul(n))?;
+    context.bytes(data.len().saturating_mul(n).saturating_mul(2 * size_of::<Value>()))?;
     Ok(data.iter().flat_map(|item| std::iter::repeat_n(item, n)).collect())
 }
 
@@ -103,6 +105,7 @@ fn repeat_data(
         return Ok(Vec::new());
     }
     context.items(length)?;
+    context.bytes(length.saturating_mul(2 * size_of::<Value>()))?;
     Ok((0..length).map(|i| data.get(i % data.len())).collect())
 }
 
@@ -130,6 +133,7 @@ fn stack_data(
     for (i, item) in data.iter().enumerate() {
         let n = count(stack.get(i % stack.len()).unwrap_or(0), "Stack")?;
         context.items(result.len().saturating_add(n))?;
+        context.bytes(n.saturating_mul(2 * size_of::<Value>()))?;
         result.extend(std::iter::repeat_n(item, n));
     }
     Ok(result)

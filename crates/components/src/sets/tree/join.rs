@@ -5,6 +5,12 @@ use katydid_data::{Path, Tree};
 
 use super::whole;
 
+/// Asks for room for the items and the paths of trees once more. What items share is not copied.
+fn copies(context: &Context<'_>, trees: &[&Tree]) -> Result<(), Message> {
+    context.items(trees.iter().map(|tree| tree.item_count()).sum())?;
+    context.bytes(trees.iter().map(|tree| tree.copied_weight()).fold(0, usize::saturating_add))
+}
+
 /// Joins trees: branches of the same path become one list, in the order of the inputs.
 #[component(
     "3cadddef-1e2b-4c09-9390-0e8f78f7609f",
@@ -29,7 +35,7 @@ fn merge(
     #[port("Data 1", "D1", optional)]
     trees: ManyTrees,
 ) -> Result<Tree, Message> {
-    context.items(trees.iter().map(|tree| tree.item_count()).sum())?;
+    copies(context, &trees)?;
     Ok(Tree::merge(trees.iter().copied()))
 }
 
@@ -45,7 +51,7 @@ fn entwine(
     #[port("Branch {0;0}", "{0;0}", optional)]
     trees: ManyTrees,
 ) -> Result<Tree, Message> {
-    context.items(trees.iter().map(|tree| tree.item_count()).sum())?;
+    copies(context, &trees)?;
     let flatten = context.settings().bool("FlattenInputs").unwrap_or(true);
     let branches: Vec<Tree> = (0..)
         .zip(&trees)

@@ -7,7 +7,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Value};
 use katydid_expression::Variant;
 use katydid_geometry::morph::{Forces, Morph};
-use katydid_geometry::{Error, Point3, Vector3};
+use katydid_geometry::{Error, Patience, Point3, Vector3};
 
 use super::{Manner, morphed, paired};
 use crate::maths::formula::Formula;
@@ -94,6 +94,9 @@ struct Grips<'a> {
 
 impl Morph for Grips<'_> {
     fn image(&self, p: Point3) -> Result<Point3, Error> {
+        if Patience::is_over() {
+            return Err(Error::Stopped);
+        }
         let grip = self.moves.iter().find(|(q, _)| q.distance_to(p) <= self.reach);
         let image = grip.map_or(p, |(_, by)| p + *by);
         if image.is_finite() { Ok(image) } else { Err(Error::NotFinite("moved point")) }

@@ -6,7 +6,7 @@ pub(crate) use ends::with_ends;
 
 use super::validity::refusal;
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};
-use crate::{Curve, Error, Point3, Result, Surface};
+use crate::{Curve, Error, Point3, Result, Surface, patience};
 
 /// Gaps up to this part of a loop's size are closed.
 const LARGEST_GAP: f64 = 1e-3;
@@ -141,6 +141,7 @@ impl Builder {
         mut paths: Vec<Path>,
         largest_gap: f64,
     ) -> Result<()> {
+        patience::check()?;
         ends::close_gaps(&mut paths, largest_gap)?;
         let in_loop = self.parts.loops.len();
         let owner = self.parts.faces.get_mut(face.0).ok_or_else(|| foreign("face"))?;
@@ -187,9 +188,13 @@ impl Builder {
     /// # Errors
     /// The brep would have faults, which are told from outside, or an edge would be further than `limit` from a trim's image.
     pub fn finish(mut self, limit: f64) -> Result<Brep> {
+        // What is looked up on the way takes about as much as what is put together.
+        let parts = self.parts.trims.len().saturating_add(self.parts.edges.len());
+        patience::room::<Trim>(parts)?;
         self.parts.set_kinds();
         self.parts.set_iso();
         self.parts.measure_tolerances();
+        patience::check_now()?;
         if let Some(edge) = self.parts.edges.iter().find(|e| !(e.tolerance <= limit)) {
             return Err(refusal::of_distance(edge.tolerance));
         }

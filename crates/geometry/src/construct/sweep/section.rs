@@ -1,7 +1,9 @@
 //! Sections in the coordinates of a moving frame, and what lies between them.
 
 use crate::nurbs::{Skinning, skinned};
-use crate::{Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, Vector3, compatible_curves};
+use crate::{
+    Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, Vector3, compatible_curves, patience,
+};
 
 /// An affine frame: where the axes and the origin of a section's coordinates go.
 #[derive(Debug, Clone, Copy)]
@@ -13,6 +15,7 @@ pub(super) struct Frame {
 impl Frame {
     /// A curve in the frame's coordinates, in space.
     pub(super) fn placed(&self, local: &NurbsCurve) -> Result<NurbsCurve> {
+        patience::room::<[f64; 4]>(2 * local.point_count())?;
         let [x, y, z] = self.axes;
         moved(local, |[a, b, c, w]| {
             let p = self.origin.to_vector() * w + x * a + y * b + z * c;

@@ -1,7 +1,7 @@
 //! A surface through so many places of a moving section that it keeps to the section between them.
 
 use crate::nurbs::{Skinning, skinned};
-use crate::{Direction, Error, Interval, NurbsCurve, NurbsSurface, Point3, Result};
+use crate::{Direction, Error, Interval, NurbsCurve, NurbsSurface, Point3, Result, patience};
 
 /// The most places of a section along one run, of a rail that does not ask for more by itself.
 const MOST: usize = 600;
@@ -27,7 +27,10 @@ impl Motion<'_> {
     /// u along the section, v the parameter. Where one smooth surface cannot follow, each stretch between breaks is
     /// followed by itself.
     pub(super) fn surface(&self, tolerance: f64) -> Result<NurbsSurface> {
-        self.followed(tolerance).or_else(|why| self.by_stretches(tolerance)?.ok_or(why))
+        self.followed(tolerance).or_else(|why| {
+            patience::check_now()?;
+            self.by_stretches(tolerance)?.ok_or(why)
+        })
     }
 
     /// The surface made of those of the stretches between breaks; none when there is only one.
@@ -40,6 +43,7 @@ impl Motion<'_> {
         for w in cuts.windows(2) {
             let domain = Interval::new(w[0], w[1]);
             let stretch = Motion { domain, breaks: Vec::new(), closed: false, at: self.at };
+            patience::check_now()?;
             let next = stretch.followed(tolerance)?;
             whole = Some(match whole {
                 None => next,
@@ -58,12 +62,13 @@ impl Motion<'_> {
             let surface = self.through(&stations)?;
             let middles: Vec<f64> = stations.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
             let sections = (self.at)(&middles)?;
-            let wrong: Vec<f64> = middles
-                .iter()
-                .zip(&sections)
-                .filter(|(t, section)| deviation(&surface, **t, section) > tolerance)
-                .map(|(t, _)| *t)
-                .collect();
+            let mut wrong = Vec::new();
+            for (t, section) in middles.iter().zip(&sections) {
+                patience::check_now()?;
+                if deviation(&surface, *t, section) > tolerance {
+                    wrong.push(*t);
+                }
+            }
             if wrong.is_empty() {
                 return Ok(surface);
             }
@@ -125,6 +130,7 @@ fn continued(before: &NurbsSurface, after: &NurbsSurface) -> Result<NurbsSurface
         return Err(no());
     }
     let (first, second) = (before.homogeneous_points(), after.homogeneous_points());
+    patience::room::<[f64; 4]>(3 * rows * (m + n - 1))?;
     let mut points = Vec::with_capacity(rows * (m + n - 1));
     for (a, b) in first.chunks(m).zip(second.chunks(n)) {
         points.extend_from_slice(a);

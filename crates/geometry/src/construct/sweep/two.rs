@@ -3,7 +3,9 @@
 use super::super::check;
 use super::section::{Frame, Sections};
 use super::skinning::Motion;
-use crate::{Brep, Continuity, Curve, Error, Interval, NurbsCurve, Result, Tolerance, Vector3};
+use crate::{
+    ArcLength, Brep, Continuity, Curve, Error, Interval, NurbsCurve, Result, Tolerance, Vector3, patience,
+};
 
 /// The surfaces that sections draw when they are moved along two rails, their width being the rails' distance. With
 /// `keep_height` their height stays, else it is scaled as the width. Places of the rails belong together that have
@@ -26,9 +28,10 @@ pub fn sweep_two(
     let first = sections.first().ok_or(Error::degenerate("sweep", "there are no sections"))?;
     let rails = matched(rails, first)?;
     let closed = rails.iter().all(Curve::is_closed);
+    let along = rails.each_ref().map(ArcLength::new);
     let mut placed = Vec::with_capacity(sections.len());
     for section in sections {
-        placed.push(stand(&rails, section)?);
+        placed.push(stand(&rails, &along, section)?);
     }
     placed.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     if closed
@@ -41,7 +44,7 @@ pub fn sweep_two(
             placed.push((again, [1.0; 2]));
         }
     }
-    let pair = Pair::new(rails, &placed, keep_height)?;
+    let pair = Pair::new(&rails, along, &placed, keep_height)?;
     let (mut local, mut places) = (Vec::new(), Vec::new());
     for (section, at) in &placed {
         let frame = pair.frame(at[0], at[0] >= 1.0)?;
@@ -52,13 +55,13 @@ pub fn sweep_two(
         return Err(Error::degenerate("sections", "two of them stand at one place of the rails"));
     }
     let sections = Sections::new(&local, &places)?;
-    let mut faces = Vec::new();
+    let (mut faces, breaks) = (Vec::new(), pair.breaks());
     for part in pair.parts(&places) {
         let at = |shares: &[f64]| -> Result<Vec<NurbsCurve>> {
             let frames = shares.iter().map(|s| pair.slanted(*s, part));
             frames.zip(shares).map(|(frame, s)| frame?.placed(&sections.at(*s)?)).collect()
         };
-        let motion = Motion { domain: part, breaks: pair.breaks(), closed: false, at: &at };
+        let motion = Motion { domain: part, breaks: breaks.clone(), closed: false, at: &at };
         faces.push(Brep::from_kinked_surface(&motion.surface(0.5 * limit)?.into(), tolerance)?);
     }
     Ok(Brep::join(&faces, tolerance)?.breps)
@@ -103,23 +106,23 @@ fn matched(rails: [&Curve; 2], section: &Curve) -> Result<[Curve; 2]> {
 }
 
 /// A section running from the first rail to the second, and its places on them by share of their lengths.
-fn stand(rails: &[Curve; 2], section: &Curve) -> Result<(Curve, [f64; 2])> {
+fn stand(rails: &[Curve; 2], along: &[ArcLength<'_>; 2], section: &Curve) -> Result<(Curve, [f64; 2])> {
     let away = |rail: &Curve, p| rail.closest_point(p);
     let straight = away(&rails[0], section.start())?.distance + away(&rails[1], section.end())?.distance;
     let turned = away(&rails[0], section.end())?.distance + away(&rails[1], section.start())?.distance;
     let section = if turned < straight { section.reversed() } else { section.clone() };
-    let share = |rail: &Curve, p| -> Result<f64> {
-        let t = away(rail, p)?.parameter;
-        Ok((rail.length_between(Interval::new(rail.domain().start, t)) / rail.length()).clamp(0.0, 1.0))
+    let share = |k: usize, p| -> Result<f64> {
+        let t = away(&rails[k], p)?.parameter;
+        Ok((along[k].length_at(t) / along[k].total()).clamp(0.0, 1.0))
     };
-    let at = [share(&rails[0], section.start())?, share(&rails[1], section.end())?];
+    let at = [share(0, section.start())?, share(1, section.end())?];
     Ok((section, at))
 }
 
 /// Two rails and which of their places belong together.
-struct Pair {
-    rails: [Curve; 2],
-    lengths: [f64; 2],
+struct Pair<'a> {
+    rails: &'a [Curve; 2],
+    lengths: [ArcLength<'a>; 2],
     /// Shares of the first and of the second rail that belong together, increasing.
     stops: Vec<[f64; 2]>,
     keep_height: bool,
@@ -127,9 +130,13 @@ struct Pair {
     corners: [Vec<f64>; 2],
 }
 
-impl Pair {
-    fn new(rails: [Curve; 2], placed: &[(Curve, [f64; 2])], keep_height: bool) -> Result<Self> {
-        let lengths = [rails[0].length(), rails[1].length()];
+impl<'a> Pair<'a> {
+    fn new(
+        rails: &'a [Curve; 2],
+        lengths: [ArcLength<'a>; 2],
+        placed: &[(Curve, [f64; 2])],
+        keep_height: bool,
+    ) -> Result<Self> {
         let mut stops: Vec<[f64; 2]> = vec![[0.0; 2]];
         for (_, at) in placed {
             let before = stops.last().copied().unwrap_or_default();
@@ -158,23 +165,23 @@ impl Pair {
             if shares[k] >= 1.0 {
                 return rail.domain().end;
             }
-            let found = rail.parameter_at_length(shares[k] * self.lengths[k]).unwrap_or(rail.domain().end);
-            let near = |t: &&f64| (**t - found).abs() <= 1e-9 * rail.domain().length();
-            self.corners[k].iter().find(near).copied().unwrap_or(found)
+            let found = self.lengths[k].parameter_at(shares[k] * self.lengths[k].total());
+            let (corners, least) = (&self.corners[k], 1e-9 * rail.domain().length());
+            let first = corners.partition_point(|t| *t < found - least);
+            corners.get(first).copied().filter(|t| *t <= found + least).unwrap_or(found)
         })
     }
 
     /// Shares of the first rail at which one of both has a kink, or more than G1 to be expected of.
     fn kinks(&self) -> Vec<f64> {
-        let mut out = Vec::new();
-        for k in 0..2 {
-            let rail = &self.rails[k];
-            for t in self.corners[k].iter().copied() {
-                let share = rail.length_between(Interval::new(rail.domain().start, t)) / self.lengths[k];
-                out.push(if k == 0 { share } else { self.first_share(share) });
-            }
-        }
-        out
+        let own = self.corners[0].iter().map(|t| self.share(0, *t));
+        own.chain(self.corners[1].iter().map(|t| self.share(1, *t))).collect()
+    }
+
+    /// The share of the first rail that belongs to a parameter of either.
+    fn share(&self, k: usize, t: f64) -> f64 {
+        let share = self.lengths[k].length_at(t) / self.lengths[k].total();
+        if k == 0 { share } else { self.first_share(share) }
     }
 
     /// The share of the first rail that belongs to one of the second.
@@ -185,15 +192,9 @@ impl Pair {
     }
 
     fn breaks(&self) -> Vec<f64> {
-        let mut out = Vec::new();
-        for k in 0..2 {
-            let rail = &self.rails[k];
-            for stretch in rail.smooth_stretches() {
-                let share =
-                    rail.length_between(Interval::new(rail.domain().start, stretch.start)) / self.lengths[k];
-                out.push(if k == 0 { share } else { self.first_share(share) });
-            }
-        }
+        let starts =
+            |k: usize| self.rails[k].smooth_stretches().into_iter().map(move |s| self.share(k, s.start));
+        let mut out: Vec<f64> = starts(0).chain(starts(1)).collect();
         out.sort_by(f64::total_cmp);
         out
     }
@@ -247,6 +248,7 @@ impl Pair {
 
     /// The frame inside a part, with directions at its ends half-way to those of the parts beside it.
     fn slanted(&self, share: f64, part: Interval) -> Result<Frame> {
+        patience::check()?;
         let [s, t] = self.parameters(share);
         let origin = self.rails[0].point_at(s);
         let across = self.rails[1].point_at(t) - origin;

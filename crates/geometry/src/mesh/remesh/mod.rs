@@ -6,6 +6,7 @@ mod target;
 
 use super::{Mesh, MeshFace};
 use crate::mesh::polygon::polygon_faces;
+use crate::patience::check_now;
 use crate::{Error, Line, Point3, Result};
 use net::Net;
 pub use quads::QuadOptions;
@@ -67,7 +68,11 @@ impl Mesh {
             net.collapse_short(4.0 / 5.0 * length, 4.0 / 3.0 * length);
             net.flip();
             net.smooth(|p| surface.nearest(p), |p| own.nearest_on_line(p));
-            options.points.iter().filter(|p| p.is_finite()).for_each(|&p| net.pull_nearest_to(p));
+            for &p in options.points.iter().filter(|p| p.is_finite()) {
+                check_now()?;
+                net.pull_nearest_to(p);
+            }
+            check_now()?;
         }
         net.finish()
     }

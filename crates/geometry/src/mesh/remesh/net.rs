@@ -1,6 +1,7 @@
 use std::collections::HashSet;
 
 use super::{Remeshed, too_many};
+use crate::patience::check;
 use crate::{Error, Line, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Whether a surface stays one when an edge collapses, of whose ends the neighbours are given.
@@ -145,6 +146,7 @@ impl Net {
         for _ in 0..ROUNDS {
             let mut done = true;
             for [a, b] in self.edges() {
+                check()?;
                 if self.length(a, b) > longest {
                     self.split(a, b);
                     done = false;
@@ -193,6 +195,10 @@ impl Net {
 
     pub(super) fn collapse_short(&mut self, shortest: f64, longest: f64) {
         for [a, b] in self.edges() {
+            // Whoever has this done looks whether to go on.
+            if check().is_err() {
+                return;
+            }
             if self.around[a as usize].is_empty() || self.around[b as usize].is_empty() {
                 continue;
             }
@@ -315,6 +321,10 @@ impl Net {
     /// Flips edges where that brings the numbers of neighbours nearer to what they should be.
     pub(super) fn flip(&mut self) {
         for [a, b] in self.edges() {
+            // Whoever has this done looks whether to go on.
+            if check().is_err() {
+                return;
+            }
             if self.kept.contains(&[a, b]) {
                 continue;
             }
@@ -363,6 +373,9 @@ impl Net {
         for v in 0..self.points.len() as u32 {
             if self.around[v as usize].is_empty() {
                 continue;
+            }
+            if check().is_err() {
+                return;
             }
             let (here, ends) = (self.at(v), self.kept_neighbours(v));
             let place = match ends.as_slice() {
