@@ -57,6 +57,11 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().bytes)]
     limit_bytes: u64,
 
+    /// The most bytes that all requests together may take while they are worked on; four times --limit-bytes when not
+    /// given
+    #[arg(long, value_name = "BYTES")]
+    total_bytes: Option<u64>,
+
     /// How many solves run at a time; as many as the machine has processors when not given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     workers: Option<u16>,
@@ -113,6 +118,7 @@ impl ServeArgs {
             job_timeout: time(self.job_timeout),
             most_body: self.max_body,
             limits: Limits { items: self.limit_items, ..Limits::default() }.with_bytes(self.limit_bytes),
+            total_bytes: self.total_bytes.unwrap_or(self.limit_bytes.saturating_mul(4)),
             workers: self.workers.map(usize::from),
             most_waiting: self.queue,
             most_jobs: self.jobs,

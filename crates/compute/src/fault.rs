@@ -18,6 +18,8 @@ pub enum Cause {
     TimedOut,
     /// Whoever asked does not want it any more.
     Cancelled,
+    /// There is no memory for it beside what else is done now.
+    Busy,
     /// It is not allowed here.
     Refused,
     /// It was tried, and went wrong.
@@ -58,6 +60,11 @@ impl Fault {
     /// More than is allowed.
     pub fn too_large(message: impl Into<String>) -> Self {
         Self::new(Cause::TooLarge, message)
+    }
+
+    /// There is no memory for it beside what else is done now.
+    pub fn busy() -> Self {
+        Self::new(Cause::Busy, "There is no memory for this beside what else is solved now: try again later")
     }
 
     /// It is not allowed here.

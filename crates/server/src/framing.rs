@@ -1,4 +1,5 @@
-//! Requests that say twice how long they are, by `Content-Length` and by `Transfer-Encoding`.
+//! What is looked at beneath the HTTP library: clients that do not take what they are sent, and requests that say twice
+//! how long they are, by `Content-Length` and by `Transfer-Encoding`.
 //!
 //! Two servers behind each other may believe different ones, and then take different bytes for the next request (RFC
 //! 9112, section 6.1). The HTTP library believes the one and drops the other before anybody can see it, so the bytes are
@@ -8,11 +9,16 @@ use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};
+use std::time::Duration;
 
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
+use tokio::time::{Sleep, sleep};
 
 /// So many bytes of a line are kept: the two fields are shorter.
 const LINE: usize = 256;
+
+/// A client that takes nothing of what is sent for so long is gone.
+const SILENCE: Duration = Duration::from_secs(60);
 
 /// A connection whose requests are followed.
 #[derive(Debug)]
@@ -20,13 +26,26 @@ pub(crate) struct Followed<S> {
     stream: S,
     requests: Requests,
     is_doubtful: Arc<AtomicBool>,
+    /// When the other side has taken nothing for too long, while something is to be sent.
+    given_up: Option<Pin<Box<Sleep>>>,
 }
 
 impl<S> Followed<S> {
     /// The connection, and whether one of its requests has said its length twice.
     pub(crate) fn new(stream: S) -> (Self, Arc<AtomicBool>) {
         let is_doubtful = Arc::new(AtomicBool::new(false));
-        (Self { stream, requests: Requests::default(), is_doubtful: Arc::clone(&is_doubtful) }, is_doubtful)
+        let requests = Requests::default();
+        (Self { stream, requests, is_doubtful: Arc::clone(&is_doubtful), given_up: None }, is_doubtful)
+    }
+
+    /// What came of sending; an error when the other side has taken nothing for too long.
+    fn sent<T>(&mut self, cx: &mut Context<'_>, sent: Poll<std::io::Result<T>>) -> Poll<std::io::Result<T>> {
+        if sent.is_ready() {
+            self.given_up = None;
+            return sent;
+        }
+        let given_up = self.given_up.get_or_insert_with(|| Box::pin(sleep(SILENCE)));
+        given_up.as_mut().poll(cx).map(|()| Err(std::io::ErrorKind::TimedOut.into()))
     }
 }
 
@@ -51,7 +70,8 @@ impl<S: AsyncWrite + Unpin> AsyncWrite for Followed<S> {
         cx: &mut Context<'_>,
         bytes: &[u8],
     ) -> Poll<std::io::Result<usize>> {
-        Pin::new(&mut self.stream).poll_write(cx, bytes)
+        let sent = Pin::new(&mut self.stream).poll_write(cx, bytes);
+        self.sent(cx, sent)
     }
 
     fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<std::io::Result<()>> {
@@ -67,7 +87,8 @@ impl<S: AsyncWrite + Unpin> AsyncWrite for Followed<S> {
         cx: &mut Context<'_>,
         parts: &[std::io::IoSlice<'_>],
     ) -> Poll<std::io::Result<usize>> {
-        Pin::new(&mut self.stream).poll_write_vectored(cx, parts)
+        let sent = Pin::new(&mut self.stream).poll_write_vectored(cx, parts);
+        self.sent(cx, sent)
     }
 
     fn is_write_vectored(&self) -> bool {

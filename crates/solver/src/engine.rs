@@ -115,7 +115,11 @@ impl Engine {
     /// with another [`Cancel`](katydid_component::Cancel).
     pub fn solve(&mut self) -> Summary {
         let watch = Watch::start();
-        let account = Arc::new(Account::new(self.options.limits.solve_bytes));
+        let most = self.options.limits.solve_bytes;
+        let account = Arc::new(match &self.options.memory {
+            Some(whole) => Account::part_of(whole.clone(), most),
+            None => Account::new(most),
+        });
         let turn = Turn {
             document: &self.document,
             options: &self.options,

@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::{Cancel, Files, Limits, RhinoModel};
+use katydid_component::{Account, Cancel, Files, Limits, RhinoModel};
 use katydid_data::cast::Rules;
 use katydid_definition::document::Object;
 
@@ -43,6 +43,8 @@ pub struct Options {
     pub rules: Rules,
     /// What each object may put out, and how long all may take.
     pub limits: Limits,
+    /// What counts the memory of the solve besides its own account; nothing when there is none.
+    pub memory: Option<Arc<Account>>,
     /// Stops the solve from outside.
     pub cancel: Cancel,
     /// Which files the definition may read; none unless said so.

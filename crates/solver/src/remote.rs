@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::Arc;
 
-use katydid_component::{Budget, Cancel, Limits, Message, registry};
+use katydid_component::{Account, Budget, Cancel, Limits, Message, registry};
 use katydid_data::cast::Rules;
 use katydid_data::{Kind, Tree, Value};
 use katydid_definition::archive::{Chunk, ItemValue};
@@ -45,6 +46,8 @@ pub struct Question<'a> {
     pub budget: &'a Budget,
     /// What a definition that is solved for the component may use, with the time that is left.
     pub limits: Limits,
+    /// What counts the memory of such a definition: the asking one's account.
+    pub memory: &'a Arc<Account>,
     /// Stops it.
     pub cancel: &'a Cancel,
 }
@@ -81,6 +84,7 @@ pub(crate) fn solve(
         rules,
         budget,
         limits: Limits { time: turn.deadline.left(), ..turn.options.limits },
+        memory: turn.account,
         cancel: &turn.options.cancel,
     };
     let solved = budget.check().and_then(|()| remote.solve(&question)).unwrap_or_else(|message| {

@@ -1,8 +1,10 @@
 //! What functions take: numbers with their bounds, lists, what may be missing.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use katydid_component::Cancel;
+use katydid_component::{Account, Cancel};
 use katydid_geometry::{Patience, Tolerance};
 use serde_json::Value as Json;
 
@@ -27,13 +29,42 @@ impl<T: Read> Argument for T {
 pub(super) struct Waiting {
     cancel: Cancel,
     end: Option<Instant>,
+    account: Arc<Account>,
+    /// Whether there was no memory: what was given up for that may have been given back since.
+    refused: Arc<AtomicBool>,
+}
+
+impl katydid_geometry::Waiting for Waiting {
+    fn go_on(&self) -> bool {
+        self.check().is_ok()
+    }
+
+    fn has_room(&self, bytes: u64) -> bool {
+        self.account.settle();
+        let has_room = self.account.without_room(bytes).is_none();
+        self.refused.fetch_or(!has_room, Ordering::Relaxed);
+        has_room
+    }
+
+    fn begin(&self) {
+        self.account.begin();
+    }
+
+    fn end(&self) {
+        self.account.end();
+    }
 }
 
 impl Waiting {
     /// From now on, for as long as the bounds allow.
     pub(super) fn new(bounds: &Bounds) -> Self {
         let end = bounds.limits.time.and_then(|time| Instant::now().checked_add(time));
-        Self { cancel: bounds.cancel.clone(), end }
+        let most = bounds.limits.solve_bytes;
+        let account = match &bounds.memory {
+            Some(whole) => Account::part_of(whole.clone(), most),
+            None => Account::new(most),
+        };
+        Self { cancel: bounds.cancel.clone(), end, account: Arc::new(account), refused: Arc::default() }
     }
 
     /// Whether to go on.
@@ -43,8 +74,7 @@ impl Waiting {
 
     /// The same for what the kernel does on this thread.
     pub(super) fn patience(&self) -> Patience {
-        let waiting = self.clone();
-        Patience::new(move || waiting.go_on())
+        Patience::of(Arc::new(self.clone()))
     }
 
     /// Stops here when nobody waits any more: between the parts of work that may be long.
@@ -52,10 +82,16 @@ impl Waiting {
         if self.cancel.is_cancelled() {
             return Err(Fault::new(Cause::Cancelled, "it was cancelled"));
         }
-        match self.end {
-            Some(end) if Instant::now() >= end => Err(Fault::new(Cause::TimedOut, "the time limit is over")),
-            _ => Ok(()),
+        if self.end.is_some_and(|end| Instant::now() >= end) {
+            return Err(Fault::new(Cause::TimedOut, "the time limit is over"));
         }
+        if katydid_geometry::Waiting::has_room(self, 0) && !self.refused.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        Err(match self.account.was_refused() {
+            true => Fault::busy(),
+            false => Fault::too_large(format!("it takes more than {} bytes", self.account.limit())),
+        })
     }
 }
 

@@ -212,7 +212,8 @@ fn run(row: &Row, arguments: &[Json], waiting: &Waiting) -> Result<Json, (Fault,
             }
             cause => Fault { cause, message: fault.message },
         };
-        let is_theirs = !call.ready && !matches!(fault.cause, Cause::Cancelled | Cause::TimedOut);
+        let is_theirs =
+            !call.ready && !matches!(fault.cause, Cause::Busy | Cause::Cancelled | Cause::TimedOut);
         (fault, is_theirs)
     })
 }

@@ -152,6 +152,7 @@ impl Hops {
         }
         let bounds = Bounds {
             limits: Limits { ..question.limits },
+            memory: Some(question.memory.clone()),
             cancel: question.cancel.clone(),
             progress: None,
             recursion: self.recursion.saturating_add(1),

@@ -1,6 +1,7 @@
 use std::fmt;
+use std::sync::Arc;
 
-use katydid_component::{Cancel, Limits};
+use katydid_component::{Account, Cancel, Limits};
 use katydid_solver::Listener;
 
 /// What one request may use, and how it is followed and stopped.
@@ -8,6 +9,8 @@ use katydid_solver::Listener;
 pub struct Bounds {
     /// What each object may put out, and how long the whole solve may take.
     pub limits: Limits,
+    /// What counts the memory of the request besides its own account: that of a server's requests together.
+    pub memory: Option<Arc<Account>>,
     /// Stops the solve from outside.
     pub cancel: Cancel,
     /// Told after each object.

@@ -34,6 +34,7 @@ pub(crate) fn run(
     let options = Options {
         rules: request.rules(),
         limits: bounds.limits,
+        memory: bounds.memory.clone(),
         cancel: bounds.cancel.clone(),
         files: settings.files.clone(),
         progress: bounds.progress.clone(),
@@ -48,6 +49,9 @@ pub(crate) fn run(
     let took = solved - decoded;
     if bounds.cancel.is_cancelled() {
         return Err(Fault::new(Cause::Cancelled, "The request was cancelled"));
+    }
+    if bounds.memory.as_ref().is_some_and(|memory| memory.was_refused()) {
+        return Err(Fault::busy());
     }
     let mut reports = (0..definition.document().objects.len()).filter_map(|at| engine.report(at));
     if let Some(time) = bounds.limits.time.filter(|time| took >= *time)

@@ -40,6 +40,8 @@ pub struct Config {
     pub most_body: usize,
     /// What each object of a definition may put out.
     pub limits: Limits,
+    /// The most bytes that all requests together may take while they are worked on.
+    pub total_bytes: u64,
     /// How many solves run at a time; by the number of processors when not given.
     pub workers: Option<usize>,
     /// How many requests may wait for their turn.
@@ -70,6 +72,7 @@ impl Default for Config {
             job_timeout: Duration::from_secs(3600),
             most_body: 52_428_800,
             limits: Limits::default(),
+            total_bytes: 4 * Limits::default().bytes,
             workers: None,
             most_waiting: 1024,
             most_jobs: 256,

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use katydid_compute::geometry::{self, Query};
 
 use super::body::Received;
+use super::memory::counted;
 use super::pool::Step;
 use super::refusal::Refusal;
 use super::sent::{HTML, JSON, Sent};
@@ -34,8 +35,11 @@ pub(crate) async fn call(
     let query = Query::read(asking.query.pairs())?;
     let (reins, packs) = (asking.reins(&service)?, asking.packs);
     let (inside, held) = (reins.clone(), Arc::clone(&service));
-    let work = move || Step::Done(called(&held, &name, &query, body, &inside).map(|sent| sent.packed(packs)));
-    service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await?
+    let call = move || Step::Done(called(&held, &name, &query, body, &inside).map(|sent| sent.packed(packs)));
+    let memory = Arc::clone(&reins.memory);
+    let work = move || counted(memory, call);
+    let sent = service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await??;
+    Ok(sent.counted(reins.memory))
 }
 
 fn called(

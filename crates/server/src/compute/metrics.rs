@@ -99,6 +99,8 @@ fn write(service: &Service, out: &mut String) -> std::fmt::Result {
     gauge("solve_places", "gauge", "How many can be solved at a time.", count(service.pool.places()))?;
     gauge("threads_lost", "gauge", "Threads that have been given up.", count(load.lost))?;
     gauge("failures_total", "counter", "Solves that failed as they must not.", load.failed as f64)?;
+    let taken = service.memory.taken() as f64;
+    gauge("common_memory_bytes", "gauge", "Memory that requests take beyond their shares.", taken)?;
     if let Some(bytes) = resident() {
         gauge("resident_memory_bytes", "gauge", "Memory that the process takes.", bytes as f64)?;
     }

@@ -23,6 +23,7 @@ mod geometry;
 mod health;
 mod jobs;
 mod key;
+mod memory;
 mod metrics;
 mod openapi;
 mod pool;

@@ -63,6 +63,9 @@ impl Refusal {
 
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Self {
+        if fault.cause == Cause::Busy {
+            return Self::busy(fault.message, 5);
+        }
         let (status, cause) = match &fault.cause {
             Cause::BadRequest => (StatusCode::BAD_REQUEST, "bad-request"),
             Cause::NotFound => (StatusCode::NOT_FOUND, "not-found"),

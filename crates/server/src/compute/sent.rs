@@ -1,6 +1,7 @@
 //! What goes back over the wire.
 
 use std::io::Write;
+use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::Body;
@@ -13,6 +14,7 @@ use axum::response::Response;
 use bytes::Bytes;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use katydid_component::Account;
 
 use super::refusal::Refusal;
 
@@ -114,6 +116,21 @@ impl Sent {
             self.body = packed.into();
             self.headers.insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
         }
+        self
+    }
+
+    /// Counted on the account of its request for as long as it is there: a client may take its time to hear it.
+    #[must_use]
+    pub(crate) fn counted(mut self, account: Arc<Account>) -> Self {
+        struct Held(Bytes, #[expect(dead_code, reason = "it gives back when it is dropped")] Arc<Account>);
+
+        impl AsRef<[u8]> for Held {
+            fn as_ref(&self) -> &[u8] {
+                &self.0
+            }
+        }
+
+        self.body = Bytes::from_owner(Held(self.body, account));
         self
     }
 

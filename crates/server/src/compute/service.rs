@@ -14,6 +14,7 @@ use super::cors::Origins;
 use super::health::Trial;
 use super::jobs::Jobs;
 use super::key::Lock;
+use super::memory::Memory;
 use super::metrics::Metrics;
 use super::pool::{Lane, Pool, SLICE};
 use crate::lock::held;
@@ -28,13 +29,17 @@ pub(crate) struct Service {
     pub(crate) lock: Lock,
     pub(crate) origins: Origins,
     pub(crate) room: Room,
+    pub(crate) memory: Memory,
     pub(crate) pace: Pace,
     pub(crate) trial: Trial,
     pub(crate) idle: Idle,
 }
 
 impl Service {
-    pub(crate) fn new(config: Config) -> Self {
+    pub(crate) fn new(mut config: Config) -> Self {
+        let memory = Memory::new(config.total_bytes, Pool::most(config.places()));
+        // What can never be had is no matter of trying again.
+        config.limits = config.limits.with_bytes(config.limits.bytes.min(memory.most()));
         let settings = Settings {
             files: Trust::shared(Vec::new()).files(Origin::Sent),
             cache_bytes: config.cache_bytes,
@@ -58,6 +63,7 @@ impl Service {
             metrics: Metrics::default(),
             lock: Lock::new(config.key()),
             origins: Origins::new(&config.origins, config.key().is_some()),
+            memory,
             room: Room::new(config.most_body, config.timeout.max(Duration::from_secs(1))),
             pace: Pace::default(),
             trial: Trial::default(),

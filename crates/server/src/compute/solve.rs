@@ -8,6 +8,7 @@ use katydid_compute::SolveRequest;
 
 use super::body::Received;
 use super::form::Form;
+use super::memory::counted;
 use super::pool::{Client, Clock, Step};
 use super::query::Query;
 use super::refusal::Refusal;
@@ -29,7 +30,8 @@ impl Asking {
     pub(crate) fn reins(&self, service: &Service) -> Result<Reins, Refusal> {
         let allowance = Allowance::new(service.config.timeout, service.config.limits, &self.query)?;
         let end = self.since.checked_add(allowance.time);
-        Ok(Reins { cancel: Cancel::default(), progress: None, allowance, end })
+        let memory = service.memory.account();
+        Ok(Reins { cancel: Cancel::default(), progress: None, allowance, memory, end })
     }
 
     /// What is left of the time.
@@ -60,16 +62,20 @@ pub(crate) async fn io_of_pointer(service: Arc<Service>, asking: Asking) -> Resu
     let request = SolveRequest::for_pointer(pointer);
     let (reins, packs) = (asking.reins(&service)?, asking.packs);
     let (inside, held) = (reins.clone(), Arc::clone(&service));
-    let work =
+    let begin =
         move || packed(work::with_request(held, request, Wish::Description, inside, Instant::now()), packs);
+    let memory = Arc::clone(&reins.memory);
+    let work = move || counted(memory, begin);
     service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await?
 }
 
 async fn waited(service: Arc<Service>, asking: Asking, body: Received, wish: Wish) -> Result<Sent, Refusal> {
     let (reins, packs) = (asking.reins(&service)?, asking.packs);
     let (inside, held) = (reins.clone(), Arc::clone(&service));
-    let work = move || packed(work::begin(held, body, wish, inside), packs);
-    service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await?
+    let memory = Arc::clone(&reins.memory);
+    let work = move || counted(memory, move || packed(work::begin(held, body, wish, inside), packs));
+    let sent = service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await??;
+    Ok(sent.counted(reins.memory))
 }
 
 /// Packs what comes out, on the thread that solved it.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use katydid_3dm::Model;
-use katydid_component::{Cancel, Limits};
+use katydid_component::{Account, Cancel, Limits};
 use katydid_compute::{Bounds, Cause, Definition, Fault, Located, Solution, SolveRequest, Timings};
 use katydid_solver::Listener;
 
@@ -56,6 +56,8 @@ pub(crate) struct Reins {
     pub(crate) cancel: Cancel,
     pub(crate) progress: Option<Listener>,
     pub(crate) allowance: Allowance,
+    /// What counts its memory.
+    pub(crate) memory: Arc<Account>,
     /// When its time is over.
     pub(crate) end: Option<Instant>,
 }
@@ -68,7 +70,8 @@ impl Reins {
         }
         let Allowance { items, bytes, .. } = self.allowance;
         let limits = Limits { items, time, ..Limits::default() }.with_bytes(bytes);
-        Ok(Bounds { limits, cancel: self.cancel.clone(), progress: self.progress.clone(), recursion: 0 })
+        let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
+        Ok(Bounds { limits, memory: Some(Arc::clone(&self.memory)), cancel, progress, recursion: 0 })
     }
 
     fn late(&self) -> Refusal {

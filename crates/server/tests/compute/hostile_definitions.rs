@@ -139,6 +139,44 @@ async fn definitions_that_take_too_long() {
     compute.is_well().await;
 }
 
+/// All at a time take no more than the server may: who comes too late is told so, and who wants little is answered.
+#[tokio::test(flavor = "multi_thread")]
+async fn many_that_want_much_together() {
+    let total_bytes = 64 << 20;
+    let compute = Compute::start_with(|config| Config { total_bytes, ..config }).await;
+    let large = given("x = Series(0, 1, 60000)");
+    let ask = |_| compute.solve(&large, json!([]));
+    let many = futures_util::future::join_all((0..12).map(ask));
+    let few = async {
+        for _ in 0..10 {
+            let answer = compute.solve(&gh(SUM), json!([])).await;
+            assert_eq!(answer.status, 200, "{:.200}", answer.text());
+        }
+    };
+    let (many, ()) = tokio::join!(many, few);
+    for answer in many {
+        if answer.status == 503 {
+            assert_eq!(answer.json()["cause"], "busy");
+            assert!(!answer.header("retry-after").is_empty());
+        } else {
+            assert_eq!((answer.status, answer.output("RH_OUT:x").as_f64()), (200, Some(0.0)));
+        }
+    }
+    // One at a time there is room for each, and nothing is kept of it.
+    assert_eq!(compute.solve(&large, json!([])).await.status, 200);
+    let alone = compute.solve(&given("x = Series(0, 1, 5000000)"), json!([])).await;
+    assert!(alone.status == 500 || alone.status == 503, "{:.200}", alone.text());
+    let taken = async || compute.get("/metrics").await.text().contains("katydid_common_memory_bytes 0\n");
+    for _ in 0..100 {
+        if taken().await {
+            break;
+        }
+        tokio::time::sleep(Duration::from_millis(50)).await;
+    }
+    assert!(taken().await);
+    compute.is_well().await;
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn files_of_the_machine_are_not_read() {
     let compute = Compute::start().await;

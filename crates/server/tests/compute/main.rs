@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
 
+/// As in the program: what solves take is counted.
+#[global_allocator]
+static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
+
 mod client;
 mod contract;
 mod definitions;

@@ -8,6 +8,7 @@ use katydid_solver::Progress;
 
 use super::super::body::Received;
 use super::super::form::Form;
+use super::super::memory::counted;
 use super::super::pool::{Client, Clock, Step, Undone};
 use super::super::query::Query;
 use super::super::refusal::Refusal;
@@ -35,18 +36,23 @@ pub(crate) async fn submit(
 async fn run(service: Arc<Service>, client: Client, job: Arc<Job>, body: Received, allowance: Allowance) {
     let (own, held) = (Arc::clone(&job), Arc::clone(&service));
     let cancel: Cancel = job.cancel.clone();
-    let work = move || {
-        let told = Arc::clone(&own);
-        let progress = move |progress: &Progress| {
-            let Progress { done, total, name } = progress.clone();
-            told.go_on(Stage::Running { done, total, name });
-        };
-        own.go_on(Stage::Running { done: 0, total: 0, name: String::new() });
-        let end = std::time::Instant::now().checked_add(allowance.time);
-        let cancel = own.cancel.clone();
-        let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, end };
-        kept(work::begin(held, body, Wish::Kept, reins))
+    let memory = service.memory.account();
+    let begin = {
+        let memory = Arc::clone(&memory);
+        move || {
+            let told = Arc::clone(&own);
+            let progress = move |progress: &Progress| {
+                let Progress { done, total, name } = progress.clone();
+                told.go_on(Stage::Running { done, total, name });
+            };
+            own.go_on(Stage::Running { done: 0, total: 0, name: String::new() });
+            let end = std::time::Instant::now().checked_add(allowance.time);
+            let cancel = own.cancel.clone();
+            let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, memory, end };
+            kept(work::begin(held, body, Wish::Kept, reins))
+        }
     };
+    let work = move || counted(memory, begin);
     let came = service.pool.run(client, &cancel, (Clock::Begun, allowance.time), work).await;
     job.go_on(match came {
         Ok(Ok(solved)) => Stage::Done(solved),

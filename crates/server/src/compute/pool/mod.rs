@@ -106,6 +106,11 @@ impl Pool {
         Self { shared }
     }
 
+    /// How much may run at a time, what was given up included.
+    pub(crate) fn most(places: Places) -> usize {
+        places.all().max(1) + MOST_LOST
+    }
+
     /// How much runs at a time, as a rule.
     pub(crate) fn places(&self) -> usize {
         let places = held(&self.shared.queue).places;
