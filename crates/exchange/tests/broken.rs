@@ -5,7 +5,7 @@
 mod common;
 
 use common::sample;
-use katydid_exchange::{Format, Options, read, write};
+use katydid_exchange::{Format, Options, pdb, read, shp, write};
 use proptest::prelude::*;
 
 const READ: [Format; 5] = [Format::Obj, Format::Stl, Format::Ply, Format::Glb, Format::Gltf];
@@ -170,4 +170,101 @@ fn messages_name_the_buffer_of_a_gltf_file() {
         let error = read(file(&buffers).as_bytes(), Format::Gltf).unwrap_err().to_string();
         assert!(error.contains(wanted), "{buffers}: {error}");
     }
+}
+
+/// A shapefile of one polygon of some corners.
+fn map() -> Vec<u8> {
+    let corners = [[0.0, 0.0], [0.0, 4.0], [4.0, 4.0], [4.0, 0.0], [0.0, 0.0]];
+    let mut body: Vec<u8> = Vec::new();
+    body.extend(5_i32.to_le_bytes());
+    body.extend([0.0_f64, 0.0, 4.0, 4.0].into_iter().flat_map(f64::to_le_bytes));
+    body.extend([1, corners.len() as i32, 0].into_iter().flat_map(i32::to_le_bytes));
+    body.extend(corners.into_iter().flatten().flat_map(f64::to_le_bytes));
+    let mut file: Vec<u8> = 9994_i32.to_be_bytes().to_vec();
+    file.extend([0; 20]);
+    file.extend(((100 + 8 + body.len()) as i32 / 2).to_be_bytes());
+    file.extend([1000_i32, 5].into_iter().flat_map(i32::to_le_bytes));
+    file.extend([0.0_f64, 0.0, 4.0, 4.0, 0.0, 0.0, 0.0, 0.0].into_iter().flat_map(f64::to_le_bytes));
+    file.extend(1_i32.to_be_bytes());
+    file.extend((body.len() as i32 / 2).to_be_bytes());
+    file.extend(body);
+    file
+}
+
+/// Four atoms and their bonds.
+fn molecule() -> Vec<u8> {
+    let atom = |k: i32| {
+        let x = f64::from(k) * 1.5;
+        format!("ATOM  {k:5}  C   ALA A   1    {x:8.3}{x:8.3}{x:8.3}  1.00  0.00           C\n")
+    };
+    let atoms: String = (1..5).map(atom).collect();
+    format!("{atoms}CONECT    1    2\nCONECT    2    3\nCONECT    3    4\nEND\n").into_bytes()
+}
+
+/// Damages a file in a few places.
+fn damaged(sound: &[u8], random: &mut impl FnMut() -> usize) -> Vec<u8> {
+    const ODD: [&[u8]; 8] =
+        [&[0xff; 4], &[0xff, 0xff, 0xff, 0x7f], &[0; 8], b"NaN", b"1e999", b"99999", b"-", b"CONECT"];
+    let mut file = sound.to_vec();
+    for _ in 0..1 + random() % 4 {
+        let at = random() % (file.len() + 1);
+        match random() % 5 {
+            0 => file.truncate(at),
+            1 => file.splice(at..at, ODD[random() % ODD.len()].iter().copied()).for_each(drop),
+            2 => {
+                let odd = ODD[random() % ODD.len()];
+                let end = (at + odd.len()).min(file.len());
+                file.splice(at..end, odd.iter().copied()).for_each(drop);
+            }
+            3 => {
+                let piece = file[at..(at + random() % 80).min(file.len())].to_vec();
+                file.splice(at..at, piece).for_each(drop);
+            }
+            _ => {
+                if let Some(byte) = file.get_mut(at) {
+                    *byte ^= 1 << (random() % 8);
+                }
+            }
+        }
+    }
+    file
+}
+
+/// Reads damaged shapefiles and molecules, so many of each.
+fn read_damaged(count: usize) {
+    let mut state = 88_172_645_463_325_252_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state as usize
+    };
+    let (map, molecule) = (map(), molecule());
+    assert_eq!(shp::read(&map).unwrap().polygons.len(), 1);
+    assert_eq!(pdb::read(&molecule).unwrap().bonds.len(), 3);
+    for _ in 0..count {
+        let file = damaged(&map, &mut random);
+        if let Ok(map) = shp::read(&file) {
+            let lines = map.lines.iter().chain(map.polygons.iter().flatten()).map(Vec::len).sum::<usize>();
+            assert!((map.points.len() + lines) * 16 <= file.len(), "{file:?}");
+        }
+        let file = damaged(&molecule, &mut random);
+        if let Ok(molecule) = pdb::read(&file) {
+            let text = String::from_utf8_lossy(&file);
+            assert!(molecule.atoms.iter().all(|atom| atom.point.is_finite()), "{text}");
+            assert!(molecule.bonds.iter().all(|[a, b]| a < b && *b < molecule.atoms.len()), "{text}");
+        }
+    }
+}
+
+#[test]
+fn damaged_maps_and_molecules_end_well() {
+    read_damaged(5_000);
+}
+
+/// As the targets in `fuzz/`, where there is no fuzzer: some minutes.
+#[test]
+#[ignore = "it takes minutes"]
+fn many_damaged_maps_and_molecules_end_well() {
+    read_damaged(20_000_000);
 }
