@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -116,15 +116,28 @@ bench-kernel:
 oracle:
 	cargo run --release -p katydid-geometry --example oracle -- ../shared/data/oracle/on_dev.json ../shared/data/oracle/occ_dev.json
 
-# Every component with extreme inputs, its memory and processor time measured from outside. `SECONDS_OF_ATTACK=120` takes
-# a sample.
+# Every component with extreme inputs, damaged files of every format, hostile definitions and requests, full disks and
+# kills; memory and processor time are measured from outside. All of it takes hours; before a release ten minutes do.
 attack:
 	cargo build --release -p katydid
-	$(PYTHON) attack/components.py target/release/katydid $(addprefix --seconds ,$(SECONDS_OF_ATTACK))
+	$(PYTHON) attack $(RELEASED)/katydid
+
+attack-short:
+	cargo build --release -p katydid
+	$(PYTHON) attack $(RELEASED)/katydid --minutes 10
+
+# Two minutes with the programs that are tested, which are not optimised: memory and crashes count, time hardly.
+attack-sample: programs
+	$(PYTHON) attack $(BUILT)/katydid --minutes 2 --slow
+
+# A server under attack among clients that mean well, for an hour.
+attack-server:
+	cargo build --release -p katydid
+	$(PYTHON) attack/server.py $(RELEASED)/katydid --minutes 60
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in gh_binary gh_xml document rhino3dm step expression geometry kd; do \
+	cd fuzz && for t in gh_binary gh_xml document rhino3dm step shp pdb expression geometry kd request preview; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

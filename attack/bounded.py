@@ -25,16 +25,25 @@ class Outcome:
     said: str
 
 
-def limited():
+def limited(file_bytes=None):
     resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, MOST_ADDRESSES))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    if file_bytes is not None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
 
 
-def run(command, hangs=HANGS):
-    """Runs a command to its end, its output thrown away; gives what it took."""
+def run(command, hangs=HANGS, stdout=subprocess.DEVNULL, file_bytes=None):
+    """Runs a command to its end, its output thrown away; gives what it took. With `file_bytes` no file that it writes
+    may grow longer."""
     with tempfile.TemporaryFile() as said:
         process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said, preexec_fn=limited
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=stdout,
+            stderr=said,
+            preexec_fn=lambda: limited(file_bytes),
+            # Writing beyond a limit is an error then, and not the end.
+            restore_signals=False,
         )
         end = time.monotonic() + hangs
         pause = 0.001
@@ -55,3 +64,51 @@ def run(command, hangs=HANGS):
     return Outcome(
         process.returncode, usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime, hung, text
     )
+
+
+@dataclass
+class Bounds:
+    """What a run may take, and the exit codes that are answers."""
+
+    megabytes: float
+    seconds: float
+    codes: tuple = (0, 1, 2)
+
+    def fault(self, outcome):
+        """What is wrong with a run, if anything."""
+        if outcome.hung:
+            return "hangs"
+        if outcome.code not in self.codes:
+            last = outcome.said.strip().splitlines()[-1:] or [""]
+            return f"ends with {outcome.code}: {last[0][:200]}"
+        if "panicked at" in outcome.said:
+            return f"panics: {outcome.said[:200]}"
+        if outcome.megabytes > self.megabytes:
+            return f"takes {outcome.megabytes:.0f} MB"
+        if outcome.seconds > self.seconds:
+            return f"takes {outcome.seconds:.1f} s of processor time"
+        return None
+
+
+class Found:
+    """The faults of an attack; what caused them is kept in a folder, if there is one."""
+
+    def __init__(self, keep=None):
+        self.keep, self.runs, self.faults = keep, 0, []
+
+    def note(self, name, wrong, cause=b"", suffix=".txt"):
+        """Counts a run, and its fault if it has one."""
+        self.runs += 1
+        if wrong is None:
+            return
+        self.faults.append((name, wrong))
+        print(f"{name}: {wrong}", flush=True)
+        if self.keep:
+            self.keep.mkdir(parents=True, exist_ok=True)
+            safe = "".join(c if c.isalnum() else "_" for c in name)[:100]
+            (self.keep / f"{safe}{suffix}").write_bytes(cause)
+
+    def tell(self, what):
+        """The last line; the exit code."""
+        print(f"{what}: {self.runs} runs, {len(self.faults)} faults", flush=True)
+        return 1 if self.faults or not self.runs else 0

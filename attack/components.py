@@ -19,11 +19,10 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from bounded import run
+from bounded import Bounds, Found, run
 
 LIMIT = 256 << 20
-MOST_MEGABYTES = 320
-MOST_SECONDS = 2.3
+BOUNDS = Bounds(320, 2.3, (0, 1))
 
 # Labels that inputs are wired to, each with what it reads.
 MADE = {
@@ -131,18 +130,36 @@ def definition(component, theme, dice):
     return "\n".join(lines) + "\n"
 
 
-def fault(outcome):
-    """What is wrong with a run, if anything."""
-    if outcome.hung:
-        return "hangs"
-    if outcome.code not in (0, 1):
-        last = outcome.said.strip().splitlines()[-1:] or [""]
-        return f"ends with {outcome.code}: {last[0][:200]}"
-    if outcome.megabytes > MOST_MEGABYTES:
-        return f"takes {outcome.megabytes:.0f} MB"
-    if outcome.seconds > MOST_SECONDS:
-        return f"takes {outcome.seconds:.1f} s of processor time"
-    return None
+def attack(katydid, found, seconds=None, seed=1, only=None, workers=1, bounds=BOUNDS):
+    """Runs components under their limits, in random order; all of them unless the time is over before."""
+    listed = subprocess.run([katydid, "components", "--json"], capture_output=True, text=True, check=True)
+    components = [c for c in json.loads(listed.stdout) if c["inputs"]]
+    if only:
+        components = [c for c in components if only.lower() in c["name"].lower()]
+    trials = [(component, theme) for component in components for theme in THEMES]
+    random.Random(seed).shuffle(trials)
+    end = time.monotonic() + seconds if seconds else None
+    limits = ["--limit-bytes", str(LIMIT), "--limit-seconds", "2", "--threads", "1"]
+
+    with tempfile.TemporaryDirectory() as folder:
+
+        def one(numbered):
+            number, (component, theme) = numbered
+            if end and time.monotonic() > end:
+                return None
+            dice = random.Random(f"{seed} {component['guid']} {theme}")
+            text = definition(component, theme, dice)
+            path = Path(folder) / f"{number}.kd"
+            path.write_text(text)
+            outcome = run([katydid, "run", str(path), *limits])
+            path.unlink()
+            return f"{component['name']}, {theme}", bounds.fault(outcome), text
+
+        with ThreadPoolExecutor(workers) as pool:
+            for result in pool.map(one, enumerate(trials)):
+                if result:
+                    name, wrong, text = result
+                    found.note(name, wrong, f"# {wrong}\n{text}".encode(), ".kd")
 
 
 def main():
@@ -154,46 +171,9 @@ def main():
     parser.add_argument("--keep", type=Path, help="a folder for the definitions that failed")
     parser.add_argument("--workers", type=int, default=max(1, (os.cpu_count() or 2) // 2))
     args = parser.parse_args()
-    listed = subprocess.run([args.katydid, "components", "--json"], capture_output=True, text=True, check=True)
-    components = [c for c in json.loads(listed.stdout) if c["inputs"]]
-    if args.only:
-        components = [c for c in components if args.only.lower() in c["name"].lower()]
-    trials = [(component, theme) for component in components for theme in THEMES]
-    random.Random(args.seed).shuffle(trials)
-    end = time.monotonic() + args.seconds if args.seconds else None
-    command = ["--limit-bytes", str(LIMIT), "--limit-seconds", "2", "--threads", "1"]
-
-    with tempfile.TemporaryDirectory() as folder:
-
-        def attack(numbered):
-            number, (component, theme) = numbered
-            if end and time.monotonic() > end:
-                return None
-            dice = random.Random(f"{args.seed} {component['guid']} {theme}")
-            text = definition(component, theme, dice)
-            path = Path(folder) / f"{number}.kd"
-            path.write_text(text)
-            outcome = run([args.katydid, "run", str(path), *command])
-            path.unlink()
-            wrong = fault(outcome)
-            return wrong and (component["name"], theme, wrong, text), outcome.code == 2
-
-        faults, ran = [], 0
-        with ThreadPoolExecutor(args.workers) as pool:
-            for result in pool.map(attack, enumerate(trials)):
-                if result is None:
-                    continue
-                ran += 1
-                if result[0]:
-                    name, theme, wrong, text = result[0]
-                    faults.append(result[0])
-                    print(f"{name}, {theme}: {wrong}", flush=True)
-                    if args.keep:
-                        args.keep.mkdir(parents=True, exist_ok=True)
-                        safe = "".join(c if c.isalnum() else "_" for c in f"{name} {theme}")
-                        (args.keep / f"{safe}.kd").write_text(f"# {wrong}\n{text}")
-    print(f"{ran} runs, {len(faults)} faults")
-    return 1 if faults or not ran else 0
+    found = Found(args.keep)
+    attack(args.katydid, found, args.seconds, args.seed, args.only, args.workers)
+    return found.tell("components")
 
 
 if __name__ == "__main__":
