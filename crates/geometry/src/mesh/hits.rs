@@ -90,8 +90,8 @@ impl MeshTree {
         Ok(self.closest(q)?.point)
     }
 
-    /// The point of the mesh nearest to `q` with its face, as [`Mesh::closest_point`] gives it; of equally near ones that
-    /// on the first face.
+    /// The point of the mesh nearest to `q` with its face, as [`super::Mesh::closest_point`] gives it; of equally near ones
+    /// that on the first face.
     ///
     /// # Errors
     /// `q` is not finite, or the mesh has no faces.
