@@ -5,10 +5,16 @@ use katydid_data::{Path, Tree};
 
 use super::whole;
 
-/// Asks for room for the items and the paths of trees once more. What items share is not copied.
+/// Asks for room for the items and the paths of trees once more, and again with their places where branches have to be
+/// sorted. What items share is not copied.
 fn copies(context: &Context<'_>, trees: &[&Tree]) -> Result<(), Message> {
-    context.items(trees.iter().map(|tree| tree.item_count()).sum())?;
-    context.bytes(trees.iter().map(|tree| tree.copied_weight()).fold(0, usize::saturating_add))
+    let items = trees.iter().map(|tree| tree.item_count()).sum();
+    context.items(items)?;
+    let weight = trees.iter().map(|tree| tree.copied_weight()).fold(0, usize::saturating_add);
+    let filled: Vec<&&Tree> = trees.iter().filter(|tree| !tree.is_empty()).collect();
+    let in_order = filled.windows(2).all(|pair| pair[0].paths().last() <= pair[1].paths().first());
+    let sorting = if in_order { 0 } else { weight.saturating_add(items.saturating_mul(size_of::<usize>())) };
+    context.bytes(weight.saturating_add(sorting))
 }
 
 /// Joins trees: branches of the same path become one list, in the order of the inputs.
