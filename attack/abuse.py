@@ -6,7 +6,6 @@ Every request is answered or its connection closed; none is answered 200 that mu
 and answers small requests all the while.
 """
 
-import argparse
 import base64
 import gzip
 import json
@@ -19,7 +18,7 @@ import threading
 import time
 from pathlib import Path
 
-from bounded import Found
+from bounded import alone
 from serving import Serving, status
 
 MOST_MEGABYTES = 512
@@ -119,12 +118,7 @@ def serve(katydid, found, end, algo):
         body = json.dumps({"algo": algo, "values": []})
 
         def note(name, wrong, cause=b""):
-            if not server.runs():
-                wrong = f"the server ended: {server.said[-300:].decode(errors='replace')}"
-            elif b"panicked" in server.said:
-                wrong = f"it panicked: {server.said[-300:].decode(errors='replace')}"
-                server.said = b""
-            found.note(f"serve, {name}", wrong, cause)
+            found.note(f"serve, {name}", server.trouble() or wrong, cause)
             return server.runs()
 
         for name, request in refused():
@@ -199,12 +193,7 @@ def studio(katydid, found, end, folder):
     with Serving(katydid, words, env={"XDG_STATE_HOME": folder}) as server:
 
         def note(name, wrong, cause=b""):
-            if not server.runs():
-                wrong = f"the studio ended: {server.said[-300:].decode(errors='replace')}"
-            elif b"panicked" in server.said:
-                wrong = f"it panicked: {server.said[-300:].decode(errors='replace')}"
-                server.said = b""
-            found.note(f"studio, {name}", wrong, cause)
+            found.note(f"studio, {name}", server.trouble() or wrong, cause)
             return server.runs()
 
         host = f"Host: localhost:{server.port}"
@@ -247,16 +236,5 @@ def attack(katydid, found, seconds=None):
         studio(katydid, found, time.monotonic() + 0.4 * seconds, folder)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("katydid")
-    parser.add_argument("--seconds", type=float)
-    parser.add_argument("--keep", type=Path, help="a folder for the requests that failed")
-    args = parser.parse_args()
-    found = Found(args.keep)
-    attack(args.katydid, found, args.seconds)
-    return found.tell("abuse")
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(alone("abuse", __doc__, attack))

@@ -1,5 +1,6 @@
 """Runs a program, and measures from outside what it took."""
 
+import argparse
 import os
 import resource
 import signal
@@ -7,6 +8,7 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 # How long a run may take on the clock before it is ended: it hangs, or waits for something.
 HANGS = 60.0
@@ -112,3 +114,17 @@ class Found:
         """The last line; the exit code."""
         print(f"{what}: {self.runs} runs, {len(self.faults)} faults", flush=True)
         return 1 if self.faults or not self.runs else 0
+
+
+def alone(what, about, attack, add=lambda parser: None, more=()):
+    """Runs one attack by itself, with what its command line says; gives the exit code. `add` makes further options, which
+    go to the attack by the names in `more`."""
+    parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("katydid")
+    parser.add_argument("--seconds", type=float, help="stop after so long; the order is then by chance")
+    parser.add_argument("--keep", type=Path, help="a folder for what failed")
+    add(parser)
+    args = parser.parse_args()
+    found = Found(args.keep)
+    attack(args.katydid, found, args.seconds, *(getattr(args, name) for name in more))
+    return found.tell(what)

@@ -8,7 +8,6 @@ A run fails when the process takes more than 320 MB under a limit of 256 MB, mor
 limit of 2 s, or ends in any other way than by an exit code of the command.
 """
 
-import argparse
 import json
 import os
 import random
@@ -19,7 +18,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from bounded import Bounds, Found, run
+from bounded import Bounds, alone, run
 
 LIMIT = 256 << 20
 BOUNDS = Bounds(320, 2.3, (0, 1))
@@ -162,19 +161,11 @@ def attack(katydid, found, seconds=None, seed=1, only=None, workers=1, bounds=BO
                     found.note(name, wrong, f"# {wrong}\n{text}".encode(), ".kd")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("katydid")
-    parser.add_argument("--seconds", type=float, help="stop after so long; the order is then by chance")
+def options(parser):
     parser.add_argument("--only", help="components with this in their name")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=Path, help="a folder for the definitions that failed")
     parser.add_argument("--workers", type=int, default=max(1, (os.cpu_count() or 2) // 2))
-    args = parser.parse_args()
-    found = Found(args.keep)
-    attack(args.katydid, found, args.seconds, args.seed, args.only, args.workers)
-    return found.tell("components")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(alone("components", __doc__, attack, options, ["seed", "only", "workers"]))

@@ -3,7 +3,6 @@
     python attack/definitions.py target/release/katydid
 """
 
-import argparse
 import random
 import sys
 import tempfile
@@ -11,7 +10,7 @@ import time
 import uuid
 from pathlib import Path
 
-from bounded import Bounds, Found, run
+from bounded import Bounds, alone, run
 
 BOUNDS = Bounds(320, 4.0)
 LIMITS = ["--limit-bytes", str(256 << 20), "--limit-seconds", "2", "--threads", "1"]
@@ -108,16 +107,5 @@ def attack(katydid, found, seconds=None, bounds=BOUNDS):
                 found.note(f"{name} by {words[0]}", bounds.fault(outcome), text.encode(), suffix)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("katydid")
-    parser.add_argument("--seconds", type=float)
-    parser.add_argument("--keep", type=Path, help="a folder for the definitions that failed")
-    args = parser.parse_args()
-    found = Found(args.keep)
-    attack(args.katydid, found, args.seconds)
-    return found.tell("definitions")
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(alone("definitions", __doc__, attack))

@@ -6,7 +6,6 @@ A file that is written is there whole or not at all, what cannot be written is a
 told.
 """
 
-import argparse
 import os
 import random
 import signal
@@ -17,7 +16,7 @@ import time
 from pathlib import Path
 
 import seeds
-from bounded import Bounds, Found, run
+from bounded import Bounds, alone, run
 from serving import Serving
 
 BOUNDS = Bounds(512, 20.0, (1, 2))
@@ -134,16 +133,5 @@ def attack(katydid, found, seconds=None):
         killed(katydid, found, folder, end)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("katydid")
-    parser.add_argument("--seconds", type=float)
-    parser.add_argument("--keep", type=Path)
-    args = parser.parse_args()
-    found = Found(args.keep)
-    attack(args.katydid, found, args.seconds)
-    return found.tell("ends")
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(alone("ends", __doc__, attack))

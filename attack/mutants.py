@@ -8,7 +8,6 @@ Whatever a file holds, the program tells what is wrong with it or reads it: it d
 than 320 MB nor more than 5 s of processor time.
 """
 
-import argparse
 import random
 import sys
 import tempfile
@@ -17,7 +16,7 @@ from pathlib import Path
 
 import damage
 import seeds
-from bounded import Bounds, Found, run
+from bounded import Bounds, alone, run
 
 BOUNDS = Bounds(320, 5.0)
 LIMITS = ["--limit-bytes", str(256 << 20), "--limit-seconds", "2", "--threads", "1"]
@@ -62,19 +61,11 @@ def attack(katydid, found, seconds=None, seed=1, only=None, count=200, bounds=BO
                 found.note(f"{suffix} {number} by {words[0]}", bounds.fault(outcome), data, f".{suffix}")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("katydid")
-    parser.add_argument("--seconds", type=float)
+def options(parser):
     parser.add_argument("--only", help="one format, by the end of its files' names")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=Path, help="a folder for the files that failed")
-    args = parser.parse_args()
-    found = Found(args.keep)
-    attack(args.katydid, found, args.seconds, args.seed, args.only, args.count)
-    return found.tell("mutants")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(alone("mutants", __doc__, attack, options, ["seed", "only", "count"]))

@@ -61,6 +61,16 @@ class Serving:
     def runs(self):
         return self.process.poll() is None
 
+    def trouble(self):
+        """What is wrong with the server itself, if anything; a panic is told once."""
+        last = self.said[-300:].decode(errors="replace")
+        if not self.runs():
+            return f"the server ended: {last}"
+        if b"panicked" in self.said:
+            self.said = b""
+            return f"it panicked: {last}"
+        return None
+
     def megabytes(self):
         """The most memory that it has taken so far."""
         try:
