@@ -186,6 +186,21 @@ mod tests {
         assert_eq!(formula("x.y + 1").item(p).item(0).texts(0), ["{0}: 3"]);
     }
 
+    /// Columns of numbers are computed at once: with one number for all, with trees of one shape, and not where the shapes
+    /// differ, a path is longer or a value has no result.
+    #[test]
+    fn columns_of_numbers() {
+        let sum = || formula("x + 10 * radius");
+        let tree = |a: f64| [("{0;0}", [a, a + 1.0]), ("{0;1}", [a + 2.0, a + 3.0])];
+        assert_eq!(sum().branches(tree(1.0)).item(2.0).texts(0), ["{0;0}: 21, 22", "{0;1}: 23, 24"]);
+        assert_eq!(sum().item(2.0).branches(tree(1.0)).texts(0), ["{0;0}: 12, 22", "{0;1}: 32, 42"]);
+        assert_eq!(sum().branches(tree(1.0)).branches(tree(0.0)).texts(0), ["{0;0}: 1, 12", "{0;1}: 23, 34"]);
+        assert_eq!(sum().list([1.0, 2.0, 3.0]).list([0.0, 1.0]).texts(0), ["{0}: 1, 12, 13"]);
+        assert_eq!(sum().list([1.0, 2.0]).branches([("{0;4}", [1.0])]).texts(0), ["{0;4}: 11, 12"]);
+        let divided = formula("x / radius").list([1.0, 2.0]).list([0.0, 4.0]);
+        assert_eq!(divided.texts(0), ["{0}: null, 0.5"]);
+    }
+
     #[test]
     fn nulls_and_errors() {
         assert_eq!(formula("x + 1").gaps([Some(1), None]).item(0).texts(0), ["{0}: 2, null"]);

@@ -412,6 +412,35 @@ mod tests {
         assert!(none.message().contains("no points"));
     }
 
+    /// From the eighth question on a tree answers: the same as looking at every point, of equally near ones the first.
+    #[test]
+    fn many_questions_are_answered_alike() {
+        let place = |k: i32, x: f64| (3.0 * (f64::from(k) * x).sin()).round();
+        let cloud: Vec<Option<Point3>> = (0..60)
+            .map(|k| (k % 7 != 3).then(|| Point3::new(place(k, 1.3), place(k, 0.7), place(k, 2.1))))
+            .collect();
+        let asked: Vec<Point3> =
+            (0..40).map(|k| Point3::new(place(k, 0.9) + 0.5, place(k, 1.7), 0.0)).collect();
+        let first = |p: &Point3| {
+            let far = |i: &usize| cloud[*i].unwrap().distance_to(*p);
+            let present = (0..cloud.len()).filter(|i| cloud[*i].is_some());
+            present.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap()
+        };
+        let wanted: Vec<String> = asked.iter().map(|p| first(p).to_string()).collect();
+        let wanted = format!("{{0}}: {}", wanted.join(", "));
+        let trial = |name| Trial::of(name).list(asked.clone()).gaps(cloud.clone());
+        assert_eq!(trial("Closest Point").texts(1), [wanted]);
+        let single =
+            |p: Point3| Trial::of("Closest Points").item(p).gaps(cloud.clone()).item(3).texts(1)[0].clone();
+        let many = trial("Closest Points").item(3).texts(1);
+        for (k, p) in asked.iter().enumerate() {
+            assert_eq!(many[k].split(": ").nth(1), single(*p).split(": ").nth(1), "{k}");
+        }
+        let present: Vec<Point3> = cloud.iter().flatten().copied().collect();
+        let pulled = Trial::of("Pull Point").list(asked.clone()).list(present).texts(1);
+        assert_eq!(pulled, trial("Closest Point").texts(2));
+    }
+
     #[test]
     fn pulled_and_projected() {
         let p = Point3::new(5.0, 1.0, 2.0);

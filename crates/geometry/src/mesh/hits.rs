@@ -292,6 +292,22 @@ mod tests {
         assert!(MeshTree::new(&Mesh::default()).nearest(Point3::ORIGIN).is_err());
     }
 
+    /// The same face and weights as by looking at every face, also where many faces are equally near.
+    #[test]
+    fn nearest_faces_are_those_of_a_search_through_all() {
+        let ball = Mesh::sphere(&Plane::XY, 2.0, 16, 8).unwrap();
+        for mesh in [cube(0.0), ball] {
+            let tree = MeshTree::new(&mesh);
+            let places = (0..300).map(f64::from).map(|k| {
+                // On a coarse lattice, so that edges and middles are met exactly.
+                [1.3, 0.7, 2.1].map(|x| (6.0 * (k * x).sin()).round() / 2.0)
+            });
+            for q in places.map(Point3::from).chain([Point3::ORIGIN, Point3::new(0.5, 0.5, 0.5)]) {
+                assert_eq!(tree.closest(q).unwrap(), mesh.closest_point(q).unwrap(), "{q:?}");
+            }
+        }
+    }
+
     #[test]
     fn meshes_meet() {
         let (a, b, c) = (MeshTree::new(&cube(0.0)), MeshTree::new(&cube(0.5)), MeshTree::new(&cube(1.25)));
