@@ -16,6 +16,8 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::{Error, Message};
 
 const EMPTY: &str = "katydid 1\nr = Number Slider(2.0, 0..10)\nshown = Panel(r)\n";
+/// A formula that may give a text, so that it is worked out item by item.
+const SLOW: &str = r#""if(x > -1e9, sin(x) * cos(x) + sqrt(abs(x)), \"\")""#;
 /// Minutes of work, in steps of a second each.
 const ENDLESS: &str = "katydid 1\nn = Number Slider(4000000.0, 0..9000000)\ns = Series(0, 1, n)\n";
 
@@ -24,7 +26,7 @@ fn endless() -> String {
     let mut last = "s".to_owned();
     for k in 0..200 {
         let next = format!("e{k}");
-        text.push_str(&format!("{next} = Expression(\"sin(x) * cos(x) + sqrt(abs(x))\", x = {last})\n"));
+        text.push_str(&format!("{next} = Expression({SLOW}, x = {last})\n"));
         last = next;
     }
     text

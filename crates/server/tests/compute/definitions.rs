@@ -28,6 +28,8 @@ pub(crate) fn ghx(text: &str) -> String {
     kd::read(text, &Registry).unwrap().document.to_ghx().unwrap()
 }
 
+/// A formula that may give a text, so that it is worked out item by item.
+const SLOW: &str = r#""if(x > -1e9, sin(x) * cos(x) + sqrt(abs(x)), \"\")""#;
 /// Minutes of work, in steps of a second each. No two of them are alike.
 pub(crate) fn endless(number: usize) -> String {
     let mut text =
@@ -35,7 +37,7 @@ pub(crate) fn endless(number: usize) -> String {
     let mut last = "s".to_owned();
     for k in 0..200 {
         let next = format!("e{k}");
-        text.push_str(&format!("{next} = Expression(\"sin(x) * cos(x) + sqrt(abs(x))\", x = {last})\n"));
+        text.push_str(&format!("{next} = Expression({SLOW}, x = {last})\n"));
         last = next;
     }
     text.push_str(&format!("\"RH_IN:n\": n\n\"RH_OUT:end\": {last}\n"));
