@@ -4,18 +4,32 @@
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
+#[cfg(feature = "parallel")]
+use std::time::{Duration, Instant};
 
-use katydid_data::{Path, Tree};
+use katydid_data::Tree;
 
 use crate::input::Row;
-use crate::matching::Matching;
+use crate::matching::{Matching, Ranges};
 use crate::output::Sinks;
 use crate::pace::Pace;
 use crate::{Access, Call, Context, Message, Notes, Outcome};
 
-/// Below this many iterations a run is not worth cutting.
+/// What takes less on one thread is not worth handing to another.
 #[cfg(feature = "parallel")]
-const SMALLEST_PIECE: usize = 256;
+const WORTH_A_THREAD: Duration = Duration::from_micros(50);
+
+/// So long the first iterations run on one thread, until it is known what one takes.
+#[cfg(feature = "parallel")]
+const TRIAL: Duration = Duration::from_micros(100);
+
+/// A first iteration that takes so long is taken for what the others will take.
+#[cfg(feature = "parallel")]
+const LONG: Duration = Duration::from_millis(2);
+
+/// Pieces for each thread: what is costly is seldom spread evenly.
+#[cfg(feature = "parallel")]
+const PIECES: usize = 8;
 
 /// The most places that are made ready for results: how many there will be is not known to be allowed.
 const MOST_READY: usize = 1 << 16;
@@ -34,26 +48,29 @@ pub fn run<S: Sinks>(
     let access: Vec<Access> =
         (0..call.inputs.len()).map(|k| access.get(k).copied().unwrap_or(last)).collect();
     let principal = call.settings.i32("PrincipalIndex").and_then(|k| usize::try_from(k).ok());
-    let matching = Matching::new(call.inputs, &access, principal);
-    let total = matching.iterations();
-    if let Err(message) = call.budget.check() {
+    if let Err(message) = call.budget.bytes(Matching::bytes(call.inputs)).and_then(|()| call.budget.check()) {
         return failed(call, message);
     }
+    let matching = Matching::new(call.inputs, &access, principal);
+    let total = matching.iterations();
 
-    let cuts = cut(total);
+    let run = |range: Range<usize>, trial: Trial| {
+        call.budget.patience().during(|| piece::<S>(call, &matching, range, &function, trial))
+    };
+    let first = run(0..total, Trial::default());
+    let cuts = if first.stopped.is_some() { Vec::new() } else { cut(&first, total) };
     let pieces: Vec<Mutex<Option<Piece<S>>>> = cuts.iter().map(|_| Mutex::new(None)).collect();
     for_each_piece(cuts.len(), &|k| {
         if let (Some(range), Some(slot)) = (cuts.get(k), pieces.get(k)) {
-            let patience = call.budget.patience();
-            let piece = patience.during(|| piece::<S>(call, &matching, range.clone(), &function));
+            let piece = run(range.clone(), Trial::none());
             *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(piece);
         }
     });
     let mut notes = Notes::default();
     let pieces = pieces.into_iter().filter_map(|p| p.into_inner().unwrap_or_else(PoisonError::into_inner));
-    let mut parts = Vec::with_capacity(cuts.len());
+    let mut parts = Vec::with_capacity(cuts.len() + 1);
     let mut stopped = None;
-    for next in pieces {
+    for next in std::iter::once(first).chain(pieces) {
         notes.append(next.notes);
         stopped = stopped.or(next.stopped);
         parts.push(next.sinks);
@@ -63,13 +80,10 @@ pub fn run<S: Sinks>(
         return Outcome { outputs: vec![Tree::empty(); call.output_count], messages: notes.into_messages() };
     }
     // One piece is taken as it is; for several there is room for all of them.
-    let room = if cuts.len() > 1 { total } else { 0 };
+    let room = if parts.len() > 1 { total } else { 0 };
     let mut sinks = S::new(room, call.output_count);
     parts.into_iter().for_each(|part| sinks.append(part));
-    // Every output has the paths for itself.
-    let shape = size_of::<Path>() + size_of::<usize>();
-    let shapes = matching.paths.len().saturating_mul(call.output_count).saturating_mul(shape);
-    if let Err(message) = call.budget.bytes(sinks.copied().saturating_add(shapes)) {
+    if let Err(message) = call.budget.bytes(sinks.finishing(&matching)) {
         notes.add(message);
         return Outcome { outputs: vec![Tree::empty(); call.output_count], messages: notes.into_messages() };
     }
@@ -86,35 +100,111 @@ struct Piece<S> {
     notes: Notes,
     /// Why it did not go to its end: a limit, or a cancel.
     stopped: Option<Message>,
+    /// The iteration behind its last one.
+    end: usize,
+    trial: Trial,
+}
+
+/// Finds out what an iteration takes, where others could run on other threads meanwhile.
+#[derive(Debug)]
+struct Trial {
+    #[cfg(feature = "parallel")]
+    since: Option<Instant>,
+    /// The iterations that count, and what they took.
+    #[cfg(feature = "parallel")]
+    took: (usize, Duration),
+}
+
+#[cfg(feature = "parallel")]
+impl Trial {
+    fn new(is_on: bool) -> Self {
+        Self { since: is_on.then(Instant::now), took: (0, Duration::ZERO) }
+    }
+
+    /// A run that goes to its end.
+    fn none() -> Self {
+        Self::new(false)
+    }
+
+    /// Whether enough is known, asked before each iteration with the number of those done. The first one counts only
+    /// where it is long: it also prepares what the others use.
+    #[inline]
+    fn is_over(&mut self, done: usize) -> bool {
+        match self.since {
+            Some(since) if done > 0 => self.has_seen(done, since.elapsed()),
+            _ => false,
+        }
+    }
+
+    fn has_seen(&mut self, done: usize, took: Duration) -> bool {
+        if done == 1 && took < LONG {
+            self.since = Some(Instant::now());
+            return false;
+        }
+        self.took = (done.max(2) - 1, took);
+        took >= TRIAL
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl Default for Trial {
+    fn default() -> Self {
+        Self::new(rayon::current_num_threads() > 1)
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+impl Default for Trial {
+    fn default() -> Self {
+        Self::none()
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+impl Trial {
+    fn none() -> Self {
+        Self {}
+    }
+
+    fn is_over(&mut self, _: usize) -> bool {
+        false
+    }
 }
 
 fn piece<S: Sinks>(
     call: &Call<'_>,
-    matching: &Matching,
+    matching: &Matching<'_>,
     range: Range<usize>,
     function: &(impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync),
+    mut trial: Trial,
 ) -> Piece<S> {
     let context = Context::new(call);
     let mut sinks = S::new(range.len().min(MOST_READY), call.output_count);
     let mut set = matching.set_of(range.start);
     let mut at = range.start;
     let mut stopped = None;
+    let mut end = range.end;
     let mut pace = Pace::default();
     // Small results are counted together, so that threads do not queue for the counter.
     let mut untaken = 0;
+    let mut ranges = Ranges::new();
     'sets: while at < range.end {
         let iterations = matching.set_range(set);
         if let Some(path) = matching.paths.get(set) {
             context.enter_branch(path);
         }
-        let ranges = matching.ranges(set);
+        matching.ranges(set, &mut ranges);
         for i in at..iterations.end.min(range.end) {
+            if trial.is_over(i - range.start) {
+                end = i;
+                break 'sets;
+            }
             let budget = call.budget;
             if let Err(message) = if pace.is_due() { budget.check() } else { budget.check_memory() } {
                 stopped = Some(message);
                 break 'sets;
             }
-            let row = Row { inputs: call.inputs, ranges, i: i - iterations.start };
+            let row = Row { inputs: call.inputs, ranges: &ranges, i: i - iterations.start };
             context.enter_iteration(row.i);
             let results = match function(&row, &context) {
                 Ok(results) => results,
@@ -143,17 +233,30 @@ fn piece<S: Sinks>(
     }
     // What was given up on the way is no result.
     let stopped = stopped.or_else(|| call.budget.items(untaken).and_then(|()| call.budget.check()).err());
-    Piece { sinks, notes: context.into_notes(), stopped }
+    Piece { sinks, notes: context.into_notes(), stopped, end, trial }
 }
 
-/// Where a run of iterations is cut.
-fn cut(total: usize) -> Vec<Range<usize>> {
-    #[cfg(feature = "parallel")]
-    if total >= 2 * SMALLEST_PIECE && rayon::current_num_threads() > 1 {
-        let size = total.div_ceil(rayon::current_num_threads() * 8).max(SMALLEST_PIECE);
-        return (0..total).step_by(size).map(|start| start..(start + size).min(total)).collect();
+/// Where the iterations behind a trial are cut.
+fn cut<S>(first: &Piece<S>, total: usize) -> Vec<Range<usize>> {
+    let rest = first.end..total;
+    if rest.is_empty() {
+        return Vec::new();
     }
-    std::iter::once(0..total).collect()
+    let size = size(&first.trial, rest.len());
+    rest.step_by(size).map(|start| start..(start + size).min(total)).collect()
+}
+
+/// How many iterations of so many are worth a piece.
+#[cfg(feature = "parallel")]
+fn size(trial: &Trial, rest: usize) -> usize {
+    let (count, took) = trial.took;
+    let worth = count as f64 * WORTH_A_THREAD.as_secs_f64() / took.as_secs_f64().max(1e-9);
+    rest.div_ceil(rayon::current_num_threads() * PIECES).max(worth.ceil() as usize).max(1)
+}
+
+#[cfg(not(feature = "parallel"))]
+fn size(_: &Trial, rest: usize) -> usize {
+    rest
 }
 
 /// Calls `task` for 0 to `count`, on any thread. Not generic, so that the pool's code is compiled once and not for

@@ -51,7 +51,7 @@ pub use files::Files;
 pub use input::{List, ListKey, ManyItems, ManyLists, ManyTrees};
 pub use katydid_component_macros::component;
 pub use katydid_memory::Account;
-pub use matching::Matching;
+pub use matching::{Matching, Ranges};
 pub use message::{Level, Message, Notes};
 pub use output::Each;
 pub use port::{Access, Component, Port};

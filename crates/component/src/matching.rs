@@ -5,29 +5,69 @@
 //! matched by their order, not by their paths.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use katydid_data::{Path, Tree};
+use smallvec::SmallVec;
 
 use crate::Access;
 
+/// Where the branch of each input lies in its column.
+pub type Ranges = SmallVec<[Range<usize>; 8]>;
+
 /// The plan of all iterations of one run.
 #[derive(Debug)]
-pub struct Matching {
+pub struct Matching<'a> {
     /// The path of each branch set.
-    pub(crate) paths: Vec<Path>,
+    pub(crate) paths: Arc<Vec<Path>>,
     /// Where the iterations of each branch set end, counted over all sets.
-    pub(crate) ends: Vec<usize>,
+    pub(crate) ends: Arc<Vec<usize>>,
     /// Whether any input takes items, so that lists grow a path element.
     pub(crate) grows: bool,
-    /// For each branch set, where the branch of each input lies; inputs side by side.
-    ranges: Vec<Range<usize>>,
-    inputs: usize,
+    inputs: &'a [Tree],
 }
 
-impl Matching {
+/// Numbers that are mostly those of a tree that is there already: its own are shared as long as they agree.
+struct Ends<'a> {
+    shared: Option<&'a Arc<Vec<usize>>>,
+    own: Vec<usize>,
+    /// How many agree so far.
+    agree: usize,
+}
+
+impl Ends<'_> {
+    fn push(&mut self, end: usize, count: usize) {
+        if let Some(shared) = self.shared {
+            if shared.get(self.agree) == Some(&end) {
+                self.agree += 1;
+                return;
+            }
+            self.own.reserve_exact(count);
+            self.own.extend(shared.iter().take(self.agree));
+            self.shared = None;
+        }
+        self.own.push(end);
+    }
+
+    fn finish(self) -> Arc<Vec<usize>> {
+        match self.shared {
+            Some(shared) if shared.len() == self.agree => shared.clone(),
+            Some(shared) => Arc::new(shared.iter().take(self.agree).copied().collect()),
+            None => Arc::new(self.own),
+        }
+    }
+}
+
+impl<'a> Matching<'a> {
+    /// The most bytes that the plan takes; to be asked for before it is made.
+    pub(crate) fn bytes(inputs: &[Tree]) -> usize {
+        let sets = inputs.iter().map(Tree::branch_count).max().unwrap_or(1);
+        sets.saturating_mul(size_of::<usize>())
+    }
+
     /// Matches the inputs that do not take whole trees. An input without any data is left out: the caller has
     /// made sure that it is optional. `principal` overrides the choice of the input that gives the paths.
-    pub fn new(inputs: &[Tree], access: &[Access], principal: Option<usize>) -> Self {
+    pub fn new(inputs: &'a [Tree], access: &[Access], principal: Option<usize>) -> Self {
         let takes_part = |k: usize| access.get(k).is_some_and(|a| *a != Access::Tree);
         let takes_items = |k: usize| access.get(k) == Some(&Access::Item);
         let matched: Vec<usize> =
@@ -38,30 +78,25 @@ impl Matching {
             .filter(|k| matched.contains(k) && inputs[*k].branch_count() == sets)
             .or_else(|| Self::master(inputs, &matched));
         let paths = match master {
-            Some(k) => inputs[k].paths().to_vec(),
-            None => vec![Path::zero()],
+            Some(k) => inputs[k].shared_paths().clone(),
+            None => Arc::new(vec![Path::zero()]),
         };
-        let mut ends = Vec::with_capacity(sets);
-        let mut ranges = Vec::with_capacity(sets * inputs.len());
+        let mut ends = Ends { shared: master.map(|k| inputs[k].shared_ends()), own: Vec::new(), agree: 0 };
         let mut total = 0;
         for set in 0..sets {
             let mut longest = 1;
             let mut starved = false;
             for (k, tree) in inputs.iter().enumerate() {
-                let range = match tree.branch_count() {
-                    0 => 0..0,
-                    count => tree.range(set.min(count - 1)),
-                };
                 if takes_items(k) && !tree.is_empty() {
+                    let range = range(tree, set);
                     longest = longest.max(range.len());
                     starved |= range.is_empty();
                 }
-                ranges.push(range);
             }
             total += if starved { 0 } else { longest };
-            ends.push(total);
+            ends.push(total, sets);
         }
-        Self { paths, ends, grows, ranges, inputs: inputs.len() }
+        Self { paths, ends: ends.finish(), grows, inputs }
     }
 
     /// The input whose paths the results get: the most branches, then the longest paths, then the first.
@@ -87,8 +122,9 @@ impl Matching {
     }
 
     /// Where the branches of branch set `set` lie, one for each input.
-    pub fn ranges(&self, set: usize) -> &[Range<usize>] {
-        self.ranges.get(set * self.inputs..(set + 1) * self.inputs).unwrap_or(&[])
+    pub fn ranges(&self, set: usize, ranges: &mut Ranges) {
+        ranges.clear();
+        ranges.extend(self.inputs.iter().map(|tree| range(tree, set)));
     }
 
     /// Where iterations of branch set `set` lie among all.
@@ -100,5 +136,13 @@ impl Matching {
     /// The branch set that iteration `i` belongs to.
     pub fn set_of(&self, i: usize) -> usize {
         self.ends.partition_point(|&end| end <= i)
+    }
+}
+
+/// Where the branch of a tree lies that meets branch set `set`: its last one again when it has fewer.
+fn range(tree: &Tree, set: usize) -> Range<usize> {
+    match tree.branch_count() {
+        0 => 0..0,
+        count => tree.range(set.min(count - 1)),
     }
 }

@@ -1,6 +1,6 @@
 //! Where results go: each kind of output collects what the iterations give, and makes a tree of it.
 
-use katydid_data::{Column, Gather, Item, Tree};
+use katydid_data::{Column, Gather, Item, Path, Tree};
 
 use crate::matching::Matching;
 
@@ -22,12 +22,10 @@ pub trait Sink: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items the result of one iteration holds, for the budget.
     fn count(result: &Self::Result) -> usize;
-    /// The bytes that are copied in the end.
-    fn copied(&self) -> usize {
-        0
-    }
+    /// The bytes that the trees take besides what is here.
+    fn finishing(&self, matching: &Matching<'_>) -> usize;
     /// The trees, one a port.
-    fn finish(self, matching: &Matching) -> Vec<Tree>;
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree>;
 }
 
 /// One item an iteration: all iterations of a branch set share its path.
@@ -54,7 +52,11 @@ impl<T: Item> Sink for Items<T> {
         1
     }
 
-    fn finish(self, matching: &Matching) -> Vec<Tree> {
+    fn finishing(&self, _: &Matching<'_>) -> usize {
+        0
+    }
+
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
         vec![Tree::from_parts(matching.paths.clone(), matching.ends.clone(), self.0.finish())]
     }
 }
@@ -129,6 +131,10 @@ impl<T: Item> Sink for Lists<T> {
 
     fn append(&mut self, mut other: Self) {
         let before = self.len();
+        if self.ends.is_empty() {
+            *self = other;
+            return;
+        }
         if before == 0 {
             self.whole = other.whole.take();
             self.items = other.items;
@@ -143,22 +149,25 @@ impl<T: Item> Sink for Lists<T> {
         result.len()
     }
 
-    fn finish(self, matching: &Matching) -> Vec<Tree> {
+    fn finishing(&self, matching: &Matching<'_>) -> usize {
+        if matching.grows { self.ends.len().saturating_mul(size_of::<Path>()) } else { 0 }
+    }
+
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
         let column = self.whole.unwrap_or_else(|| self.items.finish());
         vec![list_tree(column, self.ends, matching)]
     }
 }
 
 /// Lists, given by where each ends, at the paths that the iterations have.
-fn list_tree(column: Column, ends: Vec<usize>, matching: &Matching) -> Tree {
+fn list_tree(column: Column, ends: Vec<usize>, matching: &Matching<'_>) -> Tree {
+    if !matching.grows {
+        // Where no input takes items a branch set is one iteration.
+        return Tree::from_parts(matching.paths.clone(), ends, column);
+    }
     let mut paths = Vec::with_capacity(ends.len());
     for (set, path) in matching.paths.iter().enumerate() {
-        let range = matching.set_range(set);
-        if matching.grows {
-            paths.extend((0..range.len()).map(|i| path.child(i)));
-        } else {
-            paths.extend(range.map(|_| path.clone()));
-        }
+        paths.extend((0..matching.set_range(set).len()).map(|i| path.child(i)));
     }
     Tree::from_parts(paths, ends, column)
 }
@@ -187,13 +196,13 @@ impl Sink for Trees {
         0
     }
 
-    fn copied(&self) -> usize {
+    fn finishing(&self, _: &Matching<'_>) -> usize {
         let is_many = self.0.len() > 1;
         let weights = self.0.iter().filter(|_| is_many).map(Tree::copied_weight);
         weights.fold(0, usize::saturating_add)
     }
 
-    fn finish(self, _: &Matching) -> Vec<Tree> {
+    fn finish(self, _: &Matching<'_>) -> Vec<Tree> {
         vec![Tree::merge(&self.0)]
     }
 }
@@ -228,7 +237,11 @@ macro_rules! each {
                 result.iter().map(<$sink>::count).sum()
             }
 
-            fn finish(self, matching: &Matching) -> Vec<Tree> {
+            fn finishing(&self, matching: &Matching<'_>) -> usize {
+                self.0.iter().map(|sink| sink.finishing(matching)).fold(0, usize::saturating_add)
+            }
+
+            fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
                 self.0.into_iter().flat_map(|sink| sink.finish(matching)).collect()
             }
         }
@@ -272,11 +285,11 @@ impl Sink for EachTrees {
         0
     }
 
-    fn copied(&self) -> usize {
-        self.0.iter().map(Sink::copied).fold(0, usize::saturating_add)
+    fn finishing(&self, matching: &Matching<'_>) -> usize {
+        self.0.iter().map(|sink| sink.finishing(matching)).fold(0, usize::saturating_add)
     }
 
-    fn finish(self, matching: &Matching) -> Vec<Tree> {
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
         self.0.into_iter().flat_map(|sink| sink.finish(matching)).collect()
     }
 }
@@ -294,12 +307,10 @@ pub trait Sinks: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items in the results of one iteration.
     fn count(results: &Self::Results) -> usize;
-    /// The bytes that are copied in the end.
-    fn copied(&self) -> usize {
-        0
-    }
+    /// The bytes that the trees take besides what is here.
+    fn finishing(&self, matching: &Matching<'_>) -> usize;
     /// The trees of all outputs.
-    fn finish(self, matching: &Matching) -> Vec<Tree>;
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree>;
 }
 
 macro_rules! sinks {
@@ -325,11 +336,11 @@ macro_rules! sinks {
             fn count(results: &Self::Results) -> usize {
                 0 $(+ $name::count(&results.$index))*
             }
-            fn copied(&self) -> usize {
-                [$(self.$index.copied()),*].into_iter().fold(0, usize::saturating_add)
+            fn finishing(&self, matching: &Matching<'_>) -> usize {
+                [$(self.$index.finishing(matching)),*].into_iter().fold(0, usize::saturating_add)
             }
 
-            fn finish(self, matching: &Matching) -> Vec<Tree> {
+            fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
                 let trees: [Vec<Tree>; $n] = [$(self.$index.finish(matching)),*];
                 trees.into_iter().flatten().collect()
             }
@@ -346,7 +357,10 @@ impl Sinks for () {
     fn count((): &()) -> usize {
         0
     }
-    fn finish(self, _: &Matching) -> Vec<Tree> {
+    fn finishing(&self, _: &Matching<'_>) -> usize {
+        0
+    }
+    fn finish(self, _: &Matching<'_>) -> Vec<Tree> {
         Vec::new()
     }
 }

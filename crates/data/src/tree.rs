@@ -39,9 +39,17 @@ impl Tree {
         Self { paths: Shared::new(vec![path]), ends: Shared::new(vec![column.len()]), column }
     }
 
-    /// A tree of branches that already stand in order, each path once, over one column.
-    /// Falls back to sorting and joining when they do not.
-    pub fn from_parts(paths: Vec<Path>, ends: Vec<usize>, column: Column) -> Self {
+    /// A tree of branches that already stand in order, each path once, over one column; paths and ends may be those of
+    /// another tree. Falls back to sorting and joining when they do not.
+    pub fn from_parts(
+        paths: impl Into<Shared<Vec<Path>>>,
+        ends: impl Into<Shared<Vec<usize>>>,
+        column: Column,
+    ) -> Self {
+        Self::of_shared(paths.into(), ends.into(), column)
+    }
+
+    fn of_shared(paths: Shared<Vec<Path>>, ends: Shared<Vec<usize>>, column: Column) -> Self {
         let sound = paths.len() == ends.len()
             && ends.last().copied().unwrap_or(0) == column.len()
             && ends.is_sorted();
@@ -49,7 +57,7 @@ impl Tree {
         if !sound {
             return Self::branch_at(Path::zero(), column);
         }
-        let tree = Self { paths: Shared::new(paths), ends: Shared::new(ends), column };
+        let tree = Self { paths, ends, column };
         if tree.paths.is_sorted_by(|a, b| a < b) { tree } else { tree.sorted() }
     }
 
@@ -84,6 +92,16 @@ impl Tree {
     /// The paths, in order.
     pub fn paths(&self) -> &[Path] {
         &self.paths
+    }
+
+    /// The paths, for other trees that have the same.
+    pub fn shared_paths(&self) -> &Shared<Vec<Path>> {
+        &self.paths
+    }
+
+    /// Where each branch ends in the column, for other trees that have as long branches.
+    pub fn shared_ends(&self) -> &Shared<Vec<usize>> {
+        &self.ends
     }
 
     /// The number of branches.

@@ -58,7 +58,7 @@ impl Tree {
         // Elements at equal places can be told apart from the front only, unless all paths have one length.
         let lead = shared.iter().take_while(|shared| **shared).count();
         let drop = |k: usize| if front || !same_length { k < lead } else { shared.get(k) == Some(&true) };
-        let paths = self
+        let paths: Vec<Path> = self
             .paths
             .iter()
             .map(|path| {
@@ -67,7 +67,7 @@ impl Tree {
                 if kept.is_empty() { path.elements().last().copied().into_iter().collect() } else { kept }
             })
             .collect();
-        Self::from_parts(paths, self.ends.to_vec(), self.column.clone())
+        Self::from_parts(paths, self.ends.clone(), self.column.clone())
     }
 
     /// Every branch with its items in reverse order.
@@ -83,7 +83,7 @@ impl Tree {
         if paths.len() != self.branch_count() {
             return self.clone();
         }
-        Self::from_parts(paths, self.ends.to_vec(), self.column.clone())
+        Self::from_parts(paths, self.ends.clone(), self.column.clone())
     }
 
     /// The branches of all trees together: equal paths are joined, in the order of the trees.

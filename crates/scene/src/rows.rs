@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use katydid_component::{Access, Matching};
+use katydid_component::{Access, Matching, Ranges};
 use katydid_data::{Column, Item, Path, Tree};
 
 /// The data of one iteration.
@@ -21,11 +21,13 @@ pub(crate) fn for_each(inputs: &[Tree], access: &[Access], mut each: impl FnMut(
     let of = |k: usize| access.get(k).copied().unwrap_or(Access::Item);
     let access: Vec<Access> = (0..inputs.len()).map(of).collect();
     let matching = Matching::new(inputs, &access, None);
+    let mut ranges = Ranges::new();
     for i in 0..matching.iterations() {
         let set = matching.set_of(i);
         let Some(path) = matching.paths().get(set) else { continue };
         let index = i - matching.set_range(set).start;
-        each(&Row { inputs, ranges: matching.ranges(set), path, index });
+        matching.ranges(set, &mut ranges);
+        each(&Row { inputs, ranges: &ranges, path, index });
     }
 }
 

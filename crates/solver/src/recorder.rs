@@ -49,5 +49,5 @@ fn newest(tree: Tree, limit: Option<i32>) -> Tree {
         indices.extend(range.end.saturating_sub(limit).max(range.start)..range.end);
         ends.push(indices.len());
     }
-    Tree::from_parts(tree.paths().to_vec(), ends, tree.column().gather(&indices))
+    Tree::from_parts(tree.shared_paths().clone(), ends, tree.column().gather(&indices))
 }

@@ -60,7 +60,7 @@ fn subd_fuse(
         context.warn(format!("The smoothing must be from 0 to {MOST_STEPS}: {steps} is used"));
     }
     let mesh = smoothed(context, &mesh, &nets, steps)?;
-    kept(SubDNet::from_mesh(&mesh, &FromMesh { creases: false, corners: false }).map_err(warning)?)
+    kept(context, SubDNet::from_mesh(&mesh, &FromMesh { creases: false, corners: false }).map_err(warning)?)
 }
 
 /// The control net of a SubD; a mesh is its own.

@@ -54,7 +54,7 @@ fn multi_pipe(
         other => return Err(Message::error(format!("There is no cap {other}: 0 is none, 1 round, 2 flat"))),
     };
     let pipe = options(&sizes, &points, [end_offset, strut_size, segment, cube_fit], caps);
-    kept(piped(context, &curves, kink_angle, &pipe)?)
+    kept(context, piped(context, &curves, kink_angle, &pipe)?)
 }
 
 /// A smooth branching pipe around curves that meet at their ends, as a SubD with open ends: the first version.
@@ -96,7 +96,7 @@ fn multi_pipe_without_caps(
     cube_fit: f64,
 ) -> Result<Value, Message> {
     let pipe = options(&sizes, &points, [end_offset, strut_size, segment, cube_fit], MultiPipeCap::Open);
-    kept(piped(context, &curves, kink_angle, &pipe)?)
+    kept(context, piped(context, &curves, kink_angle, &pipe)?)
 }
 
 fn options(

@@ -27,7 +27,9 @@ pub(crate) fn subd_of(value: &Value) -> Option<Result<SubD, Message>> {
 }
 
 /// A net as an output gives it.
-pub(super) fn kept(net: SubDNet) -> Result<Value, Message> {
+pub(super) fn kept(context: &Context<'_>, net: SubDNet) -> Result<Value, Message> {
+    // Its vertices and edges once more, as openNURBS keeps them, and the bytes of the object.
+    context.bytes(net.faces().len().saturating_mul(1024))?;
     let object = Object::SubD(Box::new(SubDObject::from(&SubD::new(net))));
     object.to_raw(NEWEST, &[]).map(Value::from).map_err(|error| Message::warning(error.to_string()))
 }
@@ -59,13 +61,13 @@ fn subd_from_mesh(
     let options = FromMesh { creases: creases == 2, corners: corners == 2 };
     let net = SubDNet::from_mesh(mesh, &options).map_err(warning)?;
     if !interpolate {
-        return kept(net);
+        return kept(context, net);
     }
     let (net, miss) = net.interpolating().map_err(warning)?;
     if miss > context.tolerance().absolute {
         context.warn(format!("The surface misses some vertices by up to {miss:.3}"));
     }
-    kept(net)
+    kept(context, net)
 }
 
 /// The most subdivisions on the way to a mesh.
@@ -131,7 +133,7 @@ fn subd_box(
 ) -> Result<Value, Message> {
     let count = usize::try_from(density).unwrap_or(0);
     context.bytes(count.saturating_mul(count).saturating_mul(6 * 400))?;
-    kept(SubDNet::of_box(&shape, count, creases).map_err(warning)?)
+    kept(context, SubDNet::of_box(&shape, count, creases).map_err(warning)?)
 }
 
 fn edge_letter(tag: SubDEdgeTag) -> &'static str {
@@ -321,7 +323,7 @@ fn subd_edge_tags(
     };
     let net = subd(&value)?.net().clone();
     let places = places(context, &ids, net.edges().iter().map(|edge| edge.id));
-    kept(net.with_edge_tag(&places, tag).map_err(warning)?)
+    kept(context, net.with_edge_tag(&places, tag).map_err(warning)?)
 }
 
 /// Makes vertices of a SubD smooth or corners.
@@ -356,7 +358,7 @@ fn subd_vertex_tags(
     };
     let net = subd(&value)?.net().clone();
     let places = places(context, &ids, net.vertices().iter().map(|vertex| vertex.id));
-    kept(net.with_vertex_tag(&places, tag).map_err(warning)?)
+    kept(context, net.with_vertex_tag(&places, tag).map_err(warning)?)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use katydid_component::{Access, Matching, Message};
+use katydid_component::{Access, Matching, Message, Ranges};
 use katydid_data::{Path, Tree};
 use katydid_solver::{Question, Remote, Solved};
 
@@ -118,11 +118,12 @@ impl Remote for Hops {
         }
         let has_branches = trees.iter().any(|tree| tree.branch_count() > 1);
         let mut gathered = Gathered::new(question.outputs.len(), has_branches);
+        let mut ranges = Ranges::new();
         for (set, path) in matching.paths().iter().enumerate() {
+            matching.ranges(set, &mut ranges);
             for index in 0..matching.set_range(set).len() {
                 question.budget.check()?;
-                let ranges = matching.ranges(set);
-                let values = ports.iter().zip(&trees).zip(ranges).map(|((port, tree), range)| {
+                let values = ports.iter().zip(&trees).zip(&ranges).map(|((port, tree), range)| {
                     (port.name.as_str(), part(tree, port.access, range.clone(), index))
                 });
                 let results = self.call(&described, values, question)?;

@@ -8,9 +8,10 @@ mod valid;
 use std::collections::HashSet;
 
 use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
-use katydid_component::{Access, Matching};
+use katydid_component::{Access, Matching, Ranges};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
 use katydid_definition::document::{Document, Object, Special, ids};
+use katydid_geometry::Patience;
 use katydid_solver::{Engine, Inputs};
 use uuid::{Uuid, uuid};
 
@@ -122,6 +123,10 @@ impl Baking<'_> {
         }
         for (branch, path) in tree.paths().iter().enumerate() {
             for (index, place) in tree.range(branch).enumerate() {
+                // Given up by whoever waits for it.
+                if Patience::is_over() {
+                    return;
+                }
                 if let Some(value) = tree.column().get(place) {
                     self.add(&value, None, &Source { object, path, index });
                 }
@@ -132,8 +137,10 @@ impl Baking<'_> {
     /// The geometry of a Custom Preview in the colours of its materials, matched as the component matches them.
     fn add_previews(&mut self, object: &Object, inputs: &[Tree]) {
         let matching = Matching::new(inputs, &[Access::Item; 2], None);
+        let mut ranges = Ranges::new();
         for (set, path) in matching.paths().iter().enumerate() {
-            let [geometry, materials, ..] = matching.ranges(set) else { continue };
+            matching.ranges(set, &mut ranges);
+            let [geometry, materials, ..] = ranges.as_slice() else { continue };
             let count = matching.set_range(set).len();
             let column = |k: usize| inputs.get(k).map(Tree::column);
             let (Some(things), Some(colours)) = (column(0), column(1)) else { continue };

@@ -125,8 +125,8 @@ fn flip_matrix(
         indices
             .extend(rows.iter().map(|row| if column < row.len() { row.start + column } else { usize::MAX }));
     }
-    let paths = (0..columns).map(|column| parent.child(column)).collect();
-    let ends = (1..=columns).map(|column| column * rows.len()).collect();
+    let paths: Vec<Path> = (0..columns).map(|column| parent.child(column)).collect();
+    let ends: Vec<usize> = (1..=columns).map(|column| column * rows.len()).collect();
     Ok(Tree::from_parts(paths, ends, data.column().gather(&indices)))
 }
 
@@ -219,7 +219,7 @@ fn unflatten_tree(
     if n != wanted {
         context.warn(format!("There are {n} items for the {wanted} places of the guide"));
     }
-    let ends = (0..guide.branch_count()).map(|b| guide.range(b).end.min(n)).collect();
+    let ends: Vec<usize> = (0..guide.branch_count()).map(|b| guide.range(b).end.min(n)).collect();
     let column = if n <= wanted {
         tree.column().clone()
     } else {
@@ -228,7 +228,7 @@ fn unflatten_tree(
     if guide.is_empty() {
         return Ok(Tree::empty());
     }
-    Ok(Tree::from_parts(guide.paths().to_vec(), ends, column))
+    Ok(Tree::from_parts(guide.shared_paths().clone(), ends, column))
 }
 
 /// Gives the branches of a tree the paths of a guide, one by one in order.
