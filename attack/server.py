@@ -11,6 +11,8 @@ import argparse
 import base64
 import http.client
 import json
+import multiprocessing
+import os
 import random
 import subprocess
 import sys
@@ -22,7 +24,7 @@ from pathlib import Path
 import components
 from abuse import refused, slow
 from definitions import texts
-from serving import Serving
+from serving import Remote, Serving
 
 SERVE = ["serve", "--port", "0", "--timeout", "5", "--limit-bytes", 256 << 20, "--total-bytes", 1 << 30]
 SERVE += ["--max-body", 16 << 20, "--cache-bytes", 128 << 20]
@@ -77,10 +79,13 @@ class Honest:
                 "/grasshopper", {"algo": self.algos[name], "values": [value]}, {"X-Forwarded-For": who}
             )
             self.waited.append(time.monotonic() - start)
+            if code != 200:
+                self.wrong.append(f"{name} of {a}: {code}, {answer[:300].decode(errors='replace')}")
+                return
             item = next(iter(json.loads(answer)["values"][0]["InnerTree"].values()))[0]["data"]
             got, wanted = float(json.loads(item)), HONEST[name][1](a)
-            if code != 200 or abs(got - wanted) > 1e-6 * wanted:
-                self.wrong.append(f"{name} of {a}: {code}, {got} for {wanted}")
+            if abs(got - wanted) > 1e-6 * wanted:
+                self.wrong.append(f"{name} of {a}: {got} for {wanted}")
         except (OSError, http.client.HTTPException, ValueError, KeyError, IndexError, StopIteration) as error:
             self.wrong.append(f"{name} of {a}: {type(error).__name__} {error}")
 
@@ -119,38 +124,64 @@ def share(waited, part):
     return waited[min(len(waited) - 1, int(part * len(waited)))] if waited else float("nan")
 
 
-class Hostile:
-    """Those who do their worst, each kind on a thread of its own."""
+def worst(katydid, folder, seed):
+    """Definitions that are too large, too deep or too wild, as clients send them."""
+    dice = random.Random(seed)
+    listed = subprocess.run([katydid, "components", "--json"], capture_output=True, text=True, check=True)
+    known = [c for c in json.loads(listed.stdout) if c["inputs"]]
+    algos = []
+    for number in range(150):
+        text = components.definition(dice.choice(known), dice.choice(list(components.THEMES)), dice)
+        text += '"RH_OUT:x": attacked\n'
+        algos.append(packed(katydid, folder, f"attack{number}", text))
+    for number, (_, text) in enumerate(texts()):
+        if len(text) < 1_000_000:
+            algos.append(packed(katydid, folder, f"large{number}", f"katydid 1\n{text}\n"))
+    return [algo for algo in algos if algo]
 
-    def __init__(self, server, katydid, folder, seed):
-        self.server, self.stopped, self.sent, self.statuses = server, threading.Event(), 0, {}
-        dice = random.Random(seed)
-        listed = subprocess.run([katydid, "components", "--json"], capture_output=True, text=True, check=True)
-        known = [c for c in json.loads(listed.stdout) if c["inputs"]]
-        self.algos = []
-        for number in range(150):
-            text = components.definition(dice.choice(known), dice.choice(list(components.THEMES)), dice)
-            text += '"RH_OUT:x": attacked\n'
-            self.algos.append(packed(katydid, folder, f"attack{number}", text))
-        for number, (_, text) in enumerate(texts()):
-            if len(text) < 1_000_000:
-                self.algos.append(packed(katydid, folder, f"large{number}", f"katydid 1\n{text}\n"))
-        self.algos = [algo for algo in self.algos if algo]
-        self.requests = [request for _, request in refused()]
-        kinds = [self.solves] * 6 + [self.raws] * 2 + [self.leaves, self.jobs, self.slows]
-        self.threads = [threading.Thread(target=kind, args=(random.Random(k),), daemon=True) for k, kind in enumerate(kinds)]
+
+class Attack:
+    """Those who do their worst, in a process of their own, behind all others: they are other machines."""
+
+    def __init__(self, server, algos):
+        spawn = multiprocessing.get_context("spawn")
+        self.stopped, self.told = spawn.Event(), spawn.Queue()
+        self.process = spawn.Process(target=attack, args=(server.host, server.port, algos, self.stopped, self.told))
+        self.sent, self.statuses = 0, {}
 
     def __enter__(self):
-        [thread.start() for thread in self.threads]
+        self.process.start()
         return self
 
     def __exit__(self, *_):
         self.stopped.set()
-        [thread.join(60) for thread in self.threads]
+        self.sent, self.statuses = self.told.get(timeout=120)
+        self.process.join()
+
+
+def attack(host, port, algos, stopped, told):
+    os.nice(10)
+    hostile = Hostile(Remote(host, port), algos, stopped)
+    [thread.start() for thread in hostile.threads]
+    stopped.wait()
+    end = time.monotonic() + 60
+    [thread.join(max(0.0, end - time.monotonic())) for thread in hostile.threads]
+    told.put((hostile.sent, hostile.statuses))
+
+
+class Hostile:
+    """Each kind of those who do their worst, on a thread of its own."""
+
+    def __init__(self, server, algos, stopped):
+        self.server, self.stopped, self.sent, self.statuses = server, stopped, 0, {}
+        self.algos = algos
+        self.requests = [request for _, request in refused()]
+        kinds = [self.solves] * 6 + [self.raws] * 2 + [self.leaves, self.jobs, self.slows]
+        self.threads = [threading.Thread(target=kind, args=(random.Random(k),), daemon=True) for k, kind in enumerate(kinds)]
 
     def again(self):
         self.sent += 1
-        return not self.stopped.is_set() and self.server.runs()
+        return not self.stopped.is_set()
 
     def count(self, code):
         self.statuses[code] = self.statuses.get(code, 0) + 1
@@ -210,7 +241,7 @@ def main():
         watch = Watch(server)
         watch.start()
         honest = Honest(server, args.katydid, folder)
-        hostile = Hostile(server, args.katydid, folder, args.seed)
+        hostile = Attack(server, worst(args.katydid, folder, args.seed))
         honest.for_seconds(5)
         quiet = honest.for_seconds(max(20.0, 6 * args.minutes))
         alone = len(honest.wrong)

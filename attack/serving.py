@@ -15,7 +15,45 @@ import time
 PATIENCE = 30.0
 
 
-class Serving:
+class Remote:
+    """A server somewhere, as its clients know it."""
+
+    def __init__(self, host, port):
+        self.host, self.port = host, port
+
+    def ask(self, method, path, body=None, headers=None, patience=PATIENCE):
+        """The status and the body of an answer."""
+        connection = http.client.HTTPConnection(self.host, self.port, timeout=patience)
+        try:
+            connection.request(method, path, body, headers or {})
+            answer = connection.getresponse()
+            return answer.status, answer.read()
+        finally:
+            connection.close()
+
+    def post(self, path, value, headers=None, patience=PATIENCE):
+        return self.ask("POST", path, json.dumps(value), headers, patience)
+
+    def connect(self, patience=PATIENCE):
+        return socket.create_connection((self.host, self.port), timeout=patience)
+
+    def raw(self, request, patience=PATIENCE):
+        """What is answered to some bytes, until the other side closes or is silent."""
+        answer = b""
+        try:
+            with self.connect(patience) as connection:
+                connection.sendall(request)
+                connection.shutdown(socket.SHUT_WR)
+                while part := connection.recv(65536):
+                    answer += part
+                    if len(answer) > 10_000_000:
+                        break
+        except (ConnectionError, BrokenPipeError, OSError):
+            pass
+        return answer
+
+
+class Serving(Remote):
     """`katydid serve` or `katydid studio`, until it is closed."""
 
     def __init__(self, katydid, words, addresses=4 << 30, env=None):
@@ -36,7 +74,8 @@ class Serving:
         if not found:
             self.process.kill()
             raise RuntimeError(f"no address: {line} {self.process.stderr.read().decode()}")
-        self.host, self.port, self.token = found[1], int(found[2]), found[3]
+        super().__init__(found[1], int(found[2]))
+        self.token = found[3]
         self.said = b""
         # What it says is kept, and does not fill the pipe.
         for stream in (self.process.stdout, self.process.stderr):
@@ -96,37 +135,6 @@ class Serving:
                 return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
         except OSError:
             return 0.0
-
-    def ask(self, method, path, body=None, headers=None, patience=PATIENCE):
-        """The status and the body of an answer."""
-        connection = http.client.HTTPConnection(self.host, self.port, timeout=patience)
-        try:
-            connection.request(method, path, body, headers or {})
-            answer = connection.getresponse()
-            return answer.status, answer.read()
-        finally:
-            connection.close()
-
-    def post(self, path, value, headers=None, patience=PATIENCE):
-        return self.ask("POST", path, json.dumps(value), headers, patience)
-
-    def connect(self, patience=PATIENCE):
-        return socket.create_connection((self.host, self.port), timeout=patience)
-
-    def raw(self, request, patience=PATIENCE):
-        """What is answered to some bytes, until the other side closes or is silent."""
-        answer = b""
-        try:
-            with self.connect(patience) as connection:
-                connection.sendall(request)
-                connection.shutdown(socket.SHUT_WR)
-                while part := connection.recv(65536):
-                    answer += part
-                    if len(answer) > 10_000_000:
-                        break
-        except (ConnectionError, BrokenPipeError, OSError):
-            pass
-        return answer
 
     def is_well(self):
         """Whether a small definition is solved within the time of patience."""

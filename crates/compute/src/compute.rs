@@ -5,9 +5,11 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use katydid_component::{Cancel, Files};
 use katydid_definition::archive::Limits;
+use katydid_geometry::Patience;
 use uuid::Uuid;
 
 use crate::cache::{self, Definitions, Replies};
+use crate::reply::to_json;
 use crate::web::{Asked, Web};
 use crate::{
     Answer, Bounds, Cause, Definition, Description, Fault, HopsSettings, RequestLimits, Solution,
@@ -148,6 +150,12 @@ impl Compute {
         self.definitions.get(key)
     }
 
+    /// The definition of a request, when it is kept still; nothing is read or fetched.
+    pub fn at_hand(&self, request: &SolveRequest) -> Option<Arc<Definition>> {
+        let by_pointer = request.pointer().and_then(|pointer| self.cached(pointer));
+        by_pointer.or_else(|| self.cached(&cache::key(request.algo.as_deref()?)))
+    }
+
     /// The definition in the bytes of a .gh or .ghx file, kept under a key of the caller's: a URL. It is read again
     /// only when the key is not kept any more.
     ///
@@ -236,7 +244,10 @@ impl Compute {
         let solution = self.solve(definition, request, bounds)?;
         let begin = Instant::now();
         let reply = solution.reply();
-        let body = serde_json::to_vec(&reply).map_err(|error| Fault::failed(error.to_string()))?;
+        let body = to_json(&reply)?;
+        if !Patience::has_room(body.len()) {
+            return Err(Fault::failed("it was given up"));
+        }
         let body: Arc<[u8]> = body.into();
         let has_errors = solution.has_errors();
         if let Some(digest) = digest.filter(|_| !has_errors && reply.errors.is_empty()) {

@@ -30,7 +30,7 @@ pub use compute::{Compute, Located, Settings};
 pub use definition::{Definition, Description};
 pub use fault::{Cause, Fault};
 pub use hops::{HopsSettings, hops};
-pub use reply::Reply;
+pub use reply::{Reply, to_json};
 pub use request::{RequestLimits, SolveRequest};
 pub use solve::{Answer, Bounds, Solution, Timings};
 pub use web::{HostKey, WebSettings};

@@ -46,11 +46,11 @@ impl Account {
         Self::with(limit, Some(whole), None)
     }
 
-    /// An empty account for work beside other work: a request of a server. What it takes beyond its share, and only
-    /// that, counts for the whole, which gets it back when the account is dropped. So the whole never has room for more
-    /// than its limit, and each has its share whatever the others take.
-    pub fn beside(whole: Arc<Self>, share: u64) -> Self {
-        Self::with(u64::MAX, Some(whole), Some((share, AtomicBool::new(false))))
+    /// An empty account, with a limit of its own, for work beside other work: a request of a server. What it takes beyond
+    /// its share, and only that, counts for the whole, which gets it back when the account is dropped. So the whole never
+    /// has room for more than its limit, and each has its share whatever the others take.
+    pub fn beside(whole: Arc<Self>, share: u64, limit: u64) -> Self {
+        Self::with(limit, Some(whole), Some((share, AtomicBool::new(false))))
     }
 
     /// What the whole counts of so many bytes of this work.

@@ -113,7 +113,7 @@ fn what_would_not_fit_is_told_before_it_is_taken() {
 #[test]
 fn work_beside_other_work_has_its_share_and_gives_back_the_rest() {
     let whole = Arc::new(Account::new(5 * MEGA));
-    let [large, small] = [0, 1].map(|_| Arc::new(Account::beside(whole.clone(), 2 * MEGA)));
+    let [large, small] = [0, 1].map(|_| Arc::new(Account::beside(whole.clone(), 2 * MEGA, u64::MAX)));
     let solve = Account::part_of(large.clone(), 100 * MEGA);
     solve.begin();
     let kept = block(6);

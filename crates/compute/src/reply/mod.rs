@@ -3,8 +3,12 @@
 mod messages;
 mod tree;
 
+use std::io::{self, Write};
+
+use katydid_geometry::Patience;
 use serde::Serialize;
 
+use crate::Fault;
 use crate::request::DATA_VERSION;
 
 pub(crate) use messages::Messages;
@@ -45,5 +49,40 @@ impl Default for Reply {
             warnings: Vec::new(),
             errors: Vec::new(),
         }
+    }
+}
+
+/// A text that asks for room before it grows.
+struct Growing(Vec<u8>);
+
+impl Write for Growing {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let (room, wanted) = (self.0.capacity(), self.0.len().saturating_add(bytes.len()));
+        if wanted > room {
+            let room = wanted.max(2 * room);
+            if !Patience::has_room(room) {
+                return Err(io::ErrorKind::OutOfMemory.into());
+            }
+            self.0.reserve_exact(room - self.0.len());
+        }
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A value as a text of JSON.
+///
+/// # Errors
+/// `Failed` when it cannot be written, or whoever waits for it gave up ([`Patience`]).
+pub fn to_json(value: &impl Serialize) -> Result<Vec<u8>, Fault> {
+    let mut text = Growing(Vec::new());
+    match serde_json::to_writer(&mut text, value) {
+        Ok(()) if Patience::is_over() => Err(Fault::failed("it was given up")),
+        Ok(()) => Ok(text.0),
+        Err(error) => Err(Fault::failed(error.to_string())),
     }
 }

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 
 use katydid_data::{Kind, Tree, Value};
+use katydid_geometry::Patience;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -39,11 +40,11 @@ fn in_order<S: Serializer>(branches: &[(String, Vec<OutputItem>)], to: S) -> Res
 impl OutputTree {
     /// A tree as a reply has it, geometry for an archive of that version, and words on what it does not hold. Nulls are
     /// skipped, and items of types that the protocol does not know are left out, as Rhino.Compute does both; the
-    /// branches stay.
+    /// branches stay. It is not whole when whoever waits for it gave up.
     pub(crate) fn of(name: &str, tree: &Tree, archive: i32) -> (Self, Option<String>) {
         let mut left_out = BTreeMap::new();
         let mut items = |value: Option<Value>| -> Option<OutputItem> {
-            let value = value?;
+            let value = value.filter(|_| !Patience::is_over())?;
             let encoded = is_known(value.kind()).then(|| encode(&value, archive)).flatten();
             if encoded.is_none() {
                 *left_out.entry(value.kind().name()).or_insert(0_usize) += 1;

@@ -135,6 +135,13 @@ fn packing(headers: &HeaderMap) -> Result<Packing, Refusal> {
 }
 
 impl Received {
+    /// Whether reading it takes a while.
+    pub(crate) fn is_large(&self) -> bool {
+        const LARGE: usize = 1 << 18;
+        let packed = if self.packing == Packing::None { 1 } else { 16 };
+        self.bytes.len().saturating_mul(packed) > LARGE
+    }
+
     /// The bytes, unpacked. Not for a thread that serves: it may take a while.
     pub(crate) fn unpacked(mut self) -> Result<Unpacked, Refusal> {
         let packed = match self.packing {

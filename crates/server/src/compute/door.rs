@@ -129,7 +129,7 @@ async fn routed(
         Route::Job if asks => jobs::about(service, id)?,
         Route::Job => jobs::cancel(service, id)?,
         Route::JobEvents => return jobs::events(service, id),
-        Route::JobResult => jobs::result(service, id, &query, packs).await?,
+        Route::JobResult => jobs::result(service, client, id, &query, packs).await?,
         Route::Health => health::check(owned).await,
         Route::Metrics => metrics::page(service),
         Route::OpenApi => openapi::document().packed(packs),

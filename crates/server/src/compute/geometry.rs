@@ -36,8 +36,8 @@ pub(crate) async fn call(
     let (reins, packs) = (asking.reins(&service)?, asking.packs);
     let (inside, held) = (reins.clone(), Arc::clone(&service));
     let call = move || Step::Done(called(&held, &name, &query, body, &inside).map(|sent| sent.packed(packs)));
-    let memory = Arc::clone(&reins.memory);
-    let work = move || counted(memory, call);
+    let counting = reins.clone();
+    let work = move || counted(counting, call);
     let sent = service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await??;
     Ok(sent.counted(reins.memory))
 }

@@ -15,11 +15,14 @@ use bytes::Bytes;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use katydid_component::Account;
+use katydid_geometry::Patience;
 
 use super::refusal::Refusal;
 
 /// Less is not worth packing.
 const WORTH_PACKING: usize = 2048;
+/// So much is packed between two looks at whether somebody still waits.
+const PIECE: usize = 1 << 18;
 
 pub(crate) const JSON: &str = "application/json; charset=utf-8";
 pub(crate) const TEXT: &str = "text/plain; charset=utf-8";
@@ -53,11 +56,9 @@ impl Sent {
     }
 
     pub(crate) fn json(value: &impl serde::Serialize) -> Self {
-        match serde_json::to_vec(value) {
+        match katydid_compute::to_json(value) {
             Ok(body) => Self::new(JSON, body),
-            Err(_) => {
-                Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "failed", "this cannot be written").into()
-            }
+            Err(fault) => Refusal::from(fault).into(),
         }
     }
 
@@ -109,7 +110,8 @@ impl Sent {
             return self;
         }
         let mut packer = GzEncoder::new(Vec::with_capacity(self.body.len() / 3), Compression::fast());
-        if packer.write_all(&self.body).is_ok()
+        let mut pieces = self.body.chunks(PIECE);
+        if pieces.all(|piece| !Patience::is_over() && packer.write_all(piece).is_ok())
             && let Ok(packed) = packer.finish()
             && packed.len() < self.body.len()
         {
@@ -132,11 +134,6 @@ impl Sent {
 
         self.body = Bytes::from_owner(Held(self.body, account));
         self
-    }
-
-    /// The bytes of the body.
-    pub(crate) fn len(&self) -> usize {
-        self.body.len()
     }
 
     pub(crate) fn into_response(self) -> Response {

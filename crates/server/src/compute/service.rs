@@ -59,7 +59,8 @@ impl Service {
         Self {
             compute: Compute::new(settings),
             pool: Pool::new(config.places()),
-            jobs: Jobs::new(config.most_jobs, config.keep_jobs),
+            // Results that are kept leave room for what is solved.
+            jobs: Jobs::new(config.most_jobs, config.keep_jobs, config.total_bytes / 4),
             metrics: Metrics::default(),
             lock: Lock::new(config.key()),
             origins: Origins::new(&config.origins, config.key().is_some()),

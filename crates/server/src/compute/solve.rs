@@ -30,7 +30,7 @@ impl Asking {
     pub(crate) fn reins(&self, service: &Service) -> Result<Reins, Refusal> {
         let allowance = Allowance::new(service.config.timeout, service.config.limits, &self.query)?;
         let end = self.since.checked_add(allowance.time);
-        let memory = service.memory.account();
+        let memory = service.memory.account(allowance.bytes);
         Ok(Reins { cancel: Cancel::default(), progress: None, allowance, memory, end })
     }
 
@@ -64,16 +64,16 @@ pub(crate) async fn io_of_pointer(service: Arc<Service>, asking: Asking) -> Resu
     let (inside, held) = (reins.clone(), Arc::clone(&service));
     let begin =
         move || packed(work::with_request(held, request, Wish::Description, inside, Instant::now()), packs);
-    let memory = Arc::clone(&reins.memory);
-    let work = move || counted(memory, begin);
+    let counting = reins.clone();
+    let work = move || counted(counting, begin);
     service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await?
 }
 
 async fn waited(service: Arc<Service>, asking: Asking, body: Received, wish: Wish) -> Result<Sent, Refusal> {
     let (reins, packs) = (asking.reins(&service)?, asking.packs);
     let (inside, held) = (reins.clone(), Arc::clone(&service));
-    let memory = Arc::clone(&reins.memory);
-    let work = move || counted(memory, move || packed(work::begin(held, body, wish, inside), packs));
+    let counting = reins.clone();
+    let work = move || counted(counting, move || packed(work::begin(held, body, wish, inside), packs));
     let sent = service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await??;
     Ok(sent.counted(reins.memory))
 }

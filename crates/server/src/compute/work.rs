@@ -74,7 +74,12 @@ impl Reins {
         Ok(Bounds { limits, memory: Some(Arc::clone(&self.memory)), cancel, progress, recursion: 0 })
     }
 
-    fn late(&self) -> Refusal {
+    /// Whether its time is over.
+    pub(crate) fn is_late(&self) -> bool {
+        self.end.is_some_and(|end| Instant::now() >= end)
+    }
+
+    pub(crate) fn late(&self) -> Refusal {
         let seconds = self.allowance.time.as_secs_f64();
         Refusal::late(format!("the time limit of {seconds} seconds is over"))
     }
@@ -109,6 +114,8 @@ pub(crate) enum Outcome {
 /// Results that are kept: what the outputs gave, and nothing of what was on the way there.
 #[derive(Debug)]
 pub(crate) struct Solved {
+    /// What it takes is counted here for as long as it is there.
+    memory: Arc<Account>,
     reply: Sent,
     model: Model,
     has_errors: bool,
@@ -117,12 +124,12 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    fn new(solution: &Solution, version: i32, decode: Duration) -> Self {
+    fn new(solution: &Solution, version: i32, decode: Duration, memory: Arc<Account>) -> Self {
         let timings = solution.timings();
         let timings = Timings { decode: decode + timings.decode, ..timings };
         let has_errors = solution.has_errors();
         let reply = Sent::json(&solution.reply()).with_status(status(has_errors));
-        Self { reply, model: solution.model(), has_errors, version, timings }
+        Self { memory, reply, model: solution.model(), has_errors, version, timings }
     }
 
     /// The reply, or a file.
@@ -139,9 +146,9 @@ impl Solved {
         self.has_errors
     }
 
-    /// The bytes that it takes, by estimate: the model has about as much as the text.
-    pub(crate) fn weight(&self) -> usize {
-        2 * self.reply.len()
+    /// The bytes that it takes.
+    pub(crate) fn weight(&self) -> u64 {
+        self.memory.bytes()
     }
 }
 
@@ -157,8 +164,16 @@ fn timed(sent: Sent, timings: Timings) -> Sent {
 
 type Came = Result<Outcome, Refusal>;
 
-/// Reads the request and finds its definition; solves it there and then unless it is known to be slow.
+/// Reads the request and solves it there and then, when its definition is kept and known to be quick. What is large, or
+/// has to be read or fetched first, waits with what is new.
 pub(crate) fn begin(service: Arc<Service>, body: Received, wish: Wish, reins: Reins) -> Step<Came> {
+    if body.is_large() {
+        return Step::Later(Lane::New, Box::new(move || read(service, body, wish, reins)));
+    }
+    read(service, body, wish, reins)
+}
+
+fn read(service: Arc<Service>, body: Received, wish: Wish, reins: Reins) -> Step<Came> {
     let start = Instant::now();
     let read = || {
         let bytes = body.unpacked()?;
@@ -179,24 +194,38 @@ pub(crate) fn with_request(
     reins: Reins,
     start: Instant,
 ) -> Step<Came> {
-    let definition = match definition(&service, &request, &reins) {
-        Ok(definition) => definition,
-        Err(refusal) => return Step::Done(Err(refusal)),
+    let kept = service.compute.at_hand(&request);
+    let lane = match &kept {
+        None => Lane::New,
+        Some(_) if wish == Wish::Description => Lane::Quick,
+        Some(definition) => match service.pace.lane(definition.key()) {
+            // Another solve waits for this one, maybe one of ours: it must not stand behind it.
+            Lane::Slow if request.recursion_level > 0 => Lane::New,
+            lane => lane,
+        },
     };
-    if wish == Wish::Description {
-        return Step::Done(Ok(Outcome::Sent(Sent::json(&*service.compute.describe(&definition)))));
-    }
     let decode = start.elapsed();
-    let lane = match service.pace.lane(definition.key()) {
-        // Another solve waits for this one, maybe one of ours: it must not stand behind it.
-        Lane::Slow if request.recursion_level > 0 => Lane::New,
-        lane => lane,
-    };
-    let rest = move || Step::Done(solve(&service, &definition, &request, wish, &reins, decode));
+    let rest = move || Step::Done(came(&service, kept, &request, wish, &reins, decode));
     match lane {
         Lane::Quick => rest(),
         lane => Step::Later(lane, Box::new(rest)),
     }
+}
+
+fn came(
+    service: &Service,
+    kept: Option<Arc<Definition>>,
+    request: &SolveRequest,
+    wish: Wish,
+    reins: &Reins,
+    decode: Duration,
+) -> Came {
+    let start = Instant::now();
+    let definition = kept.map_or_else(|| definition(service, request, reins), Ok)?;
+    if wish == Wish::Description {
+        return Ok(Outcome::Sent(Sent::json(&*service.compute.describe(&definition))));
+    }
+    solve(service, &definition, request, wish, reins, decode + start.elapsed())
 }
 
 fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Result<Arc<Definition>, Refusal> {
@@ -261,7 +290,7 @@ fn solved(
     }
     let solution = service.compute.solve(definition, request, bounds);
     let solution = solution.map_err(|fault| reins.refusal(fault))?;
-    let solved = Solved::new(&solution, request.archive(), decode);
+    let solved = Solved::new(&solution, request.archive(), decode, Arc::clone(&reins.memory));
     match wish {
         Wish::Results(form) => solved.sent(form).map(Outcome::Sent),
         _ => Ok(Outcome::Kept(Box::new(solved))),

@@ -73,7 +73,7 @@ impl Job {
     }
 
     /// The bytes that its result takes.
-    fn weight(&self) -> usize {
+    fn weight(&self) -> u64 {
         match &*self.stage.borrow() {
             Stage::Done(solved) => solved.weight(),
             _ => 0,
@@ -107,20 +107,19 @@ impl Job {
     }
 }
 
-/// All results together take no more bytes.
-const MOST_BYTES: usize = 512 << 20;
-
 /// All jobs that are kept.
 #[derive(Debug)]
 pub(crate) struct Jobs {
     all: Mutex<HashMap<String, Arc<Job>>>,
     most: usize,
     keep: Duration,
+    /// The most bytes that all results together take.
+    bytes: u64,
 }
 
 impl Jobs {
-    pub(crate) fn new(most: usize, keep: Duration) -> Self {
-        Self { all: Mutex::default(), most, keep }
+    pub(crate) fn new(most: usize, keep: Duration, bytes: u64) -> Self {
+        Self { all: Mutex::default(), most, keep, bytes }
     }
 
     /// A new job. The oldest results make room when there is none.
@@ -176,11 +175,11 @@ impl Jobs {
         let mut results: Vec<_> =
             all.values().filter_map(|job| Some((job.age()?, job.weight(), job.id.clone()))).collect();
         results.sort_by_key(|(age, ..)| *age);
-        let mut bytes = 0usize;
+        let mut bytes = 0_u64;
         for (_, weight, id) in results {
             bytes = bytes.saturating_add(weight);
             // The newest stays, however large it is.
-            if bytes > MOST_BYTES && bytes > weight {
+            if bytes > self.bytes && bytes > weight {
                 all.remove(&id);
             }
         }

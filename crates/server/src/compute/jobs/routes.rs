@@ -36,23 +36,19 @@ pub(crate) async fn submit(
 async fn run(service: Arc<Service>, client: Client, job: Arc<Job>, body: Received, allowance: Allowance) {
     let (own, held) = (Arc::clone(&job), Arc::clone(&service));
     let cancel: Cancel = job.cancel.clone();
-    let memory = service.memory.account();
-    let begin = {
-        let memory = Arc::clone(&memory);
-        move || {
-            let told = Arc::clone(&own);
-            let progress = move |progress: &Progress| {
-                let Progress { done, total, name } = progress.clone();
-                told.go_on(Stage::Running { done, total, name });
-            };
-            own.go_on(Stage::Running { done: 0, total: 0, name: String::new() });
-            let end = std::time::Instant::now().checked_add(allowance.time);
-            let cancel = own.cancel.clone();
-            let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, memory, end };
-            kept(work::begin(held, body, Wish::Kept, reins))
-        }
+    let memory = service.memory.account(allowance.bytes);
+    let work = move || {
+        let told = Arc::clone(&own);
+        let progress = move |progress: &Progress| {
+            let Progress { done, total, name } = progress.clone();
+            told.go_on(Stage::Running { done, total, name });
+        };
+        own.go_on(Stage::Running { done: 0, total: 0, name: String::new() });
+        let end = std::time::Instant::now().checked_add(allowance.time);
+        let cancel = own.cancel.clone();
+        let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, memory, end };
+        counted(reins.clone(), move || kept(work::begin(held, body, Wish::Kept, reins)))
     };
-    let work = move || counted(memory, begin);
     let came = service.pool.run(client, &cancel, (Clock::Begun, allowance.time), work).await;
     job.go_on(match came {
         Ok(Ok(solved)) => Stage::Done(solved),
@@ -80,7 +76,13 @@ pub(crate) fn about(service: &Service, id: &str) -> Result<Sent, Refusal> {
 }
 
 /// What came of a job, as `/grasshopper` would have answered, or as a file.
-pub(crate) async fn result(service: &Service, id: &str, query: &Query, packs: bool) -> Result<Sent, Refusal> {
+pub(crate) async fn result(
+    service: &Service,
+    client: Client,
+    id: &str,
+    query: &Query,
+    packs: bool,
+) -> Result<Sent, Refusal> {
     let form = Form::named(query.get("format").unwrap_or_default())?;
     let job = service.jobs.get(id)?;
     let stage = job.stage.borrow().clone();
@@ -91,9 +93,15 @@ pub(crate) async fn result(service: &Service, id: &str, query: &Query, packs: bo
         Stage::Failed(refusal) => Err(refusal),
         Stage::Cancelled => Err(Refusal::new(StatusCode::GONE, "cancelled", "the job was cancelled")),
         Stage::Done(solved) => {
-            let written =
-                tokio::task::spawn_blocking(move || solved.sent(form).map(|sent| sent.packed(packs)));
-            written.await.map_err(|_| Refusal::from(Undone::Failed))?
+            let allowance = Allowance::new(service.config.timeout, service.config.limits, query)?;
+            let memory = service.memory.account(allowance.bytes);
+            let end = std::time::Instant::now().checked_add(allowance.time);
+            let (cancel, counting) = (Cancel::default(), Arc::clone(&memory));
+            let reins = Reins { cancel: cancel.clone(), progress: None, allowance, memory: counting, end };
+            let write = move || Step::Done(solved.sent(form).map(|sent| sent.packed(packs)));
+            let clock = (Clock::Asked, allowance.time);
+            let sent = service.pool.run(client, &cancel, clock, move || counted(reins, write)).await??;
+            Ok(sent.counted(memory))
         }
     }
 }

@@ -3,7 +3,11 @@
 //! Nothing is solved on the threads that serve sockets. Each thread here has helpers of its own for what a solve does in
 //! parallel, so that one without end holds up no other. A thread whose work does not heed its deadline is given up: it
 //! gets a substitute, and goes when it comes back after all.
+//!
+//! Requests are read, and what is known to be quick is solved, on threads in front. Those in the back do the rest with a
+//! lower priority: where there are more solves than processors, who asks for a small thing does not wait for the others.
 
+mod priority;
 mod queue;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -16,7 +20,7 @@ use tokio::sync::oneshot;
 
 use crate::lock::held;
 pub(crate) use queue::{Client, Lane, Places, SLICE};
-use queue::{Queue, Ticket};
+use queue::{Queue, Row, Ticket};
 
 /// So many threads may have been given up at a time; beyond that their places stay taken.
 const MOST_LOST: usize = 16;
@@ -68,7 +72,8 @@ pub(crate) struct Pool {
 
 struct Shared {
     queue: Mutex<Inner>,
-    wake: Condvar,
+    wake_front: Condvar,
+    wake_back: Condvar,
     helpers: usize,
     /// How many have failed as they must not.
     failed: AtomicU64,
@@ -78,7 +83,8 @@ struct Inner {
     queue: Queue<Work>,
     places: Places,
     lost: usize,
-    threads: usize,
+    /// How many threads in front wait for work.
+    idle_in_front: usize,
 }
 
 /// What the pool is doing.
@@ -93,22 +99,23 @@ pub(crate) struct Load {
 impl Pool {
     pub(crate) fn new(places: Places) -> Self {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
-        let inner = Inner { queue: Queue::new(places), places, lost: 0, threads: 0 };
+        let inner = Inner { queue: Queue::new(places), places, lost: 0, idle_in_front: 0 };
         let shared = Arc::new(Shared {
             queue: Mutex::new(inner),
-            wake: Condvar::new(),
+            wake_front: Condvar::new(),
+            wake_back: Condvar::new(),
             helpers: processors.min(MOST_HELPERS),
             failed: AtomicU64::new(0),
         });
-        for _ in 0..places.all().max(1) {
-            Shared::hire(&shared, &mut held(&shared.queue));
+        for place in 0..places.all().max(2) {
+            Shared::hire(&shared, if place < places.quick.max(1) { Row::Front } else { Row::Back });
         }
         Self { shared }
     }
 
     /// How much may run at a time, what was given up included.
     pub(crate) fn most(places: Places) -> usize {
-        places.all().max(1) + MOST_LOST
+        places.all().max(2) + MOST_LOST
     }
 
     /// How much runs at a time, as a rule.
@@ -144,9 +151,12 @@ impl Pool {
             let _ = tell_begun.send(());
             stepped(work(), tell)
         });
-        let ticket =
-            held(&self.shared.queue).queue.put(client, |_| work as Work).map_err(|_| Undone::Full)?;
-        self.shared.wake.notify_one();
+        let ticket = {
+            let mut inner = held(&self.shared.queue);
+            let ticket = inner.queue.put(client, |_| work as Work).map_err(|_| Undone::Full)?;
+            self.shared.wake_for(&inner);
+            ticket
+        };
         let mut waiting =
             Waiting { shared: Arc::downgrade(&self.shared), client, ticket, cancel, is_over: false };
         let asked = tokio::time::Instant::now();
@@ -232,29 +242,36 @@ impl Drop for Waiting<'_> {
 impl Shared {
     /// Gives up a thread that does not stop, if it still runs: another takes its place.
     fn lose(shared: &Arc<Self>, inner: &mut Inner, ticket: Ticket) {
-        if inner.lost < MOST_LOST && inner.queue.end(ticket) {
+        if inner.lost < MOST_LOST
+            && let Some(row) = inner.queue.end(ticket)
+        {
             inner.lost += 1;
-            Self::hire(shared, inner);
+            Self::hire(shared, row);
         }
     }
 
     /// One more thread. Where the system has no more, those that are there go on.
-    fn hire(shared: &Arc<Self>, inner: &mut Inner) {
+    fn hire(shared: &Arc<Self>, row: Row) {
         let own = Arc::downgrade(shared);
         let builder = std::thread::Builder::new().name("solve".to_owned()).stack_size(STACK);
         let helpers = shared.helpers;
-        if builder.spawn(move || with_helpers(helpers, || work_on(&own))).is_ok() {
-            inner.threads += 1;
-        }
+        let _ = builder.spawn(move || with_helpers(helpers, row, || work_on(&own, row)));
     }
 }
 
 /// Makes this thread one of a small pool of its own, which takes what a solve does in parallel.
-fn with_helpers(helpers: usize, work: impl FnOnce()) {
+fn with_helpers(helpers: usize, row: Row, work: impl FnOnce()) {
+    let place = move || {
+        if row == Row::Back {
+            priority::lower();
+        }
+    };
+    place();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(helpers)
         .use_current_thread()
         .thread_name(|_| "solve-helper".to_owned())
+        .start_handler(move |_| place())
         .stack_size(STACK)
         .build();
     // Where no more threads are to be had, all share those that are there.
@@ -263,11 +280,11 @@ fn with_helpers(helpers: usize, work: impl FnOnce()) {
 }
 
 /// Works until the pool is gone, or until this thread has been given up.
-fn work_on(shared: &Weak<Shared>) {
+fn work_on(shared: &Weak<Shared>, row: Row) {
     loop {
         // Not held while it waits longer than this: the pool could not go.
         let Some(shared) = shared.upgrade() else { return };
-        let Some((ticket, work)) = shared.next() else { continue };
+        let Some((ticket, work)) = shared.next(row) else { continue };
         let done = catch_unwind(AssertUnwindSafe(work));
         if done.is_err() {
             shared.failed.fetch_add(1, Ordering::Relaxed);
@@ -275,32 +292,53 @@ fn work_on(shared: &Weak<Shared>) {
         let mut inner = held(&shared.queue);
         if let Ok(Some(Again(lane, rest))) = done {
             inner.queue.set_back(ticket, lane, rest);
-        } else if !inner.queue.end(ticket) {
+        } else if inner.queue.end(ticket).is_none() {
             // It has a substitute.
             inner.lost = inner.lost.saturating_sub(1);
-            inner.threads = inner.threads.saturating_sub(1);
             return;
         }
-        drop(inner);
         // There is a place now that another thread may be the one to fill.
-        shared.wake.notify_one();
+        shared.wake_front.notify_one();
+        shared.wake_back.notify_one();
     }
 }
 
 impl Shared {
-    /// The next work, waited for a while.
-    fn next(&self) -> Option<(Ticket, Work)> {
+    /// The next work for a thread of a row, waited for a while.
+    fn next(&self, row: Row) -> Option<(Ticket, Work)> {
         const WHILE: Duration = Duration::from_secs(1);
         let mut inner = held(&self.queue);
         let now = Instant::now();
-        if let Some(found) = inner.queue.take(now) {
+        if let Some(found) = inner.take(now, row) {
             return Some(found);
         }
         let patience = match inner.queue.waiting() {
             0 => WHILE,
             _ => inner.queue.next_slow(now).unwrap_or(WHILE).min(WHILE),
         };
-        let (mut inner, _) = self.wake.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
-        inner.queue.take(Instant::now())
+        if row == Row::Back {
+            let waited = self.wake_back.wait_timeout(inner, patience);
+            return waited.unwrap_or_else(PoisonError::into_inner).0.take(Instant::now(), row);
+        }
+        inner.idle_in_front += 1;
+        let (mut inner, _) =
+            self.wake_front.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
+        inner.idle_in_front -= 1;
+        inner.take(Instant::now(), row)
+    }
+
+    /// Wakes who shall take what was just put in line.
+    fn wake_for(&self, inner: &Inner) {
+        self.wake_front.notify_one();
+        if inner.queue.waiting() > inner.idle_in_front {
+            self.wake_back.notify_one();
+        }
+    }
+}
+
+impl Inner {
+    fn take(&mut self, now: Instant, row: Row) -> Option<(Ticket, Work)> {
+        let leaves_quick = row == Row::Back && self.idle_in_front > 0;
+        self.queue.take(now, row, leaves_quick)
     }
 }

@@ -12,6 +12,15 @@ use std::time::{Duration, Instant};
 /// Work that takes longer is slow.
 pub(crate) const SLICE: Duration = Duration::from_millis(200);
 
+/// Where a thread stands that takes work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Row {
+    /// It has the priority of the program, and takes quick work.
+    Front,
+    /// It has a lower priority, and takes any work.
+    Back,
+}
+
 /// Where work waits and runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lane {
@@ -66,6 +75,7 @@ pub(crate) struct Full;
 struct Running {
     client: Client,
     lane: Lane,
+    row: Row,
     since: Instant,
 }
 
@@ -175,8 +185,8 @@ impl<T> Queue<T> {
         Ok(ticket)
     }
 
-    /// What shall run now, if there is a place for it.
-    pub(super) fn take(&mut self, now: Instant) -> Option<(Ticket, T)> {
+    /// What a thread of a row shall run now, if there is a place for it. `leaves_quick` leaves quick work to others.
+    pub(super) fn take(&mut self, now: Instant, row: Row, leaves_quick: bool) -> Option<(Ticket, T)> {
         let count = |lane: Lane| self.running.values().filter(|running| running.lane(now) == lane).count();
         let (quick, new, slow) = (count(Lane::Quick), count(Lane::New), count(Lane::Slow));
         let mut of: HashMap<Client, usize> = HashMap::new();
@@ -186,19 +196,20 @@ impl<T> Queue<T> {
         let share = self.places.share();
         let may = |client: Client| of.get(&client).copied().unwrap_or(0) < share;
         let mut taken = None;
-        if quick < most_quick {
+        if quick < most_quick && !leaves_quick {
             taken = self.quick.take(may).map(|found| (Lane::Quick, found));
         }
         // Places for quick work are left free, even where everything new turned out to be slow.
-        if taken.is_none() && new < most_new && new + slow + most_quick < all {
+        let takes_all = row == Row::Back;
+        if taken.is_none() && takes_all && new < most_new && new + slow + most_quick < all {
             taken = self.new.take(may).map(|found| (Lane::New, found));
         }
-        if taken.is_none() && slow < most_slow {
+        if taken.is_none() && takes_all && slow < most_slow {
             taken = self.slow.take(may).map(|found| (Lane::Slow, found));
         }
         let (lane, (client, ticket, work)) = taken?;
         self.waiting -= 1;
-        self.running.insert(ticket, Running { client, lane, since: now });
+        self.running.insert(ticket, Running { client, lane, row, since: now });
         Some((ticket, work))
     }
 
@@ -215,9 +226,9 @@ impl<T> Queue<T> {
         }
     }
 
-    /// Work that ran runs no more. Tells whether it was known to run.
-    pub(super) fn end(&mut self, ticket: Ticket) -> bool {
-        self.running.remove(&ticket).is_some()
+    /// Work that ran runs no more. Tells where it ran, if it was known to run.
+    pub(super) fn end(&mut self, ticket: Ticket) -> Option<Row> {
+        self.running.remove(&ticket).map(|running| running.row)
     }
 
     /// Takes out work that waits.
@@ -249,7 +260,7 @@ mod tests {
     }
 
     fn names(queue: &mut Queue<&'static str>, now: Instant) -> Vec<&'static str> {
-        std::iter::from_fn(|| queue.take(now).map(|(_, work)| work)).collect()
+        std::iter::from_fn(|| queue.take(now, Row::Back, false).map(|(_, work)| work)).collect()
     }
 
     #[test]
@@ -261,9 +272,9 @@ mod tests {
         }
         queue.put(B, |_| "b").unwrap();
         let mut order = Vec::new();
-        while let Some((ticket, work)) = queue.take(now) {
+        while let Some((ticket, work)) = queue.take(now, Row::Back, false) {
             order.push(work);
-            assert!(queue.end(ticket));
+            assert!(queue.end(ticket).is_some());
         }
         assert_eq!(order, ["a", "b", "a", "a"]);
         assert_eq!((queue.waiting(), queue.running()), (0, 0));
@@ -300,7 +311,7 @@ mod tests {
         let mut tickets = Vec::new();
         for client in 10..20 {
             queue.put(Client(client), |_| "slow").unwrap();
-            let (ticket, work) = queue.take(now).unwrap();
+            let (ticket, work) = queue.take(now, Row::Back, false).unwrap();
             queue.set_back(ticket, Lane::Slow, work);
             tickets.push((Client(client), ticket));
         }
@@ -311,7 +322,7 @@ mod tests {
         let (client, ticket) = tickets[5];
         assert!(queue.remove(client, ticket).is_some() && queue.remove(client, ticket).is_none());
         assert_eq!(queue.waiting(), 8);
-        assert!(queue.end(tickets[0].1));
+        assert!(queue.end(tickets[0].1).is_some());
         assert_eq!(names(&mut queue, now), ["slow"]);
     }
 
@@ -322,7 +333,7 @@ mod tests {
         let mut now = Instant::now();
         for client in 0..20 {
             queue.put(Client(client), |_| "new").unwrap();
-            let (ticket, work) = queue.take(now).unwrap();
+            let (ticket, work) = queue.take(now, Row::Back, false).unwrap();
             queue.set_back(ticket, Lane::New, work);
         }
         // All of it turns out to be slow, two at a time: four of five places are taken in the end.
@@ -341,5 +352,26 @@ mod tests {
         queue.put(A, |_| ()).unwrap();
         queue.put(A, |_| ()).unwrap();
         assert_eq!(queue.put(B, |_| ()), Err(Full));
+    }
+
+    #[test]
+    fn in_front_only_quick_work_is_done() {
+        let mut queue = queue(1, 1);
+        let now = Instant::now();
+        queue.put(A, |_| "slow").unwrap();
+        let (ticket, work) = queue.take(now, Row::Front, false).unwrap();
+        queue.set_back(ticket, Lane::Slow, work);
+        queue.put(B, |_| "quick").unwrap();
+        let (slow, _) = queue.take(now, Row::Back, true).unwrap();
+        assert_eq!(slow, ticket);
+        assert!(queue.take(now, Row::Back, true).is_none(), "somebody in front is free");
+        let (quick, work) = queue.take(now, Row::Front, false).unwrap();
+        assert_eq!(work, "quick");
+        assert_eq!(
+            (queue.end(slow), queue.end(quick), queue.end(quick)),
+            (Some(Row::Back), Some(Row::Front), None)
+        );
+        queue.put(B, |_| "quick").unwrap();
+        assert!(queue.take(now, Row::Back, false).is_some(), "nobody in front is free");
     }
 }
