@@ -17,6 +17,8 @@ enum Shape {
     List(Type),
     /// `Vec<Option<T>>`.
     MaybeList(Type),
+    /// `ItemOrList<T>`.
+    ItemOrList(Type),
     /// `Column`: a list of values of any type, where speed matters.
     Column,
     /// `Tree`.
@@ -99,7 +101,7 @@ impl Outputs {
         let port = |(shape, attribute): &(Shape, OutputAttribute)| {
             let OutputAttribute { name, nick, help, kind } = attribute;
             let (access, many) = match shape {
-                Shape::Item(_) | Shape::Maybe(_) => (quote!(Item), false),
+                Shape::Item(_) | Shape::Maybe(_) | Shape::ItemOrList(_) => (quote!(Item), false),
                 Shape::List(_) | Shape::MaybeList(_) | Shape::Column => (quote!(List), false),
                 Shape::Tree => (quote!(Tree), false),
                 Shape::EachItems(_) => (quote!(Item), true),
@@ -115,6 +117,7 @@ impl Outputs {
                     | Shape::Maybe(t)
                     | Shape::List(t)
                     | Shape::MaybeList(t)
+                    | Shape::ItemOrList(t)
                     | Shape::EachItems(t)
                     | Shape::EachLists(t),
                 ) => quote!(<#t as #parts::Item>::KIND),
@@ -141,6 +144,7 @@ impl Outputs {
         let sinks = self.results.iter().map(|(shape, _)| match shape {
             Shape::Item(t) | Shape::Maybe(t) => quote!(#parts::Items<#t>),
             Shape::List(t) | Shape::MaybeList(t) => quote!(#parts::Lists<#t>),
+            Shape::ItemOrList(t) => quote!(#parts::ItemsOrLists<#t>),
             Shape::Column => quote!(#parts::Lists<#parts::Value>),
             Shape::Tree => quote!(#parts::Trees),
             Shape::EachItems(t) => quote!(#parts::EachItems<#t>),
@@ -161,7 +165,7 @@ impl Outputs {
         };
         let results = self.results.iter().zip(&names).map(|((shape, _), name)| match shape {
             Shape::Item(_) => quote!(Some(#name)),
-            Shape::Maybe(_) | Shape::Tree => quote!(#name),
+            Shape::Maybe(_) | Shape::ItemOrList(_) | Shape::Tree => quote!(#name),
             Shape::List(_) => quote!(::katydid_component::parts::ListOf::Full(#name)),
             Shape::MaybeList(_) => quote!(::katydid_component::parts::ListOf::Gaps(#name)),
             Shape::Column => quote!(::katydid_component::parts::ListOf::Column(#name)),
@@ -187,6 +191,7 @@ fn shape(t: &Type) -> Result<Shape> {
         "Tree" => Shape::Tree,
         "Column" => Shape::Column,
         "Option" => Shape::Maybe(inner(path)?),
+        "ItemOrList" => Shape::ItemOrList(inner(path)?),
         "Vec" => {
             let t = inner(path)?;
             match optional(&t) {

@@ -53,7 +53,7 @@ pub use katydid_component_macros::component;
 pub use katydid_memory::Account;
 pub use matching::{Matching, Ranges};
 pub use message::{Level, Message, Notes};
-pub use output::Each;
+pub use output::{Each, ItemOrList};
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};
 pub use shortened::shortened;
@@ -68,6 +68,6 @@ pub mod parts {
 
     pub use crate::input::Row;
     pub use crate::iterate::run;
-    pub use crate::output::{EachItems, EachLists, EachTrees, Items, ListOf, Lists, Trees};
+    pub use crate::output::{EachItems, EachLists, EachTrees, Items, ItemsOrLists, ListOf, Lists, Trees};
     pub use crate::port::default_tree;
 }

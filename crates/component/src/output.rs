@@ -8,6 +8,16 @@ use crate::matching::Matching;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Each<T>(pub Vec<T>);
 
+/// An item or a list, as a component's settings say. Without a list anywhere it is as with items; else every iteration
+/// has a branch of its own, and an item or no result is a list of one.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ItemOrList<T> {
+    /// One item.
+    Item(Option<T>),
+    /// A list.
+    List(Vec<Option<T>>),
+}
+
 /// Collects one output's results over a run of iterations.
 #[doc(hidden)]
 pub trait Sink: Send + Sized {
@@ -156,6 +166,56 @@ impl<T: Item> Sink for Lists<T> {
     fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
         let column = self.whole.unwrap_or_else(|| self.items.finish());
         vec![list_tree(column, self.ends, matching)]
+    }
+}
+
+/// An item or a list an iteration.
+#[derive(Debug)]
+pub struct ItemsOrLists<T: Item> {
+    items: Gather<T>,
+    ends: Vec<usize>,
+    /// Whether any iteration gave a list.
+    lists: bool,
+}
+
+impl<T: Item> Sink for ItemsOrLists<T> {
+    type Result = ItemOrList<T>;
+
+    fn new(capacity: usize, _: usize) -> Self {
+        Self { items: Gather::with_capacity(capacity), ends: Vec::with_capacity(capacity), lists: false }
+    }
+
+    fn push(&mut self, result: Option<ItemOrList<T>>) {
+        match result {
+            Some(ItemOrList::Item(item)) => self.items.push(item),
+            Some(ItemOrList::List(list)) => {
+                self.lists = true;
+                list.into_iter().for_each(|item| self.items.push(item));
+            }
+            None => self.items.push(None),
+        }
+        self.ends.push(self.items.len());
+    }
+
+    fn append(&mut self, other: Self) {
+        let before = self.items.len();
+        self.items.append(other.items);
+        self.ends.extend(other.ends.into_iter().map(|end| end + before));
+        self.lists |= other.lists;
+    }
+
+    fn count(result: &ItemOrList<T>) -> usize {
+        match result {
+            ItemOrList::Item(_) => 1,
+            ItemOrList::List(list) => list.len(),
+        }
+    }
+
+    fn finish(self, matching: &Matching) -> Vec<Tree> {
+        if self.lists {
+            return vec![list_tree(self.items.finish(), self.ends, matching)];
+        }
+        Items(self.items).finish(matching)
     }
 }
 

@@ -172,33 +172,56 @@ fn messages_name_the_buffer_of_a_gltf_file() {
     }
 }
 
-/// A shapefile of one polygon of some corners.
-fn map() -> Vec<u8> {
-    let corners = [[0.0, 0.0], [0.0, 4.0], [4.0, 4.0], [4.0, 0.0], [0.0, 0.0]];
-    let mut body: Vec<u8> = Vec::new();
-    body.extend(5_i32.to_le_bytes());
-    body.extend([0.0_f64, 0.0, 4.0, 4.0].into_iter().flat_map(f64::to_le_bytes));
-    body.extend([1, corners.len() as i32, 0].into_iter().flat_map(i32::to_le_bytes));
-    body.extend(corners.into_iter().flatten().flat_map(f64::to_le_bytes));
+/// A shapefile of records with these bytes.
+fn shapefile(records: &[Vec<u8>]) -> Vec<u8> {
+    let length = 100 + records.iter().map(|record| 8 + record.len()).sum::<usize>();
     let mut file: Vec<u8> = 9994_i32.to_be_bytes().to_vec();
     file.extend([0; 20]);
-    file.extend(((100 + 8 + body.len()) as i32 / 2).to_be_bytes());
+    file.extend((length as i32 / 2).to_be_bytes());
     file.extend([1000_i32, 5].into_iter().flat_map(i32::to_le_bytes));
     file.extend([0.0_f64, 0.0, 4.0, 4.0, 0.0, 0.0, 0.0, 0.0].into_iter().flat_map(f64::to_le_bytes));
-    file.extend(1_i32.to_be_bytes());
-    file.extend((body.len() as i32 / 2).to_be_bytes());
-    file.extend(body);
+    for (k, record) in records.iter().enumerate() {
+        file.extend((k as i32 + 1).to_be_bytes());
+        file.extend((record.len() as i32 / 2).to_be_bytes());
+        file.extend(record);
+    }
     file
 }
 
-/// Four atoms and their bonds.
-fn molecule() -> Vec<u8> {
+/// Shapefiles of one polygon, and of every kind of shape that is read.
+fn maps() -> [Vec<u8>; 2] {
+    let record = |kind: i32, counts: &[i32], numbers: &[f64]| {
+        let mut body: Vec<u8> = kind.to_le_bytes().to_vec();
+        if !counts.is_empty() {
+            body.extend([0.0_f64, 0.0, 4.0, 4.0].into_iter().flat_map(f64::to_le_bytes));
+        }
+        body.extend(counts.iter().flat_map(|n| n.to_le_bytes()));
+        body.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
+        body
+    };
+    let corners = [0.0, 0.0, 0.0, 4.0, 4.0, 4.0, 4.0, 0.0, 0.0, 0.0];
+    let polygon = record(5, &[1, 5, 0], &corners);
+    let all = [
+        record(1, &[], &[1.0, 2.0]),
+        record(11, &[], &[1.0, 2.0, 3.0, 0.0]),
+        record(18, &[1], &[5.0, 6.0, 7.0, 7.0, 7.0]),
+        record(3, &[2, 5, 0, 2], &corners),
+        record(15, &[1, 3, 0], &[0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 9.0, 9.0, 9.0, 9.0, 9.0]),
+        polygon.clone(),
+    ];
+    [shapefile(&[polygon]), shapefile(&all)]
+}
+
+/// Four atoms and their bonds, and the same twice, as models.
+fn molecules() -> [Vec<u8>; 2] {
     let atom = |k: i32| {
         let x = f64::from(k) * 1.5;
-        format!("ATOM  {k:5}  C   ALA A   1    {x:8.3}{x:8.3}{x:8.3}  1.00  0.00           C\n")
+        format!("ATOM  {k:5}  C   ALA A   1    {x:8.3}{x:8.3}{x:8.3}  1.00  0.00           C1-\n")
     };
     let atoms: String = (1..5).map(atom).collect();
-    format!("{atoms}CONECT    1    2\nCONECT    2    3\nCONECT    3    4\nEND\n").into_bytes()
+    let bonds = "CONECT    1    2\nCONECT    2    3\nCONECT    3    4\nEND\n";
+    let models = format!("MODEL        1\n{atoms}ENDMDL\nMODEL        2\n{atoms}ENDMDL\n{bonds}");
+    [format!("{atoms}{bonds}").into_bytes(), models.into_bytes()]
 }
 
 /// Damages a file in a few places.
@@ -230,25 +253,34 @@ fn damaged(sound: &[u8], random: &mut impl FnMut() -> usize) -> Vec<u8> {
     file
 }
 
-/// Reads damaged shapefiles and molecules, so many of each.
-fn read_damaged(count: usize) {
-    let mut state = 88_172_645_463_325_252_u64;
+/// Reads damaged shapefiles and molecules, so many of each. Other seeds damage them otherwise.
+fn read_damaged(count: usize, seed: u64) {
+    let mut state = 88_172_645_463_325_252_u64 ^ seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mut random = move || {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
         state as usize
     };
-    let (map, molecule) = (map(), molecule());
-    assert_eq!(shp::read(&map).unwrap().polygons.len(), 1);
-    assert_eq!(pdb::read(&molecule).unwrap().bonds.len(), 3);
-    for _ in 0..count {
-        let file = damaged(&map, &mut random);
+    let (maps, molecules) = (maps(), molecules());
+    let read = maps.each_ref().map(|map| shp::read(map).unwrap());
+    assert_eq!(
+        read.each_ref().map(|map| (map.points.len(), map.lines.len(), map.polygons.len())),
+        [(0, 0, 1), (3, 2, 2)]
+    );
+    assert!(read.iter().all(|map| map.left_out.is_empty()));
+    let read = molecules.each_ref().map(|molecule| pdb::read(molecule).unwrap());
+    assert_eq!(
+        read.each_ref().map(|molecule| (molecule.atoms.len(), molecule.bonds.len())),
+        [(4, 3), (8, 6)]
+    );
+    for k in 0..count {
+        let file = damaged(&maps[k % 2], &mut random);
         if let Ok(map) = shp::read(&file) {
             let lines = map.lines.iter().chain(map.polygons.iter().flatten()).map(Vec::len).sum::<usize>();
             assert!((map.points.len() + lines) * 16 <= file.len(), "{file:?}");
         }
-        let file = damaged(&molecule, &mut random);
+        let file = damaged(&molecules[k % 2], &mut random);
         if let Ok(molecule) = pdb::read(&file) {
             let text = String::from_utf8_lossy(&file);
             assert!(molecule.atoms.iter().all(|atom| atom.point.is_finite()), "{text}");
@@ -259,12 +291,13 @@ fn read_damaged(count: usize) {
 
 #[test]
 fn damaged_maps_and_molecules_end_well() {
-    read_damaged(5_000);
+    read_damaged(5_000, 0);
 }
 
-/// As the targets in `fuzz/`, where there is no fuzzer: some minutes.
+/// As the targets in `fuzz/`, where there is no fuzzer: some minutes, or as many seeds as `KATYDID_SEEDS` says.
 #[test]
 #[ignore = "it takes minutes"]
 fn many_damaged_maps_and_molecules_end_well() {
-    read_damaged(20_000_000);
+    let seeds = std::env::var("KATYDID_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(200_u64);
+    (1..=seeds).for_each(|seed| read_damaged(100_000, seed));
 }

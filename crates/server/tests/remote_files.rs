@@ -238,6 +238,45 @@ async fn who_joins_reads_no_file_of_the_machine() {
     assert!(!face.heard.contains(SECRET) && !face.heard.contains("4711.25"));
 }
 
+/// An Image Gallery shows a file small to who opens it on the machine, and its name to who joins, by any path.
+#[tokio::test(flavor = "multi_thread")]
+async fn galleries_show_who_joins_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = files(folder.path());
+    let paths = paths(own.parent().unwrap(), "secret.png");
+    let local = Studio::start_with(|config| Config { file: Some(own.clone()), ..config }).await;
+    let mut face = local.join(&first(&local)).await;
+    let found = pictured(&mut face, &paths).await;
+    assert!(found.iter().filter(|found| **found).count() >= 10, "{found:?}");
+    let studio = Studio::start_with(shared(&own, Vec::new())).await;
+    let mut face = studio.join(&first(&studio)).await;
+    assert_eq!(pictured(&mut face, &paths).await, vec![false; found.len()]);
+    let opened = Studio::start_with(shared(&own, vec![own.parent().unwrap().to_path_buf()])).await;
+    let mut face = opened.join(&first(&opened)).await;
+    assert!(pictured(&mut face, &paths[..2]).await.iter().all(|found| *found));
+}
+
+/// Of each path whether a gallery shows the picture there.
+async fn pictured(face: &mut Face, paths: &[String]) -> Vec<bool> {
+    let list: Vec<String> = paths.iter().map(|path| quoted(path)).collect();
+    let text = format!("katydid 1\ngallery = Image Gallery([{}])\n", list.join(", "));
+    let made = face.edit(Edit::Paste { text, at: None, seed: Uuid::from_u128(9) }).await;
+    assert!(is_done(&made), "{made:?}");
+    settled(face).await;
+    let gallery = face.named("gallery");
+    let port = face.objects[&gallery].outputs.first().map_or(gallery, |output| output.id);
+    match face.ask(Ask::Pictures { port, within: vec![] }).await {
+        Event::Pictures { pictures, .. } => pictures
+            .iter()
+            .map(|view| {
+                assert!(!view.name.is_empty());
+                view.image.is_some()
+            })
+            .collect(),
+        other => panic!("{other:?}"),
+    }
+}
+
 /// Turns the reader of the owner's definition to another file, by every edit that may do so.
 async fn edited(face: &mut Face, home: &Path) {
     let path = home.join("secret.txt").display().to_string();

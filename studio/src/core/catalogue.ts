@@ -81,6 +81,10 @@ export const IDS = {
   scribble: "7f5c6c55-f846-4a08-9c9a-cfdc285cc6fe",
   point: "fbac3e32-f100-4292-8692-77240a42fd1a",
   viewer: "72a29b54-2e48-474b-a400-d2124c4edf79",
+  quickGraph: "2b69bf71-4e69-43aa-b7be-4f6ce7e45bef",
+  barGraph: "e1905a16-da43-4705-bd65-41d34328c4e6",
+  imageGallery: "54ab3f01-a769-4742-a7bf-cec48a1acb6f",
+  pieChart: "952c2bcc-b5ec-480a-a0d7-27f016632e33",
 } as const;
 
 /** The component of a name, a new one before an old one. */

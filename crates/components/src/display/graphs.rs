@@ -91,8 +91,9 @@ fn value_tracker(
 
 /// Shows pictures on the canvas, and hands them on.
 ///
-/// Coloured meshes, which Import Image gives, are seen from above, colours fill a frame; of anything else, the path of a
-/// file say, the frame has the name.
+/// Coloured meshes, which Import Image gives, are seen from above, colours fill a frame, and paths of pictures (PNG, JPEG,
+/// BMP, GIF) show them small in the studio, as far as the definition may read files. Of anything else the frame has the
+/// name, and so it has of files in pictures of the canvas.
 #[component(
     "54ab3f01-a769-4742-a7bf-cec48a1acb6f",
     name = "Image Gallery",
@@ -109,7 +110,7 @@ fn image_gallery(
 ) -> Tree {
     reading(
         context,
-        "What data it takes is not documented: meshes and colours are shown, of all else the name",
+        "What data it takes is not documented: pictures, meshes and colours are shown, of all else the name",
     );
     data.clone()
 }

@@ -1,6 +1,6 @@
 //! Vector / Point: points among points and other geometry.
 
-use katydid_component::{Context, List, Message, component};
+use katydid_component::{Context, ItemOrList, List, Message, component};
 use katydid_data::{Geometry, Path, Tree, TreeBuilder, Value};
 use katydid_geometry::{Curve, Point3, Vector3};
 
@@ -104,7 +104,9 @@ fn closest_points(
 
 /// The nearest point on any of several pieces of geometry.
 ///
-/// Works with points, planes, curves, Breps, meshes and boxes (on their skin). Nulls are skipped.
+/// Works with points, planes, curves, Breps, meshes and boxes (on their skin). Nulls are skipped. The object's menu can
+/// switch off that only the closest one counts: then every piece has its nearest point and its distance, in the order of
+/// the list, with nulls for nulls, and every point has a branch of its own.
 #[component("902289da-28dc-454b-98d4-b8f8aa234516", name = "Pull Point", nick = "Pull", at = "Vector/Point")]
 #[output("Closest Point", "P", "The nearest point; nothing without geometry.")]
 #[output("Distance", "D", "The distance to it.")]
@@ -116,11 +118,34 @@ fn pull_point(
     /// What to pull it to.
     #[port("Geometry", "G")]
     geometry: List<Geometry>,
-) -> Result<(Option<Point3>, Option<f64>), Message> {
-    if context.settings().bool("ClosestOnly") == Some(false) {
-        return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
+) -> Result<(ItemOrList<Point3>, ItemOrList<f64>), Message> {
+    pulled(context, point, &geometry, context.settings().bool("ClosestOnly").unwrap_or(true))
+}
+
+/// A point pulled: where it comes to, and how far that is.
+type Pulled = (ItemOrList<Point3>, ItemOrList<f64>);
+
+/// The nearest point of all pieces of geometry, or of each.
+fn pulled(
+    context: &Context<'_>,
+    point: Point3,
+    geometry: &List<'_, Geometry>,
+    closest_only: bool,
+) -> Result<Pulled, Message> {
+    if closest_only {
+        let (place, distance) = nearest(context, point, geometry)?;
+        return Ok((ItemOrList::Item(place), ItemOrList::Item(distance)));
     }
-    nearest(context, point, &geometry)
+    let mut places = Vec::with_capacity(geometry.len());
+    for piece in geometry.iter() {
+        context.check()?;
+        places.push(match piece {
+            Some(piece) => hit::closest(context, &piece.0, point)?,
+            None => None,
+        });
+    }
+    let distances = places.iter().map(|q| q.map(|q| q.distance_to(point))).collect();
+    Ok((ItemOrList::List(places), ItemOrList::List(distances)))
 }
 
 /// The nearest point of several pieces of geometry and its distance.
@@ -169,14 +194,11 @@ fn early_pull_point(
     /// What to pull it to.
     #[port("Geometry", "G")]
     geometry: List<Geometry>,
-    /// Whether only the nearest piece of geometry counts; the only way there is here.
+    /// Whether only the nearest piece of geometry counts; else each has its own nearest point.
     #[port("Closest", "C", default = true)]
     closest: bool,
-) -> Result<(Option<Point3>, Option<f64>), Message> {
-    if !closest {
-        return Err(Message::error("Pulling to each piece of geometry by itself is not supported yet"));
-    }
-    nearest(context, point, &geometry)
+) -> Result<(ItemOrList<Point3>, ItemOrList<f64>), Message> {
+    pulled(context, point, &geometry, closest)
 }
 
 /// Follows a direction from a point to the first geometry that it meets.
@@ -394,6 +416,7 @@ fn sort_along_curve(
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
+    use katydid_data::Value;
     use katydid_geometry::{Box3, Circle, Interval, Line, Mesh, MeshFace, Plane, Point3, Vector3};
 
     fn row(xs: &[f64]) -> Vec<Point3> {
@@ -465,6 +488,38 @@ mod tests {
         assert_eq!(project(Point3::new(-1.0, 0.0, 1.0)).texts(1), ["{0}: -1"]);
         let up = Trial::of("Project Point").item(p).item(Vector3::Z).item(mesh);
         assert_eq!(up.texts(0), ["{0}: {5, 1, 0}"]);
+    }
+
+    /// Each piece by itself: of a line, a circle, a point and a plane the feet are worked out by hand.
+    #[test]
+    fn pulled_to_each() {
+        let pieces = || {
+            let line: Value = Line::new(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0)).into();
+            let circle: Value = Circle { plane: Plane::XY, radius: 2.0 }.into();
+            let point: Value = Point3::new(6.0, 8.0, 1.0).into();
+            [Some(line), Some(circle), None, Some(point), Some(Plane::XY.into())]
+        };
+        let two = [Point3::new(6.0, 8.0, 0.0), Point3::new(3.0, -4.0, 12.0)];
+        let early = "cf3a0865-4882-46bd-91a1-d512acf95be4";
+        let by_setting = || Trial::of("Pull Point").setting("ClosestOnly", false).list(two).gaps(pieces());
+        let by_port = || Trial::of_guid(early).list(two).gaps(pieces()).item(false);
+        for [places, distances] in
+            [[by_setting().texts(0), by_setting().texts(1)], [by_port().texts(0), by_port().texts(1)]]
+        {
+            assert_eq!(places[0], "{0;0}: {3, 0, 0}, {1.2, 1.6, 0}, null, {6, 8, 1}, {6, 8, 0}");
+            assert_eq!(places[1], "{0;1}: {3, 0, 0}, {1.2, -1.6, 0}, null, {6, 8, 1}, {3, -4, 0}");
+            // √(3² + 8²), 10 − 2, 1 and 0; √(4² + 12²), √((5 − 2)² + 12²), √(3² + 12² + 11²) and 12.
+            let [a, b, c] = [73_f64, 153.0, 274.0].map(|x| format!("{:.6}", x.sqrt()));
+            assert_eq!(distances[0], format!("{{0;0}}: {a}, 8, null, 1, 0"));
+            assert_eq!(distances[1], format!("{{0;1}}: 12.649111, {b}, null, {c}, 12"));
+        }
+        // The closest alone is an item, as before.
+        let closest = Trial::of("Pull Point").setting("ClosestOnly", true).list(two).gaps(pieces());
+        assert_eq!(closest.texts(1), ["{0}: 0, 12"]);
+        assert_eq!(Trial::of_guid(early).list(two).gaps(pieces()).item(true).texts(1), ["{0}: 0, 12"]);
+        let none: [Option<Value>; 0] = [];
+        let trial = Trial::of("Pull Point").setting("ClosestOnly", false).item(two[0]).gaps(none);
+        assert_eq!(trial.texts(0), ["{0;0}:"]);
     }
 
     #[test]

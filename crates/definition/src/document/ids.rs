@@ -49,6 +49,14 @@ pub const DATA_DAM: Uuid = uuid!("65283518-ad00-49d3-87fb-f76823ebb162");
 pub const DATA_RECORDER: Uuid = uuid!("401aa475-997a-4139-991d-f980ffdcf908");
 /// Value Tracker.
 pub const VALUE_TRACKER: Uuid = uuid!("615367b4-c9d0-4cb7-986c-cb861226136f");
+/// Quick Graph.
+pub const QUICK_GRAPH: Uuid = uuid!("2b69bf71-4e69-43aa-b7be-4f6ce7e45bef");
+/// Bar Graph.
+pub const BAR_GRAPH: Uuid = uuid!("e1905a16-da43-4705-bd65-41d34328c4e6");
+/// Pie Chart.
+pub const PIE_CHART: Uuid = uuid!("952c2bcc-b5ec-480a-a0d7-27f016632e33");
+/// Image Gallery.
+pub const IMAGE_GALLERY: Uuid = uuid!("54ab3f01-a769-4742-a7bf-cec48a1acb6f");
 /// Cherry Picker.
 pub const CHERRY_PICKER: Uuid = uuid!("0ab6acbf-40a6-40e1-a14e-cf0c06268e68");
 /// Image Sampler.

@@ -41,7 +41,7 @@ pub use face::MeshFace;
 pub use heal::Healing;
 pub use hits::{MeshClash, MeshHit};
 pub use of_surface::SurfaceMeshing;
-pub use remesh::{QuadOptions, RemeshOptions, Remeshed};
+pub use remesh::{GuideKind, QuadOptions, RemeshOptions, Remeshed};
 pub use smooth::Smoothing;
 pub use topology::MeshEdge;
 pub use tree::MeshTree;

@@ -262,12 +262,17 @@ pub(super) struct Greatest {
     length: f64,
 }
 
+/// The greater of two numbers; the first one where the second is none. One instruction, which [`f64::max`] is not.
+pub(super) fn greater(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
 impl Greatest {
     pub(super) fn include(&mut self, v: Vector3, n: Vector3) {
         let along = v.dot(n);
-        self.normal = self.normal.max(along.abs());
-        self.tangent = self.tangent.max((v - n * along).length_squared());
-        self.length = self.length.max(v.length_squared());
+        self.normal = greater(self.normal, along.abs());
+        self.tangent = greater(self.tangent, (v - n * along).length_squared());
+        self.length = greater(self.length, v.length_squared());
     }
 
     pub(super) fn size(self) -> Size {

@@ -1,6 +1,6 @@
 //! Bézier patches and bounds of their derivatives by control points.
 
-use super::bend::{Greatest, Size};
+use super::bend::{Greatest, Size, greater};
 use crate::Vector3;
 
 /// A Bézier patch over the unit square: homogeneous control points, v running fastest.
@@ -21,23 +21,15 @@ impl Patch {
 
     /// The part over a rectangle of the unit square, as a patch of its own.
     pub(super) fn part(&self, [u, v]: [[f64; 2]; 2]) -> Self {
-        let [p, q] = self.degrees;
+        let q = self.degrees[1];
         let mut points = self.points.clone();
-        let mut line = Vec::with_capacity(p.max(q) + 1);
         if v != [0.0, 1.0] {
             for row in points.chunks_mut(q + 1) {
-                restrict(row, v);
+                restrict(row, 1, v);
             }
         }
         if u != [0.0, 1.0] {
-            for j in 0..=q {
-                line.clear();
-                line.extend(points.iter().skip(j).step_by(q + 1));
-                restrict(&mut line, u);
-                for (slot, x) in points.iter_mut().skip(j).step_by(q + 1).zip(&line) {
-                    *slot = *x;
-                }
-            }
+            restrict(&mut points, q + 1, u);
         }
         Self { degrees: self.degrees, points }
     }
@@ -47,35 +39,40 @@ impl Patch {
     pub(super) fn partials(&self, bases: &[Bases; 2]) -> [[Vector3; 2]; 9] {
         const PLACES: [[usize; 2]; 9] =
             [[1, 1], [0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]];
-        PLACES.map(|[i, j]| self.partials_at(&bases[0].0[i], &bases[1].0[j]))
-    }
-
-    fn partials_at(&self, u: &Basis, v: &Basis) -> [Vector3; 2] {
-        let [mut point, mut by_u, mut by_v] = [[0.0; 4]; 3];
-        for (i, row) in self.points.chunks(self.degrees[1] + 1).enumerate() {
-            let (a, da) = u.at(i);
-            if a == 0.0 && da == 0.0 {
-                continue;
-            }
-            for (j, c) in row.iter().enumerate() {
-                let (b, db) = v.at(j);
-                // At an end all but two are zero.
-                if b == 0.0 && db == 0.0 {
-                    continue;
+        // The point, and its derivatives by u and by v, at three places of u times three of v.
+        let mut sums = [[[[0.0_f64; 4]; 3]; 3]; 3];
+        for (row, by_u) in self.points.chunks(self.degrees[1] + 1).zip(&bases[0].0) {
+            // The row's own point and derivative at the three places: all rows are mixed from these.
+            let mut own = [[[0.0_f64; 4]; 2]; 3];
+            for (c, by_v) in row.iter().zip(&bases[1].0) {
+                for (own, &(b, db)) in own.iter_mut().zip(by_v) {
+                    // At an end all but two are zero.
+                    if b != 0.0 || db != 0.0 {
+                        add(&mut own[0], c, b);
+                        add(&mut own[1], c, db);
+                    }
                 }
-                for k in 0..4 {
-                    point[k] += a * b * c[k];
-                    by_u[k] += da * b * c[k];
-                    by_v[k] += a * db * c[k];
+            }
+            for (sums, &(a, da)) in sums.iter_mut().zip(by_u) {
+                if a != 0.0 || da != 0.0 {
+                    for (sum, own) in sums.iter_mut().zip(&own) {
+                        add(&mut sum[0], &own[0], a);
+                        add(&mut sum[1], &own[0], da);
+                        add(&mut sum[2], &own[1], a);
+                    }
                 }
             }
         }
-        // S = A/w: Su = (Au − wu S)/w.
-        let place = [0, 1, 2].map(|k| point[k] / point[3]);
-        [by_u, by_v].map(|d| {
-            let [x, y, z] = [0, 1, 2].map(|k| (d[k] - d[3] * place[k]) / point[3]);
-            Vector3::new(x, y, z)
-        })
+        let mut out = [[Vector3::ZERO; 2]; 9];
+        for (out, [i, j]) in out.iter_mut().zip(PLACES) {
+            // S = A/w: Su = (Au − wu S)/w.
+            let [point, by_u, by_v] = &sums[i][j];
+            let weight = 1.0 / point[3];
+            let place = Vector3::new(point[0], point[1], point[2]) * weight;
+            let partial = |d: &[f64; 4]| (Vector3::new(d[0], d[1], d[2]) - place * d[3]) * weight;
+            *out = [partial(by_u), partial(by_v)];
+        }
+        out
     }
 
     /// Bounds of the lengths of the first derivatives and of the second derivatives by uu, uv and vv, for parameters
@@ -162,9 +159,10 @@ impl Patch {
         let weight = |l: usize| at(0, l)[3];
         let mut points = Vec::with_capacity((along + 1) * (across + 1));
         for l in 0..=across {
+            let own = 1.0 / weight(l);
             points.extend((0..=along).map(|k| {
                 let c = at(k, l);
-                Vector3::new(c[0], c[1], c[2]) / c[3]
+                Vector3::new(c[0], c[1], c[2]) * own
             }));
         }
         let point = |k: usize, l: usize| points.get(l * (along + 1) + k).copied().unwrap_or(Vector3::ZERO);
@@ -178,7 +176,7 @@ impl Patch {
         for l in 0..=across {
             for k in 0..along {
                 let own = step(k, l);
-                first = first.max(own.length_squared());
+                first = greater(first, own.length_squared());
                 reach.include(own - centre, n);
                 if k + 1 < along {
                     let bend = step(k + 1, l) - own;
@@ -204,45 +202,42 @@ impl Patch {
     }
 }
 
-/// The Bernstein polynomials of one degree at the start, in the middle and at the end.
-pub(super) struct Bases([Basis; 3]);
+fn add(sum: &mut [f64; 4], point: &[f64; 4], factor: f64) {
+    for (sum, x) in sum.iter_mut().zip(point) {
+        *sum += factor * x;
+    }
+}
+
+/// The Bernstein polynomials of one degree with their derivatives, each at the start, in the middle and at the end.
+pub(super) struct Bases(Vec<[(f64, f64); 3]>);
 
 impl Bases {
     pub(super) fn new(degree: usize) -> Self {
-        Self([0.0, 0.5, 1.0].map(|t| Basis::new(degree, t)))
+        let places = [0.0, 0.5, 1.0].map(|t| bernstein(degree, t));
+        Self((0..=degree).map(|i| [0, 1, 2].map(|k| places[k].get(i).copied().unwrap_or_default())).collect())
     }
 }
 
 /// The Bernstein polynomials of one degree at a parameter, and their derivatives.
-struct Basis {
-    values: Vec<(f64, f64)>,
-}
-
-impl Basis {
-    fn new(degree: usize, t: f64) -> Self {
-        // Those of the degree below first: they give the derivatives, and one step more gives the values.
-        let mut lower = vec![0.0; degree.max(1)];
-        lower[0] = 1.0;
-        for level in 1..degree {
-            for i in (0..=level).rev() {
-                let before = if i > 0 { lower[i - 1] } else { 0.0 };
-                lower[i] = (1.0 - t) * lower[i] + t * before;
-            }
+fn bernstein(degree: usize, t: f64) -> Vec<(f64, f64)> {
+    // Those of the degree below first: they give the derivatives, and one step more gives the values.
+    let mut lower = vec![0.0; degree.max(1)];
+    lower[0] = 1.0;
+    for level in 1..degree {
+        for i in (0..=level).rev() {
+            let before = if i > 0 { lower[i - 1] } else { 0.0 };
+            lower[i] = (1.0 - t) * lower[i] + t * before;
         }
-        let at = |i: usize| lower.get(i).copied().unwrap_or(0.0);
-        let values = (0..=degree).map(|i| {
-            let before = if i > 0 { at(i - 1) } else { 0.0 };
-            if degree == 0 {
-                return (1.0, 0.0);
-            }
-            ((1.0 - t) * at(i) + t * before, degree as f64 * (before - at(i)))
-        });
-        Self { values: values.collect() }
     }
-
-    fn at(&self, i: usize) -> (f64, f64) {
-        self.values.get(i).copied().unwrap_or_default()
-    }
+    let at = |i: usize| lower.get(i).copied().unwrap_or(0.0);
+    let values = (0..=degree).map(|i| {
+        let before = if i > 0 { at(i - 1) } else { 0.0 };
+        if degree == 0 {
+            return (1.0, 0.0);
+        }
+        ((1.0 - t) * at(i) + t * before, degree as f64 * (before - at(i)))
+    });
+    values.collect()
 }
 
 /// Bounds of the first and second derivatives of a rational curve: its degree and control points, the degree over the
@@ -258,7 +253,7 @@ fn row_bounds(degree: usize, at: impl Fn(usize) -> [f64; 4], n: Vector3, by: f64
         let c = at(k);
         // About the middle point, so that what the weights multiply is small.
         let c = [c[0] - c[3] * centre[0], c[1] - c[3] * centre[1], c[2] - c[3] * centre[2], c[3]];
-        reach.include(Vector3::new(c[0], c[1], c[2]) / c[3], n);
+        reach.include(Vector3::new(c[0], c[1], c[2]) * (1.0 / c[3]), n);
         if let Some(before) = before {
             let step = minus(&c, &before);
             once.include(step, by, n);
@@ -299,7 +294,7 @@ struct NetBounds {
 impl Net {
     fn include(&mut self, d: [f64; 4], scale: f64, n: Vector3) {
         self.size.include(Vector3::new(d[0], d[1], d[2]) * scale, n);
-        self.weight = self.weight.max((d[3] * scale).abs());
+        self.weight = greater(self.weight, (d[3] * scale).abs());
     }
 
     fn done(self) -> NetBounds {
@@ -329,15 +324,25 @@ impl Size {
     }
 }
 
-/// Restricts Bézier control points to a part of the unit interval, by de Casteljau's algorithm at both ends.
-fn restrict(points: &mut [[f64; 4]], [from, to]: [f64; 2]) {
-    let n = points.len();
-    let mix =
-        |a: [f64; 4], b: [f64; 4], x: f64| std::array::from_fn::<f64, 4, _>(|k| a[k] + (b[k] - a[k]) * x);
+/// Restricts rows of Bézier control points, of so many points each, to a part of the unit interval across them, by de
+/// Casteljau's algorithm at both ends.
+fn restrict(points: &mut [[f64; 4]], width: usize, [from, to]: [f64; 2]) {
+    let n = points.len() / width;
+    // Two neighbouring rows become one between them: in place of the later one, or of the earlier one.
+    let mut mix = |i: usize, later: bool, x: f64| {
+        let Some(pair) = points.get_mut(i * width..(i + 2) * width) else { return };
+        let (first, second) = pair.split_at_mut(width);
+        for (a, b) in first.iter_mut().zip(second) {
+            for (a, b) in a.iter_mut().zip(b) {
+                let mixed = *a + (*b - *a) * x;
+                *(if later { b } else { a }) = mixed;
+            }
+        }
+    };
     if to != 1.0 {
         for level in 1..n {
             for i in (level..n).rev() {
-                points[i] = mix(points[i - 1], points[i], to);
+                mix(i - 1, true, to);
             }
         }
     }
@@ -345,7 +350,7 @@ fn restrict(points: &mut [[f64; 4]], [from, to]: [f64; 2]) {
         let x = if to != 0.0 { from / to } else { 0.0 };
         for level in 1..n {
             for i in 0..n - level {
-                points[i] = mix(points[i], points[i + 1], x);
+                mix(i, false, x);
             }
         }
     }

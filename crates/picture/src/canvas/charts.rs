@@ -5,17 +5,11 @@ use std::f64::consts::TAU;
 use katydid_data::{Colour, Tree, Value, text};
 use katydid_definition::document::ids;
 use katydid_geometry::{BoundingBox, Mesh};
-use uuid::{Uuid, uuid};
 
 use super::capsule::{grips, middle, window};
 use super::{Placed, theme};
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
 use crate::font;
-
-const QUICK_GRAPH: Uuid = uuid!("2b69bf71-4e69-43aa-b7be-4f6ce7e45bef");
-const BAR_GRAPH: Uuid = uuid!("e1905a16-da43-4705-bd65-41d34328c4e6");
-const PIE_CHART: Uuid = uuid!("952c2bcc-b5ec-480a-a0d7-27f016632e33");
-const IMAGE_GALLERY: Uuid = uuid!("54ab3f01-a769-4742-a7bf-cec48a1acb6f");
 
 /// More values than this are not drawn: nobody could tell them apart.
 const MOST: usize = 10_000;
@@ -45,11 +39,11 @@ fn paint(k: usize) -> Colour {
 /// The chart of an object that draws one.
 pub(super) fn draw(one: &Placed<'_>) -> Option<Vec<Item>> {
     let chart = match one.object.component {
-        QUICK_GRAPH => lines,
-        BAR_GRAPH => bars,
-        PIE_CHART => sectors,
+        ids::QUICK_GRAPH => lines,
+        ids::BAR_GRAPH => bars,
+        ids::PIE_CHART => sectors,
         ids::VALUE_TRACKER => tracker,
-        IMAGE_GALLERY => gallery,
+        ids::IMAGE_GALLERY => gallery,
         _ => return None,
     };
     let history = one.report.and_then(|report| report.history());

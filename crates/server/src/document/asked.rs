@@ -10,6 +10,7 @@ use uuid::Uuid;
 
 use super::actor::Actor;
 use super::solving::Work;
+use super::thumbnails::pictures;
 use super::worker::Job;
 use super::{Download, FaceId};
 use crate::files::{self, Form};
@@ -101,6 +102,7 @@ impl Actor {
                 let wanted = Wanted { port, from, count, digits: Digits::of(exact) };
                 return self.rows(id, seq, wanted, &within);
             }
+            Ask::Pictures { port, within } => return Ok(self.pictures(id, seq, port, within)),
             Ask::Copy { objects, within } => {
                 let text = self.editor.copy(&objects, &within).map_err(told)?;
                 return Ok(Answer::Event(Box::new(Event::Copied { seq, text })));
@@ -168,6 +170,31 @@ impl Actor {
         };
         self.inquire(Box::new(inquiry));
         Ok(Answer::Later)
+    }
+
+    /// Small pictures of the data of a port, when the worker comes to it: it knows which files the document may read.
+    fn pictures(&mut self, id: FaceId, seq: u64, port: Uuid, within: Vec<Uuid>) -> Answer {
+        let style = self.style();
+        let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
+            return Answer::Later;
+        };
+        let inquiry = move |engine: &katydid_solver::Engine| {
+            let document = engine.document();
+            let report = |id: Uuid| {
+                let place = document.objects.iter().position(|object| object.id == id)?;
+                engine.report(place).cloned()
+            };
+            let tree = Solution::new(document, &report).data(port, &within);
+            outbox.put(match tree {
+                Some(tree) => {
+                    let pictures = pictures(&tree, &engine.options().files, &style);
+                    Event::Pictures { seq, pictures }
+                }
+                None => Event::Refused { seq, reason: "it has no data".to_owned() },
+            });
+        };
+        self.inquire(Box::new(inquiry));
+        Answer::Later
     }
 
     /// Saves the document where it is kept, or at a path of this machine.

@@ -14,6 +14,7 @@ mod journal;
 mod outbox;
 mod solving;
 mod source;
+mod thumbnails;
 mod worker;
 
 use std::sync::Arc;

@@ -238,6 +238,7 @@ impl Face {
                     event @ (Event::Done { seq, .. }
                     | Event::Refused { seq, .. }
                     | Event::Rows { seq, .. }
+                    | Event::Pictures { seq, .. }
                     | Event::Copied { seq, .. }),
                 ) if seq == mine => return event,
                 _ => {}

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{CombMeasure, DocumentView, ObjectView, Probed};
+use super::{Colour, CombMeasure, DocumentView, ObjectView, Probed};
 
 /// What the session tells a face.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,6 +34,8 @@ pub enum Event {
     Refused { seq: u64, reason: String },
     /// Rows of data, in answer to `Rows`.
     Rows { seq: u64, page: Page },
+    /// Small pictures, in answer to `Pictures`.
+    Pictures { seq: u64, pictures: Vec<PictureView> },
     /// The clipboard's text, in answer to `Copy`.
     Copied { seq: u64, text: String },
     /// A solve has begun or gone on. Solves are numbered; what belongs to an older one can be thrown away.
@@ -179,6 +181,18 @@ pub enum Structure {
     List,
     /// A tree: two broken lines.
     Tree,
+}
+
+/// What an Image Gallery shows of an item.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct PictureView {
+    /// The name of the file, or the item in words.
+    pub name: String,
+    /// A small picture, as an address that holds all of it.
+    pub image: Option<String>,
+    /// The colour that the item is.
+    pub colour: Option<Colour>,
 }
 
 /// Rows of data as a panel shows them.

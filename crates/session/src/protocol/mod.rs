@@ -24,8 +24,8 @@ pub use analysis::{
 pub use control::{Control, GraphView, GripView, ListItemView, ListModeView, RoundingView, Setting};
 pub use edit::{Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange};
 pub use event::{
-    DocumentState, Event, MessageView, Notice, OutputView, Page, Problem, Restored, ResultView, Row,
-    Structure,
+    DocumentState, Event, MessageView, Notice, OutputView, Page, PictureView, Problem, Restored, ResultView,
+    Row, Structure,
 };
 pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType};
 pub use request::{Ask, Request, SaveFormat};

@@ -53,6 +53,12 @@ pub enum Ask {
         #[serde(default)]
         within: Vec<Uuid>,
     },
+    /// What an Image Gallery shows of the data of a port.
+    Pictures {
+        port: Uuid,
+        #[serde(default)]
+        within: Vec<Uuid>,
+    },
     /// Objects with the wires between them, as Grasshopper's clipboard has them.
     Copy {
         objects: Vec<Uuid>,

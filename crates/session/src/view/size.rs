@@ -2,6 +2,7 @@
 //! objects that are new, and for what files leave out. The measures are those of objects in real files.
 
 use katydid_definition::document::{Object, Port, Side, Special, ids};
+use uuid::Uuid;
 
 /// The room between the edge of a capsule and its ports.
 const EDGE: f32 = 2.0;
@@ -103,6 +104,7 @@ pub(crate) fn natural(object: &Object) -> [f32; 2] {
         Some(Special::Gradient(_)) => [250.0, 64.0],
         Some(Special::ImageSampler(_)) => [150.0, 150.0],
         _ if object.component == ids::RELAY => [40.0, 16.0],
+        _ if draws(object.component) => [150.0, 100.0],
         _ if object.is_floating() => [(name + 18.0).max(50.0), ROW],
         _ => {
             let [left, right] =
@@ -112,6 +114,11 @@ pub(crate) fn natural(object: &Object) -> [f32; 2] {
             [2.0 * EDGE + left + BAND + right, 2.0 * EDGE + (ROW * rows).max(LEAST)]
         }
     }
+}
+
+/// Whether a parameter draws its data.
+fn draws(component: Uuid) -> bool {
+    [ids::QUICK_GRAPH, ids::BAR_GRAPH, ids::PIE_CHART, ids::IMAGE_GALLERY].contains(&component)
 }
 
 /// As large as a text wants to be read, within what is usual.

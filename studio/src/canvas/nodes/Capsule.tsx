@@ -1,5 +1,6 @@
 import { memo } from "react";
 
+import { IDS } from "../../core/catalogue";
 import { capsuleLayout, portSize, tornPath } from "../../core/capsule";
 import { modifiers, portName, sign } from "../../core/ports";
 import type { Control } from "../../core/protocol/Control";
@@ -12,6 +13,8 @@ import { useCanvas, useFullNames, useNear } from "../hooks";
 import { isViewer } from "../open";
 import { Frame } from "./Frame";
 import type { Shown } from "./ofObject";
+import { ChartFace, isChart } from "./ChartFaces";
+import { GalleryFace } from "./GalleryFace";
 import { LinesFace, ViewerFace } from "./ShowFaces";
 
 /** How high the picture of a component is at most. */
@@ -166,6 +169,8 @@ const SHOWS_ABOVE = 32;
 function inside(object: ObjectView, size: readonly [number, number], drawing: boolean) {
   const { control } = object;
   if (isViewer(object)) return { kind: "face-viewer", face: <ViewerFace object={object} text={!drawing} size={size} /> };
+  if (object.component === IDS.imageGallery) return { kind: "face-gallery", face: <GalleryFace object={object} size={size} /> };
+  if (isChart(object)) return { kind: "face-chart", face: <ChartFace object={object} size={size} /> };
   if (control?.is === "cherry") return lines(object, [`${control.path} (${control.index})`]);
   if (control?.is === "paths") return lines(object, control.rules.map(([from, to]) => `${from} → ${to}`));
   return undefined;

@@ -5,6 +5,7 @@ import type { DocumentView } from "./DocumentView";
 import type { Notice } from "./Notice";
 import type { ObjectView } from "./ObjectView";
 import type { Page } from "./Page";
+import type { PictureView } from "./PictureView";
 import type { Probed } from "./Probed";
 import type { ResultView } from "./ResultView";
 
@@ -31,7 +32,7 @@ document: DocumentView | null, } | { "event": "done", seq: number, revision: num
 /**
  * The ids of objects that a paste or copy made.
  */
-made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
+made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "pictures", seq: number, pictures: Array<PictureView>, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
 /**
  * The object that was done last.
  */

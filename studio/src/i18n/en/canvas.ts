@@ -42,6 +42,7 @@ export const canvas = {
   "canvas.access.item": "one item at a time",
   "canvas.access.list": "a list at a time",
   "canvas.access.tree": "the whole tree",
+  "canvas.chart": "{name}: {values}",
   "canvas.data.empty": "No data here",
   "canvas.data.lost": "The wire comes from an object that is not here",
   "canvas.data.more": "… and {count} more rows",

@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::QuadSettings;
-use katydid_geometry::{Curve, Mesh, Point3, QuadOptions, Vector3};
+use katydid_geometry::{Curve, GuideKind, Mesh, Point3, QuadOptions, Vector3};
 
 use crate::mesh::{room, shared};
 
@@ -16,12 +16,16 @@ const SMALL: f64 = 4.0;
 const MOST_FACES: usize = 4_000_000;
 /// At so many places a guide curve leads the quads.
 const PLACES: usize = 64;
+/// Where edges lie on a curve, it is followed at so many places for each quad.
+const PLACES_A_QUAD: f64 = 8.0;
+/// The most places at which a curve is followed.
+const MOST_PLACES: f64 = 20_000.0;
 
 /// Makes a mesh anew of quads that follow its shape.
 ///
 /// The number of quads comes near to the wanted one, and vertices lie on the mesh. A closed mesh gives a closed mesh, and
-/// the border of an open one keeps its shape. A guide curve turns the quads near it so that edges run along it. With an
-/// adaptive size quads are smaller where the mesh curves and larger where it is flat. Seam edges are those along which
+/// the border of an open one keeps its shape. A guide curve turns the quads near it so that edges run along it; by the
+/// settings a loop of edges lies on it, or a strip of quads runs along it whose edges it crosses. With an adaptive size quads are smaller where the mesh curves and larger where it is flat. Seam edges are those along which
 /// the mesh is not welded: where it was made of a Brep, the edges between its faces.
 #[component(
     "1a17d3f0-c8f8-4ee9-8dab-ea1c29db6a49",
@@ -50,6 +54,7 @@ fn quad_remesh(
         1 => mesh.seams(Some(SMALL * mesh.area() / count as f64)),
         _ => mesh.seams(None),
     };
+    let side = (mesh.area() / count as f64).sqrt();
     let options = QuadOptions {
         count,
         crease: settings.hard_edges.then_some(HARD),
@@ -57,6 +62,11 @@ fn quad_remesh(
         adaptive: (0.01 * settings.adaptive_size).clamp(0.0, 1.0),
         more: settings.adaptive_count,
         guides: guides.present().flat_map(|curve| along(&curve)).collect(),
+        loops: match settings.guides {
+            1 => guides.present().map(|curve| (GuideKind::Ring, followed(&curve, side))).collect(),
+            2 => guides.present().map(|curve| (GuideKind::Loop, followed(&curve, side))).collect(),
+            _ => Vec::new(),
+        },
         limit: MOST_FACES,
     };
     let axes = [1, 2, 4].map(|bit| settings.symmetry & bit != 0);
@@ -70,6 +80,13 @@ fn along(curve: &Curve) -> Vec<(Point3, Vector3)> {
         .map(|k| domain.at(k as f64 / PLACES as f64))
         .filter_map(|t| Some((curve.point_at(t), curve.tangent_at(t)?)))
         .collect()
+}
+
+/// Points of a curve, many for each quad with sides of a length.
+fn followed(curve: &Curve, side: f64) -> Vec<Point3> {
+    let domain = curve.domain();
+    let places = (PLACES_A_QUAD * curve.length() / side).clamp(PLACES as f64, MOST_PLACES) as usize;
+    (0..=places).map(|k| curve.point_at(domain.at(k as f64 / places as f64))).collect()
 }
 
 /// How a mesh is made anew of quads, for Quad Remesh.
@@ -104,8 +121,8 @@ fn quad_remesh_settings(
     /// 3 across z.
     #[port("Symmetry", "Sy", default = 0)]
     symmetry: i32,
-    /// What guide curves do: 0 they lead the quads about, 1 a ring of edges crosses them, 2 a loop of edges runs along
-    /// them. Here edges run along them in each case.
+    /// What guide curves do: 0 they lead the quads about, 1 a ring of edges crosses them, so that they run through the
+    /// middle of a strip of quads, 2 a loop of edges lies on them.
     #[port("Guide Curves", "Gc", default = 0)]
     guides: i32,
 ) -> Result<QuadSettings, Message> {
@@ -139,7 +156,7 @@ mod tests {
     use katydid_component::testing::Trial;
     use katydid_data::{QuadSettings, Value};
     use katydid_geometry::construct::cylinder;
-    use katydid_geometry::{Cylinder, Interval, Mesh, MeshFace, Plane, Point3};
+    use katydid_geometry::{Cylinder, Interval, Line, Mesh, MeshFace, Plane, Point3, Rectangle};
 
     fn quads(settings: QuadSettings) -> Mesh {
         let sphere = Mesh::sphere(&Plane::XY, 2.0, 32, 16).unwrap();
@@ -168,6 +185,39 @@ mod tests {
             let image = katydid_geometry::Point3::new(-p.x, p.y, p.z);
             assert!(halves.vertices().iter().any(|q| q.distance_to(image) < 1e-9), "{p:?}");
         }
+    }
+
+    /// A slanted line on a sheet of 400 quads with sides of 0.12: how much of it lies on edges along it, and how much runs
+    /// between two of them, at least a quarter of a quad from each.
+    #[test]
+    fn guide_curves_by_the_settings() {
+        let square = Rectangle { plane: Plane::XY, x: Interval::new(0.0, 3.0), y: Interval::new(0.0, 2.0) };
+        let sheet = Mesh::plane(&square, 5, 5).unwrap();
+        let guide = Line::new(Point3::new(0.3, 0.4, 0.0), Point3::new(2.7, 1.5, 0.0));
+        let [lead, ring, along] = [0, 1, 2].map(|guides| {
+            let settings = QuadSettings { guides, ..plain(400) };
+            let out = Trial::of("Quad Remesh").item(sheet.clone()).item(guide).item(settings).run();
+            assert!(out.messages.is_empty(), "{:?}", out.messages);
+            let Some(Value::Mesh(mesh)) = out.outputs[0].column().get(0) else { panic!("a mesh") };
+            assert!((mesh.area() - 6.0).abs() < 1e-6, "{}", mesh.area());
+            let lines = mesh.edges().iter().filter_map(|e| mesh.edge_line(e)).collect::<Vec<_>>();
+            let aligned = |l: &&Line| {
+                let angle = l.direction().angle_to(guide.direction()).unwrap().to_degrees();
+                angle.min(180.0 - angle) < 20.0
+            };
+            let lines: Vec<&Line> = lines.iter().filter(aligned).collect();
+            let gap = |k: u32| {
+                let p = guide.at(0.05 + 0.9 * f64::from(k) / 200.0);
+                let foot = |l: &&Line| l.at(l.closest_parameter(p).clamp(0.0, 1.0)).distance_to(p);
+                lines.iter().map(foot).fold(f64::INFINITY, f64::min)
+            };
+            let share =
+                |test: &dyn Fn(f64) -> bool| (0..=200).filter(|k| test(gap(*k))).count() as f64 / 201.0;
+            [share(&|gap| gap < 1e-3), share(&|gap| (0.03..=0.09).contains(&gap))]
+        });
+        assert!(along[0] > 0.95, "{along:?}");
+        assert!(ring[0] == 0.0 && ring[1] > 0.95, "{ring:?}");
+        assert!(lead[0] < 0.5 && lead[1] < 0.95, "{lead:?}");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Meshes made anew of triangles of about one size.
 
+mod imprint;
 mod net;
 mod quads;
 mod seams;
@@ -10,7 +11,7 @@ use crate::mesh::polygon::polygon_faces;
 use crate::patience::check_now;
 use crate::{Error, Line, Point3, Result};
 use net::Net;
-pub use quads::QuadOptions;
+pub use quads::{GuideKind, QuadOptions};
 use target::Target;
 
 /// What [`Mesh::remeshed`] shall reach.

@@ -111,7 +111,8 @@ impl Net {
         Ok(net)
     }
 
-    fn keep(&mut self, a: u32, b: u32) {
+    /// An edge stays from now on.
+    pub(super) fn keep(&mut self, a: u32, b: u32) {
         self.kept.insert(key(a, b));
         (self.on_kept[a as usize], self.on_kept[b as usize]) = (true, true);
     }
@@ -200,9 +201,13 @@ impl Net {
     }
 
     fn split(&mut self, a: u32, b: u32) {
+        self.split_at(a, b, self.middle(a, b));
+    }
+
+    /// Splits an edge by a new vertex at a place.
+    pub(super) fn split_at(&mut self, a: u32, b: u32, place: Point3) {
         let m = self.points.len() as u32;
-        let middle = self.at(a).lerp(self.at(b), 0.5);
-        self.points.push(middle);
+        self.points.push(place);
         self.around.push(Vec::new());
         self.on_kept.push(false);
         for f in self.sides(a, b) {
@@ -442,11 +447,18 @@ impl Net {
         let free = (0..self.points.len() as u32)
             .filter(|&v| !self.around[v as usize].is_empty() && !self.on_kept[v as usize]);
         let nearest = free.min_by(|&v, &w| self.at(v).distance_to(p).total_cmp(&self.at(w).distance_to(p)));
-        if let Some(v) =
-            nearest.filter(|&v| self.around[v as usize].iter().all(|&f| self.turns_little(f, v, p)))
-        {
-            self.points[v as usize] = p;
+        if let Some(v) = nearest {
+            self.move_to(v, p);
         }
+    }
+
+    /// Moves a vertex, unless a face would turn over or lose its area: whether it did.
+    pub(super) fn move_to(&mut self, v: u32, place: Point3) -> bool {
+        let may = self.around[v as usize].iter().all(|&f| self.turns_little(f, v, place));
+        if may {
+            self.points[v as usize] = place;
+        }
+        may
     }
 
     /// The vertices that have faces.

@@ -31,6 +31,29 @@ impl Target {
         nearest(&self.tree, p, |i| self.triangles.get(i).map(|&t| closest_on_triangle(t, p).0))
     }
 
+    /// The place of the nearest triangle.
+    pub(super) fn nearest_triangle(&self, p: Point3) -> Option<usize> {
+        let mut best = (f64::INFINITY, None);
+        self.tree.visit_near(&p.into(), f64::INFINITY, |i| {
+            if let Some(&t) = self.triangles.get(i) {
+                let d = (closest_on_triangle(t, p).0 - p).length_squared();
+                if d < best.0 {
+                    best = (d, Some(i));
+                }
+            }
+            best.0
+        });
+        best.1
+    }
+
+    /// With lines added to those that vertices are pulled to.
+    pub(super) fn with_lines(mut self, more: impl IntoIterator<Item = Line>) -> Self {
+        self.lines.extend(more);
+        let boxes: Vec<_> = self.lines.iter().map(|l| bounds_of([l.from, l.to].map(Into::into))).collect();
+        self.line_tree = BoxTree::by_place(&boxes);
+        self
+    }
+
     /// The nearest point of the lines.
     pub(super) fn nearest_on_line(&self, p: Point3) -> Point3 {
         nearest(&self.line_tree, p, |i| {

@@ -2,17 +2,21 @@
 
 mod cells;
 mod field;
+mod guides;
 mod lattice;
 mod levels;
 mod relax;
 mod sizes;
 mod symmetry;
 
+use super::imprint::{Course, imprint};
 use super::net::Net;
 use super::target::Target;
 use super::too_many;
 use crate::patience::check;
 use crate::{Error, Line, Mesh, Point3, Result, Vector3};
+pub use guides::GuideKind;
+use guides::Guides;
 use levels::{Hold, Level, Places};
 use sizes::Sizes;
 
@@ -31,6 +35,8 @@ pub struct QuadOptions {
     pub more: bool,
     /// Places near the mesh with directions in which edges shall run there.
     pub guides: Vec<(Point3, Vector3)>,
+    /// Polylines near the mesh, and what the edges do along each; what is farther from it than a quad counts for nothing.
+    pub loops: Vec<(GuideKind, Vec<Point3>)>,
     /// The most faces that there may be on the way.
     pub limit: usize,
 }
@@ -45,6 +51,7 @@ impl QuadOptions {
             adaptive: 0.0,
             more: false,
             guides: Vec::new(),
+            loops: Vec::new(),
             limit: 4_000_000,
         }
     }
@@ -54,6 +61,8 @@ impl QuadOptions {
 const TRIANGLES: f64 = 4000.0;
 /// Rounds of making the triangles even on the way.
 const EVEN: usize = 5;
+/// Rounds of making them even again after curves were laid into them.
+const AGAIN: usize = 3;
 /// Edges of the triangles on the way, as a part of the sides of the cells.
 const FINE: f64 = 1.0 / 3.0;
 /// So often the size of the cells is corrected for their number.
@@ -82,7 +91,8 @@ impl Mesh {
         if options.count == 0 {
             return Err(Error::OutOfRange { what: "number of quads", value: 0.0, must: "at least 1" });
         }
-        if options.guides.iter().any(|(p, d)| !(p.is_finite() && d.is_finite())) {
+        let guided = options.guides.iter().all(|(p, d)| p.is_finite() && d.is_finite());
+        if !guided || options.loops.iter().flat_map(|l| &l.1).any(|p| !p.is_finite()) {
             return Err(Error::NotFinite("guide"));
         }
         if !(0.0..=1.0).contains(&options.adaptive) {
@@ -96,9 +106,12 @@ impl Mesh {
         let mut side = (4.0 * area / wanted).sqrt();
         let sizes = self.sizes(side, options, &surface)?;
         let wanted = wanted * sizes.share;
+        let guides = guides::guides(self, options, &surface, |p| 0.5 * side * sizes.at(p));
+        let surface =
+            surface.with_lines(guides.courses.iter().flat_map(|course| course.lines().iter().copied()));
         let mut best: Option<(f64, Self)> = None;
         for _ in 0..TRIES {
-            let made = self.in_cells(side, &sizes, options, &surface)?;
+            let made = self.in_cells(side, &sizes, options, &surface, &guides)?;
             let share = made.faces().len() as f64 / wanted;
             let off = share.ln().abs();
             if best.as_ref().is_none_or(|(least, _)| off < *least) {
@@ -118,7 +131,7 @@ impl Mesh {
             return Ok(Sizes::even());
         }
         let length = (side * FINE).min(triangle_side(self.area() / TRIANGLES));
-        let net = self.even_net(|_| length, length, options, surface)?;
+        let net = self.even_net(|_| length, length, options, surface, &[])?;
         Ok(Sizes::by_curvature(&net, side, options.adaptive, options.more))
     }
 
@@ -129,26 +142,44 @@ impl Mesh {
         mean: f64,
         options: &QuadOptions,
         surface: &Target,
+        courses: &[Course],
     ) -> Result<Net> {
         if !(self.area() / triangle_area(mean) <= options.limit as f64) {
             return Err(too_many());
         }
         let mut net = Net::with_lines(self, options.crease, &options.seams)?;
-        for _ in 0..EVEN {
-            check()?;
-            net.split_long(|p| 4.0 / 3.0 * length(p), options.limit)?;
-            net.collapse_short(|p| 4.0 / 5.0 * length(p), |p| 4.0 / 3.0 * length(p));
-            net.flip();
-            net.smooth(|p| surface.nearest(p), |p| surface.nearest_on_line(p));
+        let even_out = |net: &mut Net, rounds: usize| {
+            for _ in 0..rounds {
+                check()?;
+                net.split_long(|p| 4.0 / 3.0 * length(p), options.limit)?;
+                net.collapse_short(|p| 4.0 / 5.0 * length(p), |p| 4.0 / 3.0 * length(p));
+                net.flip();
+                net.smooth(|p| surface.nearest(p), |p| surface.nearest_on_line(p));
+            }
+            Ok(())
+        };
+        even_out(&mut net, EVEN)?;
+        if !courses.is_empty() {
+            for course in courses {
+                imprint(&mut net, course, &length)?;
+            }
+            even_out(&mut net, AGAIN)?;
         }
         Ok(net)
     }
 
     /// Quads from cells with sides of a length, times what the sizes say.
-    fn in_cells(&self, side: f64, sizes: &Sizes, options: &QuadOptions, surface: &Target) -> Result<Self> {
+    fn in_cells(
+        &self,
+        side: f64,
+        sizes: &Sizes,
+        options: &QuadOptions,
+        surface: &Target,
+        guides: &Guides,
+    ) -> Result<Self> {
         let fine = side * FINE;
         let mean = fine / sizes.share.sqrt();
-        let mut net = self.even_net(|p| fine * sizes.at(p), mean, options, surface)?;
+        let mut net = self.even_net(|p| fine * sizes.at(p), mean, options, surface, &guides.courses)?;
         let (vertices, level) = level_of(&net, &options.guides, |p| side * sizes.at(p));
         let mut sides = vec![side; net.vertex_count()];
         for (&v, own) in vertices.iter().zip(&level.sides) {
@@ -165,7 +196,7 @@ impl Mesh {
         }
         cells::gather(&mut net, &mut at, &sides)?;
         let quads = cells::quads(&net, &at);
-        relax::finished(&net, at, &quads, surface)
+        relax::finished(&net, at, &quads, surface, &guides.rings)
     }
 }
 
@@ -359,6 +390,88 @@ mod tests {
         assert!((kept.area() - 6.0).abs() < 1e-9);
         let free = sheet.quad_remeshed(&QuadOptions::new(150)).unwrap();
         assert!(along(&free) < 1.0);
+    }
+
+    /// How much of a curve, given by points on it, lies within a distance of an edge of a mesh that runs along it, and
+    /// how much crosses a quad by its middle third with edges at 70 to 110 degrees to both sides.
+    fn along_and_across(mesh: &Mesh, course: &[Point3], within: f64) -> [f64; 2] {
+        let edges: Vec<Line> = mesh.edges().iter().filter_map(|e| mesh.edge_line(e)).collect();
+        let quads: Vec<Vec<Point3>> = (0..mesh.faces().len()).filter_map(|i| mesh.face_points(i)).collect();
+        let (mut on, mut through) = (0.0, 0.0);
+        for w in course.windows(2) {
+            let (p, along) = (w[0].lerp(w[1], 0.5), w[1] - w[0]);
+            let angle = |d: Vector3| d.angle_to(along).map_or(90.0, f64::to_degrees);
+            on += f64::from(u8::from(edges.iter().any(|l| {
+                let near = l.at(l.closest_parameter(p).clamp(0.0, 1.0)).distance_to(p) < within;
+                near && angle(l.direction()).min(180.0 - angle(l.direction())) < 15.0
+            })));
+            through += f64::from(u8::from(quads.iter().any(|q| {
+                (0..2).any(|k| {
+                    // Two sides across the curve, and the places where it would cross them.
+                    let [a, b] = [Line::new(q[k], q[k + 1]), Line::new(q[(k + 3) % 4], q[k + 2])];
+                    let ends = [a, b].map(|l| l.at(l.closest_parameter(p)));
+                    let s = [a, b].map(|l| l.closest_parameter(p));
+                    let strip = Line::new(ends[0], ends[1]);
+                    let t = strip.closest_parameter(p);
+                    let square = [a, b].iter().all(|l| (angle(l.direction()) - 90.0).abs() < 20.0);
+                    let middle = s.iter().all(|s| (1.0 / 3.0..=2.0 / 3.0).contains(s));
+                    square && middle && (0.0..=1.0).contains(&t) && strip.at(t).distance_to(p) < 0.05
+                })
+            })));
+        }
+        [on, through].map(|n| n / (course.len() - 1) as f64)
+    }
+
+    /// A plane with a slanted wave, and a ball with a tilted circle.
+    fn guided_cases() -> [(Mesh, usize, Vec<Point3>); 2] {
+        let square = Rectangle { plane: Plane::XY, x: Interval::new(0.0, 3.0), y: Interval::new(0.0, 2.0) };
+        let sheet = Mesh::plane(&square, 5, 5).unwrap();
+        let wave = (0..=200).map(|k| {
+            let t = f64::from(k) / 200.0;
+            Point3::new(0.3 + 2.4 * t, 0.5 + 0.9 * t + 0.15 * (5.0 * t).sin(), 0.0)
+        });
+        let ball = Mesh::sphere(&Plane::XY, 1.0, 64, 32).unwrap();
+        let ring = (0..=300).map(|k| {
+            let t = f64::from(k % 300) / 300.0 * std::f64::consts::TAU;
+            let (x, y, z) = (0.9 * t.cos(), 0.9 * t.sin(), 0.19_f64.sqrt());
+            Point3::new(x, 0.8 * y - 0.6 * z, 0.6 * y + 0.8 * z)
+        });
+        [(sheet, 400, wave.collect()), (ball, 800, ring.collect())]
+    }
+
+    #[test]
+    fn loops_lie_on_curves_and_rings_cross_them() {
+        for (mesh, count, course) in guided_cases() {
+            let made = |loops: Vec<(GuideKind, Vec<Point3>)>| {
+                let options = QuadOptions { loops, ..QuadOptions::new(count) };
+                let made = mesh.quad_remeshed(&options).unwrap();
+                sound(&made, count, mesh.is_closed());
+                (along_and_across(&made, &course, 5e-3), squareness(&made))
+            };
+            let (free, square) = made(Vec::new());
+            println!("free {free:.3?} square {square:.3}");
+            let (on, square) = made(vec![(GuideKind::Loop, course.clone())]);
+            println!("loop {on:.3?} square {square:.3}");
+            let (across, square2) = made(vec![(GuideKind::Ring, course.clone())]);
+            println!("ring {across:.3?} square {square2:.3}");
+            assert!(free[0] < 0.5 && free[1] < 0.5, "{free:?}");
+            assert!(on[0] > 0.9 && square > 0.85, "{on:?} {square}");
+            assert!(across[1] > 0.8 && across[0] < 0.1 && square2 > 0.85, "{across:?} {square2}");
+        }
+    }
+
+    #[test]
+    fn curves_far_away_lead_nothing() {
+        let (mesh, count, course) = guided_cases().into_iter().next().unwrap();
+        let options = QuadOptions::new(count);
+        let far: Vec<Point3> = course.iter().map(|p| *p + Vector3::Z * 5.0).collect();
+        let loops = vec![(GuideKind::Loop, far), (GuideKind::Ring, vec![Point3::ORIGIN; 3])];
+        assert_eq!(
+            mesh.quad_remeshed(&QuadOptions { loops, ..options.clone() }),
+            mesh.quad_remeshed(&options)
+        );
+        let loops = vec![(GuideKind::Loop, vec![Point3::new(f64::NAN, 0.0, 0.0)])];
+        assert!(mesh.quad_remeshed(&QuadOptions { loops, ..options }).is_err());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 use std::collections::HashMap;
 
+use super::super::imprint::Course;
 use super::super::net::Net;
 use super::super::target::Target;
 use crate::patience::check;
@@ -7,6 +8,8 @@ use crate::{Error, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Rounds of evening out.
 const ROUNDS: usize = 12;
+/// Rounds after quads were brought to the middle of a curve.
+const AGAIN: usize = 4;
 
 /// How a vertex may move.
 #[derive(Clone, Copy, PartialEq)]
@@ -17,12 +20,25 @@ enum Freedom {
     None,
 }
 
-/// Faces divided about their middles, evened out on the surface.
-pub(super) fn finished(net: &Net, at: Vec<Point3>, faces: &[Vec<u32>], surface: &Target) -> Result<Mesh> {
+/// Faces divided about their middles, evened out on the surface; the edges that cross `rings` are crossed in the middle.
+pub(super) fn finished(
+    net: &Net,
+    at: Vec<Point3>,
+    faces: &[Vec<u32>],
+    surface: &Target,
+    rings: &[Course],
+) -> Result<Mesh> {
     let mut divided = Divided::new(net, at, faces, surface)?;
     for _ in 0..ROUNDS {
         check()?;
         divided.even_out(surface);
+    }
+    if !rings.is_empty() {
+        rings.iter().for_each(|ring| divided.centre(ring, surface));
+        for _ in 0..AGAIN {
+            check()?;
+            divided.even_out(surface);
+        }
     }
     Ok(Mesh::new(divided.points, divided.quads.into_iter().map(MeshFace::Quad).collect())?.with_normals())
 }
@@ -147,6 +163,48 @@ impl Divided {
             if place.is_finite() {
                 self.points[v] = place;
             }
+        }
+    }
+
+    /// Moves vertices beside a curve so that it crosses their edges in the middle, and keeps them there.
+    fn centre(&mut self, ring: &Course, surface: &Target) {
+        // Of each vertex how far it lies to the left of the curve, and the place beside it.
+        let sides: Vec<Option<(f64, f64, Point3)>> = (0..self.points.len())
+            .map(|v| {
+                let p = self.points[v];
+                let reach = self.neighbours[v].iter().map(|&w| self.points[w as usize].distance_to(p));
+                let foot = ring.foot(p, reach.fold(0.0, f64::max)).filter(|foot| !foot.end)?;
+                let normal: Vector3 = self.around[v].iter().map(|&f| self.normal(f)).sum();
+                let left = normal.cross(foot.along).unitized()?;
+                Some((left.dot(p - foot.place), foot.at, foot.place))
+            })
+            .collect();
+        let mut moves: Vec<(usize, Point3)> = Vec::new();
+        for (v, side) in sides.iter().enumerate() {
+            let (Some((own, at, foot)), true) = (*side, self.freedom[v] == Freedom::Surface) else {
+                continue;
+            };
+            let here = self.points[v];
+            let mut wanted: Vec<f64> = Vec::new();
+            for &w in &self.neighbours[v] {
+                let Some((other, there, _)) = sides[w as usize].filter(|s| s.0 * own < 0.0) else { continue };
+                let long = self.points[w as usize].distance_to(here);
+                if ring.apart(at, there) <= long {
+                    let free = self.freedom[w as usize] == Freedom::Surface;
+                    wanted.push(if free { 0.5 * long } else { other.abs() });
+                }
+            }
+            if wanted.is_empty() {
+                continue;
+            }
+            let distance = wanted.iter().sum::<f64>() / wanted.len() as f64;
+            let place = surface.nearest(foot + (here - foot) * (distance / own.abs()));
+            if place.is_finite() {
+                moves.push((v, place));
+            }
+        }
+        for (v, place) in moves {
+            (self.points[v], self.freedom[v]) = (place, Freedom::None);
         }
     }
 
