@@ -1,0 +1,56 @@
+"""One row in a process of its own, because the peers are large: verifies the answer, and then times the peer.
+
+    python benches/work/judge.py target/release/katydid "Closest Point" 100000
+
+Prints an object: `wrong` says how the answers differ, `seconds` is what the peer took.
+"""
+
+import json
+import sys
+import tempfile
+import time
+
+import answers
+import definitions
+import peers
+
+# A peer runs so often, or until it has taken so many seconds; the least counts.
+TIMES = 5
+ENOUGH = 4.0
+
+
+def seconds(peer):
+    """The least seconds of processor time that the peer's work takes, what it is given made before."""
+    best, total = float("inf"), 0.0
+    for _ in range(TIMES):
+        given = peer.given()
+        start = time.process_time()
+        peer.work(given)
+        taken = time.process_time() - start
+        best, total = min(best, taken), total + taken
+        if total > ENOUGH:
+            break
+    return best
+
+
+def judge(katydid, row, n):
+    peer = peers.PEERS[row.name](n)
+    with tempfile.TemporaryDirectory() as folder:
+        if row.saves:
+            ours = answers.saved(katydid, row, n, folder, peer.read)
+        else:
+            ours = answers.answer(katydid, row, n, folder)
+    theirs = peer.answer(peer.work(peer.given()))
+    wrong = answers.difference(row, ours, theirs)
+    timed = row.peer is not None and wrong is None
+    return {"wrong": wrong, "seconds": seconds(peer) if timed else None}
+
+
+def main():
+    katydid, name, n = sys.argv[1:]
+    row = next(row for row in definitions.ROWS if row.name == name)
+    print(json.dumps(judge(katydid, row, int(n))))
+
+
+if __name__ == "__main__":
+    main()
