@@ -7,10 +7,8 @@ import manifold3d
 import numpy as np
 import trimesh
 
-from .points import grid, sphere
+from .points import ORIGIN, grid, sphere
 from .work import Peer
-
-ORIGIN = np.zeros(3)
 
 
 def mesh_closest_point(n):
