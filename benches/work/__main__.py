@@ -11,8 +11,10 @@ one of n log n, as where things are sorted or searched for, what the logarithm a
 
 The answer at 4N is verified first: the definition's own outputs are those of the peer, or what is known beforehand where
 there is no peer, within 1e-9 of the largest or what the row allows and says why. A row whose answers differ is not timed.
-The peer runs in a process of its own and is timed around its work alone, with its inputs made before; of some runs the
-least counts. So the ratio is that of the seconds in brackets to the peer's.
+The peer runs in a process of its own, on one thread, and is timed around its work alone; of some runs the least counts.
+Its inputs are made before, while what a definition makes first, such as the points that are searched, counts as the
+definition's own. The ratio is that of the seconds in brackets to the peer's. The peer's exponent is that between N and
+4N: where it is high too, the inputs may be why.
 
 Memory is the most that the process held, and bytes an item are what it held beyond start-up.
 """
@@ -32,9 +34,9 @@ RUNS = 3
 JUDGE = Path(__file__).with_name("judge.py")
 
 
-def judged(katydid, row, n):
+def judged(katydid, row):
     """What the judge says of a row: how its answers differ, if they do, and the peer's seconds."""
-    command = [sys.executable, JUDGE, katydid, row.name, str(n)]
+    command = [sys.executable, JUDGE, katydid, row.name]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise Failed(f"no answer: {(done.stderr.strip() or '-').splitlines()[-1]}")
@@ -50,17 +52,16 @@ def taken(katydid, row, n, folder):
 
 def measured(katydid, row):
     """The row's line of the table, and whether it holds."""
-    sizes = [row.size, 2 * row.size, 4 * row.size]
     try:
-        said = judged(katydid, row, sizes[-1])
+        said = judged(katydid, row)
         if said["wrong"] is not None:
             return table.failed(row, f"differs: {said['wrong']}"), False
         with tempfile.TemporaryDirectory() as folder:
             start = taken(katydid, row, row.smallest, folder)
-            runs = [taken(katydid, row, size, folder) for size in sizes]
+            runs = [taken(katydid, row, size, folder) for size in row.sizes()]
     except Failed as why:
         return table.failed(row, str(why)), False
-    return table.line(table.cells(table.Measured(row, sizes, runs, start, said["seconds"]))), True
+    return table.line(table.cells(table.Measured(row, runs, start, said["seconds"]))), True
 
 
 def main():

@@ -50,21 +50,16 @@ def difference(row, ours, theirs):
         theirs_of = theirs[label]
         if len(ours_of) != len(theirs_of):
             return f"{label}: {len(ours_of)} values and not {len(theirs_of)}"
-        worst = unequal(ours_of, theirs_of, row.within)
-        if worst is not None:
-            return f"{label}: {ours_of[worst]} and not {theirs_of[worst]} (value {worst} of {len(ours_of)})"
+        first = unequal(ours_of, theirs_of, row.within)
+        if first is not None:
+            return f"{label}: {ours_of[first]} and not {theirs_of[first]} (value {first} of {len(ours_of)})"
     return None
 
 
 def unequal(ours, theirs, within):
-    """Where the values differ most, and by more than is allowed."""
+    """Where the first value is that differs by more than is allowed."""
     if any(isinstance(one, str) for one in theirs):
         return next((i for i, (a, b) in enumerate(zip(ours, theirs)) if a != b), None)
-    if any(one is None for one in ours):
-        return ours.index(None)
-    if not theirs:
-        return None
-    largest = max(abs(one) for one in theirs)
-    apart = [abs(a - b) for a, b in zip(ours, theirs)]
-    worst = max(range(len(apart)), key=apart.__getitem__)
-    return worst if apart[worst] > within * largest else None
+    allowed = within * max((abs(one) for one in theirs), default=0)
+    same = (isinstance(a, (int, float)) and abs(a - b) <= allowed for a, b in zip(ours, theirs))
+    return next((i for i, one in enumerate(same) if not one), None)

@@ -1,8 +1,9 @@
 """One row in a process of its own, because the peers are large: verifies the answer, and then times the peer.
 
-    python benches/work/judge.py target/release/katydid "Closest Point" 100000
+    python benches/work/judge.py target/release/katydid "Closest Point"
 
-Prints an object: `wrong` says how the answers differ, `seconds` is what the peer took.
+Prints an object: `wrong` says how the answers at the largest size differ, `seconds` is what the peer took at the least
+and at the largest.
 """
 
 import json
@@ -33,23 +34,24 @@ def seconds(peer):
     return best
 
 
-def judge(katydid, row, n):
-    peer = peers.peer(row.name, n)
+def judge(katydid, row):
+    least, largest = row.sizes()[0], row.sizes()[-1]
+    peer = peers.peer(row.name, largest)
     with tempfile.TemporaryDirectory() as folder:
         if row.saves:
-            ours = answers.saved(katydid, row, n, folder, peer.read)
+            ours = answers.saved(katydid, row, largest, folder, peer.read)
         else:
-            ours = answers.answer(katydid, row, n, folder)
+            ours = answers.answer(katydid, row, largest, folder)
     theirs = peer.answer(peer.work(peer.given()))
     wrong = answers.difference(row, ours, theirs)
     timed = row.peer is not None and wrong is None
-    return {"wrong": wrong, "seconds": seconds(peer) if timed else None}
+    return {"wrong": wrong, "seconds": [seconds(peers.peer(row.name, least)), seconds(peer)] if timed else None}
 
 
 def main():
-    katydid, name, n = sys.argv[1:]
+    katydid, name = sys.argv[1:]
     row = next(row for row in definitions.ROWS if row.name == name)
-    print(json.dumps(judge(katydid, row, int(n))))
+    print(json.dumps(judge(katydid, row)))
 
 
 if __name__ == "__main__":

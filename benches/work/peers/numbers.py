@@ -10,16 +10,15 @@ from .work import Peer
 def million_items(n):
     def work(_):
         x = 0.001 * np.arange(n)
-        y = np.sin(x)
-        return np.cumsum(np.sqrt(x * x + y * y + 100.0))
+        y, z = np.sin(x), np.zeros(n)
+        x, y, z = x + 0.0, y + 0.0, z + 10.0
+        return np.cumsum(np.sqrt(x * x + y * y + z * z))
 
     return Peer(lambda: None, work, lambda partial: {"sum": [partial[-1]], "count": [n]})
 
 
 def expression(n):
-    return Peer(
-        lambda: np.arange(n, dtype=float), lambda x: x**2 + np.sin(x), lambda result: {"sum": [result.sum()]}
-    )
+    return Peer(lambda: np.arange(n, dtype=float), lambda x: x**2 + np.sin(x), lambda result: {"sum": [result.sum()]})
 
 
 def text_of_numbers(n):
@@ -32,7 +31,9 @@ def text_of_numbers(n):
 
 def sets_of_strings(n):
     def given():
-        return tuple([f"item {x % 100003}" for x in range(first, first + n * step, step)] for first, step in ((0, 7), (3, 11)))
+        return tuple(
+            [f"item {x % 100003}" for x in range(first, first + n * step, step)] for first, step in ((0, 7), (3, 11))
+        )
 
     def work(lists):
         a, b = lists
@@ -78,9 +79,10 @@ def sort_list(n):
 
 def cross_matched(n):
     def work(_):
-        x, y = np.arange(n, dtype=float), 0.5 * np.arange(100)
-        z = np.minimum(np.arange(100), 2) + 1.0
-        return np.sqrt(x[:, None] ** 2 + (y * y + z * z)[None])
+        x = np.repeat(np.arange(n, dtype=float), 100)
+        y = np.tile(0.5 * np.arange(100), n)
+        z = np.tile(np.minimum(np.arange(100), 2) + 1.0, n)
+        return np.sqrt(x * x + y * y + z * z)
 
     return Peer(lambda: None, work, lambda result: {"sum": [result.sum()]})
 

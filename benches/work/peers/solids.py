@@ -120,7 +120,10 @@ def octagon_prisms(n):
         return solids
 
     def answer(solids):
-        return {"volume": [volume(one) for one in solids], "faces": [parts(one, TopAbs_FACE).Extent() for one in solids]}
+        return {
+            "volume": [volume(one) for one in solids],
+            "faces": [parts(one, TopAbs_FACE).Extent() for one in solids],
+        }
 
     return Peer(given, work, answer)
 
@@ -172,7 +175,9 @@ def mesh_area(shape):
         mesh = BRep_Tool.Triangulation_s(TopoDS.Face(face), TopLoc_Location())
         nodes = np.array([mesh.Node(i + 1).Coord() for i in range(mesh.NbNodes())])
         corners = nodes[np.array([mesh.Triangle(i + 1).Get() for i in range(mesh.NbTriangles())]) - 1]
-        total += np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+        total += (
+            np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+        )
     return total
 
 
@@ -220,9 +225,7 @@ def capped_pipes(n):
         arcs, lines = given
         return [arc_pipe(at, 0.2) for at in arcs] + [straight(at) for at in lines]
 
-    return Peer(
-        lambda: (points(n, 30), points(n, 3)), work, lambda solids: {"volume": [volume(one) for one in solids]}
-    )
+    return Peer(lambda: (points(n, 30), points(n, 3)), work, lambda solids: {"volume": [volume(one) for one in solids]})
 
 
 def cap_holes(n):
@@ -344,7 +347,11 @@ def curve_with_curve(n):
         return [(wave(i, 0), wave(i, 1.9)) for i in range(n)]
 
     def work(pairs):
-        return [[found.Point(i + 1) for i in range(found.NbPoints())] for found in (Geom2dAPI_InterCurveCurve(a, b, 1e-9) for a, b in pairs)]
+        result = []
+        for a, b in pairs:
+            found = Geom2dAPI_InterCurveCurve(a, b, 1e-9)
+            result.append([found.Point(i + 1) for i in range(found.NbPoints())])
+        return result
 
     def answer(result):
         ordered = [point for found in result for point in sorted(found, key=lambda point: point.X())]

@@ -51,7 +51,9 @@ def subdivided(vertices, faces):
     ) / n
     of_edge, of_face = len(vertices), len(vertices) + len(edges)
     quads = [
-        np.stack([faces[:, k], of_edge + which[:, k], of_face + np.arange(len(faces)), of_edge + which[:, k - 1]], axis=1)
+        np.stack(
+            [faces[:, k], of_edge + which[:, k], of_face + np.arange(len(faces)), of_edge + which[:, k - 1]], axis=1
+        )
         for k in range(4)
     ]
     return np.concatenate([moved, (halves + around) / 2, middles]), np.concatenate(quads)
