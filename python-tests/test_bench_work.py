@@ -9,12 +9,12 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benches" / "work"))
 
-import answers  # noqa: E402
-import definitions  # noqa: E402
-import table  # noqa: E402
-from measure import Taken  # noqa: E402
+import answers
+import definitions
+import table
+from measure import Taken
 
-ROW = definitions.Row("A row", lambda n: "", "", 1000, within=1e-3)
+ROW = definitions.Row("A row", "", "", 1000, within=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def test_exponents_are_those_beyond_start_up():
 
 
 def test_a_logarithm_is_allowed_where_things_are_sorted():
-    sorting = definitions.Row("A row", lambda n: "", "", 1000, sorting=True)
+    sorting = definitions.Row("A row", "", "", 1000, sorting=True)
     growth = SimpleNamespace(row=sorting)
     logarithm = math.log(4000 * math.log(4000) / (1000 * math.log(1000))) / math.log(4)
     assert table.Measured.limit(growth) == pytest.approx(0.1 + logarithm)

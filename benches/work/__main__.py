@@ -9,12 +9,12 @@ same without start-up, which is the seconds of the definition at a size near zer
 by least squares over the logarithms of the three. It is marked where it is above 1.1; where no better way is known than
 one of n log n, as where things are sorted or searched for, what the logarithm adds between N and 4N is allowed on top.
 
-The answer at 4N is verified first: the definition's own outputs are those of the peer, or what is known beforehand where
-there is no peer, within 1e-9 of the largest or what the row allows and says why. A row whose answers differ is not timed.
-The peer runs in a process of its own, on one thread, and is timed around its work alone; of some runs the least counts.
-Its inputs are made before, while what a definition makes first, such as the points that are searched, counts as the
-definition's own. The ratio is that of the seconds in brackets to the peer's. The peer's exponent is that between N and
-4N: where it is high too, the inputs may be why.
+The answer at 4N is verified first: the definition's own outputs are those of the peer, or what is known beforehand
+where there is no peer, within 1e-9 of the largest or what the row allows and says why. A row whose answers differ is
+not timed. The peer runs in a process of its own, on one thread, and is timed around its work alone; of some runs the
+least counts. Its inputs are made before, while what a definition makes first, such as the points that are searched,
+counts as the definition's own. The ratio is that of the seconds in brackets to the peer's. The peer's exponent is that
+between N and 4N: where it is high too, the inputs may be why.
 
 Memory is the most that the process held, and bytes an item are what it held beyond start-up.
 """
@@ -37,7 +37,7 @@ JUDGE = Path(__file__).with_name("judge.py")
 def judged(katydid, row):
     """What the judge says of a row: how its answers differ, if they do, and the peer's seconds."""
     command = [sys.executable, JUDGE, katydid, row.name]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise Failed(f"no answer: {(done.stderr.strip() or '-').splitlines()[-1]}")
     return json.loads(done.stdout)
@@ -45,7 +45,7 @@ def judged(katydid, row):
 
 def taken(katydid, row, n, folder):
     file = Path(folder) / "work.kd"
-    file.write_text("katydid 1\n" + row.text(n))
+    file.write_text("katydid 1\n" + row.definition(n))
     save = ["-o", file.with_suffix("." + row.saves)] if row.saves else []
     return least([katydid, "run", file, "--threads", "1", *save], RUNS)
 

@@ -43,7 +43,7 @@ class Measured:
         return self.net()[-1] / self.peer_seconds[-1]
 
     def bytes_an_item(self):
-        more = self.row.items(self.row.sizes()[-1]) - self.row.items(self.row.smallest)
+        more = self.row.items * (self.row.sizes()[-1] - self.row.smallest)
         return (self.taken[-1].megabytes - self.start.megabytes) * 1e6 / more
 
 
@@ -86,7 +86,7 @@ def cells(measured):
         f"{measured.row.size:,}",
         *whole,
         seconds(measured.start.seconds),
-        f"{exponent:.2f}" + (" **above**" if exponent > measured.limit() else ""),
+        f"{exponent:.2f}" + (" **above**" if round(exponent, 2) > measured.limit() else ""),
         measured.row.peer or "–",
         *peer,
         f"{measured.taken[-1].megabytes:.0f}",

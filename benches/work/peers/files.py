@@ -12,7 +12,7 @@ from OCP.STEPControl import STEPControl_AsIs, STEPControl_Reader, STEPControl_Wr
 from OCP.TopAbs import TopAbs_SOLID
 from OCP.TopoDS import TopoDS_Compound
 
-from .points import ORIGIN, grid, sphere
+from .points import grid, sphere
 from .solids import every, volume
 from .work import Peer
 
