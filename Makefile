@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel oracle fuzz clean
+.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -112,6 +112,17 @@ bench: $(VENV)/installed
 bench-kernel:
 	cargo run --release -p katydid-kernel-bench --bin ratios
 
+# Whole definitions beside NumPy, shapely, Open CASCADE and others: a table of seconds, exponents, ratios and memory. It
+# takes ten minutes, and installs more than a gigabyte.
+bench-work: $(VENV)-work/installed
+	cargo build --release -p katydid
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(VENV)-work/bin/python benches/work $(RELEASED)/katydid
+
+$(VENV)-work/installed: benches/work/requirements.txt
+	$(PYTHON) -m venv $(VENV)-work
+	$(VENV)-work/bin/pip install -q -r benches/work/requirements.txt
+	touch $@
+
 # The kernel beside the answers of other kernels.
 oracle:
 	cargo run --release -p katydid-geometry --example oracle -- ../shared/data/oracle/on_dev.json ../shared/data/oracle/occ_dev.json
@@ -142,4 +153,4 @@ fuzz:
 
 clean:
 	cargo clean
-	rm -rf $(VENV) $(VENV)-step $(VENV)-compute
+	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work
