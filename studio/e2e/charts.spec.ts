@@ -29,8 +29,18 @@ test("charts are drawn of their data, and told", async ({ page }, info) => {
   await page.screenshot({ path: info.outputPath("charts.png") });
 });
 
+const TRACKER = `katydid 1
+n = Number Slider(2, 0..10)
+seen = Value Tracker(n)
+
+layout {
+    n: 0 0 [0 0 200 20]
+    seen: 240 0 [240 0 160 100]
+}
+`;
+
 test("a Value Tracker draws what its value was", async ({ page }) => {
-  await openText(page, "tracker.kd", "katydid 1\nn = Number Slider(2, 0..10)\nseen = Value Tracker(n)\n");
+  await openText(page, "tracker.kd", TRACKER);
   await expect(page.getByRole("img", { name: "seen: 2", exact: true })).toBeVisible();
   await page.getByRole("slider", { name: "n" }).press("End");
   const tracker = page.getByRole("img", { name: "seen: 2 → 10", exact: true });
