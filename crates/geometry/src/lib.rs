@@ -92,6 +92,7 @@ mod vector2;
 mod xform;
 
 pub use bounding_box::BoundingBox;
+pub use box_pairs::BoxIndex;
 pub use box3::Box3;
 pub use brep::Brep;
 pub use catenary::catenary;
