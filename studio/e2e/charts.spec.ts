@@ -28,3 +28,11 @@ test("charts are drawn of their data, and told", async ({ page }, info) => {
   await expect(line.locator("polyline")).toHaveAttribute("points", /^0,.* 74,108 148,0$/);
   await page.screenshot({ path: info.outputPath("charts.png") });
 });
+
+test("a Value Tracker draws what its value was", async ({ page }) => {
+  await openText(page, "tracker.kd", "katydid 1\nn = Number Slider(2, 0..10)\nseen = Value Tracker(n)\n");
+  await expect(page.getByRole("img", { name: "seen: 2", exact: true })).toBeVisible();
+  await page.getByRole("slider", { name: "n" }).press("End");
+  const tracker = page.getByRole("img", { name: "seen: 2 → 10", exact: true });
+  await expect(tracker.locator("polyline")).toHaveAttribute("points", /^0,\d+ \d+,0$/);
+});

@@ -211,7 +211,12 @@ impl<T: Item> Sink for ItemsOrLists<T> {
         }
     }
 
-    fn finish(self, matching: &Matching) -> Vec<Tree> {
+    fn finishing(&self, matching: &Matching<'_>) -> usize {
+        let grows = self.lists && matching.grows;
+        if grows { self.ends.len().saturating_mul(size_of::<Path>()) } else { 0 }
+    }
+
+    fn finish(self, matching: &Matching<'_>) -> Vec<Tree> {
         if self.lists {
             return vec![list_tree(self.items.finish(), self.ends, matching)];
         }

@@ -85,6 +85,7 @@ export const IDS = {
   barGraph: "e1905a16-da43-4705-bd65-41d34328c4e6",
   imageGallery: "54ab3f01-a769-4742-a7bf-cec48a1acb6f",
   pieChart: "952c2bcc-b5ec-480a-a0d7-27f016632e33",
+  valueTracker: "615367b4-c9d0-4cb7-986c-cb861226136f",
 } as const;
 
 /** The component of a name, a new one before an old one. */

@@ -6,6 +6,8 @@ import { polar } from "./radial";
 
 /** More parts than this become one for all the rest. */
 const MOST_PARTS = 24;
+/** So many solutions are kept of a value. */
+const MOST_KEPT = 200;
 /** So many values are told in words. */
 const MOST_TOLD = 20;
 /** About the width of a digit of a label. */
@@ -131,10 +133,23 @@ export function slicesOf(parts: readonly Part[], radius: number): Slice[] {
   });
 }
 
-/** A line through numbers one after the other, as the points of a polyline. */
-export function lineOf(values: readonly number[], [width, height]: Point): Point[] {
-  const low = Math.min(...values);
-  const range = Math.max(...values) - low || 1;
+/** What values were from solution to solution: a list for each place, as many as are kept, the newest last. */
+export type History = readonly (readonly number[])[];
+
+/** A history with the values of one more solution. A place that has no value any more stays as it was. */
+export function remember(history: History, values: readonly number[]): History {
+  const places = Array.from({ length: Math.max(history.length, values.length) }, (_, place) => place);
+  return places.map((place) => {
+    const value = values[place];
+    const known = history[place] ?? [];
+    return value === undefined ? known : [...known, value].slice(-MOST_KEPT);
+  });
+}
+
+/** A line through numbers one after the other, as the points of a polyline; from the lowest to the highest of `all`. */
+export function lineOf(values: readonly number[], [width, height]: Point, all = values): Point[] {
+  const low = Math.min(...all);
+  const range = Math.max(...all) - low || 1;
   const last = Math.max(values.length - 1, 1);
   return values.map((value, k): Point => [(width * k) / last, height * (1 - (value - low) / range)]);
 }

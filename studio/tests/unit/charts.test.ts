@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import { barChart, branchesOf, lineOf, numbersOf, partsOf, slicesOf, told } from "../../src/core/charts";
+import { type History, barChart, branchesOf, lineOf, numbersOf, partsOf, remember, slicesOf, told } from "../../src/core/charts";
 import type { Row } from "../../src/core/protocol/Row";
 
 const row = (text: string): Row => ({ is: "item", index: 0, text });
@@ -79,6 +79,14 @@ describe("parts of a whole", () => {
     expect(slicesOf(partsOf(["0"]), 10)).toEqual([]);
     expect(slicesOf([], 10)).toEqual([]);
   });
+});
+
+test("a tracker keeps what each value was", () => {
+  const history = remember(remember(remember([], [1, 10]), [2]), [3, 30, 300]);
+  expect(history).toEqual([[1, 2, 3], [10, 30], [300]]);
+  const long = Array.from({ length: 250 }, (_, k) => k).reduce((history, k) => remember(history, [k]), [] as History);
+  expect(long[0]).toHaveLength(200);
+  expect(long[0]?.[0]).toBe(50);
 });
 
 test("a line goes from the lowest number at the bottom to the highest at the top", () => {

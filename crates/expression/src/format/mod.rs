@@ -4,6 +4,7 @@
 
 mod custom;
 mod decimal;
+mod fixed;
 mod parse;
 mod standard;
 
@@ -152,40 +153,43 @@ fn item(
     dialect: Dialect,
     out: &mut String,
 ) -> Result<(), FormatError> {
-    let at = reader.place() - 1;
-    let lone = FormatError::LoneBrace { brace: '{', at };
+    let (pattern, opened) = (reader.pattern, reader.at);
+    let at = || Reader { pattern, at: opened }.place() - 1;
+    let lone = || FormatError::LoneBrace { brace: '{', at: at() };
     reader.blanks();
     if reader.peek().is_none() {
-        return Err(lone);
+        return Err(lone());
     }
-    let index = reader.whole(1_000_000).ok_or(FormatError::BadIndex { at })?;
+    let index = reader.whole(1_000_000).ok_or_else(|| FormatError::BadIndex { at: at() })?;
     reader.blanks();
     let mut width = 0;
     let mut left = false;
     if reader.eat(',') {
         reader.blanks();
         left = reader.eat('-');
-        width = reader.whole(WIDTH_LIMIT).ok_or(FormatError::BadWidth { at })?;
+        width = reader.whole(WIDTH_LIMIT).ok_or_else(|| FormatError::BadWidth { at: at() })?;
         reader.blanks();
     }
-    let mut form = String::new();
+    let mut form = "";
     if reader.eat(':') {
-        loop {
-            match reader.peek() {
-                None => return Err(lone),
-                Some('}') => break,
-                Some(c) => {
-                    reader.at += c.len_utf8();
-                    form.push(c);
-                }
-            }
-        }
+        let rest = pattern.get(reader.at..).unwrap_or_default();
+        form = rest.split_once('}').ok_or_else(lone)?.0;
+        reader.at += form.len();
     }
     if !reader.eat('}') {
-        return Err(if reader.peek().is_none() { lone } else { FormatError::BadIndex { at } });
+        return Err(if reader.peek().is_none() { lone() } else { FormatError::BadIndex { at: at() } });
     }
-    let value = values.get(index).ok_or(FormatError::MissingValue { index, count: values.len(), at })?;
-    let text = format_value(value, &form, dialect)?;
+    let value = values.get(index).ok_or_else(|| FormatError::MissingValue {
+        index,
+        count: values.len(),
+        at: at(),
+    })?;
+    if let (0, Variant::Number(x)) = (width, value)
+        && fixed::push(*x, form, out)
+    {
+        return Ok(());
+    }
+    let text = format_value(value, form, dialect)?;
     let padding = width.saturating_sub(text.encode_utf16().count());
     if out.len().saturating_add(padding).saturating_add(text.len()) > crate::MAX_TEXT {
         return Err(FormatError::TooLong(crate::MAX_TEXT));

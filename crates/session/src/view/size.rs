@@ -118,7 +118,8 @@ pub(crate) fn natural(object: &Object) -> [f32; 2] {
 
 /// Whether a parameter draws its data.
 fn draws(component: Uuid) -> bool {
-    [ids::QUICK_GRAPH, ids::BAR_GRAPH, ids::PIE_CHART, ids::IMAGE_GALLERY].contains(&component)
+    [ids::QUICK_GRAPH, ids::BAR_GRAPH, ids::PIE_CHART, ids::IMAGE_GALLERY, ids::VALUE_TRACKER]
+        .contains(&component)
 }
 
 /// As large as a text wants to be read, within what is usual.

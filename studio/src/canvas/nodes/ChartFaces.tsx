@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 
 import { IDS } from "../../core/catalogue";
-import { barChart, branchesOf, lineOf, numbersOf, partsOf, shortNumber, slicesOf, told } from "../../core/charts";
+import { type History, barChart, branchesOf, lineOf, numbersOf, partsOf, remember, shortNumber, slicesOf, told } from "../../core/charts";
 import type { Point } from "../../core/geometry";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
@@ -10,6 +10,8 @@ import { useRows } from "../rows";
 
 /** More rows than this are not drawn: nobody could tell them apart. */
 const MOST_ROWS = 4000;
+/** More values than this are not followed. */
+const MOST_TRACKS = 24;
 /** The room beside a chart. */
 const EDGE = 6;
 /** How many colours there are. */
@@ -23,18 +25,31 @@ const CHARTS: ReadonlyMap<string, (branches: string[][], room: Point) => { words
 
 /** Whether an object draws its data as a chart. */
 export function isChart(object: ObjectView): boolean {
-  return CHARTS.has(object.component);
+  return CHARTS.has(object.component) || object.component === IDS.valueTracker;
 }
 
-/** A Quick Graph, Bar Graph or Pie Chart: its data, drawn; and told to those who do not see it. */
+/** What a tracker has seen so far, and in what data last. */
+const SEEN = new Map<string, { page: object; history: History }>();
+
+function draw(object: ObjectView, branches: string[][], room: Point, page: object) {
+  if (object.component !== IDS.valueTracker) return CHARTS.get(object.component)?.(branches, room);
+  let seen = SEEN.get(object.id);
+  if (seen?.page !== page) {
+    seen = { page, history: remember(seen?.history ?? [], numbersOf(branches.flat())) };
+    SEEN.set(object.id, seen);
+  }
+  return tracks(seen.history, room);
+}
+
+/** A Value Tracker, Quick Graph, Bar Graph or Pie Chart: its data, drawn; and told to those who do not see it. */
 export function ChartFace({ object, size }: { object: ObjectView; size: readonly [number, number] }) {
   const port = object.outputs[0]?.id ?? object.id;
   const output = useOutput(port);
   const page = useRows(port, 0, output && output.items > 0 ? MOST_ROWS : 0, output);
-  const chart = CHARTS.get(object.component);
   const [width, height] = [Math.max(size[0] - 2 * EDGE, 1), Math.max(size[1] - 2 * EDGE, 1)];
   const name = object.nickname.trim() || object.name;
-  const { words, drawn } = chart && page ? chart(branchesOf(page.rows), [width, height]) : { words: [], drawn: null };
+  const branches = page && branchesOf(page.rows);
+  const { words, drawn } = (branches && draw(object, branches, [width, height], page)) ?? { words: [], drawn: null };
   if (words.length === 0) return <span className="no-picture">{t("canvas.empty")}</span>;
   const label = t("canvas.chart", { name, values: told(words) });
   return (
@@ -51,6 +66,27 @@ function line(branches: string[][], room: Point) {
   const points = lineOf(values, room);
   const drawn = <polyline className="curve" points={points.map((point) => point.join(",")).join(" ")} />;
   return { words: values.map(shortNumber), drawn };
+}
+
+/** A line for each value, from solution to solution, with what it is now. */
+function tracks(history: History, room: Point) {
+  const all = history.flat();
+  const drawn = history.slice(0, MOST_TRACKS).map((values, place) => {
+    const points = lineOf(values, room, all);
+    const [x, y] = points.at(-1) ?? [0, 0];
+    const now = values.at(-1);
+    // A value that never changed is a line too.
+    const line = points.length === 1 ? [...points, [room[0], y]] : points;
+    return (
+      <g key={place} className={`track stroke${place % COLOURS}`}>
+        <polyline points={line.map((point) => point.join(",")).join(" ")} />
+        <text x={Math.max(x, room[0]) - 2} y={Math.max(y - 2, 8)} textAnchor="end">
+          {now === undefined ? "" : shortNumber(now)}
+        </text>
+      </g>
+    );
+  });
+  return { words: history.map((values) => values.map(shortNumber).join(" → ")), drawn };
 }
 
 function bars(branches: string[][], room: Point) {
