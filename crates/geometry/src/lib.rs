@@ -92,6 +92,7 @@ mod vector2;
 mod xform;
 
 pub use bounding_box::BoundingBox;
+pub use box_pairs::BoxIndex;
 pub use box3::Box3;
 pub use brep::Brep;
 pub use catenary::catenary;
@@ -113,8 +114,8 @@ pub use matrix::{Matrix, RowReduction};
 #[cfg(feature = "mesh-booleans")]
 pub use mesh::Solid;
 pub use mesh::{
-    Decimation, GuideKind, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshTree,
-    QuadOptions, RemeshOptions, Remeshed, Smoothing, SurfaceMeshing,
+    Decimation, GuideKind, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshSections,
+    MeshTree, QuadOptions, RemeshOptions, Remeshed, Smoothing, SurfaceMeshing,
 };
 pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
 pub use moments::MassProperties;

@@ -8,7 +8,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Path, Tree, TreeBuilder, Value, cast};
 use katydid_geometry::brep::BrepSections;
 use katydid_geometry::intersect::surface_plane;
-use katydid_geometry::{Brep, Curve, Interval, Mesh, Plane, Point3, PolylineCurve, Vector3};
+use katydid_geometry::{Brep, Curve, Interval, Mesh, MeshSections, Plane, Point3, PolylineCurve, Vector3};
 
 use super::planes;
 use crate::transform::around;
@@ -16,10 +16,16 @@ use crate::transform::around;
 /// Groups in groups beyond this depth are left out.
 const DEEPEST: usize = 100;
 
+/// So many planes cut a mesh before it is asked whether to go on.
+const AT_ONCE: usize = 64;
+
 /// The polylines in which a plane cuts a mesh.
 fn of_mesh(mesh: &Mesh, plane: &Plane) -> Result<Vec<Value>, Message> {
-    let chains = mesh.section(plane)?;
-    Ok(chains.into_iter().filter_map(|c| PolylineCurve::new(c).ok()).map(|c| Curve::from(c).into()).collect())
+    Ok(polylines(mesh.section(plane)?).collect())
+}
+
+fn polylines(chains: Vec<Vec<Point3>>) -> impl Iterator<Item = Value> {
+    chains.into_iter().filter_map(|c| PolylineCurve::new(c).ok()).map(|c| Curve::from(c).into())
 }
 
 /// The Breps that were cut last, prepared for more planes.
@@ -121,6 +127,9 @@ fn readable(shape: Value) -> Result<Value, Message> {
 
 /// The sections of a thing, a branch for each plane.
 fn contours(context: &Context<'_>, shape: &Value, planes: &[Plane]) -> Result<Tree, Message> {
+    if let (Value::Mesh(mesh), Some(first)) = (shape, planes.first()) {
+        return mesh_contours(context, mesh, first.z_axis, planes);
+    }
     let start: Path = context.path().child(context.iteration());
     let mut out = TreeBuilder::<Value>::new();
     let mut made = 0_usize;
@@ -131,6 +140,30 @@ fn contours(context: &Context<'_>, shape: &Value, planes: &[Plane]) -> Result<Tr
         made = made.saturating_add(curves.len());
         context.items(made)?;
         curves.into_iter().for_each(|curve| out.push(Some(curve)));
+    }
+    Ok(out.finish())
+}
+
+/// The sections of a mesh by parallel planes, a branch for each.
+fn mesh_contours(
+    context: &Context<'_>,
+    mesh: &Mesh,
+    normal: Vector3,
+    planes: &[Plane],
+) -> Result<Tree, Message> {
+    let start: Path = context.path().child(context.iteration());
+    let sections = MeshSections::new(mesh, normal)?;
+    let mut out = TreeBuilder::<Value>::new();
+    let (mut made, mut branch) = (0_usize, 0_usize);
+    for some in planes.chunks(AT_ONCE) {
+        context.check()?;
+        for chains in sections.at(some)? {
+            out.branch(start.child(branch));
+            branch += 1;
+            made = made.saturating_add(chains.len());
+            context.items(made)?;
+            polylines(chains).for_each(|curve| out.push(Some(curve)));
+        }
     }
     Ok(out.finish())
 }

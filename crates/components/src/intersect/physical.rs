@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_geometry::intersect::{self, CurveIntersections};
-use katydid_geometry::{Curve, Point3};
+use katydid_geometry::{BoxIndex, Curve, Point3};
 
 /// Points and both parameters.
 type Meetings = Vec<(Point3, f64, f64)>;
@@ -98,27 +98,22 @@ fn multiple_curves(
     #[port("Curves", "C")]
     curves: List<Shared<Curve>>,
 ) -> Result<(Vec<Point3>, Vec<i32>, Vec<i32>, Vec<f64>, Vec<f64>), Message> {
-    let curves = curves.to_vec();
-    let boxes: Vec<_> = curves.iter().map(|c| c.as_ref().map(|c| c.bounding_box())).collect();
+    let curves: Vec<_> = curves.iter().enumerate().filter_map(|(i, c)| Some((i, c?))).collect();
+    let boxes: Vec<_> = curves.iter().map(|(_, c)| c.bounding_box()).collect();
     let tolerance = context.tolerance().absolute;
+    let index = BoxIndex::new(&boxes);
     let mut out = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for (i, a) in curves.iter().enumerate() {
-        for (j, b) in curves.iter().enumerate().skip(i + 1) {
-            let (Some(a), Some(b)) = (a, b) else { continue };
-            let (Some(Some(p)), Some(Some(q))) = (boxes.get(i), boxes.get(j)) else { continue };
-            let apart = |p0: f64, p1: f64, q0: f64, q1: f64| p0 > q1 + tolerance || q0 > p1 + tolerance;
-            if apart(p.min.x, p.max.x, q.min.x, q.max.x)
-                || apart(p.min.y, p.max.y, q.min.y, q.max.y)
-                || apart(p.min.z, p.max.z, q.min.z, q.max.z)
-            {
-                continue;
-            }
+    for (k, ((i, a), bounds)) in curves.iter().zip(&boxes).enumerate() {
+        context.check()?;
+        for (j, b) in
+            index.near(bounds, tolerance).into_iter().filter(|l| *l > k).filter_map(|l| curves.get(l))
+        {
             context.check()?;
             let found = intersect::curve_curve(a, b, tolerance)?;
             for (point, s, t) in meetings(context, a, &found)? {
                 out.0.push(point);
-                out.1.push(i32::try_from(i).unwrap_or(i32::MAX));
-                out.2.push(i32::try_from(j).unwrap_or(i32::MAX));
+                out.1.push(i32::try_from(*i).unwrap_or(i32::MAX));
+                out.2.push(i32::try_from(*j).unwrap_or(i32::MAX));
                 out.3.push(s);
                 out.4.push(t);
             }

@@ -86,7 +86,7 @@ impl Brep {
     }
 
     /// Whether a face has no trims but the sides of its surface.
-    pub(super) fn is_whole(&self, face: &super::Face) -> bool {
+    pub(crate) fn is_whole(&self, face: &super::Face) -> bool {
         let parts = self.parts();
         let loops = face.loops.iter().filter_map(|l| parts.loops.get(*l));
         loops.clone().count() == 1

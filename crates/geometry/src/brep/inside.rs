@@ -1,6 +1,6 @@
 //! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
 
-use std::sync::Arc as Shared;
+use std::sync::{Arc as Shared, OnceLock};
 
 use super::Brep;
 use crate::region::Outline;
@@ -14,7 +14,8 @@ use crate::{
 #[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) face: usize,
-    pub(super) closest: ClosestOnSurface,
+    /// Made when it is first asked: not all questions need it.
+    closest: OnceLock<ClosestOnSurface>,
     outlines: Vec<Outline>,
     loops: Vec<Curve>,
     pub(super) bounds: BoundingBox,
@@ -22,6 +23,17 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
+    /// Its whole surface, prepared for questions about nearest points.
+    pub(super) fn closest(&self, brep: &Brep) -> Result<&ClosestOnSurface> {
+        if let Some(made) = self.closest.get() {
+            return Ok(made);
+        }
+        let surface =
+            brep.face_surface(self.face).ok_or(Error::degenerate("brep", "there is no such face"))?;
+        let made = ClosestOnSurface::new(surface)?;
+        Ok(self.closest.get_or_init(|| made))
+    }
+
     /// How often the loops run round a pair of parameters: once on the face.
     pub(super) fn covers(&self, u: f64, v: f64) -> bool {
         self.outlines.iter().map(|outline| outline.winding([u, v])).sum::<i32>() != 0
@@ -83,7 +95,7 @@ impl ClosestOnBrep {
             let loops = brep.face_loops(face)?;
             sheets.push(Sheet {
                 face,
-                closest: ClosestOnSurface::new(surface)?,
+                closest: OnceLock::new(),
                 outlines: loops.iter().map(|curve| Outline::new(curve, &Plane::XY)).collect(),
                 loops,
                 bounds: surface.bounding_box()?,
@@ -111,6 +123,17 @@ impl ClosestOnBrep {
     /// The faces.
     pub(super) fn sheets(&self) -> &[Sheet] {
         &self.sheets
+    }
+
+    /// The place of a face among the faces that are prepared, and the box of its surface.
+    pub(crate) fn sheet(&self, face: usize) -> Option<(usize, BoundingBox)> {
+        let place = self.sheets.binary_search_by(|s| s.face.cmp(&face)).ok()?;
+        Some((place, self.sheets.get(place)?.bounds))
+    }
+
+    /// Whether parameters lie on a face, by its place among those prepared; at its border either.
+    pub(crate) fn sheet_covers(&self, place: usize, [u, v]: [f64; 2]) -> bool {
+        self.sheets.get(place).is_some_and(|sheet| sheet.covers(u, v))
     }
 
     /// The edges that have curves, with their places and boxes.
@@ -167,7 +190,7 @@ impl ClosestOnBrep {
             let normal = normal.map(|n| if sheet.reversed { -n } else { n });
             BrepPoint { place: BrepPlace::Face { face: sheet.face, uv: [u, v] }, point, distance, normal }
         };
-        let Some(first) = sheet.closest.nearest_within(q, limit)? else { return Ok(None) };
+        let Some(first) = sheet.closest(&self.brep)?.nearest_within(q, limit)? else { return Ok(None) };
         if !(first.distance < limit) {
             return Ok(None);
         }
@@ -175,7 +198,7 @@ impl ClosestOnBrep {
             return Ok(Some(found(first.u, first.v, first.point, first.distance)));
         }
         // What is nearest was cut away: other feet may not be.
-        let others = sheet.closest.local_closest_points(q)?;
+        let others = sheet.closest(&self.brep)?.local_closest_points(q)?;
         let kept = others.points.iter().find(|p| p.distance < limit && sheet.covers(p.u, p.v));
         Ok(kept.map(|p| found(p.u, p.v, p.point, p.distance)))
     }
@@ -184,7 +207,7 @@ impl ClosestOnBrep {
         let trims = self.brep.edges().get(edge).map_or(&[] as &[usize], |e| &e.trims);
         let Some(face) = trims.first().and_then(|t| self.brep.face_of(*t)) else { return Ok(None) };
         let Some(sheet) = self.sheets.iter().find(|s| s.face == face) else { return Ok(None) };
-        let near = sheet.closest.nearest(point)?;
+        let near = sheet.closest(&self.brep)?.nearest(point)?;
         let normal = self.brep.face_surface(face).and_then(|s| s.normal_at(near.u, near.v));
         Ok(normal.map(|n| if sheet.reversed { -n } else { n }))
     }

@@ -125,7 +125,7 @@ impl ClosestOnBrep {
             let [u, v] = match surface {
                 Surface::Plane(flat) => flat.parameters_of(p),
                 _ => {
-                    let near = sheet.closest.nearest(p)?;
+                    let near = sheet.closest(self.brep())?.nearest(p)?;
                     // Beyond the surface's end the nearest place lies on its edge.
                     if distance > 0.0 && near.distance > 2.0 * distance {
                         return Ok(false);

@@ -9,7 +9,7 @@ use crate::Interval;
 /// The pictures of all curves, prepared for questions.
 pub(super) struct Pictures<'a> {
     features: &'a [Feature],
-    segments: Segments,
+    segments: &'a Segments,
     tolerance: f64,
 }
 
@@ -19,8 +19,8 @@ const PLACES: [f64; 3] = [0.5, 0.2, 0.8];
 const ALONG: f64 = 0.1;
 
 impl<'a> Pictures<'a> {
-    pub(super) fn new(features: &'a [Feature], tolerance: f64) -> Self {
-        Self { features, segments: Segments::new(features, |_| true, tolerance), tolerance }
+    pub(super) fn new(features: &'a [Feature], segments: &'a Segments, tolerance: f64) -> Self {
+        Self { features, segments, tolerance }
     }
 
     /// Whether a nearer curve has the picture of a piece, or an earlier one in the same place.

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::feature::{Feature, distance};
+use super::occluder::Occluders;
 use crate::Result;
 use crate::box_tree::{Bounds, BoxTree, bounds_of};
 use crate::silhouette::{each, go_on_or_stop};
@@ -25,12 +26,10 @@ fn meet(a: &Bounds, b: &Bounds) -> bool {
 }
 
 impl Segments {
-    pub(super) fn new(features: &[Feature], wanted: impl Fn(&Feature) -> bool, margin: f64) -> Self {
+    /// Of all features, in boxes this much wider.
+    pub(super) fn new(features: &[Feature], margin: f64) -> Self {
         let (mut of, mut boxes) = (Vec::new(), Vec::new());
         for (feature, i) in features.iter().zip(0_u32..) {
-            if !wanted(feature) {
-                continue;
-            }
             for (w, k) in feature.samples.windows(2).zip(0_u32..) {
                 of.push((i, k));
                 boxes.push(box_of(w[0].at, w[1].at, margin));
@@ -51,13 +50,24 @@ impl Segments {
     }
 }
 
-/// The parameters of each feature between which nothing of the picture crosses it that could hide it, ends included.
+/// Where a feature can become hidden.
+#[derive(Debug)]
+pub(super) struct Split {
+    /// The parameters between which nothing of the picture crosses it that could hide it, and it goes through no surface;
+    /// ends included.
+    pub(super) stops: Vec<f64>,
+    /// Whether that is certain.
+    pub(super) complete: bool,
+}
+
+/// Where each feature can become hidden.
 pub(super) fn splits(
     features: &[Feature],
+    segments: &Segments,
+    occluders: &Occluders,
     tolerance: f64,
     go_on: &(dyn Fn() -> bool + Sync),
-) -> Result<Vec<Vec<f64>>> {
-    let outlines = Segments::new(features, |f| f.kind.is_silhouette(), tolerance);
+) -> Result<Vec<Split>> {
     // Where a curve ends another may begin to be covered by it.
     let ends: Vec<[f64; 2]> = features
         .iter()
@@ -71,15 +81,17 @@ pub(super) fn splits(
     let index: Vec<usize> = (0..features.len()).collect();
     each(&index, |&i| {
         go_on_or_stop(go_on)?;
-        let Some(feature) = features.get(i) else { return Ok(Vec::new()) };
+        let Some(feature) = features.get(i) else { return Ok(Split { stops: Vec::new(), complete: true }) };
         let domain = feature.domain();
         let mut stops = vec![domain.start, domain.end];
         stops.extend(feature.folds());
+        let pierced = occluders.pierced(feature)?;
+        stops.extend(pierced.stops);
         for (k, w) in feature.samples.windows(2).enumerate() {
             let own = box_of(w[0].at, w[1].at, tolerance);
-            outlines.near(&own, |j, l| {
+            segments.near(&own, |j, l| {
                 let neighbours = i == j && k.abs_diff(l) <= 1;
-                if let Some(other) = features.get(j).filter(|_| !neighbours)
+                if let Some(other) = features.get(j).filter(|f| f.kind.is_silhouette() && !neighbours)
                     && let Some([t, s]) = crossing(feature, k, other, l, tolerance)
                     && other.depth(s) >= feature.depth(t) - tolerance
                 {
@@ -107,7 +119,7 @@ pub(super) fn splits(
         if let Some(last) = stops.last_mut() {
             *last = domain.end;
         }
-        Ok(stops)
+        Ok(Split { stops, complete: pierced.complete })
     })
 }
 

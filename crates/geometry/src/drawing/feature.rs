@@ -9,6 +9,8 @@ use crate::{Curve, Interval, Line, NurbsCurve, Plane, Point3, PolylineCurve, Res
 pub(super) struct Feature {
     pub(super) object: usize,
     pub(super) kind: SilhouetteKind,
+    /// The faces of its object that it lies on.
+    pub(super) faces: Vec<usize>,
     /// In space.
     space: NurbsCurve,
     /// In the picture, with the same parameters.
@@ -40,6 +42,7 @@ impl Feature {
         object: usize,
         kind: SilhouetteKind,
         curve: &Curve,
+        faces: Vec<usize>,
         view: &View,
         options: &DrawingOptions,
     ) -> Result<Vec<Self>> {
@@ -69,7 +72,7 @@ impl Feature {
                 .first()
                 .map_or(0.0, |a| samples.iter().map(|s| distance(a.at, s.at)).fold(0.0, f64::max));
             if reach > tolerance {
-                out.push(Self { object, kind, space, picture, view: *view, samples });
+                out.push(Self { object, kind, faces: faces.clone(), space, picture, view: *view, samples });
             }
         }
         Ok(out)
@@ -77,6 +80,19 @@ impl Feature {
 
     pub(super) fn domain(&self) -> Interval {
         self.picture.domain()
+    }
+
+    pub(super) fn space(&self) -> &NurbsCurve {
+        &self.space
+    }
+
+    /// Its spans in space as Bézier curves, each with its range.
+    pub(super) fn beziers(&self) -> impl Iterator<Item = (Vec<[f64; 4]>, Interval)> + '_ {
+        let (knots, degree) = (self.space.knots(), self.space.degree());
+        self.space.spans().map(move |j| {
+            let range = Interval::new(knots[j + degree - 1], knots[j + degree]);
+            (self.space.bezier_points(j), range)
+        })
     }
 
     pub(super) fn point(&self, t: f64) -> Point3 {

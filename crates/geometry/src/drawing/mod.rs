@@ -4,6 +4,8 @@ mod coincident;
 mod crossing;
 mod feature;
 mod occluder;
+mod pierce;
+mod sheet;
 mod view;
 
 pub use view::View;
@@ -11,10 +13,10 @@ pub use view::View;
 use std::sync::Arc as Shared;
 
 use feature::Feature;
-use occluder::Occluders;
+use occluder::{Occluders, Sight};
 
 use crate::brep::ClosestOnBrep;
-use crate::silhouette::{SilhouetteKind, each, go_on_or_stop, silhouettes_of};
+use crate::silhouette::{SilhouetteKind, SilhouettePart, each, go_on_or_stop, silhouettes_of};
 use crate::{Brep, Curve, Error, Interval, Mesh, Plane, Result, Tolerance};
 
 /// An object to be drawn.
@@ -82,13 +84,14 @@ const MOST_FEATURES: usize = 200_000;
 /// A drawing of objects with hidden lines.
 ///
 /// Silhouettes and edges of all objects (see [`Brep::silhouettes`]), curves, and the sections by the clipping planes are
-/// projected into the picture and split where a nearer outline crosses them: only there, where a curve goes through a
-/// surface, and where a silhouette turns back can a curve become hidden (A. Appel, *The notion of quantitative
-/// invisibility and the machine rendering of solids*, 1967). Whether a piece is seen is asked with lines of sight from
-/// several places of it against the surfaces themselves, found from meshes by Newton's method; where answers differ the
-/// place of the change is halved for. Beside a tangent outline lines of sight start a tenth of the tolerance to
-/// either side as well, so that it is not hidden by the surface that it is the outline of. What is nearer behind than five
-/// tolerances counts as seen. Nothing fills the cut of a clipping plane.
+/// projected into the picture and split where a nearer outline crosses them, where they go through a surface, and where a
+/// silhouette turns back: only there can a curve become hidden (A. Appel, *The notion of quantitative invisibility and
+/// the machine rendering of solids*, 1967). Whether a piece is seen is asked with lines of sight from three places of it
+/// against the surfaces themselves: planes, spheres, cylinders and cones in closed form, others from meshes by Newton's
+/// method. Where answers differ nonetheless, more places are asked, and the place of the change is halved for. Beside a
+/// tangent outline lines of sight start a tenth of the tolerance to either side as well, so that it is not hidden by the
+/// surface that it is the outline of. What is nearer behind than five tolerances counts as seen, unless another place of
+/// its piece lies farther behind. Nothing fills the cut of a clipping plane.
 ///
 /// `go_on` is asked again and again; where it says no the work stops.
 ///
@@ -117,8 +120,8 @@ pub fn drawing(
         let (found, complete) = curves_of(drawn, search.as_ref(), view, options, go_on)?;
         searches.push(search);
         out.complete &= complete;
-        for (kind, curve) in found {
-            features.extend(Feature::new(object, kind, &curve, view, options)?);
+        for (kind, curve, faces) in found {
+            features.extend(Feature::new(object, kind, &curve, faces, view, options)?);
         }
         if features.len() > MOST_FEATURES {
             return Err(Error::OutOfRange {
@@ -129,13 +132,14 @@ pub fn drawing(
         }
     }
     let occluders = Occluders::new(objects, searches, view, options, go_on)?;
-    let splits = crossing::splits(&features, options.tolerance.absolute, go_on)?;
+    let segments = crossing::Segments::new(&features, options.tolerance.absolute);
+    let splits = crossing::splits(&features, &segments, &occluders, options.tolerance.absolute, go_on)?;
     let index: Vec<usize> = (0..features.len()).collect();
-    let search = coincident::Pictures::new(&features, options.tolerance.absolute);
+    let search = coincident::Pictures::new(&features, &segments, options.tolerance.absolute);
     let pieces = each(&index, |&i| {
         go_on_or_stop(go_on)?;
-        let (Some(feature), Some(stops)) = (features.get(i), splits.get(i)) else { return Ok(Vec::new()) };
-        pieces(i, feature, stops, &occluders, &search, options.tolerance.absolute)
+        let (Some(feature), Some(split)) = (features.get(i), splits.get(i)) else { return Ok(Vec::new()) };
+        pieces(i, feature, split, &occluders, &search, options.tolerance.absolute)
     })?;
     for (feature, pieces) in features.iter().zip(pieces) {
         for (range, visibility) in pieces {
@@ -146,6 +150,9 @@ pub fn drawing(
     Ok(out)
 }
 
+/// A curve in space, what it is, and the faces that it lies on.
+type Found = (SilhouetteKind, Curve, Vec<usize>);
+
 /// The curves in space that are drawn of an object.
 fn curves_of(
     drawn: &Drawn,
@@ -153,10 +160,10 @@ fn curves_of(
     view: &View,
     options: &DrawingOptions,
     go_on: &(dyn Fn() -> bool + Sync),
-) -> Result<(Vec<(SilhouetteKind, Curve)>, bool)> {
+) -> Result<(Vec<Found>, bool)> {
     let (found, mut sections, mut complete) = match drawn {
         Drawn::Curve(curve) => {
-            return Ok((vec![(SilhouetteKind::MiscellaneousFeature, curve.clone())], true));
+            return Ok((vec![(SilhouetteKind::MiscellaneousFeature, curve.clone(), Vec::new())], true));
         }
         Drawn::Brep(brep) => {
             let Some(search) = search else { return Ok((Vec::new(), true)) };
@@ -192,16 +199,30 @@ fn curves_of(
         SilhouetteKind::NonSilhouetteSeam => options.tangent_seams,
         _ => true,
     };
-    let mut curves: Vec<(SilhouetteKind, Curve)> =
-        found.curves.into_iter().filter(|s| shown(s.kind)).map(|s| (s.kind, s.curve)).collect();
-    curves.extend(sections.drain(..).map(|c| (SilhouetteKind::SectionCut, c)));
+    let faces = |part: SilhouettePart| match (part, search) {
+        (SilhouettePart::Face(face), _) => vec![face],
+        (SilhouettePart::Edge(edge), Some(search)) => {
+            let brep = search.brep();
+            let trims = brep.edges().get(edge).map_or(&[] as &[usize], |own| &own.trims);
+            trims.iter().filter_map(|t| brep.face_of(*t)).collect()
+        }
+        _ => Vec::new(),
+    };
+    let mut curves: Vec<Found> = found
+        .curves
+        .into_iter()
+        .filter(|s| shown(s.kind))
+        .map(|s| (s.kind, s.curve, faces(s.part)))
+        .collect();
+    curves.extend(sections.drain(..).map(|c| (SilhouetteKind::SectionCut, c, Vec::new())));
     Ok((curves, complete))
 }
 
-/// Places on a piece, as shares of it, at which it is asked whether it is seen.
-const PLACES: [f64; 5] = [0.5, 0.12, 0.88, 0.31, 0.69];
-/// The most other places at which it is asked.
-const MORE: usize = 16;
+/// Places on a piece, as shares of it, at which it is asked whether it is seen: none of them in the middle, where what is
+/// symmetric has its edges.
+const PLACES: [f64; 3] = [0.483_7, 0.211_3, 0.793_1];
+/// The most other places at which it is asked where those do not agree.
+const MORE: usize = 24;
 /// Halvings between two places with different answers.
 const HALVINGS: usize = 30;
 
@@ -209,7 +230,7 @@ const HALVINGS: usize = 30;
 fn pieces(
     index: usize,
     feature: &Feature,
-    stops: &[f64],
+    split: &crossing::Split,
     occluders: &Occluders,
     search: &coincident::Pictures,
     tolerance: f64,
@@ -223,7 +244,7 @@ fn pieces(
         Some((last, was)) if *was == visibility => last.end = range.end,
         _ => found.push((range, visibility)),
     };
-    for w in stops.windows(2) {
+    for w in split.stops.windows(2) {
         let range = Interval::new(w[0], w[1]);
         if !(range.length() > 0.0) {
             continue;
@@ -232,36 +253,59 @@ fn pieces(
             add(range, Visibility::Duplicate);
             continue;
         }
-        let seen_at = |t: f64| occluders.sees(feature, t);
-        let short = feature.picture_chord(range) <= 4.0 * tolerance;
-        let mut places: Vec<f64> =
-            PLACES.iter().take(if short { 1 } else { PLACES.len() }).map(|x| range.at(*x)).collect();
-        if !short {
-            places.extend(feature.sampled(range, MORE));
-        }
-        let mut known: Vec<(f64, bool)> = Vec::with_capacity(places.len());
-        for t in places {
-            known.push((t, seen_at(t)?));
-        }
-        known.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let name = |seen: bool| if seen { Visibility::Visible } else { Visibility::Hidden };
-        let mut start = range.start;
-        for pair in known.windows(2) {
-            let ((mut low, was), (mut high, now)) = (pair[0], pair[1]);
-            if was == now {
-                continue;
-            }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if seen_at(middle)? == was { low = middle } else { high = middle }
-            }
-            let change = 0.5 * (low + high);
-            add(Interval::new(start, change), name(was));
-            start = change;
-        }
-        if let Some((_, last)) = known.last() {
-            add(Interval::new(start, range.end), name(*last));
+        for (range, seen) in seen(feature, range, split.complete, occluders, tolerance)? {
+            add(range, if seen { Visibility::Visible } else { Visibility::Hidden });
         }
     }
     Ok(found)
+}
+
+/// Whether a range of a curve is seen, or its parts, where that changes within.
+fn seen(
+    feature: &Feature,
+    range: Interval,
+    is_split: bool,
+    occluders: &Occluders,
+    tolerance: f64,
+) -> Result<Vec<(Interval, bool)>> {
+    let ask = |t: f64| occluders.sees(feature, t);
+    let short = feature.picture_chord(range) <= 4.0 * tolerance;
+    let mut known: Vec<(f64, Sight)> = Vec::new();
+    for x in PLACES.iter().take(if short { 1 } else { PLACES.len() }) {
+        let t = range.at(*x);
+        known.push((t, ask(t)?));
+    }
+    let agree = |known: &[(f64, Sight)]| {
+        let told = |sight: Sight| known.iter().any(|k| k.1 == sight);
+        !(told(Sight::Free) && told(Sight::Hidden))
+    };
+    let sure = short || (is_split && agree(&known));
+    if !sure {
+        for t in feature.sampled(range, MORE).chain([0.02, 0.98].map(|x| range.at(x))) {
+            known.push((t, ask(t)?));
+        }
+    }
+    if agree(&known) {
+        return Ok(vec![(range, known.iter().all(|k| k.1 != Sight::Hidden))]);
+    }
+    known.retain(|k| k.1 != Sight::Close);
+    known.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut out = Vec::new();
+    let mut start = range.start;
+    for pair in known.windows(2) {
+        let ((mut low, was), (mut high, now)) = (pair[0], pair[1]);
+        if was == now {
+            continue;
+        }
+        let hidden = |sight: Sight| sight == Sight::Hidden;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if hidden(ask(middle)?) == hidden(was) { low = middle } else { high = middle }
+        }
+        let change = 0.5 * (low + high);
+        out.push((Interval::new(start, change), !hidden(was)));
+        start = change;
+    }
+    out.extend(known.last().map(|last| (Interval::new(start, range.end), last.1 != Sight::Hidden)));
+    Ok(out)
 }

@@ -3,40 +3,106 @@
 use std::ops::ControlFlow;
 
 use super::feature::Feature;
+use super::sheet::Sheet;
 use super::{DrawingOptions, Drawn, View};
-use crate::box_tree::Bounds;
+use crate::box_tree::{Bounds, BoxTree};
 use crate::brep::ClosestOnBrep;
-use crate::silhouette::{SilhouetteKind, Viewpoint};
+use crate::silhouette::{SilhouetteKind, Viewpoint, each};
 use crate::{
-    Containment, Mesh, MeshFace, MeshSettings, MeshTree, Plane, Point2, Point3, Quadrant, Result, Surface,
-    Vector3,
+    Brep, Containment, Mesh, MeshFace, MeshSettings, MeshTree, Plane, Point2, Point3, Quadrant, Result,
+    Surface, Vector3,
 };
 
-/// The surfaces of all objects, as triangles from which places on them are found.
+/// The surfaces of all objects: those with closed forms, and triangles from which places on the others are found.
 #[derive(Debug)]
 pub(super) struct Occluders {
-    tree: MeshTree,
-    searches: Vec<Option<ClosestOnBrep>>,
-    sources: Vec<Source>,
+    pub(super) sheets: Vec<Sheet>,
+    pub(super) sheet_tree: BoxTree,
+    pub(super) tree: MeshTree,
+    pub(super) searches: Vec<Option<ClosestOnBrep>>,
+    pub(super) sources: Vec<Source>,
     clipping: Vec<Plane>,
     view: View,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     /// How far triangles may be from their surfaces.
-    coarse: f64,
-    size: f64,
+    pub(super) coarse: f64,
+    /// The diagonal of the box of everything.
+    pub(super) size: f64,
+    center: Point3,
 }
 
 /// Where a triangle comes from.
 #[derive(Debug, Clone, Copy)]
-enum Source {
+pub(super) enum Source {
     /// It is exact.
-    Flat,
+    Flat { object: usize },
     /// A face of a Brep, with the parameters of the middle.
     Face { object: usize, face: usize, at: Point2 },
 }
 
+/// What a line of sight meets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// Nothing.
+    Free,
+    /// Nothing but what is so near to its start that it does not count.
+    Close,
+    /// Something that hides its start.
+    Hidden,
+}
+
+/// The surfaces of a Brep.
+#[derive(Debug, Default)]
+struct Part {
+    sheets: Vec<Sheet>,
+    vertices: Vec<Point3>,
+    faces: Vec<MeshFace>,
+    sources: Vec<Source>,
+    coarse: f64,
+}
+
+impl Part {
+    fn new(
+        brep: &Brep,
+        search: &ClosestOnBrep,
+        object: usize,
+        tolerance: f64,
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self> {
+        let mut out = Self::default();
+        let mut others = Vec::new();
+        for (face, _) in brep.faces().iter().enumerate().filter(|(_, own)| !own.deleted) {
+            match Sheet::new(search, object, face) {
+                Some(sheet) => out.sheets.push(sheet),
+                None => others.push(face),
+            }
+        }
+        if others.is_empty() {
+            return Ok(out);
+        }
+        let size = brep.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
+        out.coarse = tolerance.max(COARSE * size);
+        let mesh = brep.mesh_unless(&MeshSettings::within(out.coarse), &|| !go_on())?;
+        for own in mesh.faces().iter().filter(|own| others.contains(&own.face)) {
+            let base = out.vertices.len() as u32;
+            let at = |p: &u32| mesh.points().get(*p as usize).copied().unwrap_or(Point3::ORIGIN);
+            out.vertices.extend(own.places.iter().map(at));
+            let flat = matches!(brep.face_surface(own.face), Some(Surface::Plane(_)) | None);
+            for face in &own.faces {
+                out.faces.push(face.map(|v| v.saturating_add(base)));
+                out.sources.push(if flat {
+                    Source::Flat { object }
+                } else {
+                    Source::Face { object, face: own.face, at: middle(face, &own.parameters) }
+                });
+            }
+        }
+        Ok(out)
+    }
+}
+
 /// Triangles are within this part of their object's size of its surface.
-const COARSE: f64 = 5e-4;
+const COARSE: f64 = 2e-3;
 /// Steps of Newton's method.
 const STEPS: usize = 12;
 /// Lines of sight start this many tolerances to the side.
@@ -53,107 +119,161 @@ impl Occluders {
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self> {
         let tolerance = options.tolerance.absolute;
+        let index: Vec<usize> = (0..objects.len()).collect();
+        let parts = each(&index, |&object| match (objects.get(object), searches.get(object)) {
+            (Some(Drawn::Brep(brep)), Some(Some(search))) => {
+                Part::new(brep, search, object, tolerance, go_on).map(Some)
+            }
+            _ => Ok(None),
+        })?;
         let mut vertices: Vec<Point3> = Vec::new();
         let mut faces: Vec<MeshFace> = Vec::new();
         let mut sources = Vec::new();
+        let mut sheets: Vec<Sheet> = Vec::new();
         let mut coarse = tolerance;
-        for (object, drawn) in objects.iter().enumerate() {
-            match drawn {
-                Drawn::Curve(_) => {}
-                Drawn::Mesh(mesh) => {
-                    let base = vertices.len() as u32;
-                    vertices.extend(mesh.vertices());
-                    for face in mesh.faces() {
-                        faces.push(face.map(|v| v.saturating_add(base)));
-                        sources.push(Source::Flat);
-                    }
-                }
-                Drawn::Brep(brep) => {
-                    let size = brep.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
-                    let within = tolerance.max(COARSE * size);
-                    coarse = coarse.max(within);
-                    let mesh = brep.mesh_unless(&MeshSettings::within(within), &|| !go_on())?;
-                    for own in mesh.faces() {
-                        let base = vertices.len() as u32;
-                        let at = |p: &u32| mesh.points().get(*p as usize).copied().unwrap_or(Point3::ORIGIN);
-                        vertices.extend(own.places.iter().map(at));
-                        let flat = matches!(brep.face_surface(own.face), Some(Surface::Plane(_)) | None);
-                        for face in &own.faces {
-                            faces.push(face.map(|v| v.saturating_add(base)));
-                            sources.push(if flat {
-                                Source::Flat
-                            } else {
-                                Source::Face { object, face: own.face, at: middle(face, &own.parameters) }
-                            });
-                        }
-                    }
-                }
+        for (object, (drawn, part)) in objects.iter().zip(parts).enumerate() {
+            let base = vertices.len() as u32;
+            if let Drawn::Mesh(mesh) = drawn {
+                vertices.extend(mesh.vertices());
+                faces.extend(mesh.faces().iter().map(|face| face.map(|v| v.saturating_add(base))));
+                sources.resize(faces.len(), Source::Flat { object });
+            }
+            if let Some(part) = part {
+                vertices.extend(part.vertices);
+                faces.extend(part.faces.iter().map(|face| face.map(|v| v.saturating_add(base))));
+                sources.extend(part.sources);
+                sheets.extend(part.sheets);
+                coarse = coarse.max(part.coarse);
             }
         }
-        let bounds = crate::BoundingBox::from_points(vertices.iter().copied());
+        let boxes: Vec<Bounds> = sheets.iter().map(|s| s.bounds).collect();
+        let corners = boxes.iter().flatten().map(|p| Point3::new(p[0], p[1], p[2]));
+        let bounds = crate::BoundingBox::from_points(vertices.iter().copied().chain(corners));
         let size = bounds.map_or(0.0, |b| b.diagonal().length());
+        let center = bounds.map_or(Point3::ORIGIN, |b| b.center());
         let mesh = Mesh::new(vertices, faces)?;
         let tree = MeshTree::new(&mesh);
+        let sheet_tree = BoxTree::by_place(&boxes);
         let clipping = options.clipping.iter().copied().chain(view.clipping()).collect();
-        Ok(Self { tree, searches, sources, clipping, view: *view, tolerance, coarse, size })
+        let view = *view;
+        Ok(Self {
+            sheets,
+            sheet_tree,
+            tree,
+            searches,
+            sources,
+            clipping,
+            view,
+            tolerance,
+            coarse,
+            size,
+            center,
+        })
     }
 
     /// Whether a place of a curve is seen: whether the line of sight from it is free, or, where it touches the surface that
     /// the curve is the outline of, one beside it.
-    pub(super) fn sees(&self, feature: &Feature, t: f64) -> Result<bool> {
+    pub(super) fn sees(&self, feature: &Feature, t: f64) -> Result<Sight> {
         let p = feature.point(t);
-        if self.is_free(p)? {
-            return Ok(true);
-        }
-        if !matches!(feature.kind, SilhouetteKind::Tangent | SilhouetteKind::Projecting) {
-            return Ok(false);
+        let sight = self.sight(p, feature)?;
+        if sight != Sight::Hidden || !touches(feature) {
+            return Ok(sight);
         }
         let (_, d) = feature.jet(t);
         let length = d[0].hypot(d[1]);
         if !(length > 0.0) {
-            return Ok(false);
+            return Ok(sight);
         }
         let across = self.view.sideways(-d[1] / length, d[0] / length) * (SIDE * self.tolerance);
-        Ok(self.is_free(p + across)? || self.is_free(p - across)?)
+        for beside in [p + across, p - across] {
+            let sight = self.sight(beside, feature)?;
+            if sight != Sight::Hidden {
+                return Ok(sight);
+            }
+        }
+        Ok(Sight::Hidden)
     }
 
-    /// Whether nothing lies between a point and the viewer.
-    fn is_free(&self, p: Point3) -> Result<bool> {
+    /// What lies between a point of a curve, or one beside it, and the viewer.
+    fn sight(&self, p: Point3, feature: &Feature) -> Result<Sight> {
         let viewpoint = self.view.viewpoint();
         let towards = viewpoint.towards(p);
         let length = towards.length();
-        let Some(d) = towards.unitized() else { return Ok(true) };
+        let Some(d) = towards.unitized() else { return Ok(Sight::Free) };
         let far = match viewpoint {
             Viewpoint::Perspective(_) => length,
             // Past everything there is, from wherever the point is.
-            Viewpoint::Parallel(_) => {
-                let origin = self.view.plane().origin;
-                2.0 * (self.size + p.distance_to(origin)) + 4.0 * self.tree.size()
-            }
+            Viewpoint::Parallel(_) => 2.0 * (self.size + p.distance_to(self.center)),
         };
         let least = BEFORE * self.tolerance;
-        let from = least - 2.0 * self.coarse;
+        let mut sight = Sight::Free;
+        self.sheet_tree.visit_where(
+            |bounds| passes(bounds, self.tolerance, p, d, [-least, far]),
+            |i| {
+                let Some(sheet) = self.sheets.get(i) else { return ControlFlow::Continue(()) };
+                let Some(Some(search)) = self.searches.get(sheet.object) else {
+                    return ControlFlow::Continue(());
+                };
+                for s in sheet
+                    .line(p, d, sheet.carries(feature), feature.kind == SilhouetteKind::Tangent)
+                    .into_iter()
+                    .flatten()
+                {
+                    let at = p + d * s;
+                    if !(-least <= s && s <= far && sheet.covers(search, at) && self.is_there(at)) {
+                        continue;
+                    }
+                    if s > least {
+                        sight = Sight::Hidden;
+                        return ControlFlow::Break(());
+                    }
+                    sight = Sight::Close;
+                }
+                ControlFlow::Continue(())
+            },
+        );
+        if sight == Sight::Hidden || self.sources.is_empty() {
+            return Ok(sight);
+        }
+        let from = -least - 2.0 * self.coarse;
         for hit in self.tree.line_hits(p, d, [from, far])? {
             let Some((s, _)) = self.exact(hit.face, p, d, hit.t) else { continue };
-            if least < s && s <= far && self.is_there(p + d * s) {
-                return Ok(false);
+            if !(-least <= s && s <= far && self.is_there(p + d * s)) {
+                continue;
+            }
+            if s > least {
+                return Ok(Sight::Hidden);
+            }
+            if !self.carries(hit.face, feature) {
+                sight = Sight::Close;
             }
         }
         // Where a surface turns away its triangles may lie within it, and a line of sight pass beside them.
-        let mut free = true;
         let mut trouble = None;
+        let from = least - 2.0 * self.coarse;
         self.tree.boxes().visit_where(
             |bounds| passes(bounds, self.coarse, p, d, [from, far]),
             |i| {
                 match self.passes_beside(i, p, d, [least, far]) {
                     Ok(false) => return ControlFlow::Continue(()),
-                    Ok(true) => free = false,
+                    Ok(true) => sight = Sight::Hidden,
                     Err(why) => trouble = Some(why),
                 }
                 ControlFlow::Break(())
             },
         );
-        trouble.map_or(Ok(free), Err)
+        trouble.map_or(Ok(sight), Err)
+    }
+
+    /// Whether a curve lies on the face that a triangle is of; of a mesh, whether it is of that mesh.
+    fn carries(&self, triangle: usize, feature: &Feature) -> bool {
+        match self.sources.get(triangle) {
+            Some(Source::Flat { object }) => *object == feature.object,
+            Some(Source::Face { object, face, .. }) => {
+                *object == feature.object && feature.faces.contains(face)
+            }
+            None => false,
+        }
     }
 
     /// Whether no clipping plane has cut a point away.
@@ -217,6 +337,11 @@ impl Occluders {
         }
         None
     }
+}
+
+/// Whether the line of sight touches a surface that a curve lies on.
+fn touches(feature: &Feature) -> bool {
+    matches!(feature.kind, SilhouetteKind::Tangent | SilhouetteKind::Projecting)
 }
 
 /// Whether a line comes into a box that is wider by a margin.

@@ -74,7 +74,7 @@ pub fn curve_surface(curve: &Curve, surface: &NurbsSurface, tolerance: f64) -> R
 pub(super) const MOST_VISITS: u64 = 300_000;
 
 /// As [`curve_surface`], looking at no more than so many pairs of parts.
-pub(super) fn curve_surface_within(
+pub(crate) fn curve_surface_within(
     curve: &Curve,
     surface: &NurbsSurface,
     tolerance: f64,

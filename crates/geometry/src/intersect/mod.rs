@@ -27,6 +27,7 @@ pub use analytic::{
 };
 pub use curve_curve::{curve_curve, curve_self};
 pub use curve_plane::{PlaneIntersections, curve_plane};
+pub(crate) use curve_surface::curve_surface_within;
 pub use curve_surface::{SurfaceCrossing, SurfaceIntersections, SurfaceOverlap, curve_surface};
 pub use lines::{line_line, line_plane, plane_plane, three_planes};
 pub use mesh_mesh::{mesh_mesh, mesh_mesh_segments};

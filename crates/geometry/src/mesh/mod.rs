@@ -24,6 +24,7 @@ mod pull;
 mod quadrangulate;
 mod remesh;
 mod section;
+mod sections;
 #[cfg(feature = "mesh-booleans")]
 mod shadow;
 mod smooth;
@@ -42,6 +43,7 @@ pub use heal::Healing;
 pub use hits::{MeshClash, MeshHit};
 pub use of_surface::SurfaceMeshing;
 pub use remesh::{GuideKind, QuadOptions, RemeshOptions, Remeshed};
+pub use sections::MeshSections;
 pub use smooth::Smoothing;
 pub use topology::MeshEdge;
 pub use tree::MeshTree;

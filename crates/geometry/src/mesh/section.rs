@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::Mesh;
+use super::{Mesh, MeshFace};
 use crate::{Error, Plane, Point3, Result, Vector3};
 
 /// A point of a section: a vertex (twice the same index), or the crossing with the edge between two vertices.
@@ -28,8 +28,24 @@ impl Mesh {
         if !plane.is_finite() {
             return Err(Error::NotFinite("plane"));
         }
-        Ok(Section::new(self, plane).curves(plane))
+        Ok(self.section_of(self.faces(), &self.merged_indices(), snap(self), plane))
     }
+
+    /// The section of some faces, which are all that the plane may cut.
+    pub(super) fn section_of<'f>(
+        &self,
+        faces: impl IntoIterator<Item = &'f MeshFace>,
+        merged: &[u32],
+        snap: f64,
+        plane: &Plane,
+    ) -> Vec<Vec<Point3>> {
+        Section::new(self, faces, merged, snap, plane).curves(plane)
+    }
+}
+
+/// Vertices nearer to a plane than this count as in it.
+pub(super) fn snap(mesh: &Mesh) -> f64 {
+    1e-10 * mesh.bounding_box().map_or(0.0, |b| b.diagonal().length())
 }
 
 /// How the faces along an edge in the plane stand: how many above it, below it, and level.
@@ -44,7 +60,8 @@ struct Flat {
 
 struct Section<'a> {
     mesh: &'a Mesh,
-    heights: Vec<f64>,
+    plane: &'a Plane,
+    snap: f64,
     /// Faces cut through: for each segment how much more often it is walked up than down its nodes' order.
     through: HashMap<[Node; 2], i32>,
     flat: HashMap<Node, Flat>,
@@ -56,19 +73,16 @@ fn ordered(a: u32, b: u32) -> Node {
 }
 
 impl<'a> Section<'a> {
-    fn new(mesh: &'a Mesh, plane: &Plane) -> Self {
-        let merged = mesh.merged_indices();
-        let scale = mesh.bounding_box().map_or(0.0, |b| b.diagonal().length());
-        let snap = 1e-10 * scale;
-        let heights: Vec<f64> = mesh
-            .vertices()
-            .iter()
-            .map(|p| plane.signed_distance(*p))
-            .map(|h| if h.abs() <= snap { 0.0 } else { h })
-            .collect();
+    fn new<'f>(
+        mesh: &'a Mesh,
+        faces: impl IntoIterator<Item = &'f MeshFace>,
+        merged: &[u32],
+        snap: f64,
+        plane: &'a Plane,
+    ) -> Self {
         let (through, flat, diagonals) = (HashMap::new(), HashMap::new(), HashSet::new());
-        let mut this = Self { mesh, heights, through, flat, diagonals };
-        for face in mesh.faces() {
+        let mut this = Self { mesh, plane, snap, through, flat, diagonals };
+        for face in faces {
             let corners = face.indices();
             let above = corners.iter().any(|&i| this.height(i) >= 0.0);
             let below = corners.iter().any(|&i| this.height(i) <= 0.0);
@@ -118,7 +132,8 @@ impl<'a> Section<'a> {
     }
 
     fn height(&self, i: u32) -> f64 {
-        self.heights.get(i as usize).copied().unwrap_or(0.0)
+        let height = self.mesh.vertices().get(i as usize).map_or(0.0, |p| self.plane.signed_distance(*p));
+        if height.abs() <= self.snap { 0.0 } else { height }
     }
 
     fn vertex(&self, i: u32) -> Point3 {

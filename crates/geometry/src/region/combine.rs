@@ -7,7 +7,7 @@ use super::meetings::Meetings;
 use super::sides::{Sides, all_sides};
 use super::sources::Sources;
 use super::strands::{Strand, strands};
-use super::winding::{Outline, flat};
+use super::winding::{Outline, OutlineIndex, flat};
 use super::{Face, FillRule, Region, assemble, nodes};
 use crate::{Curve, Error, Plane, Result};
 
@@ -145,6 +145,7 @@ pub(super) fn faces(loops: Vec<Walked>, plane: &Plane) -> Vec<Face> {
             holes.push((curve, steps));
         }
     }
+    let index = OutlineIndex::new(outer.iter().map(|o| Some(&o.1)));
     for (hole, steps) in holes {
         // It may touch its outline, in points: most places on it tell.
         let domain = hole.domain();
@@ -153,9 +154,13 @@ pub(super) fn faces(loops: Vec<Walked>, plane: &Plane) -> Vec<Face> {
         let around = |o: &Outline| 2 * places.iter().filter(|&&p| o.winding(p) != 0).count() > places.len();
         // What shares a strand with a hole lies in it.
         let is_within = |strands: &HashSet<usize>| steps.iter().any(|step| strands.contains(&step.strand));
-        let home = (outer.iter_mut().filter(|o| !is_within(&o.2) && around(&o.1)))
-            .min_by(|x, y| x.0.total_cmp(&y.0));
-        if let Some((_, _, _, face)) = home {
+        let near = index.reaching(&places).into_iter();
+        let home = near
+            .filter_map(|i| Some((i, outer.get(i)?)))
+            .filter(|(_, o)| !is_within(&o.2) && around(&o.1))
+            .min_by(|(_, x), (_, y)| x.0.total_cmp(&y.0))
+            .map(|(i, _)| i);
+        if let Some((_, _, _, face)) = home.and_then(|i| outer.get_mut(i)) {
             face.holes.push(hole);
         }
     }

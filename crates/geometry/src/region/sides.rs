@@ -2,7 +2,7 @@
 
 use super::sources::Sources;
 use super::strands::{Member, Strand, place};
-use super::winding::{Outline, flat};
+use super::winding::{Outline, OutlineIndex, flat};
 use crate::{Result, Vector3};
 
 /// The winding numbers of a source left and right of a strand.
@@ -30,6 +30,7 @@ pub(super) fn all_sides(
         ends[s.from].push((k, false));
         ends[s.to].push((k, true));
     }
+    let index = OutlineIndex::new(sources.list.iter().map(|source| source.outline.as_ref()));
     let mut out: Vec<Option<Vec<Sides>>> = vec![None; strands.len()];
     let mut seen = vec![false; strands.len()];
     for first in 0..strands.len() {
@@ -56,7 +57,7 @@ pub(super) fn all_sides(
             length(x.0).total_cmp(&length(y.0))
         });
         let Some((longest, turned)) = longest else { continue };
-        let found = sides(sources, &strands[longest], tolerance)?;
+        let found = sides(sources, &index, &strands[longest], tolerance)?;
         for (k, against) in chain {
             let own = found.iter().map(|s| match against == turned {
                 true => *s,
@@ -76,7 +77,7 @@ fn length(sources: &Sources, member: &Member) -> f64 {
 }
 
 /// The winding numbers of all sources that have one at the strand.
-fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides>> {
+fn sides(sources: &Sources, index: &OutlineIndex, strand: &Strand, tolerance: f64) -> Result<Vec<Sides>> {
     crate::patience::check()?;
     let Some(first) = strand.members.first() else { return Ok(Vec::new()) };
     let at = |x: f64| flat(&sources.plane, place(sources, first, x).0);
@@ -89,15 +90,18 @@ fn sides(sources: &Sources, strand: &Strand, tolerance: f64) -> Result<Vec<Sides
         }
     }
     let spots = FIRST.map(at);
+    // Its own, and those whose boxes it comes into.
+    let mut near = index.reaching(&spots);
+    near.extend(own.iter().map(|o| o.0));
+    near.sort_unstable();
+    near.dedup();
     let mut out = Vec::new();
-    for (k, source) in sources.list.iter().enumerate() {
+    for k in near {
+        let source = &sources.list[k];
         let Some(outline) = &source.outline else { continue };
         if let Some(&(_, step)) = own.iter().find(|o| o.0 == k) {
             let left = beside(sources, strand, k, outline, tolerance);
             out.push(Sides { source: k, left, right: left - step });
-            continue;
-        }
-        if !spots.iter().any(|&p| outline.reaches(p)) {
             continue;
         }
         let votes = spots.map(|p| outline.winding(p));

@@ -1,6 +1,9 @@
 //! How often closed curves run around a point.
 
+use std::ops::ControlFlow;
+
 use crate::bernstein::{BUDGET, halves};
+use crate::box_tree::{Bounds, BoxTree};
 use crate::{Curve, Plane, Point3};
 
 /// A closed curve prepared for questions about winding: its Bézier pieces in coordinates of the plane, each starting
@@ -12,6 +15,19 @@ pub(crate) struct Outline {
     pieces: Vec<Vec<[f64; 3]>>,
     /// The box of the control points: least and greatest coordinates.
     bounds: [[f64; 2]; 2],
+    /// The boxes of the pieces, where there are many.
+    tree: Option<BoxTree>,
+}
+
+/// With more pieces than this an outline has a tree of them.
+const MANY: usize = 24;
+/// Boxes are wider by this part of the coordinates: what lies outside is proved to be there whatever the rounding.
+const WIDER: f64 = 1e-12;
+
+fn boxed([low, high]: [[f64; 2]; 2]) -> Bounds {
+    let size = low.iter().chain(&high).fold(0.0_f64, |m, x| m.max(x.abs()));
+    let margin = WIDER * size;
+    [[low[0] - margin, low[1] - margin, 0.0], [high[0] + margin, high[1] + margin, 0.0]]
 }
 
 impl Outline {
@@ -35,14 +51,13 @@ impl Outline {
             before = piece.last().copied();
         }
         // The last step closes the round: what the first piece took over is what the last one has.
-        let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        for &[x, y, w] in pieces.iter().flatten() {
-            for (c, value) in [x / w, y / w].into_iter().enumerate() {
-                bounds[0][c] = bounds[0][c].min(value);
-                bounds[1][c] = bounds[1][c].max(value);
-            }
-        }
-        Self { pieces, bounds }
+        let boxes: Vec<[[f64; 2]; 2]> = pieces.iter().map(|piece| bounds_of(piece)).collect();
+        let bounds = boxes.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |all, own| {
+            [[0, 1].map(|c| all[0][c].min(own[0][c])), [0, 1].map(|c| all[1][c].max(own[1][c]))]
+        });
+        let tree = (pieces.len() > MANY)
+            .then(|| BoxTree::in_order(&boxes.into_iter().map(boxed).collect::<Vec<_>>()));
+        Self { pieces, bounds, tree }
     }
 
     /// Whether the point lies in the box of the control points; outside it the winding number is 0.
@@ -56,7 +71,63 @@ impl Outline {
         if !self.reaches(p) {
             return 0;
         }
-        self.pieces.iter().map(|piece| crossings(piece, p)).sum()
+        let Some(tree) = &self.tree else {
+            return self.pieces.iter().map(|piece| crossings(piece, p)).sum();
+        };
+        let mut sum = 0;
+        // Pieces that lie above, below or left of the point do not cross the ray.
+        tree.visit_where(
+            |b| b[0][1] <= p[1] && p[1] <= b[1][1] && p[0] <= b[1][0],
+            |i| {
+                sum += self.pieces.get(i).map_or(0, |piece| crossings(piece, p));
+                ControlFlow::Continue(())
+            },
+        );
+        sum
+    }
+}
+
+/// The box of a piece's control points.
+fn bounds_of(piece: &[[f64; 3]]) -> [[f64; 2]; 2] {
+    let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    for &[x, y, w] in piece {
+        for (c, value) in [x / w, y / w].into_iter().enumerate() {
+            bounds[0][c] = bounds[0][c].min(value);
+            bounds[1][c] = bounds[1][c].max(value);
+        }
+    }
+    bounds
+}
+
+/// The boxes of many outlines, in a tree.
+#[derive(Debug)]
+pub(super) struct OutlineIndex {
+    /// The place of each in the list.
+    of: Vec<usize>,
+    tree: BoxTree,
+}
+
+impl OutlineIndex {
+    /// Of a list some of whose members have outlines.
+    pub(super) fn new<'a>(outlines: impl Iterator<Item = Option<&'a Outline>>) -> Self {
+        let (of, boxes): (Vec<usize>, Vec<Bounds>) =
+            outlines.enumerate().filter_map(|(k, own)| Some((k, boxed(own?.bounds)))).unzip();
+        Self { of, tree: BoxTree::by_place(&boxes) }
+    }
+
+    /// The places of those whose boxes hold one of some points, in order.
+    pub(super) fn reaching(&self, points: &[[f64; 2]]) -> Vec<usize> {
+        let holds = |b: &Bounds, p: &[f64; 2]| (0..2).all(|c| b[0][c] <= p[c] && p[c] <= b[1][c]);
+        let mut out = Vec::new();
+        self.tree.visit_where(
+            |b| points.iter().any(|p| holds(b, p)),
+            |i| {
+                out.extend(self.of.get(i));
+                ControlFlow::Continue(())
+            },
+        );
+        out.sort_unstable();
+        out
     }
 }
 
@@ -139,5 +210,28 @@ mod tests {
         assert_eq!(star.winding([0.0, 0.0]), 2);
         assert_eq!(star.winding([0.0, vertex(1).y]), 0);
         assert_eq!(star.winding([0.9, 0.0]), 1);
+    }
+
+    #[test]
+    fn many_pieces_count_as_one_by_one() {
+        // A wave around the origin, and a level side that a ray runs along.
+        let mut points: Vec<Point3> = (0..=200)
+            .map(|k| {
+                let angle = 1.5 * std::f64::consts::PI * f64::from(k) / 200.0;
+                let radius = 2.0 + 0.7 * (17.0 * angle).sin();
+                Point3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+            })
+            .collect();
+        points.extend([Point3::new(1.5, -3.0, 0.0), Point3::new(1.5, -1.0, 0.0), points[0]]);
+        let outline = Outline::new(&PolylineCurve::new(points).unwrap().into(), &Plane::XY);
+        let plain = Outline { tree: None, ..outline.clone() };
+        assert!(outline.tree.is_some());
+        let mut inside = 0;
+        for (i, j) in (-35..35).flat_map(|i| (-35..35).map(move |j| (i, j))) {
+            let p = [f64::from(i) * 0.1, f64::from(j) * 0.1];
+            assert_eq!(outline.winding(p), plain.winding(p), "{p:?}");
+            inside += outline.winding(p);
+        }
+        assert!(inside > 700);
     }
 }

@@ -5,6 +5,7 @@ use super::{Silhouette, SilhouetteKind, SilhouettePart, Silhouettes, Viewpoint};
 use crate::brep::ClosestOnBrep;
 use crate::curve::traced::{Sample, joined, sampled};
 use crate::intersect::zeros;
+use crate::surface::Round;
 use crate::{
     Curve, Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Surface, Tolerance, Vector3,
 };
@@ -29,10 +30,18 @@ pub(super) fn silhouettes(
         .filter_map(|t| brep.trims().get(t)?.edge)
         .filter_map(|e| brep.edge_as_curve(e).ok().flatten())
         .collect();
-    let found = on_surface(surface, viewpoint, tolerance)?;
+    let closed = Round::of(surface)
+        .and_then(|round| super::round::silhouettes(&round, viewpoint, tolerance.absolute))
+        .map(|curves| curves.into_iter().map(|c| (SilhouetteKind::Tangent, c)).collect());
+    let whole = closed.is_some() && brep.faces().get(face).is_some_and(|own| brep.is_whole(own));
+    let found = match closed {
+        Some(curves) => OnSurface { curves, complete: true },
+        None => on_surface(surface, viewpoint, tolerance)?,
+    };
     out.complete = found.complete;
     for (kind, curve) in found.curves {
-        for piece in search.curve_on_face(face, &curve)? {
+        let pieces = if whole { vec![curve] } else { search.curve_on_face(face, &curve)? };
+        for piece in pieces {
             if piece.length() > tolerance.absolute && !runs_along(&piece, &edges, tolerance.absolute)? {
                 out.curves.push(Silhouette { curve: piece, kind, part: SilhouettePart::Face(face) });
             }

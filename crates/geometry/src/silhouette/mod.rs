@@ -6,6 +6,7 @@ mod edge;
 mod face;
 mod form;
 mod mesh;
+mod round;
 mod viewpoint;
 
 pub use viewpoint::Viewpoint;
@@ -102,7 +103,8 @@ impl Brep {
     ///
     /// Across a face runs the zero set of N·(towards the viewer), a Bernstein polynomial over each Bézier patch, found as
     /// [`surface_plane`](crate::intersect::surface_plane) finds sections, clipped to the trims and fitted within
-    /// `tolerance`: lines, arcs and circles where it is such to rounding. An edge is told by the sides from which the
+    /// `tolerance`: lines, arcs and circles where it is such to rounding. Those of spheres, cylinders and cones are
+    /// written down. An edge is told by the sides from which the
     /// faces beside it are seen; normals that differ by no more than `tolerance.angle` make no crease. `go_on` is asked
     /// again and again; where it says no the work stops.
     ///

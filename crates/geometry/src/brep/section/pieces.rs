@@ -69,7 +69,7 @@ impl Cut<'_> {
         let [u, v] = match brep.face_surface(self.sheet.face) {
             Some(Surface::Plane(flat)) => flat.parameters_of(p),
             _ => {
-                let near = self.sheet.closest.nearest(p)?;
+                let near = self.sheet.closest(brep)?.nearest(p)?;
                 [near.u, near.v]
             }
         };

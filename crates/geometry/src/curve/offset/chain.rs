@@ -1,5 +1,7 @@
 //! Parts put together to whole curves along the places where they were cut.
 
+use std::collections::HashMap;
+
 use super::RawPart;
 use super::restyle::{Chain, Link};
 use crate::intersect::curve_curve;
@@ -42,18 +44,36 @@ impl Sets {
     }
 }
 
-/// Joins places no further apart than `reach`: a sweep along x.
+/// Cells are so many times as wide as places are joined over: most places then touch one cell only.
+const CELL: f64 = 16.0;
+/// So many places in one cell are looked at, the last ones first: many on one spot are joined one after the other.
+const LOOKED_AT: usize = 256;
+
+/// Joins places no further apart than `reach`, by a grid of cells.
 pub(crate) fn gather(sets: &mut Sets, places: &[Point3], reach: f64) {
-    let mut order: Vec<usize> = (0..places.len()).collect();
-    order.sort_by(|&i, &j| places[i].x.total_cmp(&places[j].x));
-    for (k, &i) in order.iter().enumerate() {
-        let rest = order.get(k + 1..).unwrap_or(&[]);
-        // Many on one spot are joined one after the other; looking a little further finds those beside.
-        for &j in rest.iter().take_while(|&&j| places[j].x - places[i].x <= reach).take(256) {
-            if places[i].distance_to(places[j]) <= reach {
-                sets.join(i, j);
+    let size = CELL * reach.max(f64::MIN_POSITIVE);
+    let cell = |x: f64| (x / size).floor() as i64;
+    // The last place in each cell, and for each place the one before it in its cell.
+    let mut last: HashMap<[i64; 3], usize> = HashMap::with_capacity(places.len());
+    let mut before: Vec<Option<usize>> = Vec::with_capacity(places.len());
+    for (i, p) in places.iter().enumerate() {
+        let at: [f64; 3] = (*p).into();
+        let [low, high] = [-reach, reach].map(|by| at.map(|x| cell(x + by)));
+        for x in low[0]..=high[0] {
+            for y in low[1]..=high[1] {
+                for z in low[2]..=high[2] {
+                    let mut next = last.get(&[x, y, z]).copied();
+                    for _ in 0..LOOKED_AT {
+                        let Some(j) = next else { break };
+                        if p.distance_to(places[j]) <= reach {
+                            sets.join(i, j);
+                        }
+                        next = before[j];
+                    }
+                }
             }
         }
+        before.push(last.insert(at.map(cell), i));
     }
 }
 
@@ -381,4 +401,40 @@ fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
         *after = after.trimmed(Interval::new(first, after.domain().end))?;
     }
     Ok(link(before, after).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Sets, gather};
+    use crate::Point3;
+
+    #[test]
+    fn all_near_places_become_one() {
+        let reach = 0.01;
+        // A column of places one above the other, each with some beside it, over and over.
+        let column = (0..2000).map(|i: i32| {
+            let (row, turn) = (f64::from(i % 500), f64::from(i / 500));
+            Point3::new(3.0 + 0.004 * turn, 0.016 * row, -1.0)
+        });
+        // And some anywhere, many of them on one spot.
+        let others = (0..600).map(|i: i32| {
+            let x = f64::from(i % 400) * 1.7;
+            Point3::new(0.3 * x.sin(), 0.3 * (1.3 * x).cos(), 0.02 * (0.4 * x).sin())
+        });
+        let spot = std::iter::repeat_n(Point3::new(-5.0, 0.01, 0.0), 700);
+        let places: Vec<Point3> = column.chain(others).chain(spot).collect();
+        let (mut found, mut want) = (Sets::new(places.len()), Sets::new(places.len()));
+        gather(&mut found, &places, reach);
+        for i in 0..places.len() {
+            for j in 0..i {
+                if places[i].distance_to(places[j]) <= reach {
+                    want.join(i, j);
+                }
+            }
+        }
+        let roots = |sets: &mut Sets| -> Vec<usize> { (0..places.len()).map(|i| sets.root(i)).collect() };
+        let want = roots(&mut want);
+        assert_eq!(roots(&mut found), want);
+        assert!(want.iter().enumerate().filter(|(i, r)| i == *r).count() > 700);
+    }
 }
