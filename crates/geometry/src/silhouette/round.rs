@@ -38,7 +38,8 @@ pub(super) fn silhouettes(round: &Round, viewpoint: Viewpoint, limit: f64) -> Op
             if across <= ZERO * eye[2].abs() {
                 return Some(Vec::new());
             }
-            rulings(round, eye, slope * eye[2] / across)
+            // Below its apex z and the radius have different signs.
+            rulings(round, eye, slope.copysign(round.along.middle()) * eye[2] / across)
         }
     }
 }
@@ -53,12 +54,14 @@ fn rulings(round: &Round, eye: [f64; 3], cosine: f64) -> Option<Vec<Curve>> {
     }
     let (middle, half) = (eye[1].atan2(eye[0]), cosine.acos());
     let mut out = Vec::with_capacity(2);
-    for angle in [middle - half, middle + half] {
+    let mut turns = [middle - half, middle + half].map(|angle| (angle - round.angle.start).rem_euclid(TAU));
+    turns.sort_by(f64::total_cmp);
+    for turn in turns {
         // The whole ruling is there or nothing of it.
-        let turn = (angle - round.angle.start).rem_euclid(TAU);
         if !round.is_full_turn() && turn > round.angle.length() {
             continue;
         }
+        let angle = round.angle.start + turn;
         let at = |height: f64| {
             let radius = match round.form {
                 RoundForm::Cone(slope) => slope * height.abs(),
@@ -121,4 +124,59 @@ fn circle(frame: &Plane, center: Point3, normal: Vector3, radius: f64) -> Option
     let x_axis = if flat.length() > 1e-6 { flat } else { normal.cross(frame.y_axis) }.unitized()?;
     let plane = Plane { origin: center, x_axis, y_axis: normal.cross(x_axis), z_axis: normal };
     Circle::new(plane, radius).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::silhouettes;
+    use crate::silhouette::Viewpoint;
+    use crate::surface::Round;
+    use crate::{Cone, Cylinder, Direction, Interval, Plane, Point3, Quadrant, Sphere, Surface, Vector3};
+
+    fn surfaces() -> Vec<Surface> {
+        let origin = Point3::new(1.0, 2.0, 3.0);
+        let frame =
+            Plane::from_axes(origin, Vector3::new(1.0, 1.0, 0.0), Vector3::new(0.2, 0.3, 1.0)).unwrap();
+        let mut out: Vec<Surface> = vec![
+            Sphere::new(frame, 2.0).unwrap().into(),
+            Cylinder::new(frame, 2.0, Interval::new(-1.0, 4.0)).unwrap().into(),
+        ];
+        for height in [-3.0, 3.0] {
+            let cone = Cone::new(frame, height, 2.0).unwrap().to_revolution();
+            // The apex at either end of the profile, and the axis either way.
+            out.push(cone.clone().into());
+            out.push(cone.reversed(Direction::U).into());
+            out.push(cone.reversed(Direction::V).into());
+        }
+        out
+    }
+
+    #[test]
+    fn lines_of_sight_are_tangent_along_them() {
+        let eyes = [
+            Viewpoint::Parallel(Vector3::new(0.3, -0.5, 0.81)),
+            Viewpoint::Parallel(Vector3::new(1.0, -0.2, -0.1)),
+            Viewpoint::Perspective(Point3::new(9.0, -8.0, 7.0)),
+            Viewpoint::Perspective(Point3::new(-20.0, 3.0, -4.0)),
+        ];
+        let mut tangent = 0;
+        for surface in surfaces() {
+            let round = Round::of(&surface).unwrap();
+            for viewpoint in eyes {
+                for curve in silhouettes(&round, viewpoint, 1e-3).unwrap() {
+                    for k in 1..12 {
+                        let p = curve.point_at(curve.domain().at(f64::from(k) / 12.0));
+                        let [u, v] = round.parameters(p).unwrap();
+                        assert!(surface.point_at(u, v).distance_to(p) < 1e-9);
+                        let jet = surface.derivatives(u, v, 1, Quadrant::NorthEast);
+                        let normal = jet.get(1, 0).cross(jet.get(0, 1)).unitized().unwrap();
+                        let towards = viewpoint.towards(p).unitized().unwrap();
+                        assert!(normal.dot(towards).abs() < 1e-9, "{surface:?} {viewpoint:?} {p:?}");
+                        tangent += 1;
+                    }
+                }
+            }
+        }
+        assert!(tangent > 400, "{tangent}");
+    }
 }
