@@ -115,8 +115,8 @@ class Watch(threading.Thread):
 
     def run(self):
         while self.server.runs():
-            for name, megabytes in self.server.memory().items():
-                self.most[name] = max(self.most[name], megabytes)
+            now = self.server.memory()
+            self.most = {name: max(most, now.get(name, 0.0)) for name, most in self.most.items()}
             time.sleep(0.5)
 
 

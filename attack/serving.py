@@ -10,6 +10,7 @@ import socket
 import subprocess
 import threading
 import time
+from pathlib import Path
 
 # Nothing takes longer to be answered.
 PATIENCE = 30.0
@@ -110,31 +111,43 @@ class Serving(Remote):
             return f"it panicked: {last}"
         return None
 
+    def processes(self):
+        """Its process, and the one that it has started."""
+        pid = self.process.pid
+        try:
+            tasks = [task.read_text() for task in Path(f"/proc/{pid}/task").glob("*/children")]
+        except OSError:
+            tasks = []
+        return [pid, *(int(child) for line in tasks for child in line.split())]
+
     def megabytes(self):
         """The most memory that it has taken so far."""
-        try:
-            with open(f"/proc/{self.process.pid}/status") as status:
-                return next(int(line.split()[1]) / 1024 for line in status if line.startswith("VmHWM"))
-        except (OSError, StopIteration):
-            return 0.0
+        return self.memory().get("VmHWM", 0.0)
 
     def memory(self):
-        """What it takes now, in megabytes: of memory and of addresses."""
-        try:
-            with open(f"/proc/{self.process.pid}/status") as status:
-                lines = [line.split() for line in status if line.startswith(("VmRSS", "VmSize"))]
-            return {line[0].rstrip(":"): int(line[1]) / 1024 for line in lines}
-        except OSError:
-            return {}
+        """What it takes now and has taken at most, in megabytes: of memory and of addresses."""
+        sums = {}
+        for pid in self.processes():
+            try:
+                lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+            except OSError:
+                continue
+            for line in lines:
+                name, _, value = line.partition(":")
+                if name in ("VmRSS", "VmSize", "VmHWM"):
+                    sums[name] = sums.get(name, 0.0) + int(value.split()[0]) / 1024
+        return sums
 
     def seconds(self):
         """The processor time that it has taken so far."""
-        try:
-            with open(f"/proc/{self.process.pid}/stat") as stat:
-                fields = stat.read().rsplit(")", 1)[1].split()
-                return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-        except OSError:
-            return 0.0
+        ticks = 0
+        for pid in self.processes():
+            try:
+                fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+                ticks += int(fields[11]) + int(fields[12])
+            except OSError:
+                continue
+        return ticks / os.sysconf("SC_CLK_TCK")
 
     def is_well(self):
         """Whether a small definition is solved within the time of patience."""

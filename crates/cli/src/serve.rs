@@ -1,6 +1,9 @@
 //! `katydid serve`.
 
-use katydid_server::compute::{self, Server};
+use std::net::{IpAddr, Ipv4Addr};
+use std::path::PathBuf;
+
+use katydid_server::compute::{self, Command, Config, Orders, Processes, Server};
 
 use crate::output::{BOLD, YELLOW, note, printed, say};
 use crate::serve_args::{LogForm, ServeArgs};
@@ -10,8 +13,14 @@ use crate::serving::{self, Signals};
 const KEY: &str = "RHINO_COMPUTE_KEY";
 
 pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
+    if args.behind {
+        return behind(args);
+    }
     log(args.log);
-    let config = args.config(std::env::var(KEY).ok())?;
+    let mut config = args.config(std::env::var(KEY).ok())?;
+    if !args.one_process {
+        config.processes = Processes::Two(again()?);
+    }
     serving::run(async {
         let mut signals = Signals::listen()?;
         let has_key = config.key.as_deref().is_some_and(|key| !key.trim().is_empty());
@@ -22,6 +31,44 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
         note("ending: requests that are under way are finished; a second signal ends at once");
         Ok(signals.stopping(server.stop()).await)
     })
+}
+
+/// The process that another one has started: it listens to that one only, and ends when that one ends.
+fn behind(args: &ServeArgs) -> Result<u8, String> {
+    compute::stand_behind();
+    let mut input = std::io::stdin().lock();
+    let orders = Orders::read(&mut input).map_err(|error| format!("no orders: {error}"))?;
+    let config = Config {
+        processes: Processes::Behind(orders),
+        address: IpAddr::V4(Ipv4Addr::LOCALHOST),
+        port: 0,
+        origins: Vec::new(),
+        ..args.config(None)?
+    };
+    drop(input);
+    serving::run(async {
+        // A terminal tells both processes to end: the first one decides when.
+        let _signals = Signals::listen()?;
+        let server = compute::start(config).await.map_err(|error| error.to_string())?;
+        say(&server.url().to_owned());
+        printed()?;
+        let ended =
+            tokio::task::spawn_blocking(|| std::io::copy(&mut std::io::stdin(), &mut std::io::sink()));
+        let _ = ended.await;
+        Ok(0)
+    })
+}
+
+/// This program, called in the same way, as the process behind.
+fn again() -> Result<Command, String> {
+    // By that name it is found when it has been replaced since.
+    let program = if cfg!(target_os = "linux") {
+        PathBuf::from("/proc/self/exe")
+    } else {
+        std::env::current_exe().map_err(|error| format!("where the program is cannot be told: {error}"))?
+    };
+    let words = std::env::args_os().skip(1).chain(["--behind".into()]).collect();
+    Ok(Command { program, words })
 }
 
 fn greet(server: &Server, args: &ServeArgs, has_key: bool) {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use katydid_component::Limits;
-use katydid_server::compute::Config;
+use katydid_server::compute::{Config, Processes};
 
 use crate::web_args::WebArgs;
 
@@ -86,6 +86,15 @@ pub(crate) struct ServeArgs {
     #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds)]
     grace: f64,
 
+    /// Works in one process only. Otherwise what is not known to be quick is solved in a second one, with a lower
+    /// priority: it holds up nothing else, and if it ends, another is started
+    #[arg(long)]
+    pub(crate) one_process: bool,
+
+    /// Is the second process
+    #[arg(long, hide = true)]
+    pub(crate) behind: bool,
+
     /// How requests are logged, to standard error
     #[arg(long, value_name = "FORM", default_value = "off")]
     pub(crate) log: LogForm,
@@ -106,6 +115,7 @@ impl ServeArgs {
     pub(crate) fn config(&self, variable: Option<String>) -> Result<Config, String> {
         let time = |seconds: f64| Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
         Ok(Config {
+            processes: Processes::One,
             address: self.host,
             port: self.port,
             key: self.key.clone().or(variable),

@@ -15,6 +15,9 @@ pub enum Error {
     /// Others than this machine could ask a compute server that has no key.
     #[error("{0}: others can reach this address, so a key is needed: --key, or RHINO_COMPUTE_KEY")]
     Key(IpAddr),
+    /// The process that does what may take long cannot be started.
+    #[error("the second process cannot be started: {0}")]
+    Behind(std::io::Error),
     /// The document that it should begin with cannot be opened.
     #[error("{0}")]
     Open(String),

@@ -25,7 +25,7 @@ pub(crate) fn answer(service: &Service, route: Route) -> Sent {
             Sent::json(&json!({"rhino": RHINO, "compute": COMPUTE, "git_sha": null, "katydid": version}))
         }
         Route::Time => Sent::new(JSON, format!("\"{}\"", utc(SystemTime::now()))),
-        Route::Children => Sent::text(service.pool.places().to_string()),
+        Route::Children => Sent::text(service.config.workers().to_string()),
         Route::Idle => Sent::text(match service.idle.seconds() {
             Some(seconds) => seconds.to_string(),
             None => "-1".to_owned(),

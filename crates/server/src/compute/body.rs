@@ -7,6 +7,7 @@ use std::time::Duration;
 use axum::body::{Body, BodyDataStream};
 use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, EXPECT};
 use axum::http::{HeaderMap, StatusCode};
+use bytes::Bytes;
 use flate2::read::{MultiGzDecoder, ZlibDecoder};
 use futures_util::StreamExt;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
@@ -33,13 +34,13 @@ pub(crate) struct Room {
     time: Duration,
 }
 
-/// A body as it came.
-#[derive(Debug)]
+/// A body as it came. Copies share it.
+#[derive(Debug, Clone)]
 pub(crate) struct Received {
-    bytes: Vec<u8>,
+    bytes: Bytes,
     packing: Packing,
     /// Given back when the body is no longer needed.
-    _room: Option<OwnedSemaphorePermit>,
+    _room: Option<Arc<OwnedSemaphorePermit>>,
     most: usize,
 }
 
@@ -94,7 +95,7 @@ impl Room {
             }
             bytes.extend_from_slice(&chunk);
         }
-        Ok(Received { bytes, packing, _room: room, most: self.most })
+        Ok(Received { bytes: bytes.into(), packing, _room: room.map(Arc::new), most: self.most })
     }
 
     async fn more(&self, pieces: usize) -> Result<OwnedSemaphorePermit, Refusal> {
@@ -135,6 +136,11 @@ fn packing(headers: &HeaderMap) -> Result<Packing, Refusal> {
 }
 
 impl Received {
+    /// The bytes as they came, to be sent on.
+    pub(crate) fn as_sent(&self) -> Bytes {
+        self.bytes.clone()
+    }
+
     /// Whether reading it takes a while.
     pub(crate) fn is_large(&self) -> bool {
         const LARGE: usize = 1 << 18;
@@ -146,10 +152,10 @@ impl Received {
     pub(crate) fn unpacked(mut self) -> Result<Unpacked, Refusal> {
         let packed = match self.packing {
             Packing::None => return Ok(Unpacked(self)),
-            Packing::Gzip => unpack(MultiGzDecoder::new(self.bytes.as_slice()), self.most),
-            Packing::Zlib => unpack(ZlibDecoder::new(self.bytes.as_slice()), self.most),
+            Packing::Gzip => unpack(MultiGzDecoder::new(&*self.bytes), self.most),
+            Packing::Zlib => unpack(ZlibDecoder::new(&*self.bytes), self.most),
         };
-        self.bytes = packed?;
+        self.bytes = packed?.into();
         Ok(Unpacked(self))
     }
 }

@@ -4,14 +4,33 @@ use std::time::Duration;
 use katydid_component::Limits;
 use katydid_compute::HostKey;
 
+use super::behind::{Command, Orders};
 use super::pool::Places;
 
 /// The port that Hops and most clients of Rhino.Compute look for.
 pub(crate) const PORT: u16 = 6500;
 
+/// Which process works on what is asked for.
+#[derive(Debug, Clone, Default)]
+pub enum Processes {
+    /// This one on everything.
+    #[default]
+    One,
+    /// This one on what is known to be quick. All else is worked on in another, which this command starts: what takes
+    /// long, takes much memory or fails there does not hold up the rest or end the server.
+    Two(Command),
+    /// This is the other one, and does what the first sends it.
+    Behind(Orders),
+}
+
+/// So many requests are worked on in front for each solve that runs at a time.
+const IN_FRONT: usize = 4;
+
 /// How a compute server runs.
 #[derive(Debug, Clone)]
 pub struct Config {
+    /// Which process works on what.
+    pub processes: Processes,
     /// The address that it listens on.
     pub address: IpAddr,
     /// The port; 0 for any that is free.
@@ -60,6 +79,7 @@ impl Default for Config {
     /// On this machine alone, without a key, with the limits of Rhino.Compute.
     fn default() -> Self {
         Self {
+            processes: Processes::One,
             address: IpAddr::V4(Ipv4Addr::LOCALHOST),
             port: PORT,
             key: None,
@@ -84,15 +104,30 @@ impl Default for Config {
 }
 
 impl Config {
-    /// The key, when there is one that says something.
+    /// The key, when there is one that says something. The process behind has one of its own.
     pub(crate) fn key(&self) -> Option<&str> {
-        self.key.as_deref().map(str::trim).filter(|key| !key.is_empty())
+        let key = match &self.processes {
+            Processes::Behind(orders) => Some(orders.key()),
+            _ => self.key.as_deref(),
+        };
+        key.map(str::trim).filter(|key| !key.is_empty())
     }
 
+    /// How many solves can run at a time, as a rule.
+    pub(crate) fn workers(&self) -> usize {
+        let places = Self { processes: Processes::One, ..self.clone() }.places();
+        places.quick + places.slow
+    }
+
+    /// What may run in this process.
     pub(crate) fn places(&self) -> Places {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
         let quick = self.workers.unwrap_or(processors.max(2)).max(1);
         let half = quick.div_ceil(2);
+        if matches!(self.processes, Processes::Two(_)) {
+            // Each has a short slice: the system lets all of them go on at a time, and nobody waits for a place.
+            return Places { quick: IN_FRONT * quick, new: 0, slow: 0, spare: 0, waiting: self.most_waiting };
+        }
         Places { quick, new: half, slow: half.max(2), spare: 6, waiting: self.most_waiting }
     }
 }

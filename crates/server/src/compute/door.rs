@@ -9,8 +9,11 @@ use axum::extract::{Request, State};
 use axum::http::header::{CONTENT_LENGTH, HeaderName, HeaderValue};
 use axum::http::{HeaderMap, Method, StatusCode};
 use axum::response::Response;
+use bytes::Bytes;
 use uuid::Uuid;
 
+use super::asked::Asking;
+use super::behind::{Head, waited};
 use super::cors::is_preflight;
 use super::pool::Client;
 use super::query::Query;
@@ -18,8 +21,7 @@ use super::refusal::Refusal;
 use super::route::{self, Address, Route};
 use super::sent::{Sent, accepts_gzip};
 use super::service::Service;
-use super::solve::Asking;
-use super::{about, geometry, health, jobs, metrics, openapi, solve};
+use super::{Processes, about, geometry, health, jobs, metrics, openapi, solve};
 use crate::listen::Peer;
 
 const ID: HeaderName = HeaderName::from_static("x-request-id");
@@ -28,7 +30,11 @@ const LONGEST_ID: usize = 128;
 
 /// Answers a request.
 pub(crate) async fn answer(State(service): State<Arc<Service>>, request: Request) -> Response {
-    let since = Instant::now();
+    let now = Instant::now();
+    let since = match service.config.processes {
+        Processes::Behind(_) => now.checked_sub(waited(request.headers())).unwrap_or(now),
+        _ => now,
+    };
     let parts = route::parts(request.uri().path());
     let address = route::find(&parts);
     let id = id(request.headers());
@@ -105,22 +111,32 @@ async fn routed(
     let client = client(&head.headers, head.extensions.get::<Peer>().copied());
     let asks = head.method == Method::GET || head.method == Method::HEAD;
     let id = parts.get(1).map(String::as_str).unwrap_or_default();
-    let asking = |query| Asking { client, query, packs, since };
+    let Client(turn) = client;
+    let head = Head { method: head.method, uri: head.uri, headers: head.headers, client: turn, since };
+    if let Some(behind) = service.behind.as_ref().filter(|_| address.route.is_of_jobs()) {
+        let body = match address.route {
+            Route::Jobs => service.room.receive(&head.headers, body).await?.as_sent(),
+            _ => Bytes::new(),
+        };
+        service.idle.touch();
+        return behind.ask(&head, body, None).await;
+    }
+    let asking = |head, query| Asking { head, query, packs };
     let owned = Arc::clone(service);
     let sent = match address.route {
         Route::Grasshopper => {
             let body = service.room.receive(&head.headers, body).await?;
-            solve::grasshopper(owned, asking(query), body).await?
+            return solve::grasshopper(owned, asking(head, query), body).await;
         }
-        Route::Io if asks => solve::io_of_pointer(owned, asking(query)).await?,
+        Route::Io if asks => return solve::io_of_pointer(owned, asking(head, query)).await,
         Route::Io => {
             let body = service.room.receive(&head.headers, body).await?;
-            solve::io(owned, asking(query), body).await?
+            return solve::io(owned, asking(head, query), body).await;
         }
         Route::Geometry if asks => geometry::help(parts)?,
         Route::Geometry => {
             let body = service.room.receive(&head.headers, body).await?;
-            geometry::call(owned, asking(query), parts, body).await?
+            return geometry::call(owned, asking(head, query), parts, body).await;
         }
         Route::Jobs => {
             let body = service.room.receive(&head.headers, body).await?;
@@ -131,10 +147,10 @@ async fn routed(
         Route::JobEvents => return jobs::events(service, id),
         Route::JobResult => jobs::result(service, client, id, &query, packs).await?,
         Route::Health => health::check(owned).await,
-        Route::Metrics => metrics::page(service),
-        Route::OpenApi => openapi::document().packed(packs),
-        Route::Docs => openapi::page().packed(packs),
-        Route::Sdk => geometry::list().packed(packs),
+        Route::Metrics => metrics::page(service).await,
+        Route::OpenApi => openapi::document(packs),
+        Route::Docs => openapi::page(packs),
+        Route::Sdk => geometry::list(packs),
         Route::SdkSource => return Err(Refusal::unsupported("the source of a client")),
         other => about::answer(service, other),
     };

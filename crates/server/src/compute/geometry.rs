@@ -3,15 +3,15 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use axum::response::Response;
 use katydid_compute::geometry::{self, Query};
 
+use super::asked::{self, Asking};
 use super::body::Received;
-use super::memory::counted;
 use super::pool::Step;
 use super::refusal::Refusal;
-use super::sent::{HTML, JSON, Sent};
+use super::sent::{HTML, JSON, Page, Sent};
 use super::service::Service;
-use super::solve::Asking;
 use super::work::Reins;
 
 /// Where functions begin; what else there is below `/rhino` is not here.
@@ -30,16 +30,14 @@ pub(crate) async fn call(
     asking: Asking,
     parts: &[String],
     body: Received,
-) -> Result<Sent, Refusal> {
+) -> Result<Response, Refusal> {
     let name = name(parts)?;
     let query = Query::read(asking.query.pairs())?;
-    let (reins, packs) = (asking.reins(&service)?, asking.packs);
-    let (inside, held) = (reins.clone(), Arc::clone(&service));
-    let call = move || Step::Done(called(&held, &name, &query, body, &inside).map(|sent| sent.packed(packs)));
-    let counting = reins.clone();
-    let work = move || counted(counting, call);
-    let sent = service.pool.run(asking.client, &reins.cancel, asking.clock(&reins), work).await??;
-    Ok(sent.counted(reins.memory))
+    let (packs, held, whole) = (asking.packs, Arc::clone(&service), body.clone());
+    let call = move |reins: Reins| {
+        Step::Done(called(&held, &name, &query, body, &reins).map(|sent| sent.packed(packs)))
+    };
+    asked::answered(&service, &asking, Some(&whole), call).await.map(|answered| answered.response)
 }
 
 fn called(
@@ -56,8 +54,9 @@ fn called(
     service.idle.touch();
     let called = geometry::call(name, query, &body, &bounds);
     let solve = start.elapsed().saturating_sub(decode);
-    service.metrics.solved(solve, called.as_ref().err().map(|fault| Refusal::from(fault.clone()).cause));
-    let called = called.map_err(|fault| reins.refusal(fault))?;
+    let called = called.map_err(|fault| reins.refusal(fault));
+    service.solved(None, solve, called.as_ref().err());
+    let called = called?;
     let text = called.text();
     let encode = start.elapsed().saturating_sub(decode + solve);
     let steps: [(&str, Duration); 3] = [("decode", decode), ("solve", solve), ("encode", encode)];
@@ -70,6 +69,7 @@ pub(crate) fn help(parts: &[String]) -> Result<Sent, Refusal> {
 }
 
 /// A page that lists all functions.
-pub(crate) fn list() -> Sent {
-    Sent::new(HTML, geometry::endpoints().index())
+pub(crate) fn list(packs: bool) -> Sent {
+    static KEPT: Page = Page::new();
+    KEPT.sent(packs, || Sent::new(HTML, geometry::endpoints().index()))
 }

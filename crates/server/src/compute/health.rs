@@ -38,6 +38,9 @@ pub(crate) async fn check(service: Arc<Service>) -> Sent {
     let unhealthy = |part: &str, reason: &str| {
         Sent::text(format!("Unhealthy: {part}: {reason}")).with_status(StatusCode::SERVICE_UNAVAILABLE)
     };
+    if service.behind.as_ref().is_some_and(|behind| !behind.is_there()) {
+        return unhealthy("processes", "the second one is being started");
+    }
     let cancel = Cancel::default();
     let (held, inside) = (Arc::clone(&service), cancel.clone());
     let work = move || Step::Done(tried(&held, inside));

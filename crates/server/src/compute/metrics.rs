@@ -63,12 +63,66 @@ impl Metrics {
     }
 }
 
-/// The page that is scraped.
-pub(crate) fn page(service: &Service) -> Sent {
+/// The page that is scraped. What both processes count is added up.
+pub(crate) async fn page(service: &Service) -> Sent {
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = write(service, &mut text);
+    if let Some(behind) = &service.behind
+        && let Some(other) = behind.text("/metrics").await
+    {
+        text = added(&text, &other);
+    }
     Sent::new("text/plain; version=0.0.4; charset=utf-8", text)
+}
+
+/// The families of figures that both processes have a part of. Requests are counted in front.
+const OF_BOTH: [&str; 9] = [
+    "solves_waiting",
+    "solves_running",
+    "threads_lost",
+    "failures_total",
+    "common_memory_bytes",
+    "resident_memory_bytes",
+    "jobs",
+    "solves_total",
+    "solve_seconds",
+];
+
+/// A line `name{labels} value` of a page, if it is of a family that both have.
+fn figure(line: &str) -> Option<(&str, f64)> {
+    let (name, value) = line.rsplit_once(' ')?;
+    let bare = name.split('{').next()?.strip_prefix("katydid_")?;
+    let is_of = |family: &&str| {
+        let part = bare.strip_prefix(family);
+        part.is_some_and(|part| ["", "_bucket", "_sum", "_count"].contains(&part))
+    };
+    OF_BOTH.iter().any(|family| is_of(&family)).then_some((name, value.parse().ok()?))
+}
+
+/// A page with the figures of another added to those that both have.
+fn added(own: &str, other: &str) -> String {
+    let mut more: BTreeMap<&str, f64> = other.lines().filter_map(figure).collect();
+    let mut lines: Vec<String> = Vec::new();
+    for line in own.lines() {
+        lines.push(match figure(line) {
+            Some((name, value)) => format!("{name} {}", value + more.remove(name).unwrap_or(0.0)),
+            None => line.to_owned(),
+        });
+    }
+    // Outcomes that only the other has come after the last line of their family.
+    for (name, value) in more {
+        let family = name.split('{').next().unwrap_or(name);
+        let is_of = |line: &String| {
+            let rest =
+                line.strip_prefix(family).or_else(|| line.strip_prefix("# TYPE ")?.strip_prefix(family));
+            rest.is_some_and(|rest| rest.starts_with(['{', ' ']))
+        };
+        let after = lines.iter().rposition(is_of).map_or(lines.len(), |at| at + 1);
+        lines.insert(after, format!("{name} {value}"));
+    }
+    lines.push(String::new());
+    lines.join("\n")
 }
 
 fn head(out: &mut String, name: &str, kind: &str, help: &str) -> std::fmt::Result {
@@ -96,7 +150,7 @@ fn write(service: &Service, out: &mut String) -> std::fmt::Result {
     gauge("uptime_seconds", "gauge", "Time since the server started.", service.idle.uptime().as_secs_f64())?;
     gauge("solves_waiting", "gauge", "Requests that wait for their turn.", count(load.waiting))?;
     gauge("solves_running", "gauge", "Requests that are being solved.", count(load.running))?;
-    gauge("solve_places", "gauge", "How many can be solved at a time.", count(service.pool.places()))?;
+    gauge("solve_places", "gauge", "How many can be solved at a time.", count(service.config.workers()))?;
     gauge("threads_lost", "gauge", "Threads that have been given up.", count(load.lost))?;
     gauge("failures_total", "counter", "Solves that failed as they must not.", load.failed as f64)?;
     let taken = service.memory.taken() as f64;
@@ -141,4 +195,30 @@ fn resident() -> Option<u64> {
     const PAGE: u64 = 4096;
     let text = std::fs::read_to_string("/proc/self/statm").ok()?;
     text.split_ascii_whitespace().nth(1)?.parse::<u64>().ok()?.checked_mul(PAGE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_of_two_processes() {
+        let page = |outcomes: &str| {
+            format!(
+                "# HELP katydid_uptime_seconds Time.\n# TYPE katydid_uptime_seconds gauge\nkatydid_uptime_seconds 7\n\
+                 # TYPE katydid_solves_total counter\n{outcomes}# TYPE katydid_solve_seconds histogram\n\
+                 katydid_solve_seconds_bucket{{le=\"0.1\"}} 2\nkatydid_solve_seconds_sum 0.5\n"
+            )
+        };
+        let own = page("katydid_solves_total{outcome=\"ok\"} 3\n");
+        let other =
+            page("katydid_solves_total{outcome=\"ok\"} 4\nkatydid_solves_total{outcome=\"late\"} 1\n");
+        let sum = added(&own, &other);
+        let wanted =
+            page("katydid_solves_total{outcome=\"ok\"} 7\nkatydid_solves_total{outcome=\"late\"} 1\n")
+                .replace("} 2\n", "} 4\n")
+                .replace("sum 0.5", "sum 1");
+        assert_eq!(sum, wanted);
+        assert_eq!(added(&page(""), &other).matches("katydid_solves_total{").count(), 2);
+    }
 }

@@ -14,6 +14,8 @@
 //! ```
 
 mod about;
+mod asked;
+mod behind;
 mod body;
 mod config;
 mod cors;
@@ -36,5 +38,6 @@ mod service;
 mod solve;
 mod work;
 
-pub use config::Config;
+pub use behind::{Command, Orders, stand_behind};
+pub use config::{Config, Processes};
 pub use server::{Server, start};

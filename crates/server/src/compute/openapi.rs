@@ -1,12 +1,10 @@
 //! The description of the addresses that programs read, and the page that people read and try.
 
-use std::sync::OnceLock;
-
 use axum::http::header::{CACHE_CONTROL, CONTENT_SECURITY_POLICY};
 use serde_json::{Map, Value, json};
 
 use super::route::{ADDRESSES, Address, Route};
-use super::sent::{HTML, JSON, Sent};
+use super::sent::{HTML, JSON, Page, Sent};
 
 const PAGE: &str = include_str!("docs.html");
 /// The page loads nothing, from nowhere; it asks only the server that it came from.
@@ -14,14 +12,16 @@ const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 
     connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// The page.
-pub(crate) fn page() -> Sent {
-    Sent::new(HTML, PAGE).with(CONTENT_SECURITY_POLICY, POLICY).with(CACHE_CONTROL, "no-cache")
+pub(crate) fn page(packs: bool) -> Sent {
+    static KEPT: Page = Page::new();
+    let make = || Sent::new(HTML, PAGE).with(CONTENT_SECURITY_POLICY, POLICY).with(CACHE_CONTROL, "no-cache");
+    KEPT.sent(packs, make)
 }
 
 /// The OpenAPI document.
-pub(crate) fn document() -> Sent {
-    static TEXT: OnceLock<String> = OnceLock::new();
-    Sent::new(JSON, TEXT.get_or_init(|| written().to_string()).as_str())
+pub(crate) fn document(packs: bool) -> Sent {
+    static KEPT: Page = Page::new();
+    KEPT.sent(packs, || Sent::new(JSON, written().to_string()))
 }
 
 fn written() -> Value {

@@ -54,6 +54,11 @@ impl Refusal {
         Self { retry: Some(retry), ..Self::new(StatusCode::SERVICE_UNAVAILABLE, "busy", message) }
     }
 
+    /// Whether it was given up for lack of time or memory.
+    pub(crate) fn is_for_lack(&self) -> bool {
+        ["timed-out", "too-large", "busy"].contains(&self.cause)
+    }
+
     /// The JSON text.
     pub(crate) fn body(&self) -> Vec<u8> {
         let told = Told { error: &self.message, cause: self.cause, errors: [&self.message] };

@@ -31,6 +31,13 @@ pub(crate) enum Route {
     Docs,
 }
 
+impl Route {
+    /// Whether it is about work that nobody waits for.
+    pub(crate) fn is_of_jobs(self) -> bool {
+        matches!(self, Self::Jobs | Self::Job | Self::JobEvents | Self::JobResult)
+    }
+}
+
 /// How an address is used.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Address {

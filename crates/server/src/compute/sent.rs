@@ -1,7 +1,7 @@
 //! What goes back over the wire.
 
 use std::io::Write;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use axum::body::Body;
@@ -141,6 +141,20 @@ impl Sent {
         *response.status_mut() = self.status;
         *response.headers_mut() = self.headers;
         response
+    }
+}
+
+/// An answer that is always the same: made and packed once. The threads that serve sockets have nothing else to do for it.
+#[derive(Debug, Default)]
+pub(crate) struct Page([OnceLock<Sent>; 2]);
+
+impl Page {
+    pub(crate) const fn new() -> Self {
+        Self([OnceLock::new(), OnceLock::new()])
+    }
+
+    pub(crate) fn sent(&self, packs: bool, make: impl FnOnce() -> Sent) -> Sent {
+        self.0[usize::from(packs)].get_or_init(|| make().packed(packs)).clone()
     }
 }
 

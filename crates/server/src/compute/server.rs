@@ -7,9 +7,10 @@ use std::time::Duration;
 use axum::Router;
 use tokio::task::JoinHandle;
 
-use super::Config;
+use super::behind::Behind;
 use super::door;
 use super::service::Service;
+use super::{Config, Processes};
 use crate::Error;
 use crate::listen::{Listening, bind, url};
 
@@ -36,7 +37,7 @@ impl std::fmt::Debug for Server {
 /// Starts a server.
 ///
 /// # Errors
-/// The port is taken, or others than this machine could ask and there is no key.
+/// The port is taken, others than this machine could ask and there is no key, or the second process cannot be started.
 pub async fn start(config: Config) -> Result<Server, Error> {
     let wanted = SocketAddr::new(config.address, config.port);
     if !config.address.is_loopback() && config.key().is_none() {
@@ -47,8 +48,18 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     let (listener, address) = bind(wanted).await?;
     let mut config = config;
     // What it would ask itself it solves at once: otherwise definitions that call others would wait for their own turn.
-    config.hops_server = config.hops_server.filter(|url| !leads_to(url, address));
-    let service = Arc::new(Service::new(config));
+    let front = match &config.processes {
+        Processes::Behind(orders) => orders.front(),
+        _ => address,
+    };
+    config.hops_server = config.hops_server.filter(|url| !leads_to(url, front));
+    let behind = match &config.processes {
+        Processes::Two(command) => {
+            Some(Behind::start(command.clone(), address).await.map_err(Error::Behind)?)
+        }
+        _ => None,
+    };
+    let service = Arc::new(Service::new(config, behind));
     let router = Router::new().fallback(door::answer).with_state(Arc::clone(&service));
     let listening = Listening::start(listener, address, router, grace);
     let swept = Arc::clone(&service);
@@ -86,5 +97,8 @@ impl Server {
         self.listening.close();
         self.service.jobs.cancel_all();
         self.listening.ended(self.grace + LAST).await;
+        if let Some(behind) = &self.service.behind {
+            behind.stop().await;
+        }
     }
 }

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use katydid_component::{Origin, Trust};
 use katydid_compute::{Compute, HopsSettings, RequestLimits, Settings, WebSettings};
 
-use super::Config;
+use super::behind::{Behind, IN_FRONT};
 use super::body::Room;
 use super::cors::Origins;
 use super::health::Trial;
@@ -17,7 +17,12 @@ use super::key::Lock;
 use super::memory::Memory;
 use super::metrics::Metrics;
 use super::pool::{Lane, Pool, SLICE};
+use super::refusal::Refusal;
+use super::{Config, Processes};
 use crate::lock::held;
+
+/// Of the memory for all requests, one part in so many is for those that are worked on in front: they take little.
+const PART_IN_FRONT: u64 = 8;
 
 /// The server behind its port.
 pub(crate) struct Service {
@@ -33,13 +38,26 @@ pub(crate) struct Service {
     pub(crate) pace: Pace,
     pub(crate) trial: Trial,
     pub(crate) idle: Idle,
+    /// The process behind, if this is the one in front.
+    pub(crate) behind: Option<Behind>,
 }
 
 impl Service {
-    pub(crate) fn new(mut config: Config) -> Self {
+    pub(crate) fn new(mut config: Config, behind: Option<Behind>) -> Self {
+        let in_front = config.total_bytes / PART_IN_FRONT;
+        match &config.processes {
+            Processes::One => {}
+            Processes::Two(_) => config.total_bytes = in_front,
+            Processes::Behind(_) => config.total_bytes -= in_front,
+        }
+        if !matches!(config.processes, Processes::One) {
+            config.cache_bytes /= 2;
+        }
         let memory = Memory::new(config.total_bytes, Pool::most(config.places()));
-        // What can never be had is no matter of trying again.
-        config.limits = config.limits.with_bytes(config.limits.bytes.min(memory.most()));
+        if behind.is_none() {
+            // What can never be had is no matter of trying again.
+            config.limits = config.limits.with_bytes(config.limits.bytes.min(memory.most()));
+        }
         let settings = Settings {
             files: Trust::shared(Vec::new()).files(Origin::Sent),
             cache_bytes: config.cache_bytes,
@@ -69,30 +87,55 @@ impl Service {
             pace: Pace::default(),
             trial: Trial::default(),
             idle: Idle::default(),
+            behind,
             config,
+        }
+    }
+
+    /// Notes how long a solve took, and why it came to nothing if it did. What is given up in front is done behind, and
+    /// counted there.
+    pub(crate) fn solved(&self, key: Option<&str>, took: Duration, refusal: Option<&Refusal>) {
+        self.idle.touch();
+        let slice = if self.behind.is_some() { IN_FRONT } else { SLICE };
+        let is_given_up = refusal.is_some_and(Refusal::is_for_lack);
+        if let Some(key) = key
+            && (refusal.is_none() || took >= slice || (is_given_up && self.behind.is_some()))
+        {
+            // What was given up early tells nothing, unless it was because there was so little.
+            let lane = if took < slice && !is_given_up { Lane::Quick } else { Lane::Slow };
+            self.pace.is(key, lane);
+        }
+        if self.behind.is_none() || !is_given_up {
+            self.metrics.solved(took, refusal.map(|refusal| refusal.cause));
         }
     }
 }
 
 /// Which definitions took long the last time, and which did not.
 #[derive(Debug, Default)]
-pub(crate) struct Pace(Mutex<HashMap<String, Lane>>);
+pub(crate) struct Pace(Mutex<HashMap<String, (Lane, Instant)>>);
 
 impl Pace {
     /// Beyond so many it begins anew: at worst each is new once more.
     const MOST: usize = 4096;
+    /// What was slow is looked at anew after so long: it may have been for what else was done then.
+    const AGAIN: Duration = Duration::from_secs(60);
 
     /// Where the next solve of a definition waits.
     pub(crate) fn lane(&self, key: &str) -> Lane {
-        held(&self.0).get(key).copied().unwrap_or(Lane::New)
+        match held(&self.0).get(key) {
+            Some((Lane::Slow, since)) if since.elapsed() >= Self::AGAIN => Lane::New,
+            Some((lane, _)) => *lane,
+            None => Lane::New,
+        }
     }
 
-    pub(crate) fn took(&self, key: &str, time: Duration) {
+    pub(crate) fn is(&self, key: &str, lane: Lane) {
         let mut known = held(&self.0);
         if known.len() >= Self::MOST && !known.contains_key(key) {
             known.clear();
         }
-        known.insert(key.to_owned(), if time < SLICE { Lane::Quick } else { Lane::Slow });
+        known.insert(key.to_owned(), (lane, Instant::now()));
     }
 }
 

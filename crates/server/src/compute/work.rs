@@ -10,7 +10,7 @@ use katydid_solver::Listener;
 
 use super::body::Received;
 use super::form::Form;
-use super::pool::{Lane, SLICE, Step};
+use super::pool::{Lane, Step};
 use super::query::Query;
 use super::refusal::Refusal;
 use super::sent::{JSON, Sent};
@@ -256,13 +256,7 @@ fn solve(
     service.idle.touch();
     let start = Instant::now();
     let came = solved(service, definition, request, wish, reins, &bounds, decode);
-    let took = start.elapsed();
-    service.idle.touch();
-    // What was given up early tells nothing.
-    if took >= SLICE || came.is_ok() {
-        service.pace.took(definition.key(), took);
-    }
-    service.metrics.solved(took, came.as_ref().err().map(|refusal| refusal.cause));
+    service.solved(Some(definition.key()), start.elapsed(), came.as_ref().err());
     came
 }
 

@@ -19,6 +19,7 @@ use katydid_component::Cancel;
 use tokio::sync::oneshot;
 
 use crate::lock::held;
+pub(crate) use priority::lower;
 pub(crate) use queue::{Client, Lane, Places, SLICE};
 use queue::{Queue, Row, Ticket};
 
@@ -81,7 +82,6 @@ struct Shared {
 
 struct Inner {
     queue: Queue<Work>,
-    places: Places,
     lost: usize,
     /// How many threads in front wait for work.
     idle_in_front: usize,
@@ -99,7 +99,7 @@ pub(crate) struct Load {
 impl Pool {
     pub(crate) fn new(places: Places) -> Self {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
-        let inner = Inner { queue: Queue::new(places), places, lost: 0, idle_in_front: 0 };
+        let inner = Inner { queue: Queue::new(places), lost: 0, idle_in_front: 0 };
         let shared = Arc::new(Shared {
             queue: Mutex::new(inner),
             wake_front: Condvar::new(),
@@ -116,12 +116,6 @@ impl Pool {
     /// How much may run at a time, what was given up included.
     pub(crate) fn most(places: Places) -> usize {
         places.all().max(2) + MOST_LOST
-    }
-
-    /// How much runs at a time, as a rule.
-    pub(crate) fn places(&self) -> usize {
-        let places = held(&self.shared.queue).places;
-        places.quick + places.slow
     }
 
     pub(crate) fn load(&self) -> Load {

@@ -6,7 +6,7 @@
 const BEHIND: i32 = 15;
 
 /// Lowers the priority of this thread, for good. Where the system has none for threads, all have the same.
-pub(super) fn lower() {
+pub(crate) fn lower() {
     // Niceness is of a thread on Linux, and "this process" there is the calling thread.
     #[cfg(target_os = "linux")]
     if let Ok(now) = rustix::process::getpriority_process(None) {
