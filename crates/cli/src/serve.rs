@@ -50,7 +50,7 @@ fn behind(args: &ServeArgs) -> Result<u8, String> {
         // A terminal tells both processes to end: the first one decides when.
         let _signals = Signals::listen()?;
         let server = compute::start(config).await.map_err(|error| error.to_string())?;
-        say(&server.url().to_owned());
+        say(server.url());
         printed()?;
         let ended =
             tokio::task::spawn_blocking(|| std::io::copy(&mut std::io::stdin(), &mut std::io::sink()));

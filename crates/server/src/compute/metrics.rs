@@ -93,11 +93,11 @@ const OF_BOTH: [&str; 9] = [
 fn figure(line: &str) -> Option<(&str, f64)> {
     let (name, value) = line.rsplit_once(' ')?;
     let bare = name.split('{').next()?.strip_prefix("katydid_")?;
-    let is_of = |family: &&str| {
+    let is_of = |family: &str| {
         let part = bare.strip_prefix(family);
         part.is_some_and(|part| ["", "_bucket", "_sum", "_count"].contains(&part))
     };
-    OF_BOTH.iter().any(|family| is_of(&family)).then_some((name, value.parse().ok()?))
+    OF_BOTH.iter().any(|family| is_of(family)).then_some((name, value.parse().ok()?))
 }
 
 /// A page with the figures of another added to those that both have.
