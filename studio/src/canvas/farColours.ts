@@ -5,6 +5,8 @@ import type { Look } from "../core/look";
 export interface FarColours {
   edge: string;
   ink: string;
+  /** The second colour of icons. */
+  accent: string;
   wire: Record<"plain" | "empty" | "selected", string>;
   ground: string;
   look: Record<Look, string>;
@@ -33,6 +35,7 @@ export function farColours(beside: HTMLElement): FarColours {
   const colours: FarColours = {
     edge: read("--canvas-edge"),
     ink: read("--canvas-ink"),
+    accent: read("--icon-accent"),
     wire: {
       plain: read("--canvas-wire"),
       empty: read("--canvas-wire-empty"),

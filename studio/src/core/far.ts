@@ -27,6 +27,8 @@ export interface FarBox {
   lines: readonly (readonly (readonly [number, number])[])[];
   /** A text on it that is large enough to be read from afar. */
   label: { text: string; size: number; across: "left" | "centre" | "right"; bold: boolean } | undefined;
+  /** The component whose picture stands on it where its name cannot be read. */
+  icon: { component: string; name: string } | undefined;
   selected: boolean;
 }
 
@@ -99,6 +101,7 @@ function farBox(
     kind: "box",
     lines: [],
     label: undefined,
+    icon: undefined,
     selected,
   };
   const { control } = object;
@@ -115,7 +118,11 @@ function farBox(
       return { ...box, kind: "lines", lines: control.lines, colour: css(control.colour) };
     default:
       if (object.kind === "relay") return { ...box, kind: "dot" };
-      return { ...box, label: label(object.nickname || object.name, 11, "centre") };
+      return {
+        ...box,
+        label: label(object.nickname || object.name, 11, "centre"),
+        icon: object.kind === "cluster" ? undefined : { component: object.component, name: object.name },
+      };
   }
 }
 

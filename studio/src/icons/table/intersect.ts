@@ -1,0 +1,61 @@
+/** The pictures of the Intersect tab: both partners, and what they share in the accent colour. */
+
+import { arrow, circle, dot, hotDot, hotSpeck, line, poly, rect } from "../lines";
+import { faint, hot, hotFill, ink, place, shade, tint, type Drawing } from "../piece";
+import * as s from "../shapes";
+import type { Tab } from "./tab";
+
+const tilted = poly(1, 15, 8, 8, 23, 8, 16, 15);
+// A plane on edge, seen from the side.
+const upright = poly(10, 2, 17, 6, 17, 22, 10, 17);
+const curve = "M2 19C7 18 7 5 12 5S16 15 22 13";
+const ghostMesh: Drawing = [ink(s.netRing), faint(s.netLines)];
+
+export const intersect: Tab = {
+  Mathematical: {
+    "Brep | Line": [s.bareBox, hotDot(7, 14.5, 17, 9), ink(line(1, 18, 7, 14.5), line(17, 9, 23, 5.5)), faint(line(7, 14.5, 17, 9))],
+    "Brep | Plane": [s.bareBox, tint(poly(4, 12, 12, 8, 20, 12, 12, 16)), hot(poly(4, 12, 12, 8, 20, 12, 12, 16))],
+    Contour: [s.ghostBox, ink(s.boxRing), hot(line(4, 10, 12, 14, 20, 10), line(4, 13, 12, 17, 20, 13), line(4, 16, 12, 20, 20, 16))],
+    "Contour (ex)": [s.ghostBox, ink(s.boxRing), hot(line(4, 8.5, 12, 12.5, 20, 8.5), line(4, 10.5, 12, 14.5, 20, 10.5), line(4, 15, 12, 19, 20, 15))],
+    "Curve | Line": [ink(curve), ink(line(1, 10, 23, 10)), hotDot(7.5, 10, 16, 10)],
+    "Curve | Line [OBSOLETE]": [ink(curve), ink(line(1, 8, 23, 12)), hotDot(7.5, 10)],
+    "Curve | Plane": [place([shade(upright), ink(upright)], -2, 0), ink("M1 14C5 10 8 9 11 11"), faint("M11 11L15 12.5"), ink("M15 12.5C18 13 20 9 23 8"), hotDot(11.5, 11.5)],
+    IsoVist: [tint(poly(12, 2, 18, 5, 14, 10, 22, 12, 18, 20, 11, 22, 6, 18, 2, 12, 8, 10, 5, 5)), hot(poly(12, 2, 18, 5, 14, 10, 22, 12, 18, 20, 11, 22, 6, 18, 2, 12, 8, 10, 5, 5)), dot(12, 14)],
+    "IsoVist Ray": [dot(4, 19), ink("M14 3C15 8 18 12 22 14"), hot(arrow(4, 19, 15.5, 8, 3.5)), faint(line(16, 7, 21, 2)), hotDot(15.5, 7.7)],
+    "Line | Line": [ink(line(3, 20, 21, 4), line(3, 6, 21, 18)), hotDot(12, 12)],
+    "Line | Plane": [s.flat, ink(line(12, 1, 12, 12)), faint(line(12, 12, 12, 17)), ink(line(12, 17, 12, 23)), hotDot(12, 12)],
+    "Mesh | Plane": [ghostMesh, hot(line(3, 14, 9, 11, 14, 14, 21, 10)), tint(poly(3, 9, 3.5, 14, 9, 11, 14, 14, 21, 10, 20, 6, 10, 3))],
+    "Mesh | Ray": [place(ghostMesh, 5, 3, 0.8), hot(arrow(1, 5, 12, 11, 4)), dot(2, 5.5), hotDot(14, 12)],
+    "Plane Region": [faint(line(1, 8, 23, 4), line(3, 2, 8, 22), line(2, 16, 22, 22), line(18, 1, 20, 23)), tint(poly(4.5, 7.3, 18.4, 4.8, 19.7, 21, 7, 17.5)), hot(poly(4.5, 7.3, 18.4, 4.8, 19.7, 21, 7, 17.5))],
+    "Plane | Plane": [shade(tilted), ink(tilted), ink(upright), shade(upright), hot(line(10, 15, 17, 8))],
+    "Plane | Plane | Plane": [ink(tilted, upright), ink(poly(5, 3, 19, 3, 19, 20, 5, 20)), hotDot(13, 11.5)],
+    "Surface | Line": [place(s.sheet, 0, 2), ink(line(12, 1, 12, 13)), faint(line(12, 13, 12, 20)), hotDot(12, 13.5)],
+  },
+  Physical: {
+    "Brep | Curve": [s.bareBox, ink("M1 20C3 17 5 16 7 14"), hot("M7 14C10 11 13 14 16 10"), ink("M16 10C19 6 20 4 23 3"), hotDot(7, 14, 16, 10)],
+    Clash: [ink(circle(7, 14, 5), circle(17, 14, 5)), hot(line(12, 2, 12, 7), line(6, 4, 8, 7), line(18, 4, 16, 7)), hotDot(12, 14)],
+    "Collision Many|Many": [ink(rect(2, 2, 7, 7), rect(6, 6, 7, 7), rect(11, 11, 7, 7), rect(15, 15, 7, 7)), hotFill(rect(6, 6, 3, 3), rect(11, 11, 2, 2), rect(15, 15, 3, 3))],
+    "Collision One|Many": [ink(rect(7, 7, 10, 10)), ink(rect(2, 2, 7, 7), rect(15, 3, 6, 6), rect(14, 15, 7, 7)), hotFill(rect(7, 7, 2, 2), rect(15, 7, 2, 2), rect(14, 15, 3, 2))],
+    "Curve | Curve": [ink("M2 18C8 18 8 6 22 6", "M3 4C10 5 12 20 21 19"), hotDot(10.5, 11.5)],
+    "Curve | Self": [ink("M3 20C6 8 22 -2 21 9S4 12 8 17S17 19 21 18"), hotDot(9.3, 11.5)],
+    "Mesh | Curve": [ghostMesh, ink("M1 17C4 17 5 15 7 14"), hot("M7 14C10 12 12 8 16 9"), ink("M16 9C19 10 20 4 23 3"), hotDot(7, 14, 16, 9)],
+    "Mesh | Mesh": [ink(poly(2, 10, 8, 2, 16, 6, 14, 15, 5, 17), poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20)), faint(line(2, 10, 14, 15), line(8, 2, 14, 15), line(10, 11, 18, 22), line(22, 14, 9, 20)), hot(line(15, 8.5, 10, 11, 9.6, 16)), hotDot(15, 8.5, 9.6, 16)],
+    "Multiple Curves": [ink("M2 16C8 15 14 8 22 8", "M4 3C8 8 10 16 10 22", "M22 20C18 12 14 8 13 2"), hotDot(8.7, 13, 15, 9.2), hotSpeck(2, 22)],
+    "Surface Split": [place(s.sheet, 0, 0), hot("M11 3C9 9 13 14 10 20"), hot(arrow(6, 2, 2, 2, 2.5), arrow(16, 22, 22, 22, 2.5))],
+    "Surface | Curve": [place(s.sheet, 0, 2), ink("M3 3C5 9 9 9 10 13"), faint("M10 13C11 16 12 19 14 20"), ink("M18 2C17 6 16 8 16 11"), hotDot(10, 13, 16, 11.5)],
+  },
+  Region: {
+    "Trim with Region": [shade(circle(12, 12, 7.5)), faint(circle(12, 12, 7.5)), ink(line(1, 17, 5, 14.5), line(19, 8, 23, 6)), hot(line(5, 14.5, 19, 8)), hotDot(5, 14.5, 19, 8)],
+    "Trim with Regions": [shade(circle(7, 8, 5), circle(17, 16, 5)), faint(circle(7, 8, 5), circle(17, 16, 5)), ink(line(1, 2, 3.5, 4.5), line(10.5, 11.5, 13.5, 13), line(20, 20, 22, 22)), hot(line(3.5, 4.5, 10.5, 11.5), line(13.5, 13, 20, 20))],
+  },
+  Shape: {
+    "Mesh Difference": [tint(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17)), ink(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17), line(2, 10, 10, 11, 8, 2)), faint(poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20))],
+    "Mesh Intersection": [faint(poly(2, 10, 8, 2, 16, 6, 14, 15, 5, 17), poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20)), tint(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16)), hot(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16), line(10, 11, 14, 15))],
+    "Mesh Split": [ink(poly(2, 10, 8, 2, 13, 4.5, 10, 16, 5, 17), line(2, 10, 10, 16, 8, 2)), ink(poly(17, 6, 22, 14, 18, 22, 13, 18)), hot(line(17, 1, 9, 23))],
+    "Mesh Union": [tint(poly(2, 10, 8, 2, 16, 6, 15.5, 8, 18, 7, 22, 14, 18, 22, 9, 20, 9.4, 16.5, 5, 17)), ink(poly(2, 10, 8, 2, 16, 6, 15.5, 8, 18, 7, 22, 14, 18, 22, 9, 20, 9.4, 16.5, 5, 17)), ink(line(2, 10, 12, 12, 8, 2), line(12, 12, 22, 14), line(9, 20, 12, 12, 18, 22))],
+    "Region Difference": [faint(s.RIGHT_RING), tint(s.LEFT_MOON), hot(s.LEFT_MOON)],
+    "Region Intersection": [ink(s.LEFT_RING, s.RIGHT_RING), hotFill(s.LENS)],
+    "Region Slits": [ink("M3 3H21V10H14V16H10V10H3Z"), hot(line(12, 10, 12, 22)), tint("M3 3H21V10H14V16H10V10H3Z"), hot(rect(10, 10, 4, 6))],
+    "Region Union": [tint(s.BOTH_RINGS), hot(s.BOTH_RINGS)],
+  },
+};
