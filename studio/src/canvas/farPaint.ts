@@ -11,7 +11,7 @@ import type { FarColours } from "./farColours";
 const READABLE = 4.5;
 /** Icons smaller than this many pixels are left out; larger than this in canvas units they are not drawn. */
 const LEAST_ICON = 6;
-const LARGEST_ICON = 48;
+const LARGEST_ICON = 120;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
 const FONT = "system-ui, sans-serif";

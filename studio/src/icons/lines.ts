@@ -100,6 +100,9 @@ export function alongOf([a, b, c, d]: Cubic, t: number): Point {
   return [mix(0) / length, mix(1) / length];
 }
 
+/** Straight lines from point to point of a curve. */
+export const chords = (curve: Cubic, ...at: readonly number[]): string => line(...at.flatMap((t) => pointOf(curve, t)));
+
 /** The part of a curve between two parameters. */
 export function part(curve: Cubic, from: number, to: number): Cubic {
   const after = split(curve, from)[1];

@@ -4,7 +4,7 @@ import { arrow, circle, dot, ellipse, line, path, poly, rays, rect, speck, type 
 import { dash, faint, fill, hotFill, ink, shade, tint, type Drawing } from "./piece";
 
 // Curves that pictures share. What is added to them is placed by their parameters.
-export const WAVE: Cubic = [[3, 17], [9, 1], [14, 24], [21, 7]];
+export const WAVE: Cubic = [[3, 18], [8, -10], [16, 34], [21, 6]];
 export const ARCH: Cubic = [[3, 19], [5, 4], [19, 4], [21, 19]];
 export const RISE: Cubic = [[3, 20], [11, 20], [18, 14], [20, 4]];
 export const BOW: Cubic = [[3, 12], [8, 5], [16, 5], [21, 12]];

@@ -1,6 +1,6 @@
 /** The pictures of the Curve tab. */
 
-import { arc, arrow, circle, dot, ellipse, head, hotDot, hotDotsOn, hotSpeck, line, ngon, normalsOn, part, path, pointOf, poly, rect, span, speck, ticksOn, turnArrow, type Cubic } from "../lines";
+import { arc, arrow, chords, circle, dot, ellipse, head, hotDot, hotDotsOn, hotSpeck, line, ngon, normalsOn, part, path, pointOf, poly, rect, span, speck, ticksOn, turnArrow, type Cubic } from "../lines";
 import { word } from "../letters";
 import * as mark from "../marks";
 import { dash, faint, hot, hotFill, ink, place, shade, tint, turn, type Drawing } from "../piece";
@@ -37,7 +37,7 @@ export const curve: Tab = {
     "Curve Side": [ink(arrow(12, 22, 12, 2, 4)), word("L", 5, 12, 7), word("R", 19.5, 12, 7, hot)],
     "Deconstruct Arc": [ink(arc(12, 17, 9, 180, 360)), hot(arrow(12, 17, 18, 10.5, 3), line(3, 21, 21, 21)), hotDot(12, 17)],
     "Deconstuct Rectangle": [ink(rect(3, 3, 13, 10)), hot(span(3, 18, 16, 18, 2.5), span(20.5, 3, 20.5, 13, 2.5))],
-    Derivatives: [wave, hotDotsOn(WAVE, 0.5), hot(arrow(12, 12.4, 18.5, 17, 3), arrow(12, 12.4, 15, 4, 3))],
+    Derivatives: [wave, hotDotsOn(WAVE, 0.5), hot(arrow(12, 12, 17, 19, 3), arrow(12, 12, 20, 7, 3))],
     Discontinuity: [ink("M2 19C5 10 8 7 12 6L13 19C16 18 19 15 22 9"), hotDot(12, 6, 13, 19)],
     "End Points": [wave, hotDotsOn(WAVE, 0, 1), hot(circle(3, 17, 3.5), circle(20.5, 7, 3.5))],
     "Evaluate Curve": [ink(path(slope)), hotDotsOn(slope, 0.4), word("t", 12, 19, 7, hot)],
@@ -53,7 +53,7 @@ export const curve: Tab = {
     "Point On Curve": [wave, hotFill(poly(12, 8, 16, 12, 12, 16, 8, 12))],
     "Point in Curves": [shade("M2 8A6 6 0 1 1 14 8A6 6 0 1 1 2 8Z", circle(16, 16, 6)), ink(circle(8, 8, 6), circle(16, 16, 6)), hotDot(8, 8, 16, 16), speck(19, 5)],
     "Polygon Center": [ink(ngon(12, 12, 9.5, 5)), hotDot(12, 12), faint(line(12, 2.5, 12, 12, 21, 9), line(12, 12, 3, 9))],
-    "Segment Lengths": [ink(line(3, 18, 8, 5, 21, 8)), dot(3, 18, 8, 5, 21, 8), hot(span(7, 20, 12, 9.5, 2.5), span(11, 9.5, 20, 12, 2.5))],
+    "Segment Lengths": [ink(line(7, 21, 7, 8, 21, 8)), dot(7, 21, 7, 8, 21, 8), hot(span(2.5, 21, 2.5, 8, 2.5), span(7, 3.5, 21, 3.5, 2.5))],
     Torsion: [ink("M3 17C8 17 9 6 13 6S16 14 12 14S10 8 21 8"), hot(turnArrow(12, 19, 4, 200, 380, 3))],
   },
   Division: {
@@ -61,7 +61,7 @@ export const curve: Tab = {
     "Contour (ex)": [ink("M5 3C20 6 4 15 20 21"), hot(line(2, 4, 22, 4), line(2, 8, 22, 8), line(2, 18, 22, 18)), hotDot(7.5, 4, 12.5, 8, 15, 18)],
     "Curve Frames": [ink(path(hill)), ...[0.1, 0.5, 0.9].map((t) => smallFrameAt(...pointOf(hill, t), t === 0.5 ? 0 : t < 0.5 ? -75 : 75))],
     "Dash Pattern": [ink(...[[0, 0.26], [0.35, 0.42], [0.53, 0.78], [0.86, 0.92]].map(([a = 0, b = 1]) => path(part(WAVE, a, b)))), hot(line(3, 21, 10, 21), line(13, 21, 15, 21), line(18, 21, 21, 21))],
-    "Divide By Deviation": [ink(path(hill)), hot(line(3, 20, 6, 11, 12, 7.25, 18, 11, 21, 20)), hotSpeck(3, 20, 6, 11, 12, 7.25, 18, 11, 21, 20)],
+    "Divide By Deviation": [faint(path(hill)), hot(chords(hill, 0, 0.3, 0.7, 1)), hotDotsOn(hill, 0, 0.3, 0.7, 1), ink(normalsOn(hill, 3, 0.5))],
     "Divide Curve": [wave, hotDotsOn(WAVE, 0, 0.25, 0.5, 0.75, 1)],
     "Divide Distance": [wave, hotDotsOn(WAVE, 0.05, 0.5, 0.95), hot(arc(12, 12.5, 9, 110, 175), arc(12, 12.5, 9, -70, -5))],
     "Divide Length": [wave, hotDotsOn(WAVE, 0, 0.3, 0.65), hot(span(3, 22, 10, 22, 2.5), span(12, 22, 19, 22, 2.5))],
@@ -88,7 +88,7 @@ export const curve: Tab = {
     "Line 2Plane": [ink(line(3, 5, 3, 20), line(21, 3, 21, 18)), hot(line(3, 14, 21, 9)), hotDot(3, 14, 21, 9)],
     "Line 4Pt": [faint(line(2, 15, 22, 7)), hot(line(7, 13, 17, 9)), hotDot(7, 13, 17, 9), dot(4, 5, 20, 19), dash(line(4, 5, 7, 13), line(20, 19, 17, 9))],
     "Line SDL": [ink(arrow(4, 20, 19, 5, 5)), hotDot(4, 20), hot(span(9, 22, 21, 10, 2.5))],
-    "Modified Arc": [faint(arc(12, 18, 6, 180, 360)), ink(arc(12, 18, 10, 200, 340)), hot(arrow(12, 12, 12, 8.5, 2.5), arrow(12, 18, 12, 12, 3))],
+    "Modified Arc": [faint(arc(12, 19, 5, 180, 360)), ink(arc(12, 19, 10.5, 195, 345)), hot(arrow(12, 19, 12, 9.5, 3.5)), hotDot(12, 19)],
     Polygon: [ink(ngon(12, 12, 9.5, 6)), hot(line(12, 12, 20, 16.5)), hotDot(12, 12)],
     "Polygon Edge": [ink(ngon(12, 12, 9.5, 5)), hot(line(6.5, 19.7, 17.5, 19.7)), hotDot(6.5, 19.7, 17.5, 19.7)],
     Rectangle: [ink(rect(3, 6, 18, 12)), hot(line(12, 12, 17, 12), line(12, 12, 12, 8)), hotDot(12, 12)],
@@ -110,8 +110,8 @@ export const curve: Tab = {
     "Connect Curves": [ink("M2 18C4 14 6 12 9 13", "M15 9C18 10 20 8 22 5"), hot("M9 13C13 14 11 8 15 9"), hotDot(9, 13, 15, 9), faint(circle(12, 11, 6))],
     "Curve On Surface": [s.sheet, hot("M5 14C8 8 12 17 18 11"), hotSpeck(5, 14, 18, 11, 11.5, 13)],
     Geodesic: [ink(circle(12, 12, 9.5)), faint("M2.5 12C6 15 18 15 21.5 12"), hot("M6 18C7 10 12 6 18 7"), hotDot(6, 18, 18, 7)],
-    Interpolate: [wave, hotDotsOn(WAVE, 0.05, 0.28, 0.5, 0.74, 0.96)],
-    "Interpolate (t)": [ink("M4 19C6 6 12 12 13 9S20 10 20 19"), hotDot(4, 19, 20, 19, 12.5, 10), hot(arrow(4, 19, 4, 6, 3), arrow(20, 19, 20, 9, 3))],
+    Interpolate: [ink("M3 19C3 4 9 3 11 10S18 18 21 5"), hotDot(3, 19, 6.5, 6.5, 11, 10.5, 16, 14.5, 21, 5)],
+    "Interpolate (t)": [ink("M4 19C4 2 11 4 12 11S20 20 20 8"), hotDot(4, 19, 12, 11, 20, 8), hot(arrow(4, 19, 4, 8, 3), arrow(20, 8, 20, 1, 3))],
     "Iso Curve": [s.sheet, hot("M9 17.5C10 13 12.5 9 15 6.5", "M5 10.5C9.5 7.5 14.5 16 19 13"), hotDot(12, 11.75)],
     "Kinky Curve": [ink("M2 19C4 12 7 7 9 6L13 17C16 14 19 10 22 4"), hotDot(9, 6, 13, 17), dot(2.5, 19, 21.5, 4.5)],
     "Knot Vector": [hot(line(3, 14, 21, 14)), hot(line(3, 8, 3, 20), line(5, 8, 5, 20), line(9, 10, 9, 18), line(12.5, 10, 12.5, 18), line(16, 10, 16, 18), line(19, 8, 19, 20), line(21, 8, 21, 20)), ink("M3 6C8 1 15 10 21 4")],
@@ -127,7 +127,7 @@ export const curve: Tab = {
     "Tween Curve": [ink("M2 9C8 1 14 6 22 3", "M2 21C9 22 14 14 22 21"), hot("M2 15C8.5 11 14 10 22 12")],
   },
   Util: {
-    "Curve To Polyline": [faint(path(hill)), hot(line(3, 20, 6, 11, 12, 7.25, 18, 11, 21, 20)), dot(3, 20, 6, 11, 12, 7.25, 18, 11, 21, 20)],
+    "Curve To Polyline": [faint(path(hill)), ink(chords(hill, 0, 0.25, 0.5, 0.75, 1)), hotDotsOn(hill, 0, 0.25, 0.5, 0.75, 1)],
     Explode: [ink(line(2, 14, 6, 5), line(10, 3, 18, 5), line(20, 9, 17, 16)), hotDot(2, 14, 6, 5, 10, 3, 18, 5, 20, 9, 17, 16), hot(line(7, 20, 12, 20)), hotDot(7, 20, 12, 20)],
     "Extend Curve": [ink("M6 16C9 8 14 17 17 9"), hot(line(6, 16, 4, 20), head(3, 22, -1, 2, 3), line(17, 9, 19.5, 4), head(20, 3, 1, -2, 3)), dot(6, 16, 17, 9)],
     Fillet: [faint(line(4, 12, 4, 4, 12, 4)), ink(line(4, 21, 4, 13), line(13, 4, 21, 4)), hot("M4 13A9 9 0 0 1 13 4"), hot(arrow(13, 13, 7, 7, 3))],
@@ -144,7 +144,7 @@ export const curve: Tab = {
     "Polyline Collapse": [ink(line(2, 19, 8, 6), line(16, 7, 22, 18)), faint(line(8, 6, 16, 7)), hot(arrow(5, 3, 10.5, 3, 2.5), arrow(19, 3, 13.5, 3, 2.5)), hotDot(12, 6.5), hot(line(8, 6, 12, 6.5, 16, 7))],
     Project: [sheetLow, ink("M5 5C9 1 13 8 19 3"), hot("M6 17C9 11 13 19 18 15"), hot(arrow(6, 6, 6, 13, 2.5), arrow(18, 5, 18, 12, 2.5))],
     "Pull Curve": [ink("M2 22C9 21 19 15 21 3"), ink("M3 12C6 4 9 10 14 3"), hot(arrow(4, 12, 7, 19, 2.5), arrow(12, 7, 17, 12, 2.5)), tint("M2 22C9 21 19 15 21 3L22 22Z")],
-    "Rebuild Curve": [ink(path(WAVE)), hotDotsOn(WAVE, 0, 0.33, 0.66, 1), faint(line(3, 17, 9, 3, 14, 21, 21, 7)), mark.turns],
+    "Rebuild Curve": [place([ink(path(WAVE)), hotDotsOn(WAVE, 0, 0.33, 0.66, 1)], 0, -2, 0.85), mark.turns],
     Reduce: [ink(line(2, 19, 8, 5, 22, 5)), faint(line(2, 19, 3, 13, 6, 11, 8, 5, 12, 7, 16, 3, 22, 5)), hotDot(2.5, 19, 8, 5, 21.5, 5), hot(line(13, 18, 21, 18))],
     Seam: [ink(closed), hotDot(12, 3), hot(turnArrow(12, 12, 5, -100, 20, 3.5))],
     "Simplify Curve": [faint(line(2, 20, 4, 16, 5, 17, 7, 12, 8, 13, 10, 9)), hot(line(2, 20, 11, 7)), ink("M11 7C15 3 21 7 21 14"), dot(11, 7, 2.5, 20, 21, 14)],

@@ -1,6 +1,6 @@
 /** The pictures of the Intersect tab: both partners, and what they share in the accent colour. */
 
-import { arrow, circle, dot, hotDot, hotSpeck, line, poly, rect } from "../lines";
+import { arrow, circle, dot, hotDot, line, poly, rect } from "../lines";
 import { faint, hot, hotFill, ink, place, shade, tint, type Drawing } from "../piece";
 import * as s from "../shapes";
 import type { Tab } from "./tab";
@@ -28,7 +28,7 @@ export const intersect: Tab = {
     "Mesh | Ray": [place(ghostMesh, 5, 3, 0.8), hot(arrow(1, 5, 12, 11, 4)), dot(2, 5.5), hotDot(14, 12)],
     "Plane Region": [faint(line(1, 8, 23, 4), line(3, 2, 8, 22), line(2, 16, 22, 22), line(18, 1, 20, 23)), tint(poly(4.5, 7.3, 18.4, 4.8, 19.7, 21, 7, 17.5)), hot(poly(4.5, 7.3, 18.4, 4.8, 19.7, 21, 7, 17.5))],
     "Plane | Plane": [shade(tilted), ink(tilted), ink(upright), shade(upright), hot(line(10, 15, 17, 8))],
-    "Plane | Plane | Plane": [ink(tilted, upright), ink(poly(5, 3, 19, 3, 19, 20, 5, 20)), hotDot(13, 11.5)],
+    "Plane | Plane | Plane": [ink(tilted), ink(upright), shade(tilted, upright), hot(line(10, 15, 17, 8)), ink(line(1, 4, 23, 20)), hotDot(13, 12)],
     "Surface | Line": [place(s.sheet, 0, 2), ink(line(12, 1, 12, 13)), faint(line(12, 13, 12, 20)), hotDot(12, 13.5)],
   },
   Physical: {
@@ -40,8 +40,8 @@ export const intersect: Tab = {
     "Curve | Self": [ink("M3 20C6 8 22 -2 21 9S4 12 8 17S17 19 21 18"), hotDot(9.3, 11.5)],
     "Mesh | Curve": [ghostMesh, ink("M1 17C4 17 5 15 7 14"), hot("M7 14C10 12 12 8 16 9"), ink("M16 9C19 10 20 4 23 3"), hotDot(7, 14, 16, 9)],
     "Mesh | Mesh": [ink(poly(2, 10, 8, 2, 16, 6, 14, 15, 5, 17), poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20)), faint(line(2, 10, 14, 15), line(8, 2, 14, 15), line(10, 11, 18, 22), line(22, 14, 9, 20)), hot(line(15, 8.5, 10, 11, 9.6, 16)), hotDot(15, 8.5, 9.6, 16)],
-    "Multiple Curves": [ink("M2 16C8 15 14 8 22 8", "M4 3C8 8 10 16 10 22", "M22 20C18 12 14 8 13 2"), hotDot(8.7, 13, 15, 9.2), hotSpeck(2, 22)],
-    "Surface Split": [place(s.sheet, 0, 0), hot("M11 3C9 9 13 14 10 20"), hot(arrow(6, 2, 2, 2, 2.5), arrow(16, 22, 22, 22, 2.5))],
+    "Multiple Curves": [ink("M2 16C8 15 14 8 22 8", "M4 3C8 8 10 16 10 22", "M22 20C18 12 14 8 13 2"), hotDot(8.7, 13, 15, 9.2)],
+    "Surface Split": [place(s.sheet, 0, 0), hot("M11 3C9 9 13 14 10 20"), hot(arrow(7, 3, 2, 3, 2.5), arrow(16, 21.5, 22, 21.5, 2.5))],
     "Surface | Curve": [place(s.sheet, 0, 2), ink("M3 3C5 9 9 9 10 13"), faint("M10 13C11 16 12 19 14 20"), ink("M18 2C17 6 16 8 16 11"), hotDot(10, 13, 16, 11.5)],
   },
   Region: {
@@ -55,7 +55,7 @@ export const intersect: Tab = {
     "Mesh Union": [tint(poly(2, 10, 8, 2, 16, 6, 15.5, 8, 18, 7, 22, 14, 18, 22, 9, 20, 9.4, 16.5, 5, 17)), ink(poly(2, 10, 8, 2, 16, 6, 15.5, 8, 18, 7, 22, 14, 18, 22, 9, 20, 9.4, 16.5, 5, 17)), ink(line(2, 10, 12, 12, 8, 2), line(12, 12, 22, 14), line(9, 20, 12, 12, 18, 22))],
     "Region Difference": [faint(s.RIGHT_RING), tint(s.LEFT_MOON), hot(s.LEFT_MOON)],
     "Region Intersection": [ink(s.LEFT_RING, s.RIGHT_RING), hotFill(s.LENS)],
-    "Region Slits": [ink("M3 3H21V10H14V16H10V10H3Z"), hot(line(12, 10, 12, 22)), tint("M3 3H21V10H14V16H10V10H3Z"), hot(rect(10, 10, 4, 6))],
+    "Region Slits": [tint("M2 4H22V12H14V8H10V12H2Z"), ink("M2 4H22V12H14V8H10V12H2Z"), hot("M8 22V14H16V22Z"), hot(line(12, 14, 12, 18))],
     "Region Union": [tint(s.BOTH_RINGS), hot(s.BOTH_RINGS)],
   },
 };

@@ -75,7 +75,7 @@ export const meshes: Tab = {
     Exposure: [hotFill(circle(5, 5, 3)), hot(line(9, 6, 14, 8), line(8, 8, 12, 12), line(6, 9, 8, 14)), place(s.bareMesh, 9, 9, 0.62)],
     "Flip Mesh": [place(s.mesh, 0, 3, 0.8), mark.upDown, hot(arrow(18.5, 10, 18.5, 2, 3))],
     "Mesh Brep": [small(s.brep), hot(poly(13, 22, 18, 13, 23, 22), line(15.5, 17.5, 20.5, 17.5, 18, 22, 15.5, 17.5))],
-    "Mesh Join": [ink(poly(2, 12, 9, 3, 12, 12), poly(2, 12, 12, 12, 7, 21)), ink(poly(22, 12, 15, 3, 12, 12), poly(22, 12, 12, 12, 17, 21)), hotDot(12, 12), hot(arrow(4, 2, 8, 2, 0.1))],
+    "Mesh Join": [ink(poly(2, 12, 9, 3, 12, 12), poly(2, 12, 12, 12, 7, 21)), ink(poly(22, 12, 15, 3, 12, 12), poly(22, 12, 12, 12, 17, 21)), hotDot(12, 12), hot(arrow(1.5, 5, 5, 8, 2.5), arrow(22.5, 5, 19, 8, 2.5))],
     "Mesh Shadow": [place(s.bareMesh, 0, -1, 0.68), fill("M6 20C9 16 19 16 23 19C21 22 9 23 6 20Z"), hotFill(circle(20, 4, 2.5)), hot(line(18, 7, 16, 10))],
     "Mesh Split Plane": [place(s.bareMesh, 0, -1.5), tint(poly(1, 15, 8, 10, 23, 10, 16, 15)), hot(poly(1, 15, 8, 10, 23, 10, 16, 15))],
     "Mesh Surface": [s.sheet, hot("M5 10.5C9.5 7.5 14.5 16 19 13M9 17.5C10 13 12.5 9 15 6.5"), hot(line(2, 16, 12, 12, 22, 7), line(5, 10.5, 15, 6.5), line(9, 17.5, 19, 13))],

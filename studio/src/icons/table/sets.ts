@@ -9,6 +9,9 @@ import type { Tab } from "./tab";
 
 const { cells } = s;
 
+/** A cross over a cell of a column of four. */
+const crossed = (x: number, k: number): Drawing => hot(line(x, 2 + 5 * k, x + 5, 7 + 5 * k), line(x + 5, 2 + 5 * k, x, 7 + 5 * k));
+
 // Sets are two rings that overlap.
 const rings = ink(s.LEFT_RING, s.RIGHT_RING);
 // A tree that leaves the lower right corner to a mark.
@@ -33,7 +36,7 @@ export const sets: Tab = {
     "Partition List": [cells(2, 4, [], 5), hot(arrow(8, 7, 13, 5, 2.5), arrow(8, 17, 13, 19, 2.5)), cells(16, 2, [0, 1], 4, 1), cells(16, 2, [0, 1], 4, 15)],
     "Pick'n'Choose": [cells(1, 3, [0], 5), cells(7, 3, [1], 5), hot(arrow(13, 12, 16.5, 12, 2.5)), cells(18, 3, [0, 1], 5)],
     "Replace Items": [cells(3, 4, [2], 5), hot(turnArrow(15, 12, 5.5, -60, 60, 3.5)), hotFill(rect(12, 2, 5, 5))],
-    "Replace Nulls": [cells(3, 4, [], 5), hot(line(4, 13, 7, 16), line(7, 13, 4, 16)), hot(arrow(20, 14.5, 10, 14.5, 3.5)), hotFill(rect(16, 3, 5, 5))],
+    "Replace Nulls": [cells(3, 4, [], 5), crossed(3, 2), hot(arrow(20, 14.5, 10, 14.5, 3.5)), hotFill(rect(16, 4, 5, 5))],
     "Reverse List": [cells(3, 4, [], 5), hot(arrow(12.5, 3, 12.5, 21, 3.5), arrow(18.5, 21, 18.5, 3, 3.5))],
     "Shift List": [cells(3, 4, [3], 5), hot("M8 19.5H14C20 19.5 20 4.5 14 4.5H11", head(10.5, 4.5, -1, 0, 3.5))],
     "Shortest List": [cells(4, 2, [0, 1], 5, 2), cells(14, 4, [], 5), hot(line(1, 13, 23, 13))],
@@ -45,9 +48,9 @@ export const sets: Tab = {
   },
   Sequence: {
     "Char Sequence": [word("A", 4, 12, 7), word("B", 12, 12, 7), word("C", 20, 12, 7), hot(arrow(3, 20, 21, 20, 3))],
-    "Cull Index": [cells(3, 4, [], 5), word("2", 17, 8, 8, hot), hot(line(2, 13, 9, 16), line(9, 13, 2, 16)), hot(line(12, 14.5, 19, 14.5))],
-    "Cull Nth": [cells(3, 4, [], 5), hot(line(2, 8, 9, 11), line(9, 8, 2, 11), line(2, 18, 9, 21), line(9, 18, 2, 21)), word("n", 17, 12, 10, hot)],
-    "Cull Pattern": [cells(2, 4, [], 5), hot(line(1, 8, 8, 11), line(8, 8, 1, 11), line(1, 18, 8, 21), line(8, 18, 1, 21)), hot(line(12, 4.5, 14, 6.5, 18, 2.5), line(12, 14.5, 14, 16.5, 18, 12.5)), ink(line(13, 8, 16, 11), line(16, 8, 13, 11), line(13, 18, 16, 21), line(16, 18, 13, 21))],
+    "Cull Index": [cells(3, 4, [], 5), crossed(3, 2), word("2", 17, 14.5, 9, hot)],
+    "Cull Nth": [cells(3, 4, [], 5), crossed(3, 1), crossed(3, 3), word("n", 17, 12, 10, hot)],
+    "Cull Pattern": [cells(2, 4, [], 5), crossed(2, 1), crossed(2, 3), hot(line(12, 4.5, 14, 6.5, 18, 2.5), line(12, 14.5, 14, 16.5, 18, 12.5)), ink(line(13, 8, 16, 11), line(16, 8, 13, 11), line(13, 18, 16, 21), line(16, 18, 13, 21))],
     "Duplicate Data": [cells(3, 2, [], 5, 7), hot(arrow(9, 12, 14, 12, 3)), cells(16, 2, [0, 1], 5, 1), cells(16, 2, [0, 1], 5, 13)],
     "Duplicate data [OBSOLETE]": [cells(3, 1, []), hot(arrow(9, 12, 14, 12, 3)), cells(16, 4, [0, 1, 2, 3], 5)],
     Fibonacci: [ink(rect(2, 5, 20, 14), line(15, 5, 15, 19), line(15, 11, 22, 11)), hot("M2 19C2 10 8 5 15 5C19 5 22 7 22 11C22 14 20 15 18 15")],
@@ -65,7 +68,7 @@ export const sets: Tab = {
   Sets: {
     "Carthesian Product": [dot(4, 8, 4, 16, 8, 20, 16, 20), ink(line(4, 4, 4, 20, 20, 20)), hotDot(9, 8, 15, 8, 9, 15, 15, 15)],
     "Create Set": [speck(2, 4, 7, 4, 2, 12, 7, 12, 2, 20, 7, 20), hot(arrow(9, 12, 12.5, 12, 2.5)), ink(ellipse(18.5, 12, 4.5, 9)), hotDot(18.5, 7.5, 18.5, 16.5)],
-    "Delete Consecutive": [cells(3, 4, [], 5), hotFill(rect(4, 8, 3, 3)), hot(line(2, 13, 9, 16), line(9, 13, 2, 16)), hot("M12 9.5C17 9.5 17 14.5 12 14.5", line(17, 12, 21, 12))],
+    "Delete Consecutive": [cells(3, 4, [1], 5), crossed(3, 2), hot("M12 9.5C17 9.5 17 14.5 12 14.5", line(16, 12, 21, 12))],
     Disjoint: [ink(circle(6.5, 12, 5), circle(17.5, 12, 5)), hot(line(12, 4, 12, 20))],
     "Find similar member": [speck(4, 5, 11, 4, 5, 12), hotDot(11, 10), hot(circle(11, 10, 5)), hot(line(15, 14, 21, 20))],
     "Key/Value Search": [ink(circle(6.5, 8, 4), line(10.5, 8, 21, 8, 21, 12), line(17, 8, 17, 11)), hot(circle(12, 17, 3), line(14.5, 19, 18, 22))],
@@ -109,7 +112,7 @@ export const sets: Tab = {
     "Path Compare": [smallBraces("01"), mark.ask],
     "Path Mapper": [word("{", 2.5, 12, 10), word("}", 8, 12, 10), word("{", 16, 12, 10), word("}", 21.5, 12, 10), speck(5.25, 12), hotSpeck(18.7, 10, 18.7, 14), hot(arrow(10, 12, 14, 12, 2.5))],
     "Prune Tree": [ink(line(3, 12, 8, 12), "M8 12C12 12 10 5 14 5H18", "M8 12H18"), dot(20, 5, 20, 12), faint("M8 12C12 12 10 19 14 19H19"), hot(line(12, 15, 20, 23), line(20, 15, 12, 23))],
-    "Relative Item": [small(s.tree), hot("M15 19C15 22 20 22 21 18", head(21.2, 17.5, 0.2, -1, 3)), hotDot(15, 18)],
+    "Relative Item": [smallTree, dot(13, 19), hot(arrow(15.5, 19, 22, 19, 3))],
     "Relative Items": [smallTree, hotDot(14, 19, 21, 19), hot("M14 17C15 13 20 13 21 16")],
     "Replace Paths": [smallBraces("01"), mark.reverses],
     "Shift Paths": [ink(line(2, 6, 6, 6), line(2, 12, 6, 12), line(2, 18, 6, 18)), dash(line(8, 3, 8, 21)), hot(arrow(22, 12, 12, 12)), dot(14, 6, 14, 18)],
