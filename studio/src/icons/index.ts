@@ -41,6 +41,8 @@ export interface Place {
 }
 
 const OBSOLETE = / \[OBSOLETE\]$/;
+/** Components that once took a fixed number of inputs, such as Merge 05. */
+const COUNT = / (\d\d|Multiple)$/;
 /** Old components have the picture of what came after them, with a folded corner. */
 const FOLD = hotFill("M0 0H7L0 7Z");
 
@@ -53,7 +55,7 @@ export function drawingOf(id: string, name: string, { tab, panel, old }: Place):
 
 /** By the name alone: for what is not in the tabs, or not in those of this program. */
 function drawingNamed(name: string): Drawing {
-  const plain = name.replace(OBSOLETE, "");
+  const plain = name.replace(OBSOLETE, "").replace(COUNT, "");
   const own = special[plain];
   if (own) return own;
   for (const tab of Object.values(TABS)) {

@@ -1,7 +1,7 @@
 /** The pictures of the Intersect tab: both partners, and what they share in the accent colour. */
 
 import { arrow, circle, dot, hotDot, line, poly, rect } from "../lines";
-import { faint, hot, hotFill, ink, place, shade, tint, type Drawing } from "../piece";
+import { dash, faint, hot, hotFill, ink, place, shade, tint, type Drawing } from "../piece";
 import * as s from "../shapes";
 import type { Tab } from "./tab";
 
@@ -10,6 +10,16 @@ const tilted = poly(1, 15, 8, 8, 23, 8, 16, 15);
 const upright = poly(10, 2, 17, 6, 17, 22, 10, 17);
 const curve = "M2 19C7 18 7 5 12 5S16 15 22 13";
 const ghostMesh: Drawing = [ink(s.netRing), faint(s.netLines)];
+
+// A block and a ball that share a part.
+const BALL = "M9 10A6.5 6.5 0 1 1 14 16";
+const SOLIDS = {
+  block: poly(8, 10, 14, 13, 14, 19, 8, 22, 2, 19, 2, 13),
+  ball: circle(15.5, 8.5, 6.5),
+  shared: "M9.2 10.6L14 13V14.8C11.500 14.200 9.700 12.800 9.2 10.6Z",
+  union: `${BALL}V19L8 22L2 19V13L8 10Z`,
+  difference: ["M9.2 10.6C9.7 12.8 11.5 14.2 14 14.8V19L8 22L2 19V13L8 10Z", line(2, 13, 8, 16, 11, 14.5), line(8, 16, 8, 22)],
+} as const;
 
 export const intersect: Tab = {
   Mathematical: {
@@ -32,6 +42,7 @@ export const intersect: Tab = {
     "Surface | Line": [place(s.sheet, 0, 2), ink(line(12, 1, 12, 13)), faint(line(12, 13, 12, 20)), hotDot(12, 13.5)],
   },
   Physical: {
+    "Brep | Brep": [place(s.bareBox, -1.5, 5.5, 0.75), place(s.bareBox, 7, -1, 0.75), hot(line(10, 13, 13.5, 11, 13.5, 15)), hotDot(10, 10, 13.5, 15)],
     "Brep | Curve": [s.bareBox, ink("M1 20C3 17 5 16 7 14"), hot("M7 14C10 11 13 14 16 10"), ink("M16 10C19 6 20 4 23 3"), hotDot(7, 14, 16, 10)],
     Clash: [ink(circle(7, 14, 5), circle(17, 14, 5)), hot(line(12, 2, 12, 7), line(6, 4, 8, 7), line(18, 4, 16, 7)), hotDot(12, 14)],
     "Collision Many|Many": [ink(rect(2, 2, 7, 7), rect(6, 6, 7, 7), rect(11, 11, 7, 7), rect(15, 15, 7, 7)), hotFill(rect(6, 6, 3, 3), rect(11, 11, 2, 2), rect(15, 15, 3, 3))],
@@ -45,10 +56,21 @@ export const intersect: Tab = {
     "Surface | Curve": [place(s.sheet, 0, 2), ink("M3 3C5 9 9 9 10 13"), faint("M10 13C11 16 12 19 14 20"), ink("M18 2C17 6 16 8 16 11"), hotDot(10, 13, 16, 11.5)],
   },
   Region: {
+    "Split with Brep": [s.ghostBox, ink(line(1, 19, 7, 15), line(17, 9, 23, 5)), hot(line(7, 15, 17, 9)), hotDot(7, 15, 17, 9)],
+    "Split with Breps": [place(s.ghostBox, -1, 6, 0.6), place(s.ghostBox, 10, -1, 0.6), ink(line(1, 21, 5, 17.5), line(9, 14, 14, 9.5), line(20, 4, 23, 2)), hot(line(5, 17.5, 9, 14), line(14, 9.5, 20, 4)), hotDot(5, 17.5, 9, 14, 14, 9.5, 20, 4)],
+    "Trim with Brep": [s.bareBox, faint(line(1, 19, 7, 15), line(17, 9, 23, 5)), hot(line(7, 15, 17, 9))],
+    "Trim with Breps": [place(s.bareBox, -1, 6, 0.6), place(s.bareBox, 10, -1, 0.6), faint(line(1, 21, 23, 2)), hot(line(5, 17.5, 9, 14), line(14, 9.5, 20, 4))],
     "Trim with Region": [shade(circle(12, 12, 7.5)), faint(circle(12, 12, 7.5)), ink(line(1, 17, 5, 14.5), line(19, 8, 23, 6)), hot(line(5, 14.5, 19, 8)), hotDot(5, 14.5, 19, 8)],
     "Trim with Regions": [shade(circle(7, 8, 5), circle(17, 16, 5)), faint(circle(7, 8, 5), circle(17, 16, 5)), ink(line(1, 2, 3.5, 4.5), line(10.5, 11.5, 13.5, 13), line(20, 20, 22, 22)), hot(line(3.5, 4.5, 10.5, 11.5), line(13.5, 13, 20, 20))],
   },
   Shape: {
+    "Boundary Volume": [dash(rect(2, 2, 20, 20)), tint(s.boxRing), place(hot(s.boxRing, s.boxLines), 2.5, 2.5, 0.8)],
+    "Box Slits": [place(s.bareBox, -1, 3, 0.85), hot("M12 2V13H16V2", line(12, 13, 12, 18))],
+    "Solid Difference": [tint(...SOLIDS.difference), ink(...SOLIDS.difference), faint(SOLIDS.ball)],
+    "Solid Intersection": [faint(SOLIDS.block, SOLIDS.ball), hotFill(SOLIDS.shared)],
+    "Solid Union": [tint(SOLIDS.union), ink(SOLIDS.union, line(2, 13, 8, 16, 10, 15), line(8, 16, 8, 22))],
+    "Split Brep": [s.bareBox, hot("M15 1L9 9L16 14L9 23")],
+    "Trim Solid": [s.ghostBox, ink(line(4, 12, 4, 16, 12, 20, 20, 16, 20, 12)), hot(poly(4, 12, 12, 8, 20, 12, 12, 16)), tint(poly(4, 12, 12, 8, 20, 12, 12, 16)), ink(line(12, 16, 12, 20))],
     "Mesh Difference": [tint(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17)), ink(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17), line(2, 10, 10, 11, 8, 2)), faint(poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20))],
     "Mesh Intersection": [faint(poly(2, 10, 8, 2, 16, 6, 14, 15, 5, 17), poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20)), tint(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16)), hot(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16), line(10, 11, 14, 15))],
     "Mesh Split": [ink(poly(2, 10, 8, 2, 13, 4.5, 10, 16, 5, 17), line(2, 10, 10, 16, 8, 2)), ink(poly(17, 6, 22, 14, 18, 22, 13, 18)), hot(line(17, 1, 9, 23))],

@@ -26,7 +26,7 @@ export const meshes: Tab = {
     "Face Circles": [ink(face), hot(circle(11.8, 13, 8.9)), hotDot(11.8, 13)],
     "Face Normals": [place(ink(poly(2, 17, 8, 9, 15, 17), poly(8, 9, 22, 10, 15, 17)), 0, 3), hot(arrow(8, 17, 7, 8, 3), arrow(15, 15, 17, 4, 3)), hotSpeck(8, 17, 15, 15)],
     "Mesh Closest Point": [smallMesh, dot(20.5, 20.5), hot(line(20, 20, 13, 12)), hotDot(12.5, 11.5)],
-    "Mesh Depth": [s.bareMesh, hot(span(8, 5.5, 9, 18.5, 3), span(16, 6, 17, 17, 3))],
+    "Mesh Depth": [ink(s.netRing), faint(spokes), hot(span(8, 5, 9, 18.5, 3), span(16, 5.5, 17, 17, 3))],
     "Mesh Edges": [s.bareMesh, hot(s.netRing)],
     "Mesh Eval": [s.bareMesh, hotDot(15, 10), hot(arrow(15, 10, 19, 1.5, 3))],
     "Mesh Inclusion": [ink(s.netRing), faint(spokes), hotDot(12, 12), mark.ask],

@@ -34,7 +34,7 @@ export const params: Tab = {
     "Mesh Face": [faint(s.netRing, s.netLines), tint(poly(3, 9, 10, 3, 12, 12)), hot(poly(3, 9, 10, 3, 12, 12))],
     "Mesh Point": [s.bareMesh, hotDot(15, 9)],
     "Mesher Settings": [small(s.bareMesh), mark.gear],
-    Plane: [s.flat, hot(arrow(12, 12, 18, 12, 3), arrow(12, 12, 14.5, 8.5, 2.5))],
+    Plane: [s.flat, hot(line(12, 12, 17.5, 12), line(12, 12, 14.5, 8)), hotDot(12, 12)],
     Point: [ink(line(5, 5, 10, 10), line(19, 5, 14, 10), line(5, 19, 10, 14), line(19, 19, 14, 14)), hotFill(circle(12, 12, 3))],
     "Point Cloud": [cloud, hotDot(12, 13, 8, 9)],
     Rectangle: [shade(rect(3, 6, 18, 12)), ink(rect(3, 6, 18, 12)), hotDot(3, 18, 21, 6)],

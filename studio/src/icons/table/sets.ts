@@ -24,7 +24,7 @@ const quoted = (text: string, y = 12, height = 8): Drawing => word(text, 12, y, 
 
 export const sets: Tab = {
   List: {
-    "Combine Data": [cells(2, 3, [0]), cells(8, 3, [2]), hot(arrow(14, 12, 17.5, 12, 3)), cells(18, 3, [0, 2], 4.5)],
+    "Combine Data": [cells(1, 3, [0], 5), faint(line(2, 13, 5, 16), line(5, 13, 2, 16), line(2, 18, 5, 15)), cells(8, 3, [1, 2], 5), hot(arrow(14, 12, 17.5, 12, 2.5)), cells(18.5, 3, [0, 1, 2], 5)],
     "Cross Reference": [dot(4, 5, 4, 12, 4, 19, 20, 5, 20, 12, 20, 19), hot(line(4, 5, 20, 5), line(4, 5, 20, 12), line(4, 5, 20, 19)), faint(line(4, 12, 20, 5), line(4, 12, 20, 12), line(4, 12, 20, 19), line(4, 19, 20, 5), line(4, 19, 20, 12), line(4, 19, 20, 19))],
     Dispatch: [cells(2, 4, [0, 2], 5), hot(arrow(8, 8, 15, 5, 3)), ink(arrow(8, 16, 15, 19, 3)), hotFill(rect(17, 2, 5, 5)), ink(rect(17, 17, 5, 5))],
     "Insert Items": [cells(14, 2, [], 5, 2), cells(14, 2, [], 5, 17).slice(0, 1), faint(rect(14, 12, 5, 5)), hotFill(rect(3, 11.5, 5, 5)), hot(arrow(8, 14, 14, 14, 3.5))],
@@ -34,7 +34,7 @@ export const sets: Tab = {
     "Longest List": [cells(4, 4, [0, 1, 2, 3], 5), cells(14, 2, [], 5, 2), dash(rect(14, 12, 5, 10))],
     "Null Item": [cells(2, 3, [], 5, 1), hot(circle(17, 17, 5), line(13.5, 20.5, 20.5, 13.5)), ink(line(10, 3.5, 18, 3.5))],
     "Partition List": [cells(2, 4, [], 5), hot(arrow(8, 7, 13, 5, 2.5), arrow(8, 17, 13, 19, 2.5)), cells(16, 2, [0, 1], 4, 1), cells(16, 2, [0, 1], 4, 15)],
-    "Pick'n'Choose": [cells(1, 3, [0], 5), cells(7, 3, [1], 5), hot(arrow(13, 12, 16.5, 12, 2.5)), cells(18, 3, [0, 1], 5)],
+    "Pick'n'Choose": [cells(1, 2, [0], 5, 1), cells(1, 2, [1], 5, 13), hot("M7 3.5H11L11 12M7 20.5H11V12", arrow(11, 12, 15.5, 12, 3)), cells(17, 4, [0, 3], 5)],
     "Replace Items": [cells(3, 4, [2], 5), hot(turnArrow(15, 12, 5.5, -60, 60, 3.5)), hotFill(rect(12, 2, 5, 5))],
     "Replace Nulls": [cells(3, 4, [], 5), crossed(3, 2), hot(arrow(20, 14.5, 10, 14.5, 3.5)), hotFill(rect(16, 4, 5, 5))],
     "Reverse List": [cells(3, 4, [], 5), hot(arrow(12.5, 3, 12.5, 21, 3.5), arrow(18.5, 21, 18.5, 3, 3.5))],
@@ -74,11 +74,11 @@ export const sets: Tab = {
     "Key/Value Search": [ink(circle(6.5, 8, 4), line(10.5, 8, 21, 8, 21, 12), line(17, 8, 17, 11)), hot(circle(12, 17, 3), line(14.5, 19, 18, 22))],
     "Member Index": [ink(ellipse(7.5, 12, 5.5, 9)), dot(7.5, 7), hotDot(7.5, 15), hot(arrow(11, 15, 15, 15, 2.5)), word("1", 19.5, 15, 8, hot)],
     "Replace Members": [ink(ellipse(8, 12, 6, 9)), dot(8, 7), hotDot(8, 16), hot(arrow(21, 16, 13, 16, 3.5)), hotDot(20, 8)],
-    "Set Difference": [tint(s.LEFT_MOON), rings],
-    "Set Difference (S)": [tint(s.LEFT_MOON, s.RIGHT_MOON), rings],
-    "Set Intersection": [tint(s.LENS), rings],
+    "Set Difference": [hotFill(s.LEFT_MOON), rings],
+    "Set Difference (S)": [hotFill(s.LEFT_MOON, s.RIGHT_MOON), rings],
+    "Set Intersection": [hotFill(s.LENS), rings],
     "Set Majority": [tint("M12 12.5C8 10 8 6 12 4.5C16 6 16 10 12 12.5ZM12 12.5C12 17 8.5 19 6 16.5C5.5 12.5 9 10.5 12 12.5ZM12 12.5C12 17 15.5 19 18 16.5C18.5 12.5 15 10.5 12 12.5Z"), ink(circle(8.5, 9, 5.5), circle(15.5, 9, 5.5), circle(12, 15.5, 5.5))],
-    "Set Union": [tint(s.BOTH_RINGS), rings],
+    "Set Union": [hotFill(s.BOTH_RINGS), rings],
     SubSet: [ink(circle(12, 12, 9.5)), tint(circle(14, 13, 4.5)), hot(circle(14, 13, 4.5))],
   },
   Text: {

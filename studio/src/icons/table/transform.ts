@@ -77,7 +77,7 @@ export const transform: Tab = {
     Group: [dash(rect(2, 2, 20, 20)), ink(circle(8, 9, 3.5)), tint(rect(11, 11, 8, 8)), hot(rect(11, 11, 8, 8))],
     "Inverse Transform": [matrix, word("-1", 19.5, 5, 6, hot), ink(line(6.5, 13, 13.5, 7)), speck(7, 7, 13, 13)],
     "Merge Group": [dash(rect(2, 2, 12, 12)), dash(rect(10, 10, 12, 12)), hotFill(rect(11, 11, 3, 3)), ink(circle(7, 7, 2)), hot(circle(17, 17, 2))],
-    Split: [matrix, ink(line(6.5, 13, 13.5, 7)), hot(arrow(13, 20.5, 21, 16, 3.5), arrow(13, 20.5, 21, 23, 3.5))],
+    Split: [place([matrix, ink(line(6.5, 13, 13.5, 7))], 0, 0, 0.8), hot(arrow(15, 9, 22, 9, 3), arrow(9, 15.5, 9, 22.5, 3), line(15, 15, 19, 19)), hotDot(19.5, 19.5)],
     "Split Group": [dash(rect(2, 2, 20, 20)), hot(line(12, 2, 12, 22)), ink(circle(7, 12, 3)), tint(rect(14.5, 9, 5, 6)), hot(rect(14.5, 9, 5, 6))],
     Transform: [faint(rect(2, 12, 9, 9)), tint(poly(10, 5, 20, 2, 22, 12, 13, 15)), hot(poly(10, 5, 20, 2, 22, 12, 13, 15)), ink("M8 9C4 8 4 5 8 3", head(9, 2.5, 1, -0.5, 3))],
     "Transform Matrix": [ink("M7 3H3V21H7", "M17 3H21V21H17"), hotDot(8, 7, 12, 12, 16, 17), speck(12, 7, 16, 7, 8, 12, 16, 12, 8, 17, 12, 17)],

@@ -9,11 +9,11 @@ import type { Tab } from "./tab";
 
 // A plane with its axes; the axes can be apart from it.
 const smallPlane = small([s.flat, ink(line(12, 12, 17, 12), line(12, 12, 14, 9))]);
-const axisPair = hot(arrow(12, 12, 18, 12, 3), arrow(12, 12, 14.5, 8, 2.5));
+const axisPair = hot(line(12, 12, 17.5, 12), line(12, 12, 14.5, 8));
 const x = (cx: number, cy: number, r = 3): string => line(cx - r, cy - r, cx + r, cy + r) + line(cx + r, cy - r, cx - r, cy + r);
 const field = ink("M2 6C7 3 11 9 16 5", "M2 11C7 8 11 14 16 10", "M2 16C6 13 9 18 12 16");
 const vector = ink(arrow(4, 20, 19, 5, 5));
-const hexagons = (tone: (...paths: string[]) => Drawing): Drawing => tone(ngon(8, 7, 4.6, 6), ngon(16, 7, 4.6, 6), ngon(12, 14, 4.6, 6), ngon(4, 14, 4.6, 6, -90), ngon(20, 14, 4.6, 6));
+const hexagons = (tone: (...paths: string[]) => Drawing): Drawing => tone(ngon(8.5, 6.5, 4, 6), ngon(15.5, 6.5, 4, 6), ngon(12, 12.5, 4, 6), ngon(5, 12.5, 4, 6), ngon(19, 12.5, 4, 6), ngon(8.5, 18.5, 4, 6), ngon(15.5, 18.5, 4, 6));
 
 export const vectors: Tab = {
   Colour: {
@@ -35,7 +35,7 @@ export const vectors: Tab = {
   },
   Grid: {
     "Freeform Cloud": [s.blob, hotSpeck(8, 9, 12, 7, 16, 8, 8, 14, 13, 12, 17, 13, 11, 17, 15, 17)],
-    Hexagonal: [hexagons(ink), tint(ngon(12, 14, 4.6, 6))],
+    Hexagonal: [hexagons(ink), tint(ngon(12, 12.5, 4, 6))],
     "Populate 2D": [ink(rect(3, 3, 18, 18)), hotSpeck(7, 7, 12, 6, 17, 8, 8, 12, 14, 12, 18, 14, 6, 17, 12, 18, 17, 18)],
     "Populate 3D": [s.ghostBox, ink(s.boxRing), hotSpeck(8, 9, 12, 7, 16, 9, 7, 14, 12, 13, 17, 13, 9, 16, 14, 17)],
     "Populate Geometry": [ink(circle(12, 12, 9.5)), hotSpeck(12, 4, 6, 7, 18, 7, 9, 11, 15, 11, 5, 14, 19, 14, 11, 16, 15, 18.5)],
@@ -47,7 +47,7 @@ export const vectors: Tab = {
   },
   Plane: {
     "Adjust Plane": [s.flat, faint(arrow(11, 12, 11, 2, 3)), hot(arrow(11, 12, 17, 3, 3.5))],
-    "Align Plane": [s.flat, axisPair, hot(arrow(3, 3, 12, 3, 3))],
+    "Align Plane": [s.flat, axisPair, hot(arrow(4, 3, 14, 3, 3))],
     "Align Planes": [small(s.flat), place(s.flat, 6, 8, 0.75), hot(arrow(7, 9, 11, 9, 2.5), arrow(14, 17, 18.5, 17, 2.5))],
     "Construct Plane": [s.flat, axisPair, hotDot(12, 12)],
     "Deconstruct Plane": [smallPlane, mark.axis],
@@ -81,12 +81,12 @@ export const vectors: Tab = {
     "Numbers to Points": [word("1", 3, 5, 5), word("2", 3, 12, 5), word("3", 3, 19, 5), hot(arrow(7, 12, 13, 12, 3)), ink(x(18.5, 12, 3.5)), hotDot(18.5, 12)],
     "Point Cylindrical": [faint(ellipse(12, 19, 9, 3), ellipse(12, 6, 9, 3)), ink(line(12, 19, 12, 6, 18, 8)), hotDot(18.5, 8)],
     "Point Groups": [hot(circle(7.5, 8, 5.5)), hot(circle(17, 17, 5)), dot(6, 7, 9, 9, 16, 16, 19, 18), speck(18, 5, 5, 19)],
-    "Point Oriented": [place(s.flat, 0, 3), axisPair, faint(line(12, 12, 12, 5)), hotDot(16, 5), dash(line(12, 12, 16, 5))],
+    "Point Oriented": [place(s.flat, 0, 3), hot(line(9, 15, 15, 15), line(9, 15, 11.5, 11)), dash(line(9, 15, 16, 4)), hotDot(16.5, 3.5)],
     "Point Polar": [ink(line(3, 20, 21, 20)), ink(line(3, 20, 17, 7)), hot(arc(3, 20, 10, -43, 0)), hotDot(17, 7)],
     "Points to Numbers": [ink(x(5.5, 12, 3.5)), hotDot(5.5, 12), hot(arrow(10.5, 12, 16.5, 12, 3)), word("1", 21, 5, 5), word("2", 21, 12, 5), word("3", 21, 19, 5)],
     "Project Point": [place(s.sheet, 0, 6, 0.9), dot(11, 3), hot(arrow(11, 5, 11, 15, 3.5)), hotDot(11, 17)],
     "Pull Point": [ink("M4 21C12 20 18 14 19 3"), dot(6, 7), hot(arrow(7, 8, 14, 14.5, 3.5)), hotDot(15, 15)],
-    "Sort Along Curve": [s.wave, hotDot(7, 7, 12, 14, 17, 9), word("1", 4, 5, 5), word("2", 13, 19.5, 5), word("3", 20, 15, 5)],
+    "Sort Along Curve": [ink("M2 17C8 8 16 8 22 17"), hotDot(4.5, 8.5, 12, 5, 19.5, 8.5), word("1", 6, 20.5, 5), word("2", 12, 18, 5), word("3", 18, 20.5, 5)],
     "Sort Points": [dot(4, 18), dot(9, 8, 15, 15, 20, 5), hot(arrow(4, 18, 8, 10, 3), arrow(9, 8, 14, 14, 3), arrow(15, 15, 19, 7, 3))],
     "To Polar": [faint(line(3, 20, 21, 20)), hot(arrow(3, 20, 17, 7, 3.5)), hot(arc(3, 20, 10, -43, 0)), dot(17, 7, 3, 20)],
   },
