@@ -10,7 +10,7 @@ import type { FarColours } from "./farColours";
 /** Texts smaller than this many pixels are left out. */
 const READABLE = 4.5;
 /** Icons smaller than this many pixels are left out; larger than this in canvas units they are not drawn. */
-const LEAST_ICON = 6;
+const LEAST_ICON = 8;
 const LARGEST_ICON = 120;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
@@ -32,7 +32,7 @@ export function paintFar(
   context.setTransform(lens.zoom * dense, 0, 0, lens.zoom * dense, lens.x * dense, lens.y * dense);
   const field: Rect = [-lens.x / lens.zoom, -lens.y / lens.zoom, width / lens.zoom, height / lens.zoom];
   const pixel = 1 / lens.zoom;
-  const paint = (boxes: readonly FarBox[], one: typeof paintBox) => {
+  const paint = (boxes: readonly FarBox[], one: typeof paintGroup) => {
     for (const box of boxes) {
       if (!meets(box.rect, field)) continue;
       context.globalAlpha = shown(box);
@@ -42,8 +42,8 @@ export function paintFar(
   paint(list.groups, paintGroup);
   paintWires(context, list.wires, field, pixel, colours, found ? FAINT : 1);
   paint(list.boxes, (context, box) => {
-    const isPictured = box.icon !== undefined && (icons || !isReadable(box, pixel));
-    paintBox(context, isPictured ? { ...box, label: undefined } : box, pixel, colours);
+    const isPictured = box.icon !== undefined && ((icons && box.icon.forName) || !isReadable(box, pixel));
+    paintBox(context, box, pixel, colours, !isPictured);
     if (isPictured) paintIcon(context, box, pixel, dense, colours);
   });
   context.globalAlpha = 1;
@@ -89,7 +89,7 @@ function paintWires(
   }
 }
 
-function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
+function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours, labelled: boolean): void {
   const [x, y, w, h] = box.rect;
   if (box.kind === "text") {
     paintLabel(context, box, [x, y, w, h], pixel, colours.ink);
@@ -110,7 +110,7 @@ function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number,
     context.lineWidth = pixel;
     context.strokeRect(x, y, w, h);
   }
-  paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
+  if (labelled) paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
 }
 
 function isReadable({ label }: FarBox, pixel: number): boolean {
@@ -123,7 +123,7 @@ function paintIcon(context: CanvasRenderingContext2D, { icon, rect, look }: FarB
   const size = Math.min(w - 4, h - 4, LARGEST_ICON);
   if (!icon || size < LEAST_ICON * pixel) return;
   const place = catalogueStore.getState().byId.get(icon.component);
-  const inks = look === "error" ? { ink: "#fff", accent: "#fff" } : { ink: colours.ink, accent: colours.accent };
+  const inks = look === "error" ? colours.iconOnError : colours.icon;
   const image = sprite(icon.component, place?.name ?? icon.name, place, (size / pixel) * dense, inks);
   context.drawImage(image, x + (w - size) / 2, y + (h - size) / 2, size, size);
 }

@@ -27,8 +27,8 @@ export interface FarBox {
   lines: readonly (readonly (readonly [number, number])[])[];
   /** A text on it that is large enough to be read from afar. */
   label: { text: string; size: number; across: "left" | "centre" | "right"; bold: boolean } | undefined;
-  /** The component whose picture stands on it where its name cannot be read. */
-  icon: { component: string; name: string } | undefined;
+  /** The component whose picture stands on it where its name cannot be read, or even for a name that can be. */
+  icon: { component: string; name: string; forName: boolean } | undefined;
   selected: boolean;
 }
 
@@ -121,9 +121,15 @@ function farBox(
       return {
         ...box,
         label: label(object.nickname || object.name, 11, "centre"),
-        icon: object.kind === "cluster" ? undefined : { component: object.component, name: object.name },
+        icon: iconOf(object),
       };
   }
+}
+
+/** Clusters are told apart by their names alone; sliders and the like keep theirs while they can be read. */
+function iconOf(object: ObjectView): FarBox["icon"] {
+  if (object.kind === "cluster") return undefined;
+  return { component: object.component, name: object.name, forName: !object.control };
 }
 
 /** What a panel shows: its own text, or the first of what comes in. */

@@ -93,7 +93,7 @@ export function pointOf([a, b, c, d]: Cubic, t: number): Point {
 }
 
 /** The direction of a curve at a parameter, of length 1. */
-export function alongOf([a, b, c, d]: Cubic, t: number): Point {
+function alongOf([a, b, c, d]: Cubic, t: number): Point {
   const s = 1 - t;
   const mix = (k: 0 | 1) => s * s * (b[k] - a[k]) + 2 * s * t * (c[k] - b[k]) + t * t * (d[k] - c[k]);
   const length = Math.hypot(mix(0), mix(1)) || 1;
@@ -120,7 +120,6 @@ function split([a, b, c, d]: Cubic, t: number): readonly [Cubic, Cubic] {
   ];
 }
 
-export const dotsOn = (curve: Cubic, ...at: readonly number[]): Drawing => dot(...at.flatMap((t) => pointOf(curve, t)));
 export const hotDotsOn = (curve: Cubic, ...at: readonly number[]): Drawing => hotDot(...at.flatMap((t) => pointOf(curve, t)));
 
 /** Short strokes across a curve. */
@@ -140,17 +139,6 @@ function across(curve: Cubic, from: number, to: number, at: readonly number[]): 
       return line(x + dy * from, y - dx * from, x + dy * to, y - dx * to);
     })
     .join("");
-}
-
-/** A curve beside another, at a distance: near enough for a picture. */
-export function beside(curve: Cubic, distance: number): string {
-  const steps = Array.from({ length: 13 }, (_, k) => k / 12);
-  return line(
-    ...steps.flatMap((t) => {
-      const [[x, y], [dx, dy]] = [pointOf(curve, t), alongOf(curve, t)];
-      return [x + dy * distance, y - dx * distance];
-    }),
-  );
 }
 
 /** Strokes that run away from a point, from one distance to another, by angles in degrees. */

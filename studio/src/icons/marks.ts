@@ -1,6 +1,6 @@
 /** What components do: marks that stand in the lower right corner of a picture, in the accent colour. */
 
-import { arc, arrow, circle, line, poly, rect, span, turnArrow } from "./lines";
+import { arrow, circle, line, poly, rect, span, turnArrow } from "./lines";
 import { hot, hotFill, place, tint, type Drawing } from "./piece";
 import { word } from "./letters";
 
@@ -15,39 +15,19 @@ export const equals = mark(hot(line(-4, -1.5, 4, -1.5), line(-4, 2, 4, 2)));
 export const check = mark(hot(line(-4, 0, -1, 3, 4, -3)));
 export const ask = mark(word("?", 0, 0, 8, hot));
 export const goesOut = mark(hot(arrow(-4, 0, 4, 0)));
-export const comesIn = mark(hot(arrow(4, 0, -4, 0)));
-export const rises = mark(hot(arrow(0, 4, 0, -4)));
-export const falls = mark(hot(arrow(0, -4, 0, 4)));
-export const bothWays = mark(hot(span(-4, 0, 4, 0)));
 export const upDown = mark(hot(span(0, -4, 0, 4)));
 export const turns = mark(hot(turnArrow(0, 0, 3.5, -60, 220, 3)));
 export const reverses = mark(hot(arrow(-4, -2, 4, -2, 3), arrow(4, 2, -4, 2, 3)));
 export const sorts = mark(hot(line(-4, -3, 4, -3), line(-4, 0, 1.5, 0), line(-4, 3, -1.5, 3)));
-export const sieves = mark([hotFill(poly(-4, -4, 4, -4, 1, 0, 1, 4, -1, 3, -1, 0))]);
-export const cuts = mark(hot(line(-3, -4, 2, 3), line(3, -4, -2, 3), circle(-2.8, 3.2, 1), circle(2.8, 3.2, 1)));
-export const measures = mark(hot(line(-4, -2.5, -4, 2.5), line(4, -2.5, 4, 2.5), line(-4, 0, 4, 0)));
 export const area = mark([tint(rect(-4, -4, 8, 8)), hot(rect(-4, -4, 8, 8), line(-4, 0, 0, -4), line(-4, 4, 4, -4), line(0, 4, 4, 0))]);
 export const volume = mark(hot(poly(0, -4.5, 4, -2.5, 4, 2.5, 0, 4.5, -4, 2.5, -4, -2.5), line(-4, -2.5, 0, -0.5, 4, -2.5), line(0, -0.5, 0, 4.5)));
-export const centre = mark([hot(circle(0, 0, 3.5)), hotFill(circle(0, 0, 1.25))]);
-export const point = mark(hotFill(circle(0, 0, 2.5)));
-export const ring = mark(hot(circle(0, 0, 3.5)));
-export const star = mark(hot(line(0, -4, 0, 4), line(-3.5, -2, 3.5, 2), line(-3.5, 2, 3.5, -2)));
 export const leans = mark(hot(line(-4, 4, 4, -4)));
-export const bolt = mark(hotFill(poly(1, -5, -3.5, 1, -0.5, 1, -1, 5, 3.5, -1, 0.5, -1)));
 export const eye = mark([hot("M-5 0C-2.5 -4 2.5 -4 5 0C2.5 4 -2.5 4 -5 0Z"), hotFill(circle(0, 0, 1.5))]);
 export const lens = mark(hot(circle(-1, -1, 3), line(1.5, 1.5, 4.5, 4.5)));
 export const gear = mark(hot(circle(0, 0, 2.5), line(0, -4.5, 0, -2.5), line(0, 2.5, 0, 4.5), line(-4.5, 0, -2.5, 0), line(2.5, 0, 4.5, 0)));
-export const corner = mark(hot(line(-3.5, -3.5, -3.5, 3.5, 3.5, 3.5)));
-export const angle = mark(hot(line(4, -4, -4, 4, 4.5, 4), arc(-4, 4, 5, -45, 0)));
-export const smooth = mark(hot("M-4.5 2C-2 -5 0 -1 0 0S2.5 5 4.5 -2"));
-export const straight = mark(hot(line(-4.5, 2.5, -1.5, -3, 1.5, 2.5, 4.5, -3)));
-export const cells4 = mark(hot(rect(-4, -4, 8, 8), line(0, -4, 0, 4), line(-4, 0, 4, 0)));
 export const triangle = mark([tint(poly(0, -4, 4.5, 4, -4.5, 4)), hot(poly(0, -4, 4.5, 4, -4.5, 4))]);
-export const square = mark([tint(rect(-3.5, -3.5, 7, 7)), hot(rect(-3.5, -3.5, 7, 7))]);
 export const bars = mark(hotFill(rect(-4.5, 1, 2.25, 3.5), rect(-1.25, -1.5, 2.25, 6), rect(2, -4, 2.25, 8.5)));
-export const branch = mark(hot("M-4.5 0H-1.5C1 0 0 -4 2 -4H4.5", "M-1.5 0C1 0 0 4 2 4H4.5"));
 export const axis = mark(hot(line(-3.5, -4, -3.5, 3.5, 4, 3.5), line(-3.5, 3.5, 2, -2)));
-export const normal = mark(hot(arrow(0, 3, 0, -5), line(-4.5, 3, 4.5, 3)));
 /** Something that is read in. */
 export const tray = mark(hot("M-4.5 1V4H4.5V1", arrow(0, -5, 0, 1, 3)));
 /** A letter or sign in the corner. */

@@ -56,7 +56,7 @@ export const heat = (drawing: Drawing): Drawing => retoned(drawing, ACCENT);
 /** The same in the background: what was there before, or what something is measured by. */
 export const fade = (drawing: Drawing): Drawing => retoned(drawing, WITHDRAWN);
 
-/** A number as it stands in a path: to a quarter of a tenth at most, so that drawings stay short. */
+/** A number as it stands in a path: in steps of a twentieth, so that drawings stay short. */
 export function n(value: number): string {
   return String(Math.round(value * 20) / 20);
 }

@@ -1,20 +1,15 @@
 /** What components work on: the subjects of pictures, each as large as a picture allows. */
 
-import { arrow, circle, dot, ellipse, line, path, poly, rays, rect, speck, type Cubic } from "./lines";
-import { dash, faint, fill, hotFill, ink, shade, tint, type Drawing } from "./piece";
+import { circle, dot, ellipse, line, path, poly, rect, speck, type Cubic } from "./lines";
+import { faint, fill, hotFill, ink, shade, tint, type Drawing } from "./piece";
 
 // Curves that pictures share. What is added to them is placed by their parameters.
 export const WAVE: Cubic = [[3, 18], [8, -10], [16, 34], [21, 6]];
 export const ARCH: Cubic = [[3, 19], [5, 4], [19, 4], [21, 19]];
 export const RISE: Cubic = [[3, 20], [11, 20], [18, 14], [20, 4]];
-export const BOW: Cubic = [[3, 12], [8, 5], [16, 5], [21, 12]];
-/** A wave that leaves the lower right corner to a mark. */
-export const SMALL_WAVE: Cubic = [[2, 13], [6, 0], [11, 18], [17, 4]];
 
 export const wave = ink(path(WAVE));
 export const arch = ink(path(ARCH));
-export const rise = ink(path(RISE));
-export const smallWave = ink(path(SMALL_WAVE));
 
 // A sheet in space, bent both ways; its corners are (2,16), (8,5), (22,7) and (16,19).
 const SHEET = "M2 16C6 13 11 22 16 19C17 14 19 10 22 7C17 10 13 2 8 5C6 8 4 12 2 16Z";
@@ -41,7 +36,6 @@ export const boxRing = BOX_RING;
 export const boxTop = BOX_TOP;
 export const boxLines = BOX_LINES;
 export const boxLeft = poly(4, 7, 12, 11, 12, 20, 4, 16);
-export const boxRight = poly(12, 11, 20, 7, 20, 16, 12, 20);
 export const box: Drawing = [shade(BOX_TOP), ink(BOX_RING, BOX_LINES)];
 export const bareBox: Drawing = [ink(BOX_RING, BOX_LINES)];
 export const ghostBox: Drawing = [faint(BOX_RING, BOX_LINES)];
@@ -75,15 +69,12 @@ export const tube: Drawing = [
 export const disc: Drawing = [shade(circle(12, 12, 9)), ink(circle(12, 12, 9))];
 /** A flat region without a name. */
 const BLOB = "M4 12C4 5 11 3 15 5S21 10 20 14S13 21 9 20S4 16 4 12Z";
-export const blobOutline = BLOB;
 export const blob: Drawing = [shade(BLOB), ink(BLOB)];
 
 export const axes: Drawing = [ink(line(4, 20, 4, 3)), ink(line(4, 20, 21, 20))];
-export const pointer = (x: number, y: number, dx: number, dy: number): Drawing => ink(arrow(x, y, x + dx, y + dy));
 
 /** A row of a list: a dot and a line. */
 export const row = (y: number): Drawing => [speck(4, y), ink(line(8.5, y, 20, y))];
-export const list: Drawing = [row(6), row(12), row(18)];
 
 /** A column of cells; `filled` are coloured, by their number from above. */
 export function cells(x: number, count: number, filled: readonly number[] = [], size = 5, top = 12 - (count * size) / 2): Drawing {
@@ -93,24 +84,10 @@ export function cells(x: number, count: number, filled: readonly number[] = [], 
   });
 }
 
-/** The same, lying. */
-export function rowOfCells(y: number, count: number, filled: readonly number[] = [], size = 5, left = 12 - (count * size) / 2): Drawing {
-  return Array.from({ length: count }, (_, k) => {
-    const x = left + k * size;
-    return filled.includes(k) ? [hotFill(rect(x + 1, y + 1, size - 2, size - 2)), ink(rect(x, y, size, size))] : ink(rect(x, y, size, size));
-  });
-}
-
 /** A data tree: a stem and branches that end in items. */
 export const tree: Drawing = [ink(line(3, 12, 8, 12), "M8 12C12 12 10 5 14 5H18", "M8 12H18", "M8 12C12 12 10 19 14 19H18"), dot(20, 5, 20, 12, 20, 19)];
-export const bareTree: Drawing = [ink(line(3, 12, 8, 12), "M8 12C12 12 10 5 14 5H19", "M8 12H19", "M8 12C12 12 10 19 14 19H19")];
 
-export const frame: Drawing = dash(rect(3, 3, 18, 18));
 export const page: Drawing = [ink("M5 2H15L20 7V22H5Z", "M15 2V7H20")];
-export const sun = (x: number, y: number, r: number): Drawing => [
-  fill(circle(x, y, r)),
-  ink(rays(x, y, [0, 45, 90, 135, 180, 225, 270, 315], r + 2, r + 4)),
-];
 
 /** A clock's face. */
 export const clock: Drawing = [ink(circle(12, 12, 9)), ink(line(12, 6, 12, 12, 16, 14))];
