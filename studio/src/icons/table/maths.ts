@@ -125,7 +125,7 @@ export const maths: Tab = {
   Time: {
     "Combine Date & Time": [small(date), place(heat(s.clock), 10.5, 10.5, 0.55)],
     "Construct Date": [date, hot(line(12, 12, 12, 19), line(8.5, 15.5, 15.5, 15.5))],
-    "Construct Exotic Date": [date, heat([fill("M14 12A4 4 0 1 0 16 18A4.5 4.5 0 0 1 14 12Z")])],
+    "Construct Exotic Date": [date, shade(rect(3, 10, 18, 11)), hotFill("M13 11A5 5 0 1 0 16.5 18.5A5 5 0 0 1 13 11Z")],
     "Construct Smooth Time": [ink(circle(12, 12, 9)), hot("M12 12L12 5A7 7 0 0 1 18.5 9.5Z"), tint("M12 12L12 5A7 7 0 0 1 18.5 9.5Z"), dot(12, 12)],
     "Construct Time": [small(s.clock), mark.plus],
     "Date Range": [ink(rect(2, 4, 8, 8), rect(14, 4, 8, 8)), fill(rect(2, 4, 8, 2.5), rect(14, 4, 8, 2.5)), hot(span(3, 18, 21, 18, 3)), hotSpeck(9, 18, 15, 18)],

@@ -16,7 +16,7 @@ const strip = line(2, 17, 8, 7, 22, 7, 16, 17) + line(2, 17, 16, 17);
 const quadNet: Drawing = [ink(rect(3, 3, 18, 18)), ink(line(9, 3, 9, 21), line(15, 3, 15, 21), line(3, 9, 21, 9), line(3, 15, 21, 15))];
 const points = dot(6, 6, 18, 5, 13, 12, 5, 17, 19, 18);
 const droplets = "M7 3.5C12 3.5 12 8 13 9.5S21 9.5 21 15.5S11 21 10 16.5S2 14 2 8.5S4 3.5 7 3.5Z";
-const slider = (at: number): Drawing => [small(s.bareMesh), hot(line(13, 20, 23, 20)), hotFill(circle(at, 20, 2.25))];
+const slider = (subject: Drawing, at: number): Drawing => [small(subject), hot(line(13, 20, 23, 20)), hotFill(circle(at, 20, 2.25))];
 
 export const meshes: Tab = {
   Analysis: {
@@ -82,8 +82,8 @@ export const meshes: Tab = {
     Occlusion: [dot(4, 12), ink(poly(11, 3, 15, 7, 12, 11)), hot(line(4, 12, 11, 7)), faint(line(13, 7, 20, 2)), hot(arrow(4, 12, 22, 13, 3), arrow(4, 12, 18, 21, 3))],
     Quadrangulate: [ink(poly(4, 4, 20, 4, 20, 20, 4, 20)), faint(line(4, 20, 20, 4)), tint(rect(4, 4, 16, 16)), hot(line(9, 9, 15, 15), line(15, 9, 9, 15))],
     "Settings (Custom)": [small(s.bareMesh), hot(line(14, 15, 23, 15), line(14, 21, 23, 21)), hotDot(17, 15, 20, 21)],
-    "Settings (Quality)": slider(21.5),
-    "Settings (Speed)": slider(14.5),
+    "Settings (Quality)": slider(quadNet, 21.5),
+    "Settings (Speed)": slider(ink(poly(3, 20, 20, 20, 12, 4)), 14.5),
     "Simple Mesh": [ink(poly(12, 3, 20, 7, 20, 16, 12, 20, 4, 16, 4, 7)), ink(line(4, 7, 12, 11, 20, 7), line(12, 11, 12, 20)), hot(line(4, 16, 12, 11, 20, 16))],
     "Smooth Mesh": [faint(line(2, 18, 6, 6, 10, 16, 14, 5, 18, 16, 22, 8)), hot("M2 16C6 8 8 12 12 11S18 11 22 9"), ink(line(2, 22, 22, 22)), dot(2, 16, 12, 11, 22, 9)],
     Triangulate: [ink(poly(4, 4, 20, 4, 20, 20, 4, 20)), tint(poly(4, 20, 20, 4, 20, 20)), hot(line(4, 20, 20, 4))],
