@@ -19,6 +19,7 @@ export function FarLayer() {
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);
   const found = useCanvas((canvas) => canvas.found);
+  const icons = useCanvas((canvas) => canvas.icons);
   const theme = useTheme();
   const colours = useRef<FarColours | undefined>(undefined);
 
@@ -26,8 +27,8 @@ export function FarLayer() {
     colours.current = undefined;
   }, [theme]);
   useEffect(
-    () => paint(sheet, list, { x, y, zoom }, [width, height], colours, found),
-    [list, x, y, zoom, width, height, theme, found],
+    () => paint(sheet, list, { x, y, zoom }, [width, height], colours, found, icons),
+    [list, x, y, zoom, width, height, theme, found, icons],
   );
 
   return <canvas ref={sheet} className="far" aria-hidden="true" />;
@@ -73,6 +74,7 @@ function paint(
   [width, height]: readonly [number, number],
   colours: RefObject<FarColours | undefined>,
   found: ReadonlySet<string> | undefined,
+  icons: boolean,
 ): void {
   const canvas = sheet.current;
   const context = canvas?.getContext("2d");
@@ -86,5 +88,5 @@ function paint(
     canvas.style.height = `${height}px`;
   }
   colours.current ??= farColours(canvas);
-  paintFar(context, list, lens, [width, height], dense, colours.current, found);
+  paintFar(context, list, lens, [width, height], dense, colours.current, found, icons);
 }

@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 
 import { tabs, type CatalogueEntry } from "../core/catalogue";
 import { t } from "../i18n";
+import { Icon } from "../icons/Icon";
 import { catalogueStore } from "../state/catalogue";
 import { DRAGGED } from "./gestures/more";
 import { useCanvas } from "./hooks";
@@ -141,12 +142,8 @@ function Entry({ entry, short, pointed, onDone }: EntryProps) {
         onDone();
       }}
     >
-      {short ? shortName(entry) : entry.name}
+      <Icon component={entry.guid} name={entry.name} />
+      {short ? null : entry.name}
     </button>
   );
-}
-
-/** A name for a small button. */
-function shortName({ nick, name }: CatalogueEntry): string {
-  return nick !== "" && nick.length <= 6 ? nick : name.length <= 8 ? name : `${name.slice(0, 7)}…`;
 }

@@ -1,10 +1,14 @@
 /** The page's colours as a sheet of pixels needs them: worked out by the browser, since tokens may depend on the theme. */
 
 import type { Look } from "../core/look";
+import type { Inks } from "../icons/sprite";
 
 export interface FarColours {
   edge: string;
   ink: string;
+  icon: Inks;
+  /** Of icons on the red of an error. */
+  iconOnError: Inks;
   wire: Record<"plain" | "empty" | "selected", string>;
   ground: string;
   look: Record<Look, string>;
@@ -33,6 +37,8 @@ export function farColours(beside: HTMLElement): FarColours {
   const colours: FarColours = {
     edge: read("--canvas-edge"),
     ink: read("--canvas-ink"),
+    icon: { ink: read("--canvas-ink"), accent: read("--icon-accent") },
+    iconOnError: { ink: read("--canvas-error-ink"), accent: read("--canvas-error-ink") },
     wire: {
       plain: read("--canvas-wire"),
       empty: read("--canvas-wire-empty"),

@@ -3,10 +3,15 @@
 import type { FarBox, FarList, FarWire } from "../core/far";
 import { meets, type Lens, type Rect } from "../core/geometry";
 import { curveBounds, wireCurve } from "../core/wires";
+import { sprite } from "../icons/sprite";
+import { catalogueStore } from "../state/catalogue";
 import type { FarColours } from "./farColours";
 
 /** Texts smaller than this many pixels are left out. */
 const READABLE = 4.5;
+/** Icons smaller than this many pixels are left out; larger than this in canvas units they are not drawn. */
+const LEAST_ICON = 8;
+const LARGEST_ICON = 120;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
 const FONT = "system-ui, sans-serif";
@@ -19,6 +24,7 @@ export function paintFar(
   dense: number,
   colours: FarColours,
   found?: ReadonlySet<string>,
+  icons = false,
 ): void {
   const shown = (box: FarBox) => (found && !found.has(box.id) ? FAINT : 1);
   context.setTransform(1, 0, 0, 1, 0, 0);
@@ -26,7 +32,7 @@ export function paintFar(
   context.setTransform(lens.zoom * dense, 0, 0, lens.zoom * dense, lens.x * dense, lens.y * dense);
   const field: Rect = [-lens.x / lens.zoom, -lens.y / lens.zoom, width / lens.zoom, height / lens.zoom];
   const pixel = 1 / lens.zoom;
-  const paint = (boxes: readonly FarBox[], one: typeof paintBox) => {
+  const paint = (boxes: readonly FarBox[], one: typeof paintGroup) => {
     for (const box of boxes) {
       if (!meets(box.rect, field)) continue;
       context.globalAlpha = shown(box);
@@ -35,7 +41,11 @@ export function paintFar(
   };
   paint(list.groups, paintGroup);
   paintWires(context, list.wires, field, pixel, colours, found ? FAINT : 1);
-  paint(list.boxes, paintBox);
+  paint(list.boxes, (context, box) => {
+    const isPictured = box.icon !== undefined && ((icons && box.icon.forName) || !isReadable(box, pixel));
+    paintBox(context, box, pixel, colours, !isPictured);
+    if (isPictured) paintIcon(context, box, pixel, dense, colours);
+  });
   context.globalAlpha = 1;
 }
 
@@ -79,7 +89,7 @@ function paintWires(
   }
 }
 
-function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
+function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours, labelled: boolean): void {
   const [x, y, w, h] = box.rect;
   if (box.kind === "text") {
     paintLabel(context, box, [x, y, w, h], pixel, colours.ink);
@@ -100,12 +110,27 @@ function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number,
     context.lineWidth = pixel;
     context.strokeRect(x, y, w, h);
   }
-  paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
+  if (labelled) paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
+}
+
+function isReadable({ label }: FarBox, pixel: number): boolean {
+  return label !== undefined && label.size >= READABLE * pixel;
+}
+
+/** The picture of a component as large as its box allows, but for a margin: names of ports are not seen from afar. */
+function paintIcon(context: CanvasRenderingContext2D, { icon, rect, look }: FarBox, pixel: number, dense: number, colours: FarColours): void {
+  const [x, y, w, h] = rect;
+  const size = Math.min(w - 4, h - 4, LARGEST_ICON);
+  if (!icon || size < LEAST_ICON * pixel) return;
+  const place = catalogueStore.getState().byId.get(icon.component);
+  const inks = look === "error" ? colours.iconOnError : colours.icon;
+  const image = sprite(icon.component, place?.name ?? icon.name, place, (size / pixel) * dense, inks);
+  context.drawImage(image, x + (w - size) / 2, y + (h - size) / 2, size, size);
 }
 
 function paintLabel(context: CanvasRenderingContext2D, box: FarBox, room: Rect, pixel: number, ink: string): void {
   const { label } = box;
-  if (!label || label.size < READABLE * pixel) return;
+  if (!label || !isReadable(box, pixel)) return;
   const [x, y, w, h] = room;
   context.save();
   context.beginPath();

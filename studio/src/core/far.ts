@@ -27,6 +27,8 @@ export interface FarBox {
   lines: readonly (readonly (readonly [number, number])[])[];
   /** A text on it that is large enough to be read from afar. */
   label: { text: string; size: number; across: "left" | "centre" | "right"; bold: boolean } | undefined;
+  /** The component whose picture stands on it where its name cannot be read, or even for a name that can be. */
+  icon: { component: string; name: string; forName: boolean } | undefined;
   selected: boolean;
 }
 
@@ -99,6 +101,7 @@ function farBox(
     kind: "box",
     lines: [],
     label: undefined,
+    icon: undefined,
     selected,
   };
   const { control } = object;
@@ -115,8 +118,18 @@ function farBox(
       return { ...box, kind: "lines", lines: control.lines, colour: css(control.colour) };
     default:
       if (object.kind === "relay") return { ...box, kind: "dot" };
-      return { ...box, label: label(object.nickname || object.name, 11, "centre") };
+      return {
+        ...box,
+        label: label(object.nickname || object.name, 11, "centre"),
+        icon: iconOf(object),
+      };
   }
+}
+
+/** Clusters are told apart by their names alone; sliders and the like keep theirs while they can be read. */
+function iconOf(object: ObjectView): FarBox["icon"] {
+  if (object.kind === "cluster") return undefined;
+  return { component: object.component, name: object.name, forName: !object.control };
 }
 
 /** What a panel shows: its own text, or the first of what comes in. */

@@ -208,6 +208,9 @@ test("the far view has a box for every object and a wire for every wire", () => 
   const far = farList({ objects, order, outputs, results, data, selection: new Set(), shifts: NO_SHIFTS, full: false });
   expect(far.groups.length + far.boxes.length).toBe(list.length);
   expect(far.wires).toHaveLength([...wiresOf(objects, outputs)].length);
+  const icon = (name: string) => far.boxes.find((box) => objects.get(box.id)?.name === name)?.icon;
+  expect(icon("Point")).toMatchObject({ name: "Point", forName: true });
+  expect(icon("Number Slider")).toMatchObject({ forName: false });
   expect(stateOf(list).objects).toBe(list);
 });
 

@@ -7,8 +7,8 @@ import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import { t } from "../../i18n";
+import { Icon } from "../../icons/Icon";
 import { addPort, removePort, reshape } from "../edits";
-import { Glyph } from "../glyphs";
 import { useCanvas, useFullNames, useNear } from "../hooks";
 import { isViewer } from "../open";
 import { Frame } from "./Frame";
@@ -17,8 +17,8 @@ import { ChartFace, isChart } from "./ChartFaces";
 import { GalleryFace } from "./GalleryFace";
 import { LinesFace, ViewerFace } from "./ShowFaces";
 
-/** How high the picture of a component is at most. */
-const GLYPH = 34;
+/** How large the picture of a component is at most. */
+const ICON = 24;
 
 /** A component or cluster: names of inputs on the left, the band with its name, names of outputs on the right. */
 export function Capsule({ object, size }: Shown) {
@@ -51,7 +51,7 @@ export function Capsule({ object, size }: Shown) {
 function Name({ object, name, room: [width, height] }: { object: ObjectView; name: string; room: readonly [number, number] }) {
   const icons = useCanvas((canvas) => canvas.icons);
   if (!icons || object.kind === "cluster") return <span>{name}</span>;
-  return <Glyph component={object.component} name={name} size={Math.min(GLYPH, height - 2, width * 1.35)} />;
+  return <Icon component={object.component} name={object.name} size={Math.min(ICON, height - 2, width)} />;
 }
 
 interface NamesProps {

@@ -7,6 +7,8 @@ import { paneSize } from "../view";
 export interface Pick {
   key: string;
   label: ReactNode;
+  /** A picture before the label. */
+  icon?: ReactNode;
   /** What kind of thing it is, in the second column. */
   hint: string;
   run(): void;
@@ -104,7 +106,10 @@ export function PickList({ pixel, label, prompt, none, always = false, picks, on
               take(pick);
             }}
           >
-            <span>{pick.label}</span>
+            <span>
+              {pick.icon}
+              {pick.label}
+            </span>
             <small>{pick.hint}</small>
           </li>
         ))}

@@ -5,6 +5,7 @@ import { parsePopup } from "../../core/popup";
 import { search, type Wanted } from "../../core/search";
 import type { Grip } from "../../core/hit";
 import { t } from "../../i18n";
+import { Icon } from "../../icons/Icon";
 import { catalogueStore, type Catalogue } from "../../state/catalogue";
 import { documentStore } from "../../state/document";
 import { place, placeWired } from "../edits";
@@ -46,6 +47,7 @@ function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, q
     ({ entry }): Pick => ({
       key: entry.guid,
       label: entry.name,
+      icon: <Icon component={entry.guid} name={entry.name} size={20} />,
       hint: [entry.tab, entry.panel].filter(Boolean).join(" › "),
       run() {
         if (at.from) void placeWired(entry.guid, at.at, at.from);
@@ -57,6 +59,7 @@ function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, q
   const first: Pick = {
     key: "code",
     label: code.name,
+    icon: <Icon component={code.component} name={code.name} size={20} />,
     hint: query.trim(),
     run: () => void place(code, at.at),
   };

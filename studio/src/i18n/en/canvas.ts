@@ -223,7 +223,7 @@ export const canvas = {
   "canvas.action.zoom100": "Zoom to 100 %",
   "canvas.action.zoomIn": "Zoom in",
   "canvas.action.zoomOut": "Zoom out",
-  "canvas.action.icons": "Icons for names",
+  "canvas.action.icons": "Draw icons",
   "canvas.action.fullNames": "Full names",
   "canvas.action.profiler": "Profiler",
   "canvas.action.ribbon": "Component tabs",
