@@ -27,6 +27,8 @@ enum Shape {
     EachItems(Type),
     /// `Each<Vec<Option<T>>>`.
     EachLists(Type),
+    /// `Each<Column>`.
+    EachColumns,
     /// `Each<Tree>`.
     EachTrees,
 }
@@ -105,12 +107,14 @@ impl Outputs {
                 Shape::List(_) | Shape::MaybeList(_) | Shape::Column => (quote!(List), false),
                 Shape::Tree => (quote!(Tree), false),
                 Shape::EachItems(_) => (quote!(Item), true),
-                Shape::EachLists(_) => (quote!(List), true),
+                Shape::EachLists(_) | Shape::EachColumns => (quote!(List), true),
                 Shape::EachTrees => (quote!(Tree), true),
             };
             let kind = match (kind, shape) {
                 (Some(kind), _) => quote!(#parts::Kind::#kind),
-                (None, Shape::Tree | Shape::EachTrees | Shape::Column) => quote!(#parts::Kind::Generic),
+                (None, Shape::Tree | Shape::EachTrees | Shape::Column | Shape::EachColumns) => {
+                    quote!(#parts::Kind::Generic)
+                }
                 (
                     None,
                     Shape::Item(t)
@@ -149,6 +153,7 @@ impl Outputs {
             Shape::Tree => quote!(#parts::Trees),
             Shape::EachItems(t) => quote!(#parts::EachItems<#t>),
             Shape::EachLists(t) => quote!(#parts::EachLists<#t>),
+            Shape::EachColumns => quote!(#parts::EachLists<#parts::Value>),
             Shape::EachTrees => quote!(#parts::EachTrees),
         });
         quote!((#(#sinks,)*))
@@ -170,6 +175,9 @@ impl Outputs {
             Shape::MaybeList(_) => quote!(::katydid_component::parts::ListOf::Gaps(#name)),
             Shape::Column => quote!(::katydid_component::parts::ListOf::Column(#name)),
             Shape::EachItems(_) | Shape::EachTrees => quote!(#name.0),
+            Shape::EachColumns => {
+                quote!(#name.0.into_iter().map(::katydid_component::parts::ListOf::Column).collect())
+            }
             Shape::EachLists(_) => {
                 quote!(#name.0.into_iter().map(::katydid_component::parts::ListOf::Gaps).collect())
             }
@@ -201,6 +209,7 @@ fn shape(t: &Type) -> Result<Shape> {
         }
         "Each" => match inner(path)? {
             Type::Path(path) if last_name(&path) == "Tree" => Shape::EachTrees,
+            Type::Path(path) if last_name(&path) == "Column" => Shape::EachColumns,
             Type::Path(path) if last_name(&path) == "Option" => Shape::EachItems(inner(&path)?),
             Type::Path(path) if last_name(&path) == "Vec" => match optional(&inner(&path)?) {
                 Some(t) => Shape::EachLists(t),
@@ -209,7 +218,7 @@ fn shape(t: &Type) -> Result<Shape> {
             other => {
                 return Err(Error::new(
                     other.span(),
-                    "expected Each<Option<T>>, Each<Vec<Option<T>>> or Each<Tree>",
+                    "expected Each<Option<T>>, Each<Vec<Option<T>>>, Each<Column> or Each<Tree>",
                 ));
             }
         },

@@ -77,9 +77,15 @@ impl<'a, T: Item> List<'a, T> {
 }
 
 impl List<'_, Value> {
-    /// The items at `indices`, as a run of their own; an index outside gives a null.
-    pub fn gather(&self, indices: &[usize]) -> Vec<Option<Value>> {
-        indices.iter().map(|&i| self.get(i)).collect()
+    /// The items at `indices`, as a column of their own; an index outside gives a null.
+    pub fn gather(&self, indices: &[usize]) -> Column {
+        let Range { start, end } = self.range;
+        if start == 0 && end == self.column.len() {
+            return self.column.gather(indices);
+        }
+        // Beyond the list the column goes on.
+        let place = |i: &usize| start.checked_add(*i).filter(|&at| at < end).unwrap_or(usize::MAX);
+        self.column.gather(&indices.iter().map(place).collect::<Vec<_>>())
     }
 }
 

@@ -237,23 +237,53 @@ fn list_tree(column: Column, ends: Vec<usize>, matching: &Matching<'_>) -> Tree 
     Tree::from_parts(paths, ends, column)
 }
 
+/// A tree of its own of few items takes some hundred bytes: so many are joined at a time, while the others come.
+const FEW: usize = 1024;
+
 /// A whole tree an iteration; those of several iterations are joined.
-#[derive(Debug)]
-pub struct Trees(Vec<Tree>);
+#[derive(Debug, Default)]
+pub struct Trees {
+    trees: Vec<Tree>,
+    /// How many of the last are small and not joined yet.
+    small: usize,
+}
+
+impl Trees {
+    /// The small ones at the end become one. Whether some trees are joined before the others makes no difference:
+    /// those of equal paths follow one another as before.
+    fn join(&mut self) {
+        if self.small > 1 {
+            let first = self.trees.len().saturating_sub(self.small);
+            let joined = Tree::merge(self.trees.get(first..).unwrap_or_default());
+            self.trees.truncate(first);
+            self.trees.push(joined);
+        }
+        self.small = 0;
+    }
+}
 
 impl Sink for Trees {
     type Result = Tree;
 
     fn new(_: usize, _: usize) -> Self {
-        Self(Vec::new())
+        Self::default()
     }
 
     fn push(&mut self, result: Option<Tree>) {
-        self.0.extend(result);
+        let Some(tree) = result else { return };
+        // What is large is mostly shared with an input: it is not copied before all are there.
+        let is_small = tree.item_count().max(tree.branch_count()) <= FEW;
+        if !is_small || self.small >= FEW {
+            self.join();
+        }
+        self.small += usize::from(is_small);
+        self.trees.push(tree);
     }
 
     fn append(&mut self, other: Self) {
-        self.0.extend(other.0);
+        self.join();
+        self.trees.extend(other.trees);
+        self.small = other.small;
     }
 
     fn count(_: &Tree) -> usize {
@@ -262,13 +292,13 @@ impl Sink for Trees {
     }
 
     fn finishing(&self, _: &Matching<'_>) -> usize {
-        let is_many = self.0.len() > 1;
-        let weights = self.0.iter().filter(|_| is_many).map(Tree::copied_weight);
+        let is_many = self.trees.len() > 1;
+        let weights = self.trees.iter().filter(|_| is_many).map(Tree::copied_weight);
         weights.fold(0, usize::saturating_add)
     }
 
     fn finish(self, _: &Matching<'_>) -> Vec<Tree> {
-        vec![Tree::merge(&self.0)]
+        vec![Tree::merge(&self.trees)]
     }
 }
 

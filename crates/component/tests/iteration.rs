@@ -110,6 +110,38 @@ fn lists_to_each(
     Each(lists.iter().map(List::to_vec).collect())
 }
 
+/// A tree for each number.
+#[component("00000000-0000-0000-0000-000000000010", name = "Test Trees", nick = "I", at = "Test/Test")]
+#[output("Tree", "T", "Trees.")]
+fn item_to_tree(
+    /// The number.
+    #[port("Number", "x")]
+    x: f64,
+) -> Tree {
+    tree_of(x as i32)
+}
+
+/// The paths are those of others too, now and then a tree is large, of another type or empty.
+fn tree_of(i: i32) -> Tree {
+    let path = Path::from([i % 7, i % 3]);
+    match i % 1500 {
+        0 => Tree::empty(),
+        1 => Tree::branch_at(path, Tree::list(vec![f64::from(i); 3000]).column().clone()),
+        2 => Tree::branch_at(path, Tree::list(vec![i]).column().clone()),
+        _ => Tree::branch_at(path, Tree::list(vec![f64::from(i)]).column().clone()),
+    }
+}
+
+#[test]
+fn trees_of_many_iterations_are_joined_in_order() {
+    for n in [1, 2, 1024, 1025, 1026, 5000, 20_000] {
+        let items: Vec<f64> = (0..n).map(f64::from).collect();
+        let joined = run("Test Trees", &[Tree::list(items)]).remove(0);
+        let all: Vec<Tree> = (0..n).map(tree_of).collect();
+        assert!(joined == Tree::merge(&all), "{n}");
+    }
+}
+
 /// Half a number, by the loop or by whole columns.
 #[component("00000000-0000-0000-0000-000000000009", name = "Test Half", nick = "I", at = "Test/Test", columns = halves)]
 #[output("Half", "H", "The half.")]

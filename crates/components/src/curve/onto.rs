@@ -24,10 +24,13 @@ impl Ground {
         if let (Value::Brep(_) | Value::Kept(_), Some(brep)) = (value, value.brep()) {
             return Ok(Self::Brep(brep.map_err(Message::warning)?));
         }
+        // One after the other: what has a surface is not meshed for nothing.
         let to = |kind| cast::value(value, kind, context.rules());
-        match (to(Kind::Surface), to(Kind::Mesh)) {
-            (Some(Value::Surface(surface)), _) => Ok(Self::Surface(surface)),
-            (_, Some(Value::Mesh(mesh))) => Ok(Self::Mesh(mesh)),
+        if let Some(Value::Surface(surface)) = to(Kind::Surface) {
+            return Ok(Self::Surface(surface));
+        }
+        match to(Kind::Mesh) {
+            Some(Value::Mesh(mesh)) => Ok(Self::Mesh(mesh)),
             _ => Err(Message::error(format!(
                 "Curves cannot be brought onto a {} yet: only onto Breps, boxes and meshes",
                 value.kind().name()

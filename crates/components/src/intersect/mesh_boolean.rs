@@ -21,22 +21,6 @@ fn solids(context: &Context<'_>, meshes: &List<'_, Shared<Mesh>>, name: &str) ->
     meshes.iter().enumerate().filter_map(one).collect()
 }
 
-/// All of them as one; `None` when there is none. Neighbours in the list first, so that no part is handled often.
-fn united(context: &Context<'_>, mut solids: Vec<Solid>) -> Result<Option<Solid>, Message> {
-    while solids.len() > 1 {
-        let mut half = Vec::with_capacity(solids.len().div_ceil(2));
-        for pair in solids.chunks(2) {
-            context.check()?;
-            match pair {
-                [a, b] => half.push(a.union(b)?),
-                rest => half.extend_from_slice(rest),
-            }
-        }
-        solids = half;
-    }
-    Ok(solids.pop())
-}
-
 /// The meshes of a solid, one for each part that hangs together.
 fn meshes(context: &Context<'_>, solid: &Solid) -> Result<Vec<Shared<Mesh>>, Message> {
     let parts = solid.to_mesh()?.solids()?;
@@ -60,10 +44,7 @@ fn mesh_union(
     #[port("Meshes", "M")]
     list: List<Shared<Mesh>>,
 ) -> Result<Vec<Shared<Mesh>>, Message> {
-    match united(context, solids(context, &list, "M")?)? {
-        Some(all) => meshes(context, &all),
-        None => Ok(Vec::new()),
-    }
+    meshes(context, &Solid::united(&solids(context, &list, "M")?)?)
 }
 
 /// Takes closed meshes away from closed meshes: what is inside each of the first and in none of the second.
@@ -89,14 +70,11 @@ fn mesh_difference(
     #[port("Meshes B", "B")]
     b: List<Shared<Mesh>>,
 ) -> Result<Vec<Shared<Mesh>>, Message> {
-    let (a, b) = (solids(context, &a, "A")?, united(context, solids(context, &b, "B")?)?);
+    let (a, b) = (solids(context, &a, "A")?, Solid::united(&solids(context, &b, "B")?)?);
     let mut out = Vec::new();
     for solid in a {
         context.check()?;
-        let left = match &b {
-            Some(b) => solid.difference(b)?,
-            None => solid,
-        };
+        let left = if b.is_empty() { solid } else { solid.difference(&b)? };
         out.extend(meshes(context, &left)?);
     }
     context.items(out.len())?;
@@ -122,8 +100,11 @@ fn mesh_intersection(
     #[port("Meshes B", "B")]
     b: List<Shared<Mesh>>,
 ) -> Result<Vec<Shared<Mesh>>, Message> {
-    let (a, b) = (united(context, solids(context, &a, "A")?)?, united(context, solids(context, &b, "B")?)?);
-    let (Some(a), Some(b)) = (a, b) else { return Ok(Vec::new()) };
+    let (a, b) = (solids(context, &a, "A")?, solids(context, &b, "B")?);
+    if a.is_empty() || b.is_empty() {
+        return Ok(Vec::new());
+    }
+    let (a, b) = (Solid::united(&a)?, Solid::united(&b)?);
     let both = a.intersection(&b)?;
     if both.is_empty() {
         context.warn("The meshes have nothing in common");

@@ -131,16 +131,14 @@ fn planar(curve: &Curve, parameters: Option<MeshingParameters>, tolerance: Withi
 
 /// What several closed meshes enclose together.
 pub(super) fn union(meshes: &[Mesh], name: &str) -> Outcome<Solid> {
-    let mut whole: Option<Solid> = None;
-    for (i, mesh) in meshes.iter().enumerate() {
-        let solid = Solid::new(mesh)
-            .map_err(|error| Fault::bad_request(format!("{name}: mesh {i} cannot be combined: {error}")))?;
-        whole = Some(match whole {
-            Some(before) => before.union(&solid)?,
-            None => solid,
-        });
+    if meshes.is_empty() {
+        return Err(Fault::bad_request(format!("{name} is empty")));
     }
-    whole.ok_or_else(|| Fault::bad_request(format!("{name} is empty")))
+    let solid = |(i, mesh)| {
+        Solid::new(mesh)
+            .map_err(|error| Fault::bad_request(format!("{name}: mesh {i} cannot be combined: {error}")))
+    };
+    Ok(Solid::united(&meshes.iter().enumerate().map(solid).collect::<Outcome<Vec<Solid>>>()?)?)
 }
 
 /// The pieces of a result; nothing for an empty one.

@@ -1,6 +1,8 @@
 //! Union, difference and intersection of closed meshes, by the crate `manifold-rust`: the only place besides
 //! `shadow.rs` that knows it.
 
+mod united;
+
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -22,11 +24,16 @@ const FARTHEST: f64 = 1e60;
 /// arrangements for solid geometry*, SIGGRAPH 2016). Places nearer to each other than about 10⁻¹² of the size may
 /// become one.
 #[derive(Clone)]
-pub struct Solid(Manifold);
+pub struct Solid {
+    body: Manifold,
+    /// It comes from solids without self-intersections by the first algorithm, whose results are as its operands must
+    /// be: it is not searched again, which would take longer than the algorithm.
+    proven: bool,
+}
 
 impl std::fmt::Debug for Solid {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Solid({} vertices, {} triangles)", self.0.num_vert(), self.0.num_tri())
+        write!(f, "Solid({} vertices, {} triangles)", self.body.num_vert(), self.body.num_tri())
     }
 }
 
@@ -69,7 +76,7 @@ impl Solid {
             input.tri_verts.push(k);
         }
         if input.tri_verts.is_empty() {
-            return Ok(Self(Manifold::empty()));
+            return Ok(Self::nothing());
         }
         guarded(|| Manifold::from_mesh_gl64_robust(&input))
     }
@@ -99,13 +106,30 @@ impl Solid {
     }
 
     fn with(&self, other: &Self, operation: OpType) -> Result<Self> {
-        patience::room::<[u64; 48]>(self.0.num_tri().saturating_add(other.0.num_tri()))?;
-        guarded(|| self.0.boolean_with_engine(&other.0, operation, BooleanEngine::Auto))
+        patience::room::<[u64; 48]>(self.body.num_tri().saturating_add(other.body.num_tri()))?;
+        // The smaller first: when it goes through itself, the larger need not be searched.
+        let [small, large] =
+            if other.body.num_tri() < self.body.num_tri() { [other, self] } else { [self, other] };
+        let proven = small.is_simple() && large.is_simple();
+        let engine = if proven { BooleanEngine::Exact } else { BooleanEngine::Robust };
+        let made = guarded(|| self.body.boolean_with_engine(&other.body, operation, engine))?;
+        Ok(Self { proven, ..made })
+    }
+
+    /// Whether the boundary is known, or found, not to go through itself.
+    fn is_simple(&self) -> bool {
+        let searched = || !self.body.as_impl().is_soup && !self.body.has_self_intersections();
+        // What fails in the search is for the method that takes anything.
+        self.proven || catch_unwind(AssertUnwindSafe(searched)).unwrap_or(false)
+    }
+
+    fn nothing() -> Self {
+        Self { body: Manifold::empty(), proven: true }
     }
 
     /// Whether nothing is enclosed.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.body.is_empty()
     }
 
     /// The boundary as a mesh of triangles that looks outwards, with normals; without faces when nothing is enclosed.
@@ -116,7 +140,7 @@ impl Solid {
         if self.is_empty() {
             return Ok(Mesh::default());
         }
-        let out = self.0.get_mesh_gl64(-1);
+        let out = self.body.get_mesh_gl64(-1);
         let stride = usize::try_from(out.num_prop).unwrap_or(3).max(3);
         let corner = |c: &[f64]| match c {
             [x, y, z, ..] => Some(Point3::new(*x, *y, *z)),
@@ -159,7 +183,7 @@ fn guarded(make: impl FnOnce() -> Manifold) -> Result<Solid> {
     let invalid = |why: String| Err(Error::Invalid { what: "mesh for a boolean", why });
     match catch_unwind(AssertUnwindSafe(make)) {
         Ok(made) => match made.status() {
-            Status::NoError => Ok(Solid(made)),
+            Status::NoError => Ok(Solid { body: made, proven: false }),
             Status::ResultTooLarge => invalid("the result has too many faces".into()),
             status => invalid(format!("it does not enclose a solid ({status:?})")),
         },

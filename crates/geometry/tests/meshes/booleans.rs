@@ -163,6 +163,48 @@ fn shapes_that_nearly_coincide() {
     }
 }
 
+/// The union of many is that of one after the other, in whatever order, and holds the points that any of them holds.
+#[test]
+fn unions_of_many_are_unions_in_turn() {
+    let cases: u64 = std::env::var("KATYDID_CASES").ok().and_then(|s| s.parse().ok()).unwrap_or(30);
+    for case in 0..cases {
+        let mut random = Random(0xfeed_0000 + case);
+        let on_grid = case % 3 == 0;
+        let mut meshes: Vec<Mesh> =
+            (0..2 + random.below(10)).map(|_| shape(&mut random, on_grid && case % 2 == 0)).collect();
+        // Some lie beside the others, so that there are boxes that do not touch.
+        for mesh in &mut meshes {
+            let step = Vector3::new(random.below(3) as f64 * 3.0, 0.0, 0.0);
+            *mesh = mesh.transformed(&Xform::translation(step)).unwrap();
+        }
+        // In some cases one goes through itself, and one looks inwards.
+        if case % 4 == 1 {
+            let [a, b] = [shape(&mut random, false), shape(&mut random, false)];
+            meshes.push(Mesh::join(&[a, b]).unwrap());
+        }
+        if let (true, Some(first)) = (case % 5 == 2, meshes.first_mut()) {
+            *first = first.flipped();
+        }
+        let solids: Vec<Solid> = meshes.iter().map(|mesh| Solid::new(mesh).unwrap()).collect();
+        let united = checked(Solid::united(&solids).unwrap(), &format!("case {case}: all"));
+        let mut turns = solids[0].clone();
+        for solid in &solids[1..] {
+            turns = turns.union(solid).unwrap();
+        }
+        let turns = checked(turns, &format!("case {case}: one after the other"));
+        let (got, want) = (united.volume(), turns.volume());
+        assert!((got - want).abs() <= 1e-9 * want, "case {case}: {got} for {want}");
+        let trees: Vec<MeshTree> = meshes.iter().map(MeshTree::new).collect();
+        let whole = MeshTree::new(&united);
+        for _ in 0..100 {
+            let p = Point3::new(random.within(-2.0, 8.0), random.within(-2.0, 2.0), random.within(-2.0, 2.0));
+            let any = trees.iter().any(|tree| tree.winding_number(p).abs() > 0.5);
+            assert_eq!(whole.winding_number(p).abs() > 0.5, any, "case {case}: {p:?}");
+        }
+    }
+    assert!(Solid::united(&[]).unwrap().is_empty());
+}
+
 #[test]
 fn open_meshes_are_refused_with_the_reason() {
     for case in 0..20 {

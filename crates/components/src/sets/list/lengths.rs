@@ -1,7 +1,7 @@
 //! Making lists equally long, and pairing every item with every other.
 
 use katydid_component::{Context, Each, ManyLists, Message, component};
-use katydid_data::Value;
+use katydid_data::{Column, Value};
 
 /// How often the budget is asked in a loop that makes items.
 const ASK_EVERY: usize = 4096;
@@ -26,11 +26,11 @@ fn resized(
     lists: &ManyLists<'_, Value>,
     target: usize,
     choose: impl Fn(usize) -> Vec<usize>,
-) -> Result<Each<Vec<Option<Value>>>, Message> {
+) -> Result<Each<Column>, Message> {
     context.items(target.saturating_mul(lists.len()))?;
     let lists = lists.iter().enumerate().map(|(k, list)| match list.len() {
-        _ if !context.has_data(k) => Vec::new(),
-        0 => vec![None; target],
+        _ if !context.has_data(k) => Column::nulls(0),
+        0 => Column::nulls(target),
         n => list.gather(&choose(n)),
     });
     Ok(Each(lists.collect()))
@@ -47,7 +47,7 @@ fn shortest_list(
     /// A list.
     #[port("List (A)", "A", optional)]
     lists: ManyLists<Value>,
-) -> Result<Each<Vec<Option<Value>>>, Message> {
+) -> Result<Each<Column>, Message> {
     let target = lengths(context, &lists).into_iter().flatten().min().unwrap_or(0);
     let mode = context.settings().i32("TrimMode").unwrap_or(2);
     resized(context, &lists, target, |n| match mode {
@@ -69,7 +69,7 @@ fn longest_list(
     /// A list.
     #[port("List (A)", "A", optional)]
     lists: ManyLists<Value>,
-) -> Result<Each<Vec<Option<Value>>>, Message> {
+) -> Result<Each<Column>, Message> {
     let target = lengths(context, &lists).into_iter().flatten().max().unwrap_or(0);
     let mode = context.settings().i32("PaddingMode").unwrap_or(2);
     resized(context, &lists, target, |n| match mode {
@@ -197,7 +197,7 @@ fn cross_reference(
     /// A list.
     #[port("List (A)", "A", optional)]
     lists: ManyLists<Value>,
-) -> Result<Each<Vec<Option<Value>>>, Message> {
+) -> Result<Each<Column>, Message> {
     let mode = Cross::of(context.settings().i32("CrossMode").unwrap_or(1));
     let all = lengths(context, &lists);
     let wired: Vec<usize> = (0..all.len()).filter(|&k| all.get(k).is_some_and(Option::is_some)).collect();
@@ -214,7 +214,7 @@ fn cross_reference(
         }
         Ok(())
     })?;
-    let mut result = vec![Vec::new(); lists.len()];
+    let mut result = vec![Column::nulls(0); lists.len()];
     for (k, places) in wired.into_iter().zip(places) {
         if let (Some(target), Some(list)) = (result.get_mut(k), lists.get(k)) {
             *target = list.gather(&places);

@@ -1,7 +1,7 @@
 //! The order of a list.
 
 use katydid_component::{Context, Each, List, ManyLists, Message, component};
-use katydid_data::{Path, Tree, TreeBuilder, Value};
+use katydid_data::{Column, Path, Tree, TreeBuilder, Value};
 
 use crate::sets::room;
 
@@ -12,8 +12,8 @@ fn reverse_list(
     /// The list.
     #[port("List", "L")]
     list: List<Value>,
-) -> Vec<Option<Value>> {
-    list.iter().rev().collect()
+) -> Column {
+    list.gather(&(0..list.len()).rev().collect::<Vec<_>>())
 }
 
 /// Moves all items of a list towards its front, or with a negative shift towards its back.
@@ -32,19 +32,21 @@ fn shift_list(
     /// Bring in again what falls off.
     #[port("Wrap", "W", default = true)]
     wrap: bool,
-) -> Result<Vec<Option<Value>>, Message> {
+) -> Result<Column, Message> {
     let n = list.len();
     context.items(n)?;
     let size = usize::try_from(shift.unsigned_abs()).unwrap_or(usize::MAX);
-    Ok(if !wrap {
+    let places: Vec<usize> = if !wrap {
         let kept = n.saturating_sub(size);
-        list.iter().skip(if shift > 0 { n - kept } else { 0 }).take(kept).collect()
+        let first = if shift > 0 { n - kept } else { 0 };
+        (first..first + kept).collect()
     } else if n == 0 {
         Vec::new()
     } else {
         let first = if shift > 0 { size % n } else { (n - size % n) % n };
-        list.iter().skip(first).chain(list.iter().take(first)).collect()
-    })
+        (first..n).chain(0..first).collect()
+    };
+    Ok(list.gather(&places))
 }
 
 /// Cuts a list into pieces of given sizes, each in a branch of its own.
@@ -111,7 +113,7 @@ fn sort_list(
     /// Values to be put in the same order.
     #[port("Values A", "A", optional)]
     values: ManyLists<Value>,
-) -> Result<(Vec<f64>, Each<Vec<Option<Value>>>), Message> {
+) -> Result<(Vec<f64>, Each<Column>), Message> {
     context.items(keys.len().saturating_mul(values.len() + 1))?;
     let mut order: Vec<(f64, usize)> =
         keys.iter().enumerate().filter_map(|(i, key)| Some((key.filter(|x| !x.is_nan())?, i))).collect();
@@ -123,7 +125,7 @@ fn sort_list(
     let indices: Vec<usize> = order.iter().map(|&(_, i)| i).collect();
     let sorted = values.iter().enumerate().map(|(k, list)| {
         if list.is_empty() && !context.has_data(k + 1) {
-            return Vec::new();
+            return Column::nulls(0);
         }
         if list.len() != keys.len() {
             context.warn("A list of values is not as long as the list of keys");

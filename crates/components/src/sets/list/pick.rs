@@ -1,7 +1,7 @@
 //! Taking items out of a list by their places.
 
 use katydid_component::{Context, Each, List, Message, component};
-use katydid_data::Value;
+use katydid_data::{Column, Value};
 use katydid_geometry::Interval;
 
 use crate::sets::key::places;
@@ -138,12 +138,12 @@ fn sub_list(
     /// Count round and round.
     #[port("Wrap", "W", default = true)]
     wrap: bool,
-) -> Result<(Vec<Option<Value>>, Vec<i32>), Message> {
+) -> Result<(Column, Vec<i32>), Message> {
     if domain.start.is_nan() || domain.end.is_nan() {
         return Err(Message::error("The domain has an end that is no number"));
     }
     if list.is_empty() {
-        return Ok((Vec::new(), Vec::new()));
+        return Ok((Column::nulls(0), Vec::new()));
     }
     // Beyond this no list reaches; it keeps the sums below inside 64 bits.
     const FAR: f64 = 1e15;

@@ -1,7 +1,7 @@
 //! Chance, the same for the same seed.
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::Value;
+use katydid_data::{Column, Value};
 use katydid_geometry::Interval;
 
 use crate::sets::dotnet_random::DotNetRandom;
@@ -118,7 +118,7 @@ fn jitter(
     /// Another seed gives another order.
     #[port("Seed", "S", default = 2)]
     seed: i32,
-) -> Result<(Vec<Option<Value>>, Vec<i32>), Message> {
+) -> Result<(Column, Vec<i32>), Message> {
     context.items(list.len().saturating_mul(2))?;
     if !strength.is_finite() {
         return Err(Message::error("Jitter is not a number"));

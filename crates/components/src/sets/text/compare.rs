@@ -5,7 +5,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::Value;
+use katydid_data::{Column, Value};
 use regex::{Regex, RegexBuilder};
 
 use super::pattern::Pattern;
@@ -91,7 +91,6 @@ fn match_text(
 )]
 #[output("Keys", "K", "The texts in order.")]
 #[output("Values", "V", "The values in the order of their texts.")]
-#[expect(clippy::type_complexity, reason = "the results are read off it")]
 fn sort_text(
     context: &Context<'_>,
     /// The texts.
@@ -103,7 +102,7 @@ fn sort_text(
     /// The language of the texts; only 127, no language, is known.
     #[port("Culture", "C", default = 127)]
     _culture: i32,
-) -> Result<(Vec<Option<Arc<str>>>, Vec<Option<Value>>), Message> {
+) -> Result<(Vec<Option<Arc<str>>>, Column), Message> {
     let texts = keys.to_vec();
     // The key of a text, and its places in three lists.
     let taken = |text: &Arc<str>| text.len().saturating_mul(2).saturating_add(128);
@@ -113,7 +112,7 @@ fn sort_text(
         let text = texts.get(i).and_then(Option::as_deref);
         (text.is_none(), text.map(dictionary))
     });
-    let values = if values.is_empty() { Vec::new() } else { values.gather(&order) };
+    let values = if values.is_empty() { Column::nulls(0) } else { values.gather(&order) };
     Ok((order.iter().map(|&i| texts.get(i).cloned().flatten()).collect(), values))
 }
 
