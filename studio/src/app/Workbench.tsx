@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useEffect, type CSSProperties } from "react";
 import { useStore } from "zustand";
 
 import { followKeys } from "../actions/keys";
@@ -38,7 +38,7 @@ export function Workbench({ id }: { id: string }) {
       </a>
       <Header />
       <Banners />
-      <main className="rooms" style={{ gridTemplateColumns: columns.join(" ") }}>
+      <main className="rooms" style={{ "--columns": columns.join(" ") } as CSSProperties}>
         {panes !== "viewport" && (
           <section id="canvas" className="room" data-scope="canvas" aria-label={t("room.canvas")} tabIndex={-1}>
             <Canvas />

@@ -9,7 +9,7 @@ import type { FarColours } from "./farColours";
 const READABLE = 4.5;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
-const FONT = "system-ui, sans-serif";
+const FONT = '"Inter Variable", system-ui, sans-serif';
 
 export function paintFar(
   context: CanvasRenderingContext2D,

@@ -3,7 +3,7 @@
 import type { Point, Rect } from "./geometry";
 import { meets } from "./geometry";
 import { depths, isGroup, type Objects } from "./groups";
-import { lookOf, type Look } from "./look";
+import { isStarved, lookOf, type Look } from "./look";
 import { frameOf, strungOf, type Outputs, type Shifts } from "./places";
 import type { ObjectView } from "./protocol/ObjectView";
 import type { OutputView } from "./protocol/OutputView";
@@ -70,7 +70,7 @@ export function farList(input: FarInput): FarList {
     const object = objects.get(id);
     if (!object) continue;
     const result = input.results.get(id);
-    const box = farBox(object, rect(object), lookOf(object, result), selection.has(id), result);
+    const box = farBox(object, rect(object), lookOf(object, result, isStarved(object, input.data)), selection.has(id), result);
     (isGroup(object) ? list.groups : list.boxes).push(box);
   }
   const depth = depths(objects);

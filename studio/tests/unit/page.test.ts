@@ -30,6 +30,8 @@ test("colours and times are written for people", () => {
   expect(fromHex("red")).toEqual([0, 0, 0, 255]);
   expect([shownTime(0.2), shownTime(12.4), shownTime(2345)]).toEqual(["< 1 ms", "12 ms", "2.3 s"]);
   expect(t("outline.count", { n: 3 })).toBe("3 objects");
+  expect(t("canvas.data.count", { items: 130, branches: 1 })).toBe("130 items in 1 branch");
+  expect(t("canvas.data.count", { items: 1, branches: 2 })).toBe("1 item in 2 branches");
 });
 
 test("a visitor moves free controls, from top to bottom", () => {

@@ -46,7 +46,7 @@ export const canvas = {
   "canvas.data.empty": "No data here",
   "canvas.data.lost": "The wire comes from an object that is not here",
   "canvas.data.more": "… and {count} more rows",
-  "canvas.data.count": "{items} items in {branches} branches",
+  "canvas.data.count": "{items|item|items} in {branches|branch|branches}",
 
   "canvas.port.addLast": "Add one more",
   "canvas.port.add": "Add a port here",
@@ -70,7 +70,7 @@ export const canvas = {
   "canvas.find.none": "Nothing like that on the canvas",
 
   "canvas.group": "Group",
-  "canvas.group.spoken": "{label}, {count} objects",
+  "canvas.group.spoken": "{label}, {count|object|objects}",
   "canvas.group.unnamed": "without a label",
   "canvas.scribble.text": "Text of the scribble",
   "canvas.panel.text": "Text of the panel",
@@ -238,6 +238,6 @@ export const canvas = {
   "canvas.align.spreadDown": "Spread evenly down",
   "canvas.undone": "Taken back: {step}",
   "canvas.redone": "Made again: {step}",
-  "canvas.copied": "{count} objects copied",
-  "canvas.pasted": "{count} objects pasted",
+  "canvas.copied": "{count|object|objects} copied",
+  "canvas.pasted": "{count|object|objects} pasted",
 } as const;
