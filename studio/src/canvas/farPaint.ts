@@ -1,12 +1,11 @@
 /** Painting the far view. */
 
 import type { FarBox, FarList, FarWire } from "../core/far";
+import type { PlacedLabel } from "../core/farLabels";
 import { meets, type Lens, type Rect } from "../core/geometry";
 import { curveBounds, wireCurve } from "../core/wires";
 import type { FarColours } from "./farColours";
 
-/** Texts smaller than this many pixels are left out. */
-const READABLE = 4.5;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
 const FONT = '"Inter Variable", system-ui, sans-serif';
@@ -14,6 +13,7 @@ const FONT = '"Inter Variable", system-ui, sans-serif';
 export function paintFar(
   context: CanvasRenderingContext2D,
   list: FarList,
+  labels: readonly PlacedLabel[],
   lens: Lens,
   [width, height]: readonly [number, number],
   dense: number,
@@ -36,6 +36,7 @@ export function paintFar(
   paint(list.groups, paintGroup);
   paintWires(context, list.wires, field, pixel, colours, found ? FAINT : 1);
   paint(list.boxes, paintBox);
+  paintLabels(context, labels, field, pixel, colours, shown);
   context.globalAlpha = 1;
 }
 
@@ -48,7 +49,6 @@ function paintGroup(context: CanvasRenderingContext2D, box: FarBox, pixel: numbe
     context.lineWidth = 2 * pixel;
     context.strokeRect(x, y, w, h);
   }
-  paintLabel(context, box, [x + 6, y + 4, w - 12, h], pixel, colours.ink);
 }
 
 /** Wires of one look are one path: a stroke for all of them costs little more than a stroke for one. */
@@ -81,10 +81,8 @@ function paintWires(
 
 function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
   const [x, y, w, h] = box.rect;
-  if (box.kind === "text") {
-    paintLabel(context, box, [x, y, w, h], pixel, colours.ink);
-    return;
-  }
+  // Nothing but its words is seen of a scribble.
+  if (box.kind === "text") return;
   if (box.kind === "lines") {
     context.strokeStyle = box.colour ?? colours.edge;
     context.lineWidth = Math.max(2, pixel);
@@ -100,25 +98,47 @@ function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number,
     context.lineWidth = pixel;
     context.strokeRect(x, y, w, h);
   }
-  paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
 }
 
-function paintLabel(context: CanvasRenderingContext2D, box: FarBox, room: Rect, pixel: number, ink: string): void {
-  const { label } = box;
-  if (!label || label.size < READABLE * pixel) return;
-  const [x, y, w, h] = room;
-  context.save();
-  context.beginPath();
-  context.rect(x, y, Math.max(w, 0), Math.max(h, 0));
-  if (box.kind !== "text") context.clip();
-  context.fillStyle = ink;
-  context.font = `${label.bold ? "bold " : ""}${label.size}px ${FONT}`;
+function paintLabels(
+  context: CanvasRenderingContext2D,
+  labels: readonly PlacedLabel[],
+  field: Rect,
+  pixel: number,
+  colours: FarColours,
+  shown: (box: FarBox) => number,
+): void {
   context.textBaseline = "middle";
-  context.textAlign = label.across === "centre" ? "center" : label.across;
-  const at = label.across === "left" ? x : label.across === "right" ? x + w : x + w / 2;
-  const lines = label.text.split("\n");
-  const step = label.size * 1.3;
-  const top = lines.length === 1 && box.kind === "box" ? y + h / 2 : y + step / 2;
-  lines.slice(0, Math.max(Math.ceil(h / step), 1)).forEach((line, k) => context.fillText(line, at, top + k * step));
-  context.restore();
+  context.lineJoin = "round";
+  let font = "";
+  for (const { box, lines, size, at: [x, y], across, bold, on } of labels) {
+    // Words reach beyond their boxes: those of boxes a little out of sight can still be seen.
+    const reach = 120 * pixel;
+    if (!meets(box.rect, [field[0] - reach, field[1] - reach, field[2] + 2 * reach, field[3] + 2 * reach])) continue;
+    const wanted = `${bold ? "600 " : ""}${size}px ${FONT}`;
+    if (wanted !== font) context.font = font = wanted;
+    context.textAlign = across === "centre" ? "center" : across;
+    context.globalAlpha = shown(box);
+    if (typeof on !== "string") {
+      context.fillStyle = colours.band;
+      context.fillRect(...on);
+    }
+    const ink = on === "box" ? inkOn(box, colours) : on === "ground" ? colours.ink : colours.bandInk;
+    lines.forEach((line, k) => {
+      const down = y + k * size * 1.25;
+      if (on === "ground") {
+        // A halo keeps words apart from the wires below them.
+        context.strokeStyle = colours.ground;
+        context.lineWidth = 3 * pixel;
+        context.strokeText(line, x, down);
+      }
+      context.fillStyle = ink;
+      context.fillText(line, x, down);
+    });
+  }
+}
+
+function inkOn(box: FarBox, colours: FarColours): string {
+  if (box.colour) return colours.panelInk;
+  return box.look === "error" && !box.selected ? colours.errorInk : box.look === "disabled" ? colours.disabledInk : colours.ink;
 }
