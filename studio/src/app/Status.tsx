@@ -5,6 +5,7 @@ import { isStarved, lookOf, type Look } from "../core/look";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
+import { modelStore } from "../state/model";
 import { runStore, type Run } from "../state/run";
 import { lineStore } from "../state/session";
 import { settingsStore } from "./settings";
@@ -20,6 +21,7 @@ export function Status() {
   const errors = useStore(runStore, (run) => count(objects, run, ["error"]));
   // Orange on the canvas is a warning here: with Grasshopper's users an object without data has one.
   const warnings = useStore(runStore, (run) => count(objects, run, ["warning", "empty"]));
+  const model = useStore(modelStore, (store) => store.name);
   const view = useStore(documentStore, (mirror) => mirror.document);
   const said = () => {
     if (state === "lost") return t("line.lost");
@@ -46,6 +48,11 @@ export function Status() {
         <span aria-hidden="true">✖ {errors} ⚠ {warnings}</span>
         <span className="unseen">{t("status.problems", { errors, warnings })}</span>
       </button>
+      {model && (
+        <span role="status" className="model">
+          {t("status.model", { name: model })}
+        </span>
+      )}
       {view && <span className="units">{t("status.units", { units: view.units, tolerance: view.tolerance })}</span>}
     </footer>
   );

@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 
 import { followKeys } from "../actions/keys";
 import { goTo, token } from "../app/files";
+import { Telling } from "../app/Telling";
 import { Dialogs } from "../dialogs";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
@@ -27,7 +28,9 @@ export function Player({ id }: { id: string }) {
   return (
     <div className="player">
       <main className="model" data-scope="viewport" aria-label={t("room.viewport")}>
-        <ViewportPane />
+        <ViewportPane>
+          <Telling />
+        </ViewportPane>
       </main>
       <aside aria-label={t("player.inputs")}>
         <header>

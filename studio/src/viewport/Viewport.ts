@@ -361,7 +361,9 @@ export class Viewport {
     if (!this.#isFramingStale) return;
     this.#isFramingStale = false;
     const boxes = this.#boxes();
-    if (boxes.length === 0) return;
+    const isEmpty = boxes.length === 0;
+    if (viewportStore.getState().isEmpty !== isEmpty) viewportStore.setState({ isEmpty });
+    if (isEmpty) return;
     if (this.#isFramed) return this.panes.frame(boxes, true);
     this.#isFramed = true;
     this.panes.fit(boxes, this.panes.all(), true);
