@@ -27,6 +27,7 @@ import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
 import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
+import { Hints } from "./Hints";
 import { Near, useCanvas } from "./hooks";
 import { hoverOver, hoverOut } from "./tips/hover";
 import { Capsule, Parameter, Relay } from "./nodes/Capsule";
@@ -155,6 +156,7 @@ function Ground({ children }: { children: ReactNode }) {
         {t("canvas.help")}
       </p>
       {children}
+      <Hints />
       <Boxes />
     </div>
   );

@@ -57,6 +57,7 @@ export const canvas = {
   "canvas.search.wired": "Takes {kind} …",
   "canvas.search.none": "Nothing of that name",
   "canvas.search.failed": "The list of components could not be fetched",
+  "canvas.ribbon.recent": "Recent",
   "canvas.ribbon": "Component tabs",
 
   "canvas.connect.label": "Connect {name}",
@@ -65,6 +66,9 @@ export const canvas = {
   "canvas.connect.none": "No such port",
   "canvas.connect.done": "{from} is connected with {to}",
 
+  "canvas.hint.search": "Double-click to search for a component",
+  "canvas.hint.type": "There type 0<5<10 for a slider, or \"text for a panel",
+  "canvas.hint.drop": "Drop a .gh, .ghx or .kd file anywhere to open it",
   "canvas.find.label": "Find on the canvas",
   "canvas.find.prompt": "Name, text of a panel, label of a group …",
   "canvas.find.none": "Nothing like that on the canvas",
