@@ -8,7 +8,8 @@ import { modelNeeds, whyNothing } from "../../src/core/needs";
 import { listed } from "../../src/app/Telling";
 import { fromHex, toHex } from "../../src/core/colour";
 import { t } from "../../src/i18n";
-import { playable } from "../../src/player/Input";
+import { inputGroups, playable } from "../../src/player/groups";
+import { moved, startOf } from "../../src/player/reset";
 import { object, port } from "./make";
 
 test("settings that make no sense are as usual", () => {
@@ -72,4 +73,21 @@ test("a visitor moves free controls, from top to bottom", () => {
   const wired = object("wired", { inputs: [port("wired", ["x"])], control: { is: "toggle", on: true } });
   const off = object("off", { control: slider, disabled: true });
   expect(playable([low, wired, high, off]).map(({ id }) => id)).toEqual(["high", "low"]);
+});
+
+test("inputs stand under the labels of their groups; a panel that nothing reads is a remark", () => {
+  const slider = (value: number) => ({ is: "slider" as const, value, min: 0, max: 9, rounding: "float" as const, digits: 1, expression: null });
+  const group = { is: "group", label: "Tower", colour: [0, 0, 0, 255], border: "box", members: ["in"] } as unknown as NonNullable<ReturnType<typeof object>["control"]>;
+  const panel = { is: "panel", text: "note" } as unknown as NonNullable<ReturnType<typeof object>["control"]>;
+  const list = [
+    object("in", { control: slider(2), bounds: [0, 50, 9, 9] }),
+    object("out", { control: slider(3) }),
+    object("note", { control: panel }),
+    object("g", { kind: "group", control: group }),
+  ];
+  const objects = new Map(list.map((one) => [one.id, one]));
+  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ id }) => id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
+  const start = startOf(list);
+  expect(moved(start, list)).toEqual([]);
+  expect(moved(start, [object("in", { control: slider(5) })])).toEqual([["in", { is: "number", value: 2 }]]);
 });

@@ -4,7 +4,7 @@ import { tabs, type CatalogueEntry } from "../../src/core/catalogue";
 import { columnsOf, withRecent } from "../../src/core/ribbon";
 
 test("panels fill the width, the fullest first", () => {
-  expect(columnsOf([20, 2, 8], 500, 50, 10)).toEqual([7, 1, 1]);
+  expect(columnsOf([20, 2, 8], 500, 50, 10)).toEqual([6, 1, 2]);
   expect(columnsOf([2, 2], 2000, 50, 10)).toEqual([1, 1]);
   expect(columnsOf([20, 20], 60, 50, 10)).toEqual([1, 1]);
   expect(columnsOf([], 500, 50, 10)).toEqual([]);
