@@ -31,6 +31,8 @@ const GREATEST = 1e12;
 const MARGIN = 1.1;
 /** Geometry that fills less than this share of a view is framed anew. */
 const LEAST_SHARE = 0.3;
+/** A flat or tiny model has this share of the view for depth: points and lines are drawn a little before where they are. */
+const LEAST_DEPTH = 0.1;
 /** What is smaller than this part of its distance from the origin is a point: the rest is rounding. */
 const POINTLIKE = 1e-9;
 /** How much is seen around a point, in model units: what an empty view shows. */
@@ -188,7 +190,7 @@ export class CameraRig {
 
   #depths(bounds: Bounds | null): [near: number, far: number] {
     const distance = this.distance();
-    const size = bounds ? Math.max(radius(bounds), this.pose.height * 1e-3) : this.pose.height;
+    const size = bounds ? Math.max(radius(bounds), this.pose.height * LEAST_DEPTH) : this.pose.height;
     const middle = new Vector3(...(bounds ? centre(bounds) : this.pose.target));
     const along = this.eye().sub(middle).dot(this.backward());
     const [near, far] = [along - size * 1.01, along + size * 1.01];

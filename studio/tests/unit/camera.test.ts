@@ -35,6 +35,14 @@ describe("the camera", () => {
     }
   });
 
+  it("draws a point alone also a little before where it is, as points and lines are drawn", () => {
+    const rig = new CameraRig(poseOf("perspective"));
+    const at: Point3 = [5, 5, 0];
+    rig.fit([[at, at]], 1.5);
+    const before = new Vector3(...at).lerp(rig.eye(), 0.003).toArray();
+    expect(Math.abs(seen(rig, before, 1.5, [0, 0, 0], [at, at]).z)).toBeLessThan(1);
+  });
+
   it("knows when what is shown is framed: not when it grew out of the view or shrank to a speck", () => {
     const scaled = (by: number): Bounds => [BOX[0], BOX[1].map((high, axis) => BOX[0][axis as 0] + (high - BOX[0][axis as 0]) * by) as unknown as Point3];
     for (const name of VIEW_NAMES) {
