@@ -75,10 +75,11 @@ studio/node_modules/installed: studio/package-lock.json
 	studio/with-node npm ci --no-audit --no-fund
 	touch $@
 
+# The same command without `make` serves the same program: one with other features would be built beside it.
 # Builds what is missing and opens the studio on the book's sum of vectors.
 studio: studio/node_modules/installed
 	studio/with-node npm run build
-	cargo run --release -p katydid -- studio book/V2/definition.kd
+	cargo run --release -- studio book/V2/definition.kd
 
 $(VENV)/installed: python-tests/requirements.txt
 	$(PYTHON) -m venv $(VENV)

@@ -151,7 +151,7 @@ test("a definition that is let go with Alt comes into this one; without, it is a
   await place(page, "addition", [200, 160]);
   await ground(page).press("Control+a");
   await page.keyboard.press("Control+c");
-  await expect(page.getByText("1 objects copied")).toBeAttached();
+  await expect(page.getByText("1 object copied")).toBeAttached();
   const text = await page.evaluate(() => navigator.clipboard.readText());
   const before = await ids(page);
   await letGo(page, text, [420, 260], true);

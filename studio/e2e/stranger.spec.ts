@@ -127,8 +127,7 @@ test("with the keyboard alone: the same, and every step is told", async ({ page 
   await add("Addition", "Addition");
   await add('"', "Panel");
   await goTo("ArrowLeft", "Addition");
-  // The parameter of that name is found first.
-  await add("Circle", "Circle", "ArrowDown");
+  await add("Circle", "Circle");
   await press("Control+0");
   await expect(objects(page)).toHaveCount(5);
 

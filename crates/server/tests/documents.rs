@@ -164,6 +164,28 @@ async fn files_to_take_along() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_document_is_closed_when_nobody_shows_it() {
+    let studio = Studio::start().await;
+    let opened = studio.post_json("/api/open", r#"{"new":true}"#).await.json();
+    let id = opened["document"].as_str().unwrap().to_owned();
+    let question = format!("{{\"document\":\"{id}\"}}");
+    let face = studio.join(&id).await;
+    assert_eq!(studio.post_json("/api/close", &question).await.status, 409, "a page shows it");
+    drop(face);
+    let mut closed = 409;
+    for _ in 0..100 {
+        closed = studio.post_json("/api/close", &question).await.status;
+        if closed != 409 {
+            break;
+        }
+        tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+    }
+    assert_eq!(closed, 200);
+    let open = studio.get("/api/start").await.json()["open"].as_array().unwrap().len();
+    assert_eq!((open, studio.post_json("/api/close", &question).await.status), (0, 404));
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn the_gallery_and_the_catalogue() {
     let studio = Studio::start().await;
     let start = studio.get("/api/start").await.json();

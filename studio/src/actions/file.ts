@@ -1,5 +1,6 @@
 import { goTo, open } from "../app/files";
 import { chooseToInsert } from "../app/insert";
+import { chooseModel } from "../app/model";
 import { place } from "../app/place";
 import { showDialog } from "../dialogs/store";
 import { documentStore } from "../state/document";
@@ -18,6 +19,7 @@ register(
   },
   { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
   { id: "file.documents", label: "documents.action", group: "file", keys: ["Mod+Shift+K"], run: () => showDialog("documents") },
+  { id: "file.model", label: "action.model", group: "file", isEnabled: isOpen, run: chooseModel },
   { id: "file.insert", label: "insert.action", group: "file", isEnabled: isOpen, run: chooseToInsert },
   {
     id: "file.save",

@@ -13,6 +13,8 @@ export interface Action {
   keys?: readonly string[];
   /** Where it belongs in menus and the palette. */
   group: "file" | "edit" | "view" | "object" | "canvas" | "solution" | "help";
+  /** The menu within that of its group in which it stands, with others of its kind. */
+  under?: Key;
   /** Where its keys work: everywhere, or while the canvas or the viewport has the focus. */
   scope?: "canvas" | "viewport";
   isEnabled?(): boolean;

@@ -5,6 +5,7 @@ const side = (panel: SidePanel, keys: string[]): Action => ({
   id: `view.${panel}`,
   label: `side.${panel}`,
   group: "view",
+  under: "menu.panels",
   keys,
   isOn: () => settingsStore.getState().side === panel,
   run: () => settingsStore.setState(({ side: now }) => ({ side: now === panel ? undefined : panel })),
@@ -14,6 +15,7 @@ const theme = (name: Theme): Action => ({
   id: `view.theme.${name}`,
   label: `theme.${name}`,
   group: "view",
+  under: "menu.theme",
   isOn: () => settingsStore.getState().theme === name,
   run: () => settingsStore.setState({ theme: name }),
 });
@@ -22,6 +24,7 @@ const panes = (shown: "both" | "canvas" | "viewport"): Action => ({
   id: `view.panes.${shown}`,
   label: `panes.${shown}`,
   group: "view",
+  under: "menu.panels",
   isOn: () => settingsStore.getState().panes === shown,
   run: () => settingsStore.setState({ panes: shown }),
 });

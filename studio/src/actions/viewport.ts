@@ -20,6 +20,7 @@ const views = VIEW_NAMES.map((name): Action => {
   const keys = VIEW_KEYS[name];
   return {
     ...base,
+    under: "menu.camera",
     id: `viewport.view.${name}`,
     label: `viewport.look.${name}`,
     ...(keys && { keys: [keys] }),
@@ -29,6 +30,7 @@ const views = VIEW_NAMES.map((name): Action => {
 
 const modes = DISPLAY_MODES.map((mode): Action => ({
   ...base,
+  under: "menu.display",
   id: `viewport.mode.${mode}`,
   label: `viewport.display.${mode}`,
   keys: [MODE_KEYS[mode]],
@@ -38,6 +40,7 @@ const modes = DISPLAY_MODES.map((mode): Action => ({
 
 const previews = PREVIEWS.map((name): Action => ({
   ...base,
+  under: "menu.display",
   id: `viewport.previews.${name}`,
   label: `viewport.previews.${name}`,
   isOn: () => settingsStore.getState().previews === name,
@@ -46,6 +49,7 @@ const previews = PREVIEWS.map((name): Action => ({
 
 const analyses = ANALYSES.filter((name) => name !== "none").map((analysis): Action => ({
   ...base,
+  under: "viewport.analysis",
   id: `viewport.analysis.${analysis}`,
   label: `viewport.analysis.${analysis}`,
   isOn: () => settingsStore.getState().analysis === analysis,
@@ -54,6 +58,7 @@ const analyses = ANALYSES.filter((name) => name !== "none").map((analysis): Acti
 
 const toggle = (name: "comb" | "circle" | "controls"): Action => ({
   ...base,
+  under: "viewport.analysis",
   id: `viewport.analysis.${name}`,
   label: `viewport.analysis.${name}`,
   isOn: () => settingsStore.getState()[name],
@@ -66,6 +71,7 @@ const MOVE = 40;
 
 const step = (id: string, label: Action["label"], key: string, run: () => void): Action => ({
   ...base,
+  under: "menu.camera",
   id: `viewport.${id}`,
   label,
   keys: [key],
@@ -103,6 +109,7 @@ async function savePicture(): Promise<void> {
 register(
   {
     ...base,
+    under: "menu.camera",
     id: "viewport.zoomExtents",
     label: "viewport.zoomExtents",
     keys: ["Mod+Alt+E", "Home"],
@@ -110,6 +117,7 @@ register(
   },
   {
     ...base,
+    under: "menu.camera",
     id: "viewport.zoomSelected",
     label: "viewport.zoomSelected",
     keys: ["Mod+Alt+Z"],
@@ -119,6 +127,7 @@ register(
   ...views,
   {
     ...base,
+    under: "menu.camera",
     id: "viewport.parallel",
     label: "viewport.parallel",
     keys: ["Mod+Alt+P"],
@@ -130,6 +139,7 @@ register(
   },
   {
     ...base,
+    under: "menu.camera",
     id: "viewport.four",
     label: "viewport.four",
     keys: ["Mod+Alt+4"],
@@ -140,6 +150,7 @@ register(
   ...previews,
   {
     ...base,
+    under: "menu.display",
     id: "viewport.grid",
     label: "viewport.show.grid",
     keys: ["F7"],
@@ -152,6 +163,7 @@ register(
   toggle("controls"),
   {
     ...base,
+    under: "menu.display",
     id: "viewport.section",
     label: "viewport.section.on",
     isOn: () => settingsStore.getState().section.isOn,

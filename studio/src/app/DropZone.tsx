@@ -3,6 +3,7 @@ import { useEffect, useState } from "react";
 import { t } from "../i18n";
 import { lineStore } from "../state/session";
 import { DEFINITIONS, goTo, isNamed, MODELS, upload } from "./files";
+import { attachModel } from "./model";
 import { askAbout, insert, insertPlace } from "./insert";
 
 /** Files dropped anywhere on the page: definitions open, a .3dm model is given to the document. */
@@ -50,7 +51,7 @@ export async function take(file: File, document?: string): Promise<void> {
   try {
     if (isNamed(file.name, MODELS)) {
       if (!document) throw new Error(t("drop.modelFirst"));
-      await upload(file, document);
+      await attachModel(file, document);
     } else if (isNamed(file.name, DEFINITIONS)) {
       goTo(await upload(file));
     } else {

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 
+import { entriesOf, isMenu, type Entry } from "../actions/entries";
 import { shownKeys } from "../actions/keys";
 import { allActions, type Action } from "../actions/registry";
 import { t } from "../i18n";
@@ -44,12 +45,15 @@ export function Menus() {
         <div key={group} role="none">
           <button
             type="button"
+            className="quiet"
             role="menuitem"
             aria-haspopup="menu"
             aria-expanded={open === group}
             data-menu={group}
             tabIndex={group === at ? 0 : -1}
             onFocus={() => setAt(group)}
+            // With one menu open, pointing at another opens that.
+            onPointerEnter={() => open && setOpen(group)}
             onClick={() => setOpen(open === group ? undefined : group)}
             onKeyDown={(event) => pressHead(event, group)}
           >
@@ -57,12 +61,14 @@ export function Menus() {
           </button>
           {open === group && (
             <Menu
-              group={group}
+              label={t(`group.${group}`)}
+              entries={entriesOf(group)}
               close={() => {
                 setOpen(undefined);
                 head(group)?.focus();
               }}
-              beside={(step) => beside(group, step)}
+              right={() => beside(group, 1)}
+              left={() => beside(group, -1)}
             />
           )}
         </div>
@@ -72,55 +78,97 @@ export function Menus() {
 }
 
 interface MenuProps {
-  group: Action["group"];
+  label: string;
+  entries: readonly Entry[];
   close(): void;
-  beside(step: number): void;
+  /** Where the arrows to the right and left lead from an entry that has no menu of its own. */
+  right(): void;
+  left(): void;
 }
 
-function Menu({ group, close, beside }: MenuProps) {
+function Menu({ label, entries, close, right, left }: MenuProps) {
   const list = useRef<HTMLUListElement>(null);
-  useEffect(() => list.current?.querySelector<HTMLElement>("[role^=menuitem]")?.focus(), [group]);
+  const [open, setOpen] = useState<string>();
+  useEffect(() => list.current?.querySelector<HTMLElement>("[role^=menuitem]")?.focus(), [label]);
+  const items = () => [...(list.current?.querySelectorAll<HTMLElement>(":scope > li > [role^=menuitem]") ?? [])];
   const step = (by: number) => {
-    const items = [...(list.current?.querySelectorAll<HTMLElement>("[role^=menuitem]") ?? [])];
-    const now = items.indexOf(document.activeElement as HTMLElement);
-    items[(now + by + items.length) % items.length]?.focus();
+    const all = items();
+    all[(all.indexOf(document.activeElement as HTMLElement) + by + all.length) % all.length]?.focus();
   };
   const press = (event: KeyboardEvent) => {
+    const under = (event.target as HTMLElement).dataset.under;
     if (event.key === "ArrowDown") step(1);
     else if (event.key === "ArrowUp") step(-1);
-    else if (event.key === "ArrowRight") beside(1);
-    else if (event.key === "ArrowLeft") beside(-1);
+    else if (event.key === "Home") items()[0]?.focus();
+    else if (event.key === "End") items().at(-1)?.focus();
+    else if (event.key === "ArrowRight") under ? setOpen(under) : right();
+    else if (event.key === "ArrowLeft") left();
     else if (event.key === "Escape" || event.key === "Tab") close();
     else return;
     event.preventDefault();
     event.stopPropagation();
   };
   return (
-    <ul className="menu" role="menu" aria-label={t(`group.${group}`)} ref={list} onKeyDown={press}>
-      {allActions()
-        .filter((action) => action.group === group)
-        .map((action) => (
-          <li key={action.id} role="none">
+    <ul className="menu" role="menu" aria-label={label} ref={list} onKeyDown={press}>
+      {entries.map((entry) =>
+        isMenu(entry) ? (
+          <li key={entry.under} role="none" className="under" onPointerEnter={() => setOpen(entry.under)}>
             <button
               type="button"
-              role={action.isOn ? "menuitemcheckbox" : "menuitem"}
-              aria-checked={action.isOn?.()}
-              aria-disabled={!(action.isEnabled?.() ?? true)}
+              role="menuitem"
+              aria-haspopup="menu"
+              aria-expanded={open === entry.under}
+              data-under={entry.under}
               tabIndex={-1}
-              onClick={() => {
-                if (!(action.isEnabled?.() ?? true)) return;
-                close();
-                void action.run();
-              }}
+              onClick={() => setOpen(entry.under)}
             >
-              <span aria-hidden="true" className="tick">
-                {action.isOn?.() ? "✓" : ""}
-              </span>
-              <span>{t(action.label)}</span>
-              {action.keys?.[0] && <kbd>{shownKeys(action.keys[0])}</kbd>}
+              <span className="tick" />
+              <span>{t(entry.under)}</span>
+              <span aria-hidden="true">▸</span>
             </button>
+            {open === entry.under && (
+              <Menu
+                label={t(entry.under)}
+                entries={entry.actions}
+                close={close}
+                right={right}
+                left={() => {
+                  setOpen(undefined);
+                  list.current?.querySelector<HTMLElement>(`[data-under="${entry.under}"]`)?.focus();
+                }}
+              />
+            )}
           </li>
-        ))}
+        ) : (
+          <li key={entry.id} role="none" onPointerEnter={() => setOpen(undefined)}>
+            <Item action={entry} close={close} />
+          </li>
+        ),
+      )}
     </ul>
+  );
+}
+
+function Item({ action, close }: { action: Action; close(): void }) {
+  const isEnabled = action.isEnabled?.() ?? true;
+  return (
+    <button
+      type="button"
+      role={action.isOn ? "menuitemcheckbox" : "menuitem"}
+      aria-checked={action.isOn?.()}
+      aria-disabled={!isEnabled}
+      tabIndex={-1}
+      onClick={() => {
+        if (!isEnabled) return;
+        close();
+        void action.run();
+      }}
+    >
+      <span aria-hidden="true" className="tick">
+        {action.isOn?.() ? "✓" : ""}
+      </span>
+      <span>{t(action.label)}</span>
+      {action.keys?.[0] && <kbd>{shownKeys(action.keys[0])}</kbd>}
+    </button>
   );
 }

@@ -1,8 +1,11 @@
 import { useStore } from "zustand";
 
 import { action } from "../actions/registry";
+import { isStarved, lookOf, type Look } from "../core/look";
+import type { ObjectView } from "../core/protocol/ObjectView";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
+import { modelStore } from "../state/model";
 import { runStore, type Run } from "../state/run";
 import { lineStore } from "../state/session";
 import { settingsStore } from "./settings";
@@ -14,8 +17,11 @@ export function Status() {
   const progress = useStore(runStore, (run) => run.progress);
   const cancelled = useStore(runStore, (run) => run.cancelled);
   const took = useStore(runStore, (run) => shownTime(run.milliseconds));
-  const errors = useStore(runStore, (run) => count(run, "error"));
-  const warnings = useStore(runStore, (run) => count(run, "warning"));
+  const objects = useStore(documentStore, (mirror) => mirror.objects);
+  const errors = useStore(runStore, (run) => count(objects, run, ["error"]));
+  // Orange on the canvas is a warning here: with Grasshopper's users an object without data has one.
+  const warnings = useStore(runStore, (run) => count(objects, run, ["warning", "empty"]));
+  const model = useStore(modelStore, (store) => store.name);
   const view = useStore(documentStore, (mirror) => mirror.document);
   const said = () => {
     if (state === "lost") return t("line.lost");
@@ -42,14 +48,22 @@ export function Status() {
         <span aria-hidden="true">✖ {errors} ⚠ {warnings}</span>
         <span className="unseen">{t("status.problems", { errors, warnings })}</span>
       </button>
-      {view && <span>{t("status.units", { units: view.units, tolerance: view.tolerance })}</span>}
+      {model && (
+        <span role="status" className="model">
+          {t("status.model", { name: model })}
+        </span>
+      )}
+      {view && <span className="units">{t("status.units", { units: view.units, tolerance: view.tolerance })}</span>}
     </footer>
   );
 }
 
-function count({ results }: Run, status: string): number {
+/** How many objects look so. Exported for tests. */
+export function count(objects: ReadonlyMap<string, ObjectView>, { results, outputs }: Run, looks: readonly Look[]): number {
   let found = 0;
-  for (const result of results.values()) if (result.status === status) found += 1;
+  for (const object of objects.values()) {
+    if (looks.includes(lookOf(object, results.get(object.id), isStarved(object, outputs)))) found += 1;
+  }
   return found;
 }
 

@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useEffect, type CSSProperties } from "react";
 import { useStore } from "zustand";
 
 import { followKeys } from "../actions/keys";
@@ -6,6 +6,7 @@ import { Canvas } from "../canvas";
 import { Dialogs } from "../dialogs";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
+import { recallModel } from "../state/model";
 import { join } from "../state/session";
 import { ViewportPane } from "../viewport";
 import { Banners } from "./Banners";
@@ -16,6 +17,7 @@ import { settingsStore } from "./settings";
 import { SidePanel } from "./SidePanel";
 import { Splitter } from "./Splitter";
 import { Status } from "./Status";
+import { Telling } from "./Telling";
 
 /** A document with canvas and viewport side by side. */
 export function Workbench({ id }: { id: string }) {
@@ -23,6 +25,7 @@ export function Workbench({ id }: { id: string }) {
   const name = useStore(documentStore, (mirror) => mirror.document?.name);
   const changed = useStore(documentStore, (mirror) => mirror.document?.changed);
   useEffect(() => join(id, token()), [id]);
+  useEffect(() => recallModel(id), [id]);
   useEffect(() => followKeys(), []);
   useEffect(() => {
     document.title = name ? `${changed ? "• " : ""}${name} – ${t("app.title")}` : t("app.title");
@@ -38,7 +41,7 @@ export function Workbench({ id }: { id: string }) {
       </a>
       <Header />
       <Banners />
-      <main className="rooms" style={{ gridTemplateColumns: columns.join(" ") }}>
+      <main className="rooms" style={{ "--columns": columns.join(" ") } as CSSProperties}>
         {panes !== "viewport" && (
           <section id="canvas" className="room" data-scope="canvas" aria-label={t("room.canvas")} tabIndex={-1}>
             <Canvas />
@@ -47,7 +50,9 @@ export function Workbench({ id }: { id: string }) {
         {panes === "both" && <Splitter />}
         {panes !== "canvas" && (
           <section id="viewport" className="room" data-scope="viewport" aria-label={t("room.viewport")} tabIndex={-1}>
-            <ViewportPane />
+            <ViewportPane>
+              <Telling />
+            </ViewportPane>
           </section>
         )}
         {side && <SidePanel name={side} />}

@@ -50,6 +50,12 @@ export async function open(what: Opening): Promise<string> {
   return ((await response.json()) as { document: string }).document;
 }
 
+/** Closes a document that nobody shows. */
+export async function close(document: string): Promise<void> {
+  const headers = { "content-type": "application/json" };
+  await checked(await fetch(address("api/close"), { method: "POST", headers, body: JSON.stringify({ document }) }));
+}
+
 /** Sends a file to the server; gives the id of the document that it is or belongs to. */
 export async function upload(file: File, document?: string): Promise<string> {
   const query = document ? { name: file.name, document } : { name: file.name };

@@ -27,6 +27,7 @@ import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
 import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
+import { Hints } from "./Hints";
 import { Near, useCanvas } from "./hooks";
 import { hoverOver, hoverOut } from "./tips/hover";
 import { Capsule, Parameter, Relay } from "./nodes/Capsule";
@@ -54,6 +55,8 @@ const NODE_TYPES: NodeTypes = {
   "k-relay": ofObject(Relay),
 };
 const EDGE_TYPES: EdgeTypes = { wire: Wire };
+/** What the page is made of is named in About Katydid. */
+const NO_LABEL = { hideAttribution: true };
 const NO_NODES: CanvasNode[] = [];
 const NO_WIRES: WireEdge[] = [];
 
@@ -115,7 +118,10 @@ function Ground({ children }: { children: ReactNode }) {
 
   const press = (event: PointerEvent<HTMLDivElement>) => {
     if (placeClick(event)) return;
-    const own = event.target instanceof Element && event.target.closest("[data-own], .box");
+    const inBox = event.target instanceof Element && event.target.closest(".box");
+    if (inBox) return;
+    // A control keeps the left button for itself; the others mean the same on it as beside it.
+    const own = event.button === 0 && event.target instanceof Element && event.target.closest("[data-own]");
     if (own) return;
     event.currentTarget.focus({ preventScroll: true });
     pointerDown(event.nativeEvent);
@@ -133,8 +139,10 @@ function Ground({ children }: { children: ReactNode }) {
       onPointerLeave={hoverOut}
       onDoubleClick={(event) => doubleClick(event.nativeEvent)}
       onContextMenu={(event) => event.preventDefault()}
-      // A middle click pastes the marked text on some systems: here it opens the ring of commands.
+      // A middle click pastes the marked text on some systems: here it opens the ring of commands. Firefox pastes after
+      // the click, Chromium when the button comes up.
       onAuxClick={(event) => event.preventDefault()}
+      onMouseUp={(event) => event.button === 1 && event.preventDefault()}
       onKeyDown={(event) => keyDown(event)}
       onPaste={(event) => {
         if (event.target instanceof Element && event.target.matches("input, textarea")) return;
@@ -148,6 +156,7 @@ function Ground({ children }: { children: ReactNode }) {
         {t("canvas.help")}
       </p>
       {children}
+      <Hints />
       <Boxes />
     </div>
   );
@@ -192,6 +201,7 @@ function Flow() {
         edgeTypes={EDGE_TYPES}
         onMove={(_, lens) => takeLens(lens)}
         onlyRenderVisibleElements
+        proOptions={NO_LABEL}
         minZoom={0.02}
         maxZoom={5}
         panOnDrag={false}

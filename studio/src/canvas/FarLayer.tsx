@@ -1,8 +1,9 @@
-import { useEffect, useRef, useSyncExternalStore, type RefObject } from "react";
+import { useEffect, useMemo, useRef, useSyncExternalStore, type RefObject } from "react";
 import { useStore as useFlowStore } from "@xyflow/react";
 import { useStore } from "zustand";
 
 import { farList, type FarList } from "../core/far";
+import { placeLabels, type PlacedLabel } from "../core/farLabels";
 import type { Lens } from "../core/geometry";
 import { documentStore } from "../state/document";
 import { runStore } from "../state/run";
@@ -18,6 +19,8 @@ export function FarLayer() {
   const [x, y, zoom] = useFlowStore((flow) => flow.transform);
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);
+  // Where words stand hangs on the zoom alone: panning moves them with the rest.
+  const labels = useMemo(() => placeLabels(list, zoom), [list, zoom]);
   const found = useCanvas((canvas) => canvas.found);
   const icons = useCanvas((canvas) => canvas.icons);
   const theme = useTheme();
@@ -27,8 +30,8 @@ export function FarLayer() {
     colours.current = undefined;
   }, [theme]);
   useEffect(
-    () => paint(sheet, list, { x, y, zoom }, [width, height], colours, found, icons),
-    [list, x, y, zoom, width, height, theme, found, icons],
+    () => paint(sheet, list, labels, { x, y, zoom }, [width, height], colours, found, icons),
+    [list, labels, x, y, zoom, width, height, theme, found, icons],
   );
 
   return <canvas ref={sheet} className="far" aria-hidden="true" />;
@@ -70,6 +73,7 @@ function useFarList(): FarList {
 function paint(
   sheet: RefObject<HTMLCanvasElement | null>,
   list: FarList,
+  labels: readonly PlacedLabel[],
   lens: Lens,
   [width, height]: readonly [number, number],
   colours: RefObject<FarColours | undefined>,
@@ -88,5 +92,5 @@ function paint(
     canvas.style.height = `${height}px`;
   }
   colours.current ??= farColours(canvas);
-  paintFar(context, list, lens, [width, height], dense, colours.current, found, icons);
+  paintFar(context, list, labels, lens, [width, height], dense, colours.current, found, icons);
 }

@@ -1,7 +1,8 @@
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useMemo, useRef, useState, type RefObject } from "react";
 import { useStore } from "zustand";
 
 import { tabs, type CatalogueEntry } from "../core/catalogue";
+import { columnsOf, ROWS } from "../core/ribbon";
 import { t } from "../i18n";
 import { Icon } from "../icons/Icon";
 import { catalogueStore } from "../state/catalogue";
@@ -9,16 +10,25 @@ import { DRAGGED } from "./gestures/more";
 import { useCanvas } from "./hooks";
 import { place } from "./edits";
 import { keyboardPlace } from "./open";
-import { canvasStore } from "./store";
+import { canvasStore, keep } from "./store";
 import { canvasPoint } from "./view";
+
+/** The room of a button with the gap beside it, and of a panel's borders, in pixels. */
+const BUTTON = 66;
+const FRAME = 14;
 
 /** The component tabs: a click and then a click on the canvas places, or a drag does. */
 export function Ribbon() {
   const shown = useCanvas((canvas) => canvas.ribbon);
   const entries = useStore(catalogueStore, (catalogue) => catalogue.entries);
   const pointed = useCanvas((canvas) => canvas.pointedAt);
-  const all = tabs(entries);
-  const [chosen, setChosen] = useState<string | undefined>(undefined);
+  const all = useMemo(() => tabs(entries), [entries]);
+  // The tab that was used last is there again the next time.
+  const chosen = useCanvas((canvas) => canvas.tab);
+  const setChosen = (tab: string | undefined) => keep({ tab });
+  const recent = useRecent();
+  const bar = useRef<HTMLDivElement>(null);
+  const width = useWidth(bar, shown && all.length > 0);
   const [open, setOpen] = useState<string | undefined>(undefined);
   const list = useRef<HTMLDivElement>(null);
   const home = entries.find((entry) => entry.guid === pointed);
@@ -29,6 +39,8 @@ export function Ribbon() {
   }, [home]);
   if (!shown || all.length === 0) return null;
   const tab = all.find((one) => one.name === chosen) ?? all[0];
+  const panels = [...(recent.length > 0 ? [{ name: t("canvas.ribbon.recent"), entries: recent }] : []), ...(tab?.panels ?? [])];
+  const columns = columnsOf(panels.map((panel) => panel.entries.length), width, BUTTON, FRAME);
   const step = (by: number) => {
     const at = all.findIndex((one) => one === tab);
     const next = (at + by + all.length) % all.length;
@@ -59,10 +71,11 @@ export function Ribbon() {
           </button>
         ))}
       </div>
-      <div role="tabpanel" aria-label={tab?.name}>
-        {tab?.panels.map(({ name, entries: list }) => (
+      <div role="tabpanel" aria-label={tab?.name} ref={bar}>
+        {panels.map(({ name, entries: list }, k) => (
           <PanelOfEntries
             key={name}
+            columns={columns[k] ?? 1}
             name={name}
             entries={list}
             open={open === name}
@@ -75,8 +88,29 @@ export function Ribbon() {
   );
 }
 
+/** The components that were placed lately. */
+function useRecent(): CatalogueEntry[] {
+  const recent = useCanvas((canvas) => canvas.recent);
+  const byId = useStore(catalogueStore, (catalogue) => catalogue.byId);
+  return recent.flatMap((guid) => byId.get(guid) ?? []).slice(0, ROWS * 2);
+}
+
+/** How wide an element is, now and when that changes. */
+function useWidth(of: RefObject<HTMLElement | null>, isThere: boolean): number {
+  const [width, setWidth] = useState(0);
+  useEffect(() => {
+    const element = of.current;
+    if (!element) return undefined;
+    const watcher = new ResizeObserver(() => setWidth(element.clientWidth));
+    watcher.observe(element);
+    return () => watcher.disconnect();
+  }, [of, isThere]);
+  return width;
+}
+
 interface PanelProps {
   name: string;
+  columns: number;
   entries: readonly CatalogueEntry[];
   open: boolean;
   onOpen(open: boolean): void;
@@ -84,7 +118,7 @@ interface PanelProps {
 }
 
 /** A few of a panel's components, and all of them below when it is opened. */
-function PanelOfEntries({ name, entries, open, onOpen, pointed }: PanelProps) {
+function PanelOfEntries({ name, columns, entries, open, onOpen, pointed }: PanelProps) {
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (!open) return undefined;
@@ -96,8 +130,8 @@ function PanelOfEntries({ name, entries, open, onOpen, pointed }: PanelProps) {
   }, [open, onOpen]);
   return (
     <div className="ribbon-panel" ref={box}>
-      <div className="few">
-        {entries.slice(0, 4).map((entry) => (
+      <div className="few" style={{ gridTemplateColumns: `repeat(${columns}, ${BUTTON - 2}px)` }}>
+        {entries.slice(0, columns * ROWS).map((entry) => (
           <Entry key={entry.guid} entry={entry} short onDone={() => onOpen(false)} pointed={pointed} />
         ))}
       </div>

@@ -6,6 +6,7 @@ import type { Grip } from "../core/hit";
 import type { Placing } from "../core/initial";
 import { latest, type Latest } from "../core/latest";
 import { NO_SHIFTS } from "../core/places";
+import { withRecent } from "../core/ribbon";
 import type { Control } from "../core/protocol/Control";
 import type { Edit } from "../core/protocol/Edit";
 import type { Initial } from "../core/protocol/Initial";
@@ -16,8 +17,11 @@ import { documentStore } from "../state/document";
 import { ask, edit, newGesture } from "../state/session";
 import { select, uiStore } from "../state/ui";
 import type { Wiring } from "./gestures/chart";
-import { canvasStore } from "./store";
+import { canvasStore, keep } from "./store";
 import { paneSize, reveal, windowPoint } from "./view";
+
+/** As many components are remembered as were placed lately. */
+const MOST_RECENT = 12;
 
 /** The selected objects that are still there, in the order of drawing. */
 export function selection(): string[] {
@@ -36,6 +40,7 @@ export async function place(what: Pick<Placing, "component" | "with">, at: Point
   const id = crypto.randomUUID();
   const done = await edit({ do: "place", id, component: what.component, at: [...at], with: what.with });
   if (done?.event !== "done") return undefined;
+  keep({ recent: withRecent(canvasStore.getState().recent, what.component, MOST_RECENT) });
   select([id]);
   canvasStore.setState({ active: id });
   await mirrored(done.revision);

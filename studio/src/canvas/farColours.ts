@@ -14,6 +14,10 @@ export interface FarColours {
   look: Record<Look, string>;
   selected: Record<Look, string>;
   panelInk: string;
+  errorInk: string;
+  disabledInk: string;
+  band: string;
+  bandInk: string;
 }
 
 const LOOKS: readonly Look[] = ["plain", "hidden", "disabled", "unsupported", "empty", "warning", "error"];
@@ -48,6 +52,10 @@ export function farColours(beside: HTMLElement): FarColours {
     look: looks(false),
     selected: looks(true),
     panelInk: read("--canvas-panel-ink"),
+    errorInk: read("--canvas-error-ink"),
+    disabledInk: read("--canvas-disabled-ink"),
+    band: read("--canvas-band"),
+    bandInk: read("--canvas-band-ink"),
   };
   probe.remove();
   return colours;

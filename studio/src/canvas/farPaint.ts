@@ -1,24 +1,24 @@
 /** Painting the far view. */
 
 import type { FarBox, FarList, FarWire } from "../core/far";
+import type { PlacedLabel } from "../core/farLabels";
 import { meets, type Lens, type Rect } from "../core/geometry";
 import { curveBounds, wireCurve } from "../core/wires";
 import { sprite } from "../icons/sprite";
 import { catalogueStore } from "../state/catalogue";
 import type { FarColours } from "./farColours";
 
-/** Texts smaller than this many pixels are left out. */
-const READABLE = 4.5;
 /** Icons smaller than this many pixels are left out; larger than this in canvas units they are not drawn. */
 const LEAST_ICON = 8;
 const LARGEST_ICON = 120;
 /** How much of what was not found is seen while something is searched for. */
 const FAINT = 0.22;
-const FONT = "system-ui, sans-serif";
+const FONT = '"Inter Variable", system-ui, sans-serif';
 
 export function paintFar(
   context: CanvasRenderingContext2D,
   list: FarList,
+  labels: readonly PlacedLabel[],
   lens: Lens,
   [width, height]: readonly [number, number],
   dense: number,
@@ -41,11 +41,15 @@ export function paintFar(
   };
   paint(list.groups, paintGroup);
   paintWires(context, list.wires, field, pixel, colours, found ? FAINT : 1);
+  const isIcon = (box: FarBox) => icons && box.icon?.forName === true;
+  const words = labels.filter(({ box, on }) => typeof on !== "string" || !isIcon(box));
+  const named = new Set(words.filter(({ on }) => typeof on === "string").map(({ box }) => box.id));
   paint(list.boxes, (context, box) => {
-    const isPictured = box.icon !== undefined && ((icons && box.icon.forName) || !isReadable(box, pixel));
-    paintBox(context, box, pixel, colours, !isPictured);
-    if (isPictured) paintIcon(context, box, pixel, dense, colours);
+    paintBox(context, box, pixel, colours);
+    // Where there is no room for the name.
+    if (box.icon && !named.has(box.id)) paintIcon(context, box, pixel, dense, colours);
   });
+  paintLabels(context, words, field, pixel, colours, shown);
   context.globalAlpha = 1;
 }
 
@@ -58,7 +62,6 @@ function paintGroup(context: CanvasRenderingContext2D, box: FarBox, pixel: numbe
     context.lineWidth = 2 * pixel;
     context.strokeRect(x, y, w, h);
   }
-  paintLabel(context, box, [x + 6, y + 4, w - 12, h], pixel, colours.ink);
 }
 
 /** Wires of one look are one path: a stroke for all of them costs little more than a stroke for one. */
@@ -89,12 +92,10 @@ function paintWires(
   }
 }
 
-function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours, labelled: boolean): void {
+function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
   const [x, y, w, h] = box.rect;
-  if (box.kind === "text") {
-    paintLabel(context, box, [x, y, w, h], pixel, colours.ink);
-    return;
-  }
+  // Nothing but its words is seen of a scribble.
+  if (box.kind === "text") return;
   if (box.kind === "lines") {
     context.strokeStyle = box.colour ?? colours.edge;
     context.lineWidth = Math.max(2, pixel);
@@ -110,11 +111,6 @@ function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number,
     context.lineWidth = pixel;
     context.strokeRect(x, y, w, h);
   }
-  if (labelled) paintLabel(context, box, [x + 4, y + 2, w - 8, h - 4], pixel, box.colour ? colours.panelInk : colours.ink);
-}
-
-function isReadable({ label }: FarBox, pixel: number): boolean {
-  return label !== undefined && label.size >= READABLE * pixel;
 }
 
 /** The picture of a component as large as its box allows, but for a margin: names of ports are not seen from afar. */
@@ -128,22 +124,45 @@ function paintIcon(context: CanvasRenderingContext2D, { icon, rect, look }: FarB
   context.drawImage(image, x + (w - size) / 2, y + (h - size) / 2, size, size);
 }
 
-function paintLabel(context: CanvasRenderingContext2D, box: FarBox, room: Rect, pixel: number, ink: string): void {
-  const { label } = box;
-  if (!label || !isReadable(box, pixel)) return;
-  const [x, y, w, h] = room;
-  context.save();
-  context.beginPath();
-  context.rect(x, y, Math.max(w, 0), Math.max(h, 0));
-  if (box.kind !== "text") context.clip();
-  context.fillStyle = ink;
-  context.font = `${label.bold ? "bold " : ""}${label.size}px ${FONT}`;
+function paintLabels(
+  context: CanvasRenderingContext2D,
+  labels: readonly PlacedLabel[],
+  field: Rect,
+  pixel: number,
+  colours: FarColours,
+  shown: (box: FarBox) => number,
+): void {
   context.textBaseline = "middle";
-  context.textAlign = label.across === "centre" ? "center" : label.across;
-  const at = label.across === "left" ? x : label.across === "right" ? x + w : x + w / 2;
-  const lines = label.text.split("\n");
-  const step = label.size * 1.3;
-  const top = lines.length === 1 && box.kind === "box" ? y + h / 2 : y + step / 2;
-  lines.slice(0, Math.max(Math.ceil(h / step), 1)).forEach((line, k) => context.fillText(line, at, top + k * step));
-  context.restore();
+  context.lineJoin = "round";
+  let font = "";
+  for (const { box, lines, size, at: [x, y], across, bold, on } of labels) {
+    // Words reach beyond their boxes: those of boxes a little out of sight can still be seen.
+    const reach = 120 * pixel;
+    if (!meets(box.rect, [field[0] - reach, field[1] - reach, field[2] + 2 * reach, field[3] + 2 * reach])) continue;
+    const wanted = `${bold ? "600 " : ""}${size}px ${FONT}`;
+    if (wanted !== font) context.font = font = wanted;
+    context.textAlign = across === "centre" ? "center" : across;
+    context.globalAlpha = shown(box);
+    if (typeof on !== "string") {
+      context.fillStyle = colours.band;
+      context.fillRect(...on);
+    }
+    const ink = on === "box" ? inkOn(box, colours) : on === "ground" ? colours.ink : colours.bandInk;
+    lines.forEach((line, k) => {
+      const down = y + k * size * 1.25;
+      if (on === "ground") {
+        // A halo keeps words apart from the wires below them.
+        context.strokeStyle = colours.ground;
+        context.lineWidth = 3 * pixel;
+        context.strokeText(line, x, down);
+      }
+      context.fillStyle = ink;
+      context.fillText(line, x, down);
+    });
+  }
+}
+
+function inkOn(box: FarBox, colours: FarColours): string {
+  if (box.colour) return colours.panelInk;
+  return box.look === "error" && !box.selected ? colours.errorInk : box.look === "disabled" ? colours.disabledInk : colours.ink;
 }

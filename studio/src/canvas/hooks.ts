@@ -4,6 +4,7 @@ import { createContext, useContext, useEffect, useLayoutEffect } from "react";
 import { useStore } from "zustand";
 
 import type { CatalogueEntry } from "../core/catalogue";
+import { isStarved } from "../core/look";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import type { OutputView } from "../core/protocol/OutputView";
 import type { ResultView } from "../core/protocol/ResultView";
@@ -16,6 +17,11 @@ import { objectElement, paneElement } from "./view";
 
 export function useResult(id: string): ResultView | undefined {
   return useStore(runStore, (run) => run.results.get(id));
+}
+
+/** Whether nothing comes over the wires of one of its inputs. */
+export function useStarved(object: ObjectView): boolean {
+  return useStore(runStore, (run) => isStarved(object, run.outputs));
 }
 
 export function useOutput(port: string): OutputView | undefined {

@@ -67,6 +67,12 @@ export function closeBoxes(): void {
   focusCanvas();
 }
 
+/** Whether a box is open over the canvas; the focus may be elsewhere, as after a double-click on what opened it. */
+export function isBoxOpen(): boolean {
+  const { menu, radial, search, editor, connecting, finding } = canvasStore.getState();
+  return Boolean(menu ?? radial ?? search ?? editor ?? connecting) || finding;
+}
+
 /** Opens the ring of commands: about a pixel, or where the keyboard is. */
 export function openRadial(pixel: Point = keyboardPlace()): void {
   canvasStore.setState({ radial: pixel, menu: undefined, tip: undefined });

@@ -84,6 +84,10 @@ export interface CanvasState {
   aligning: boolean;
   /** Whether capsules show pictures for names. */
   icons: boolean;
+  /** The tab of components that was used last. */
+  tab: string | undefined;
+  /** What was placed lately, the last first. */
+  recent: readonly string[];
   /** What was last said for screen readers. */
   said: string;
 }
@@ -96,21 +100,25 @@ interface Kept {
   ribbon: boolean;
   aligning: boolean;
   icons: boolean;
+  tab: string | undefined;
+  recent: readonly string[];
 }
 
 /** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
 function kept(): Kept {
-  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true, icons: false };
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true, icons: false, tab: undefined, recent: [] };
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
     if (typeof found !== "object" || found === null) return usual;
-    const { scheme, snapping, ribbon, aligning, icons } = found as Record<string, unknown>;
+    const { scheme, snapping, ribbon, aligning, icons, tab, recent } = found as Record<string, unknown>;
     return {
       scheme: scheme === "figma" ? "figma" : "grasshopper",
       snapping: snapping !== false,
       ribbon: ribbon !== false,
       aligning: aligning !== false,
       icons: icons === true,
+      tab: typeof tab === "string" ? tab : undefined,
+      recent: Array.isArray(recent) ? recent.filter((one): one is string => typeof one === "string") : [],
     };
   } catch {
     return usual;
@@ -145,9 +153,9 @@ export const canvasStore = createStore<CanvasState>(() => ({
 /** Changes what a browser remembers. */
 export function keep(change: Partial<Kept>): void {
   canvasStore.setState(change);
-  const { scheme, snapping, ribbon, aligning, icons } = canvasStore.getState();
+  const { scheme, snapping, ribbon, aligning, icons, tab, recent } = canvasStore.getState();
   try {
-    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning, icons }));
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning, icons, tab, recent }));
   } catch {
     // It holds for this page then.
   }

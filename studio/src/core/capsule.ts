@@ -64,8 +64,10 @@ export function capsuleLayout(object: ObjectView, width: number, full: boolean):
 /** How much wider a capsule gets on either side when it shows full names. */
 export function growth(object: ObjectView, full: boolean): [left: number, right: number] {
   if (!full || (object.kind !== "component" && object.kind !== "cluster")) return [0, 0];
-  const more = (ports: readonly PortView[]) => Math.max(0, column(ports, true) - column(ports, false));
-  return [Math.ceil(more(object.inputs)), Math.ceil(more(object.outputs))];
+  // What a side needs beyond its share of the width that the document gives: files are laid out with other letters.
+  const [from, to] = capsuleLayout(object, object.bounds[2], false).band;
+  const more = (ports: readonly PortView[], has: number) => (ports.length === 0 ? 0 : Math.max(0, column(ports, true) + EDGE + 4 - has));
+  return [Math.ceil(more(object.inputs, from)), Math.ceil(more(object.outputs, object.bounds[2] - to))];
 }
 
 /** The outline of a capsule with torn edges, as the `d` of a path. */

@@ -1,5 +1,7 @@
 /** What there is to place: the components, as `GET /api/components` lists them. */
 
+import { ORDER } from "./ribbonOrder";
+
 export interface CataloguePort {
   name: string;
   nick: string;
@@ -69,9 +71,18 @@ export function tabs(catalogue: readonly CatalogueEntry[]): Tab[] {
       .sort(([a], [b]) => a.localeCompare(b))
       .map(([panel, entries]) => ({
         name: panel,
-        entries: entries.sort((a, b) => a.name.localeCompare(b.name)),
+        entries: entries.sort(byUse(ORDER[`${name}/${panel}`] ?? [])),
       })),
   }));
+}
+
+/** What is used most first, the rest by name. */
+function byUse(order: readonly string[]): (a: CatalogueEntry, b: CatalogueEntry) => number {
+  const rank = ({ name }: CatalogueEntry) => {
+    const at = order.indexOf(name);
+    return at < 0 ? order.length : at;
+  };
+  return (a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name);
 }
 
 /** The ids of what popup codes and gestures place; they are Grasshopper's own. */

@@ -3,12 +3,16 @@
 import type { Point, Rect } from "./geometry";
 import { meets } from "./geometry";
 import { depths, isGroup, type Objects } from "./groups";
-import { lookOf, type Look } from "./look";
+import { isStarved, lookOf, type Look } from "./look";
 import { frameOf, strungOf, type Outputs, type Shifts } from "./places";
+import { numberText } from "./numbers";
+import type { Control } from "./protocol/Control";
 import type { ObjectView } from "./protocol/ObjectView";
 import type { OutputView } from "./protocol/OutputView";
 import type { ResultView } from "./protocol/ResultView";
 import { css } from "./colours";
+import { sliderText } from "./slider";
+import { t } from "../i18n";
 import { wireLook, type WireLook } from "./wires";
 
 /** Below this zoom the canvas is drawn in the far way. */
@@ -25,11 +29,24 @@ export interface FarBox {
   colour: string | undefined;
   kind: "group" | "box" | "text" | "lines" | "dot";
   lines: readonly (readonly (readonly [number, number])[])[];
-  /** A text on it that is large enough to be read from afar. */
-  label: { text: string; size: number; across: "left" | "centre" | "right"; bold: boolean } | undefined;
-  /** The component whose picture stands on it where its name cannot be read, or even for a name that can be. */
+  /** What is written on it. */
+  label: FarLabel | undefined;
+  /** The message below it. */
+  strip: string | undefined;
+  /** The component whose picture stands on it where no name does, or even instead of its name. */
   icon: { component: string; name: string; forName: boolean } | undefined;
   selected: boolean;
+}
+
+export interface FarLabel {
+  text: string;
+  /** What is left of it where there is less room: the value of a slider. */
+  short?: string;
+  size: number;
+  across: "left" | "centre" | "right";
+  bold: boolean;
+  /** Whether it is a name, or text of which the first lines are shown. */
+  lines: "one" | "many";
 }
 
 export interface FarWire {
@@ -72,7 +89,7 @@ export function farList(input: FarInput): FarList {
     const object = objects.get(id);
     if (!object) continue;
     const result = input.results.get(id);
-    const box = farBox(object, rect(object), lookOf(object, result), selection.has(id), result);
+    const box = farBox(object, rect(object), lookOf(object, result, isStarved(object, input.data)), selection.has(id), result);
     (isGroup(object) ? list.groups : list.boxes).push(box);
   }
   const depth = depths(objects);
@@ -101,6 +118,7 @@ function farBox(
     kind: "box",
     lines: [],
     label: undefined,
+    strip: object.strip?.trim() || undefined,
     icon: undefined,
     selected,
   };
@@ -109,20 +127,41 @@ function farBox(
     case "group":
       return { ...box, kind: "group", colour: css(control.colour), label: label(control.label, 12, "left", true) };
     case "panel":
-      return { ...box, colour: css(control.colour), label: label(shown(object, control.text, result), 11, across(control.alignment)) };
+      return { ...box, colour: css(control.colour), label: label(shown(object, control.text, result), 11, across(control.alignment), false, "many") };
     case "swatch":
       return { ...box, colour: css(control.colour) };
     case "scribble":
       return { ...box, kind: "text", label: label(control.text, control.size, "left", control.bold) };
     case "sketch":
       return { ...box, kind: "lines", lines: control.lines, colour: css(control.colour) };
-    default:
+    default: {
       if (object.kind === "relay") return { ...box, kind: "dot" };
+      const name = object.nickname.trim() || object.name;
+      const value = control ? valueOf(control) : undefined;
+      const named = label(value === undefined ? name : `${name} ${value}`, 11, "centre");
       return {
         ...box,
-        label: label(object.nickname || object.name, 11, "centre"),
+        label: named && value !== undefined ? { ...named, short: value } : named,
         icon: iconOf(object),
       };
+    }
+  }
+}
+
+/** What a control is set to, in a word. */
+function valueOf(control: Control): string | undefined {
+  switch (control.is) {
+    case "slider":
+      return sliderText(control, control.value);
+    case "toggle":
+      return t(control.on ? "canvas.true" : "canvas.false");
+    case "knob":
+    case "digits":
+      return numberText(control.value);
+    case "valueList":
+      return control.items.find(({ selected }) => selected)?.name;
+    default:
+      return undefined;
   }
 }
 
@@ -146,9 +185,9 @@ function across(alignment: number): "left" | "centre" | "right" {
   return alignment === 1 ? "centre" : alignment === 2 ? "right" : "left";
 }
 
-function label(text: string, size: number, side: "left" | "centre" | "right", bold = false): FarBox["label"] {
+function label(text: string, size: number, side: FarLabel["across"], bold = false, lines: FarLabel["lines"] = "one"): FarBox["label"] {
   const trimmed = text.trim();
-  return trimmed === "" ? undefined : { text: trimmed, size, across: side, bold };
+  return trimmed === "" ? undefined : { text: trimmed, size, across: side, bold, lines };
 }
 
 /** What of the list is in a rectangle of the canvas. */

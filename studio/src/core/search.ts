@@ -130,6 +130,8 @@ export function search(
   found.sort(
     (a, b) =>
       b.score - a.score ||
+      // Of a component and a parameter that are named alike the component is meant: "circ" draws a circle.
+      Number(a.entry.floating) - Number(b.entry.floating) ||
       tabRank(a.entry.tab) - tabRank(b.entry.tab) ||
       a.entry.name.localeCompare(b.entry.name),
   );

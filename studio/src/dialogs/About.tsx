@@ -1,3 +1,6 @@
+// The licence of the typeface goes where the typeface goes.
+import typeface from "@fontsource-variable/inter/LICENSE?url";
+
 import { t } from "../i18n";
 import { Dialog } from "./Dialog";
 
@@ -8,6 +11,12 @@ export function About() {
       <p>{t("about.what")}</p>
       <p>{t("about.privacy")}</p>
       <p>{t("about.licence")}</p>
+      <p>{t("about.parts")}</p>
+      <p>
+        <a href={typeface} target="_blank" rel="noreferrer">
+          {t("about.typeface")}
+        </a>
+      </p>
     </Dialog>
   );
 }

@@ -1,9 +1,11 @@
 import { useStore } from "zustand";
 
+import { emptyInputs, isStarved, lookOf } from "../core/look";
 import { title } from "../core/outline";
+import type { ObjectView } from "../core/protocol/ObjectView";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
-import { runStore } from "../state/run";
+import { runStore, type Run } from "../state/run";
 import { select } from "../state/ui";
 
 const LEVELS = ["error", "warning", "remark"];
@@ -18,7 +20,12 @@ export function Problems() {
   const sorted = told
     .filter(({ id }) => objects.get(id)?.support.is === "yes")
     .sort((a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level));
-  if (missing.length + sorted.length + problems.length === 0) return <p>{t("problems.none")}</p>;
+  const outputs = useStore(runStore, (run) => run.outputs);
+  const spoken = new Set(told.map(({ id }) => id));
+  const silent = [...objects.values()].filter(
+    (object) => !spoken.has(object.id) && lookOf(object, results.get(object.id), isStarved(object, outputs)) === "empty",
+  );
+  if (missing.length + sorted.length + problems.length + silent.length === 0) return <p>{t("problems.none")}</p>;
   return (
     <>
       {problems.length > 0 && (
@@ -66,8 +73,26 @@ export function Problems() {
           </ul>
         </section>
       )}
+      {silent.length > 0 && (
+        <section>
+          <h3>{t("problems.empty", { n: silent.length })}</h3>
+          <ul>
+            {silent.slice(0, MOST).map((object) => (
+              <li key={object.id} className="warning">
+                <Go id={object.id}>{title(object)}</Go>: {t("problems.lacks", { inputs: lacking(object, outputs) })}
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
     </>
   );
+}
+
+/** The inputs that an object waits for. */
+function lacking(object: ObjectView, outputs: Run["outputs"]): string {
+  const names = emptyInputs(object, outputs).map((port) => port.name || port.nickname);
+  return (names.length > 0 ? names : [object.name]).join(", ");
 }
 
 function Go({ id, children }: { id: string; children: React.ReactNode }) {

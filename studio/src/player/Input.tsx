@@ -7,16 +7,6 @@ import type { Setting } from "../core/protocol/Setting";
 import { t } from "../i18n";
 import { edit, newGesture } from "../state/session";
 
-const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "panel"];
-
-/** The controls that a visitor may move, from top to bottom as they stand on the canvas. Exported for tests. */
-export function playable(objects: readonly ObjectView[]): ObjectView[] {
-  const isFree = (object: ObjectView) => object.inputs.every((port) => port.sources.length === 0);
-  return objects
-    .filter((object) => object.control && KINDS.includes(object.control.is) && isFree(object) && !object.disabled)
-    .sort((a, b) => a.bounds[1] - b.bounds[1] || a.bounds[0] - b.bounds[0]);
-}
-
 /** One control of the player. */
 export function Input({ object }: { object: ObjectView }) {
   const gesture = useRef<number>(undefined);

@@ -1,16 +1,44 @@
-import { useEffect, useMemo } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { useStore } from "zustand";
 
 import { followKeys } from "../actions/keys";
 import { goTo, token } from "../app/files";
+import { Telling } from "../app/Telling";
+import type { ObjectView } from "../core/protocol/ObjectView";
 import { Dialogs } from "../dialogs";
+import { showDialog } from "../dialogs/store";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
 import { runStore } from "../state/run";
 import { join, lineStore } from "../state/session";
 import { ViewportPane } from "../viewport";
-import { Input, playable } from "./Input";
+import { inputGroups } from "./groups";
+import { Input } from "./Input";
+import { moved, reset, startOf, type Start } from "./reset";
 import "./player.css";
+
+/** How the inputs stood when they came. */
+function useStart(inputs: readonly ObjectView[]): Start | undefined {
+  const [start, setStart] = useState<Start>();
+  useEffect(() => {
+    if (inputs.length > 0) setStart((known) => known ?? startOf(inputs));
+  }, [inputs]);
+  return start;
+}
+
+/** Gives the address away: by what the system shares with, where it has that, else to the clipboard. */
+async function share(told: (done: boolean) => void): Promise<void> {
+  const url = location.href;
+  try {
+    if (navigator.share) await navigator.share({ title: document.title, url });
+    else {
+      await navigator.clipboard.writeText(url);
+      told(true);
+    }
+  } catch {
+    // Who thinks better of it shares nothing.
+  }
+}
 
 /** Only the inputs and the model: for a phone, or a meeting with a client. */
 export function Player({ id }: { id: string }) {
@@ -18,7 +46,11 @@ export function Player({ id }: { id: string }) {
   const name = useStore(documentStore, (mirror) => mirror.document?.name);
   const state = useStore(lineStore, (line) => line.state);
   const solving = useStore(runStore, (run) => run.progress !== undefined);
-  const inputs = useMemo(() => playable([...objects.values()]), [objects]);
+  const groups = useMemo(() => inputGroups(objects), [objects]);
+  const inputs = useMemo(() => groups.flatMap((group) => group.inputs), [groups]);
+  const start = useStart(inputs);
+  const changes = start ? moved(start, inputs) : [];
+  const [shared, setShared] = useState(false);
   useEffect(() => join(id, token()), [id]);
   useEffect(() => followKeys(), []);
   useEffect(() => {
@@ -27,22 +59,40 @@ export function Player({ id }: { id: string }) {
   return (
     <div className="player">
       <main className="model" data-scope="viewport" aria-label={t("room.viewport")}>
-        <ViewportPane />
+        <ViewportPane>
+          <Telling />
+        </ViewportPane>
       </main>
       <aside aria-label={t("player.inputs")}>
         <header>
           <h1>{name || t("document.unnamed")}</h1>
-          <button type="button" onClick={() => goTo(id)}>
+          <button type="button" className="quiet" onClick={() => goTo(id)}>
             {t("player.edit")}
           </button>
         </header>
         <p role="status" className="soft">
-          {state === "lost" ? t("line.lost") : solving ? t("player.solving") : ""}
+          {state === "lost" ? t("line.lost") : solving ? t("player.solving") : shared ? t("player.shared") : ""}
         </p>
-        {inputs.map((object) => (
-          <Input key={object.id} object={object} />
+        {groups.map(({ label, inputs: own }) => (
+          <fieldset key={own[0]?.id}>
+            {label && <legend>{label}</legend>}
+            {own.map((object) => (
+              <Input key={object.id} object={object} />
+            ))}
+          </fieldset>
         ))}
         {inputs.length === 0 && <p>{t("player.none")}</p>}
+        <footer>
+          <button type="button" disabled={changes.length === 0} onClick={() => reset(changes)}>
+            {t("player.reset")}
+          </button>
+          <button type="button" onClick={() => void share(setShared)}>
+            {t("player.share")}
+          </button>
+          <button type="button" className="primary" onClick={() => showDialog("export")}>
+            {t("player.export")}
+          </button>
+        </footer>
       </aside>
       <Dialogs />
     </div>

@@ -1,16 +1,19 @@
 import { useEffect, useState } from "react";
 
 import { DropZone, take } from "../app/DropZone";
-import { DEFINITIONS, goTo, open, readStart, type Opening, type Start } from "../app/files";
+import { close, DEFINITIONS, goTo, open, readStart, type Opening, type Start } from "../app/files";
 import { t } from "../i18n";
+import { pictures } from "../state/pictures";
 import { lineStore } from "../state/session";
 import { useStore } from "zustand";
+import { Tile } from "./Tile";
 import "./start.css";
 
 /** Where one begins: a new definition, a file, what was open lately, or one from the book. */
 export function StartPage() {
   const [start, setStart] = useState<Start>();
   const [path, setPath] = useState("");
+  const [seen] = useState(pictures);
   const complaint = useStore(lineStore, (line) => line.complaint);
   const complain = (error: unknown) =>
     lineStore.setState({ complaint: error instanceof Error ? error.message : String(error) });
@@ -19,10 +22,12 @@ export function StartPage() {
     readStart().then(setStart, complain);
   }, []);
   const go = (what: Opening) => open(what).then((id) => goTo(id), complain);
+  const shut = (id: string) => void close(id).then(readStart).then(setStart, complain);
   const groups = [...new Set(start?.gallery.map((entry) => entry.group))];
   return (
     <main className="start" tabIndex={-1}>
       <header>
+        <img src="./icon.svg" alt="" width={40} height={40} />
         <h1>{t("app.title")}</h1>
         <p>{t("start.what")}</p>
       </header>
@@ -73,12 +78,14 @@ export function StartPage() {
           <h2>{t("start.open")}</h2>
           <ul className="tiles">
             {start.open.map(({ id, name, changed }) => (
-              <li key={id}>
-                <button type="button" onClick={() => goTo(id)}>
-                  {changed && "• "}
-                  {name || t("document.unnamed")}
-                </button>
-              </li>
+              <Tile
+                key={id}
+                title={name || t("document.unnamed")}
+                picture={seen.get(start.recent.find((one) => one.name === name)?.path ?? name)}
+                changed={changed}
+                open={() => goTo(id)}
+                close={() => shut(id)}
+              />
             ))}
           </ul>
         </section>
@@ -88,13 +95,13 @@ export function StartPage() {
           <h2>{t("start.recent")}</h2>
           <ul className="tiles">
             {start.recent.map(({ path: at, name, modified }) => (
-              <li key={at}>
-                <button type="button" onClick={() => void go({ path: at })}>
-                  <strong>{name}</strong>
-                  <small>{at}</small>
-                  <small>{new Date(modified * 1000).toLocaleString()}</small>
-                </button>
-              </li>
+              <Tile
+                key={at}
+                title={name}
+                lines={[at, new Date(modified * 1000).toLocaleString()]}
+                picture={seen.get(at)}
+                open={() => void go({ path: at })}
+              />
             ))}
           </ul>
         </section>
@@ -106,12 +113,13 @@ export function StartPage() {
             {start?.gallery
               .filter((entry) => entry.group === group)
               .map(({ id, title, description }) => (
-                <li key={id}>
-                  <button type="button" onClick={() => void go({ gallery: id })}>
-                    <strong>{title}</strong>
-                    <small>{description}</small>
-                  </button>
-                </li>
+                <Tile
+                  key={id}
+                  title={title}
+                  lines={[description]}
+                  picture={seen.get(`${id} ${title}`)}
+                  open={() => void go({ gallery: id })}
+                />
               ))}
           </ul>
         </section>

@@ -67,7 +67,10 @@ export class Viewport {
   #isLost = false;
   #areLooksStale = true;
   #areColoursStale = true;
-  #isFitted = false;
+  /** Whether geometry was framed since the document came. */
+  #isFramed = false;
+  /** Whether what is shown, or the room for it, is other than when it was framed. */
+  #isFramingStale = false;
   #stop: (() => void)[] = [];
   /** Called after each picture, for what is drawn over it. */
   afterDraw: (placed: readonly PlacedPane[]) => void = () => {};
@@ -110,7 +113,8 @@ export class Viewport {
 
   clear(): void {
     this.clearWhere((id) => !isTool(id));
-    this.#isFitted = false;
+    this.#isFramed = false;
+    this.panes.letGo();
   }
 
   clearWhere(isMeant: (object: string) => boolean): void {
@@ -122,6 +126,7 @@ export class Viewport {
     // Most of what is edited or pointed at leaves the picture as it is, and a picture in software costs much.
     if (areAlike(around, this.#around)) return;
     this.#around = around;
+    this.#isFramingStale = true;
     this.#areLooksStale = true;
     this.invalidate();
   }
@@ -287,6 +292,7 @@ export class Viewport {
   }
 
   #refresh(): void {
+    this.#isFramingStale = true;
     this.#areLooksStale = true;
     this.#areColoursStale = true;
     this.invalidate();
@@ -297,6 +303,7 @@ export class Viewport {
     this.panes.width = Math.max(clientWidth, 1);
     this.panes.height = Math.max(clientHeight, 1);
     this.#renderer.setSize(this.panes.width, this.panes.height);
+    this.#isFramingStale = true;
     this.invalidate();
   }
 
@@ -346,10 +353,20 @@ export class Viewport {
     this.model.settle();
     const { isOn, normal, at } = this.#settings.section;
     this.model.section = isOn ? { normal, at: placeOf(at, normal, this.documentBounds()) } : undefined;
-    if (!this.#isFitted && this.model.bounds) {
-      this.#isFitted = true;
-      this.panes.fit(this.#boxes(), this.panes.all(), true);
-    }
+    this.#frameFreely();
+  }
+
+  /** Until a hand takes the camera, what is shown stays in the picture: the first geometry, and what comes later. */
+  #frameFreely(): void {
+    if (!this.#isFramingStale) return;
+    this.#isFramingStale = false;
+    const boxes = this.#boxes();
+    const isEmpty = boxes.length === 0;
+    if (viewportStore.getState().isEmpty !== isEmpty) viewportStore.setState({ isEmpty });
+    if (isEmpty) return;
+    if (this.#isFramed) return this.panes.frame(boxes, true);
+    this.#isFramed = true;
+    this.panes.fit(boxes, this.panes.all(), true);
   }
 
   #colour(): void {

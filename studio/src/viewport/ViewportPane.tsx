@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useStore } from "zustand";
 
 import "../actions/viewport";
@@ -14,7 +14,7 @@ import { Toolbar } from "./toolbar/Toolbar";
 import "./viewport.css";
 
 /** The model of the document that is open, with its toolbar. It needs only the stores. */
-export function ViewportPane({ options }: { options?: Options }) {
+export function ViewportPane({ options, children }: { options?: Options; children?: ReactNode }) {
   const host = useRef<HTMLDivElement>(null);
   const [hasGraphics, setGraphics] = useState(true);
   useEffect(() => {
@@ -32,6 +32,7 @@ export function ViewportPane({ options }: { options?: Options }) {
       <div className="viewport-stage">
         <div className="viewport-host" ref={host} hidden={!hasGraphics} />
         {!hasGraphics && <p className="viewport-notice">{t("viewport.noGraphics")}</p>}
+        {children}
         <Legend />
         <div className="viewport-notes">
           <CombLegend />

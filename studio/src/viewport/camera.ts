@@ -29,6 +29,14 @@ const SMALLEST = 1e-6;
 const GREATEST = 1e12;
 /** How much of a view geometry fills after zoom extents. */
 const MARGIN = 1.1;
+/** Geometry that fills less than this share of a view is framed anew. */
+const LEAST_SHARE = 0.3;
+/** A flat or tiny model has this share of the view for depth: points and lines are drawn a little before where they are. */
+const LEAST_DEPTH = 0.1;
+/** What is smaller than this part of its distance from the origin is a point: the rest is rounding. */
+const POINTLIKE = 1e-9;
+/** How much is seen around a point, in model units: what an empty view shows. */
+export const USUAL_HEIGHT = 60;
 
 export class CameraRig {
   pose: Pose;
@@ -100,6 +108,11 @@ export class CameraRig {
     const all = boxes.reduce<Bounds | null>(union, null);
     if (!all) return;
     const middle = new Vector3(...centre(all));
+    // A point alone has no size to go by: with a view as small as it is, grid and axes would be far out of sight.
+    if (radius(all) <= Math.max(middle.length(), 1) * POINTLIKE) {
+      this.pose = { ...this.pose, target: middle.toArray(), height: USUAL_HEIGHT };
+      return;
+    }
     const [right, up, backward] = [this.right(), this.up(), this.backward()];
     const slope = this.pose.projection === "perspective" ? Math.tan(FIELD / 2) : 0;
     const across = side(boxes, middle, right, backward, slope * aspect);
@@ -111,6 +124,20 @@ export class CameraRig {
     const target = middle.addScaledVector(right, across.shift).addScaledVector(up, along.shift);
     const height = MathUtils.clamp(2 * half * MARGIN, SMALLEST, GREATEST);
     this.pose = { ...this.pose, target: target.toArray(), height };
+  }
+
+  /**
+   * Whether some boxes are shown as one would frame them: all of them in the view, and neither too small nor so large
+   * that the next change leaves it.
+   */
+  frames(boxes: readonly Bounds[], aspect: number): boolean {
+    const fitted = new CameraRig(this.pose);
+    fitted.fit(boxes, aspect);
+    const [now, wanted] = [this.pose, fitted.pose];
+    const off = new Vector3(...now.target).sub(new Vector3(...wanted.target));
+    const shift = Math.max(Math.abs(off.dot(this.up())), Math.abs(off.dot(this.right())) / Math.max(aspect, 1));
+    const room = now.height - wanted.height / MARGIN - 2 * shift;
+    return room >= -1e-9 * now.height && wanted.height >= now.height * LEAST_SHARE;
   }
 
   /** Where a ray through a place in the view (−1 to 1, y up) starts and goes, in model coordinates. */
@@ -163,7 +190,7 @@ export class CameraRig {
 
   #depths(bounds: Bounds | null): [near: number, far: number] {
     const distance = this.distance();
-    const size = bounds ? Math.max(radius(bounds), this.pose.height * 1e-3) : this.pose.height;
+    const size = bounds ? Math.max(radius(bounds), this.pose.height * LEAST_DEPTH) : this.pose.height;
     const middle = new Vector3(...(bounds ? centre(bounds) : this.pose.target));
     const along = this.eye().sub(middle).dot(this.backward());
     const [near, far] = [along - size * 1.01, along + size * 1.01];

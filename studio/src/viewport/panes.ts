@@ -28,6 +28,8 @@ export class Panes {
     right: new CameraRig(poseOf("right")),
   });
   #active = this.#four[1] as Pane;
+  /** The panes that a hand has turned, moved or zoomed: they are framed when it asks for it, and never by themselves. */
+  #own = new Set<Pane>();
   #flights = new Map<Pane, { from: Pose; to: Pose; start: number }>();
   #changed: () => void;
 
@@ -81,7 +83,7 @@ export class Panes {
   }
 
   orbit(pane: Pane, dx: number, dy: number): void {
-    this.#flights.delete(pane);
+    this.#take(pane);
     // Half a turn for the height of the pane, whatever its size.
     const turn = Math.PI / Math.max(this.placedOf(pane).height, 200);
     pane.rig.orbit(-dx * turn, dy * turn);
@@ -89,15 +91,37 @@ export class Panes {
   }
 
   pan(pane: Pane, dx: number, dy: number): void {
-    this.#flights.delete(pane);
+    this.#take(pane);
     pane.rig.pan(dx, dy, this.placedOf(pane).height);
     this.#changed();
   }
 
   zoom(pane: Pane, about: Vector3, factor: number): void {
-    this.#flights.delete(pane);
+    this.#take(pane);
     pane.rig.zoomAbout(about, factor);
     this.#changed();
+  }
+
+  /** A hand takes the camera of a pane. */
+  #take(pane: Pane): void {
+    this.#flights.delete(pane);
+    this.#own.add(pane);
+  }
+
+  /** Cameras go by themselves again, as they do in a document that was just opened. */
+  letGo(): void {
+    this.#own.clear();
+  }
+
+  /** Shows all of some boxes in those panes that no hand has taken and that do not frame them already. */
+  frame(boxes: readonly Bounds[], isStill: boolean): void {
+    const free = this.all().filter((pane) => !this.#own.has(pane));
+    this.fit(boxes, free.filter((pane) => !this.#frames(pane, boxes)), isStill);
+  }
+
+  #frames(pane: Pane, boxes: readonly Bounds[]): boolean {
+    const { width, height } = this.placedOf(pane);
+    return boxes.length === 0 || new CameraRig(this.#target(pane)).frames(boxes, width / height);
   }
 
   /** Shows all of some boxes in all panes that are shown, or in the active one. */

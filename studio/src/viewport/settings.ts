@@ -65,6 +65,8 @@ export interface ViewportSettings {
 
 /** What the viewport says of itself. */
 export interface ViewportState {
+  /** Whether nothing of the document is seen, wherever one looks. */
+  isEmpty: boolean;
   /** The view that the active pane is turned to, where it has a name. */
   view: ViewName | undefined;
   projection: Projection;
@@ -150,4 +152,5 @@ export const viewportStore = createStore<ViewportState>(() => ({
   pointed: undefined,
   notice: undefined,
   texts: { all: 0, shown: 0 },
+  isEmpty: true,
 }));

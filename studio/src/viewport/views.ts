@@ -1,6 +1,6 @@
 /** The views that have names, and how panes share the canvas. */
 
-import { CameraRig, wrap, type Pose } from "./camera";
+import { CameraRig, USUAL_HEIGHT, wrap, type Pose } from "./camera";
 
 export type ViewName = "perspective" | "top" | "bottom" | "front" | "back" | "left" | "right";
 
@@ -19,13 +19,10 @@ const DIRECTIONS: Record<ViewName, { azimuth: number; elevation: number }> = {
 
 export const VIEW_NAMES = Object.keys(DIRECTIONS) as ViewName[];
 
-/** How much an empty view shows, in model units. */
-const EMPTY_HEIGHT = 60;
-
 export function poseOf(view: ViewName, like?: Pose): Pose {
   const { azimuth, elevation } = DIRECTIONS[view];
   const projection = view === "perspective" ? "perspective" : "parallel";
-  return { target: like?.target ?? [0, 0, 0], height: like?.height ?? EMPTY_HEIGHT, azimuth, elevation, projection };
+  return { target: like?.target ?? [0, 0, 0], height: like?.height ?? USUAL_HEIGHT, azimuth, elevation, projection };
 }
 
 /** The planes that grids lie in: that of the view where it looks along an axis, else the ground. */

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 
 import { cornersOf } from "../../src/core/bounds";
 import type { Bounds, Point3 } from "../../src/core/preview";
-import { CameraRig, type Pose } from "../../src/viewport/camera";
+import { CameraRig, USUAL_HEIGHT, type Pose } from "../../src/viewport/camera";
 import { VIEW_NAMES, gridPlane, poseOf, viewOf } from "../../src/viewport/views";
 
 const BOX: Bounds = [[10, 20, 0], [14, 22, 8]];
@@ -24,6 +24,35 @@ describe("the camera", () => {
       expect(Math.max(Math.abs(x), Math.abs(y), Math.abs(z))).toBeLessThanOrEqual(1);
     }
     expect(Math.max(...places.map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y))))).toBeCloseTo(1 / 1.1, 1);
+  });
+
+  it("shows a point alone in a view of the usual size, near the origin and far from it", () => {
+    for (const at of [[0, 0, 0], [5, 5, 0], [4e6, -3e6, 12]] as Point3[]) {
+      const rig = new CameraRig(poseOf("perspective"));
+      rig.fit([[at, at]], 1.5);
+      expect(rig.pose.height).toBe(USUAL_HEIGHT);
+      expect(rig.pose.target).toEqual(at);
+    }
+  });
+
+  it("draws a point alone also a little before where it is, as points and lines are drawn", () => {
+    const rig = new CameraRig(poseOf("perspective"));
+    const at: Point3 = [5, 5, 0];
+    rig.fit([[at, at]], 1.5);
+    const before = new Vector3(...at).lerp(rig.eye(), 0.003).toArray();
+    expect(Math.abs(seen(rig, before, 1.5, [0, 0, 0], [at, at]).z)).toBeLessThan(1);
+  });
+
+  it("knows when what is shown is framed: not when it grew out of the view or shrank to a speck", () => {
+    const scaled = (by: number): Bounds => [BOX[0], BOX[1].map((high, axis) => BOX[0][axis as 0] + (high - BOX[0][axis as 0]) * by) as unknown as Point3];
+    for (const name of VIEW_NAMES) {
+      const rig = new CameraRig(poseOf(name));
+      rig.fit([BOX], 1.5);
+      expect(rig.frames([BOX], 1.5)).toBe(true);
+      expect(rig.frames([scaled(0.8)], 1.5)).toBe(true);
+      expect(rig.frames([scaled(1.6)], 1.5)).toBe(false);
+      expect(rig.frames([scaled(0.1)], 1.5)).toBe(false);
+    }
   });
 
   it("looks as Rhino does: x to the right in Top and Front, y to the right in Right, z up", () => {

@@ -12,7 +12,7 @@ import { blobPath, depths, groupFrame, hull, leaves } from "../../src/core/group
 import { gripAt, topmost, wireAt } from "../../src/core/hit";
 import { fit } from "../../src/core/kinds";
 import { latest } from "../../src/core/latest";
-import { lookOf } from "../../src/core/look";
+import { emptyInputs, isStarved, lookOf } from "../../src/core/look";
 import { digitsText, numberText, timeText } from "../../src/core/numbers";
 import { neighbour, readingOrder } from "../../src/core/order";
 import { gripsOf, NO_SHIFTS, rectOf, strungOf, wiresOf } from "../../src/core/places";
@@ -60,6 +60,11 @@ describe("search", () => {
     "%s finds %s",
     (query, name) => expect(first(query)).toBe(name),
   );
+  test("of a component and a parameter that are named alike the component is meant", () => {
+    const parameter = { ...(CATALOGUE.find((entry) => entry.name === "Circle") ?? CATALOGUE[0]), floating: true, tab: "Params", guid: "a" };
+    const two = [parameter, { ...parameter, floating: false, tab: "Curve", guid: "b" }] as typeof CATALOGUE;
+    expect(search(two, "circ").map(({ entry }) => entry.guid)).toEqual(["b", "a"]);
+  });
   test("nonsense finds nothing", () => expect(first("qqqq")).toBeUndefined());
   test("a wire finds only what takes it", () => {
     const names = search(CATALOGUE, "", { side: "input", kind: "Curve" }, 99).map(({ entry }) => entry.name);
@@ -168,6 +173,21 @@ describe("capsules", () => {
     expect(lookOf({ ...one, disabled: true }, result && { ...result, status: "error" })).toBe("disabled");
     expect(lookOf({ ...one, hidden: true }, undefined)).toBe("hidden");
     expect(lookOf({ ...one, hidden: true }, result && { ...result, status: "warning" })).toBe("warning");
+  });
+  test("are empty when nothing comes over a wire, also where the input could do without", () => {
+    const source = component("Source", "Source", [0, 0], [], ["R"]);
+    const move = component("Move", "Move", [200, 0], ["G", "T"], ["G"]);
+    wire(source, 0, move, 0);
+    const output = { port: source.outputs[0]?.id ?? "", structure: "empty" as const, branches: 0, items: 0 };
+    const data = new Map([[output.port, output]]) as unknown as Parameters<typeof isStarved>[1];
+    const result = resultsOf([move])[0];
+    expect(isStarved(move, data)).toBe(true);
+    expect(lookOf(move, result, isStarved(move, data))).toBe("empty");
+    expect(lookOf(move, result && { ...result, status: "error" }, true)).toBe("error");
+    // Before a solve nothing is known.
+    expect(lookOf(move, undefined, true)).toBe("plain");
+    expect(isStarved(move, new Map())).toBe(false);
+    expect(emptyInputs(move, data)[0]).toBe(move.inputs[0]);
   });
 });
 

@@ -4,9 +4,12 @@ import { readSettings } from "../../src/app/settings";
 import { place } from "../../src/app/place";
 import { isNamed } from "../../src/app/files";
 import { shownTime } from "../../src/app/Status";
+import { modelNeeds, whyNothing } from "../../src/core/needs";
+import { listed } from "../../src/app/Telling";
 import { fromHex, toHex } from "../../src/core/colour";
 import { t } from "../../src/i18n";
-import { playable } from "../../src/player/Input";
+import { inputGroups, playable } from "../../src/player/groups";
+import { moved, startOf } from "../../src/player/reset";
 import { object, port } from "./make";
 
 test("settings that make no sense are as usual", () => {
@@ -30,6 +33,37 @@ test("colours and times are written for people", () => {
   expect(fromHex("red")).toEqual([0, 0, 0, 255]);
   expect([shownTime(0.2), shownTime(12.4), shownTime(2345)]).toEqual(["< 1 ms", "12 ms", "2.3 s"]);
   expect(t("outline.count", { n: 3 })).toBe("3 objects");
+  expect(t("canvas.data.count", { items: 130, branches: 1 })).toBe("130 items in 1 branch");
+  expect(t("canvas.data.count", { items: 1, branches: 2 })).toBe("1 item in 2 branches");
+});
+
+test("what a definition needs of a Rhino model is counted by type", () => {
+  const id = "065db0f7-e38d-4ef2-aa27-31047639af4c";
+  const needs = (text: string) => ({ id: "", status: "no-data", messages: [{ level: "warning", text }], milliseconds: 0, outputs: [], panel: null });
+  const objects = new Map([
+    ["a", object("a", { kind: "parameter", inputs: [{ ...port("a"), kind: "Curve" }] })],
+    ["b", object("b", { kind: "parameter", inputs: [{ ...port("b"), kind: "Surface" }] })],
+    ["c", object("c")],
+  ]);
+  const results = new Map([
+    ["a", { ...needs(`Needs the Rhino model: object ${id} is referenced, and not in this file (katydid run FILE)`), id: "a" }],
+    ["b", { ...needs(`Needs the Rhino model: objects ${id}, ${id}, and 3 more are referenced, and not in this file`), id: "b" }],
+    ["c", { ...needs("Input parameter Curves failed to collect data"), id: "c" }],
+  ]) as unknown as Parameters<typeof modelNeeds>[1];
+  const found = modelNeeds(objects, results);
+  expect(found?.objects).toEqual(["a", "b"]);
+  expect(found && listed(found)).toBe("1 curve and 5 surfaces");
+  expect(modelNeeds(objects, new Map())).toBeUndefined();
+});
+
+test("why nothing is seen is known", () => {
+  const shape = object("s", { previews: true });
+  const of = (...list: ReturnType<typeof object>[]) => new Map(list.map((one) => [one.id, one]));
+  expect(whyNothing(of(), "all")).toBeUndefined();
+  expect(whyNothing(of(object("n")), "all")).toEqual({ is: "numbers" });
+  expect(whyNothing(of(shape), "none")).toEqual({ is: "off" });
+  expect(whyNothing(of({ ...shape, hidden: true }), "all")).toEqual({ is: "hidden", objects: ["s"] });
+  expect(whyNothing(of(shape, object("t", { previews: true, hidden: true })), "all")).toEqual({ is: "null", count: 1 });
 });
 
 test("a visitor moves free controls, from top to bottom", () => {
@@ -39,4 +73,21 @@ test("a visitor moves free controls, from top to bottom", () => {
   const wired = object("wired", { inputs: [port("wired", ["x"])], control: { is: "toggle", on: true } });
   const off = object("off", { control: slider, disabled: true });
   expect(playable([low, wired, high, off]).map(({ id }) => id)).toEqual(["high", "low"]);
+});
+
+test("inputs stand under the labels of their groups; a panel that nothing reads is a remark", () => {
+  const slider = (value: number) => ({ is: "slider" as const, value, min: 0, max: 9, rounding: "float" as const, digits: 1, expression: null });
+  const group = { is: "group", label: "Tower", colour: [0, 0, 0, 255], border: "box", members: ["in"] } as unknown as NonNullable<ReturnType<typeof object>["control"]>;
+  const panel = { is: "panel", text: "note" } as unknown as NonNullable<ReturnType<typeof object>["control"]>;
+  const list = [
+    object("in", { control: slider(2), bounds: [0, 50, 9, 9] }),
+    object("out", { control: slider(3) }),
+    object("note", { control: panel }),
+    object("g", { kind: "group", control: group }),
+  ];
+  const objects = new Map(list.map((one) => [one.id, one]));
+  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ id }) => id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
+  const start = startOf(list);
+  expect(moved(start, list)).toEqual([]);
+  expect(moved(start, [object("in", { control: slider(5) })])).toEqual([["in", { is: "number", value: 2 }]]);
 });

@@ -97,6 +97,25 @@ pub(crate) async fn open(
     opened(&state, source).await
 }
 
+/// Which document is to be closed.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Closing {
+    document: String,
+}
+
+pub(crate) async fn close(
+    Extract(state): Extract<Arc<State>>,
+    closing: Result<Json<Closing>, JsonRejection>,
+) -> Answer<Json<Value>> {
+    let Json(Closing { document }) =
+        closing.map_err(|error| Refused::new(error.status(), error.body_text()))?;
+    match state.documents.close(&document).await {
+        Ok(true) => Ok(Json(json!({ "closed": document }))),
+        Ok(false) => Err(Refused::missing("document")),
+        Err(reason) => Err(Refused::new(StatusCode::CONFLICT, reason)),
+    }
+}
+
 fn from_gallery(one: &Gallery) -> Result<Source, String> {
     let text = one.text().ok_or("it is not in this program")?;
     let mut source = Source::sent(&format!("{}.kd", one.id), Form::Kd, &text)?;

@@ -74,6 +74,17 @@ impl Documents {
         None
     }
 
+    /// Closes one, unless somebody shows it; gives whether it was there.
+    pub(crate) async fn close(&self, id: &str) -> Result<bool, &'static str> {
+        let Some(handle) = self.get(id) else { return Ok(false) };
+        if handle.ask(Command::About).await.is_some_and(|about| about.faces > 0) {
+            return Err("somebody has it open: close that page first");
+        }
+        held(&self.open).remove(id);
+        let _ = handle.ask(Command::Close).await;
+        Ok(true)
+    }
+
     /// Closes those that nobody shows and that hold nothing unsaved.
     pub(crate) async fn close_idle(&self) {
         for (id, handle) in self.all() {

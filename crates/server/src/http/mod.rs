@@ -58,6 +58,7 @@ pub(crate) fn router(state: Arc<State>) -> Router {
     Router::new()
         .route("/api/start", get(api::start))
         .route("/api/open", post(api::open))
+        .route("/api/close", post(api::close))
         .route("/api/upload", upload)
         .route("/api/convert", convert)
         .route("/api/save", get(api::save))

@@ -24,7 +24,7 @@ export function Editor() {
   const inner = editorOf(at, object);
   if (inner === undefined) return null;
   return (
-    <Sheet key={at.object + at.is + (at.port ?? "")} object={object}>
+    <Sheet key={at.object + at.is + (at.port ?? "")} object={object} asked={at}>
       {inner}
     </Sheet>
   );
@@ -71,7 +71,7 @@ function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
 }
 
 /** The box itself: Escape and a press elsewhere close it. */
-function Sheet({ object, children }: { object: ObjectView; children: ReactNode }) {
+function Sheet({ object, asked, children }: { object: ObjectView; asked: EditorAt; children: ReactNode }) {
   const box = useRef<HTMLDivElement>(null);
   const [[left, top], setPlace] = useState<Point>([-9999, 0]);
   // It opens where it leaves the object in sight: how large it is, is known once it is there.
@@ -79,8 +79,11 @@ function Sheet({ object, children }: { object: ObjectView; children: ReactNode }
     const element = box.current;
     if (element) setPlace(besideObject(object.id, [element.offsetWidth, element.offsetHeight]));
   }, [object.id]);
+  // Who asks for it again, as the second click of a double-click does, has the focus in it again.
   useEffect(() => {
     box.current?.querySelector<HTMLElement>("input, textarea, select, button, [tabindex]")?.focus();
+  }, [asked]);
+  useEffect(() => {
     const close = (event: PointerEvent) => {
       if (event.target instanceof Node && !box.current?.contains(event.target)) closeBoxes();
     };

@@ -5,7 +5,7 @@ import type { KeyboardEvent as ReactKeyboardEvent, PointerEvent as ReactPointerE
 import { grownAlong } from "../../core/selection";
 import { middle, type Point, type Rect } from "../../core/geometry";
 import { isGroup } from "../../core/groups";
-import { lookOf } from "../../core/look";
+import { isStarved, lookOf } from "../../core/look";
 import { neighbour, readingOrder, type Direction } from "../../core/order";
 import { wiresOf } from "../../core/places";
 import { catalogueStore } from "../../state/catalogue";
@@ -15,7 +15,7 @@ import { edit } from "../../state/session";
 import { select, uiStore } from "../../state/ui";
 import { moveBy, place, selection } from "../edits";
 import { spoken } from "../nodes/Frame";
-import { activate, focusCanvas, openRadial, openSearch } from "../open";
+import { activate, closeBoxes, focusCanvas, isBoxOpen, openRadial, openSearch } from "../open";
 import { canvasStore, say } from "../store";
 import { canvasPoint, pixelOf, reveal, windowPoint } from "../view";
 import { cancelGesture } from "./bind";
@@ -121,7 +121,8 @@ function ownKey(event: ReactKeyboardEvent, element: Element | null): boolean {
 
 function escape(element: Element | null): boolean {
   if (cancelGesture()) return true;
-  if (canvasStore.getState().placing) canvasStore.setState({ placing: undefined });
+  if (isBoxOpen()) closeBoxes();
+  else if (canvasStore.getState().placing) canvasStore.setState({ placing: undefined });
   else if (element?.closest("[data-inner]")) focusCanvas();
   else if (canvasStore.getState().tip) canvasStore.setState({ tip: undefined });
   else if (uiStore.getState().selection.size > 0) select([]);
@@ -174,7 +175,8 @@ export function goTo(id: string, extend: boolean): void {
   select(extend ? [...uiStore.getState().selection, id] : [id]);
   canvasStore.setState({ active: id });
   reveal(id);
-  say(spoken(object, lookOf(object, runStore.getState().results.get(id)), true));
+  const { results, outputs } = runStore.getState();
+  say(spoken(object, lookOf(object, results.get(id), isStarved(object, outputs)), true));
   // Where its element is out of sight, it takes the focus from the canvas when it comes.
   focusCanvas();
 }

@@ -167,7 +167,8 @@ function More({ item, open, onOpen, onClose }: EntryProps & { item: Extract<Item
         aria-haspopup="menu"
         aria-expanded={open}
         tabIndex={-1}
-        onClick={() => onOpen(!open)}
+        // Pointing at it has opened it already: a click on it must not close it again.
+        onClick={() => onOpen(true)}
         onKeyDown={(event) => {
           if (event.key !== "Enter" && event.key !== "ArrowRight" && event.key !== " ") return;
           event.preventDefault();

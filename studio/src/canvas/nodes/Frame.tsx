@@ -6,7 +6,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
 import type { ResultView } from "../../core/protocol/ResultView";
 import { t } from "../../i18n";
-import { useCanvas, useFocus, useFound, useFullNames, useHovered, useProfiler, useResult, useSelected } from "../hooks";
+import { useCanvas, useFocus, useFound, useFullNames, useHovered, useProfiler, useResult, useSelected, useStarved } from "../hooks";
 import { portName } from "../../core/ports";
 
 interface FrameProps {
@@ -26,7 +26,7 @@ export function Frame({ object, kind, style, filled = true, children }: FramePro
   const active = useCanvas((canvas) => canvas.active === object.id);
   const hovered = useHovered(object.id);
   const found = useFound(object.id);
-  const look = lookOf(object, result);
+  const look = lookOf(object, result, useStarved(object));
   useFocus(object.id, active);
   const states = [selected ? "selected" : "", filled ? "filled" : "", hovered ? "hovered" : "", found ? "found" : ""];
   const classes = ["object", kind, `look-${look}`, ...states];

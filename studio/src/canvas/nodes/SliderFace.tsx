@@ -12,7 +12,7 @@ import {
   type Slider,
 } from "../../core/slider";
 import type { ObjectView } from "../../core/protocol/ObjectView";
-import { textWidth } from "../../core/text";
+import { DIGIT, textWidth } from "../../core/text";
 import { t } from "../../i18n";
 import { follow } from "../drag";
 import { liveSetting, reshape, set } from "../edits";
@@ -56,7 +56,7 @@ export function SliderFace({ object, slider, width }: { object: ObjectView; slid
           value={value}
           onLive={setLive}
           onStep={step}
-          trackWidth={width - room - 22 - widest(slider) * 0.56 * TEXT}
+          trackWidth={width - room - 22 - widest(slider) * DIGIT * TEXT}
         />
         {typing ? (
           <NumberField
@@ -70,7 +70,7 @@ export function SliderFace({ object, slider, width }: { object: ObjectView; slid
         ) : (
           <span
             className="number"
-            style={{ minWidth: widest(slider) * 0.56 * TEXT }}
+            style={{ minWidth: widest(slider) * DIGIT * TEXT }}
             onDoubleClick={(event) => {
               event.stopPropagation();
               setTyping(true);

@@ -41,7 +41,6 @@ function Checks({ list, onChoose }: ListProps) {
             data-inner
             checked={item.selected}
             onChange={() => toggle(index)}
-            onPointerDown={(event) => event.stopPropagation()}
           />
           <span>{item.name}</span>
         </label>
@@ -63,7 +62,6 @@ function Menu({ object, list, onChoose }: ListProps & { object: ObjectView }) {
       aria-label={object.nickname.trim() || object.name}
       value={chosenIndex(list)}
       onChange={(event) => onChoose([Number(event.target.value)])}
-      onPointerDown={(event) => event.stopPropagation()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       {chosenIndex(list) < 0 ? <option value={-1}>–</option> : null}
@@ -94,7 +92,6 @@ function Steps({ list, onChoose }: ListProps) {
       data-inner
       disabled={!around && (by < 0 ? at <= 0 : at >= count - 1)}
       aria-label={t(by < 0 ? "canvas.list.previous" : "canvas.list.next")}
-      onPointerDown={(event) => event.stopPropagation()}
       onClick={() => go(by)}
     >
       {by < 0 ? "◂" : "▸"}

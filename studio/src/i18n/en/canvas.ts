@@ -46,7 +46,7 @@ export const canvas = {
   "canvas.data.empty": "No data here",
   "canvas.data.lost": "The wire comes from an object that is not here",
   "canvas.data.more": "… and {count} more rows",
-  "canvas.data.count": "{items} items in {branches} branches",
+  "canvas.data.count": "{items|item|items} in {branches|branch|branches}",
 
   "canvas.port.addLast": "Add one more",
   "canvas.port.add": "Add a port here",
@@ -57,6 +57,7 @@ export const canvas = {
   "canvas.search.wired": "Takes {kind} …",
   "canvas.search.none": "Nothing of that name",
   "canvas.search.failed": "The list of components could not be fetched",
+  "canvas.ribbon.recent": "Recent",
   "canvas.ribbon": "Component tabs",
 
   "canvas.connect.label": "Connect {name}",
@@ -65,12 +66,15 @@ export const canvas = {
   "canvas.connect.none": "No such port",
   "canvas.connect.done": "{from} is connected with {to}",
 
+  "canvas.hint.search": "Double-click to search for a component",
+  "canvas.hint.type": "There type 0<5<10 for a slider, or \"text for a panel",
+  "canvas.hint.drop": "Drop a .gh, .ghx or .kd file anywhere to open it",
   "canvas.find.label": "Find on the canvas",
   "canvas.find.prompt": "Name, text of a panel, label of a group …",
   "canvas.find.none": "Nothing like that on the canvas",
 
   "canvas.group": "Group",
-  "canvas.group.spoken": "{label}, {count} objects",
+  "canvas.group.spoken": "{label}, {count|object|objects}",
   "canvas.group.unnamed": "without a label",
   "canvas.scribble.text": "Text of the scribble",
   "canvas.panel.text": "Text of the panel",
@@ -238,6 +242,6 @@ export const canvas = {
   "canvas.align.spreadDown": "Spread evenly down",
   "canvas.undone": "Taken back: {step}",
   "canvas.redone": "Made again: {step}",
-  "canvas.copied": "{count} objects copied",
-  "canvas.pasted": "{count} objects pasted",
+  "canvas.copied": "{count|object|objects} copied",
+  "canvas.pasted": "{count|object|objects} pasted",
 } as const;

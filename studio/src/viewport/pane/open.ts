@@ -22,6 +22,7 @@ import { Viewport, type Options } from "../Viewport";
 import type { Surroundings } from "../surroundings";
 import { viewOf } from "../views";
 import { PaneFrames } from "./frames";
+import { portray } from "./portrait";
 
 /** The colours of previews where no document says others: Grasshopper's. */
 const NORMAL: Rgba = [150, 0, 0, 100];
@@ -80,7 +81,9 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     section.place(placed);
   };
   const controls = hands(viewport, host, probes);
+  const stopPortraits = portray(viewport, host);
   return () => {
+    stopPortraits();
     controls.dispose();
     looker.dispose();
     probes.dispose();

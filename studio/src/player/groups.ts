@@ -1,0 +1,41 @@
+/** A visitor's inputs, under the labels of the groups that they stand in on the canvas. */
+
+import { isGroup, leaves, type Objects } from "../core/groups";
+import type { ObjectView } from "../core/protocol/ObjectView";
+
+const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "panel"];
+
+export interface InputGroup {
+  /** Empty for those in no group with a label. */
+  label: string;
+  inputs: ObjectView[];
+}
+
+/** The controls that a visitor may move, from top to bottom as they stand on the canvas. */
+export function playable(objects: readonly ObjectView[]): ObjectView[] {
+  const read = new Set(objects.flatMap(({ inputs }) => inputs.flatMap(({ sources }) => sources)));
+  const isFree = (object: ObjectView) => object.inputs.every((port) => port.sources.length === 0);
+  // A panel that nothing reads is a remark.
+  const isRead = ({ control, id, outputs }: ObjectView) => control?.is !== "panel" || read.has(id) || outputs.some((port) => read.has(port.id));
+  return objects
+    .filter((object) => object.control && KINDS.includes(object.control.is) && isFree(object) && isRead(object) && !object.disabled)
+    .sort((a, b) => a.bounds[1] - b.bounds[1] || a.bounds[0] - b.bounds[0]);
+}
+
+/** The playable controls by the smallest labelled group that holds each. */
+export function inputGroups(objects: Objects): InputGroup[] {
+  const groups = [...objects.values()].flatMap((object) => {
+    const label = isGroup(object) && object.control?.is === "group" ? object.control.label.trim() : "";
+    return label === "" ? [] : [{ label, id: object.id, holds: leaves([object.id], objects) }];
+  });
+  groups.sort((a, b) => a.holds.size - b.holds.size);
+  const found = new Map<string, InputGroup>();
+  for (const input of playable([...objects.values()])) {
+    const group = groups.find(({ holds }) => holds.has(input.id));
+    const key = group?.id ?? "";
+    const known = found.get(key) ?? { label: group?.label ?? "", inputs: [] };
+    known.inputs.push(input);
+    found.set(key, known);
+  }
+  return [...found.values()];
+}

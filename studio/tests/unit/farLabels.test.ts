@@ -1,0 +1,51 @@
+import { describe, expect, it } from "vitest";
+
+import type { FarBox, FarList } from "../../src/core/far";
+import { placeLabels, STRUCTURE_BELOW } from "../../src/core/farLabels";
+import type { Rect } from "../../src/core/geometry";
+
+function box(id: string, rect: Rect, text: string, change: Partial<FarBox> = {}): FarBox {
+  const label = { text, size: 11, across: "centre" as const, bold: false, lines: "one" as const };
+  return { id, rect, look: "plain", colour: undefined, kind: "box", lines: [], label, strip: undefined,
+    icon: undefined, selected: false, ...change };
+}
+
+const list = (boxes: FarBox[], groups: FarBox[] = []): FarList => ({ boxes, groups, wires: [] });
+const words = (boxes: FarBox[], zoom: number, groups: FarBox[] = []) =>
+  placeLabels(list(boxes, groups), zoom).map(({ lines, size }) => ({ text: lines.join("|"), pixels: size * zoom }));
+
+describe("words of the far view", () => {
+  const one = box("a", [0, 0, 70, 44], "Addition");
+  it("can be read at every zoom down to that where the structure alone is left", () => {
+    for (const zoom of [0.49, 0.3, 0.2, STRUCTURE_BELOW]) {
+      const [shown] = words([one], zoom);
+      expect(shown?.text).toBe("Addition");
+      expect(shown?.pixels).toBeGreaterThanOrEqual(9 - 1e-9);
+    }
+    expect(words([one], 0.1)).toEqual([]);
+  });
+  it("stand in their box, and beside it where they are longer", () => {
+    expect(placeLabels(list([one]), 0.45)[0]?.on).toBe("ground");
+    expect(placeLabels(list([box("a", [0, 0, 90, 44], "Len")]), 0.45)[0]?.on).toBe("box");
+  });
+  it("never lie over each other, nor over another's box", () => {
+    const column = Array.from({ length: 20 }, (_, k) => box(`b${k}`, [(k % 5) * 80, Math.floor(k / 5) * 50, 70, 44], "Deconstruct Brep"));
+    const placed = placeLabels(list(column), 0.2);
+    const rects = placed.map(({ at: [x, y], lines, size }) => [x - (lines[0]?.length ?? 0) * size * 0.25, y - size / 2, (lines[0]?.length ?? 0) * size * 0.5, size]);
+    rects.forEach(([x = 0, y = 0, w = 0, h = 0], i) =>
+      rects.slice(i + 1).forEach(([u = 0, v = 0, p = 0, q = 0]) => expect(x < u + p && u < x + w && y < v + q && v < y + h).toBe(false)),
+    );
+  });
+  it("say the value of a slider where there is no room for its name", () => {
+    const slider = box("s", [0, 0, 120, 40], "Number Slider 12.5");
+    slider.label = { ...(slider.label as NonNullable<FarBox["label"]>), short: "12.5" };
+    expect(words([slider], 0.3)[0]?.text).toBe("12.5");
+  });
+  it("show the first lines of a panel, messages on their band, and headings from farthest away", () => {
+    const panel = box("p", [0, 0, 300, 120], "first\nsecond\nthird\nfourth");
+    if (panel.label) panel.label.lines = "many";
+    expect(words([panel], 0.2)[0]?.text).toBe("first|second");
+    expect(words([box("m", [0, 0, 80, 60], "Rotate", { strip: "Degrees" })], 0.3).map(({ text }) => text)).toContain("Degrees");
+    expect(words([], 0.04, [box("g", [0, 0, 900, 600], "Towers", { kind: "group" })])[0]?.text).toBe("Towers");
+  });
+});
