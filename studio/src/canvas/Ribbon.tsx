@@ -14,8 +14,11 @@ import { canvasStore, keep } from "./store";
 import { canvasPoint } from "./view";
 
 /** The room of a button with the gap beside it, and of a panel's borders, in pixels. */
-const BUTTON = 66;
+const BUTTON = 30;
 const FRAME = 14;
+/** About how wide a letter of a panel's name is, and what stands beside the name. */
+const LETTER = 6;
+const BESIDE = 26;
 
 /** The component tabs: a click and then a click on the canvas places, or a drag does. */
 export function Ribbon() {
@@ -40,7 +43,9 @@ export function Ribbon() {
   if (!shown || all.length === 0) return null;
   const tab = all.find((one) => one.name === chosen) ?? all[0];
   const panels = [...(recent.length > 0 ? [{ name: t("canvas.ribbon.recent"), entries: recent }] : []), ...(tab?.panels ?? [])];
-  const columns = columnsOf(panels.map((panel) => panel.entries.length), width, BUTTON, FRAME);
+  const counts = panels.map((panel) => panel.entries.length);
+  const least = panels.map(({ name }) => Math.ceil((name.length * LETTER + BESIDE - FRAME) / BUTTON));
+  const columns = columnsOf(counts, width, BUTTON, FRAME, least);
   const step = (by: number) => {
     const at = all.findIndex((one) => one === tab);
     const next = (at + by + all.length) % all.length;

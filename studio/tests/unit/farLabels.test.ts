@@ -6,8 +6,7 @@ import type { Rect } from "../../src/core/geometry";
 
 function box(id: string, rect: Rect, text: string, change: Partial<FarBox> = {}): FarBox {
   const label = { text, size: 11, across: "centre" as const, bold: false, lines: "one" as const };
-  return { id, rect, look: "plain", colour: undefined, kind: "box", lines: [], label, strip: undefined,
-    icon: undefined, selected: false, ...change };
+  return { id, rect, look: "plain", colour: undefined, kind: "box", lines: [], label, strip: undefined, icon: undefined, selected: false, ...change };
 }
 
 const list = (boxes: FarBox[], groups: FarBox[] = []): FarList => ({ boxes, groups, wires: [] });

@@ -8,6 +8,9 @@ test("panels fill the width, the fullest first", () => {
   expect(columnsOf([2, 2], 2000, 50, 10)).toEqual([1, 1]);
   expect(columnsOf([20, 20], 60, 50, 10)).toEqual([1, 1]);
   expect(columnsOf([], 500, 50, 10)).toEqual([]);
+  // The room that a name takes is there for buttons too, and for no others.
+  expect(columnsOf([20, 2, 8], 500, 50, 10, [1, 3, 0])).toEqual([4, 3, 2]);
+  expect(columnsOf([20, 20], 60, 50, 10, [2, 3])).toEqual([2, 3]);
 });
 
 test("what was placed lately stands once, the last first", () => {
