@@ -3,23 +3,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
 #![cfg(unix)]
 
-use std::io::{BufRead, BufReader, Write};
+mod common;
+
+use std::io::Write;
 use std::net::TcpStream;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus};
 use std::time::{Duration, Instant};
 
 /// A compute server with half a request, which it waits for.
 fn serving() -> (Child, TcpStream) {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
-        .args(["serve", "--port", "0", "--grace", "60"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut url = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
-    let host = url.trim().trim_start_matches("http://").trim_end_matches('/');
-    let mut stream = TcpStream::connect(host).unwrap();
+    let (child, host) = common::serving(&["--grace", "60"]);
+    let mut stream = TcpStream::connect(&host).unwrap();
     write!(stream, "POST /grasshopper HTTP/1.1\r\nHost: {host}\r\nContent-Length: 1000\r\n\r\n{{").unwrap();
     stream.flush().unwrap();
     // The server has to have taken the request in.

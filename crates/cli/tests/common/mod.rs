@@ -4,8 +4,9 @@
 
 pub(crate) mod pictures;
 
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// The shared test data, or nothing with a line that says so.
@@ -32,6 +33,21 @@ pub(crate) fn definitions(folder: &Path) -> Vec<PathBuf> {
         }
     }
     all
+}
+
+/// A compute server on a free port, and where it listens.
+pub(crate) fn serving(words: &[&str]) -> (Child, String) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
+        .args(["serve", "--port", "0"])
+        .args(words)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut url = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
+    let host = url.trim().trim_start_matches("http://").trim_end_matches('/').to_owned();
+    (child, host)
 }
 
 /// The command with these words.

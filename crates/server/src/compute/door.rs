@@ -14,6 +14,7 @@ use uuid::Uuid;
 
 use super::asked::Asking;
 use super::behind::{Head, waited};
+use super::body::Received;
 use super::cors::is_preflight;
 use super::pool::Client;
 use super::query::Query;
@@ -114,11 +115,13 @@ async fn routed(
     let Client(turn) = client;
     let head = Head { method: head.method, uri: head.uri, headers: head.headers, client: turn, since };
     if let Some(behind) = service.behind.as_ref().filter(|_| address.route.is_of_jobs()) {
-        let body = match address.route {
-            Route::Jobs => service.room.receive(&head.headers, body).await?.as_sent(),
-            _ => Bytes::new(),
+        // Its memory counts until it is sent on.
+        let received = match address.route {
+            Route::Jobs => Some(service.room.receive(&head.headers, body).await?),
+            _ => None,
         };
         service.idle.touch();
+        let body = received.as_ref().map_or_else(Bytes::new, Received::as_sent);
         return behind.ask(&head, body, None).await;
     }
     let asking = |head, query| Asking { head, query, packs };
