@@ -20,6 +20,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
     let mut config = args.config(std::env::var(KEY).ok())?;
     if !args.one_process {
         config.processes = Processes::Two(again()?);
+        compute::stand_in_front();
     }
     serving::run(async {
         let mut signals = Signals::listen()?;

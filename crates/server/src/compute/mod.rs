@@ -38,6 +38,6 @@ mod service;
 mod solve;
 mod work;
 
-pub use behind::{Command, Orders, stand_behind};
+pub use behind::{Command, Orders, stand_behind, stand_in_front};
 pub use config::{Config, Processes};
 pub use server::{Server, start};

@@ -175,10 +175,18 @@ fn lost() -> Refusal {
     Refusal::busy("what was worked on beside this ended the process: try again", 1)
 }
 
+/// Asks for short turns on a processor: what is answered in front is short. For the process in front, before it starts a
+/// thread.
+pub fn stand_in_front() {
+    katydid_priority::take_short_turns();
+}
+
 /// Lowers the priority of this process, and makes it the first that the system ends when memory is short. For the
 /// process behind, before it starts a thread.
 pub fn stand_behind() {
-    super::pool::lower();
+    katydid_priority::lower();
+    // The one in front, which has started it, has short ones.
+    katydid_priority::take_usual_turns();
     #[cfg(target_os = "linux")]
     let _ = std::fs::write("/proc/self/oom_score_adj", "500");
 }

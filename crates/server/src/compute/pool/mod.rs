@@ -7,7 +7,6 @@
 //! Requests are read, and what is known to be quick is solved, on threads in front. Those in the back do the rest with a
 //! lower priority: where there are more solves than processors, who asks for a small thing does not wait for the others.
 
-mod priority;
 mod queue;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,7 +18,6 @@ use katydid_component::Cancel;
 use tokio::sync::oneshot;
 
 use crate::lock::held;
-pub(crate) use priority::lower;
 pub(crate) use queue::{Client, Lane, Places, SLICE};
 use queue::{Queue, Row, Ticket};
 
@@ -257,7 +255,7 @@ impl Shared {
 fn with_helpers(helpers: usize, row: Row, work: impl FnOnce()) {
     let place = move || {
         if row == Row::Back {
-            priority::lower();
+            katydid_priority::lower();
         }
     };
     place();
