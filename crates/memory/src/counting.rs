@@ -4,6 +4,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::sync::OnceLock;
 
+use crate::pages;
+
 thread_local! {
     /// What this thread has taken less what it has given back. It may be below 0: a thread may give back what another
     /// one took.
@@ -39,6 +41,8 @@ unsafe impl GlobalAlloc for Counting {
         let place = unsafe { System.alloc(layout) };
         if !place.is_null() {
             add(footprint(layout.size()));
+            // SAFETY: it has just been allocated.
+            unsafe { pages::ask(place, layout.size()) };
         }
         place
     }
@@ -48,6 +52,8 @@ unsafe impl GlobalAlloc for Counting {
         let place = unsafe { System.alloc_zeroed(layout) };
         if !place.is_null() {
             add(footprint(layout.size()));
+            // SAFETY: it has just been allocated.
+            unsafe { pages::ask(place, layout.size()) };
         }
         place
     }
@@ -63,6 +69,8 @@ unsafe impl GlobalAlloc for Counting {
         let moved = unsafe { System.realloc(place, layout, size) };
         if !moved.is_null() {
             add(footprint(size) - footprint(layout.size()));
+            // SAFETY: it is what the allocation has become.
+            unsafe { pages::ask(moved, size) };
         }
         moved
     }

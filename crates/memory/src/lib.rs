@@ -25,6 +25,7 @@
 
 mod account;
 mod counting;
+mod pages;
 
 pub use account::Account;
 pub use counting::{Counting, is_counting};
