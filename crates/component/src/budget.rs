@@ -181,6 +181,19 @@ impl Budget {
         Message::error(format!("More than {limit} items: raise the item limit if that many are wanted"))
     }
 
+    /// Whether there is room for `n` bytes where memory is counted; `false` where it is not. Takes none.
+    pub fn has_room(&self, n: usize) -> bool {
+        katydid_memory::is_counting() && self.waiting.room(n as u64).is_ok()
+    }
+
+    /// Asks for `n` bytes where memory is counted, and takes none where it is not.
+    ///
+    /// # Errors
+    /// As [`Budget::bytes`].
+    pub fn asked(&self, n: usize) -> Result<(), Message> {
+        if n > 0 && katydid_memory::is_counting() { self.waiting.room(n as u64) } else { Ok(()) }
+    }
+
     /// Asks for `n` bytes, before they are made.
     ///
     /// # Errors

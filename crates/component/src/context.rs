@@ -11,6 +11,8 @@ use crate::{Call, Message, Notes, RhinoModel};
 #[derive(Debug)]
 pub struct Context<'a> {
     call: &'a Call<'a>,
+    /// The most bytes that an item of one of the outputs takes.
+    item_bytes: usize,
     notes: RefCell<Notes>,
     path: RefCell<Path>,
     iteration: std::cell::Cell<usize>,
@@ -18,9 +20,10 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(call: &'a Call<'a>) -> Self {
+    pub(crate) fn new(call: &'a Call<'a>, item_bytes: usize) -> Self {
         Self {
             call,
+            item_bytes,
             notes: RefCell::default(),
             path: RefCell::default(),
             iteration: std::cell::Cell::new(0),
@@ -134,12 +137,14 @@ impl<'a> Context<'a> {
         text::Style { units: self.call.rules.units, tolerance: self.call.rules.tolerance }
     }
 
-    /// Asks whether `n` more items may be made, before they are.
+    /// Asks whether `n` more items of the outputs may be made, before they are: for how many they are, and for the bytes
+    /// that they take.
     ///
     /// # Errors
     /// The message to give back when that is more than the object may put out.
     pub fn items(&self, n: usize) -> Result<(), Message> {
-        self.call.budget.fits(n)
+        self.call.budget.fits(n)?;
+        self.call.budget.asked(n.saturating_mul(self.item_bytes))
     }
 
     /// Asks for `n` more bytes before they are made.

@@ -31,8 +31,8 @@ const LONG: Duration = Duration::from_millis(2);
 #[cfg(feature = "parallel")]
 const PIECES: usize = 8;
 
-/// The most places that are made ready for results: how many there will be is not known to be allowed.
-const MOST_READY: usize = 1 << 16;
+/// So many places are made ready for results without asking whether they fit.
+const SURELY_READY: usize = 1 << 16;
 
 /// The most small results that are counted together.
 const COUNTED_TOGETHER: usize = 1024;
@@ -126,6 +126,11 @@ impl Trial {
         Self::new(false)
     }
 
+    /// Whether it may end before the run does.
+    fn is_on(&self) -> bool {
+        self.since.is_some()
+    }
+
     /// Whether enough is known, asked before each iteration with the number of those done. The first one counts only
     /// where it is long: it also prepares what the others use.
     #[inline]
@@ -166,6 +171,10 @@ impl Trial {
         Self {}
     }
 
+    fn is_on(&self) -> bool {
+        false
+    }
+
     fn is_over(&mut self, _: usize) -> bool {
         false
     }
@@ -178,8 +187,9 @@ fn piece<S: Sinks>(
     function: &(impl Fn(&Row<'_>, &Context<'_>) -> Result<Option<S::Results>, Message> + Sync),
     mut trial: Trial,
 ) -> Piece<S> {
-    let context = Context::new(call);
-    let mut sinks = S::new(range.len().min(MOST_READY), call.output_count);
+    let context = Context::new(call, S::ITEM_BYTES);
+    let count = if trial.is_on() { range.len().min(SURELY_READY) } else { ready::<S>(call, range.len()) };
+    let mut sinks = S::new(count, call.output_count);
     let mut set = matching.set_of(range.start);
     let mut at = range.start;
     let mut stopped = None;
@@ -220,7 +230,9 @@ fn piece<S: Sinks>(
             };
             untaken += results.as_ref().map_or(0, S::count);
             if untaken >= COUNTED_TOGETHER {
-                if let Err(message) = call.budget.items(untaken) {
+                // Long lists are copied behind those of the iterations before.
+                let bytes = if i > range.start { results.as_ref().map_or(0, S::bytes) } else { 0 };
+                if let Err(message) = call.budget.items(untaken).and_then(|()| call.budget.asked(bytes)) {
                     stopped = Some(message);
                     break 'sets;
                 }
@@ -234,6 +246,14 @@ fn piece<S: Sinks>(
     // What was given up on the way is no result.
     let stopped = stopped.or_else(|| call.budget.items(untaken).and_then(|()| call.budget.check()).err());
     Piece { sinks, notes: context.into_notes(), stopped, end, trial }
+}
+
+/// For how many results of so many room is made at once: for all of them where they fit, as a table that grows is copied
+/// again and again.
+fn ready<S: Sinks>(call: &Call<'_>, count: usize) -> usize {
+    let bytes = count.saturating_mul(size_of::<S::Results>());
+    let fits = || call.budget.fits(count).is_ok() && call.budget.has_room(bytes);
+    if count <= SURELY_READY || fits() { count } else { SURELY_READY }
 }
 
 /// Where the iterations behind a trial are cut.

@@ -32,6 +32,8 @@ pub trait Sink: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items the result of one iteration holds, for the budget.
     fn count(result: &Self::Result) -> usize;
+    /// The bytes that an item takes here; 0 where it is mostly shared with others.
+    const ITEM_BYTES: usize;
     /// The bytes that the trees take besides what is here.
     fn finishing(&self, matching: &Matching<'_>) -> usize;
     /// The trees, one a port.
@@ -44,6 +46,7 @@ pub struct Items<T: Item>(Gather<T>);
 
 impl<T: Item> Sink for Items<T> {
     type Result = Option<T>;
+    const ITEM_BYTES: usize = size_of::<T>();
 
     fn new(capacity: usize, _: usize) -> Self {
         Self(Gather::with_capacity(capacity))
@@ -117,6 +120,7 @@ impl<T: Item> Lists<T> {
 
 impl<T: Item> Sink for Lists<T> {
     type Result = ListOf<T>;
+    const ITEM_BYTES: usize = size_of::<T>();
 
     fn new(_: usize, _: usize) -> Self {
         Self { whole: None, items: Gather::default(), ends: Vec::new() }
@@ -180,6 +184,7 @@ pub struct ItemsOrLists<T: Item> {
 
 impl<T: Item> Sink for ItemsOrLists<T> {
     type Result = ItemOrList<T>;
+    const ITEM_BYTES: usize = size_of::<T>();
 
     fn new(capacity: usize, _: usize) -> Self {
         Self { items: Gather::with_capacity(capacity), ends: Vec::with_capacity(capacity), lists: false }
@@ -264,6 +269,7 @@ impl Trees {
 
 impl Sink for Trees {
     type Result = Tree;
+    const ITEM_BYTES: usize = 0;
 
     fn new(_: usize, _: usize) -> Self {
         Self::default()
@@ -310,6 +316,7 @@ macro_rules! each {
 
         impl<T: Item> Sink for $name<T> {
             type Result = Vec<$result>;
+            const ITEM_BYTES: usize = <$sink>::ITEM_BYTES;
 
             fn new(capacity: usize, ports: usize) -> Self {
                 Self((0..ports).map(|_| <$sink>::new(capacity, 1)).collect(), std::marker::PhantomData)
@@ -358,6 +365,7 @@ pub struct EachTrees(Vec<Trees>);
 
 impl Sink for EachTrees {
     type Result = Vec<Tree>;
+    const ITEM_BYTES: usize = 0;
 
     fn new(capacity: usize, ports: usize) -> Self {
         Self((0..ports).map(|_| Trees::new(capacity, 1)).collect())
@@ -402,6 +410,10 @@ pub trait Sinks: Send + Sized {
     fn append(&mut self, other: Self);
     /// The number of items in the results of one iteration.
     fn count(results: &Self::Results) -> usize;
+    /// The most bytes that an item of one of the outputs takes.
+    const ITEM_BYTES: usize;
+    /// The bytes that the results of one iteration take.
+    fn bytes(results: &Self::Results) -> usize;
     /// The bytes that the trees take besides what is here.
     fn finishing(&self, matching: &Matching<'_>) -> usize;
     /// The trees of all outputs.
@@ -412,6 +424,13 @@ macro_rules! sinks {
     ($($name:ident $index:tt),*; $n:expr) => {
         impl<$($name: Sink),*> Sinks for ($($name,)*) {
             type Results = ($($name::Result,)*);
+            const ITEM_BYTES: usize = {
+                let mut most = 0;
+                $(if $name::ITEM_BYTES > most {
+                    most = $name::ITEM_BYTES;
+                })*
+                most
+            };
             fn new(capacity: usize, ports: usize) -> Self {
                 // Only the last output stands for many: it has what the others leave.
                 let rest = (ports + 1).saturating_sub($n).max(1);
@@ -431,6 +450,9 @@ macro_rules! sinks {
             fn count(results: &Self::Results) -> usize {
                 0 $(+ $name::count(&results.$index))*
             }
+            fn bytes(results: &Self::Results) -> usize {
+                0 $(+ $name::count(&results.$index) * $name::ITEM_BYTES)*
+            }
             fn finishing(&self, matching: &Matching<'_>) -> usize {
                 [$(self.$index.finishing(matching)),*].into_iter().fold(0, usize::saturating_add)
             }
@@ -446,10 +468,14 @@ macro_rules! sinks {
 /// A component without outputs.
 impl Sinks for () {
     type Results = ();
+    const ITEM_BYTES: usize = 0;
     fn new(_: usize, _: usize) -> Self {}
     fn push(&mut self, _: Option<()>) {}
     fn append(&mut self, (): Self) {}
     fn count((): &()) -> usize {
+        0
+    }
+    fn bytes((): &()) -> usize {
         0
     }
     fn finishing(&self, _: &Matching<'_>) -> usize {

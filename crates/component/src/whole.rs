@@ -3,6 +3,7 @@
 //! A component with `columns = function` in its attribute is asked this way first. The function gives `None` where
 //! the data is not as plain as it needs, and the ordinary loop runs; the results are the same either way.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use katydid_data::{Item, Tree};
@@ -56,15 +57,112 @@ fn collect<A: Item, B: Item>(items: &[A], f: impl Fn(&A) -> Option<B> + Sync) ->
 /// a slice has as many numbers, or the one that serves for all. Inputs have the same branches, or a single item. `None`
 /// when the data is not that plain, `f` gives `None` for a piece, or the budget does not allow it.
 pub fn numbers(call: &Call<'_>, f: impl Fn(&[&[f64]], usize) -> Option<Vec<f64>> + Sync) -> Option<Outcome> {
+    of_columns(call, call.inputs.iter().map(borrowed).collect::<Option<_>>()?, f)
+}
+
+/// The same where some of the inputs, but not all, may be integers: they count as numbers.
+pub fn reals(call: &Call<'_>, f: impl Fn(&[&[f64]], usize) -> Option<Vec<f64>> + Sync) -> Option<Outcome> {
+    call.inputs.iter().find(|tree| f64::slice(tree.column()).is_some())?;
+    of_columns(
+        call,
+        call.inputs.iter().map(|tree| borrowed(tree).or_else(|| converted(tree))).collect::<Option<_>>()?,
+        f,
+    )
+}
+
+/// The numbers of a tree as they lie.
+fn borrowed(tree: &Tree) -> Option<Cow<'_, [f64]>> {
+    f64::slice(tree.column()).map(Cow::Borrowed)
+}
+
+/// The integers of a tree as numbers.
+fn converted(tree: &Tree) -> Option<Cow<'_, [f64]>> {
+    i32::slice(tree.column()).map(|all| all.iter().map(|&i| f64::from(i)).collect())
+}
+
+fn of_columns(
+    call: &Call<'_>,
+    columns: Vec<Cow<'_, [f64]>>,
+    f: impl Fn(&[&[f64]], usize) -> Option<Vec<f64>> + Sync,
+) -> Option<Outcome> {
+    let lead = lead(call)?;
+    let n = lead.item_count();
+    let results = pieces(n, |range, results| {
+        let slices: Option<Vec<&[f64]>> = columns.iter().map(|column| part(column, n, &range)).collect();
+        let found = f(&slices?, results.len()).filter(|found| found.len() == results.len())?;
+        results.copy_from_slice(&found);
+        Some(())
+    })?;
+    let mut outputs = vec![Tree::empty(); call.output_count];
+    *outputs.first_mut()? = lead.with_column(f64::column(results, None));
+    Some(Outcome { outputs, messages: Vec::new() })
+}
+
+/// The items of two inputs through `f`, as output 0. Inputs are as in [`numbers`].
+pub fn two<A: Item + Copy, B: Item + Copy, R: Item>(
+    call: &Call<'_>,
+    f: impl Fn(A, B) -> R + Sync,
+) -> Option<Outcome> {
+    let [a, b] = call.inputs else { return None };
+    let (a, b) = (A::slice(a.column())?, B::slice(b.column())?);
+    each(call, |i| Some(f(at(a, i)?, at(b, i)?)))
+}
+
+/// The items of three inputs through `f`, as output 0. Inputs are as in [`numbers`].
+pub fn three<A: Item + Copy, B: Item + Copy, C: Item + Copy, R: Item>(
+    call: &Call<'_>,
+    f: impl Fn(A, B, C) -> R + Sync,
+) -> Option<Outcome> {
+    let [a, b, c] = call.inputs else { return None };
+    let (a, b, c) = (A::slice(a.column())?, B::slice(b.column())?, C::slice(c.column())?);
+    each(call, |i| Some(f(at(a, i)?, at(b, i)?, at(c, i)?)))
+}
+
+/// Item `i` of a column, or the one that serves for all.
+fn at<T: Copy>(column: &[T], i: usize) -> Option<T> {
+    column.get(i).or(column.first()).copied()
+}
+
+/// A result for each place of the input that leads.
+fn each<R: Item>(call: &Call<'_>, f: impl Fn(usize) -> Option<R> + Sync) -> Option<Outcome> {
+    let lead = lead(call)?;
+    let results = filled(lead.item_count(), f)?;
+    let mut outputs = vec![Tree::empty(); call.output_count];
+    *outputs.first_mut()? = lead.with_column(R::column(results, None));
+    Some(Outcome { outputs, messages: Vec::new() })
+}
+
+fn filled<R: Item>(n: usize, f: impl Fn(usize) -> Option<R> + Sync) -> Option<Vec<R>> {
+    #[cfg(feature = "parallel")]
+    if n >= 2 * PIECE && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let mut results = vec![R::placeholder(); n];
+        let fill = |(k, piece): (usize, &mut [R])| {
+            piece.iter_mut().enumerate().try_for_each(|(i, result)| {
+                *result = f(k * PIECE + i)?;
+                Some(())
+            })
+        };
+        let filled = results.par_chunks_mut(PIECE).enumerate().map(fill);
+        return filled.all(|piece| piece.is_some()).then_some(results);
+    }
+    let mut results = Vec::with_capacity(n);
+    for i in 0..n {
+        results.push(f(i)?);
+    }
+    Some(results)
+}
+
+/// The input that gives the paths and the number of results, where the others have the same branches or a single item
+/// that serves for all. `None` where there are nulls, the matching is another, or the budget does not allow it: the loop
+/// that runs instead says why.
+fn lead<'a>(call: &Call<'a>) -> Option<&'a Tree> {
     if call.settings.i32("PrincipalIndex").is_some()
         || call.inputs.iter().any(|tree| tree.column().has_nulls())
     {
         return None;
     }
     let lead = call.inputs.iter().max_by_key(|tree| (tree.item_count(), tree.branch_count()))?;
-    let n = lead.item_count();
-    let columns =
-        call.inputs.iter().map(|tree| f64::slice(tree.column())).collect::<Option<Vec<&[f64]>>>()?;
     let same = |tree: &Tree| {
         tree.paths() == lead.paths() && (0..tree.branch_count()).all(|b| tree.range(b) == lead.range(b))
     };
@@ -79,18 +177,9 @@ pub fn numbers(call: &Call<'_>, f: impl Fn(&[&[f64]], usize) -> Option<Vec<f64>>
     if !call.inputs.iter().all(|tree| same(tree) || serves(tree)) {
         return None;
     }
-    // The loop that runs instead says why.
     call.budget.check().ok()?;
-    call.budget.items(n).ok()?;
-    let results = pieces(n, |range, results| {
-        let slices: Option<Vec<&[f64]>> = columns.iter().map(|column| part(column, n, &range)).collect();
-        let found = f(&slices?, results.len()).filter(|found| found.len() == results.len())?;
-        results.copy_from_slice(&found);
-        Some(())
-    })?;
-    let mut outputs = vec![Tree::empty(); call.output_count];
-    *outputs.first_mut()? = lead.with_column(f64::column(results, None));
-    Some(Outcome { outputs, messages: Vec::new() })
+    call.budget.items(lead.item_count()).ok()?;
+    Some(lead)
 }
 
 /// The numbers of a column that belong to a range of the results; all of one that serves for all.

@@ -1,6 +1,6 @@
 //! Vector / Point: points from numbers and back.
 
-use katydid_component::{List, Message, component};
+use katydid_component::{Call, List, Message, Outcome, component, whole};
 use katydid_data::Value;
 use katydid_geometry::{Plane, Point3};
 
@@ -9,7 +9,8 @@ use katydid_geometry::{Plane, Point3};
     "3581f42a-9592-4549-bd6b-1c0fc39d067b",
     name = "Construct Point",
     nick = "Pt",
-    at = "Vector/Point"
+    at = "Vector/Point",
+    columns = construct_points
 )]
 #[output("Point", "Pt", "The point.")]
 fn construct_point(
@@ -24,6 +25,11 @@ fn construct_point(
     z: f64,
 ) -> Point3 {
     Point3::new(x, y, z)
+}
+
+/// Points of whole columns of coordinates.
+fn construct_points(call: &Call<'_>) -> Option<Outcome> {
+    whole::three(call, Point3::new)
 }
 
 /// A point from its coordinates in a plane.
@@ -93,7 +99,13 @@ fn deconstruct_point(
 }
 
 /// The straight distance between two points.
-#[component("93b8e93d-f932-402c-b435-84be04d87666", name = "Distance", nick = "Dist", at = "Vector/Point")]
+#[component(
+    "93b8e93d-f932-402c-b435-84be04d87666",
+    name = "Distance",
+    nick = "Dist",
+    at = "Vector/Point",
+    columns = distances
+)]
 #[output("Distance", "D", "The distance, in the units of the points.")]
 fn distance(
     /// The first point.
@@ -104,6 +116,11 @@ fn distance(
     b: Point3,
 ) -> f64 {
     a.distance_to(b)
+}
+
+/// Distances of whole columns of points.
+fn distances(call: &Call<'_>) -> Option<Outcome> {
+    whole::two(call, Point3::distance_to)
 }
 
 /// The weighted sum of three points. With U + V + W = 1 it lies in their plane, and these are its barycentric coordinates.
@@ -325,6 +342,27 @@ mod tests {
         assert_eq!(Trial::of("Distance").item(P).item(Point3::new(1.0, 5.0, 7.0)).texts(0), ["{0}: 5"]);
         let middle = Trial::of("Barycentric").item(P).item(P).item(Point3::ORIGIN).item(0.25).item(0.25);
         assert_eq!(middle.item(0.5).texts(0), ["{0}: {0.5, 1, 1.5}"]);
+    }
+
+    /// Columns that are taken as a whole, and those that are too uneven for that.
+    #[test]
+    fn columns_of_coordinates() {
+        let x = [1.0, 2.0, 3.0];
+        let points = |y: &[f64]| Trial::of("Construct Point").list(x).list(y.iter().copied()).texts(0);
+        assert_eq!(points(&[7.0]), ["{0}: {1, 7, 0}, {2, 7, 0}, {3, 7, 0}"]);
+        assert_eq!(points(&[7.0, 8.0, 9.0]), ["{0}: {1, 7, 0}, {2, 8, 0}, {3, 9, 0}"]);
+        assert_eq!(points(&[7.0, 8.0]), ["{0}: {1, 7, 0}, {2, 8, 0}, {3, 8, 0}"]);
+        assert_eq!(points(&[7.0, 8.0, 9.0, 10.0])[0].matches("{3, ").count(), 2);
+        let branches =
+            || Trial::of("Construct Point").branches([("{0;1}", [1.0, 2.0]), ("{0;2}", [3.0, 4.0])]);
+        assert_eq!(
+            branches().item(5.0).texts(0),
+            ["{0;1}: {1, 5, 0}, {2, 5, 0}", "{0;2}: {3, 5, 0}, {4, 5, 0}"]
+        );
+        let other = branches().branches([("{0;1}", [6.0, 7.0]), ("{0;3}", [8.0, 9.0])]);
+        assert_eq!(other.texts(0).len(), 2);
+        let apart = Trial::of("Distance").list([P, Point3::ORIGIN]).item(Point3::ORIGIN);
+        assert_eq!(apart.texts(0), ["{0}: 3.741657, 0"]);
     }
 
     #[test]

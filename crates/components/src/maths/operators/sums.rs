@@ -1,6 +1,6 @@
 //! Sums, differences, products, quotients.
 
-use katydid_component::{Context, List, ManyItems, Message, component};
+use katydid_component::{Call, Context, List, ManyItems, Message, Outcome, component, whole};
 use katydid_data::{Column, Item, Value};
 
 use super::super::arithmetic;
@@ -27,6 +27,47 @@ fn fold(context: &Context<'_>, terms: ManyItems<Value>, operator: Binary) -> Res
     Ok(result)
 }
 
+/// The same for columns of numbers as they lie, integers among them; `None` for other data.
+fn fold_numbers(call: &Call<'_>, operator: impl Fn(f64, f64) -> f64 + Sync) -> Option<Outcome> {
+    whole::reals(call, |columns, count| {
+        let (first, others) = columns.split_first()?;
+        let mut result = match **first {
+            [one] => vec![one; count],
+            ref many => many.to_vec(),
+        };
+        for column in others {
+            match **column {
+                [one] => result.iter_mut().for_each(|x| *x = operator(*x, one)),
+                ref many => result.iter_mut().zip(many).for_each(|(x, &y)| *x = operator(*x, y)),
+            }
+        }
+        Some(result)
+    })
+}
+
+fn sums(call: &Call<'_>) -> Option<Outcome> {
+    fold_numbers(call, |a, b| a + b)
+}
+
+fn differences(call: &Call<'_>) -> Option<Outcome> {
+    fold_numbers(call, |a, b| a - b)
+}
+
+fn products(call: &Call<'_>) -> Option<Outcome> {
+    fold_numbers(call, |a, b| a * b)
+}
+
+/// Quotients, where no divisor is zero.
+fn quotients(call: &Call<'_>) -> Option<Outcome> {
+    let divisors = call.inputs.get(1)?.column();
+    let has_zero = match (f64::slice(divisors), i32::slice(divisors)) {
+        (Some(numbers), _) => numbers.contains(&0.0),
+        (_, Some(integers)) => integers.contains(&0),
+        _ => true,
+    };
+    if has_zero { None } else { fold_numbers(call, |a, b| a / b) }
+}
+
 /// Adds its inputs: numbers, points and vectors, domains, colours; texts are joined.
 ///
 /// A point plus a vector is a point. Inputs without data are left out.
@@ -39,7 +80,8 @@ fn fold(context: &Context<'_>, terms: ManyItems<Value>, operator: Binary) -> Res
         "d18db32b-7099-4eea-85c4-8ba675ee8ec3",
         "cae37d1c-8146-4e0b-9cf1-14cb3e337b94",
         "58669268-a825-4688-8072-7d3508fcf91c"
-    )
+    ),
+    columns = sums
 )]
 #[output("Result", "R", "The sum.")]
 fn addition(
@@ -63,7 +105,8 @@ fn addition(
         "2c56ab33-c7cc-4129-886c-d5856b714010",
         "babecca6-9813-4146-b150-cd72f743e47c",
         "f4a20a34-97e6-4ff5-9b26-7f7ed7a1e333"
-    )
+    ),
+    columns = differences
 )]
 #[output("Result", "R", "The difference.")]
 fn subtraction(
@@ -87,7 +130,8 @@ fn subtraction(
         "b8963bb1-aa57-476e-a20e-ed6cf635a49c",
         "2f643ab6-b9a4-4923-b3da-f9d52b0cba14",
         "3e6383e9-af39-427b-801a-19ca916160fa"
-    )
+    ),
+    columns = products
 )]
 #[output("Result", "R", "The product.")]
 fn multiplication(
@@ -107,7 +151,8 @@ fn multiplication(
     name = "Division",
     nick = "A/B",
     at = "Maths/Operators",
-    also("ec875825-61e4-4c1c-a343-0e0cee0b321b", "cb4ec4a1-f48e-4685-b58c-72ed27b53681")
+    also("ec875825-61e4-4c1c-a343-0e0cee0b321b", "cb4ec4a1-f48e-4685-b58c-72ed27b53681"),
+    columns = quotients
 )]
 #[output("Result", "R", "The quotient.")]
 fn division(
@@ -252,6 +297,22 @@ mod tests {
     use katydid_component::testing::Trial;
     use katydid_data::Tree;
     use katydid_geometry::{Point3, Vector3};
+
+    /// Columns that are taken as a whole, and those that are too uneven for that.
+    #[test]
+    fn columns_of_numbers() {
+        let with = |name: &str| Trial::of(name).list([1.5, 2.5, -4.0]);
+        assert_eq!(with("Addition").item(2).texts(0), ["{0}: 3.5, 4.5, -2"]);
+        assert_eq!(with("Subtraction").list([1, 2, 3]).item(0.5).texts(0), ["{0}: 0, 0, -7.5"]);
+        assert_eq!(with("Multiplication").list([2, 4]).texts(0), ["{0}: 3, 10, -16"]);
+        assert_eq!(Trial::of("Multiplication").list([3, 4]).list([5, 6]).texts(0), ["{0}: 15, 24"]);
+        assert_eq!(with("Division").item(2).texts(0), ["{0}: 0.75, 1.25, -2"]);
+        let by_zero = || with("Division").list([3.0, 0.0, 2.0]);
+        assert_eq!(by_zero().texts(0), ["{0}: 0.5, null, -2"]);
+        assert!(by_zero().message().contains("zero"));
+        let gaps = Trial::of("Addition").gaps([Some(1.0), None]).item(1.0);
+        assert_eq!(gaps.texts(0), ["{0}: 2, null"]);
+    }
 
     #[test]
     fn addition_of_points_vectors_and_texts() {
