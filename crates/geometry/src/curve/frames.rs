@@ -1,7 +1,7 @@
 //! Frames along a curve that do not twist about it.
 
 use super::Curve;
-use crate::{Plane, Vector3};
+use crate::{Plane, Vector3, patience};
 
 impl Curve {
     /// Frames at parameters, in the order given: z is the tangent, and x turns about it as little as possible from
@@ -25,6 +25,9 @@ impl Curve {
         stations.dedup();
         let mut frames: Vec<(f64, Vector3, Vector3)> = Vec::with_capacity(stations.len());
         for t in stations {
+            if patience::check().is_err() {
+                break;
+            }
             let point = self.point_at(t);
             // Over a kink the frame turns by the smallest rotation from the arriving tangent to the leaving one.
             let Some(leaving) = self.tangent_at(t) else { continue };

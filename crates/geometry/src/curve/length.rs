@@ -73,9 +73,13 @@ impl<'a> ArcLength<'a> {
         let mut sums = Vec::with_capacity(pieces.len() + 1);
         let mut tables = Vec::with_capacity(pieces.len() + 1);
         let (mut parts, mut hodographs) = (Vec::with_capacity(2 * pieces.len()), Hodographs::default());
-        let mut sum = 0.0;
+        let (mut sum, mut measured) = (0.0, 0);
         sums.push(sum);
         for piece in &pieces {
+            if patience::check().is_err() {
+                break;
+            }
+            measured += 1;
             let first = parts.len() as u32;
             if let Shape::Span(nurbs, j) = piece.shape {
                 let place = hodographs.push(nurbs, j);
@@ -94,6 +98,7 @@ impl<'a> ArcLength<'a> {
             sums.push(sum);
         }
         tables.push((parts.len() as u32, None));
+        pieces.truncate(measured);
         Self { pieces, sums, tables, parts, hodographs }
     }
 
@@ -218,6 +223,9 @@ impl Curve {
         let mut hodographs = Hodographs::default();
         let mut sum = 0.0;
         for piece in &self.pieces() {
+            if patience::check().is_err() {
+                break;
+            }
             if let Shape::Span(nurbs, j) = piece.shape {
                 hodographs.clear();
                 let place = hodographs.push(nurbs, j);
