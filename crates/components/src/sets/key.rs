@@ -1,9 +1,9 @@
 //! When two items count as the same member of a set.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::sync::Arc;
 
+use indexmap::{IndexMap, IndexSet};
 use katydid_component::{Context, List, Message};
 use katydid_data::{Content, Path, Value};
 use uuid::Uuid;
@@ -27,6 +27,23 @@ pub(super) enum Key {
     Shape(String),
     /// A large shape, by where it lies.
     Object(usize),
+}
+
+/// A value for each of some members, in the order in which they came. The hash of a member is kept: texts are read again
+/// only where hashes are the same.
+pub(super) type KeyMap<V> = IndexMap<Key, V, foldhash::fast::RandomState>;
+
+/// Some members, in the order in which they came.
+pub(super) type KeySet = IndexSet<Key, foldhash::fast::RandomState>;
+
+/// No members, with room for `n`.
+pub(super) fn map_for<V>(n: usize) -> KeyMap<V> {
+    KeyMap::with_capacity_and_hasher(n, foldhash::fast::RandomState::default())
+}
+
+/// No members, with room for `n`.
+pub(super) fn set_for(n: usize) -> KeySet {
+    KeySet::with_capacity_and_hasher(n, foldhash::fast::RandomState::default())
 }
 
 /// The bits of a number, with one zero and one NaN.
@@ -124,14 +141,14 @@ fn is_number(value: &Value) -> bool {
 
 /// Where each member of a list stands.
 struct Index {
-    first: HashMap<Key, usize>,
+    first: KeyMap<usize>,
     /// For each place the next one with the same member; past the end when there is none.
     next: Vec<usize>,
 }
 
 impl Index {
     fn new(list: &List<'_, Value>) -> Self {
-        let mut first = HashMap::with_capacity(list.len());
+        let mut first = map_for(list.len());
         let mut next = vec![usize::MAX; list.len()];
         for (i, (item, next)) in list.iter().zip(&mut next).enumerate().rev() {
             if let Some(later) = first.insert(Key::of(item.as_ref()), i) {

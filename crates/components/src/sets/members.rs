@@ -1,11 +1,9 @@
 //! Sets / Sets.
 
-use std::collections::{HashMap, HashSet};
-
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Tree, TreeBuilder, Value};
 
-use crate::sets::key::{Key, places, same};
+use crate::sets::key::{Key, KeyMap, KeySet, map_for, places, same, set_for};
 use crate::sets::{integer, room};
 
 /// Asks for room for a table of the keys of a list.
@@ -13,20 +11,21 @@ fn ask(context: &Context<'_>, list: &List<'_, Value>) -> Result<(), Message> {
     context.bytes(list.len().saturating_mul(2 * size_of::<(Key, Value)>()))
 }
 
-/// The different members of a list in order of their first appearance, each with its key. Nulls are no members.
-fn members(context: &Context<'_>, list: &List<'_, Value>) -> Result<Vec<(Key, Value)>, Message> {
+/// The different members of a list in order of their first appearance, each by its key. Nulls are no members.
+fn members(context: &Context<'_>, list: &List<'_, Value>) -> Result<KeyMap<Value>, Message> {
     ask(context, list)?;
-    let mut seen = HashSet::new();
-    let new = list.present().filter_map(|item| {
-        let key = Key::of(Some(&item));
-        seen.insert(key.clone()).then_some((key, item))
-    });
-    Ok(new.collect())
+    let mut members = map_for(list.len());
+    for item in list.present() {
+        members.entry(Key::of(Some(&item))).or_insert(item);
+    }
+    Ok(members)
 }
 
-fn keys(context: &Context<'_>, list: &List<'_, Value>) -> Result<HashSet<Key>, Message> {
+fn keys(context: &Context<'_>, list: &List<'_, Value>) -> Result<KeySet, Message> {
     ask(context, list)?;
-    Ok(list.present().map(|item| Key::of(Some(&item))).collect())
+    let mut keys = set_for(list.len());
+    keys.extend(list.present().map(|item| Key::of(Some(&item))));
+    Ok(keys)
 }
 
 /// The members of a list for which `keep` says so.
@@ -59,18 +58,15 @@ fn create_set(
 ) -> Result<(Vec<Value>, Vec<Option<i32>>), Message> {
     context.items(list.len().saturating_mul(2))?;
     ask(context, &list)?;
-    let mut places: HashMap<Key, usize> = HashMap::new();
-    let mut set = Vec::new();
-    let mut map = Vec::with_capacity(list.len());
-    for item in list.iter() {
-        map.push(item.map(|item| {
-            integer(*places.entry(Key::of(Some(&item))).or_insert_with(|| {
-                set.push(item);
-                set.len() - 1
-            }))
-        }));
-    }
-    Ok((set, map))
+    let mut members = map_for(list.len());
+    let mut place = |item: Value| {
+        let entry = members.entry(Key::of(Some(&item)));
+        let place = integer(entry.index());
+        entry.or_insert(item);
+        place
+    };
+    let map = list.iter().map(|item| item.map(&mut place)).collect();
+    Ok((members.into_values().collect(), map))
 }
 
 /// All members of two sets, each once: those of A, then the new ones of B.
@@ -93,7 +89,7 @@ fn set_union(
 ) -> Result<Vec<Value>, Message> {
     ask(context, &a)?;
     ask(context, &b)?;
-    let mut seen = HashSet::new();
+    let mut seen = set_for(a.len().max(b.len()));
     Ok(a.present().chain(b.present()).filter(|item| seen.insert(Key::of(Some(item)))).collect())
 }
 
@@ -184,7 +180,7 @@ fn set_majority(
     c: List<Value>,
 ) -> Result<Vec<Value>, Message> {
     let sets = [keys(context, &a)?, keys(context, &b)?, keys(context, &c)?];
-    let mut seen = HashSet::new();
+    let mut seen = set_for(0);
     let wanted = |key: &Key| sets.iter().filter(|set| set.contains(key)).count() > 1;
     let several = a.present().chain(b.present()).filter(|item| {
         let key = Key::of(Some(item));
@@ -302,7 +298,7 @@ fn replace_members(
 ) -> Result<Vec<Option<Value>>, Message> {
     context.items(set.len())?;
     ask(context, &find)?;
-    let mut places: HashMap<Key, usize> = HashMap::new();
+    let mut places = map_for(find.len());
     for (k, item) in find.iter().enumerate() {
         places.entry(Key::of(item.as_ref())).or_insert(k);
     }

@@ -66,8 +66,19 @@ fn path_compare(
     Ok(Mask::parse(&mask)?.fits_path(path.elements()))
 }
 
-fn masks(texts: &List<'_, Arc<str>>) -> Result<Vec<Mask>, Message> {
-    texts.present().map(|text| Mask::parse(&text)).collect()
+/// So many masks are read between two questions whether to go on.
+const MASKS_AT_ONCE: usize = 1024;
+
+fn masks(context: &Context<'_>, texts: &List<'_, Arc<str>>) -> Result<Vec<Mask>, Message> {
+    context.bytes(texts.len().saturating_mul(size_of::<Mask>()))?;
+    let mut masks = Vec::with_capacity(texts.len());
+    for text in texts.present() {
+        if masks.len() % MASKS_AT_ONCE == 0 {
+            context.check()?;
+        }
+        masks.push(Mask::parse(&text)?);
+    }
+    Ok(masks)
 }
 
 /// Splits a tree in two by masks, such as `{0;?}[0,2,...]`: what fits any of them, and the rest.
@@ -87,7 +98,7 @@ fn split_tree(
     texts: List<Arc<str>>,
 ) -> Result<(Tree, Tree), Message> {
     room(context, data.item_count().saturating_mul(2))?;
-    let masks = masks(&texts)?;
+    let masks = masks(context, &texts)?;
     let mut sides = [Side::default(), Side::default()];
     for branch in data.branches() {
         context.check()?;
@@ -131,8 +142,11 @@ struct Masks {
 }
 
 impl Masks {
-    fn new(masks: Vec<Mask>) -> Self {
-        let (mut exact, mut others) = (HashMap::new(), Vec::new());
+    fn new(context: &Context<'_>, masks: Vec<Mask>) -> Result<Self, Message> {
+        // The elements of a path are allocated by themselves.
+        let each = size_of::<(Vec<i32>, usize)>() + 2 * size_of::<usize>();
+        context.bytes(masks.len().saturating_mul(2 * each))?;
+        let (mut exact, mut others) = (HashMap::with_capacity(masks.len()), Vec::new());
         for (k, mask) in masks.into_iter().enumerate() {
             match mask.only_path() {
                 Some(path) => {
@@ -141,7 +155,7 @@ impl Masks {
                 None => others.push((k, mask)),
             }
         }
-        Self { exact, others }
+        Ok(Self { exact, others })
     }
 
     /// The place of the first mask that fits a path.
@@ -176,10 +190,10 @@ fn replace_paths(
     replace: List<Path>,
 ) -> Result<Tree, Message> {
     whole(context, data)?;
-    let masks = masks(&search)?;
+    let masks = masks(context, &search)?;
     let paths: Vec<Path> = replace.present().collect();
     let Some(last) = paths.last() else { return Err(Message::error("There is no new path")) };
-    let masks = Masks::new(masks);
+    let masks = Masks::new(context, masks)?;
     let mut renamed = Vec::with_capacity(data.branch_count());
     for path in data.paths() {
         context.check()?;
