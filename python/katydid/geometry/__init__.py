@@ -1,0 +1,7 @@
+"""Geometry that the host holds: RhinoCommon's classes over handles."""
+
+from .call import as_curve, call, construct, member_call, static_call
+from .classes import CLASSES, of_handle
+from .host_object import HostObject
+
+__all__ = ["CLASSES", "HostObject", "as_curve", "call", "construct", "member_call", "of_handle", "static_call"]
