@@ -1,0 +1,23 @@
+"""Grasshopper.Kernel."""
+
+from katydid.run.component import Component as GH_Component  # noqa: F401
+from katydid.run.component import Definition as GH_Document  # noqa: F401
+from katydid.run.component import GH_RuntimeMessageLevel  # noqa: F401
+from katydid.run.instance import ComponentBase
+from katydid.values.base import not_supported as _not_supported
+from katydid.values.enums import make as _make
+
+from . import Data, Special, Types  # noqa: F401
+
+GH_ParamAccess = _make("GH_ParamAccess", item=0, list=1, tree=2)
+GH_SolutionMode = _make("GH_SolutionMode", Default=0, CommandLine=1, Silent=2)
+
+
+class GH_ScriptInstance(ComponentBase):
+    """The base of scripts that are a class (Rhino 8)."""
+
+
+def __getattr__(name):
+    if name.startswith("_"):
+        raise AttributeError(name)
+    raise _not_supported("Grasshopper.Kernel." + name)

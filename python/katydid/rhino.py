@@ -1,0 +1,62 @@
+"""Makes the modules that Rhino's scripts import available: Rhino, System, rhinoscriptsyntax and their kin.
+
+Nothing is replaced until `install()` is called, so a package that is really called `System` elsewhere is untouched.
+"""
+
+import importlib.machinery
+import importlib.util
+import os
+import sys
+
+#: The top-level names that are ours once installed.
+NAMES = ("Rhino", "System", "Grasshopper", "ghpythonlib", "rhinoscriptsyntax", "scriptcontext", "clr", "GhPython")
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "modules")
+
+
+class _Nothing:
+    """The loader of `import System.Array`, which names a class: there is nothing more to run."""
+
+    def __init__(self, thing):
+        self.thing = thing
+
+    def create_module(self, spec):
+        return self.thing
+
+    def exec_module(self, module):
+        pass
+
+
+class Finder:
+    """Finds our modules, and lets classes be imported as modules, as IronPython does."""
+
+    def find_spec(self, fullname, path=None, target=None):
+        parent, _, name = fullname.rpartition(".")
+        if fullname.partition(".")[0] not in NAMES:
+            return None
+        if not parent:
+            return importlib.machinery.PathFinder.find_spec(fullname, [FOLDER])
+        spec = importlib.machinery.PathFinder.find_spec(fullname, path) if path else None
+        if spec is None:
+            holder = sys.modules.get(parent)
+            thing = getattr(holder, name, None)
+            if thing is not None:
+                return importlib.util.spec_from_loader(fullname, _Nothing(thing))
+        return spec
+
+
+_finder = Finder()
+
+
+def install():
+    """Lets `import Rhino` and the rest find Katydid's modules, in this process, from now on."""
+    if _finder not in sys.meta_path:
+        sys.meta_path.insert(0, _finder)
+
+
+def uninstall():
+    """Takes the modules away again."""
+    if _finder in sys.meta_path:
+        sys.meta_path.remove(_finder)
+    for name in [name for name in sys.modules if name.partition(".")[0] in NAMES]:
+        del sys.modules[name]
