@@ -52,8 +52,10 @@ class Backend:
     def request(self, value):
         """One request and its answer; an error of the host is raised."""
         with self._lock:
+            # Writing a value may send a request of its own (a mesh whose vertices wait), so it comes first.
+            data = codec.message(value, self.handles)
             self.flush()
-            self.send(codec.message(value, self.handles))
+            self.send(data)
             answer = codec.decode(self.receive(), self.handles)
         if isinstance(answer, codec.Error):
             raise_error(answer)

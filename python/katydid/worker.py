@@ -26,7 +26,9 @@ class Interrupts:
     """SIGINT ends the script that runs, but never cuts an exchange with the host in two."""
 
     def __init__(self):
-        self.running = self.exchanging = self.pending = False
+        self.running = self.pending = False
+        #: How deep in exchanges: a value that is sent may have to tell the host something first.
+        self.exchanging = 0
 
     def install(self):
         signal.signal(signal.SIGINT, self.on_signal)
@@ -49,12 +51,12 @@ class WorkerPipes(backend.Pipes):
 
     def request(self, value):
         interrupts = self.interrupts
-        interrupts.exchanging = True
+        interrupts.exchanging += 1
         try:
             return backend.Pipes.request(self, value)
         finally:
-            interrupts.exchanging = False
-            if interrupts.pending:
+            interrupts.exchanging -= 1
+            if interrupts.pending and not interrupts.exchanging:
                 interrupts.pending = False
                 raise KeyboardInterrupt("cancelled")
 

@@ -1,5 +1,6 @@
 """The classes of Rhino.Geometry that are held by handle, and which inherits from which."""
 
+from ..backend import current
 from .host_object import HostClass, HostObject
 
 
@@ -47,10 +48,45 @@ class Brep(GeometryBase):
 
 
 class Mesh(GeometryBase):
-    __slots__ = ()
+    """A mesh. Vertices and faces that a script adds wait here, and go to the host together when it is asked something:
+    a loop that adds ten thousand costs two calls."""
+
+    __slots__ = ("_waiting", "_counts")
+
+    def __init__(self, *arguments):
+        if len(arguments) == 1 and isinstance(arguments[0], Mesh):
+            self._adopt(arguments[0]._twin())
+        else:
+            GeometryBase.__init__(self, *arguments)
 
     def DuplicateMesh(self):
         return self._twin()
+
+    def _wait(self, which, item):
+        """Keeps a vertex (0) or a face (1) for later; gives its index."""
+        waiting = getattr(self, "_waiting", None)
+        if waiting is None:
+            object.__setattr__(self, "_counts", [len(self.Vertices), len(self.Faces)])
+            waiting = ([], [])
+            object.__setattr__(self, "_waiting", waiting)
+        waiting[which].append(item)
+        return self._counts[which] + len(waiting[which]) - 1
+
+    def _settle(self):
+        waiting = getattr(self, "_waiting", None)
+        if waiting is None:
+            return
+        object.__setattr__(self, "_waiting", None)
+        self._stale()
+        backend = current()
+        if waiting[0]:
+            backend.call("MeshVertexList.AddVertices", self, waiting[0])
+        if waiting[1]:
+            backend.call("MeshFaceList.AddFaces", self, waiting[1])
+
+    def _lower(self):
+        self._settle()
+        return GeometryBase._lower(self)
 
 
 _BASES = {

@@ -4,6 +4,7 @@ from .. import codec
 from ..backend import current
 from ..values.base import DotNet, not_supported
 from .call import full_name, invoke, shaped
+from .list_names import LISTS
 
 
 class Member:
@@ -15,7 +16,13 @@ class Member:
         self.owner, self.name, self.names, self.bound = owner, name, names, bound
 
     def __call__(self, *arguments, **keywords):
-        return invoke(self.owner, self.name, self.names, self.bound + arguments, keywords)
+        everything = self.bound + arguments
+        try:
+            return invoke(self.owner, self.name, self.names, everything, keywords)
+        finally:
+            # The object may have changed: what was read of it is read again.
+            if everything and hasattr(type(everything[0]), "_stale"):
+                everything[0]._stale()
 
     def __getitem__(self, types):
         """`Member[type](...)` and `Member.Overloads[...]`: the host picks the overload by the arguments."""
@@ -64,7 +71,7 @@ class HostClass(type):
 class HostObject(DotNet, metaclass=HostClass):
     """Holds a handle. What is not found on the Python class is a member of the host's table."""
 
-    __slots__ = ("_number", "_kind", "__weakref__")
+    __slots__ = ("_number", "_kind", "_cache", "__weakref__")
 
     def __init__(self, *arguments):
         name = type(self)._host_name()
@@ -78,6 +85,7 @@ class HostObject(DotNet, metaclass=HostClass):
             raise TypeError("%s gave no object" % type(self).__name__)
         object.__setattr__(self, "_number", made._number)
         object.__setattr__(self, "_kind", made._kind)
+        object.__setattr__(self, "_cache", None)
         object.__setattr__(made, "_number", 0)
 
     @classmethod
@@ -85,7 +93,15 @@ class HostObject(DotNet, metaclass=HostClass):
         made = object.__new__(cls)
         object.__setattr__(made, "_number", number)
         object.__setattr__(made, "_kind", kind)
+        object.__setattr__(made, "_cache", None)
         return made
+
+    def _stale(self):
+        """Forgets what was read of the object's lists."""
+        object.__setattr__(self, "_cache", None)
+
+    def _settle(self):
+        """Tells the host what waits in Python: see `Mesh`."""
 
     def _lower(self):
         if not self._number:
@@ -105,6 +121,9 @@ class HostObject(DotNet, metaclass=HostClass):
             raise AttributeError(name)
         cls, table = type(self), current().table
         for owner in cls._names():
+            if name in LISTS.get(owner, ()):
+                from .lists import list_of
+                return list_of(self, LISTS[owner][name], name)
             if table.has(owner, "get_" + name):
                 return shaped(current().call("%s.get_%s" % (cls._host_name(), name), self),
                               table.signatures(owner, "get_" + name))
@@ -123,6 +142,7 @@ class HostObject(DotNet, metaclass=HostClass):
         for owner in cls._names():
             if table.has(owner, "set_" + name):
                 current().call("%s.set_%s" % (cls._host_name(), name), self, value)
+                self._stale()
                 return
         raise not_supported(full_name(cls._host_name(), name) + " (to write)")
 

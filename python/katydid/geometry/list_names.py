@@ -1,0 +1,15 @@
+"""Which properties are lists of an object's parts, and the class of each in Rhino.Geometry.Collections."""
+
+#: The class of a list, by the class of its object and the property.
+LISTS = {
+    "Mesh": {"Vertices": "MeshVertexList", "Faces": "MeshFaceList", "Normals": "MeshVertexNormalList",
+             "FaceNormals": "MeshFaceNormalList", "VertexColors": "MeshVertexColorList",
+             "TopologyVertices": "MeshTopologyVertexList", "TopologyEdges": "MeshTopologyEdgeList",
+             "TextureCoordinates": "MeshTextureCoordinateList", "Ngons": "MeshNgonList"},
+    "NurbsCurve": {"Points": "NurbsCurvePointList", "Knots": "NurbsCurveKnotList"},
+    "NurbsSurface": {"Points": "NurbsSurfacePointList", "KnotsU": "NurbsSurfaceKnotList",
+                     "KnotsV": "NurbsSurfaceKnotList"},
+    "Brep": {"Faces": "BrepFaceList", "Edges": "BrepEdgeList", "Vertices": "BrepVertexList", "Trims": "BrepTrimList",
+             "Loops": "BrepLoopList", "Surfaces": "BrepSurfaceList", "Curves3D": "BrepCurveList",
+             "Curves2D": "BrepCurveList"},
+}
