@@ -137,7 +137,7 @@ def _is_print(statement, places):
     if len(places) < 2:
         return True
     after = statement[places[1]]
-    return not (after.kind == "op" and (after.text in ("=", ".", "[") or after.text in _augmented))
+    return not (after.kind == "op" and (after.text in ("=", ".") or after.text in _augmented))
 
 
 _augmented = ("+=", "-=", "*=", "/=", "//=", "%=", "**=", "&=", "|=", "^=", ">>=", "<<=")

@@ -54,7 +54,7 @@ def number_text(number):
     # The decimal point stands after this many of the digits.
     point = len(whole) + int(exponent or 0) - (len(whole + fraction) - len(digits))
     digits = digits.rstrip("0")
-    if -5 < point <= 15:
+    if -4 < point <= 15:
         if point <= 0:
             return sign + "0." + "0" * -point + digits
         if point >= len(digits):
