@@ -27,7 +27,7 @@ from collections import deque
 from itertools import repeat
 
 from .values import (Arc, BoundingBox, Box, Circle, Color, Complex, Cone, Cylinder, DateTime, Ellipse, Guid, Interval,
-                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Rectangle3d, Sphere, Torus, Transform,
+                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Ray3d, Rectangle3d, Sphere, Torus, Transform,
                      Vector3d, Vector3f)
 from .values.enums import NetEnum, member
 from .values.netlist import NetList
@@ -338,10 +338,11 @@ _WRITERS = {
     complex: lambda e, v, d: e.numbers(b"z", v.real, v.imag),
     Complex: lambda e, v, d: e.numbers(b"z", v.Real, v.Imaginary),
     DateTime: lambda e, v, d: e.out.extend(b"t" + _I64.pack(v.Ticks)),
-    # What has no tag of its own travels by its parts, under its name.
-    Cylinder: lambda e, v, d: e.map({"Cylinder": [v._plane, v._radius, v._h1, v._h2]}, d),
-    Cone: lambda e, v, d: e.map({"Cone": [v._plane, v._height, v._radius]}, d),
-    Torus: lambda e, v, d: e.map({"Torus": [v._plane, v._major, v._minor]}, d),
+    # What has no tag of its own travels by its properties.
+    Cylinder: lambda e, v, d: e.map({"BasePlane": v._plane, "Radius": v._radius, "Height1": v._h1, "Height2": v._h2}, d),
+    Cone: lambda e, v, d: e.map({"Plane": v._plane, "Height": v._height, "Radius": v._radius}, d),
+    Torus: lambda e, v, d: e.map({"Plane": v._plane, "MajorRadius": v._major, "MinorRadius": v._minor}, d),
+    Ray3d: lambda e, v, d: e.map({"Position": v._position, "Direction": v._direction}, d),
 }
 
 

@@ -47,8 +47,9 @@ class WorkerProcess:
             if request[0] == "done":
                 return request[1]
             self.requests.append(request)
+            answer = self.answer(request)
             if request[0] != "release":
-                self.send(self.answer(request))
+                self.send(answer)
 
     def run(self, code, inputs=None, outputs=("a",), language="python3", **more):
         """One iteration of a script with inputs by name; gives its outputs by name, the result and what was printed."""
@@ -88,3 +89,36 @@ def errors(result):
     """The error messages of a result."""
     return [text for kind, text, _ in result["messages"] if kind == "error"] + \
         ([result["error"]] if result["error"] else [])
+
+
+class Members:
+    """The program's own host, `katydid members --stdio`: answers what a worker asks, and makes geometry for inputs."""
+
+    def __init__(self, program):
+        self.process = subprocess.Popen([program, "members", "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def __call__(self, request):
+        self.process.stdin.write(codec.message(request))
+        self.process.stdin.flush()
+        if request[0] == "release":
+            return None
+        head = self.process.stdout.read(4)
+        return codec.decode(self.process.stdout.read(struct.unpack("<I", head)[0]), _Plain())
+
+    def call(self, member, *arguments):
+        """The value of a call; an error is raised."""
+        answer = self(["call", member] + list(arguments))
+        if isinstance(answer, codec.Error):
+            raise RuntimeError("%s: %s" % (member, answer.message))
+        return answer[1]
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.stdout.close()
+        self.process.wait(10)
+
+
+def program():
+    """The program to test with: KATYDID names it. None where there is none."""
+    named = os.environ.get("KATYDID")
+    return named if named and os.access(named, os.X_OK) else None

@@ -3,6 +3,7 @@
 from .call import as_curve, call, construct, member_call, static_call
 from .classes import CLASSES, of_handle
 from .host_object import HostObject
+from .meshing import MeshingParameters
 from .point_object import Point
 
-__all__ = ["CLASSES", "HostObject", "Point", "as_curve", "call", "construct", "member_call", "of_handle", "static_call"]
+__all__ = ["CLASSES", "HostObject", "MeshingParameters", "Point", "as_curve", "call", "construct", "member_call", "of_handle", "static_call"]

@@ -123,6 +123,19 @@ for _name, _base in (("CurveOnSurface", "Curve"), ("BrepEdge", "CurveProxy"), ("
                      ("Dimension", "AnnotationBase"), ("LinearDimension", "Dimension")):
     _make(_name, CLASSES[_base])
 
+
+
+def _extrusion(face, *arguments):
+    """Of an instance (path, cap), or the static member of Surface (profile, direction)."""
+    from .call import invoke
+    from .extrude import extruded_face
+    if len(arguments) == 2 and isinstance(arguments[1], bool):
+        return extruded_face(face, *arguments)
+    return invoke("Surface", "CreateExtrusion", ["Surface"], (face,) + arguments)
+
+
+CLASSES["BrepFace"].CreateExtrusion = _extrusion
+
 #: Classes of static members in other namespaces.
 for _name in ("Intersection", "MeshClash", "CurveIntersections", "IntersectionEvent"):
     _make(_name, HostObject)._namespace = "Rhino.Geometry.Intersect"

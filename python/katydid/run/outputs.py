@@ -10,6 +10,7 @@ from ..geometry import HostObject
 from ..grasshopper import DataTree, GH_Path
 from ..values.base import Struct
 from ..values.enums import NetEnum
+from ..values.interval import Interval
 from ..values.polyline import Polyline
 from ..values.system import DateTime, Guid, ticks_of
 
@@ -68,6 +69,9 @@ def item(value, objects):
     if hasattr(kind, "_unwrap"):
         return item(value._unwrap(), objects)
     if isinstance(value, (Struct, Polyline, HostObject, NetEnum, GH_Path)) or hasattr(kind, "_lower"):
+        return value
+    if kind is dict and set(value) == {"U", "V"} and all(type(part) is Interval for part in value.values()):
+        # A domain in two directions, as the host hands it over.
         return value
     if isinstance(value, uuid.UUID):
         return Guid._of(value.bytes)

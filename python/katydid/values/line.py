@@ -135,6 +135,22 @@ class Line(Struct):
     Unset = static_value(lambda cls: cls(*[UNSET] * 6))
 
 
+class Ray3d(Struct):
+    """A point and a direction: a line with one end."""
+
+    __slots__ = ("_position", "_direction")
+    _fields = ("_position", "_direction")
+
+    Position = field("_position", to_point)
+    Direction = field("_direction", to_vector)
+
+    def __init__(self, position, direction):
+        self._position, self._direction = to_point(position), to_vector(direction)
+
+    def PointAt(self, t):
+        return self._position + self._direction * t
+
+
 def _end(slot, name):
     return property(lambda self: getattr(getattr(self, slot), name),
                     lambda self, value: setattr(getattr(self, slot), name, value))

@@ -11,22 +11,22 @@ from .vector import Vector3d
 
 
 class _Solid(Struct):
-    """What the four share: they become geometry by the host."""
+    """What the four share: they become geometry by the host's makers, `Brep.CreateFromSphere` and its kin."""
 
     __slots__ = ()
 
-    def _to(self, member, *arguments):
-        from ..geometry import member_call
-        return member_call(type(self).__name__, member, self, *arguments)
+    def _to(self, cls, *arguments):
+        from ..geometry import static_call
+        return static_call(cls, "CreateFrom" + type(self).__name__, self, *arguments)
 
     def ToBrep(self, *arguments):
-        return self._to("ToBrep", *arguments)
+        return self._to("Brep", *arguments)
 
     def ToNurbsSurface(self):
-        return self._to("ToNurbsSurface")
+        return self._to("NurbsSurface")
 
     def ToRevSurface(self):
-        return self._to("ToRevSurface")
+        return self._to("RevSurface")
 
 
 class Sphere(_Solid):

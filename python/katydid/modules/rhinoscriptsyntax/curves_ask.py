@@ -2,7 +2,7 @@
 
 import scriptcontext
 from katydid.geometry import CLASSES, static_call
-from katydid.values import Point3d, Polyline
+from katydid.values import Point3d, Polyline, Vector3d
 
 from .coerce import (_stored, coerce3dpoint, coercebrep, coercecurve, coercegeometry, coerceplane)
 from .support import added, degrees, is_many, tolerance
@@ -155,13 +155,13 @@ def _area_of(curve_id):
 def CurveArea(curve_id):
     """(area, error)."""
     found = _area_of(curve_id)
-    return (found.Area, found.AreaError) if found is not None else None
+    return (found.Area, getattr(found, "AreaError", 0.0)) if found is not None else None
 
 
 def CurveAreaCentroid(curve_id):
     """(centroid, error)."""
     found = _area_of(curve_id)
-    return (found.Centroid, found.CentroidError) if found is not None else None
+    return (found.Centroid, getattr(found, "CentroidError", Vector3d.Zero)) if found is not None else None
 
 
 def CurveDegree(curve_id, segment_index=-1):

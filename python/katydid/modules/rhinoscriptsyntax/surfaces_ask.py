@@ -2,6 +2,7 @@
 
 import scriptcontext
 from katydid.geometry import CLASSES, static_call
+from katydid.values import Vector3d
 
 from .coerce import (coerce3dpoint, coercebrep, coercecurve, coercegeometry, coercemesh, coerceplane, coercesurface)
 from .support import all_added, is_many, tolerance
@@ -107,24 +108,24 @@ def Area(object_id):
 def SurfaceArea(object_id):
     """(area, error)."""
     found = _area(coercegeometry(object_id, True))
-    return (found.Area, found.AreaError) if found is not None else None
+    return (found.Area, getattr(found, "AreaError", 0.0)) if found is not None else None
 
 
 def SurfaceAreaCentroid(object_id):
     """(centroid, error)."""
     found = _area(coercegeometry(object_id, True))
-    return (found.Centroid, found.CentroidError) if found is not None else None
+    return (found.Centroid, getattr(found, "CentroidError", Vector3d.Zero)) if found is not None else None
 
 
 def SurfaceVolume(object_id):
     """(volume, error) of a solid; None where it is open."""
     found = static_call("VolumeMassProperties", "Compute", coercegeometry(object_id, True))
-    return (found.Volume, found.VolumeError) if found is not None else None
+    return (found.Volume, getattr(found, "VolumeError", 0.0)) if found is not None else None
 
 
 def SurfaceVolumeCentroid(object_id):
     found = static_call("VolumeMassProperties", "Compute", coercegeometry(object_id, True))
-    return (found.Centroid, found.CentroidError) if found is not None else None
+    return (found.Centroid, getattr(found, "CentroidError", Vector3d.Zero)) if found is not None else None
 
 
 def IsBrep(object_id):

@@ -155,8 +155,9 @@ def AddPipe(curve_id, parameters, radii, blend_type=0, cap=0, fit=False):
 
 def ExtrudeCurve(curve_id, path_id):
     """The sum surface of two curves."""
-    made = static_call("SumSurface", "Create", coercecurve(curve_id, -1, True), coercecurve(path_id, -1, True))
-    return added(made)
+    curve, path = coercecurve(curve_id, -1, True), coercecurve(path_id, -1, True)
+    along = path.PointAtEnd - path.PointAtStart if path.IsLinear() else path
+    return added(static_call("SumSurface", "Create", curve, along))
 
 
 def ExtrudeCurveStraight(curve_id, start_point, end_point):
@@ -229,7 +230,7 @@ def BooleanUnion(input, delete_input=True, manifold_only=True):
 
 def SplitBrep(brep_id, cutter_id, delete_input=False):
     """The Guids of the pieces; None where nothing is cut."""
-    pieces = coercebrep(brep_id, True).Split(coercebrep(cutter_id, True), tolerance())
+    pieces = coercebrep(brep_id, True).Split([coercebrep(cutter_id, True)], tolerance())
     if isinstance(pieces, tuple):
         pieces = pieces[0]
     made = all_added(pieces)
