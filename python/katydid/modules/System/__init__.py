@@ -2,9 +2,9 @@
 
 import random as _random
 
+from katydid.rhino import missing as _missing
 from katydid.system.array import Array
 from katydid.system.basics import Activator, Convert, Enum, Environment, Math, Nullable, Object, String, Tuple, Type, Uri
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.system import DateTime, Guid
 
 Double = Single = Decimal = float
@@ -53,7 +53,4 @@ class TimeSpan:
     TotalMinutes = property(lambda self: self.TotalSeconds / 60.0)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System." + name)
+__getattr__ = _missing(__name__)

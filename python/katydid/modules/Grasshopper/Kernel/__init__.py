@@ -1,10 +1,10 @@
 """Grasshopper.Kernel."""
 
+from katydid.rhino import missing as _missing
 from katydid.run.component import Component as GH_Component  # noqa: F401
 from katydid.run.component import Definition as GH_Document  # noqa: F401
 from katydid.run.component import GH_RuntimeMessageLevel  # noqa: F401
 from katydid.run.instance import ComponentBase
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.enums import make as _make
 
 from . import Data, Special, Types  # noqa: F401
@@ -17,7 +17,4 @@ class GH_ScriptInstance(ComponentBase):
     """The base of scripts that are a class (Rhino 8)."""
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Grasshopper.Kernel." + name)
+__getattr__ = _missing(__name__)
