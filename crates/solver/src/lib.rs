@@ -24,6 +24,7 @@ mod recorder;
 mod remote;
 mod report;
 mod schedule;
+mod script;
 mod ticks;
 mod update;
 
@@ -32,4 +33,5 @@ pub use inputs::Inputs;
 pub use options::{Finished, Listener, Options, Progress, ResultListener};
 pub use remote::{HOPS, Question, Remote, Solved};
 pub use report::{ObjectReport, Status};
+pub use script::{ScriptDone, ScriptTask, Scripts, Unrun};
 pub use ticks::Ticks;
