@@ -13,3 +13,6 @@ LISTS = {
              "Loops": "BrepLoopList", "Surfaces": "BrepSurfaceList", "Curves3D": "BrepCurveList",
              "Curves2D": "BrepCurveList"},
 }
+
+#: Fields of records that are methods without arguments in RhinoCommon.
+RECORD_METHODS = {"BrepLoop": {"To3dCurve"}}

@@ -28,4 +28,10 @@ class Text3d:
         self.FontFace, self.Bold, self.Italic = "Arial", False, False
 
 
+class DisplayConduit:
+    """What draws in a view. Nothing is drawn here, so a script's own conduit is never asked."""
+
+    Enabled = False
+
+
 __getattr__ = _missing(__name__)

@@ -46,6 +46,13 @@ class GH_ObjectWrapper(GH_Goo):
     """Holds any object, which then travels as one item."""
 
 
+class GH_GeometricGoo(GH_Goo):
+    """The base of wrapped geometry; `GH_GeometricGoo[Point3d]` is the class itself."""
+
+    def __class_getitem__(cls, types):
+        return cls
+
+
 IGH_Goo = IGH_GeometricGoo = GH_Goo
 
 

@@ -13,6 +13,22 @@ GH_ParamAccess = _make("GH_ParamAccess", item=0, list=1, tree=2)
 GH_SolutionMode = _make("GH_SolutionMode", Default=0, CommandLine=1, Silent=2)
 
 
+class IGH_BakeAwareData:
+    """A mark of data that can be baked."""
+
+
+class IGH_PreviewData:
+    """A mark of data that is drawn."""
+
+
+class IGH_Param:
+    """A mark of parameters."""
+
+
+class IGH_Component:
+    """A mark of components."""
+
+
 class GH_ScriptInstance(ComponentBase):
     """The base of scripts that are a class (Rhino 8)."""
 
