@@ -68,7 +68,7 @@ class Backend:
         return self.request(["call", name] + list(arguments))
 
     def component(self, name, inputs):
-        return self.request(["component", name] + list(inputs))
+        return self.request(["component", name, list(inputs)])
 
     def components(self):
         return self.request(["components"])

@@ -82,8 +82,7 @@ class Function:
         raise TypeError("%s has no input %s" % (self.__name__, name))
 
     def __call__(self, *arguments, **keywords):
-        if len(arguments) > len(self.inputs):
-            raise TypeError("%s takes %d inputs, not %d" % (self.__name__, len(self.inputs), len(arguments)))
+        # More than the ports: some components take any number, and the host says where one does not.
         values = list(arguments) + [None] * (len(self.inputs) - len(arguments))
         for name, value in keywords.items():
             values[self.place(name)] = value
@@ -91,8 +90,8 @@ class Function:
         answer = current().component(self.entry.get("id") or self.entry["name"], values)
         several = any(isinstance(value, DataTree) or (
             isinstance(value, list) and port.get("access", "item") == "item")
-            for value, port in zip(values, self.inputs))
-        results = [_output(value, several, port) for value, port in zip(answer, self.outputs)]
+            for value, port in zip(values, self.inputs + self.inputs[-1:] * len(values)))
+        results = [_output(value, several) for value in answer]
         if not self._tuple:
             return results[0] if results else None
         return self._tuple(*results + [None] * (len(self.outputs) - len(results)))
@@ -139,7 +138,7 @@ def _input(value):
     return value._unwrap() if hasattr(type(value), "_unwrap") else value
 
 
-def _output(value, several, port):
+def _output(value, several):
     """A tree of one branch as its items; one item alone where a single value went in."""
     if isinstance(value, DataTree):
         branches = value.Branches
@@ -147,6 +146,6 @@ def _output(value, several, port):
             # Results of several iterations of a component that gives lists: one list after the other.
             return [item for branch in branches for item in branch]
         value = list(branches[0]) if branches else []
-    if isinstance(value, list) and not several and len(value) <= 1 and port.get("access", "item") == "item":
+    if isinstance(value, list) and not several and len(value) <= 1:
         return value[0] if value else None
     return value

@@ -11,6 +11,10 @@ import os
 import signal
 import sys
 
+# An interrupt that comes before the first script has nothing to end.
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
 if __package__ in (None, ""):
     # Started by path: -I keeps the script's folder off the path, and `katydid` must be found beside nothing else.
     _here = os.path.dirname(os.path.abspath(__file__))

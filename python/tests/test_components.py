@@ -21,7 +21,9 @@ def answer(request):
     if request[0] == "components":
         return ["ok", REGISTRY]
     if request[0] == "component":
-        name, inputs = request[1], request[2:]
+        name, inputs = request[1], request[2]
+        if len(inputs) > 2:
+            return codec.Error("argument", "Addition takes 2 inputs, not 3")
         if name == "1":
             a, b = [part if isinstance(part, list) else [part] for part in inputs]
             size = max(len(a), len(b))

@@ -131,6 +131,7 @@ def test_what_is_not_there_is_named(worker):
 
 
 def test_an_endless_loop_is_cancelled_and_the_worker_lives_on(worker):
+    worker.run("a = 0")
     worker.send({"run": 1, "code": "while True: pass", "language": "python3", "key": "e", "inputs": [],
                  "outputs": [{"name": "a"}], "iterations": [[]], "doc": {}})
     time.sleep(0.3)
