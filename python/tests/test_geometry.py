@@ -62,6 +62,13 @@ CURVES = [
     ("b = rg.LineCurve(rg.Line(0, 0, 0, 1, 2, 3)).GetBoundingBox(True)\nlist(b.Max)", [1.0, 2.0, 3.0]),
     ("ok, plane = rg.Circle(2).ToNurbsCurve().TryGetPlane()\n[ok, abs(plane.ZAxis.Z)]", [True, 1.0]),
     ("c = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0))\nlen(c.Split(2.5))", 2),
+    ("k = rg.Circle(2).ToNurbsCurve().Contains(rg.Point3d(0, 0, 0), rg.Plane.WorldXY, 0.001)\n"
+     "[k == rg.PointContainment.Inside, str(k)]", [True, "Inside"]),
+    ("rg.AreaMassProperties.Compute(rg.Circle(2)).Area", 4 * math.pi),
+    ("len(rg.Curve.JoinCurves([rg.Line(0, 0, 0, 1, 0, 0), rg.Line(1, 0, 0, 1, 1, 0)]))", 1),
+    ("c = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0))\n[c.ClosestPoint((4, 1, 0))[1], c.PointAtLength(3.0).X]", [4.0, 3.0]),
+    ("import clr\nb = clr.StrongBox[float]()\nok = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0)).ClosestPoint("
+     "rg.Point3d(4, 1, 0), b)\n[ok, b.Value]", [True, 4.0]),
 ]
 
 SOLIDS = [
