@@ -27,7 +27,7 @@ programs:
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed programs
 	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
-		--ignore=python-tests/step --ignore=python-tests/compute python-tests \
+		--ignore=python-tests/step --ignore=python-tests/compute python-tests python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.

@@ -27,8 +27,8 @@ from collections import deque
 from itertools import repeat
 
 from .values import (Arc, BoundingBox, Box, Circle, Color, Complex, Cone, Cylinder, DateTime, Ellipse, Guid, Interval,
-                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Ray3d, Rectangle3d, Sphere, Torus, Transform,
-                     Vector3d, Vector3f)
+                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Ray3d, Rectangle3d, Sphere, Torus,
+                     Transform, Vector3d, Vector3f)
 from .values.enums import NetEnum, member
 from .values.netlist import NetList
 from .values.point import Point2f, Point4d

@@ -52,9 +52,9 @@ def is_there(cls, name):
     names = getattr(cls, "_names", None)
     if names is None:
         return False
-    from katydid.geometry.list_names import LISTS
+    from katydid.geometry.list_names import has_list
     table = current().table
-    return any(table.has(owner, name) or table.has(owner, "get_" + name) or name in LISTS.get(owner, ())
+    return any(table.has(owner, name) or table.has(owner, "get_" + name) or has_list(table, owner, name)
                for owner in names())
 
 

@@ -7,6 +7,7 @@ from .meshing import MeshingParameters
 from .point_object import Point
 from .split import split as _split
 
-__all__ = ["CLASSES", "HostObject", "MeshingParameters", "Point", "as_curve", "call", "construct", "member_call", "of_handle", "static_call"]
+__all__ = ["CLASSES", "HostObject", "MeshingParameters", "Point", "as_curve", "call", "construct", "member_call",
+           "of_handle", "static_call"]
 
 del _split

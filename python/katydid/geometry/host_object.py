@@ -4,7 +4,7 @@ from .. import codec
 from ..backend import current
 from ..values.base import DotNet, not_supported
 from .call import full_name, invoke, shaped
-from .list_names import LISTS, RECORD_METHODS
+from .list_names import LISTS, RECORD_METHODS, has_list
 
 
 class Member:
@@ -121,7 +121,7 @@ class HostObject(DotNet, metaclass=HostClass):
             raise AttributeError(name)
         cls, table = type(self), current().table
         for owner in cls._names():
-            if name in LISTS.get(owner, ()):
+            if has_list(table, owner, name):
                 from .lists import list_of
                 return list_of(self, LISTS[owner][name], name)
             if table.has(owner, "get_" + name):

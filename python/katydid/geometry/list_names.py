@@ -14,6 +14,13 @@ LISTS = {
              "Curves2D": "BrepCurveList"},
 }
 
+
+def has_list(table, owner, name):
+    """Whether the host has a list: by its own class, or as a property of its object."""
+    lists = LISTS.get(owner, {})
+    return name in lists and (table.has(lists[name], "ToArray") or table.has(owner, "get_" + name))
+
+
 #: Fields of records that are methods without arguments in RhinoCommon.
 RECORD_METHODS = {"BrepLoop": {"To3dCurve"}}
 

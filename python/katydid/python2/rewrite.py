@@ -72,7 +72,7 @@ class _Rewriter(ast.NodeTransformer):
         return node
 
     def visit_ClassDef(self, node):
-        """__metaclass__ in the body becomes the class's metaclass; __nonzero__, __div__ and next get their new names too."""
+        """__metaclass__ becomes the class's metaclass; __nonzero__, __div__ and next get their new names too."""
         self.generic_visit(node)
         for statement in list(node.body):
             if isinstance(statement, ast.Assign) and len(statement.targets) == 1 and isinstance(

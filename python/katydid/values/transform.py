@@ -106,7 +106,7 @@ class Transform(Struct):
 
     @staticmethod
     def Rotation(*arguments):
-        """(angle, centre), (angle, axis, centre), (sine, cosine, axis, centre), (from, to, centre) or two frames of axes."""
+        """(angle, centre), (angle, axis, centre), (sine, cosine, axis, centre), (from, to, centre), or six axes."""
         if len(arguments) == 6:
             start, end = arguments[:3], arguments[3:]
             rows = [[to_vector(v)._parts() for v in axes] for axes in (start, end)]

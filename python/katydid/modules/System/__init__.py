@@ -3,9 +3,10 @@
 import random as _random
 
 from katydid.rhino import missing as _missing
-from katydid.system.array import Array
-from katydid.system.basics import Activator, Convert, Enum, Environment, Math, Nullable, Object, String, Tuple, Type, Uri
-from katydid.values.system import DateTime, Guid
+from katydid.system.array import Array  # noqa: F401
+from katydid.system.basics import Activator, Convert, Enum, Environment, Math  # noqa: F401
+from katydid.system.basics import Nullable, Object, String, Tuple, Type, Uri  # noqa: F401
+from katydid.values.system import DateTime, Guid  # noqa: F401
 
 Double = Single = Decimal = float
 Int32 = Int64 = Int16 = UInt32 = UInt64 = Byte = int
