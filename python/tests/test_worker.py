@@ -120,6 +120,17 @@ def test_python_2_source_runs_with_its_own_division(worker):
     assert values == {"a": [3, 3.5, 1], "b": 5} and result["out"] == ["half 0\n"]
 
 
+def test_what_goes_to_the_rhino_document_is_told_to_be_lost(worker):
+    _, result = worker.run("import Rhino\nRhino.RhinoDoc.ActiveDoc.Objects.AddPoint(1, 2, 3)")
+    assert result["messages"] == [["warning", "objects added to the Rhino document are not kept: there is no model", -1]]
+
+
+def test_a_component_sees_its_ports(worker):
+    code = "p = ghenv.Component.Params\na = [p.Input[0].NickName, p.Input[0].VolatileDataCount, p.Input[0].VolatileData[0][1]]"
+    values, _ = worker.run(code, {"x": 1}, iterations=[[5], [6]])
+    assert values["a"] == ["x", 2, 6]
+
+
 def test_a_message_box_is_a_remark(worker):
     _, result = worker.run("import System.Windows.Forms as f\nf.MessageBox.Show('hello')")
     assert result["messages"] == [["remark", "hello", -1]]

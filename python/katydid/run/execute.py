@@ -112,6 +112,7 @@ def run(message, objects):
     solved = document.begin(message.get("doc"))
     _point_scriptcontext(solved)
     collector = Collector()
+    in_model = len(document.model().Objects)
     kept = sys.stdout, sys.stderr
     sys.stdout = sys.stderr = collector
     component, before = None, None
@@ -139,6 +140,8 @@ def run(message, objects):
             set_current(before)
             for one in component._messages:
                 _add(result["messages"], one)
+    if len(document.model().Objects) > in_model:
+        _add(result["messages"], ["warning", "objects added to the Rhino document are not kept: there is no model", -1])
     # Every iteration has its outputs, those that were not reached too.
     while len(result["iterations"]) < len(iterations):
         result["iterations"].append([None] * len(names))
