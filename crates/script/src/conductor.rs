@@ -101,13 +101,13 @@ impl Conductor {
     }
 
     /// The running process; it is started when there is none.
-    fn running(&mut self) -> Result<&mut Running, Unrun> {
+    fn running(&mut self, job: &Job) -> Result<&mut Running, Unrun> {
         if self.running.is_none() {
             let interpreter = self.interpreter.as_ref().map_err(|why| Unrun::Unsupported(why.clone()))?;
             let process = Process::start(interpreter, &self.bounds).map_err(Unrun::Unsupported)?;
             self.started += 1;
             let keepers = Keepers::new(self.started);
-            self.running = Some(Running { process, host: Host::new(), keepers });
+            self.running = Some(Running { process, host: crate::host(job.prepared.rules), keepers });
         }
         self.running.as_mut().ok_or_else(|| Unrun::Unsupported("there is no process".into()))
     }
@@ -116,7 +116,7 @@ impl Conductor {
         if job.cancel.is_cancelled() {
             return Err(stopped(job));
         }
-        let running = self.running()?;
+        let running = self.running(job)?;
         let outcome = running.perform(job, pool);
         if matches!(outcome, Err(Failure::Ended(_))) {
             self.running = None;

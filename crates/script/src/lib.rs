@@ -8,6 +8,7 @@
 //! environment, a folder of its own, limits of memory, time, files and processes, and no network, as far as the system
 //! offers that ([`Fence`] says how far).
 
+mod components;
 mod conductor;
 mod fence;
 mod from_script;
@@ -17,6 +18,7 @@ mod keeper;
 mod outputs;
 mod permission;
 mod process;
+mod registry;
 mod refused;
 mod reply;
 mod sources;
@@ -24,6 +26,7 @@ mod task;
 mod to_script;
 
 pub use conductor::Python;
+pub use registry::host;
 pub use fence::Fence;
 pub use interpreter::{Interpreter, find};
 pub use permission::{Permission, Trusted, fingerprint};
