@@ -1,6 +1,8 @@
 //! The components that scripts run: `ghpythonlib.components`, made from the registry.
 
-use katydid_component::{Access, Account, Budget, Call, Cancel, Component, Deadline, Level, Limits, Port, registry};
+use katydid_component::{
+    Access, Account, Budget, Call, Cancel, Component, Deadline, Level, Limits, Port, registry,
+};
 use katydid_data::cast::{self, Rules};
 use katydid_data::{Column, Path, Tree, TreeBuilder};
 use katydid_definition::archive::Chunk;
@@ -94,7 +96,10 @@ impl Components {
         }
         let cast = cast::column(tree.column(), port.kind, &self.rules);
         if let Some((from, _)) = cast.failed {
-            return Err(Fault::bad_request(format!("the input {} takes {}, not {from}", port.name, port.kind)));
+            return Err(Fault::bad_request(format!(
+                "the input {} takes {}, not {from}",
+                port.name, port.kind
+            )));
         }
         Ok(tree.with_column(cast.column))
     }

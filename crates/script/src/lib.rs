@@ -19,16 +19,14 @@ mod outputs;
 mod permission;
 mod process;
 mod registry;
-mod refused;
 mod reply;
 mod sources;
 mod task;
 mod to_script;
 
-pub use conductor::Python;
-pub use registry::host;
+pub use conductor::{Python, PythonMaker};
 pub use fence::Fence;
 pub use interpreter::{Interpreter, find};
 pub use permission::{Permission, Trusted, fingerprint};
 pub use process::Bounds;
-pub use refused::Refused;
+pub use registry::host;
