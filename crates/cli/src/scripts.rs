@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use katydid_script::{Bounds, Permission, Python, Refused, Trusted, find};
-use katydid_solver::Scripts;
+use katydid_script::{Bounds, Permission, PythonMaker, Trusted, find};
+use katydid_solver::{Refused, ScriptMaker, Scripts};
 
 use crate::args::TrustArgs;
 use crate::output::say;
@@ -35,19 +35,22 @@ impl ScriptArgs {
     /// What runs the scripts of a file, or says of each why it does not.
     pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
         match self.permission(file) {
-            Permission::Given => {
-                let bounds = Bounds {
-                    memory: self.script_memory.saturating_mul(1 << 20),
-                    network: self.allow_network,
-                    ..Bounds::default()
-                };
-                Arc::new(Python::new(find(self.python.as_deref(), Some(file)), bounds))
-            }
+            Permission::Given => self.maker(Some(file)).make(),
             Permission::Refused => Arc::new(Refused::new(format!(
                 "look at it, then run it with --allow-scripts, or allow it for good with `katydid trust {}`",
                 file.display()
             ))),
         }
+    }
+
+    /// What runs scripts once they are allowed; an environment beside the file is looked for.
+    pub(crate) fn maker(&self, file: Option<&Path>) -> PythonMaker {
+        let bounds = Bounds {
+            memory: self.script_memory.saturating_mul(1 << 20),
+            network: self.allow_network,
+            ..Bounds::default()
+        };
+        PythonMaker { interpreter: find(self.python.as_deref(), file), bounds }
     }
 
     fn permission(&self, file: &Path) -> Permission {

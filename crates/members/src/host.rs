@@ -29,11 +29,11 @@ pub trait Registry: Send {
     /// All of them, with their ports.
     fn components(&self) -> Value;
 
-    /// Runs one, by its identifier or its name.
+    /// Runs one, by its identifier or its name; a value for each input, null for what is not given.
     ///
     /// # Errors
     /// There is no such component, or the inputs are no inputs of it.
-    fn run(&self, name: &str, inputs: &[Value], waiting: &Waiting) -> Result<Value, Fault>;
+    fn run(&self, name: &str, inputs: &[Value], limits: &Limits, cancel: &Cancel) -> Result<Value, Fault>;
 }
 
 /// Answers the calls of one script's process, and holds its geometry.
@@ -178,7 +178,7 @@ impl Host {
                 (Some(registry), Some(Value::Text(name))) => {
                     let inputs = words.next().map_or(Some(Vec::new()), |inputs| inputs.items());
                     match inputs {
-                        Some(inputs) => registry.run(&name, &inputs, &self.waiting()),
+                        Some(inputs) => registry.run(&name, &inputs, &self.limits, &self.cancel),
                         None => Err(Fault::bad_request("the inputs of a component are a list")),
                     }
                 }

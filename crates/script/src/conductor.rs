@@ -4,14 +4,14 @@
 //! that waited in here could be given another script's turn, and wait for itself.
 
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use katydid_component::{Cancel, Limits, Message};
 use katydid_definition::document::ScriptLanguage;
 use katydid_members::{Host, Value, codec};
-use katydid_solver::{ScriptDone, ScriptTask, Scripts, Unrun};
+use katydid_solver::{ScriptDone, ScriptMaker, ScriptTask, Scripts, Unrun};
 
 use crate::from_script::Outward;
 use crate::interpreter::Interpreter;
@@ -30,7 +30,10 @@ const LOOK: Duration = Duration::from_millis(20);
 /// Runs the Python components of one document, in one process that stays warm.
 #[derive(Debug)]
 pub struct Python {
-    jobs: Mutex<Sender<Job>>,
+    interpreter: Result<Interpreter, String>,
+    bounds: Bounds,
+    /// The way to the thread, which the first script starts.
+    jobs: OnceLock<Mutex<Sender<Job>>>,
 }
 
 /// A script's turn on its way to the thread.
@@ -46,10 +49,32 @@ struct Job {
 impl Python {
     /// Runs scripts with an interpreter, or says why there is none when the first script comes.
     pub fn new(interpreter: Result<Interpreter, String>, bounds: Bounds) -> Self {
-        let (jobs, waiting) = channel();
-        let conductor = Conductor { interpreter, bounds, started: 0, running: None };
-        thread::spawn(move || conductor.conduct(&waiting));
-        Self { jobs: Mutex::new(jobs) }
+        Self { interpreter, bounds, jobs: OnceLock::new() }
+    }
+
+    fn jobs(&self) -> &Mutex<Sender<Job>> {
+        self.jobs.get_or_init(|| {
+            let (jobs, waiting) = channel();
+            let (interpreter, bounds) = (self.interpreter.clone(), self.bounds.clone());
+            let conductor = Conductor { interpreter, bounds, started: 0, running: None };
+            thread::spawn(move || conductor.conduct(&waiting));
+            Mutex::new(jobs)
+        })
+    }
+}
+
+/// Makes what runs the Python components of each of many documents, a process each.
+#[derive(Debug, Clone)]
+pub struct PythonMaker {
+    /// What they run with, or why there is nothing.
+    pub interpreter: Result<Interpreter, String>,
+    /// What each process may use.
+    pub bounds: Bounds,
+}
+
+impl ScriptMaker for PythonMaker {
+    fn make(&self) -> Arc<dyn Scripts> {
+        Arc::new(Python::new(self.interpreter.clone(), self.bounds.clone()))
     }
 }
 
@@ -65,7 +90,7 @@ impl Scripts for Python {
         let end = task.limits.time.and_then(|time| Instant::now().checked_add(time));
         let job = Job { prepared, limits: task.limits, cancel: task.cancel.clone(), end, done };
         let gone = || Unrun::Failed(Message::error("What runs scripts has ended"));
-        self.jobs.lock().unwrap_or_else(PoisonError::into_inner).send(job).map_err(|_| gone())?;
+        self.jobs().lock().unwrap_or_else(PoisonError::into_inner).send(job).map_err(|_| gone())?;
         // The thread looks at the time and the cancel itself, and always answers.
         result.recv().map_err(|_| gone())?
     }
@@ -101,13 +126,13 @@ impl Conductor {
     }
 
     /// The running process; it is started when there is none.
-    fn running(&mut self) -> Result<&mut Running, Unrun> {
+    fn running(&mut self, job: &Job) -> Result<&mut Running, Unrun> {
         if self.running.is_none() {
             let interpreter = self.interpreter.as_ref().map_err(|why| Unrun::Unsupported(why.clone()))?;
             let process = Process::start(interpreter, &self.bounds).map_err(Unrun::Unsupported)?;
             self.started += 1;
             let keepers = Keepers::new(self.started);
-            self.running = Some(Running { process, host: Host::new(), keepers });
+            self.running = Some(Running { process, host: crate::host(job.prepared.rules), keepers });
         }
         self.running.as_mut().ok_or_else(|| Unrun::Unsupported("there is no process".into()))
     }
@@ -116,7 +141,7 @@ impl Conductor {
         if job.cancel.is_cancelled() {
             return Err(stopped(job));
         }
-        let running = self.running()?;
+        let running = self.running(job)?;
         let outcome = running.perform(job, pool);
         if matches!(outcome, Err(Failure::Ended(_))) {
             self.running = None;

@@ -8,6 +8,7 @@
 //! environment, a folder of its own, limits of memory, time, files and processes, and no network, as far as the system
 //! offers that ([`Fence`] says how far).
 
+mod components;
 mod conductor;
 mod fence;
 mod from_script;
@@ -17,15 +18,15 @@ mod keeper;
 mod outputs;
 mod permission;
 mod process;
-mod refused;
+mod registry;
 mod reply;
 mod sources;
 mod task;
 mod to_script;
 
-pub use conductor::Python;
+pub use conductor::{Python, PythonMaker};
 pub use fence::Fence;
 pub use interpreter::{Interpreter, find};
 pub use permission::{Permission, Trusted, fingerprint};
 pub use process::Bounds;
-pub use refused::Refused;
+pub use registry::host;

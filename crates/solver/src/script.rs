@@ -1,6 +1,7 @@
 //! Components that are scripts: whoever solves a definition decides whether they run, and by what.
 
 use std::fmt;
+use std::sync::Arc;
 
 use katydid_component::{Budget, Cancel, Limits, Message, registry};
 use katydid_data::cast::Rules;
@@ -21,6 +22,12 @@ pub trait Scripts: fmt::Debug + Send + Sync {
     /// # Errors
     /// Why it does not run here.
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun>;
+}
+
+/// Makes what runs the scripts of one document: its scripts share a process, and no other document's.
+pub trait ScriptMaker: fmt::Debug + Send + Sync {
+    /// What runs the scripts of a document.
+    fn make(&self) -> Arc<dyn Scripts>;
 }
 
 /// Why a script did not run.

@@ -1,7 +1,7 @@
 //! What stands in for scripts that may not run.
 
+use crate::script::{ScriptDone, ScriptTask, Scripts, Unrun};
 use katydid_definition::document::ScriptLanguage;
-use katydid_solver::{ScriptDone, ScriptTask, Scripts, Unrun};
 
 /// Runs no script, and says of each what to do about it.
 #[derive(Debug, Clone)]
