@@ -169,6 +169,25 @@ def test_prints_are_limited(worker):
     assert len(result["out"][0]) < (1 << 20) + 100
 
 
+def test_a_generator_without_end_is_an_error(worker):
+    _, result = worker.run("import itertools\na = itertools.count()")
+    assert "an output has more than 10000000 items" in errors(result)[0]
+
+
+def test_objects_that_misbehave_do_not_end_the_worker(worker):
+    code = ("class Bad(object):\n    def __getattr__(self, name): raise RuntimeError(name)\n"
+            "    def __eq__(self, other): raise RuntimeError('eq')\n    __hash__ = None\n"
+            "class Iter(object):\n    def __iter__(self): return self\n    def __next__(self): raise KeyError('x')\n"
+            "a = Bad()\nb = Iter()\nc = [Bad]\nd = float('nan')\ne = '\\ud800'\nf = 10 ** 30")
+    _, result = worker.run(code, outputs="abcdef")
+    assert len(result["messages"]) <= 1
+    assert worker.run("a = 1")[0] == {"a": 1}
+    deep = "a = []\nfor i in range(3000): a = [a]\n"
+    worker.run(deep)
+    assert worker.run("def f(n): return f(n + 1)\na = f(0)")[1]["messages"][0][1].startswith("Runtime error (RecursionError)")
+    assert worker.run("a = 2")[0] == {"a": 2}
+
+
 def test_sys_exit_ends_the_script_alone(worker):
     values, result = worker.run("import sys\na = 1\nsys.exit()")
     assert values == {"a": 1} and result["messages"] == []
