@@ -112,7 +112,10 @@ class Worker:
     def work(self, message):
         if "needs" in message:
             from katydid.needs import needs
-            return needs(message["needs"], message.get("language") or "python3")
+            try:
+                return needs(message["needs"], message.get("language") or "python3")
+            except Exception as error:
+                return {"modules": [], "members": [], "packages": [], "error": "%s: %s" % (type(error).__name__, error)}
         self.interrupts.running = True
         try:
             return execute.run(message, self.objects)

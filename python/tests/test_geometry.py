@@ -141,6 +141,19 @@ RHINOSCRIPT = [
     ("c = rs.CopyObject(rs.AddCircle((1,0,0), 1), (0,0,2))\nrs.CircleCenterPoint(c).Z", 2.0),
     ("p = rs.AddPipe(rs.AddLine((0,0,0), (0,0,4)), 0, 1, cap=1)\n[len(p), abs(rs.SurfaceVolume(p[0])[0] - 4 * math.pi) < 0.01]",
      [1, True]),
+    ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n"
+     "c = rs.AddSrfPt([(-1,-1,1),(3,-1,1),(3,3,1),(-1,3,1)])\ns = rs.SplitBrep(a, c, True)\n"
+     "[len(s), rs.Area(s[0]), rs.IsObject(a)]", [2, 12.0, False]),
+    ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n"
+     "c = rs.AddSrfPt([(-1,-1,0.5),(3,-1,0.5),(3,3,0.5),(-1,3,0.5)])\nt = rs.TrimBrep(a, c)\n"
+     "[len(t), rs.Area(t[0])]", [1, 4 * 2 * 0.5 + 4.0]),
+    ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\nc = rs.AddSrfPt([(-1,-1,1),(1,-1,1),(1,3,1),(-1,3,1)])\n"
+     "try:\n    rs.SplitBrep(a, c)\nexcept NotImplementedError as error:\n    text = str(error)\n"
+     "'ends within the section' in text", True),
+    ("p, q = rs.AddPoint(1, 0, 0), rs.AddPoint(2, 0, 0)\nr = rs.RotateObjects([p, q], (0, 0, 0), 90)\n"
+     "[rs.PointCoordinates(r[1]).Y, len(rs.CopyObjects(r, (0, 0, 1)))]", [2.0, 2]),
+    ("b = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n[rs.coercebrep(b).IsSolid, rs.coercesurface(b) is None, "
+     "rs.coercecurve(rs.AddLine((0,0,0), (1,0,0))).IsLinear()]", [True, True, True]),
     ("m = rs.AddMesh([(0,0,0),(1,0,0),(0,1,0)], [(0,1,2,2)])\n[rs.MeshFaceCount(m), rs.MeshArea(m)[1]]", [1, 0.5]),
     ("m = rs.AddMesh([(0,0,0),(1,0,0),(0,1,0)], [(0,1,2,2)])\nrs.Area(rs.MeshToNurb(m)[0])", 0.5),
     ("s = rs.AddPlanarSrf([rs.AddRectangle(rs.WorldXYPlane(), 2, 3)])[0]\nok = rs.RebuildSurface(s, (2, 2), (4, 4))\nok", True),

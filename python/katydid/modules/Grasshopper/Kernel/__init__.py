@@ -10,6 +10,8 @@ from katydid.values.enums import make as _make
 from . import Data, Special, Types  # noqa: F401
 
 GH_ParamAccess = _make("GH_ParamAccess", item=0, list=1, tree=2)
+GH_Exposure = _make("GH_Exposure", hidden=-1, primary=2, secondary=4, tertiary=8, quarternary=16, quinary=32, senary=64,
+                    septenary=128, obscure=65536)
 GH_SolutionMode = _make("GH_SolutionMode", Default=0, CommandLine=1, Silent=2)
 
 
