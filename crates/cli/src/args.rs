@@ -200,6 +200,10 @@ pub(crate) struct CheckArgs {
     /// Print an array with one object a file
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// The Python whose packages scripts would find; no script is run. As for `run` when not given
+    #[arg(long, value_name = "PATH")]
+    pub(crate) python: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -3,6 +3,7 @@
 //! It is a thread of its own, with a pool of its own for what the kernel does in parallel: a thread of the solver's pool
 //! that waited in here could be given another script's turn, and wait for itself.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
@@ -32,6 +33,8 @@ const LOOK: Duration = Duration::from_millis(20);
 pub struct Python {
     interpreter: Result<Interpreter, String>,
     bounds: Bounds,
+    /// How many processes have ended before their time.
+    losses: Arc<AtomicU64>,
     /// The way to the thread, which the first script starts.
     jobs: OnceLock<Mutex<Sender<Job>>>,
 }
@@ -49,14 +52,15 @@ struct Job {
 impl Python {
     /// Runs scripts with an interpreter, or says why there is none when the first script comes.
     pub fn new(interpreter: Result<Interpreter, String>, bounds: Bounds) -> Self {
-        Self { interpreter, bounds, jobs: OnceLock::new() }
+        Self { interpreter, bounds, losses: Arc::default(), jobs: OnceLock::new() }
     }
 
     fn jobs(&self) -> &Mutex<Sender<Job>> {
         self.jobs.get_or_init(|| {
             let (jobs, waiting) = channel();
             let (interpreter, bounds) = (self.interpreter.clone(), self.bounds.clone());
-            let conductor = Conductor { interpreter, bounds, started: 0, running: None };
+            let losses = self.losses.clone();
+            let conductor = Conductor { interpreter, bounds, losses, started: 0, running: None };
             thread::spawn(move || conductor.conduct(&waiting));
             Mutex::new(jobs)
         })
@@ -81,6 +85,10 @@ impl ScriptMaker for PythonMaker {
 impl Scripts for Python {
     fn runs(&self, language: &ScriptLanguage) -> bool {
         matches!(language, ScriptLanguage::Python3 | ScriptLanguage::IronPython)
+    }
+
+    fn losses(&self) -> u64 {
+        self.losses.load(Ordering::Acquire)
     }
 
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
@@ -108,6 +116,7 @@ struct Running {
 struct Conductor {
     interpreter: Result<Interpreter, String>,
     bounds: Bounds,
+    losses: Arc<AtomicU64>,
     /// How many processes were started.
     started: u64,
     running: Option<Running>,
@@ -141,14 +150,25 @@ impl Conductor {
         if job.cancel.is_cancelled() {
             return Err(stopped(job));
         }
+        if self.running.as_mut().is_some_and(|running| running.process.has_ended()) {
+            self.lose();
+        }
         let running = self.running(job)?;
         let outcome = running.perform(job, pool);
         if matches!(outcome, Err(Failure::Ended(_))) {
-            self.running = None;
+            self.lose();
         }
         outcome.map_err(|failure| match failure {
             Failure::Ended(message) | Failure::Alive(message) => Unrun::Failed(message),
         })
+    }
+}
+
+impl Conductor {
+    /// The process has ended: what it held is lost.
+    fn lose(&mut self) {
+        self.running = None;
+        self.losses.fetch_add(1, Ordering::Release);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Objects of a script's own language, held by the process that runs the scripts.
 
 use std::any::Any;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use katydid_data::Keeper;
@@ -11,12 +12,21 @@ pub(crate) struct Keepers {
     /// Which process: its number among those that were started.
     process: u64,
     gone: Arc<Mutex<Vec<u64>>>,
+    /// Whether the process has ended.
+    lost: Arc<AtomicBool>,
+}
+
+impl Drop for Keepers {
+    /// They go with their process.
+    fn drop(&mut self) {
+        self.lost.store(true, Ordering::Release);
+    }
 }
 
 impl Keepers {
     /// Those of a process that was just started.
     pub(crate) fn new(process: u64) -> Self {
-        Self { process, gone: Arc::default() }
+        Self { process, gone: Arc::default(), lost: Arc::default() }
     }
 
     pub(crate) fn process(&self) -> u64 {
@@ -25,7 +35,7 @@ impl Keepers {
 
     /// A token for an object; the process may let go of it when the token's last copy is gone.
     pub(crate) fn kept(&self, number: u64) -> Arc<dyn Keeper> {
-        Arc::new(Kept { process: self.process, number, gone: self.gone.clone() })
+        Arc::new(Kept { process: self.process, number, gone: self.gone.clone(), lost: self.lost.clone() })
     }
 
     /// The objects that nobody holds any more, once.
@@ -40,6 +50,7 @@ pub(crate) struct Kept {
     process: u64,
     number: u64,
     gone: Arc<Mutex<Vec<u64>>>,
+    lost: Arc<AtomicBool>,
 }
 
 impl Kept {
@@ -51,6 +62,10 @@ impl Kept {
 impl Keeper for Kept {
     fn number(&self) -> u64 {
         self.number
+    }
+
+    fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Acquire)
     }
 
     fn as_any(&self) -> &dyn Any {

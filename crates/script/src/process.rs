@@ -143,6 +143,11 @@ impl Process {
         }
     }
 
+    /// Whether it has ended while nobody listened.
+    pub(crate) fn has_ended(&mut self) -> bool {
+        !matches!(self.child.try_wait(), Ok(None))
+    }
+
     /// Interrupts the script: in it a `KeyboardInterrupt`.
     pub(crate) fn interrupt(&self) {
         self.signal(false);

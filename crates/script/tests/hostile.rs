@@ -139,3 +139,29 @@ fn a_process_that_dies_is_started_again() {
     assert!(said.contains("The Python process ended"), "{said}");
     goes_on(&session);
 }
+
+#[test]
+fn what_was_lost_with_a_process_is_made_again() {
+    let code = "class Part(object):\n    def __init__(self, n):\n        self.n = n\na = Part(7)";
+    let maker = gh_python("maker", "x = one", "out, a", code, "");
+    let code = "import os\nif x > 50:\n    os._exit(9)\na = p.n * x";
+    let user = gh_python("user", "p = maker.a, x = s", "out, a", code, "");
+    let mut session =
+        session(&format!("one = Series(1, 1, 1)\ns = Number Slider(2.0, 0..100)\n{maker}\n{user}"));
+    session.solve();
+    let found = |session: &Session| -> Vec<f64> {
+        let all = numbers(session, "user", 1).into_iter().flat_map(|(_, numbers)| numbers);
+        all.collect()
+    };
+    assert_eq!(found(&session), [14.0], "{:?}", messages(&session, "user"));
+    session.set("s", "60").unwrap();
+    session.solve();
+    let said = messages(&session, "user").join("\n");
+    assert!(said.contains("The Python process ended"), "{said}");
+    session.set("s", "3").unwrap();
+    let begin = Instant::now();
+    session.solve();
+    // The part was made by a process that is gone: it is made anew, though nothing that it hangs on has changed.
+    assert_eq!(found(&session), [21.0], "{:?}", messages(&session, "user"));
+    println!("back after a process that died: {:?}", begin.elapsed());
+}

@@ -25,7 +25,7 @@ impl Scripts for Refused {
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
         let (title, language) = (task.object.title(), &task.script.language);
         Err(Unrun::Unsupported(format!(
-            "{title} is a {language} script and was not run, since a script is a program that could do anything here: \
+            "{title}: this {language} script was not run, since a script is a program that could do anything here: \
              {}",
             self.advice
         )))

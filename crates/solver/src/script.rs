@@ -17,6 +17,11 @@ pub trait Scripts: fmt::Debug + Send + Sync {
     /// Whether scripts of a language are run at all.
     fn runs(&self, language: &ScriptLanguage) -> bool;
 
+    /// How many processes have ended before their time: what they held is lost then, and what made it is solved again.
+    fn losses(&self) -> u64 {
+        0
+    }
+
     /// Runs a script for all of its data: the data of the outputs, in their order.
     ///
     /// # Errors
@@ -131,6 +136,20 @@ pub(crate) fn solve(
     }
     let status = ObjectReport::status_of(&messages);
     Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+}
+
+/// Whether a report has objects in it that went with the process that held them.
+pub(crate) fn has_lost(report: &ObjectReport) -> bool {
+    let is_lost = |item: Option<Value>| match item {
+        Some(Value::Content(content)) => {
+            matches!(&*content, katydid_data::Content::Token(token) if token.0.is_lost())
+        }
+        _ => false,
+    };
+    // Other columns hold numbers, points and the like alone.
+    let columns = report.outputs.iter().map(Tree::column);
+    let mut columns = columns.filter(|column| matches!(column.kind(), Kind::Content | Kind::Generic));
+    columns.any(|column| column.iter().any(is_lost))
 }
 
 /// Whether an input brings the text of the script: the first, by its name, where the text comes over a wire.

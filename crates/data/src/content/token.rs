@@ -7,6 +7,9 @@ pub trait Keeper: fmt::Debug + Send + Sync {
     /// The number of the object.
     fn number(&self) -> u64;
 
+    /// Whether the object is gone with its process.
+    fn is_lost(&self) -> bool;
+
     /// As it, to ask which keeper it is.
     fn as_any(&self) -> &dyn std::any::Any;
 }
