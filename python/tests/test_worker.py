@@ -152,6 +152,22 @@ def test_an_endless_loop_is_cancelled_and_the_worker_lives_on(worker):
     assert worker.run("a = 1")[0] == {"a": 1}
 
 
+def test_an_interrupt_during_a_call_keeps_the_messages_in_step():
+    def answer(request):
+        if request[0] == "members":
+            return ["ok", ["Curve.Slow(Double t) -> Double"]]
+        os.kill(worker.process.pid, signal.SIGINT)
+        time.sleep(0.2)
+        return ["ok", 5.0]
+    worker = WorkerProcess(answer)
+    code = "import Rhino.Geometry as rg\nfor i in range(1000): a = rg.Curve.Slow(1.0)"
+    values, result = worker.run(code)
+    assert result["error"] == "cancelled"
+    assert len([request for request in worker.requests if request[0] == "call"]) == 1
+    assert worker.run("a = 3")[0] == {"a": 3}
+    worker.close()
+
+
 def test_an_interrupt_between_runs_does_nothing(worker):
     worker.run("a = 1")
     os.kill(worker.process.pid, signal.SIGINT)

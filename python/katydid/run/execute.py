@@ -107,8 +107,8 @@ def run(message, objects):
     """Runs all iterations of a message; gives the map that answers it.
 
     The message: `code`, `language` ("python2" or "python3"), `key` (the component's id), `name`, `nickname`, `inputs` and
-    `outputs` (each with `name`, inputs with `access`, `hint`, `optional`, `description`), `iterations` (a list of values for
-    each, by input), `doc` (`tolerance`, `angle_tolerance`, `units`, and where they are known `path` and `name`).
+    `outputs` (each with `name`, inputs with `access`, `hint`, `optional`, `description`), `iterations` (a list of values
+    for each, by input), `doc` (`tolerance`, `angle_tolerance`, `units`, and where they are known `path` and `name`).
     The answer: `iterations` (values by output), `out` (what each printed), `messages` ([level, text, line or -1]), `error`
     ("cancelled", what kept the worker from running it, or None) and `seconds`. A script's own exception is a message.
     """
