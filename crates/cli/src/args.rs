@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::scripts::ScriptArgs;
 use crate::serve_args::ServeArgs;
 use crate::web_args::WebArgs;
 
@@ -52,6 +53,27 @@ pub(crate) enum Command {
     Studio(StudioArgs),
     /// Answer the clients of Rhino.Compute and Hops: definitions solved over HTTP
     Serve(ServeArgs),
+    /// Let the scripts of files run from now on, each as long as it does not change
+    Trust(TrustArgs),
+    /// Answer the calls of a script's process: members of RhinoCommon, by name, in the form of katydid-members' codec
+    #[command(hide = true)]
+    Members(MembersArgs),
+}
+
+/// The files whose scripts may run.
+#[derive(Debug, Args)]
+pub(crate) struct TrustArgs {
+    /// The files, after you have looked at their scripts
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+}
+
+/// How a script's process calls.
+#[derive(Debug, Args)]
+pub(crate) struct MembersArgs {
+    /// Read calls from the standard input and write answers to the standard output
+    #[arg(long, required = true)]
+    pub(crate) stdio: bool,
 }
 
 /// A definition that is to be solved, and with what.
@@ -87,6 +109,9 @@ pub(crate) struct DefinitionArgs {
 
     #[command(flatten)]
     pub(crate) web: WebArgs,
+
+    #[command(flatten)]
+    pub(crate) scripts: ScriptArgs,
 }
 
 #[derive(Debug, Args)]
@@ -175,6 +200,10 @@ pub(crate) struct CheckArgs {
     /// Print an array with one object a file
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// The Python whose packages scripts would find; no script is run. As for `run` when not given
+    #[arg(long, value_name = "PATH")]
+    pub(crate) python: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

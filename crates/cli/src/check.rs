@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use katydid_script::{Examiner, find};
 use katydid_session::{Check, check as examine};
 use serde_json::json;
 
@@ -22,11 +23,12 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
             files.push(path.clone());
         }
     }
+    let mut scripts = Scripts::new(args);
     let results: Vec<(PathBuf, Result<Check, String>)> = files
         .into_iter()
         .map(|file| {
-            let result = source::document(&file).map(|document| examine(&document));
-            (file, result)
+            let checked = source::document(&file).map(|document| scripts.examined(examine(&document)));
+            (file, checked)
         })
         .collect();
     if args.json {
@@ -41,6 +43,51 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
         Err(_) => 2,
     };
     Ok(results.iter().map(|(_, result)| code(result)).max().unwrap_or(0))
+}
+
+/// Looks at the scripts of all files, with one Python, which the first of them starts.
+struct Scripts<'a> {
+    args: &'a CheckArgs,
+    examiner: Option<Result<Examiner, String>>,
+}
+
+impl<'a> Scripts<'a> {
+    fn new(args: &'a CheckArgs) -> Self {
+        Self { args, examiner: None }
+    }
+
+    /// The check with what its scripts need and have not.
+    fn examined(&mut self, mut check: Check) -> Check {
+        for object in std::mem::take(&mut check.scripts) {
+            let start = || find(self.args.python.as_deref(), None).and_then(|python| Examiner::new(&python));
+            let examiner = self.examiner.get_or_insert_with(start);
+            let needs = match examiner {
+                Ok(examiner) => examiner.needs(&object.script),
+                Err(why) => Err(why.clone()),
+            };
+            match needs {
+                Ok(needs) => {
+                    needs
+                        .modules
+                        .iter()
+                        .for_each(|name| check.lacks(&object, &format!("{name}, a module of Python")));
+                    needs.members.iter().for_each(|name| check.lacks(&object, name));
+                    needs
+                        .error
+                        .iter()
+                        .for_each(|why| check.lacks(&object, &format!("Python without errors ({why})")));
+                }
+                Err(why) => {
+                    check.lacks(&object, &format!("Python ({why})"));
+                    // Another script may be looked at by another process.
+                    if examiner.is_ok() {
+                        self.examiner = None;
+                    }
+                }
+            }
+        }
+        check
+    }
 }
 
 /// All definitions in a folder and those inside it, in order of their names.

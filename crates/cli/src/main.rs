@@ -8,12 +8,14 @@ mod convert_model;
 mod diff;
 mod fmt;
 mod info;
+mod members;
 mod model_file;
 mod open;
 mod output;
 mod progress;
 mod run;
 mod scene_file;
+mod scripts;
 mod serve;
 mod serve_args;
 mod serving;
@@ -53,6 +55,8 @@ fn main() -> ExitCode {
         Command::View(args) => view::view(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args),
+        Command::Trust(args) => scripts::trust(args),
+        Command::Members(args) => members::members(args),
     };
     // What was to be printed and was not is an error, whatever else went well.
     match result.and_then(|code| output::printed().map(|()| code)) {

@@ -43,6 +43,7 @@ pub(crate) fn session(args: &DefinitionArgs) -> Result<Session, String> {
         files,
         model: model.map(Arc::new),
         remote: Some(katydid_compute::hops(&settings)),
+        scripts: Some(args.scripts.scripts(&args.file)),
         progress: progress::listener(),
         ..Options::default()
     };

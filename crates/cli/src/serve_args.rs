@@ -1,12 +1,14 @@
 //! The words of `katydid serve`.
 
 use std::net::IpAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use katydid_component::Limits;
 use katydid_server::compute::{Config, Processes};
 
+use crate::scripts::ScriptArgs;
 use crate::web_args::WebArgs;
 
 #[derive(Debug, Args)]
@@ -36,6 +38,9 @@ pub(crate) struct ServeArgs {
 
     #[command(flatten)]
     web: WebArgs,
+
+    #[command(flatten)]
+    scripts: ScriptArgs,
 
     /// The most seconds a request may take, waiting included
     #[arg(long, value_name = "SECONDS", default_value_t = 100.0, value_parser = seconds)]
@@ -134,6 +139,7 @@ impl ServeArgs {
             most_jobs: self.jobs,
             keep_jobs: time(self.keep_jobs),
             cache_bytes: self.cache_bytes,
+            scripts: self.scripts.allow_scripts.then(|| Arc::new(self.scripts.maker(None)) as _),
             grace: time(self.grace),
         })
     }

@@ -6,6 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use katydid_component::{Cancel, Files};
 use katydid_definition::archive::Limits;
 use katydid_geometry::Patience;
+use katydid_solver::ScriptMaker;
 use uuid::Uuid;
 
 use crate::cache::{self, Definitions, Replies};
@@ -33,6 +34,8 @@ pub struct Settings {
     pub web: WebSettings,
     /// How Hops components ask them.
     pub hops: HopsSettings,
+    /// What runs the scripts of definitions, each in a process of its own; none run unless it is there.
+    pub scripts: Option<Arc<dyn ScriptMaker>>,
     /// Whether replies tell what components warned of. Rhino.Compute does so in its debug mode only.
     pub warnings: bool,
 }
@@ -48,6 +51,7 @@ impl Default for Settings {
             files: Files::None,
             web: WebSettings::default(),
             hops: HopsSettings::default(),
+            scripts: None,
             warnings: true,
         }
     }

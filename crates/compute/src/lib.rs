@@ -17,19 +17,17 @@
 pub mod cache;
 mod compute;
 pub mod definition;
-mod fault;
 pub mod geometry;
 mod hops;
 pub mod reply;
 pub mod request;
 pub mod solve;
 mod web;
-pub mod wire;
 
 pub use compute::{Compute, Located, Settings};
 pub use definition::{Definition, Description};
-pub use fault::{Cause, Fault};
 pub use hops::{HopsSettings, hops};
+pub use katydid_members::{Cause, Fault, wire};
 pub use reply::{Reply, to_json};
 pub use request::{RequestLimits, SolveRequest};
 pub use solve::{Answer, Bounds, Solution, Timings};

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use katydid_component::registry;
 use katydid_definition::archive::Limits;
-use katydid_definition::document::{ClusterContent, Document, Object};
+use katydid_definition::document::{ClusterContent, Document, Object, Script};
 use serde::Serialize;
 use uuid::Uuid;
 
@@ -15,6 +15,38 @@ pub struct Check {
     pub unsupported: Vec<Unsupported>,
     /// Whether nothing is missing.
     pub runnable: bool,
+    /// The scripts in Python, which whoever runs scripts has to look at: they are not missing by themselves.
+    #[serde(skip)]
+    pub scripts: Vec<ScriptObject>,
+}
+
+/// A script component.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScriptObject {
+    /// Its name on the canvas.
+    pub title: String,
+    /// Its type id.
+    pub component: Uuid,
+    /// Its script.
+    pub script: Script,
+}
+
+impl Check {
+    /// Adds what one of the scripts needs and has not.
+    pub fn lacks(&mut self, object: &ScriptObject, what: &str) {
+        let reason = Some(format!("the script {} needs it", object.title));
+        match self.unsupported.iter_mut().find(|own| own.name == what && own.reason.is_some()) {
+            Some(known) => known.count += 1,
+            None => self.unsupported.push(Unsupported {
+                name: what.to_owned(),
+                component: object.component,
+                plugin: None,
+                reason,
+                count: 1,
+            }),
+        }
+        self.runnable = false;
+    }
 }
 
 /// A component type that Katydid does not have.
@@ -34,22 +66,35 @@ pub struct Unsupported {
 
 /// Looks through a document and the clusters in it.
 pub fn check(document: &Document) -> Check {
-    let mut found = BTreeMap::new();
-    let objects = count(document, &mut found);
+    let (mut found, mut scripts) = (BTreeMap::new(), Vec::new());
+    let objects = count(document, &mut found, &mut scripts);
     let mut unsupported: Vec<Unsupported> = found.into_values().collect();
     unsupported.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.name.cmp(&b.name)));
-    Check { objects, runnable: unsupported.is_empty(), unsupported }
+    Check { objects, runnable: unsupported.is_empty(), unsupported, scripts }
 }
 
-fn count(document: &Document, found: &mut BTreeMap<(Uuid, String), Unsupported>) -> usize {
+fn count(
+    document: &Document,
+    found: &mut BTreeMap<(Uuid, String), Unsupported>,
+    scripts: &mut Vec<ScriptObject>,
+) -> usize {
     let mut objects = 0;
     for object in &document.objects {
         if object.is_annotation() {
             continue;
         }
+        if let Some(script) = object.script().filter(Script::is_python) {
+            objects += 1;
+            scripts.push(ScriptObject {
+                title: object.title().to_owned(),
+                component: object.component,
+                script,
+            });
+            continue;
+        }
         let reason = match object.cluster(&Limits::default()) {
             Some(Ok(ClusterContent::Open { document, .. })) => {
-                objects += count(&document, found);
+                objects += count(&document, found, scripts);
                 continue;
             }
             Some(Ok(ClusterContent::Locked)) => Some("the cluster is locked by a password".to_owned()),

@@ -11,7 +11,7 @@ use crate::graph::Graph;
 use crate::object::{Turn, solve};
 use crate::report::{ObjectReport, Status};
 use crate::schedule::Todo;
-use crate::{Finished, Options, Progress, schedule};
+use crate::{Finished, Options, Progress, schedule, script};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
 ///
@@ -29,6 +29,8 @@ pub struct Engine {
     pub(crate) given: HashMap<(usize, usize), Tree>,
     /// What recorders have recorded, by object; `None` unless the definition runs in time.
     pub(crate) memory: Option<HashMap<usize, Tree>>,
+    /// How many processes that run scripts had ended when results were last looked through for what they held.
+    losses: u64,
 }
 
 /// What one solve did.
@@ -54,6 +56,7 @@ impl Engine {
             dirty: (0..count).collect(),
             given: HashMap::new(),
             memory: None,
+            losses: 0,
         }
     }
 
@@ -113,7 +116,34 @@ impl Engine {
 
     /// Solves what is dirty. When somebody cancels, what is not done by then stays dirty, and keeps so until a solve
     /// with another [`Cancel`](katydid_component::Cancel).
+    ///
+    /// What scripts made and a process that has ended held is made again, once a solve: a script that ends its process
+    /// each time does not keep it going for ever.
     pub fn solve(&mut self) -> Summary {
+        self.expire_lost();
+        let mut summary = self.solve_dirty();
+        if self.expire_lost() {
+            let again = self.solve_dirty();
+            summary =
+                Summary { solved: summary.solved + again.solved, time: summary.time + again.time, ..again };
+        }
+        summary
+    }
+
+    /// Expires what was lost with a process that ran scripts; tells whether anything was.
+    fn expire_lost(&mut self) -> bool {
+        let losses = self.options.scripts.as_ref().map_or(0, |scripts| scripts.losses());
+        if losses == std::mem::replace(&mut self.losses, losses) {
+            return false;
+        }
+        let is_lost = |report: &Option<ObjectReport>| report.as_ref().is_some_and(script::has_lost);
+        let lost: Vec<usize> =
+            (0..self.reports.len()).filter(|at| self.reports.get(*at).is_some_and(is_lost)).collect();
+        lost.iter().for_each(|at| self.touch(*at));
+        !lost.is_empty()
+    }
+
+    fn solve_dirty(&mut self) -> Summary {
         let watch = Watch::start();
         let most = self.options.limits.solve_bytes;
         let account = Arc::new(match &self.options.memory {

@@ -9,7 +9,7 @@ use katydid_data::{Column, Kind, Path, Tree};
 use katydid_definition::document::{Document, Object, Side, Special, ids};
 
 use crate::report::{ObjectReport, Status};
-use crate::{Options, cluster, collect, modifiers, recorder, remote};
+use crate::{Options, cluster, collect, modifiers, recorder, remote, script};
 
 /// What an object needs to run besides its inputs.
 pub(crate) struct Turn<'a> {
@@ -52,6 +52,9 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>], budget:
         return report;
     }
     if let Some(report) = remote::solve(turn, object, wired, budget) {
+        return report;
+    }
+    if let Some(report) = script::solve(turn, object, wired, budget) {
         return report;
     }
     match registry::by_guid(object.component) {

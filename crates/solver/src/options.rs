@@ -6,7 +6,7 @@ use katydid_component::{Account, Cancel, Files, Limits, RhinoModel};
 use katydid_data::cast::Rules;
 use katydid_definition::document::Object;
 
-use crate::{ObjectReport, Remote};
+use crate::{ObjectReport, Remote, Scripts};
 
 /// How far a solve has come.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,6 +53,8 @@ pub struct Options {
     pub model: Option<Arc<RhinoModel>>,
     /// Which other servers Hops components may ask; none unless said so.
     pub remote: Option<Arc<dyn Remote>>,
+    /// What runs script components; none run unless said so.
+    pub scripts: Option<Arc<dyn Scripts>>,
     /// Leaves out what no wire reads where a component says that it is costly: the transforms of Move, say.
     pub skip_unread: bool,
     /// Told after each object.
@@ -78,6 +80,7 @@ impl fmt::Debug for Options {
             .field("cancel", &self.cancel)
             .field("files", &self.files)
             .field("remote", &self.remote)
+            .field("scripts", &self.scripts)
             .field("model", &self.model.as_ref().map(|model| model.objects().len()))
             .finish_non_exhaustive()
     }

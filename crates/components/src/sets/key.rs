@@ -64,7 +64,11 @@ fn object<T: ?Sized>(shared: &Arc<T>) -> Key {
 /// Layers, linetypes and blocks are the same when their path is; other content when it is one object.
 fn content(shared: &Arc<Content>) -> Key {
     match &**shared {
-        Content::Object(_) | Content::Instance(_) | Content::Filter(_) | Content::Atom(_) => object(shared),
+        Content::Object(_)
+        | Content::Instance(_)
+        | Content::Filter(_)
+        | Content::Atom(_)
+        | Content::Token(_) => object(shared),
         named => match named.path() {
             Some(path) => Key::Shape(format!("{} {path}", named.type_name())),
             None => object(shared),

@@ -9,6 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use katydid_definition::archive::Limits;
 use katydid_definition::document::Document;
+use katydid_solver::{Refused, ScriptMaker, Scripts};
 use uuid::Uuid;
 
 use crate::Fault;
@@ -32,6 +33,8 @@ pub struct Definition {
     states: States,
     /// What `/io` replies, once somebody has asked: defaults that are solids take longer to write than to send.
     described: OnceLock<Arc<Description>>,
+    /// What runs its scripts, once a request has brought it to one: all requests share the process, which stays warm.
+    scripts: OnceLock<Arc<dyn Scripts>>,
 }
 
 impl Definition {
@@ -60,8 +63,8 @@ impl Definition {
 
     fn new(key: String, document: Document, interface: Interface, about: Option<&'static str>) -> Self {
         let weight = key.len() + weigh::document(&document);
-        let (states, described) = (States::default(), OnceLock::new());
-        Self { key, document, interface, about, weight, states, described }
+        let (states, described, scripts) = (States::default(), OnceLock::new(), OnceLock::new());
+        Self { key, document, interface, about, weight, states, described, scripts }
     }
 
     /// The key by which it is known in later requests: `md5_…` for one that came as text, else what the caller gave.
@@ -89,6 +92,15 @@ impl Definition {
     pub(crate) fn described(&self) -> (Arc<Description>, bool) {
         let heavier = self.described.get().is_none();
         (self.described.get_or_init(|| Arc::new(describe(self))).clone(), heavier)
+    }
+
+    /// What runs its scripts, or refuses to.
+    pub(crate) fn scripts(&self, maker: Option<&dyn ScriptMaker>) -> Arc<dyn Scripts> {
+        let make = || match maker {
+            Some(maker) => maker.make(),
+            None => Arc::new(Refused::new("this server was started without --allow-scripts")),
+        };
+        self.scripts.get_or_init(make).clone()
     }
 
     pub(crate) fn about(&self) -> Option<&str> {

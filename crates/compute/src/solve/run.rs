@@ -38,6 +38,7 @@ pub(crate) fn run(
         cancel: bounds.cancel.clone(),
         files: settings.files.clone(),
         progress: bounds.progress.clone(),
+        scripts: Some(definition.scripts(settings.scripts.as_deref())),
         remote: Some(Arc::new(Hops::new(settings, web.clone(), recursion))),
         ..Options::default()
     };

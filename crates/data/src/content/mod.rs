@@ -7,12 +7,14 @@ mod block;
 mod filter;
 mod object;
 mod tables;
+mod token;
 
 pub use atom::Atom;
 pub use block::{BlockDefinition, BlockInstance};
 pub use filter::Filter;
 pub use object::{ModelObject, Visibility};
 pub use tables::{ModelLayer, ModelLinetype};
+pub use token::{Keeper, Token};
 
 use std::sync::Arc as Shared;
 
@@ -33,6 +35,8 @@ pub enum Content {
     Filter(Filter),
     /// An atom of a molecule.
     Atom(Atom),
+    /// An object of a script's own language.
+    Token(Token),
 }
 
 impl Content {
@@ -46,6 +50,7 @@ impl Content {
             Self::Linetype(_) => "Model Linetype",
             Self::Filter(_) => "Content Filter",
             Self::Atom(_) => "Atom",
+            Self::Token(_) => "Script Object",
         }
     }
 
@@ -53,7 +58,7 @@ impl Content {
     pub fn path(&self) -> Option<&str> {
         let path = match self {
             Self::Object(object) => object.name.as_ref(),
-            Self::Instance(_) | Self::Filter(_) | Self::Atom(_) => return None,
+            Self::Instance(_) | Self::Filter(_) | Self::Atom(_) | Self::Token(_) => return None,
             Self::Block(block) => block.name.as_ref(),
             Self::Layer(layer) => layer.path.as_ref(),
             Self::Linetype(linetype) => linetype.name.as_ref(),
@@ -83,4 +88,5 @@ from! {
     Shared<ModelLinetype>, Linetype;
     Filter, Filter;
     Atom, Atom;
+    Token, Token;
 }

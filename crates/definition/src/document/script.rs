@@ -19,6 +19,13 @@ pub struct Script {
     pub from_wire: bool,
 }
 
+impl Script {
+    /// Whether it is in Python, of either kind.
+    pub fn is_python(&self) -> bool {
+        matches!(self.language, ScriptLanguage::Python3 | ScriptLanguage::IronPython)
+    }
+}
+
 /// The language of a script.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ScriptLanguage {

@@ -1,8 +1,10 @@
 use std::net::{IpAddr, Ipv4Addr};
+use std::sync::Arc;
 use std::time::Duration;
 
 use katydid_component::Limits;
 use katydid_compute::HostKey;
+use katydid_solver::ScriptMaker;
 
 use super::behind::{Command, Orders};
 use super::pool::Places;
@@ -71,6 +73,8 @@ pub struct Config {
     pub keep_jobs: Duration,
     /// The most bytes of definitions that are kept for the next request.
     pub cache_bytes: usize,
+    /// What runs the scripts of definitions; none run unless it is there. Whoever can ask can then run programs here.
+    pub scripts: Option<Arc<dyn ScriptMaker>>,
     /// How long requests that are under way have to end when the server stops.
     pub grace: Duration,
 }
@@ -98,6 +102,7 @@ impl Default for Config {
             most_jobs: 256,
             keep_jobs: Duration::from_secs(600),
             cache_bytes: 256 << 20,
+            scripts: None,
             grace: Duration::from_secs(30),
         }
     }

@@ -72,6 +72,7 @@ impl Service {
                 keys: config.hops_keys.clone(),
                 ..HopsSettings::default()
             },
+            scripts: config.scripts.clone(),
             ..Settings::default()
         };
         Self {

@@ -10,7 +10,7 @@ use katydid_data::text::Style;
 use katydid_definition::document::Object;
 use katydid_session::protocol::{Event, Notice, ResultView};
 use katydid_session::{Change, Editor, Solution, result_view};
-use katydid_solver::{ObjectReport, Options};
+use katydid_solver::{ObjectReport, Options, Refused};
 use uuid::Uuid;
 
 use super::analyses::Finding;
@@ -71,6 +71,9 @@ struct Progress {
     name: String,
 }
 
+/// What to do about a script, which the studio does not run yet: it would have to ask first.
+const SCRIPTS: &str = "the studio does not run scripts yet; `katydid run FILE --allow-scripts` does";
+
 impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
@@ -80,7 +83,8 @@ impl Actor {
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
-        let options = Options { rules: editor.rules(), files, model, ..Options::default() };
+        let scripts = Some(Arc::new(Refused::new(SCRIPTS)) as _);
+        let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };
         let (jobs, inbox) = channel();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
         // Without a thread to solve on, the document can be edited and saved all the same.

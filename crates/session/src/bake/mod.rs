@@ -225,7 +225,11 @@ fn put_table(
             content::put_layer(model, layer);
         }
         Content::Linetype(linetype) => content::put_linetype(model, linetype),
-        Content::Object(_) | Content::Instance(_) | Content::Filter(_) | Content::Atom(_) => {}
+        Content::Object(_)
+        | Content::Instance(_)
+        | Content::Filter(_)
+        | Content::Atom(_)
+        | Content::Token(_) => {}
     }
     Ok(())
 }

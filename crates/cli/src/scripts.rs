@@ -1,0 +1,76 @@
+//! Whether and how a definition's scripts run.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::Args;
+use katydid_script::{Bounds, Permission, PythonMaker, Trusted, find};
+use katydid_solver::{Refused, ScriptMaker, Scripts};
+
+use crate::args::TrustArgs;
+use crate::output::say;
+use crate::source;
+
+/// Whether a definition's scripts run, and with what.
+#[derive(Debug, Args)]
+pub(crate) struct ScriptArgs {
+    /// Run the definition's Python scripts: they are programs, and not ours; `katydid trust FILE` allows those of one file
+    #[arg(long)]
+    pub(crate) allow_scripts: bool,
+
+    /// Let the scripts that run use the network
+    #[arg(long)]
+    pub(crate) allow_network: bool,
+
+    /// The Python to run scripts with; else that of KATYDID_PYTHON, a .venv or venv beside the definition, or python3
+    #[arg(long, value_name = "PATH")]
+    pub(crate) python: Option<PathBuf>,
+
+    /// The most megabytes of memory that the scripts of a definition may take
+    #[arg(long, value_name = "MEGABYTES", default_value_t = 4096)]
+    pub(crate) script_memory: u64,
+}
+
+impl ScriptArgs {
+    /// What runs the scripts of a file, or says of each why it does not.
+    pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
+        match self.permission(file) {
+            Permission::Given => self.maker(Some(file)).make(),
+            Permission::Refused => Arc::new(Refused::new(format!(
+                "look at it, then run it with --allow-scripts, or allow it for good with `katydid trust {}`",
+                file.display()
+            ))),
+        }
+    }
+
+    /// What runs scripts once they are allowed; an environment beside the file is looked for.
+    pub(crate) fn maker(&self, file: Option<&Path>) -> PythonMaker {
+        let bounds = Bounds {
+            memory: self.script_memory.saturating_mul(1 << 20),
+            network: self.allow_network,
+            ..Bounds::default()
+        };
+        PythonMaker { interpreter: find(self.python.as_deref(), file), bounds }
+    }
+
+    fn permission(&self, file: &Path) -> Permission {
+        let is_trusted = || {
+            let bytes = source::bytes(file).ok()?;
+            Some(Trusted::of_user().ok()?.trusts(&bytes))
+        };
+        if self.allow_scripts || is_trusted() == Some(true) { Permission::Given } else { Permission::Refused }
+    }
+}
+
+/// Trusts files: their scripts may run from now on, until they change.
+pub(crate) fn trust(args: &TrustArgs) -> Result<u8, String> {
+    let failed = |error: &std::io::Error| format!("the list of trusted files: {error}");
+    let mut trusted = Trusted::of_user().map_err(|error| failed(&error))?;
+    for file in &args.files {
+        let bytes = source::bytes(file)?;
+        let name = std::path::absolute(file).unwrap_or_else(|_| file.clone());
+        trusted.add(&bytes, &name.display().to_string()).map_err(|error| failed(&error))?;
+        say(&format!("{} may run its scripts, as it is now", file.display()));
+    }
+    Ok(0)
+}

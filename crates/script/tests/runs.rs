@@ -1,0 +1,116 @@
+//! Scripts run, and give what was worked out by hand.
+
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, reason = "a test may fail")]
+
+mod common;
+
+use common::{gh_python, messages, numbers, session, values};
+use katydid_data::Value;
+
+#[test]
+fn items_come_one_by_one_and_results_stay_together() {
+    let script = gh_python("double", "x = s", "out, a", "a = x * 2", "");
+    let mut session = session(&format!("s = Series(1, 1, 3)\n{script}"));
+    session.solve();
+    assert_eq!(messages(&session, "double"), Vec::<String>::new());
+    assert_eq!(numbers(&session, "double", 1), [("{0;0}".to_owned(), vec![2.0, 4.0, 6.0])]);
+}
+
+#[test]
+fn a_list_result_of_an_item_has_a_branch_of_its_own() {
+    let script = gh_python("spread", "x = s", "out, a", "a = [x, x + 10]", "");
+    let mut session = session(&format!("s = Series(1, 1, 2)\n{script}"));
+    session.solve();
+    let expected = [("{0;0;0}".to_owned(), vec![1.0, 11.0]), ("{0;0;1}".to_owned(), vec![2.0, 12.0])];
+    assert_eq!(numbers(&session, "spread", 1), expected);
+}
+
+#[test]
+fn a_list_input_comes_whole() {
+    let access = "    ParameterData/InputParam[0]/ScriptParamAccess = 1\n";
+    let script = gh_python("total", "x = s", "out, a, n", "a = sum(x)\nn = x.Count", access);
+    let mut session = session(&format!("s = Series(1, 1, 100)\n{script}"));
+    session.solve();
+    assert_eq!(messages(&session, "total"), Vec::<String>::new());
+    assert_eq!(numbers(&session, "total", 1), [("{0;0}".to_owned(), vec![5050.0])]);
+    assert_eq!(numbers(&session, "total", 2), [("{0;0}".to_owned(), vec![100.0])]);
+}
+
+#[test]
+fn old_python_prints_and_divides_as_it_did() {
+    let script = gh_python("old", "x = s", "out, a", "print \"seven\"\na = 7 / 2", "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
+    session.solve();
+    assert_eq!(messages(&session, "old"), Vec::<String>::new());
+    assert_eq!(values(&session, "old", 0), [Some(Value::Text("seven".into()))]);
+    assert_eq!(numbers(&session, "old", 1), [("{0;0}".to_owned(), vec![3.0])]);
+}
+
+#[test]
+fn geometry_goes_through_the_kernel_and_back() {
+    let code = "import Rhino.Geometry as rg\n\
+                line = rg.LineCurve(rg.Point3d(0, 0, 0), rg.Point3d(3, 4, 0))\n\
+                line.Reverse()\n\
+                a = line.GetLength()\nb = line\nc = line.PointAtStart";
+    let script = gh_python("measure", "x = s", "out, a, b, c", code, "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}\nlength = Length(measure.b)"));
+    session.solve();
+    assert_eq!(messages(&session, "measure"), Vec::<String>::new());
+    assert_eq!(numbers(&session, "measure", 1), [("{0;0}".to_owned(), vec![5.0])]);
+    assert_eq!(numbers(&session, "length", 0), [("{0;0}".to_owned(), vec![5.0])]);
+    let Some(Some(Value::Point(start))) = values(&session, "measure", 3).into_iter().next() else { panic!() };
+    assert_eq!((start.x, start.y, start.z), (3.0, 4.0, 0.0));
+}
+
+#[test]
+fn an_error_names_its_line_and_the_rest_goes_on() {
+    let script = gh_python("broken", "x = s", "out, a", "b = 1\na = 1 / (x - 2.0)", "");
+    let mut session = session(&format!("s = Series(1, 1, 3)\n{script}\nafter = Addition(s, 1)"));
+    session.solve();
+    let said = messages(&session, "broken");
+    assert!(
+        said.len() == 1 && said[0].contains("division by zero") && said[0].contains("line 2"),
+        "{said:?}"
+    );
+    assert_eq!(numbers(&session, "after", 0), [("{0;0}".to_owned(), vec![2.0, 3.0, 4.0])]);
+    let all = values(&session, "broken", 1);
+    assert_eq!(all, [Some(Value::Number(-1.0)), None, Some(Value::Number(1.0))]);
+}
+
+#[test]
+fn what_one_script_keeps_another_finds() {
+    let first = gh_python(
+        "first",
+        "x = s",
+        "out, a",
+        "import scriptcontext\nscriptcontext.sticky['k'] = x\na = x",
+        "",
+    );
+    let code = "import scriptcontext\na = scriptcontext.sticky['k'] + x";
+    let second = gh_python("second", "x = first.a", "out, a", code, "");
+    let mut session = session(&format!("s = Series(5, 1, 1)\n{first}\n{second}"));
+    session.solve();
+    assert_eq!(messages(&session, "second"), Vec::<String>::new());
+    assert_eq!(numbers(&session, "second", 1), [("{0;0}".to_owned(), vec![10.0])]);
+}
+
+#[test]
+fn objects_of_python_travel_as_themselves() {
+    let code = "class Part(object):\n    def __init__(self, n):\n        self.n = n\na = Part(x)";
+    let first = gh_python("maker", "x = s", "out, a", code, "");
+    let second = gh_python("user", "p = maker.a", "out, a", "a = p.n * 3", "");
+    let mut session = session(&format!("s = Series(4, 1, 2)\n{first}\n{second}"));
+    session.solve();
+    assert_eq!(messages(&session, "user"), Vec::<String>::new());
+    assert_eq!(numbers(&session, "user", 1), [("{0;0}".to_owned(), vec![12.0, 15.0])]);
+}
+
+#[test]
+fn messages_of_a_script_are_the_components() {
+    let code = "from Grasshopper.Kernel import GH_RuntimeMessageLevel as L\n\
+                ghenv.Component.AddRuntimeMessage(L.Warning, 'look here')\na = 1";
+    let script = gh_python("talker", "x = s", "out, a", code, "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
+    session.solve();
+    assert_eq!(messages(&session, "talker"), ["warning: look here"]);
+}

@@ -1,0 +1,181 @@
+//! Components that are scripts: whoever solves a definition decides whether they run, and by what.
+
+use std::fmt;
+use std::sync::Arc;
+
+use katydid_component::{Budget, Cancel, Limits, Message, registry};
+use katydid_data::cast::Rules;
+use katydid_data::{Column, Kind, Path, Tree, Value};
+use katydid_definition::document::{Object, Port, Script, ScriptLanguage};
+
+use crate::collect;
+use crate::object::{Turn, output};
+use crate::report::{ObjectReport, Status};
+
+/// Runs scripts.
+pub trait Scripts: fmt::Debug + Send + Sync {
+    /// Whether scripts of a language are run at all.
+    fn runs(&self, language: &ScriptLanguage) -> bool;
+
+    /// How many processes have ended before their time: what they held is lost then, and what made it is solved again.
+    fn losses(&self) -> u64 {
+        0
+    }
+
+    /// Runs a script for all of its data: the data of the outputs, in their order.
+    ///
+    /// # Errors
+    /// Why it does not run here.
+    fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun>;
+}
+
+/// Makes what runs the scripts of one document: its scripts share a process, and no other document's.
+pub trait ScriptMaker: fmt::Debug + Send + Sync {
+    /// What runs the scripts of a document.
+    fn make(&self) -> Arc<dyn Scripts>;
+}
+
+/// Why a script did not run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unrun {
+    /// It may not, or there is nothing to run it with; the rest of the definition goes on.
+    Unsupported(String),
+    /// It was begun, and could not be finished.
+    Failed(Message),
+}
+
+/// A script component's turn.
+#[derive(Debug)]
+pub struct ScriptTask<'a> {
+    /// The component.
+    pub object: &'a Object,
+    /// Its script; the text that came over a wire stands in it.
+    pub script: &'a Script,
+    /// The inputs of the script with their data: none for the text of the script itself.
+    pub inputs: Vec<(&'a Port, Tree)>,
+    /// Units and tolerances.
+    pub rules: Rules,
+    /// What may be used: to be asked while one waits.
+    pub budget: &'a Budget,
+    /// What each call of the script may use, with the time that is left.
+    pub limits: Limits,
+    /// Stops it.
+    pub cancel: &'a Cancel,
+}
+
+/// What a script gave.
+#[derive(Debug, Default)]
+pub struct ScriptDone {
+    /// The data of the outputs.
+    pub outputs: Vec<Tree>,
+    /// What it said.
+    pub messages: Vec<Message>,
+}
+
+/// Runs a script component; `None` when the object is none, or nobody runs scripts of its language.
+pub(crate) fn solve(
+    turn: &Turn<'_>,
+    object: &Object,
+    wired: &[Vec<&Tree>],
+    budget: &Budget,
+) -> Option<ObjectReport> {
+    let scripts = turn.options.scripts.as_ref()?;
+    let mut script = object.script().filter(|script| scripts.runs(&script.language))?;
+    let rules = turn.options.rules;
+    let mut messages = Vec::new();
+    let mut inputs = Vec::with_capacity(object.inputs.len());
+    let mut missing = false;
+    for (k, port) in object.inputs.iter().enumerate() {
+        let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
+        let collected = collect::port(object, port, None, wires, turn.options);
+        messages.extend(collected.messages);
+        if holds_text(&script, port, k) {
+            match text(&collected.tree) {
+                Some(text) => script.text = text,
+                None => missing |= needs(port, &mut messages),
+            }
+            continue;
+        }
+        inputs.push((port, collected.tree));
+    }
+    if missing {
+        return Some(ObjectReport::idle(Status::NoData, messages, object.outputs.len()));
+    }
+    let limits = Limits { time: turn.deadline.left(), ..turn.options.limits };
+    let cancel = &turn.options.cancel;
+    let task = ScriptTask { object, script: &script, inputs, rules, budget, limits, cancel };
+    let begun = budget.check().map_err(Unrun::Failed).and_then(|()| scripts.run(&task));
+    let done = match begun {
+        Ok(done) => done,
+        Err(Unrun::Unsupported(why)) => {
+            messages.push(Message::warning(why));
+            let nulls = vec![Tree::branch_at(Path::zero(), Column::nulls(1)); object.outputs.len()];
+            let report = ObjectReport::idle(Status::Unsupported, messages, 0);
+            return Some(ObjectReport { outputs: nulls, ..report });
+        }
+        Err(Unrun::Failed(message)) => {
+            messages.push(message);
+            ScriptDone::default()
+        }
+    };
+    messages.extend(done.messages);
+    let mut trees = done.outputs.into_iter();
+    let outputs: Vec<Tree> = object
+        .outputs
+        .iter()
+        .enumerate()
+        .map(|(k, port)| {
+            let tree = trees.next().unwrap_or_default();
+            let tree = collect::cast_to(tree, kind(port), &rules, &mut messages);
+            output(object, k, tree, turn.options, &mut messages)
+        })
+        .collect();
+    let items = outputs.iter().map(Tree::item_count).sum();
+    if let Err(message) = budget.items(items) {
+        return Some(ObjectReport::idle(Status::Error, vec![message], object.outputs.len()));
+    }
+    let status = ObjectReport::status_of(&messages);
+    Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+}
+
+/// Whether a report has objects in it that went with the process that held them.
+pub(crate) fn has_lost(report: &ObjectReport) -> bool {
+    let is_lost = |item: Option<Value>| match item {
+        Some(Value::Content(content)) => {
+            matches!(&*content, katydid_data::Content::Token(token) if token.0.is_lost())
+        }
+        _ => false,
+    };
+    // Other columns hold numbers, points and the like alone.
+    let columns = report.outputs.iter().map(Tree::column);
+    let mut columns = columns.filter(|column| matches!(column.kind(), Kind::Content | Kind::Generic));
+    columns.any(|column| column.iter().any(is_lost))
+}
+
+/// Whether an input brings the text of the script: the first, by its name, where the text comes over a wire.
+fn holds_text(script: &Script, port: &Port, place: usize) -> bool {
+    script.from_wire && place == 0 && ["code", "script"].contains(&port.name.to_lowercase().as_str())
+}
+
+/// The lines of a text that came over a wire.
+fn text(tree: &Tree) -> Option<String> {
+    if tree.is_empty() {
+        return None;
+    }
+    let line = |item: Option<Value>| match item {
+        Some(Value::Text(text)) => text.to_string(),
+        _ => String::new(),
+    };
+    Some(tree.column().iter().map(line).collect::<Vec<_>>().join("\n"))
+}
+
+fn needs(port: &Port, messages: &mut Vec<Message>) -> bool {
+    messages.push(Message::warning(format!("Input parameter {} failed to collect data", port.nickname)));
+    true
+}
+
+/// The type of a port: that of the parameter it is.
+fn kind(port: &Port) -> Kind {
+    let parameter = port.type_id.and_then(registry::by_guid);
+    parameter.and_then(|parameter| parameter.output(0)).map_or(Kind::Generic, |port| port.kind)
+}

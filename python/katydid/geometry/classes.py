@@ -1,0 +1,151 @@
+"""The classes of Rhino.Geometry that are held by handle, and which inherits from which."""
+
+from ..backend import current
+from .host_object import HostClass, HostObject
+
+
+class GeometryBase(HostObject):
+    """What all geometry is."""
+
+    __slots__ = ()
+
+    def Duplicate(self):
+        return self._twin()
+
+    DuplicateShallow = DuplicateGeometry = Clone = Duplicate
+
+    def EnsurePrivateCopy(self):
+        pass
+
+    @property
+    def HasUserData(self):
+        return False
+
+    @property
+    def Disposed(self):
+        return not self._number
+
+    def GetHashCode(self):
+        return self._number & 0x7FFFFFFF
+
+
+class Curve(GeometryBase):
+    __slots__ = ()
+
+    def DuplicateCurve(self):
+        return self._twin()
+
+
+class Surface(GeometryBase):
+    __slots__ = ()
+
+
+class Brep(GeometryBase):
+    __slots__ = ()
+
+    def DuplicateBrep(self):
+        return self._twin()
+
+
+class Mesh(GeometryBase):
+    """A mesh. Vertices and faces that a script adds wait here, and go to the host together when it is asked something:
+    a loop that adds ten thousand costs two calls."""
+
+    __slots__ = ("_waiting", "_counts")
+
+    def __init__(self, *arguments):
+        if len(arguments) == 1 and isinstance(arguments[0], Mesh):
+            self._adopt(arguments[0]._twin())
+        else:
+            GeometryBase.__init__(self, *arguments)
+
+    def DuplicateMesh(self):
+        return self._twin()
+
+    def _wait(self, which, item):
+        """Keeps a vertex (0) or a face (1) for later; gives its index."""
+        waiting = getattr(self, "_waiting", None)
+        if waiting is None:
+            object.__setattr__(self, "_counts", [len(self.Vertices), len(self.Faces)])
+            waiting = ([], [])
+            object.__setattr__(self, "_waiting", waiting)
+        waiting[which].append(item)
+        return self._counts[which] + len(waiting[which]) - 1
+
+    def _settle(self):
+        waiting = getattr(self, "_waiting", None)
+        if waiting is None:
+            return
+        object.__setattr__(self, "_waiting", None)
+        self._stale()
+        backend = current()
+        if waiting[0]:
+            backend.call("MeshVertexList.AddVertices", self, waiting[0])
+        if waiting[1]:
+            backend.call("MeshFaceList.AddFaces", self, waiting[1])
+
+    def _lower(self):
+        self._settle()
+        return GeometryBase._lower(self)
+
+
+_BASES = {
+    "LineCurve": Curve, "ArcCurve": Curve, "PolylineCurve": Curve, "NurbsCurve": Curve, "PolyCurve": Curve,
+    "CurveProxy": Curve, "PlaneSurface": Surface, "NurbsSurface": Surface, "RevSurface": Surface,
+    "SumSurface": Surface, "Extrusion": Surface, "SurfaceProxy": Surface, "SubD": GeometryBase,
+    "PointCloud": GeometryBase, "Point": GeometryBase, "Hatch": GeometryBase, "TextDot": GeometryBase,
+    "Light": GeometryBase, "InstanceReferenceGeometry": GeometryBase, "AnnotationBase": GeometryBase,
+    "Point3dGrid": GeometryBase, "MorphControl": GeometryBase, "BrepVertex": HostObject, "BrepLoop": HostObject,
+    "MeshingParameters": HostObject, "AreaMassProperties": HostObject, "VolumeMassProperties": HostObject,
+    "LengthMassProperties": HostObject, "BezierCurve": HostObject, "BezierSurface": HostObject,
+    "SurfaceCurvature": HostObject, "MeshPoint": HostObject, "Matrix": HostObject, "ConicSection": HostObject,
+    "SpaceMorph": HostObject, "Unroller": HostObject, "SweepOneRail": HostObject, "SweepTwoRail": HostObject,
+    "HiddenLineDrawing": HostObject, "Silhouette": HostObject, "QuadRemeshParameters": HostObject,
+    "ReduceMeshParameters": HostObject, "ShrinkWrapParameters": HostObject, "RTree": HostObject,
+}
+
+#: By the name in RhinoCommon.
+CLASSES = {"GeometryBase": GeometryBase, "Curve": Curve, "Surface": Surface, "Brep": Brep, "Mesh": Mesh}
+
+
+def _make(name, base):
+    CLASSES[name] = HostClass(name, (base,), {
+        "__slots__": (), "__module__": "Rhino.Geometry",
+        "_is_record": base is HostObject,
+        "__doc__": "%s of Rhino.Geometry; its members are those of the host." % name})
+    return CLASSES[name]
+
+
+for _name, _base in _BASES.items():
+    _make(_name, _base)
+for _name, _base in (("CurveOnSurface", "Curve"), ("BrepEdge", "CurveProxy"), ("BrepTrim", "CurveProxy"),
+                     ("BrepFace", "SurfaceProxy"), ("TextEntity", "AnnotationBase"), ("Leader", "AnnotationBase"),
+                     ("Dimension", "AnnotationBase"), ("LinearDimension", "Dimension")):
+    _make(_name, CLASSES[_base])
+
+
+
+def _extrusion(face, *arguments):
+    """Of an instance (path, cap), or the static member of Surface (profile, direction)."""
+    from .call import invoke
+    from .extrude import extruded_face
+    if len(arguments) == 2 and isinstance(arguments[1], bool):
+        return extruded_face(face, *arguments)
+    return invoke("Surface", "CreateExtrusion", ["Surface"], (face,) + arguments)
+
+
+CLASSES["BrepFace"].CreateExtrusion = _extrusion
+
+#: Classes of static members in other namespaces.
+for _name in ("Intersection", "MeshClash", "CurveIntersections", "IntersectionEvent"):
+    _make(_name, HostObject)._namespace = "Rhino.Geometry.Intersect"
+
+
+def of_handle(number, kind):
+    """The object for a handle that the host has given. A kind that is not known here is a class of its own name."""
+    cls = CLASSES.get(kind)
+    if cls is None:
+        if not kind.isidentifier() or len(kind) > 100:
+            kind = "HostObject"
+        cls = _make(kind, HostObject)
+    return cls._of(number, kind)

@@ -1,0 +1,1 @@
+"""ghpythonlib: components as functions, trees as lists, parallel loops, component classes."""

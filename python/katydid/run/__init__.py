@@ -1,0 +1,1 @@
+"""How a script component runs: inputs in, one run an iteration, outputs out."""
