@@ -3,10 +3,10 @@
 use std::collections::HashSet;
 
 use super::{Binder, Function, Item, Returns, make};
-use crate::bound::{self, Const, Expr, FieldRef, Kind, Label, Lambda, Stmt, StmtKind};
+use crate::bound::{self, Const, Expr, FieldRef, Kind, Label, Stmt, StmtKind};
 use crate::sema::{Body, DefId, FieldId, Known, MethodId, Sema, Ty};
 use crate::source::Pos;
-use crate::syntax::ast::{self, FnBody, Passing, TypeKind};
+use crate::syntax::ast::{self, FnBody, TypeKind};
 
 /// Binds the body of a method; none where it has none of its own.
 pub fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> {

@@ -29,6 +29,7 @@ use crate::sema::{DefId, MethodId, NameScope, ParamId, Sema, Ty};
 use crate::source::Pos;
 use crate::syntax::ast::{self, LambdaParam, Name};
 
+pub(crate) use constant::wrap;
 pub use method::{bind_method, bind_static_init, constant_of};
 
 /// How many expressions are bound for one method: lambdas are bound again for each overload.

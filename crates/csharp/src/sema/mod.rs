@@ -283,3 +283,10 @@ impl Sema {
         Arc::new(UsingScope::default())
     }
 }
+
+impl Sema {
+    /// The type of a declaration without parameters, if it was ever named.
+    pub fn types_of(&self, def: DefId) -> Option<Ty> {
+        self.types.find(&Kind::Named(def, Vec::new().into()))
+    }
+}

@@ -67,6 +67,11 @@ impl Types {
         ty
     }
 
+    /// The number of a type that is there already.
+    pub fn find(&self, kind: &Kind) -> Option<Ty> {
+        self.numbers.get(kind).copied()
+    }
+
     /// What a type is.
     pub fn kind(&self, ty: Ty) -> &Kind {
         self.kinds.get(ty.0 as usize).unwrap_or(&Kind::Special(0))
