@@ -27,11 +27,11 @@ pub enum Const {
 
 /// A variable of a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LocalId(pub u32);
+pub(crate) struct LocalId(pub u32);
 
 /// A variable.
 #[derive(Debug, Clone)]
-pub struct Local {
+pub(crate) struct Local {
     /// The name.
     pub name: Name,
     /// The type.
@@ -57,7 +57,7 @@ pub struct MethodRef {
 
 /// A field of a type with its type arguments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct FieldRef {
+pub(crate) struct FieldRef {
     /// The field.
     pub id: FieldId,
     /// The type.
@@ -66,7 +66,7 @@ pub struct FieldRef {
 
 /// An expression.
 #[derive(Debug, Clone)]
-pub struct Expr {
+pub(crate) struct Expr {
     /// Its type.
     pub ty: Ty,
     /// Its place.
@@ -99,15 +99,15 @@ pub enum Op {
 
 /// How a value becomes one of another type.
 #[derive(Debug, Clone)]
-pub enum Conv {
+pub(crate) enum Conv {
     /// It stays as it is.
     Same,
     /// A number of one predefined type becomes one of another, with a check for overflow.
     Number(Prim, Prim, bool),
     /// A number becomes a member of an enum.
-    ToEnum(Prim, bool),
+    ToEnum,
     /// A member of an enum becomes a number.
-    FromEnum(Prim, bool),
+    FromEnum(Prim),
     /// A reference, or what was boxed, is checked to be of the type.
     Cast,
     /// A value is there or an exception is thrown.
@@ -115,24 +115,20 @@ pub enum Conv {
 }
 
 /// An argument of a call: by value or as a reference to a variable.
-pub type Arg = (Passing, Expr);
+pub(crate) type Arg = (Passing, Expr);
 
 /// A lambda.
 #[derive(Debug, Clone)]
-pub struct Lambda {
+pub(crate) struct Lambda {
     /// Its parameters.
     pub params: Vec<LocalId>,
-    /// What it gives.
-    pub ret: Ty,
     /// What it does.
     pub body: Stmt,
-    /// Whether it is an iterator, and of what.
-    pub iterator: Option<Ty>,
 }
 
 /// Forms of expressions.
 #[derive(Debug, Clone)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// A value.
     Const(Const),
     /// The default value of a type.
@@ -222,7 +218,7 @@ pub enum Kind {
 
 /// Operations resolved when they run.
 #[derive(Debug, Clone, PartialEq)]
-pub enum DynamicOp {
+pub(crate) enum DynamicOp {
     /// A member's value.
     Get(Name),
     /// A member is set.
@@ -245,7 +241,7 @@ pub enum DynamicOp {
 
 /// A statement.
 #[derive(Debug, Clone)]
-pub struct Stmt {
+pub(crate) struct Stmt {
     /// Its place.
     pub pos: Pos,
     /// What it is.
@@ -254,11 +250,11 @@ pub struct Stmt {
 
 /// A place that is jumped to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Label(pub u32);
+pub(crate) struct Label(pub u32);
 
 /// A `catch`.
 #[derive(Debug, Clone)]
-pub struct Catch {
+pub(crate) struct Catch {
     /// The type that it catches.
     pub ty: Ty,
     /// The variable that holds the exception.
@@ -271,7 +267,7 @@ pub struct Catch {
 
 /// Forms of statements.
 #[derive(Debug, Clone)]
-pub enum StmtKind {
+pub(crate) enum StmtKind {
     /// Statements with the variables they declare.
     Block(Vec<LocalId>, Vec<Stmt>),
     /// Statements that share the variables around them.
@@ -300,7 +296,7 @@ pub enum StmtKind {
 
 /// The body of a method.
 #[derive(Debug, Clone)]
-pub struct Body {
+pub(crate) struct Body {
     /// All variables of it and of the lambdas in it.
     pub locals: Vec<Local>,
     /// Its parameters.

@@ -46,4 +46,4 @@ impl fmt::Display for Diagnostic {
 }
 
 /// The result of what may meet one fault and stop there.
-pub type Checked<T> = Result<T, Fault>;
+pub(crate) type Checked<T> = Result<T, Fault>;

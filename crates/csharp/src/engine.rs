@@ -70,14 +70,14 @@ fn declared(source: &Source<'_>, host: &dyn Host, map: &mut SourceMap) -> Result
     let mut sema = Sema::default();
     let mut files = Vec::new();
     for (name, text) in library::SOURCES {
-        files.push(read(map, name, text, true).map_err(|f| located(map, vec![f]))?);
+        files.push(read(map, name, text).map_err(|f| located(map, vec![f]))?);
     }
     if !host.declarations().is_empty() {
-        files.push(read(map, "host", host.declarations(), true).map_err(|f| located(map, vec![f]))?);
+        files.push(read(map, "host", host.declarations()).map_err(|f| located(map, vec![f]))?);
     }
     sema.declare(&files, true);
     let user = match source {
-        Source::File(text) => read(map, "script", text, false),
+        Source::File(text) => read(map, "script", text),
         Source::Parts { using, body, additional, parameters, usual, base } => {
             parts(map, using, body, additional, parameters, usual, base)
         }
@@ -90,23 +90,42 @@ fn declared(source: &Source<'_>, host: &dyn Host, map: &mut SourceMap) -> Result
 fn located(map: &SourceMap, mut faults: Vec<crate::diagnostic::Fault>) -> Vec<Diagnostic> {
     faults.sort_by_key(|f| f.pos);
     faults.dedup();
-    faults.into_iter().map(|f| Diagnostic { at: map.locate(f.pos), code: f.code, message: f.message }).collect()
+    faults
+        .into_iter()
+        .map(|f| Diagnostic { at: map.locate(f.pos), code: f.code, message: f.message })
+        .collect()
 }
 
-fn read(map: &mut SourceMap, name: &str, text: &str, library: bool) -> crate::diagnostic::Checked<Namespace> {
-    let base = map.add(name, text, library);
+fn read(map: &mut SourceMap, name: &str, text: &str) -> crate::diagnostic::Checked<Namespace> {
+    let base = map.add(name, text);
     let tokens = syntax::tokens(text, base)?;
     syntax::parse(tokens, base + text.len() as u32)
 }
 
 /// The parts of a component put together as one class; each keeps its own places.
-fn parts(map: &mut SourceMap, using: &str, body: &str, additional: &str, parameters: &str, usual: &str, base: &str) -> crate::diagnostic::Checked<Namespace> {
+fn parts(
+    map: &mut SourceMap,
+    using: &str,
+    body: &str,
+    additional: &str,
+    parameters: &str,
+    usual: &str,
+    base: &str,
+) -> crate::diagnostic::Checked<Namespace> {
     let before = if base.is_empty() { String::new() } else { format!(" : {base}") };
     let head = format!("public class Script_Instance{before} {{ private void RunScript({parameters}) {{");
     let mut tokens = Vec::new();
     let mut end = 0;
-    for (name, text) in [("using", usual), ("using", using), ("component", &head), ("script", body), ("component", "}"), ("additional", additional), ("component", "}")] {
-        let base = map.add(name, text, false);
+    for (name, text) in [
+        ("using", usual),
+        ("using", using),
+        ("component", &head),
+        ("script", body),
+        ("component", "}"),
+        ("additional", additional),
+        ("component", "}"),
+    ] {
+        let base = map.add(name, text);
         tokens.extend(syntax::tokens(text, base)?);
         if name != "component" || end == 0 {
             end = base + text.len() as u32;
@@ -145,7 +164,8 @@ impl Engine {
         let Some((id, ty, takes)) = found else {
             return Err(Failure {
                 exception: String::new(),
-                message: "Program does not contain a static 'Main' method suitable for an entry point".to_owned(),
+                message: "Program does not contain a static 'Main' method suitable for an entry point"
+                    .to_owned(),
                 at: None,
                 stop: None,
             });
@@ -164,7 +184,12 @@ impl Engine {
     /// # Errors
     /// An exception of the constructor, or a stop; a failure where there is no such class.
     pub fn create(&mut self, class: &str) -> Result<Value, Failure> {
-        let missing = || Failure { exception: String::new(), message: format!("There is no class '{class}' that can be made"), at: None, stop: None };
+        let missing = || Failure {
+            exception: String::new(),
+            message: format!("There is no class '{class}' that can be made"),
+            at: None,
+            stop: None,
+        };
         let def = self.program.sema.library("", class, 0).ok_or_else(missing)?;
         let ty = self.program.sema.named(def, &[]);
         let ctor = self.method(class, ".ctor").ok_or_else(missing)?;
@@ -194,11 +219,59 @@ impl Engine {
             let (func, done) = self.program.static_inits[init as usize];
             if !done {
                 self.program.static_inits[init as usize].1 = true;
-                crate::vm::run(&mut self.program, &mut self.state, func, &[]).map_err(|e| self.failure(&e.raise, e.at))?;
+                crate::vm::run(&mut self.program, &mut self.state, func, &[])
+                    .map_err(|e| self.failure(&e.raise, e.at))?;
             }
         }
         let func = self.program.function(Key::Method(method, owner, Vec::new()));
-        crate::vm::run(&mut self.program, &mut self.state, func, args).map_err(|e| self.failure(&e.raise, e.at))
+        crate::vm::run(&mut self.program, &mut self.state, func, args)
+            .map_err(|e| self.failure(&e.raise, e.at))
+    }
+
+    /// Calls a method whose last arguments are references to variables that begin with `refs`. Gives its result and
+    /// what the variables hold in the end.
+    ///
+    /// # Errors
+    /// An exception that nobody caught, or a stop.
+    pub fn call_with_refs(
+        &mut self,
+        method: MethodId,
+        owner: Ty,
+        args: &[Value],
+        refs: &[Value],
+    ) -> Result<(Value, Vec<Value>), Failure> {
+        let object = self.program.sema.known.object;
+        let ty = self.program.sema.array(object, 1);
+        let handle = self.state.heap.add(Obj::Array(ty, refs.to_vec(), None));
+        self.state.heap.pins.push(handle);
+        let mut all = args.to_vec();
+        all.extend((0..refs.len()).map(|i| Value::PartRef(handle, i as u32)));
+        let result = self.call(method, owner, &all);
+        self.state.heap.pins.retain(|pin| *pin != handle);
+        let outs = match self.state.heap.get(handle) {
+            Obj::Array(_, data, _) => data.clone(),
+            _ => Vec::new(),
+        };
+        Ok((result?, outs))
+    }
+
+    /// A declared type without type parameters.
+    pub fn type_named(&mut self, namespace: &str, name: &str) -> Option<Ty> {
+        let def = self.program.sema.library(namespace, name, 0)?;
+        Some(self.program.sema.named(def, &[]))
+    }
+
+    /// A new object with these fields, for use as an argument.
+    pub fn instance(&mut self, ty: Ty, fields: &[Value]) -> Value {
+        self.program.layout(ty);
+        Value::Ref(self.state.heap.add(Obj::Inst(ty, fields.into())))
+    }
+
+    /// A new `List<T>`, for use as an argument.
+    pub fn list(&mut self, element: Ty, items: Vec<Value>) -> Value {
+        let def = self.program.sema.library("System.Collections.Generic", "List", 1);
+        let ty = def.map_or(Ty::ERROR, |def| self.program.sema.named(def, &[element]));
+        Value::Ref(self.state.heap.add(Obj::List(ty, items, 0)))
     }
 
     /// The machine, to make and look at values.
@@ -219,10 +292,18 @@ impl Engine {
     fn failure(&self, raise: &Raise, at: u32) -> Failure {
         let place = if at > 0 { Some(self.map.locate(at)) } else { None };
         match raise {
-            Raise::Stop(stop) => Failure { exception: String::new(), message: stop.to_string(), at: place, stop: Some(stop.clone()) },
-            Raise::Exception(name, message) => {
-                Failure { exception: format!("System.{name}"), message: message.clone(), at: place, stop: None }
-            }
+            Raise::Stop(stop) => Failure {
+                exception: String::new(),
+                message: stop.to_string(),
+                at: place,
+                stop: Some(stop.clone()),
+            },
+            Raise::Exception(name, message) => Failure {
+                exception: format!("System.{name}"),
+                message: message.clone(),
+                at: place,
+                stop: None,
+            },
             Raise::Object(value) => {
                 let ty = self.state.type_of(*value, &self.program.sema);
                 let exception = self.program.sema.full_name(ty);
@@ -233,7 +314,8 @@ impl Engine {
                     },
                     _ => None,
                 };
-                let message = message.unwrap_or_else(|| format!("Exception of type '{exception}' was thrown."));
+                let message =
+                    message.unwrap_or_else(|| format!("Exception of type '{exception}' was thrown."));
                 Failure { exception, message, at: place, stop: None }
             }
         }

@@ -19,6 +19,9 @@ pub(crate) enum Key {
     Statics(Ty),
 }
 
+/// Texts, each with its place among the constants of a function.
+pub(crate) type PlacedTexts = Vec<(u32, Arc<[u16]>)>;
+
 /// What a new object begins with.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Start {
@@ -69,7 +72,7 @@ pub(crate) enum Target {
 }
 
 /// A program.
-pub struct Program {
+pub(crate) struct Program {
     /// Declarations.
     pub sema: Sema,
     pub(crate) funcs: Vec<Function>,
@@ -81,7 +84,6 @@ pub struct Program {
     pub(crate) natives: Vec<NativeRef>,
     pub(crate) native_keys: HashMap<Name, u32>,
     pub(crate) sites: Vec<Site>,
-    pub(crate) site_keys: HashMap<MethodRef, Vec<u32>>,
     /// Static fields by their type and number.
     pub(crate) statics: HashMap<Ty, u32>,
     pub(crate) static_values: Vec<Value>,
@@ -92,7 +94,7 @@ pub struct Program {
     /// Texts of constants.
     pub(crate) texts: HashMap<Arc<[u16]>, Handle>,
     /// Texts of lambdas that wait to be put into the heap.
-    pub(crate) pending_texts: Vec<(u32, Vec<(u32, Arc<[u16]>)>)>,
+    pub(crate) pending_texts: Vec<(u32, PlacedTexts)>,
     /// The host's numbers for its members.
     pub(crate) host_keys: HashMap<Name, u32>,
 }
@@ -111,7 +113,6 @@ impl Program {
             natives: Vec::new(),
             native_keys: HashMap::new(),
             sites: Vec::new(),
-            site_keys: HashMap::new(),
             statics: HashMap::new(),
             static_values: Vec::new(),
             static_inits: Vec::new(),
@@ -239,7 +240,8 @@ impl Program {
                 fields.push(start);
             }
         }
-        let structs = (0..fields.len()).filter(|i| matches!(fields[*i], Start::Struct(_))).map(|i| i as u16).collect();
+        let structs =
+            (0..fields.len()).filter(|i| matches!(fields[*i], Start::Struct(_))).map(|i| i as u16).collect();
         let layout = Arc::new(Layout { fields, structs, is_struct: self.sema.is_struct(ty) });
         if self.layouts.len() <= ty.0 as usize {
             self.layouts.resize(ty.0 as usize + 1, None);

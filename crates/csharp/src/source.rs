@@ -4,28 +4,26 @@ use std::fmt;
 use std::sync::Arc;
 
 /// A place in all parts of the source together: an offset in bytes.
-pub type Pos = u32;
+pub(crate) type Pos = u32;
 
 /// One text of the source: a file, or one of the three parts of a script component.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub(crate) struct Part {
     /// What messages call it.
     pub name: Arc<str>,
     /// Its text.
     pub text: Arc<str>,
     base: Pos,
-    /// Whether it belongs to the library or the host and not to the user.
-    pub library: bool,
 }
 
 /// All parts of the source, each at its own range of places.
 #[derive(Debug, Clone, Default)]
-pub struct SourceMap {
+pub(crate) struct SourceMap {
     parts: Vec<Part>,
 }
 
 /// The most bytes of source in one part.
-pub const MAX_SOURCE: usize = 1 << 22;
+pub(crate) const MAX_SOURCE: usize = 1 << 22;
 
 /// A place as people count it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,9 +44,9 @@ impl fmt::Display for Location {
 
 impl SourceMap {
     /// Adds a text and gives the place of its first byte.
-    pub fn add(&mut self, name: &str, text: &str, library: bool) -> Pos {
+    pub(crate) fn add(&mut self, name: &str, text: &str) -> Pos {
         let base = self.parts.last().map_or(1, |part| part.base + part.text.len() as Pos + 1);
-        self.parts.push(Part { name: name.into(), text: text.into(), base, library });
+        self.parts.push(Part { name: name.into(), text: text.into(), base });
         base
     }
 
@@ -57,13 +55,8 @@ impl SourceMap {
         self.parts.get(after.checked_sub(1)?)
     }
 
-    /// Whether the place is in the library's or the host's text.
-    pub fn is_library(&self, pos: Pos) -> bool {
-        self.part(pos).is_none_or(|part| part.library)
-    }
-
     /// The line and column of a place.
-    pub fn locate(&self, pos: Pos) -> Location {
+    pub(crate) fn locate(&self, pos: Pos) -> Location {
         let Some(part) = self.part(pos) else {
             return Location { part: "".into(), line: 1, column: 1 };
         };

@@ -94,7 +94,20 @@ impl Binder<'_> {
         }
         match self.sema.implicit(value.ty, to) {
             Some(conversion) => self.apply(value, &conversion, to),
-            None => self.no_conversion(pos, value.ty, to),
+            None => {
+                if let Kind::Const(Const::Int(n)) = value.kind
+                    && self.sema.prim(value.ty) == Some(Prim::I32)
+                    && self.sema.prim(to).is_some_and(|p| p.is_integral() && p != Prim::Char)
+                {
+                    let shown = self.show(to);
+                    return self.error(
+                        pos,
+                        31,
+                        format!("Constant value '{n}' cannot be converted to a '{shown}'"),
+                    );
+                }
+                self.no_conversion(pos, value.ty, to)
+            }
         }
     }
 
@@ -170,7 +183,7 @@ impl Binder<'_> {
         let mut value = value;
         if self.sema.is_enum(value.ty) {
             let number = self.prim_type(from_prim);
-            value = make(number, pos, Kind::Convert(Conv::FromEnum(from_prim, checked), Box::new(value)));
+            value = make(number, pos, Kind::Convert(Conv::FromEnum(from_prim), Box::new(value)));
         }
         if from_prim != to_prim {
             let number = self.prim_type(to_prim);
@@ -178,7 +191,7 @@ impl Binder<'_> {
                 make(number, pos, Kind::Convert(Conv::Number(from_prim, to_prim, checked), Box::new(value)));
         }
         if self.sema.is_enum(to) {
-            value = make(to, pos, Kind::Convert(Conv::ToEnum(to_prim, checked), Box::new(value)));
+            value = make(to, pos, Kind::Convert(Conv::ToEnum, Box::new(value)));
         }
         value
     }
@@ -297,6 +310,21 @@ impl Binder<'_> {
                 self.error(pos, 30, format!("Cannot convert type '{from}' to '{shown}'"))
             };
         };
+        if let (Kind::Const(Const::Double(_) | Const::Float(_)), Some(target)) =
+            (&value.kind, self.sema.prim(to))
+            && target.is_integral()
+            && !self.unchecked
+            && self.fold_number(&value, target, false).is_none()
+        {
+            let shown = self.show(to);
+            return self.error(
+                pos,
+                221,
+                format!(
+                    "Constant value cannot be converted to a '{shown}' (use 'unchecked' syntax to override)"
+                ),
+            );
+        }
         if let (Kind::Const(Const::Int(n)), Some(target)) = (&value.kind, self.sema.prim(to)) {
             let (least, most) = target.range();
             if target.is_integral() && !(least..=most).contains(n) && !self.unchecked_cast() {

@@ -10,7 +10,7 @@ use crate::syntax::ast::{self, Designation, ExprKind, Passing, TypeRefKind};
 enum Target {
     Place(Expr),
     New(Pos, ast::Name, Option<Ty>),
-    Several(Pos, Vec<Target>),
+    Several(Vec<Target>),
     Dropped,
 }
 
@@ -19,7 +19,7 @@ impl Binder<'_> {
         let target = self.target(target);
         let item = self.item(value);
         // Elements of a written tuple take the types of what they are set to.
-        if let (Target::Several(_, targets), Item::Tuple(at, parts)) = (&target, &item)
+        if let (Target::Several(targets), Item::Tuple(at, parts)) = (&target, &item)
             && targets.len() == parts.len()
         {
             let wanted: Vec<_> = targets
@@ -60,9 +60,7 @@ impl Binder<'_> {
 
     fn target(&mut self, e: &ast::Expr) -> Target {
         match &e.kind {
-            ExprKind::Tuple(parts) => {
-                Target::Several(e.pos, parts.iter().map(|(_, p)| self.target(p)).collect())
-            }
+            ExprKind::Tuple(parts) => Target::Several(parts.iter().map(|(_, p)| self.target(p)).collect()),
             ExprKind::Declare(ty, names) => {
                 if matches!(ty.kind, TypeRefKind::Var) {
                     return self.designated(names);
@@ -82,8 +80,8 @@ impl Binder<'_> {
         match names {
             Designation::Name(pos, name) => Target::New(*pos, name.clone(), None),
             Designation::Discard(_) => Target::Dropped,
-            Designation::Several(pos, list) => {
-                Target::Several(*pos, list.iter().map(|n| self.designated(n)).collect())
+            Designation::Several(_, list) => {
+                Target::Several(list.iter().map(|n| self.designated(n)).collect())
             }
         }
     }
@@ -93,7 +91,7 @@ impl Binder<'_> {
             self.declare_all(target);
             return value;
         }
-        let Target::Several(_, targets) = target else { return self.wrong(pos) };
+        let Target::Several(targets) = target else { return self.wrong(pos) };
         let ty = value.ty;
         let (number, held) = self.held(ty, pos);
         let mut steps = Vec::new();
@@ -185,7 +183,7 @@ impl Binder<'_> {
             Target::New(pos, name, ty) => {
                 self.declare(pos, &name, ty.unwrap_or(Ty::ERROR), Passing::Value);
             }
-            Target::Several(_, list) => list.into_iter().for_each(|t| self.declare_all(t)),
+            Target::Several(list) => list.into_iter().for_each(|t| self.declare_all(t)),
             _ => {}
         }
     }

@@ -82,10 +82,6 @@ impl Binder<'_> {
         });
         self.jumps = outer_jumps;
         let returns = self.functions.pop().map_or(Returns::Type(Ty::ERROR), |f| f.returns);
-        let ret = match &returns {
-            Returns::Type(ty) => *ty,
-            Returns::Infer(..) => Ty::VOID,
-        };
         if let (FnBody::Block(block), Returns::Type(ty)) = (&*source.body, &returns)
             && *ty != Ty::VOID
             && *ty != Ty::ERROR
@@ -98,7 +94,7 @@ impl Binder<'_> {
             );
         }
         let stmt = Stmt { pos, kind: StmtKind::Block(locals, vec![body]) };
-        (Lambda { params, ret, body: stmt, iterator: None }, returns)
+        (Lambda { params, body: stmt }, returns)
     }
 
     fn lambda_params(&mut self, source: &LambdaSource, takes: &[(Passing, Ty)]) -> Vec<LocalId> {
@@ -220,8 +216,7 @@ impl Binder<'_> {
         let ((params, body), locals) = self.in_scope(|b| b.group_call(pos, group, &takes, gives, to));
         self.functions.pop();
         let stmt = Stmt { pos, kind: StmtKind::Block(locals, vec![body]) };
-        let lambda =
-            make(to, pos, Kind::Lambda(Arc::new(Lambda { params, ret: gives, body: stmt, iterator: None })));
+        let lambda = make(to, pos, Kind::Lambda(Arc::new(Lambda { params, body: stmt })));
         if before.is_empty() {
             return lambda;
         }

@@ -9,7 +9,7 @@ use crate::source::Pos;
 use crate::syntax::ast::{self, FnBody, TypeKind};
 
 /// Binds the body of a method; none where it has none of its own.
-pub fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> {
+pub(crate) fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> {
     let info = sema.method(id).clone();
     let (body, chain, pos, end) = match &info.body {
         Body::Written(method) => (method.body.clone(), method.chain.clone(), method.pos, method.pos),
@@ -53,7 +53,7 @@ pub fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> {
 }
 
 /// Binds the first values of static fields and the static constructor.
-pub fn bind_static_init(sema: &mut Sema, def: DefId) -> Option<bound::Body> {
+pub(crate) fn bind_static_init(sema: &mut Sema, def: DefId) -> Option<bound::Body> {
     let info = sema.def(def).clone();
     let cctor = info.members.get(".cctor").and_then(|l| l.first()).copied();
     let has_values = info.statics.iter().any(|f| sema.field(*f).value.is_some());
@@ -75,7 +75,7 @@ pub fn bind_static_init(sema: &mut Sema, def: DefId) -> Option<bound::Body> {
 }
 
 /// The value of a constant or of a member of an enum.
-pub fn constant_of(sema: &mut Sema, id: FieldId) -> Const {
+pub(crate) fn constant_of(sema: &mut Sema, id: FieldId) -> Const {
     let field = sema.field(id).clone();
     match field.known {
         Known::Yes(value) => return value,

@@ -30,7 +30,7 @@ use crate::source::Pos;
 use crate::syntax::ast::{self, LambdaParam, Name};
 
 pub(crate) use constant::wrap;
-pub use method::{bind_method, bind_static_init, constant_of};
+pub(crate) use method::{bind_method, bind_static_init, constant_of};
 
 /// How many expressions are bound for one method: lambdas are bound again for each overload.
 const MAX_WORK: u32 = 400_000;
@@ -132,7 +132,7 @@ struct Cases {
 }
 
 /// Binds the bodies of one type's members.
-pub struct Binder<'a> {
+pub(crate) struct Binder<'a> {
     sema: &'a mut Sema,
     def: DefId,
     this: Ty,

@@ -226,7 +226,7 @@ impl Binder<'_> {
         if self.sema.is_enum(result) {
             let number = self.prim_type(prim);
             let bare = Expr { ty: number, ..made };
-            return Some(make(result, pos, Kind::Convert(Conv::ToEnum(prim, self.checked), Box::new(bare))));
+            return Some(make(result, pos, Kind::Convert(Conv::ToEnum, Box::new(bare))));
         }
         Some(made)
     }
@@ -510,7 +510,7 @@ impl Binder<'_> {
                 }
                 let made = make(number, pos, Kind::Complement(wide, Box::new(value)));
                 if self.sema.is_enum(ty) {
-                    return make(ty, pos, Kind::Convert(Conv::ToEnum(wide, false), Box::new(made)));
+                    return make(ty, pos, Kind::Convert(Conv::ToEnum, Box::new(made)));
                 }
                 made
             }

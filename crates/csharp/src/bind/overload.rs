@@ -297,6 +297,7 @@ impl Binder<'_> {
             })
             .collect();
         let mut method_args = Vec::new();
+        let mut own = Substitution::default();
         if !info.type_params.is_empty() {
             method_args = if type_args.is_empty() {
                 self.infer(&info.type_params, &open, &pairs(&filled), items).ok_or(Refusal::Infer)?
@@ -305,14 +306,15 @@ impl Binder<'_> {
             } else {
                 return Err(Refusal::Count);
             };
-            by.0.extend(Substitution::of(&info.type_params, &method_args).0);
+            own = Substitution::of(&info.type_params, &method_args);
+            by.0.extend(own.0.clone());
             if !self.meets_bounds(&info.type_params, &by) {
                 return Err(Refusal::Infer);
             }
         } else if !type_args.is_empty() {
             return Err(Refusal::Count);
         }
-        let params: Vec<_> = open.iter().map(|(p, ty)| (*p, self.sema.types.substitute(*ty, &by))).collect();
+        let params: Vec<_> = open.iter().map(|(p, ty)| (*p, self.sema.types.substitute(*ty, &own))).collect();
         for (i, param) in pairs(&filled) {
             let (passing, ty) = params[param];
             let given = args.get(i).map_or(Passing::Value, |a| a.passing);

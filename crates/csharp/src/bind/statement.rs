@@ -103,10 +103,7 @@ impl Binder<'_> {
             Written::Return(value) => self.return_statement(pos, value.as_ref()),
             Written::Throw(value) => {
                 let exception = self.sema.known.exception;
-                let value = value.as_ref().map(|e| {
-                    let item = self.item(e);
-                    self.convert(item, exception, e.pos)
-                });
+                let value = value.as_ref().map(|e| self.thrown(e, exception));
                 StmtKind::Throw(value)
             }
             Written::Try(body, catches, finally) => self.try_statement(body, catches, finally.as_ref()),
@@ -132,6 +129,17 @@ impl Binder<'_> {
                 StmtKind::Several(vec![Stmt { pos, kind: StmtKind::Label(label) }, inner])
             }
         }
+    }
+
+    fn thrown(&mut self, e: &ast::Expr, exception: Ty) -> Expr {
+        let item = self.item(e);
+        if let Item::Value(value) = &item
+            && !self.converts(&item, exception)
+            && value.ty != Ty::DYNAMIC
+        {
+            return self.error(e.pos, 155, "The type caught or thrown must be derived from System.Exception");
+        }
+        self.convert(item, exception, e.pos)
     }
 
     fn named_label(&mut self, name: &ast::Name) -> Label {

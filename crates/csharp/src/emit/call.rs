@@ -44,7 +44,15 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    pub(super) fn call_into(&mut self, d: Reg, receiver: Option<&Expr>, method: &MethodRef, args: &[Arg], is_virtual: bool, e: &Expr) -> Emitted<()> {
+    pub(super) fn call_into(
+        &mut self,
+        d: Reg,
+        receiver: Option<&Expr>,
+        method: &MethodRef,
+        args: &[Arg],
+        is_virtual: bool,
+        e: &Expr,
+    ) -> Emitted<()> {
         let pos = e.pos;
         let method = self.method_ref(method);
         let count = args.len() as u32 + u32::from(receiver.is_some());
@@ -85,7 +93,13 @@ impl Emitter<'_> {
         let generic = self.program.sema.is_param(ret);
         if is_extern && generic {
             let mut by = self.program.sema.substitution(method.owner);
-            by.0.extend(crate::sema::Substitution::of(&self.program.sema.method(method.id).type_params.clone(), &method.args).0);
+            by.0.extend(
+                crate::sema::Substitution::of(
+                    &self.program.sema.method(method.id).type_params.clone(),
+                    &method.args,
+                )
+                .0,
+            );
             let ret = self.program.sema.types.substitute(ret, &by);
             if self.program.sema.is_struct(ret) {
                 self.op(Op::Copy { d, a: base });
@@ -97,13 +111,23 @@ impl Emitter<'_> {
         }
     }
 
-    fn dispatch(&mut self, base: Reg, has_receiver: bool, receiver_ty: Ty, method: &MethodRef, is_virtual: bool, e: &Expr) -> Emitted<()> {
+    fn dispatch(
+        &mut self,
+        base: Reg,
+        has_receiver: bool,
+        receiver_ty: Ty,
+        method: &MethodRef,
+        is_virtual: bool,
+        e: &Expr,
+    ) -> Emitted<()> {
         let mut method = method.clone();
         let mut is_virtual = is_virtual;
         let value_type = self.program.sema.is_value_type(receiver_ty);
         if has_receiver && value_type && is_virtual {
             let inner = self.program.sema.nullable_of(receiver_ty);
-            if inner.is_none() && let Some(found) = self.program.sema.find_override(receiver_ty, &method) {
+            if inner.is_none()
+                && let Some(found) = self.program.sema.find_override(receiver_ty, &method)
+            {
                 method = found;
                 is_virtual = false;
             }
@@ -136,7 +160,15 @@ impl Emitter<'_> {
     }
 
     /// A call whose receiver and arguments are in registers.
-    pub(super) fn call_registers(&mut self, d: Reg, receiver: Option<Reg>, receiver_ty: Ty, method: &MethodRef, args: &[Reg], is_virtual: bool) -> Emitted<()> {
+    pub(super) fn call_registers(
+        &mut self,
+        d: Reg,
+        receiver: Option<Reg>,
+        receiver_ty: Ty,
+        method: &MethodRef,
+        args: &[Reg],
+        is_virtual: bool,
+    ) -> Emitted<()> {
         let method = self.method_ref(method);
         let base = self.allocs(args.len() as u32 + 1)?;
         let mut at = base;
@@ -181,7 +213,9 @@ impl Emitter<'_> {
             let found = self.program.sema.def_of(ty).and_then(|def| {
                 let list = self.program.sema.def(def).members.get(".ctor")?;
                 list.iter().find_map(|m| match m {
-                    crate::sema::Member::Method(id) if self.program.sema.method(*id).params.is_empty() => Some(*id),
+                    crate::sema::Member::Method(id) if self.program.sema.method(*id).params.is_empty() => {
+                        Some(*id)
+                    }
                     _ => None,
                 })
             });
@@ -216,7 +250,11 @@ impl Emitter<'_> {
         }
         self.layout_of(ty);
         let object = self.alloc()?;
-        self.op(Op::New { d: object, ty });
+        if self.program.is_native_type(ty) {
+            self.native_object(object, ty)?;
+        } else {
+            self.op(Op::New { d: object, ty });
+        }
         // The window of the call lies above, so that the object is not lost in it.
         let window = self.allocs(args.len() as u32 + 1)?;
         self.op(Op::Move { d: window, a: object });
@@ -227,6 +265,21 @@ impl Emitter<'_> {
             self.op(Op::Call { f, base: window });
         }
         self.op(Op::Move { d, a: object });
+        Ok(())
+    }
+
+    /// An object of the library, which a constructor written in C# then fills.
+    fn native_object(&mut self, d: Reg, ty: Ty) -> Emitted<()> {
+        let name = self
+            .program
+            .sema
+            .def_of(ty)
+            .map(|def| self.program.sema.def(def).name.to_string())
+            .unwrap_or_default();
+        let n = self.program.native(&format!("{name}.new()").into(), 1);
+        let base = self.alloc()?;
+        self.op(Op::Native { n, base, ty });
+        self.op(Op::Move { d, a: base });
         Ok(())
     }
 
@@ -247,10 +300,12 @@ impl Emitter<'_> {
         let (null, end) = (self.mark(), self.mark());
         self.op(Op::JumpNull { a: base, to: null.0 });
         let object = self.program.sema.known.object;
-        let found = self.program.sema.members(object, &"ToString".into()).into_iter().find_map(|(owner, m)| match m {
-            crate::sema::Member::Method(id) => Some(MethodRef { id, owner, args: Vec::new() }),
-            _ => None,
-        });
+        let found = self.program.sema.members(object, &"ToString".into()).into_iter().find_map(
+            |(owner, m)| match m {
+                crate::sema::Member::Method(id) => Some(MethodRef { id, owner, args: Vec::new() }),
+                _ => None,
+            },
+        );
         if let Some(method) = found {
             let site = self.program.site(method);
             self.op(Op::CallVirtual { site, base });

@@ -36,7 +36,10 @@ impl Emitter<'_> {
             }
             Kind::Held(number) => {
                 let Some(reg) = self.held.get(number).copied() else {
-                    return Err(Refused(e.pos, "This use of a value inside a lambda is not supported".to_owned()));
+                    return Err(Refused(
+                        e.pos,
+                        "This use of a value inside a lambda is not supported".to_owned(),
+                    ));
                 };
                 return Ok(self.moved(reg, want));
             }
@@ -73,7 +76,9 @@ impl Emitter<'_> {
         if from != to && self.program.sema.is_struct(from) {
             return self.copied(inner, want);
         }
-        if self.program.sema.type_kind(from) == Some(crate::syntax::ast::TypeKind::Delegate) || !matches!(inner.kind, Kind::Lambda(_)) {
+        if self.program.sema.type_kind(from) == Some(crate::syntax::ast::TypeKind::Delegate)
+            || !matches!(inner.kind, Kind::Lambda(_))
+        {
             return self.expr(inner, want);
         }
         self.expr(inner, want)
@@ -96,7 +101,9 @@ impl Emitter<'_> {
     fn is_place(e: &Expr) -> bool {
         match &e.kind {
             Kind::Local(_) | Kind::This | Kind::Held(_) | Kind::Field(..) | Kind::Element(..) => true,
-            Kind::Convert(_, inner) => Self::is_place(inner) || matches!(e.kind, Kind::Convert(Conv::Cast | Conv::FromNullable, _)),
+            Kind::Convert(_, inner) => {
+                Self::is_place(inner) || matches!(e.kind, Kind::Convert(Conv::Cast | Conv::FromNullable, _))
+            }
             Kind::Choice(_, a, b) | Kind::Coalesce(a, b) => Self::is_place(a) || Self::is_place(b),
             Kind::Conditional(_, _, b) | Kind::Block(_, b) => Self::is_place(b),
             Kind::Deconstruct(_, _, steps) => steps.last().is_some_and(Self::is_place),
@@ -137,8 +144,14 @@ impl Emitter<'_> {
             Kind::Prop(receiver, args, getter, setter, is_virtual) => {
                 let Some(getter) = getter else {
                     let id = setter.as_ref().map(|s| s.id);
-                    let name = id.map(|id| self.program.sema.method(id).name[4..].to_owned()).unwrap_or_default();
-                    return Err(Refused(e.pos, format!("The property or indexer '{name}' cannot be used in this context because it lacks the get accessor")));
+                    let name =
+                        id.map(|id| self.program.sema.method(id).name[4..].to_owned()).unwrap_or_default();
+                    return Err(Refused(
+                        e.pos,
+                        format!(
+                            "The property or indexer '{name}' cannot be used in this context because it lacks the get accessor"
+                        ),
+                    ));
                 };
                 self.call_into(d, receiver.as_deref(), getter, args, *is_virtual, e)
             }
@@ -360,7 +373,9 @@ impl Emitter<'_> {
         }
         let prim = self.program.sema.underlying(ty);
         let value = match (value, prim) {
-            (Const::Int(n), Some(prim)) if self.program.sema.is_enum(ty) => Value::Enum(ty, wrap(*n, prim) as i64),
+            (Const::Int(n), Some(prim)) if self.program.sema.is_enum(ty) => {
+                Value::Enum(ty, wrap(*n, prim) as i64)
+            }
             (Const::Int(n), Some(prim)) => number(*n, prim),
             (Const::Null, Some(_)) => {
                 self.default_into(d, ty);
@@ -381,7 +396,13 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    fn binary_into(&mut self, d: Reg, (op, prim, checked): (BinOp, Prim, bool), a: &Expr, b: &Expr) -> Emitted<()> {
+    fn binary_into(
+        &mut self,
+        d: Reg,
+        (op, prim, checked): (BinOp, Prim, bool),
+        a: &Expr,
+        b: &Expr,
+    ) -> Emitted<()> {
         let pos = self.pos;
         if prim == Prim::Decimal {
             self.unsupported(d, "The type 'decimal'");
@@ -414,7 +435,15 @@ impl Emitter<'_> {
     }
 
     /// Both values must be there; `==` of two that are missing holds.
-    fn lifted_into(&mut self, d: Reg, a: &Expr, b: &Expr, first: u32, inner: &Expr, missing: &Const) -> Emitted<()> {
+    fn lifted_into(
+        &mut self,
+        d: Reg,
+        a: &Expr,
+        b: &Expr,
+        first: u32,
+        inner: &Expr,
+        missing: &Const,
+    ) -> Emitted<()> {
         let x = self.fresh(a)?;
         let y = self.fresh(b)?;
         self.held.insert(first, x);
@@ -455,11 +484,11 @@ impl Emitter<'_> {
                     self.op(Op::Convert { from: *from, to: *to, checked: *checked, d, a });
                 }
             }
-            Conv::ToEnum(..) => {
+            Conv::ToEnum => {
                 let ty = self.ty(to);
                 self.op(Op::ToEnum { d, a, ty });
             }
-            Conv::FromEnum(prim, _) => self.op(Op::FromEnum { d, a, prim: *prim }),
+            Conv::FromEnum(prim) => self.op(Op::FromEnum { d, a, prim: *prim }),
             Conv::Cast => {
                 let ty = self.ty(to);
                 self.op(Op::Cast { d, a, ty });

@@ -26,6 +26,9 @@ pub(crate) struct Refused(pub(crate) Pos, pub(crate) String);
 
 type Emitted<T> = Result<T, Refused>;
 
+/// A function, and the places of texts among its constants.
+type Compiled = (Function, HashMap<Arc<[u16]>, u32>);
+
 /// The variables of a block that lambdas share with it.
 #[derive(Debug, Clone)]
 struct Env {
@@ -73,12 +76,19 @@ struct Emitter<'p> {
 const MAX_REGS: u32 = 20_000;
 
 /// Compiles a function.
-pub(crate) fn compile(program: &mut Program, number: u32, add_text: &mut dyn FnMut(&[u16]) -> Value) -> Result<(), Refused> {
+pub(crate) fn compile(
+    program: &mut Program,
+    number: u32,
+    add_text: &mut dyn FnMut(&[u16]) -> Value,
+) -> Result<(), Refused> {
     let Some(Some(key)) = program.sources.get(number as usize).cloned() else { return Ok(()) };
     let (body, by, name, has_this) = match &key {
         Key::Method(id, owner, args) => {
             if program.too_many_types(*owner) || args.iter().any(|a| program.too_many_types(*a)) {
-                return Err(Refused(program.sema.method(*id).pos, "Types stand too deeply in one another".to_owned()));
+                return Err(Refused(
+                    program.sema.method(*id).pos,
+                    "Types stand too deeply in one another".to_owned(),
+                ));
             }
             let info = program.sema.method(*id).clone();
             let mut by = program.sema.substitution(*owner);
@@ -110,8 +120,20 @@ pub(crate) fn compile(program: &mut Program, number: u32, add_text: &mut dyn FnM
 }
 
 /// An automatic property reads or writes its field.
-fn compile_auto(program: &mut Program, number: u32, owner: Ty, field: crate::sema::FieldId, set: bool, is_static: bool) {
-    let mut f = Function { name: "property".to_owned(), regs: 3, params: u32::from(!is_static) + u32::from(set), ..Function::default() };
+fn compile_auto(
+    program: &mut Program,
+    number: u32,
+    owner: Ty,
+    field: crate::sema::FieldId,
+    set: bool,
+    is_static: bool,
+) {
+    let mut f = Function {
+        name: "property".to_owned(),
+        regs: 3,
+        params: u32::from(!is_static) + u32::from(set),
+        ..Function::default()
+    };
     if is_static {
         if let Some(i) = program.static_init(owner) {
             f.code.push(Op::Init { i });
@@ -134,7 +156,7 @@ fn compile_auto(program: &mut Program, number: u32, owner: Ty, field: crate::sem
 
 impl Program {
     /// Puts a compiled function in its place; texts among its constants go into the heap.
-    fn finish(&mut self, number: u32, compiled: (Function, HashMap<Arc<[u16]>, u32>), add_text: &mut dyn FnMut(&[u16]) -> Value) {
+    fn finish(&mut self, number: u32, compiled: Compiled, add_text: &mut dyn FnMut(&[u16]) -> Value) {
         let (mut function, texts) = compiled;
         self.funcs[number as usize] = Function::default();
         let mut waiting = std::mem::take(&mut self.pending_texts);
@@ -190,7 +212,7 @@ impl<'p> Emitter<'p> {
         }
     }
 
-    fn method(mut self, has_this: bool) -> Emitted<(Function, HashMap<Arc<[u16]>, u32>)> {
+    fn method(mut self, has_this: bool) -> Emitted<Compiled> {
         let body = self.body.clone();
         if has_this {
             self.this = Some(self.alloc()?);
@@ -223,13 +245,17 @@ impl<'p> Emitter<'p> {
     }
 
     /// Resolves jumps.
-    fn close(mut self) -> Emitted<(Function, HashMap<Arc<[u16]>, u32>)> {
+    fn close(mut self) -> Emitted<Compiled> {
         let marks = self.marks;
         let at = |to: u32| marks.get(to as usize).copied().flatten().unwrap_or(0);
         for op in &mut self.f.code {
             match op {
-                Op::Jump { to } | Op::JumpIf { to, .. } | Op::JumpNot { to, .. } | Op::JumpNull { to, .. }
-                | Op::JumpI { to, .. } | Op::JumpF { to, .. } => *to = at(*to),
+                Op::Jump { to }
+                | Op::JumpIf { to, .. }
+                | Op::JumpNot { to, .. }
+                | Op::JumpNull { to, .. }
+                | Op::JumpI { to, .. }
+                | Op::JumpF { to, .. } => *to = at(*to),
                 _ => {}
             }
         }
@@ -289,7 +315,9 @@ impl<'p> Emitter<'p> {
     }
 
     fn constant(&mut self, value: Value) -> u32 {
-        if let Some(at) = self.f.consts.iter().position(|v| *v == value && !matches!(v, Value::F64(_) | Value::F32(_))) {
+        if let Some(at) =
+            self.f.consts.iter().position(|v| *v == value && !matches!(v, Value::F64(_) | Value::F32(_)))
+        {
             return at as u32;
         }
         self.f.consts.push(value);
@@ -300,7 +328,8 @@ impl<'p> Emitter<'p> {
         if let Some(at) = self.texts.get(text) {
             return *at;
         }
-        self.f.consts.push(Value::Null);
+        // A mark that is equal to no other constant, until the text is in the heap.
+        self.f.consts.push(Value::StaticRef(u32::MAX - 1));
         let at = self.f.consts.len() as u32 - 1;
         self.texts.insert(text.clone(), at);
         at

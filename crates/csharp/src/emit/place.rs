@@ -91,7 +91,12 @@ impl Emitter<'_> {
             }
             Kind::Held(number) => match self.held.get(number) {
                 Some(reg) => Place::Register(*reg),
-                None => return Err(Refused(e.pos, "This use of a value inside a lambda is not supported".to_owned())),
+                None => {
+                    return Err(Refused(
+                        e.pos,
+                        "This use of a value inside a lambda is not supported".to_owned(),
+                    ));
+                }
             },
             Kind::This => Place::This(self.this()?),
             Kind::Field(None, field) => Place::Static(self.static_field(*field)),
@@ -129,14 +134,21 @@ impl Emitter<'_> {
                 Place::Property(receiver, regs, getter.clone(), setter.clone(), *is_virtual, receiver_ty)
             }
             Kind::Convert(_, inner) => return self.place(inner),
-            _ => return Err(Refused(e.pos, "The left-hand side of an assignment must be a variable, property or indexer".to_owned())),
+            _ => {
+                return Err(Refused(
+                    e.pos,
+                    "The left-hand side of an assignment must be a variable, property or indexer".to_owned(),
+                ));
+            }
         })
     }
 
     /// A receiver in a register that stays as it is: a struct in its place, an object by reference.
     fn steady(&mut self, receiver: &Expr) -> Emitted<Reg> {
         match receiver.kind {
-            Kind::This | Kind::Local(_) if self.program.sema.is_struct(receiver.ty) => self.expr(receiver, None),
+            Kind::This | Kind::Local(_) if self.program.sema.is_struct(receiver.ty) => {
+                self.expr(receiver, None)
+            }
             _ => self.fresh(receiver),
         }
     }
@@ -151,7 +163,10 @@ impl Emitter<'_> {
             Place::Elements(a, first) => self.op(Op::LoadElems { d, a: *a, first: *first }),
             Place::Property(receiver, args, getter, _, is_virtual, ty) => {
                 let Some(getter) = getter.clone() else {
-                    return Err(Refused(self.pos, "The property or indexer lacks the get accessor".to_owned()));
+                    return Err(Refused(
+                        self.pos,
+                        "The property or indexer lacks the get accessor".to_owned(),
+                    ));
                 };
                 self.call_registers(d, *receiver, *ty, &getter, args, *is_virtual)?;
             }
@@ -173,7 +188,9 @@ impl Emitter<'_> {
                 args.push(v);
                 let ignored = self.alloc()?;
                 match (setter.clone(), getter.clone()) {
-                    (Some(setter), _) => self.call_registers(ignored, *receiver, *ty, &setter, &args, *is_virtual)?,
+                    (Some(setter), _) => {
+                        self.call_registers(ignored, *receiver, *ty, &setter, &args, *is_virtual)?
+                    }
                     (None, Some(getter)) => self.store_automatic(*receiver, &getter, v),
                     (None, None) => {}
                 }
@@ -226,7 +243,14 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    pub(super) fn update_into(&mut self, d: Reg, place: &Expr, number: u32, value: &Expr, post: bool) -> Emitted<()> {
+    pub(super) fn update_into(
+        &mut self,
+        d: Reg,
+        place: &Expr,
+        number: u32,
+        value: &Expr,
+        post: bool,
+    ) -> Emitted<()> {
         let pos = self.pos;
         let place = self.place(place)?;
         if let (Place::Register(reg), false) = (&place, post) {
@@ -316,7 +340,10 @@ impl Emitter<'_> {
             Place::Element(a, i) => self.op(Op::RefElem { d, a, i }),
             Place::Elements(a, first) => self.op(Op::RefElems { d, a, first }),
             Place::Property(..) => {
-                return Err(Refused(e.pos, "A property or indexer may not be passed as an out or ref parameter".to_owned()));
+                return Err(Refused(
+                    e.pos,
+                    "A property or indexer may not be passed as an out or ref parameter".to_owned(),
+                ));
             }
         }
         Ok(())

@@ -10,7 +10,9 @@ impl Emitter<'_> {
     /// How many `try` stand around each label.
     pub(super) fn labels_of(&mut self, stmt: &Stmt, depth: usize) {
         match &stmt.kind {
-            StmtKind::Block(_, list) | StmtKind::Several(list) => list.iter().for_each(|s| self.labels_of(s, depth)),
+            StmtKind::Block(_, list) | StmtKind::Several(list) => {
+                list.iter().for_each(|s| self.labels_of(s, depth))
+            }
             StmtKind::If(_, a, b) => {
                 self.labels_of(a, depth);
                 if let Some(b) = b {
@@ -110,7 +112,10 @@ impl Emitter<'_> {
                     self.leave(depth)?;
                     self.jump(mark);
                 } else {
-                    return Err(super::Refused(stmt.pos, "No such label within the scope of the goto statement".to_owned()));
+                    return Err(super::Refused(
+                        stmt.pos,
+                        "No such label within the scope of the goto statement".to_owned(),
+                    ));
                 }
             }
             StmtKind::Return(value) => self.return_(value.as_ref())?,
@@ -122,7 +127,11 @@ impl Emitter<'_> {
             StmtKind::Throw(None) => match self.caught.last().copied() {
                 Some(a) => self.op(Op::Rethrow { a }),
                 None => {
-                    return Err(super::Refused(stmt.pos, "A throw statement with no arguments is not allowed outside of a catch clause".to_owned()));
+                    return Err(super::Refused(
+                        stmt.pos,
+                        "A throw statement with no arguments is not allowed outside of a catch clause"
+                            .to_owned(),
+                    ));
                 }
             },
             StmtKind::Try(body, catches, finally) => self.try_(body, catches, finally.as_deref())?,
@@ -228,7 +237,11 @@ impl Emitter<'_> {
         let shared = Arc::new(finally.clone());
         self.guards.push(Guard { finally: Some(shared), gaps: Vec::new() });
         let from = self.here();
-        if catches.is_empty() { self.stmt(body)? } else { self.try_catch(body, catches)? }
+        if catches.is_empty() {
+            self.stmt(body)?
+        } else {
+            self.try_catch(body, catches)?
+        }
         let to = self.here();
         let guard = self.guards.pop();
         let gaps = guard.map(|g| g.gaps).unwrap_or_default();

@@ -11,7 +11,9 @@ fn data<'c>(cx: &'c mut Cx<'_>, i: usize) -> Result<&'c mut Vec<Value>, Raise> {
     let handle = cx.handle(i)?;
     match cx.st.heap.get_mut(handle) {
         Some(Obj::Array(_, data, _)) => Ok(data),
-        _ => Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object")),
+        _ => {
+            Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object"))
+        }
     }
 }
 
@@ -75,7 +77,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let (from, to, n) = (cx.int(1), cx.int(3), cx.int(4));
             let source = data(cx, 0)?;
             if from < 0 || to < 0 || n < 0 || from as usize + n as usize > source.len() {
-                return Err(Raise::new("ArgumentException", "Source array was not long enough. Check srcIndex and length, and the array's lower bounds."));
+                return Err(Raise::new(
+                    "ArgumentException",
+                    "Source array was not long enough. Check srcIndex and length, and the array's lower bounds.",
+                ));
             }
             let part = source[from as usize..(from + n) as usize].to_vec();
             let part = copied(cx, part);
@@ -83,7 +88,12 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let target = data(cx, 2)?;
             match target.get_mut(to as usize..to as usize + part.len()) {
                 Some(slots) => slots.copy_from_slice(&part),
-                None => return Err(Raise::new("ArgumentException", "Destination array was not long enough. Check destIndex and length, and the array's lower bounds.")),
+                None => {
+                    return Err(Raise::new(
+                        "ArgumentException",
+                        "Destination array was not long enough. Check destIndex and length, and the array's lower bounds.",
+                    ));
+                }
             }
             Ok(Value::Null)
         },
@@ -135,7 +145,9 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Sorter.Plain(T[],Int32,Int32)" => |cx| {
             let (start, n) = (cx.int(1).max(0) as usize, cx.int(2).max(0) as usize);
             cx.st.spend(n)?;
-            let Some(part) = data(cx, 0)?.get(start..start + n).map(<[Value]>::to_vec) else { return Err(range()) };
+            let Some(part) = data(cx, 0)?.get(start..start + n).map(<[Value]>::to_vec) else {
+                return Err(range());
+            };
             let sorted = sorted(cx, part);
             let Some(sorted) = sorted else { return Ok(Value::Bool(false)) };
             data(cx, 0)?[start..start + n].copy_from_slice(&sorted);

@@ -48,10 +48,14 @@ pub(super) fn compare(a: &[u16], b: &[u16], ignore_case: bool) -> Ordering {
         return first;
     }
     let accent = |s: &[u16]| {
-        s.iter().map(|u| char::from_u32((*u).into()).map_or(0, |c| {
-            let lower = c.to_lowercase().next().unwrap_or(c);
-            if base(lower) == lower { 0 } else { lower as u32 }
-        })).collect::<Vec<_>>()
+        s.iter()
+            .map(|u| {
+                char::from_u32((*u).into()).map_or(0, |c| {
+                    let lower = c.to_lowercase().next().unwrap_or(c);
+                    if base(lower) == lower { 0 } else { lower as u32 }
+                })
+            })
+            .collect::<Vec<_>>()
     };
     let second = accent(a).cmp(&accent(b));
     if second != Ordering::Equal {
@@ -67,6 +71,8 @@ pub(super) fn compare(a: &[u16], b: &[u16], ignore_case: bool) -> Ordering {
         }
     }
     // The text whose sign comes later is less.
-    let signs = |s: &[u16]| s.iter().enumerate().filter(|(_, u)| is_ignored(u)).map(|(i, u)| (i, *u)).collect::<Vec<_>>();
+    let signs = |s: &[u16]| {
+        s.iter().enumerate().filter(|(_, u)| is_ignored(u)).map(|(i, u)| (i, *u)).collect::<Vec<_>>()
+    };
     signs(a).len().cmp(&signs(b).len()).then_with(|| signs(a).cmp(&signs(b)))
 }

@@ -157,7 +157,7 @@ pub(super) fn plain(number: Number) -> String {
 fn general(d: Digits, precision: i32, letter: char, two: bool) -> String {
     let sign = if d.negative && !d.is_zero() { "-" } else { "" };
     let exponent = if d.is_zero() { 0 } else { d.point - 1 };
-    if exponent >= precision || exponent < -5 {
+    if exponent >= precision || exponent < -4 {
         let mut text = format!("{sign}{}", d.digit(0));
         if d.digits.len() > 1 {
             text.push('.');
@@ -181,7 +181,8 @@ pub(super) fn formatted(number: Number, format: &str) -> Result<String, Raise> {
     let mut chars = format.chars();
     let letter = chars.next().unwrap_or('G');
     let rest = chars.as_str();
-    let standard = letter.is_ascii_alphabetic() && rest.len() <= 2 && rest.bytes().all(|b| b.is_ascii_digit());
+    let standard =
+        letter.is_ascii_alphabetic() && rest.len() <= 2 && rest.bytes().all(|b| b.is_ascii_digit());
     if let Some(special) = number.special() {
         return Ok(special.to_owned());
     }
@@ -195,7 +196,7 @@ pub(super) fn formatted(number: Number, format: &str) -> Result<String, Raise> {
 fn group(whole: &str) -> String {
     let mut text = String::new();
     for (i, c) in whole.chars().enumerate() {
-        if i > 0 && (whole.len() - i) % 3 == 0 {
+        if i > 0 && (whole.len() - i).is_multiple_of(3) {
             text.push(',');
         }
         text.push(c);
@@ -204,7 +205,8 @@ fn group(whole: &str) -> String {
 }
 
 fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Result<String, Raise> {
-    let signed = |d: &Digits, text: String| if d.negative && !d.is_zero() { format!("-{text}") } else { text };
+    let signed =
+        |d: &Digits, text: String| if d.negative && !d.is_zero() { format!("-{text}") } else { text };
     match letter.to_ascii_uppercase() {
         'F' | 'N' | 'P' | 'C' => {
             let decimals = precision.unwrap_or(2);
@@ -265,11 +267,19 @@ fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Re
             Number::Double(x) => {
                 let short = Digits::of_real(x, 15);
                 let text = general(short, 15, 'E', true);
-                if text.parse::<f64>() == Ok(x) { text } else { general(Digits::of_real(x, 17), 17, 'E', true) }
+                if text.parse::<f64>() == Ok(x) {
+                    text
+                } else {
+                    general(Digits::of_real(x, 17), 17, 'E', true)
+                }
             }
             Number::Float(x) => {
                 let text = general(Digits::of_real(x.into(), 7), 7, 'E', true);
-                if text.parse::<f32>() == Ok(x) { text } else { general(Digits::of_real(x.into(), 9), 9, 'E', true) }
+                if text.parse::<f32>() == Ok(x) {
+                    text
+                } else {
+                    general(Digits::of_real(x.into(), 9), 9, 'E', true)
+                }
             }
         }),
         'D' | 'X' => {

@@ -7,14 +7,19 @@ use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 
 fn range() -> Raise {
-    Raise::new("ArgumentOutOfRangeException", "Index was out of range. Must be non-negative and less than the size of the collection.\nParameter name: index")
+    Raise::new(
+        "ArgumentOutOfRangeException",
+        "Index was out of range. Must be non-negative and less than the size of the collection.\nParameter name: index",
+    )
 }
 
 fn items<'c>(cx: &'c mut Cx<'_>) -> Result<(&'c mut Vec<Value>, &'c mut u32), Raise> {
     let handle = cx.handle(0)?;
     match cx.st.heap.get_mut(handle) {
         Some(Obj::List(_, items, version)) => Ok((items, version)),
-        _ => Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object")),
+        _ => {
+            Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object"))
+        }
     }
 }
 
@@ -41,7 +46,10 @@ fn span(cx: &mut Cx<'_>) -> Result<(usize, usize), Raise> {
         return Err(Raise::new("ArgumentOutOfRangeException", "Non-negative number required."));
     }
     if start as usize + count as usize > items.len() {
-        return Err(Raise::new("ArgumentException", "Offset and length were out of bounds for the array or count is greater than the number of elements from index to the end of the source collection."));
+        return Err(Raise::new(
+            "ArgumentException",
+            "Offset and length were out of bounds for the array or count is greater than the number of elements from index to the end of the source collection.",
+        ));
     }
     Ok((start as usize, start as usize + count as usize))
 }
@@ -78,7 +86,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let (i, seen) = (cx.int(1), cx.int(2));
             let (items, version) = items(cx)?;
             if *version as i32 != seen {
-                return Err(Raise::new("InvalidOperationException", "Collection was modified; enumeration operation may not execute."));
+                return Err(Raise::new(
+                    "InvalidOperationException",
+                    "Collection was modified; enumeration operation may not execute.",
+                ));
             }
             Ok(Value::Bool((i as usize) < items.len()))
         },
@@ -235,7 +246,9 @@ fn builder<'c>(cx: &'c mut Cx<'_>) -> Result<&'c mut Vec<u16>, Raise> {
     let handle = cx.handle(0)?;
     match cx.st.heap.get_mut(handle) {
         Some(Obj::Builder(units)) => Ok(units),
-        _ => Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object")),
+        _ => {
+            Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object"))
+        }
     }
 }
 

@@ -57,7 +57,10 @@ fn power(x: f64, y: f64) -> f64 {
 /// The Framework's rounding: scaled by a power of ten, rounded, scaled back.
 fn rounded(x: f64, digits: i32, away: bool) -> Result<Value, Raise> {
     if !(0..=15).contains(&digits) {
-        return Err(Raise::new("ArgumentOutOfRangeException", "Rounding digits must be between 0 and 15, inclusive."));
+        return Err(Raise::new(
+            "ArgumentOutOfRangeException",
+            "Rounding digits must be between 0 and 15, inclusive.",
+        ));
     }
     if x.abs() >= 1e16 || !x.is_finite() {
         return Ok(Value::F64(x));

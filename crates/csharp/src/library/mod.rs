@@ -95,7 +95,10 @@ impl Cx<'_> {
     pub fn handle(&self, i: usize) -> Result<Handle, Raise> {
         match self.arg(i) {
             Value::Ref(handle) => Ok(handle),
-            _ => Err(Raise::new("NullReferenceException", "Object reference not set to an instance of an object")),
+            _ => Err(Raise::new(
+                "NullReferenceException",
+                "Object reference not set to an instance of an object",
+            )),
         }
     }
 
@@ -123,6 +126,17 @@ impl Cx<'_> {
                 _ => Value::Null,
             },
             _ => Value::Null,
+        }
+    }
+
+    /// Sets the first fields of a struct or class, in place.
+    pub fn set_fields(&mut self, of: Value, values: &[Value]) {
+        if let Value::Ref(handle) = of
+            && let Some(Obj::Inst(_, fields)) = self.st.heap.get_mut(handle)
+        {
+            for (field, value) in fields.iter_mut().zip(values) {
+                *field = *value;
+            }
         }
     }
 

@@ -30,8 +30,16 @@ pub(super) fn text(value: Value) -> Option<String> {
 }
 
 const NAMES: &[(&str, Prim)] = &[
-    ("SByte", Prim::I8), ("Byte", Prim::U8), ("Int16", Prim::I16), ("UInt16", Prim::U16), ("Int32", Prim::I32),
-    ("UInt32", Prim::U32), ("Int64", Prim::I64), ("UInt64", Prim::U64), ("Single", Prim::F32), ("Double", Prim::F64),
+    ("SByte", Prim::I8),
+    ("Byte", Prim::U8),
+    ("Int16", Prim::I16),
+    ("UInt16", Prim::U16),
+    ("Int32", Prim::I32),
+    ("UInt32", Prim::U32),
+    ("Int64", Prim::I64),
+    ("UInt64", Prim::U64),
+    ("Single", Prim::F32),
+    ("Double", Prim::F64),
 ];
 
 pub(super) fn find(key: &str) -> Option<Native> {
@@ -133,7 +141,8 @@ fn read(text: &str, prim: Prim) -> Result<Value, bool> {
         _ => {
             // Thousands may stand between the digits before the point.
             let plain: String = clean.chars().filter(|c| *c != ',').collect();
-            let fits = plain.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
+            let fits =
+                plain.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
             if !fits || plain.is_empty() {
                 return Err(false);
             }

@@ -113,7 +113,9 @@ fn equal(a: Value, b: Value, st: &State, sema: &Sema, depth: u32) -> bool {
                 (Obj::Str(s), Obj::Str(t)) => s == t,
                 (Obj::Type(s), Obj::Type(t)) => s == t,
                 (Obj::Inst(s, fields), Obj::Inst(t, others)) => {
-                    s == t && (sema.is_struct(*s) || depth > 0 && is_anonymous(sema, *s)) && depth < 32
+                    s == t
+                        && (sema.is_struct(*s) || depth > 0 && is_anonymous(sema, *s))
+                        && depth < 32
                         && fields.iter().zip(others).all(|(p, q)| equal(*p, *q, st, sema, depth + 1))
                 }
                 _ => false,
@@ -132,7 +134,9 @@ fn fields_hash(value: Value, st: &State, depth: u32) -> i32 {
         && let Obj::Inst(_, fields) = st.heap.get(handle)
         && depth < 8
     {
-        return fields.iter().fold(17_i32, |h, f| h.wrapping_mul(31).wrapping_add(fields_hash(*f, st, depth + 1)));
+        return fields
+            .iter()
+            .fold(17_i32, |h, f| h.wrapping_mul(31).wrapping_add(fields_hash(*f, st, depth + 1)));
     }
     hash(value, st)
 }
@@ -160,12 +164,16 @@ fn parse_enum(cx: &mut Cx<'_>, ignore_case: bool) -> Result<Value, Raise> {
     let mut value = 0;
     for part in text.split(',') {
         let part = part.trim();
-        let found = all.iter().find(|(name, _)| name == part || ignore_case && name.eq_ignore_ascii_case(part));
+        let found =
+            all.iter().find(|(name, _)| name == part || ignore_case && name.eq_ignore_ascii_case(part));
         value |= match (found, part.parse::<i64>()) {
             (Some((_, n)), _) => *n,
             (None, Ok(n)) => n,
             (None, Err(_)) => {
-                return Err(Raise::new("ArgumentException", format!("Requested value '{part}' was not found.")));
+                return Err(Raise::new(
+                    "ArgumentException",
+                    format!("Requested value '{part}' was not found."),
+                ));
             }
         };
     }
@@ -186,12 +194,19 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let text = text_of(cx.arg(0), cx.st, &mut cx.program.sema);
             Ok(cx.text(&text))
         },
-        "Object.Equals(Object)" | "Boolean.Equals(Object)" | "Boolean.Equals(Boolean)" | "Type.Equals(Object)" => {
+        "Object.Equals(Object)"
+        | "Boolean.Equals(Object)"
+        | "Boolean.Equals(Boolean)"
+        | "Type.Equals(Object)" => {
             |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 0)))
         }
         "Object.GetHashCode()" => |cx| {
             let ty = cx.st.type_of(cx.arg(0), &cx.program.sema);
-            Ok(Value::I32(if cx.program.sema.is_struct(ty) { fields_hash(cx.arg(0), cx.st, 0) } else { hash(cx.arg(0), cx.st) }))
+            Ok(Value::I32(if cx.program.sema.is_struct(ty) {
+                fields_hash(cx.arg(0), cx.st, 0)
+            } else {
+                hash(cx.arg(0), cx.st)
+            }))
         },
         "Boolean.GetHashCode()" | "Type.GetHashCode()" => |cx| Ok(Value::I32(hash(cx.arg(0), cx.st))),
         "Object.GetType()" => |cx| {
@@ -204,13 +219,18 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let made = Obj::Inst(*ty, fields.clone());
             Ok(Value::Ref(cx.st.heap.add(made)))
         },
-        "AnonymousObject.Equals(Object)" => |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 1))),
-        "AnonymousObject.GetHashCode()" | "Library.StructHash(Object)" => |cx| Ok(Value::I32(fields_hash(cx.arg(0), cx.st, 0))),
+        "AnonymousObject.Equals(Object)" => {
+            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 1)))
+        }
+        "AnonymousObject.GetHashCode()" | "Library.StructHash(Object)" => {
+            |cx| Ok(Value::I32(fields_hash(cx.arg(0), cx.st, 0)))
+        }
         "AnonymousObject.ToString()" => |cx| {
             let handle = cx.handle(0)?;
             let Obj::Inst(ty, fields) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
             let (ty, fields) = (*ty, fields.clone());
-            let names: Vec<_> = cx.program.sema.def_of(ty).map(|d| cx.program.sema.def(d).fields.clone()).unwrap_or_default();
+            let names: Vec<_> =
+                cx.program.sema.def_of(ty).map(|d| cx.program.sema.def(d).fields.clone()).unwrap_or_default();
             let mut parts = Vec::new();
             for (name, value) in names.iter().zip(&fields) {
                 let name = cx.program.sema.field(*name).name.clone();
@@ -279,7 +299,9 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Library.IsThere(Object)" => |cx| Ok(Value::Bool(cx.arg(0) != Value::Null)),
         "Library.IsPlain(Object)" => |cx| Ok(Value::Bool(is_plain(cx.arg(0), cx.st))),
         "Library.PlainHash(Object)" => |cx| Ok(Value::I32(hash(cx.arg(0), cx.st))),
-        "Library.PlainEquals(Object,Object)" => |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 0))),
+        "Library.PlainEquals(Object,Object)" => {
+            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 0)))
+        }
         "Library.PlainCompare(Object,Object)" => |cx| {
             let (a, b) = (cx.arg(0), cx.arg(1));
             let order = match (cx.st.heap.str(a), cx.st.heap.str(b)) {
@@ -316,10 +338,14 @@ pub(super) fn find(key: &str) -> Option<Native> {
             if !matches!(radix, 2 | 8 | 10 | 16) {
                 return Err(Raise::new("ArgumentException", "Invalid Base."));
             }
-            let clean = if radix == 16 { text.trim_start_matches("0x").trim_start_matches("0X") } else { &text };
+            let clean =
+                if radix == 16 { text.trim_start_matches("0x").trim_start_matches("0X") } else { &text };
             match i64::from_str_radix(clean, radix as u32) {
                 Ok(n) if n <= u32::MAX.into() && n >= i32::MIN.into() => Ok(Value::I32(n as i32)),
-                Ok(_) => Err(Raise::new("OverflowException", "Value was either too large or too small for a UInt32.")),
+                Ok(_) => Err(Raise::new(
+                    "OverflowException",
+                    "Value was either too large or too small for a UInt32.",
+                )),
                 Err(_) => Err(Raise::new("FormatException", "Could not find any recognizable digits.")),
             }
         },

@@ -7,7 +7,10 @@ use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 
 fn range(name: &str) -> Raise {
-    Raise::new("ArgumentOutOfRangeException", format!("Index and length must refer to a location within the string.\nParameter name: {name}"))
+    Raise::new(
+        "ArgumentOutOfRangeException",
+        format!("Index and length must refer to a location within the string.\nParameter name: {name}"),
+    )
 }
 
 fn unit(cx: &Cx<'_>, i: usize) -> u16 {
@@ -66,7 +69,10 @@ fn position(units: &[u16], part: &[u16], from: usize) -> Option<usize> {
 /// A text with all parts replaced.
 pub(super) fn replaced(cx: &mut Cx<'_>, units: &[u16], from: &[u16], to: &[u16]) -> Result<Vec<u16>, Raise> {
     if from.is_empty() {
-        return Err(Raise::new("ArgumentException", "String cannot be of zero length.\nParameter name: oldValue"));
+        return Err(Raise::new(
+            "ArgumentException",
+            "String cannot be of zero length.\nParameter name: oldValue",
+        ));
     }
     let mut out = Vec::new();
     let mut at = 0;
@@ -86,7 +92,9 @@ fn split(cx: &mut Cx<'_>) -> Result<Value, Raise> {
     let units = cx.units(0).to_vec();
     let separators: Option<Vec<Vec<u16>>> = match cx.arg(1) {
         Value::Ref(handle) => match cx.st.heap.get(handle) {
-            Obj::Array(_, data, _) => Some(data.iter().map(|v| cx.st.heap.str(*v).unwrap_or(&[]).to_vec()).collect()),
+            Obj::Array(_, data, _) => {
+                Some(data.iter().map(|v| cx.st.heap.str(*v).unwrap_or(&[]).to_vec()).collect())
+            }
             _ => None,
         },
         _ => None,
@@ -97,7 +105,9 @@ fn split(cx: &mut Cx<'_>) -> Result<Value, Raise> {
     while at < units.len() && (parts.len() as i64) < i64::from(most) - 1 {
         let length = match &separators {
             None => usize::from(is_space(&units[at])),
-            Some(list) => list.iter().find(|s| !s.is_empty() && units[at..].starts_with(s)).map_or(0, Vec::len),
+            Some(list) => {
+                list.iter().find(|s| !s.is_empty() && units[at..].starts_with(s)).map_or(0, Vec::len)
+            }
         };
         if length == 0 {
             at += 1;
@@ -127,7 +137,9 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "String.get_Item(Int32)" => |cx| {
             cx.handle(0)?;
             let i = cx.int(1);
-            cx.units(0).get(i as usize).map(|u| Value::Char(*u)).ok_or_else(|| Raise::new("IndexOutOfRangeException", "Index was outside the bounds of the array."))
+            cx.units(0).get(i as usize).map(|u| Value::Char(*u)).ok_or_else(|| {
+                Raise::new("IndexOutOfRangeException", "Index was outside the bounds of the array.")
+            })
         },
         "String.new(Char[])" => |cx| {
             let units = units_of_array(cx, 1);
@@ -136,7 +148,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "String.new(Char[],Int32,Int32)" => |cx| {
             let units = units_of_array(cx, 1);
             let (start, length) = (cx.int(2), cx.int(3));
-            match (start >= 0 && length >= 0).then(|| units.get(start as usize..(start + length) as usize)).flatten() {
+            match (start >= 0 && length >= 0)
+                .then(|| units.get(start as usize..(start + length) as usize))
+                .flatten()
+            {
                 Some(part) => made(cx, part),
                 None => Err(range("startIndex")),
             }
@@ -144,7 +159,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "String.new(Char,Int32)" => |cx| {
             let (unit, n) = (unit(cx, 1), cx.int(2));
             if n < 0 {
-                return Err(Raise::new("ArgumentOutOfRangeException", "'count' must be non-negative.\nParameter name: count"));
+                return Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "'count' must be non-negative.\nParameter name: count",
+                ));
             }
             cx.st.reserve(n as usize * 2)?;
             made(cx, &vec![unit; n as usize])
@@ -167,7 +185,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
                 (_, Value::Null) => 1,
                 _ => {
                     let (a, b) = (cx.units(0), cx.units(1));
-                    a.iter().zip(b).find(|(x, y)| x != y).map_or(a.len() as i32 - b.len() as i32, |(x, y)| i32::from(*x) - i32::from(*y))
+                    a.iter()
+                        .zip(b)
+                        .find(|(x, y)| x != y)
+                        .map_or(a.len() as i32 - b.len() as i32, |(x, y)| i32::from(*x) - i32::from(*y))
                 }
             }))
         },
@@ -175,25 +196,40 @@ pub(super) fn find(key: &str) -> Option<Native> {
             cx.handle(0)?;
             let start = cx.int(1);
             if start < 0 {
-                return Err(Raise::new("ArgumentOutOfRangeException", "StartIndex cannot be less than zero.\nParameter name: startIndex"));
+                return Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "StartIndex cannot be less than zero.\nParameter name: startIndex",
+                ));
             }
             match cx.units(0).get(start as usize..).map(<[u16]>::to_vec) {
                 Some(part) => made(cx, &part),
-                None => Err(Raise::new("ArgumentOutOfRangeException", "startIndex cannot be larger than length of string.\nParameter name: startIndex")),
+                None => Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "startIndex cannot be larger than length of string.\nParameter name: startIndex",
+                )),
             }
         },
         "String.Substring(Int32,Int32)" => |cx| {
             cx.handle(0)?;
             let (start, length) = (cx.int(1), cx.int(2));
             if start < 0 {
-                return Err(Raise::new("ArgumentOutOfRangeException", "StartIndex cannot be less than zero.\nParameter name: startIndex"));
+                return Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "StartIndex cannot be less than zero.\nParameter name: startIndex",
+                ));
             }
             if length < 0 {
-                return Err(Raise::new("ArgumentOutOfRangeException", "Length cannot be less than zero.\nParameter name: length"));
+                return Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "Length cannot be less than zero.\nParameter name: length",
+                ));
             }
             match cx.units(0).get(start as usize..start as usize + length as usize).map(<[u16]>::to_vec) {
                 Some(part) => made(cx, &part),
-                None if start as usize > cx.units(0).len() => Err(Raise::new("ArgumentOutOfRangeException", "startIndex cannot be larger than length of string.\nParameter name: startIndex")),
+                None if start as usize > cx.units(0).len() => Err(Raise::new(
+                    "ArgumentOutOfRangeException",
+                    "startIndex cannot be larger than length of string.\nParameter name: startIndex",
+                )),
                 None => Err(range("length")),
             }
         },
@@ -211,9 +247,14 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "String.TrimStart()" => |cx| trimmed(cx, true, false),
         "String.TrimEnd()" => |cx| trimmed(cx, false, true),
         "String.Find(String,String,Int32,Int32,Boolean)" => |cx| {
-            let (units, part, start, last) = (cx.units(0), cx.units(1), cx.int(2).max(0) as usize, cx.truth(4));
+            let (units, part, start, last) =
+                (cx.units(0), cx.units(1), cx.int(2).max(0) as usize, cx.truth(4));
             let found = if last {
-                if part.is_empty() { Some(units.len().saturating_sub(1)) } else { units.windows(part.len()).rposition(|w| w == part) }
+                if part.is_empty() {
+                    Some(units.len().saturating_sub(1))
+                } else {
+                    units.windows(part.len()).rposition(|w| w == part)
+                }
             } else {
                 position(units, part, start)
             };
@@ -224,7 +265,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "String.Replace(String,String)" => |cx| {
             cx.handle(0)?;
             if cx.arg(1) == Value::Null {
-                return Err(Raise::new("ArgumentNullException", "Value cannot be null.\nParameter name: oldValue"));
+                return Err(Raise::new(
+                    "ArgumentNullException",
+                    "Value cannot be null.\nParameter name: oldValue",
+                ));
             }
             let (units, from, to) = (cx.units(0).to_vec(), cx.units(1).to_vec(), cx.units(2).to_vec());
             let out = replaced(cx, &units, &from, &to)?;
@@ -248,7 +292,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let handle = cx.handle(1)?;
             let (start, count) = (cx.int(2), cx.int(3));
             let Obj::Array(_, data, _) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
-            let Some(parts) = (start >= 0 && count >= 0).then(|| data.get(start as usize..start as usize + count as usize)).flatten() else {
+            let Some(parts) = (start >= 0 && count >= 0)
+                .then(|| data.get(start as usize..start as usize + count as usize))
+                .flatten()
+            else {
                 return Err(range("startIndex"));
             };
             let mut out: Vec<u16> = Vec::new();
@@ -277,7 +324,9 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Char.IsLower(Char)" => |cx| Ok(Value::Bool(char_of(cx).is_lowercase())),
         "Char.IsPunctuation(Char)" => |cx| {
             let c = char_of(cx);
-            Ok(Value::Bool(c.is_ascii_punctuation() && !matches!(c, '$' | '+' | '<' | '=' | '>' | '^' | '`' | '|' | '~')))
+            Ok(Value::Bool(
+                c.is_ascii_punctuation() && !matches!(c, '$' | '+' | '<' | '=' | '>' | '^' | '`' | '|' | '~'),
+            ))
         },
         "Char.ToUpper(Char)" => |cx| Ok(Value::Char(case(unit(cx, 0), true))),
         "Char.ToLower(Char)" => |cx| Ok(Value::Char(case(unit(cx, 0), false))),

@@ -47,7 +47,7 @@ pub struct UserConversion {
 }
 
 /// Whether a number fits another type without a loss of size.
-pub fn widens(from: Prim, to: Prim) -> bool {
+pub(super) fn widens(from: Prim, to: Prim) -> bool {
     use Prim::*;
     match from {
         I8 => matches!(to, I16 | I32 | I64 | F32 | F64 | Decimal),
@@ -174,9 +174,11 @@ impl Sema {
             }
             _ => {}
         }
-        if let Some(found) = self.user_conversion(from, to, true) {
-            return Some(found);
-        }
+        self.standard_explicit(from, to).or_else(|| self.user_conversion(from, to, true))
+    }
+
+    /// Casts between references, and out of boxes.
+    fn standard_explicit(&mut self, from: Ty, to: Ty) -> Option<Conversion> {
         if let (Some(a), Some(b)) = (self.tuple_parts(from), self.tuple_parts(to)) {
             return self.tuple_conversion(&a, &b, false);
         }

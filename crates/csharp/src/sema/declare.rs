@@ -176,7 +176,7 @@ impl Sema {
     }
 
     fn learn_known(&mut self) {
-        let mut get = |namespace: &str, name: &str, arity: usize| {
+        let get = |namespace: &str, name: &str, arity: usize| {
             self.library(namespace, name, arity).unwrap_or(DefId(0))
         };
         let defs = [
@@ -689,8 +689,6 @@ impl Sema {
                     })
                     && (!name.starts_with("op_") || a.ret == b.ret);
                 if same && &**name != ".cctor" {
-                    let shown = if &**name == ".ctor" { a.owner } else { a.owner };
-                    let _ = shown;
                     let message = format!(
                         "Type '{owner}' already defines a member called '{name}' with the same parameter types"
                     );

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-pub use super::token::{IntSuffix, Name};
+pub(crate) use super::token::{IntSuffix, Name};
 use crate::source::Pos;
 
 /// A type as written.
@@ -443,7 +443,7 @@ pub struct Section {
 #[derive(Debug, Clone)]
 pub enum CaseLabel {
     /// `case p when g:`
-    Case(Pattern, Option<Expr>),
+    Case(Box<Pattern>, Option<Expr>),
     /// `default:`
     Default(Pos),
 }

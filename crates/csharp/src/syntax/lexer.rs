@@ -11,7 +11,7 @@ use crate::source::{MAX_SOURCE, Pos};
 const MAX_HOLES: u32 = 8;
 
 /// Reads all tokens of a text whose first byte is at `base`. There is no token for the end.
-pub fn tokens(text: &str, base: Pos) -> Checked<Vec<Token>> {
+pub(crate) fn tokens(text: &str, base: Pos) -> Checked<Vec<Token>> {
     if text.len() > MAX_SOURCE {
         return Err(Fault::new(base, 0, "The source is too long"));
     }

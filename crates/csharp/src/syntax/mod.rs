@@ -1,11 +1,11 @@
 //! Source text to syntax trees.
 
-pub mod ast;
+pub(crate) mod ast;
 mod lexer;
 mod number;
 mod parser;
 mod text;
-pub mod token;
+pub(crate) mod token;
 
-pub use lexer::tokens;
-pub use parser::parse;
+pub(crate) use lexer::tokens;
+pub(crate) use parser::parse;

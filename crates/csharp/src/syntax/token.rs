@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::source::Pos;
 
 /// A name.
-pub type Name = Arc<str>;
+pub(crate) type Name = Arc<str>;
 
 /// The type that a suffix gives a whole number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub enum IntSuffix {
 
 /// What a token is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Tok {
+pub(crate) enum Tok {
     /// A name, contextual keywords among them.
     Ident(Name),
     /// A reserved word.
@@ -49,7 +49,7 @@ pub enum Tok {
 
 /// A piece of a text with holes.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// Characters.
     Text(Vec<u16>),
     /// A hole: the tokens of its value and alignment, and its format.
@@ -58,7 +58,7 @@ pub enum Piece {
 
 /// A token at its place.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Token {
+pub(crate) struct Token {
     /// What it is.
     pub tok: Tok,
     /// Where it begins.
@@ -68,7 +68,7 @@ pub struct Token {
 }
 
 /// The reserved words.
-pub const KEYWORDS: &[&str] = &[
+pub(crate) const KEYWORDS: &[&str] = &[
     "abstract",
     "as",
     "base",
@@ -149,7 +149,7 @@ pub const KEYWORDS: &[&str] = &[
 ];
 
 /// Operators and separators, the longest first. `>` stays alone so that type arguments can end in `>>`.
-pub const PUNCTUATION: &[&str] = &[
+pub(crate) const PUNCTUATION: &[&str] = &[
     "<<=", "??=", "...", "=>", "==", "!=", "<=", ">=", "&&", "||", "++", "--", "+=", "-=", "*=", "/=", "%=",
     "&=", "|=", "^=", "<<", "->", "::", "??", "?.", "..", "{", "}", "(", ")", "[", "]", ".", ",", ":", ";",
     "+", "-", "*", "/", "%", "&", "|", "^", "!", "~", "=", "<", ">", "?",

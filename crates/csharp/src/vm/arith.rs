@@ -142,16 +142,19 @@ pub(crate) fn convert(from: Prim, to: Prim, checked: bool, a: Value) -> Result<V
                 return Err(overflow());
             }
             // Small types go through a long or an int first.
-            let long = if (-9.223_372_036_854_775_8e18..9.223_372_036_854_775_8e18).contains(&whole) {
+            let long = if (i64::MIN as f64..i64::MAX as f64).contains(&whole) {
                 i128::from(whole as i64)
-            } else if to == Prim::U64 && whole > 0.0 && whole < 1.844_674_407_370_955_2e19 {
+            } else if to == Prim::U64 && whole > 0.0 && whole < u64::MAX as f64 {
                 whole as i128
             } else {
                 i128::from(i64::MIN)
             };
             let n = match to {
                 Prim::I32 | Prim::I16 | Prim::I8 | Prim::U16 | Prim::U8 | Prim::Char
-                    if !(-2_147_483_648.0..=2_147_483_647.0).contains(&whole) => i128::from(i32::MIN),
+                    if !(-2_147_483_648.0..=2_147_483_647.0).contains(&whole) =>
+                {
+                    i128::from(i32::MIN)
+                }
                 _ => long,
             };
             Ok(number(wrap(n, to), to))

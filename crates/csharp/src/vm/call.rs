@@ -18,7 +18,13 @@ impl State {
     }
 
     /// Makes room for a function's registers.
-    pub(super) fn enter(&mut self, func: u32, base: u32, regs: u32, gen_: Option<Handle>) -> Result<(), Raise> {
+    pub(super) fn enter(
+        &mut self,
+        func: u32,
+        base: u32,
+        regs: u32,
+        gen_: Option<Handle>,
+    ) -> Result<(), Raise> {
         if self.frames.len() >= self.limits.depth {
             return Err(Raise::Stop(Stop::Depth(self.limits.depth)));
         }
@@ -93,7 +99,15 @@ impl State {
     pub(super) fn generator(&mut self, func: u32, ty: Ty, base: u32, params: u32) -> Value {
         let from = base as usize;
         let start: Vec<_> = self.stack.get(from..from + params as usize).unwrap_or(&[]).to_vec();
-        let generator = Generator { ty, func, start, regs: Vec::new(), pc: 0, state: GenState::Fresh, current: Value::Null };
+        let generator = Generator {
+            ty,
+            func,
+            start,
+            regs: Vec::new(),
+            pc: 0,
+            state: GenState::Fresh,
+            current: Value::Null,
+        };
         Value::Ref(self.heap.add(Obj::Gen(Box::new(generator))))
     }
 }

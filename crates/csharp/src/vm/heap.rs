@@ -93,7 +93,15 @@ const FIRST_COLLECTION: usize = 8 << 20;
 impl Heap {
     /// An empty heap.
     pub fn new(limit: usize) -> Self {
-        Self { objects: Vec::new(), marks: Vec::new(), free: NO_FREE, bytes: 0, due: FIRST_COLLECTION, limit, pins: Vec::new() }
+        Self {
+            objects: Vec::new(),
+            marks: Vec::new(),
+            free: NO_FREE,
+            bytes: 0,
+            due: FIRST_COLLECTION,
+            limit,
+            pins: Vec::new(),
+        }
     }
 
     fn size(obj: &Obj) -> usize {
@@ -176,7 +184,9 @@ impl Heap {
             }
             match &self.objects[handle.0 as usize] {
                 Obj::Inst(_, fields) => fields.iter().for_each(|v| reach(v, &mut todo)),
-                Obj::Array(_, data, _) | Obj::List(_, data, _) => data.iter().for_each(|v| reach(v, &mut todo)),
+                Obj::Array(_, data, _) | Obj::List(_, data, _) => {
+                    data.iter().for_each(|v| reach(v, &mut todo))
+                }
                 Obj::Delegate(_, _, env) => reach(env, &mut todo),
                 Obj::Gen(g) => {
                     g.regs.iter().chain(&g.start).for_each(|v| reach(v, &mut todo));

@@ -36,7 +36,10 @@ pub(crate) fn run(program: &mut Program, st: &mut State, func: u32, args: &[Valu
         match execute(program, st, floor) {
             Ok(value) => return Ok(value),
             Err(raise) => {
-                let at = st.frames.last().map_or(st.thrown_at, |f| program.funcs[f.func as usize].place(f.pc.saturating_sub(1)));
+                let at = st
+                    .frames
+                    .last()
+                    .map_or(st.thrown_at, |f| program.funcs[f.func as usize].place(f.pc.saturating_sub(1)));
                 let value = match st.object_of(program, raise) {
                     Ok(value) => value,
                     Err(stop) => {
@@ -65,11 +68,10 @@ fn compiled(program: &mut Program, st: &mut State, func: u32) -> Result<(), Rais
             }
             value
         };
-        crate::emit::compile(program, func, &mut add)
-            .map_err(|refused| {
-                st.thrown_at = refused.0;
-                Raise::Stop(Stop::Refused(refused.1))
-            })?;
+        crate::emit::compile(program, func, &mut add).map_err(|refused| {
+            st.thrown_at = refused.0;
+            Raise::Stop(Stop::Refused(refused.1))
+        })?;
     }
     Ok(())
 }
@@ -94,7 +96,13 @@ fn compare<T: PartialOrd>(cmp: Cmp, a: T, b: T) -> bool {
 }
 
 /// A new array, its elements at their first values.
-pub(crate) fn new_array(program: &mut Program, st: &mut State, ty: Ty, length: usize, dims: Option<Box<[u32]>>) -> Result<Value, Raise> {
+pub(crate) fn new_array(
+    program: &mut Program,
+    st: &mut State,
+    ty: Ty,
+    length: usize,
+    dims: Option<Box<[u32]>>,
+) -> Result<Value, Raise> {
     st.reserve(length.saturating_mul(16))?;
     st.spend(length / 16)?;
     let element = match program.sema.types.kind(ty) {
@@ -230,9 +238,7 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
             } else {
                 let regs = function.regs;
                 save!();
-                if let Err(raise) = st.enter(f, at as u32, regs, None) {
-                    return Err(raise);
-                }
+                st.enter(f, at as u32, regs, None)?;
                 fi = f as usize;
                 base = at;
                 pc = 0;
@@ -259,37 +265,59 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
         }};
     }
     loop {
-        let Some(op) = program.funcs[fi].code.get(pc).copied() else { fail!(Raise::Stop(Stop::Refused("The end of a function was passed".to_owned()))) };
+        let Some(op) = program.funcs[fi].code.get(pc).copied() else {
+            fail!(Raise::Stop(Stop::Refused("The end of a function was passed".to_owned())))
+        };
         pc += 1;
         match op {
             Op::Move { d, a } => r!(d) = r!(a),
             Op::Int { d, v } => r!(d) = Value::I32(v),
-            Op::Const { d, k } => r!(d) = program.funcs[fi].consts.get(k as usize).copied().unwrap_or(Value::Null),
+            Op::Const { d, k } => {
+                r!(d) = program.funcs[fi].consts.get(k as usize).copied().unwrap_or(Value::Null)
+            }
             Op::AddI { d, a, b } => {
-                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) { r!(d) = Value::I32(x.wrapping_add(y)) }
+                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::I32(x.wrapping_add(y))
+                }
             }
             Op::SubI { d, a, b } => {
-                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) { r!(d) = Value::I32(x.wrapping_sub(y)) }
+                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::I32(x.wrapping_sub(y))
+                }
             }
             Op::MulI { d, a, b } => {
-                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) { r!(d) = Value::I32(x.wrapping_mul(y)) }
+                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::I32(x.wrapping_mul(y))
+                }
             }
             Op::AddIK { d, a, k } => {
-                if let Value::I32(x) = r!(a) { r!(d) = Value::I32(x.wrapping_add(k)) }
+                if let Value::I32(x) = r!(a) {
+                    r!(d) = Value::I32(x.wrapping_add(k))
+                }
             }
             Op::AddF { d, a, b } => {
-                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) { r!(d) = Value::F64(x + y) }
+                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::F64(x + y)
+                }
             }
             Op::SubF { d, a, b } => {
-                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) { r!(d) = Value::F64(x - y) }
+                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::F64(x - y)
+                }
             }
             Op::MulF { d, a, b } => {
-                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) { r!(d) = Value::F64(x * y) }
+                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::F64(x * y)
+                }
             }
             Op::DivF { d, a, b } => {
-                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) { r!(d) = Value::F64(x / y) }
+                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) {
+                    r!(d) = Value::F64(x / y)
+                }
             }
-            Op::Arith { op, prim, checked, d, a, b } => r!(d) = ok!(arith::binary(op, prim, checked, r!(a), r!(b))),
+            Op::Arith { op, prim, checked, d, a, b } => {
+                r!(d) = ok!(arith::binary(op, prim, checked, r!(a), r!(b)))
+            }
             Op::Neg { prim, checked, d, a } => r!(d) = ok!(arith::negate(prim, checked, r!(a))),
             Op::Complement { prim, d, a } => {
                 let n = r!(a).whole().unwrap_or(0);
@@ -308,14 +336,34 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                 r!(d) = crate::emit::number(crate::bind::wrap(n, prim), prim);
             }
             Op::Jump { to } => jump!(to),
-            Op::JumpIf { a, to } => if r!(a) == Value::Bool(true) { jump!(to) },
-            Op::JumpNot { a, to } => if r!(a) != Value::Bool(true) { jump!(to) },
-            Op::JumpNull { a, to } => if matches!(r!(a), Value::Null) { jump!(to) },
+            Op::JumpIf { a, to } => {
+                if r!(a) == Value::Bool(true) {
+                    jump!(to)
+                }
+            }
+            Op::JumpNot { a, to } => {
+                if r!(a) != Value::Bool(true) {
+                    jump!(to)
+                }
+            }
+            Op::JumpNull { a, to } => {
+                if matches!(r!(a), Value::Null) {
+                    jump!(to)
+                }
+            }
             Op::JumpI { cmp, a, b, to } => {
-                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b)) && compare(cmp, x, y) { jump!(to) }
+                if let (Value::I32(x), Value::I32(y)) = (r!(a), r!(b))
+                    && compare(cmp, x, y)
+                {
+                    jump!(to)
+                }
             }
             Op::JumpF { cmp, a, b, to } => {
-                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b)) && compare(cmp, x, y) { jump!(to) }
+                if let (Value::F64(x), Value::F64(y)) = (r!(a), r!(b))
+                    && compare(cmp, x, y)
+                {
+                    jump!(to)
+                }
             }
             Op::IsNull { d, a } => r!(d) = Value::Bool(matches!(r!(a), Value::Null)),
             Op::Same { d, a, b } => {
@@ -325,7 +373,11 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                     _ => false,
                 })
             }
-            Op::NullCheck { a } => if matches!(r!(a), Value::Null) { fail!(null_reference()) },
+            Op::NullCheck { a } => {
+                if matches!(r!(a), Value::Null) {
+                    fail!(null_reference())
+                }
+            }
             Op::FromNullable { d, a } => {
                 if matches!(r!(a), Value::Null) {
                     fail!(Raise::new("InvalidOperationException", "Nullable object must have a value."));
@@ -349,7 +401,9 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                     *slot = value;
                 }
             }
-            Op::LoadStatic { d, s } => r!(d) = program.static_values.get(s as usize).copied().unwrap_or(Value::Null),
+            Op::LoadStatic { d, s } => {
+                r!(d) = program.static_values.get(s as usize).copied().unwrap_or(Value::Null)
+            }
             Op::StoreStatic { s, v } => {
                 let value = r!(v);
                 if let Some(slot) = program.static_values.get_mut(s as usize) {
@@ -430,7 +484,10 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                 for i in 0..rank {
                     let Value::I32(n) = r!(first + i) else { fail!(out_of_range()) };
                     if n < 0 {
-                        fail!(Raise::new("OverflowException", "Arithmetic operation resulted in an overflow."));
+                        fail!(Raise::new(
+                            "OverflowException",
+                            "Arithmetic operation resulted in an overflow."
+                        ));
                     }
                     length = length.saturating_mul(n as usize);
                     dims.push(n as u32);
@@ -445,7 +502,8 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                 r!(d) = Value::Ref(st.heap.add(Obj::Array(ty, data, None)));
             }
             Op::SetDims { a, k } => {
-                if let (Value::Ref(handle), Some(Value::I64(n))) = (r!(a), program.funcs[fi].consts.get(k as usize).copied())
+                if let (Value::Ref(handle), Some(Value::I64(n))) =
+                    (r!(a), program.funcs[fi].consts.get(k as usize).copied())
                     && let Some(Obj::Array(_, _, dims)) = st.heap.get_mut(handle)
                 {
                     let mut list = dims.take().map(<[u32]>::into_vec).unwrap_or_default();
@@ -465,11 +523,10 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                 r!(d) = Value::Ref(st.heap.add(Obj::Delegate(Ty::NONE, f, env)));
             }
             Op::SetType { a, ty } => {
-                if let Value::Ref(handle) = r!(a) {
-                    match st.heap.get_mut(handle) {
-                        Some(Obj::Delegate(slot, ..) | Obj::Array(slot, ..)) => *slot = ty,
-                        _ => {}
-                    }
+                if let Value::Ref(handle) = r!(a)
+                    && let Some(Obj::Delegate(slot, ..) | Obj::Array(slot, ..)) = st.heap.get_mut(handle)
+                {
+                    *slot = ty;
                 }
             }
             Op::Call { f, base: b } => enter!(f, b),
@@ -495,11 +552,15 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                     }
                     Target::GenNext => {
                         save!();
-                        if ok!(resume(program, st, base + b as usize, false)) { reload!() }
+                        if ok!(resume(program, st, base + b as usize, false)) {
+                            reload!()
+                        }
                     }
                     Target::GenDispose => {
                         save!();
-                        if ok!(resume(program, st, base + b as usize, true)) { reload!() }
+                        if ok!(resume(program, st, base + b as usize, true)) {
+                            reload!()
+                        }
                     }
                     Target::None => {
                         let method = program.sites[site as usize].method.id;
@@ -521,11 +582,15 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
             }
             Op::GenNext { base: b } => {
                 save!();
-                if ok!(resume(program, st, base + b as usize, false)) { reload!() }
+                if ok!(resume(program, st, base + b as usize, false)) {
+                    reload!()
+                }
             }
             Op::GenDispose { base: b } => {
                 save!();
-                if ok!(resume(program, st, base + b as usize, true)) { reload!() }
+                if ok!(resume(program, st, base + b as usize, true)) {
+                    reload!()
+                }
             }
             Op::Return { a } => finish!(r!(a)),
             Op::ReturnVoid => finish!(Value::Null),
@@ -574,12 +639,7 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
                         let enum_of = program.sema.enum_prim(ty).filter(|_| program.sema.is_enum(ty));
                         let fits = enum_of.is_some() && enum_of == program.sema.prim(from);
                         if !fits {
-                            let message = if program.sema.is_value_type(ty) {
-                                "Specified cast is not valid.".to_owned()
-                            } else {
-                                "Specified cast is not valid.".to_owned()
-                            };
-                            fail!(Raise::new("InvalidCastException", message));
+                            fail!(Raise::new("InvalidCastException", "Specified cast is not valid."));
                         }
                         r!(d) = Value::Enum(ty, value.whole().unwrap_or(0) as i64);
                         continue;

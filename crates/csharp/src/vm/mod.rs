@@ -9,5 +9,5 @@ mod state;
 mod unwind;
 pub mod value;
 
-pub(crate) use machine::{copy, new_array, run};
+pub(crate) use machine::{copy, run};
 pub use state::{Limits, Raise, State, Stop};

@@ -102,8 +102,8 @@ impl State {
     pub(crate) fn new(host: Box<dyn Host>, limits: Limits, sema: &mut Sema) -> Self {
         let mut prims = [Ty::ERROR; 13];
         for name in [
-            "Boolean", "Char", "SByte", "Byte", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64", "Single",
-            "Double", "Decimal",
+            "Boolean", "Char", "SByte", "Byte", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64",
+            "Single", "Double", "Decimal",
         ] {
             if let (Some(prim), Some(def)) = (Prim::by_name(name), sema.library("System", name, 0)) {
                 prims[prim as usize] = sema.named(def, &[]);
@@ -143,7 +143,11 @@ impl State {
             Value::Enum(ty, _) => ty,
             Value::Ref(handle) => match self.heap.get(handle) {
                 Obj::Str(_) => sema.known.string,
-                Obj::Inst(ty, _) | Obj::Array(ty, ..) | Obj::List(ty, ..) | Obj::Delegate(ty, ..) | Obj::Host(ty, _) => *ty,
+                Obj::Inst(ty, _)
+                | Obj::Array(ty, ..)
+                | Obj::List(ty, ..)
+                | Obj::Delegate(ty, ..)
+                | Obj::Host(ty, _) => *ty,
                 Obj::Gen(generator) => generator.ty,
                 Obj::Builder(_) => self.builder_type(sema),
                 Obj::Type(_) => sema.known.type_,

@@ -66,7 +66,7 @@ namespace System.Collections.Generic
     {
         public extern List();
         public extern List(int capacity);
-        public List(IEnumerable<T> items) { }
+        public List(IEnumerable<T> items) { AddRange(items); }
         public extern int Count { get; }
         public int Capacity { get { return Count; } set { } }
         public bool IsReadOnly { get { return false; } }

@@ -329,12 +329,14 @@ namespace System
     public delegate bool Predicate<T>(T item);
     public delegate int Comparison<T>(T a, T b);
     public delegate R Converter<T, R>(T item);
-    public struct ValueTuple<A, B> { public A Item1; public B Item2;
+    public struct ValueTuple<A, B> : IComparable { public A Item1; public B Item2;
+        public int CompareTo(object o) { var t = (ValueTuple<A, B>)o; int c = Comparer<A>.Order(Item1, t.Item1); return c != 0 ? c : Comparer<B>.Order(Item2, t.Item2); }
         public ValueTuple(A a, B b) { Item1 = a; Item2 = b; }
         public override bool Equals(object o) { if (!(o is ValueTuple<A, B>)) return false; var t = (ValueTuple<A, B>)o; return EqualityComparer<A>.Same(Item1, t.Item1) && EqualityComparer<B>.Same(Item2, t.Item2); }
         public override int GetHashCode() { return EqualityComparer<A>.Hash(Item1) * 31 + EqualityComparer<B>.Hash(Item2); }
         public override string ToString() { return "(" + Item1 + ", " + Item2 + ")"; } }
-    public struct ValueTuple<A, B, C> { public A Item1; public B Item2; public C Item3;
+    public struct ValueTuple<A, B, C> : IComparable { public A Item1; public B Item2; public C Item3;
+        public int CompareTo(object o) { var t = (ValueTuple<A, B, C>)o; int c = Comparer<A>.Order(Item1, t.Item1); if (c == 0) c = Comparer<B>.Order(Item2, t.Item2); return c != 0 ? c : Comparer<C>.Order(Item3, t.Item3); }
         public ValueTuple(A a, B b, C c) { Item1 = a; Item2 = b; Item3 = c; }
         public override bool Equals(object o) { if (!(o is ValueTuple<A, B, C>)) return false; var t = (ValueTuple<A, B, C>)o; return EqualityComparer<A>.Same(Item1, t.Item1) && EqualityComparer<B>.Same(Item2, t.Item2) && EqualityComparer<C>.Same(Item3, t.Item3); }
         public override int GetHashCode() { return (EqualityComparer<A>.Hash(Item1) * 31 + EqualityComparer<B>.Hash(Item2)) * 31 + EqualityComparer<C>.Hash(Item3); }

@@ -86,7 +86,7 @@ impl Parser {
                 return Err(Fault::new(self.pos(), 1003, "Syntax error, 'case' or 'default' expected"));
             }
             let mut stmts = Vec::new();
-            while !self.is("}") && !self.is_kw("case") && !(self.is_kw("default") && self.is_ahead(1, ":")) {
+            while !(self.is("}") || self.is_kw("case") || self.is_kw("default") && self.is_ahead(1, ":")) {
                 if self.at >= self.tokens.len() {
                     return Err(Fault::new(self.last_end(), 1513, "} expected"));
                 }
@@ -108,6 +108,6 @@ impl Parser {
         let pattern = self.pattern()?;
         let guard = if self.eat_word("when") { Some(self.expression()?) } else { None };
         self.expect(":")?;
-        Ok(CaseLabel::Case(pattern, guard))
+        Ok(CaseLabel::Case(Box::new(pattern), guard))
     }
 }

@@ -22,7 +22,7 @@ const MAX_DEPTH: u32 = 400;
 const NESTING: u32 = 5;
 
 /// Reads a whole file. `end` is the place of its end.
-pub fn parse(tokens: Vec<Token>, end: Pos) -> Checked<Namespace> {
+pub(crate) fn parse(tokens: Vec<Token>, end: Pos) -> Checked<Namespace> {
     let mut parser = Parser { tokens, at: 0, end, depth: 0, yields: false, unit: 0 };
     let mut file = Namespace::default();
     parser.namespace_body(&mut file, true)?;
@@ -79,10 +79,6 @@ impl Parser {
     /// A contextual keyword.
     fn is_word(&self, word: &str) -> bool {
         matches!(self.tok(), Tok::Ident(name) if &**name == word)
-    }
-
-    fn is_word_ahead(&self, n: usize, word: &str) -> bool {
-        matches!(self.ahead(n), Tok::Ident(name) if &**name == word)
     }
 
     fn eat(&mut self, p: &str) -> bool {

@@ -21,12 +21,12 @@ impl Parser {
 
     pub(super) fn query(&mut self) -> Checked<Expr> {
         self.nested(|p| {
-            let (name, source) = p.from_clause()?;
+            let (name, source) = p.source_clause()?;
             p.query_body(source, vec![name])
         })
     }
 
-    fn from_clause(&mut self) -> Checked<(Name, Expr)> {
+    fn source_clause(&mut self) -> Checked<(Name, Expr)> {
         let pos = self.pos();
         self.advance();
         let (ty, name) = self.range_variable()?;
@@ -56,7 +56,7 @@ impl Parser {
             };
             match &*word.clone() {
                 "from" => {
-                    let (name, inner) = self.from_clause()?;
+                    let (name, inner) = self.source_clause()?;
                     let many = self.lambda_of(pos, &names, inner);
                     let (joined, all) = self.joined(pos, &names, &name);
                     source = call(pos, source, "SelectMany", vec![many, joined]);
