@@ -215,6 +215,20 @@ impl Engine {
     /// # Errors
     /// An exception that nobody caught, or a stop.
     pub fn call(&mut self, method: MethodId, owner: Ty, args: &[Value]) -> Result<Value, Failure> {
+        // What comes in is reachable from nowhere else until the call has begun.
+        let pinned = self.state.heap.pins.len();
+        self.state
+            .heap
+            .pins
+            .extend(args.iter().filter_map(|a| if let Value::Ref(h) = a { Some(*h) } else { None }));
+        let count = self.state.heap.pins.len() - pinned;
+        let result = self.call_pinned(method, owner, args);
+        // Texts of functions compiled meanwhile stay behind them.
+        self.state.heap.pins.drain(pinned..pinned + count);
+        result
+    }
+
+    fn call_pinned(&mut self, method: MethodId, owner: Ty, args: &[Value]) -> Result<Value, Failure> {
         if let Some(init) = self.program.static_init(owner) {
             let (func, done) = self.program.static_inits[init as usize];
             if !done {

@@ -25,7 +25,8 @@ def main():
     check = "--check" in sys.argv
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
-        for source in sorted(FOLDER.glob("*.cs")):
+        # What Mono's compiler does not know has its output worked out by hand.
+        for source in sorted(p for p in FOLDER.glob("*.cs") if not p.name.startswith("csc_")):
             kind, text = outcome(source, folder)
             place = source.with_suffix("." + kind)
             if check and (not place.exists() or place.read_text() != text):

@@ -135,7 +135,9 @@ impl Binder<'_> {
         let zero = make(int, pos, Kind::Const(Const::Int(0)));
         let index = self.keep(pos, zero, stmts);
         let condition = if string {
+            // A text never changes: its length is asked once.
             let length = self.get(pos, kept.clone(), "Length", Vec::new());
+            let length = self.keep(pos, length, stmts);
             let bool_ = self.sema.known.bool;
             make(
                 bool_,

@@ -14,17 +14,25 @@ impl Binder<'_> {
     }
 
     pub(super) fn statements(&mut self, list: &[ast::Stmt]) -> Vec<Stmt> {
-        let mut made = Vec::new();
         let functions: Vec<_> = list
             .iter()
             .filter_map(|s| if let Written::Function(f) = &s.kind { Some((s.pos, f.clone())) } else { None })
             .map(|(pos, f)| (pos, self.declare_function(pos, &f), f))
             .collect();
+        let body = self.plain_statements(list);
+        // Functions may be called before they stand, and see all variables of the block.
+        let mut made = Vec::new();
         for (pos, function, written) in functions {
             if let Some(function) = function {
                 made.push(self.local_function(pos, &function, &written));
             }
         }
+        made.extend(body);
+        made
+    }
+
+    fn plain_statements(&mut self, list: &[ast::Stmt]) -> Vec<Stmt> {
+        let mut made = Vec::new();
         for (i, stmt) in list.iter().enumerate() {
             if let Written::Local { ty, variables, using: true, .. } = &stmt.kind {
                 // `using var x = ...;` goes to the end of the block.
@@ -38,10 +46,8 @@ impl Binder<'_> {
                     },
                 };
                 let rest: Vec<ast::Stmt> = list[i + 1..].to_vec();
-                let body = ast::Stmt {
-                    pos: stmt.pos,
-                    kind: Written::Block(ast::Block { pos: stmt.pos, end: stmt.pos, stmts: rest }),
-                };
+                let block = ast::Block { pos: stmt.pos, end: stmt.pos, stmts: rest };
+                let body = ast::Stmt { pos: stmt.pos, kind: Written::Block(block) };
                 let kind = self.using(stmt.pos, &held, &body);
                 made.push(Stmt { pos: stmt.pos, kind });
                 return made;
