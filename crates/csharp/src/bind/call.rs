@@ -99,8 +99,17 @@ impl Binder<'_> {
                 .is_some_and(|(_, id)| self.sema.method(*id).name.starts_with("<local>"))
     }
 
-    fn finish_call(&mut self, pos: Pos, group: Group, chosen: Chosen) -> Expr {
+    fn finish_call(&mut self, pos: Pos, group: Group, mut chosen: Chosen) -> Expr {
+        if let (true, Some(receiver)) = (group.base, &group.receiver)
+            && let Some(found) = self.sema.find_override(receiver.ty, &chosen.method)
+        {
+            // `base.F()` runs the last override above this class.
+            chosen.method = found;
+        }
         let id = chosen.method.id;
+        if let (crate::sema::Body::Invoke, Some(receiver)) = (&self.sema.method(id).body, &group.receiver) {
+            return make(chosen.ret, pos, Kind::Invoke(Box::new(receiver.clone()), chosen.args));
+        }
         if !self.check_access(pos, crate::sema::Member::Method(id)) {
             return self.wrong(pos);
         }

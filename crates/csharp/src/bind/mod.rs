@@ -20,6 +20,7 @@ mod scope;
 mod statement;
 mod switch;
 mod text;
+mod unary;
 
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -1,11 +1,9 @@
 //! Expressions.
 
-use std::sync::Arc;
-
 use super::effect::sets_locals;
 use super::{Emitted, Emitter, Refused};
 use crate::bind::wrap;
-use crate::bound::{Const, Conv, Expr, Kind, Lambda, Op as BinOp};
+use crate::bound::{Const, Conv, Expr, Kind, Op as BinOp};
 use crate::sema::{Prim, Ty};
 use crate::vm::op::{Op, Reg};
 use crate::vm::value::Value;
@@ -527,41 +525,6 @@ impl Emitter<'_> {
             let k = self.constant(Value::I64((place as i64) << 32 | i64::from(*length)));
             self.op(Op::SetDims { a: d, k });
         }
-        Ok(())
-    }
-
-    fn lambda_into(&mut self, d: Reg, lambda: &Arc<Lambda>, ty: Ty) -> Emitted<()> {
-        let env = self.innermost_env()?;
-        let number = self.program.funcs.len() as u32;
-        self.program.funcs.push(crate::vm::op::Function::default());
-        self.program.sources.push(None);
-        let envs = self.envs.iter().map(|env| super::Env { reg: None, ..env.clone() }).collect();
-        let mut inner = Emitter::new(self.program, self.body.clone(), self.by.clone());
-        inner.envs = envs;
-        inner.in_lambda = true;
-        inner.f.name = format!("lambda in {}", self.f.name);
-        inner.next = 1;
-        inner.f.regs = 1;
-        for param in &lambda.params {
-            let reg = inner.alloc()?;
-            inner.regs.insert(*param, reg);
-            inner.fixed.push(*param);
-        }
-        inner.f.params = inner.next;
-        inner.labels_of(&lambda.body, 0);
-        inner.stmt(&lambda.body)?;
-        inner.op(Op::ReturnVoid);
-        let (function, texts) = inner.close()?;
-        // Texts of constants are put into the heap by the function around: they are kept as its own.
-        let mut shared = Vec::new();
-        for (text, place) in texts {
-            shared.push((place, text));
-        }
-        self.program.pending_texts.push((number, shared));
-        self.program.funcs[number as usize] = function;
-        let ty = self.ty(ty);
-        self.op(Op::Lambda { d, f: number, env });
-        self.op(Op::SetType { a: d, ty });
         Ok(())
     }
 }

@@ -4,6 +4,7 @@ mod branch;
 mod call;
 mod effect;
 mod expression;
+mod lambda;
 mod place;
 mod statement;
 

@@ -49,6 +49,7 @@ pub(super) fn compare(a: &[u16], b: &[u16], ignore_case: bool) -> Ordering {
     }
     let accent = |s: &[u16]| {
         s.iter()
+            .filter(|u| !is_ignored(u))
             .map(|u| {
                 char::from_u32((*u).into()).map_or(0, |c| {
                     let lower = c.to_lowercase().next().unwrap_or(c);
@@ -63,7 +64,10 @@ pub(super) fn compare(a: &[u16], b: &[u16], ignore_case: bool) -> Ordering {
     }
     if !ignore_case {
         let case = |s: &[u16]| {
-            s.iter().map(|u| char::from_u32((*u).into()).is_some_and(char::is_uppercase)).collect::<Vec<_>>()
+            s.iter()
+                .filter(|u| !is_ignored(u))
+                .map(|u| char::from_u32((*u).into()).is_some_and(char::is_uppercase))
+                .collect::<Vec<_>>()
         };
         let third = case(a).cmp(&case(b));
         if third != Ordering::Equal {

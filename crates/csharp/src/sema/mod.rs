@@ -1,5 +1,7 @@
 //! What names mean: types, members, conversions.
 
+mod bases;
+mod check;
 mod convert;
 mod declare;
 mod defs;

@@ -1,6 +1,7 @@
 //! Source text to syntax trees.
 
 pub(crate) mod ast;
+mod declaration;
 mod lexer;
 mod number;
 mod parser;

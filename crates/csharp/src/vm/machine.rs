@@ -1,86 +1,22 @@
 //! The loop over operations.
 
 use super::arith;
+use super::array::{copy, flat, new_array};
 use super::heap::{Fields, GenState, Obj};
+use super::native::{native, resume};
 use super::op::{Cmp, Op};
+use super::start::compiled;
 use super::state::{Raise, State, Stop};
-use super::unwind::ABANDONED;
-use super::value::{Handle, Value};
-use crate::library::{self, Cx};
-use crate::program::{NativeKind, Program, Target};
-use crate::sema::{Kind, Prim, Ty};
+use super::value::Value;
+use crate::library;
+use crate::program::{Program, Target};
+use crate::sema::{Prim, Ty};
 
-/// How an uncaught exception or a stop ends a run: what it was and where.
-#[derive(Debug)]
-pub(crate) struct Ended {
-    pub(crate) raise: Raise,
-    pub(crate) at: u32,
-}
-
-/// Runs a function with arguments to its end.
-pub(crate) fn run(program: &mut Program, st: &mut State, func: u32, args: &[Value]) -> Result<Value, Ended> {
-    let floor = st.frames.len();
-    let base = 0_u32;
-    let needed = program.funcs.get(func as usize).map_or(0, |f| f.regs).max(args.len() as u32) + 1;
-    let begun = compiled(program, st, func).and_then(|()| {
-        let regs = program.funcs[func as usize].regs.max(needed);
-        st.enter(func, base, regs, None)
-    });
-    if let Err(raise) = begun {
-        return Err(Ended { raise, at: st.thrown_at });
-    }
-    for (i, arg) in args.iter().enumerate() {
-        st.stack[base as usize + i] = *arg;
-    }
-    loop {
-        match execute(program, st, floor) {
-            Ok(value) => return Ok(value),
-            Err(raise) => {
-                let at = st
-                    .frames
-                    .last()
-                    .map_or(st.thrown_at, |f| program.funcs[f.func as usize].place(f.pc.saturating_sub(1)));
-                let value = match st.object_of(program, raise) {
-                    Ok(value) => value,
-                    Err(stop) => {
-                        st.frames.truncate(floor);
-                        return Err(Ended { raise: stop, at });
-                    }
-                };
-                st.thrown_at = at;
-                if !st.unwind(program, value, floor) {
-                    st.frames.truncate(floor);
-                    return Err(Ended { raise: Raise::Object(value), at: st.thrown_at });
-                }
-            }
-        }
-    }
-}
-
-/// Compiles a function if that has not been done.
-fn compiled(program: &mut Program, st: &mut State, func: u32) -> Result<(), Raise> {
-    if program.funcs.get(func as usize).is_some_and(|f| f.code.is_empty()) {
-        let heap = &mut st.heap;
-        let mut add = |units: &[u16]| {
-            let value = heap.text(units);
-            if let Value::Ref(handle) = value {
-                heap.pins.push(handle);
-            }
-            value
-        };
-        crate::emit::compile(program, func, &mut add).map_err(|refused| {
-            st.thrown_at = refused.0;
-            Raise::Stop(Stop::Refused(refused.1))
-        })?;
-    }
-    Ok(())
-}
-
-fn null_reference() -> Raise {
+pub(super) fn null_reference() -> Raise {
     Raise::new("NullReferenceException", "Object reference not set to an instance of an object")
 }
 
-fn out_of_range() -> Raise {
+pub(super) fn out_of_range() -> Raise {
     Raise::new("IndexOutOfRangeException", "Index was outside the bounds of the array.")
 }
 
@@ -95,66 +31,8 @@ fn compare<T: PartialOrd>(cmp: Cmp, a: T, b: T) -> bool {
     }
 }
 
-/// A new array, its elements at their first values.
-pub(crate) fn new_array(
-    program: &mut Program,
-    st: &mut State,
-    ty: Ty,
-    length: usize,
-    dims: Option<Box<[u32]>>,
-) -> Result<Value, Raise> {
-    st.reserve(length.saturating_mul(16))?;
-    st.spend(length / 16)?;
-    let element = match program.sema.types.kind(ty) {
-        Kind::Array(element, _) => *element,
-        _ => Ty::ERROR,
-    };
-    let data = match program.start(element) {
-        crate::program::Start::Value(value) => vec![value; length],
-        crate::program::Start::Struct(inner) => {
-            st.reserve(length.saturating_mul(80))?;
-            (0..length).map(|_| st.instance(program, inner)).collect()
-        }
-    };
-    Ok(Value::Ref(st.heap.add(Obj::Array(ty, data, dims))))
-}
-
-/// A copy of a struct, with the structs in it.
-pub(crate) fn copy(program: &Program, st: &mut State, value: Value) -> Value {
-    let Value::Ref(handle) = value else { return value };
-    let Obj::Inst(ty, fields) = st.heap.get(handle) else { return value };
-    let ty = *ty;
-    let Some(Some(layout)) = program.layouts.get(ty.0 as usize) else { return value };
-    if !layout.is_struct {
-        return value;
-    }
-    let mut fields: Fields = fields.clone();
-    for i in &layout.structs {
-        let at = usize::from(*i);
-        if let Some(inner) = fields.get(at).copied() {
-            fields[at] = copy(program, st, inner);
-        }
-    }
-    Value::Ref(st.heap.add(Obj::Inst(ty, fields)))
-}
-
-/// The place of an element in an array of several dimensions.
-fn flat(st: &State, array: Value, first: usize) -> Result<(Handle, usize), Raise> {
-    let Value::Ref(handle) = array else { return Err(null_reference()) };
-    let Obj::Array(_, _, Some(dims)) = st.heap.get(handle) else { return Err(null_reference()) };
-    let mut at = 0_usize;
-    for (i, dim) in dims.iter().enumerate() {
-        let Value::I32(index) = st.stack[first + i] else { return Err(out_of_range()) };
-        if index < 0 || index as u32 >= *dim {
-            return Err(out_of_range());
-        }
-        at = at * *dim as usize + index as usize;
-    }
-    Ok((handle, at))
-}
-
 #[allow(clippy::too_many_lines, reason = "one arm an operation")]
-fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value, Raise> {
+pub(super) fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value, Raise> {
     let Some(frame) = st.frames.last().copied() else { return Ok(Value::Null) };
     let mut fi = frame.func as usize;
     let mut base = frame.base as usize;
@@ -713,71 +591,4 @@ fn execute(program: &mut Program, st: &mut State, floor: usize) -> Result<Value,
             }
         }
     }
-}
-
-/// Calls what the library or the host does; the result goes into the first register of the window.
-fn native(program: &mut Program, st: &mut State, n: u32, at: usize, ty: Ty) -> Result<(), Raise> {
-    let Some(found) = program.natives.get(n as usize) else { return Ok(()) };
-    let (kind, count) = (found.kind, usize::from(found.params));
-    let mut cx = Cx { st, program, at, count, ty };
-    let value = match kind {
-        NativeKind::Library(function) => function(&mut cx)?,
-        NativeKind::Host(member) => {
-            let mut host = std::mem::replace(&mut cx.st.host, Box::new(crate::host::Printing::default()));
-            let result = host.call(member, &mut cx);
-            cx.st.host = host;
-            result?
-        }
-        NativeKind::Missing => {
-            let key = program.natives[n as usize].key.to_string();
-            return Err(Raise::Stop(Stop::NotSupported(key)));
-        }
-    };
-    st.stack[at] = value;
-    Ok(())
-}
-
-/// Goes on with an iterator, or closes it; true when a frame was entered.
-fn resume(program: &mut Program, st: &mut State, at: usize, close: bool) -> Result<bool, Raise> {
-    let Value::Ref(handle) = st.stack[at] else { return Err(null_reference()) };
-    let Some(Obj::Gen(generator)) = st.heap.get_mut(handle) else {
-        st.stack[at] = Value::Null;
-        return Ok(false);
-    };
-    let func = generator.func;
-    match generator.state {
-        GenState::Done | GenState::Running => {
-            st.stack[at] = Value::Bool(false);
-            return Ok(false);
-        }
-        GenState::Fresh | GenState::Taken if close => {
-            generator.state = GenState::Done;
-            return Ok(false);
-        }
-        _ => {}
-    }
-    let begun = generator.state == GenState::Suspended;
-    let regs = if begun { std::mem::take(&mut generator.regs) } else { generator.start.clone() };
-    let pc = generator.pc;
-    generator.state = GenState::Running;
-    let needed = program.funcs[func as usize].regs.max(regs.len() as u32) + 1;
-    st.fuel -= 1;
-    if st.fuel == 0 {
-        st.turn()?;
-    }
-    st.enter(func, at as u32, needed, Some(handle))?;
-    st.stack[at..at + regs.len()].copy_from_slice(&regs);
-    if let Some(frame) = st.frames.last_mut() {
-        frame.pc = if begun { pc } else { 0 };
-    }
-    if close {
-        let floor = st.frames.len() - 1;
-        // The operation behind the `yield` was next: its range is that of the `yield` itself.
-        let entered = st.unwind(program, ABANDONED, floor);
-        if !entered {
-            st.stack[at] = Value::Null;
-        }
-        return Ok(entered);
-    }
-    Ok(true)
 }
