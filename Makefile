@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
+.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -42,6 +42,11 @@ $(VENV)-step/installed: python-tests/step/requirements.txt
 	$(PYTHON) -m venv $(VENV)-step
 	$(VENV)-step/bin/pip install -q -r python-tests/step/requirements.txt
 	touch $@
+
+# What Mono makes of the C# programs that the interpreter is tested with. Not part of `make test`: it needs the Debian
+# packages mono-mcs and mono-runtime.
+test-mono:
+	$(PYTHON) crates/csharp/tests/mono.py --check
 
 # What the clients of Rhino.Compute from PyPI and npm make of `katydid serve`. Not part of `make test`: it fetches them.
 test-compute: $(VENV)-compute/installed
@@ -159,7 +164,7 @@ attack-server:
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in gh_binary gh_xml document rhino3dm step shp pdb expression geometry kd request preview; do \
+	cd fuzz && for t in csharp_parse csharp_run gh_binary gh_xml document rhino3dm step shp pdb expression geometry kd request preview; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

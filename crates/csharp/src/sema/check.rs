@@ -1,0 +1,167 @@
+//! What a declaration promises and does not keep: members declared twice, methods left undone, overrides of nothing.
+
+use super::{Body, DefId, Kind, Member, MethodId, Sema};
+use crate::syntax::ast::{Name, Passing, TypeKind};
+
+impl Sema {
+    /// What is declared twice, and what a class leaves undone.
+    pub(super) fn check_members(&mut self, id: DefId) {
+        let members: Vec<_> = self.def(id).members.clone().into_iter().collect();
+        let owner = self.show_def(id);
+        for (name, list) in members {
+            for (i, a) in list.iter().enumerate() {
+                for b in &list[i + 1..] {
+                    self.check_pair(&owner, &name, *a, *b);
+                }
+            }
+        }
+        self.check_implemented(id);
+        let chain = self.def(id).methods.clone();
+        for method in chain {
+            if self.method(method).is_override {
+                self.check_override(id, method);
+            }
+            let (abstract_, pos) = (self.method(method).is_abstract, self.method(method).pos);
+            if abstract_ && self.def(id).kind == TypeKind::Class && !self.def(id).is_abstract {
+                let shown = self.show_method(method);
+                self.fault(
+                    pos,
+                    513,
+                    format!("'{shown}' is abstract but it is contained in non-abstract class '{owner}'"),
+                );
+            }
+            if matches!(self.method(method).body, Body::None)
+                && !abstract_
+                && self.def(id).kind != TypeKind::Interface
+            {
+                let shown = self.show_method(method);
+                self.fault(
+                    pos,
+                    501,
+                    format!(
+                        "'{shown}' must declare a body because it is not marked abstract, extern, or partial"
+                    ),
+                );
+            }
+        }
+    }
+
+    fn check_pair(&mut self, owner: &str, name: &Name, a: Member, b: Member) {
+        let (pos, clash) = match (a, b) {
+            (Member::Method(a), Member::Method(b)) => {
+                let (a, b) = (self.method(a), self.method(b));
+                let same = a.params.len() == b.params.len()
+                    && a.type_params.len() == b.type_params.len()
+                    && a.params.iter().zip(&b.params).all(|(p, q)| {
+                        p.ty == q.ty && (p.passing == Passing::Value) == (q.passing == Passing::Value)
+                    })
+                    && (!name.starts_with("op_") || a.ret == b.ret);
+                if same && &**name != ".cctor" {
+                    let message = format!(
+                        "Type '{owner}' already defines a member called '{name}' with the same parameter types"
+                    );
+                    let pos = b.pos;
+                    self.fault(pos, 111, message);
+                }
+                return;
+            }
+            (_, Member::Field(f)) => (self.field(f).pos, true),
+            (Member::Prop(_), Member::Prop(p)) => (0, self.prop(p).params.is_empty()),
+            (Member::Field(_), Member::Method(m)) => (self.method(m).pos, true),
+            _ => (0, false),
+        };
+        if clash {
+            self.fault(pos, 102, format!("The type '{owner}' already contains a definition for '{name}'"));
+        }
+    }
+
+    fn check_override(&mut self, id: DefId, method: MethodId) {
+        let name = self.method(method).name.clone();
+        let open = self.open(id);
+        let args: Vec<_> = self
+            .method(method)
+            .type_params
+            .clone()
+            .into_iter()
+            .map(|p| self.types.intern(Kind::Param(p)))
+            .collect();
+        let mut chain = self.chain(open);
+        chain.remove(0);
+        for base in chain {
+            let Some(def) = self.def_of(base) else { continue };
+            for member in self.def(def).members.get(&name).cloned().unwrap_or_default() {
+                if let Member::Method(other) = member {
+                    let reference = crate::bound::MethodRef { id: other, owner: base, args: args.clone() };
+                    if self.same_signature(method, open, &reference) {
+                        if !self.method(other).is_virtual {
+                            let (mine, theirs) = (self.show_method(method), self.show_method(other));
+                            self.fault(self.method(method).pos, 506, format!("'{mine}': cannot override inherited member '{theirs}' because it is not marked virtual, abstract, or override"));
+                        }
+                        return;
+                    }
+                }
+            }
+        }
+        let shown = self.show_method(method);
+        self.fault(self.method(method).pos, 115, format!("'{shown}': no suitable method found to override"));
+    }
+
+    fn check_implemented(&mut self, id: DefId) {
+        let def = self.def(id);
+        if !matches!(def.kind, TypeKind::Class | TypeKind::Struct) {
+            return;
+        }
+        let (is_abstract, pos) = (def.is_abstract, def.pos);
+        let open = self.open(id);
+        let owner = self.show(open);
+        for interface in self.interfaces(open) {
+            let Some(declared) = self.def_of(interface) else { continue };
+            for method in self.def(declared).methods.clone() {
+                if !self.method(method).is_abstract {
+                    continue;
+                }
+                let args: Vec<_> = self
+                    .method(method)
+                    .type_params
+                    .clone()
+                    .into_iter()
+                    .map(|p| self.types.intern(Kind::Param(p)))
+                    .collect();
+                let called = crate::bound::MethodRef { id: method, owner: interface, args };
+                if self.find_override(open, &called).is_none() && !is_abstract {
+                    let shown = self.show_method(method);
+                    self.fault(pos, 535, format!("'{owner}' does not implement interface member '{shown}'"));
+                }
+            }
+        }
+        if is_abstract {
+            return;
+        }
+        let mut chain = self.chain(open);
+        chain.remove(0);
+        for base in chain {
+            let Some(def) = self.def_of(base) else { continue };
+            for method in self.def(def).methods.clone() {
+                if !self.method(method).is_abstract {
+                    continue;
+                }
+                let args: Vec<_> = self
+                    .method(method)
+                    .type_params
+                    .clone()
+                    .into_iter()
+                    .map(|p| self.types.intern(Kind::Param(p)))
+                    .collect();
+                let called = crate::bound::MethodRef { id: method, owner: base, args };
+                if self.find_override(open, &called).is_none_or(|found| self.method(found.id).is_abstract) {
+                    let shown = self.show_method(method);
+                    self.fault(
+                        pos,
+                        534,
+                        format!("'{owner}' does not implement inherited abstract member '{shown}'"),
+                    );
+                }
+            }
+        }
+    }
+}

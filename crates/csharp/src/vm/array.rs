@@ -1,0 +1,66 @@
+//! Arrays, and copies of structs.
+
+use super::heap::{Fields, Obj};
+use super::machine::{null_reference, out_of_range};
+use super::state::{Raise, State};
+use super::value::{Handle, Value};
+use crate::program::Program;
+use crate::sema::{Kind, Ty};
+
+/// A new array, its elements at their first values.
+pub(crate) fn new_array(
+    program: &mut Program,
+    st: &mut State,
+    ty: Ty,
+    length: usize,
+    dims: Option<Box<[u32]>>,
+) -> Result<Value, Raise> {
+    st.reserve(length.saturating_mul(16))?;
+    st.spend(length / 16)?;
+    let element = match program.sema.types.kind(ty) {
+        Kind::Array(element, _) => *element,
+        _ => Ty::ERROR,
+    };
+    let data = match program.start(element) {
+        crate::program::Start::Value(value) => vec![value; length],
+        crate::program::Start::Struct(inner) => {
+            st.reserve(length.saturating_mul(80))?;
+            (0..length).map(|_| st.instance(program, inner)).collect()
+        }
+    };
+    Ok(Value::Ref(st.heap.add(Obj::Array(ty, data, dims))))
+}
+
+/// A copy of a struct, with the structs in it.
+pub(crate) fn copy(program: &Program, st: &mut State, value: Value) -> Value {
+    let Value::Ref(handle) = value else { return value };
+    let Obj::Inst(ty, fields) = st.heap.get(handle) else { return value };
+    let ty = *ty;
+    let Some(Some(layout)) = program.layouts.get(ty.0 as usize) else { return value };
+    if !layout.is_struct {
+        return value;
+    }
+    let mut fields: Fields = fields.clone();
+    for i in &layout.structs {
+        let at = usize::from(*i);
+        if let Some(inner) = fields.get(at).copied() {
+            fields[at] = copy(program, st, inner);
+        }
+    }
+    Value::Ref(st.heap.add(Obj::Inst(ty, fields)))
+}
+
+/// The place of an element in an array of several dimensions.
+pub(super) fn flat(st: &State, array: Value, first: usize) -> Result<(Handle, usize), Raise> {
+    let Value::Ref(handle) = array else { return Err(null_reference()) };
+    let Obj::Array(_, _, Some(dims)) = st.heap.get(handle) else { return Err(null_reference()) };
+    let mut at = 0_usize;
+    for (i, dim) in dims.iter().enumerate() {
+        let Value::I32(index) = st.stack[first + i] else { return Err(out_of_range()) };
+        if index < 0 || index as u32 >= *dim {
+            return Err(out_of_range());
+        }
+        at = at * *dim as usize + index as usize;
+    }
+    Ok((handle, at))
+}

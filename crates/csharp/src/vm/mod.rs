@@ -1,0 +1,17 @@
+//! The machine: registers, heap, operations.
+
+mod arith;
+mod array;
+mod call;
+pub mod heap;
+mod machine;
+mod native;
+pub mod op;
+mod start;
+mod state;
+mod unwind;
+pub mod value;
+
+pub(crate) use array::copy;
+pub(crate) use start::run;
+pub use state::{Limits, Raise, State, Stop};

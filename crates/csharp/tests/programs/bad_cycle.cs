@@ -1,0 +1,14 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class A : B { } class B : A { }
+
+static class Program
+{
+    static void Main()
+    {
+        Console.WriteLine();
+    }
+}

@@ -1,0 +1,12 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+static class Program
+{
+    static void Main()
+    {
+        int x = 1; int x = 2; Console.WriteLine(x);
+    }
+}

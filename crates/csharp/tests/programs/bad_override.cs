@@ -1,0 +1,14 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class A { public void F() { } } class B : A { public override void F() { } }
+
+static class Program
+{
+    static void Main()
+    {
+        new B().F();
+    }
+}

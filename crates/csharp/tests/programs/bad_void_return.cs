@@ -1,0 +1,14 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+static class A { public static void F() { return 1; } }
+
+static class Program
+{
+    static void Main()
+    {
+        A.F();
+    }
+}
