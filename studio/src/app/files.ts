@@ -56,6 +56,11 @@ export async function close(document: string): Promise<void> {
   await checked(await fetch(address("api/close"), { method: "POST", headers, body: JSON.stringify({ document }) }));
 }
 
+/** The address of a picture that the server makes of a definition which is not open. */
+export function portrait(of: { gallery: string } | { recent: string }): string {
+  return address("api/portrait", of);
+}
+
 /** Sends a file to the server; gives the id of the document that it is or belongs to. */
 export async function upload(file: File, document?: string): Promise<string> {
   const query = document ? { name: file.name, document } : { name: file.name };

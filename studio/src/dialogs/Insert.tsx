@@ -14,7 +14,7 @@ export function Insert() {
   if (!file) return null;
   const open = () => {
     showDialog(undefined);
-    void take(file);
+    void take([file]);
   };
   const put = (how: Inserting) => {
     showDialog(undefined);

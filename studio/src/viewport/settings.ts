@@ -28,6 +28,13 @@ export interface Section {
 export const PREVIEWS = ["all", "selected", "none"] as const;
 export type Previews = (typeof PREVIEWS)[number];
 
+/** What a point that is drawn goes to, besides the grid. */
+export interface Snaps {
+  end: boolean;
+  mid: boolean;
+  near: boolean;
+}
+
 export interface ViewportSettings {
   mode: DisplayMode;
   previews: Previews;
@@ -61,6 +68,7 @@ export interface ViewportSettings {
   section: Section;
   trackpad: boolean;
   snap: boolean;
+  snaps: Snaps;
 }
 
 /** What the viewport says of itself. */
@@ -102,6 +110,7 @@ const USUAL: ViewportSettings = {
   section: { isOn: false, normal: [0, 1, 0], at: undefined },
   trackpad: false,
   snap: true,
+  snaps: { end: true, mid: true, near: false },
 };
 
 const KEY = "katydid.viewport";

@@ -6,6 +6,7 @@ mod clusters;
 mod controls;
 mod explode;
 mod geometry;
+mod given;
 mod graphs;
 mod groups;
 mod keep;
@@ -52,6 +53,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::Reshape { object, control } => controls::reshape(draft, *object, control),
         Edit::ChangePanel { object, change } => panel::change(draft, *object, change),
         Edit::Keep { port, values } => keep::keep(draft, *port, values.as_deref()),
+        Edit::SetGeometry { port, items } => given::set(draft, *port, items),
         Edit::Internalise { port } => keep::internalise(draft, *port),
         Edit::Extract { port, id } => keep::extract(draft, *port, *id),
         Edit::AddPort { object, input, index, id } => ports::add(draft, *object, *input, *index, *id),

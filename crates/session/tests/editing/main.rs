@@ -6,6 +6,7 @@
 mod common;
 
 mod controls;
+mod given;
 mod made;
 mod ports;
 mod several;

@@ -10,6 +10,7 @@ import { AnalysisSheet } from "./AnalysisSheet";
 import { Check } from "./fields";
 import { Icon, type IconName } from "./icons";
 import { Popover } from "./Popover";
+import { LayerSheet } from "./LayerSheet";
 import { SectionSheet } from "./SectionSheet";
 
 /** A button for an action, with its keys in the tooltip. */
@@ -64,6 +65,7 @@ export function Toolbar() {
       <ActionButton id="viewport.zoomSelected" icon="selected" />
       <span className="viewport-gap" />
       <ShowSheet />
+      <LayerSheet />
       <AnalysisSheet />
       <SectionSheet />
       <ActionButton id="viewport.save" icon="save" />
