@@ -34,6 +34,8 @@ const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true, areD
 const SOFTWARE: Budget = { wide: 4_000, points: 2_500, areInstances: false, areDraftsThin: true };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
+/** A turn of the turntable takes so many milliseconds. */
+const TURNTABLE = 24_000;
 /** A quick picture has so many of the pixels of a fine one along each side: what moves is not looked at closely. */
 const QUICK_SHARE = 0.6;
 const REST = 350;
@@ -67,6 +69,8 @@ export class Viewport {
   /** Whether a picture was drawn before the frame that it belongs to. */
   #isHastened = false;
   #isLost = false;
+  /** When the turntable was turned last. */
+  #turned: number | undefined;
   /** Pixels of the canvas to one of the page, in fine pictures. */
   #ratio: number;
   #areLooksStale = true;
@@ -340,8 +344,17 @@ export class Viewport {
 
   #tick(now: number): void {
     this.#request = 0;
-    if (this.panes.advance(now)) this.#schedule();
+    if (this.panes.advance(now) || this.#turn(now)) this.#schedule();
     this.#show();
+  }
+
+  /** Turns the table as far as it has come since the picture before; whether it turns. */
+  #turn(now: number): boolean {
+    const { turntable } = this.#settings;
+    if (turntable && this.#turned !== undefined) this.panes.turn(((now - this.#turned) / TURNTABLE) * 2 * Math.PI);
+    this.#turned = turntable ? now : undefined;
+    if (turntable) this.#isFine = false;
+    return turntable;
   }
 
   #show(): void {
@@ -352,7 +365,8 @@ export class Viewport {
 
   #isHeavy(): boolean {
     const { triangles, segments, points } = this.model.counts();
-    return this.isSoftware && triangles + segments + points > HEAVY;
+    // Software takes its time for the light of a rendered picture, however small the model.
+    return this.isSoftware && (this.#settings.mode === "rendered" || triangles + segments + points > HEAVY);
   }
 
   /** Batches, looks and false colours as they are to be now. */

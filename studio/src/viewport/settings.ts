@@ -67,6 +67,8 @@ export interface ViewportSettings {
   directions: boolean;
   section: Section;
   trackpad: boolean;
+  /** Whether the view turns by itself. */
+  turntable: boolean;
   snap: boolean;
   snaps: Snaps;
 }
@@ -109,6 +111,7 @@ const USUAL: ViewportSettings = {
   directions: false,
   section: { isOn: false, normal: [0, 1, 0], at: undefined },
   trackpad: false,
+  turntable: false,
   snap: true,
   snaps: { end: true, mid: true, near: false },
 };

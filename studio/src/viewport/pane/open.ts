@@ -164,7 +164,11 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes, drawer: Dr
       const { pane } = panes.at(x, y);
       return pane;
     },
-    begin: (pane) => panes.activate(pane),
+    begin(pane) {
+      panes.activate(pane);
+      // Who takes the model into the hand stops the table.
+      if (settingsStore.getState().turntable) settingsStore.setState({ turntable: false });
+    },
     orbit: (pane, dx, dy) => panes.orbit(pane, dx, dy),
     pan: (pane, dx, dy) => panes.pan(pane, dx, dy),
     zoom: (pane, x, y, factor) => panes.zoom(pane, aim(viewport, x, y), factor),

@@ -10,6 +10,7 @@ import { AnalysisSheet } from "./AnalysisSheet";
 import { Check } from "./fields";
 import { Icon, type IconName } from "./icons";
 import { Popover } from "./Popover";
+import { CameraSheet } from "./CameraSheet";
 import { LayerSheet } from "./LayerSheet";
 import { SectionSheet } from "./SectionSheet";
 
@@ -68,6 +69,7 @@ export function Toolbar() {
       <LayerSheet />
       <AnalysisSheet />
       <SectionSheet />
+      <CameraSheet />
       <ActionButton id="viewport.save" icon="save" />
     </div>
   );
