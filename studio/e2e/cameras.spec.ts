@@ -1,4 +1,5 @@
 /** Cameras with names, the turntable, and what is rendered. */
+import { isAccessible } from "./access";
 import { openText } from "./open";
 import { expect, test } from "./test";
 
@@ -15,6 +16,7 @@ test("a camera is saved by name, comes back after the page was loaded again, and
   await page.getByRole("button", { name: "Cameras" }).click();
   await page.getByRole("textbox", { name: "Name of this view" }).fill("Entrance");
   await page.getByRole("button", { name: "Save", exact: true }).last().click();
+  await isAccessible(page);
   await page.reload();
   await expect.poll(() => corner(page)).not.toEqual(front);
   await page.getByRole("button", { name: "Cameras" }).click();

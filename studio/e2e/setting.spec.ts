@@ -1,6 +1,7 @@
 /** The Rhino model beside a definition, and geometry that is picked from it or drawn. */
 import type { Locator, Page } from "@playwright/test";
 
+import { isAccessible } from "./access";
 import { openCanvas } from "./canvas";
 import { writeModel } from "./model";
 import { openText } from "./open";
@@ -42,6 +43,7 @@ test("the model is shown by layers, which can be hidden", async ({ page }, info)
   await attach(page);
   await expect.poll(() => drawn(page)).toBe(3);
   await page.screenshot({ path: info.outputPath("layers.png") });
+  await isAccessible(page);
   await page.getByRole("checkbox", { name: /Trees/ }).uncheck();
   await expect.poll(() => drawn(page)).toBe(2);
   await page.getByRole("checkbox", { name: "Show the model" }).uncheck();
@@ -128,3 +130,24 @@ test("Escape leaves, and nothing is set", async ({ page }) => {
   await expect(field).toHaveCount(0);
   await expect.poll(() => drawn(page)).toBe(0);
 });
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`what is drawn can be drawn by everybody (${colorScheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await openText(page, "leave.kd", `katydid 1\nshape = Curve()\n\nlayout {\n    shape: 40 40\n}\n`);
+    await page.locator("[data-object]").first().focus();
+    await menuOf(page, page.locator("[data-object]").first(), /^Set one curve/);
+    await isAccessible(page);
+    // By the keyboard alone: a tool, two points, done.
+    await page.getByRole("radio", { name: "Line", exact: true }).focus();
+    await page.keyboard.press("Space");
+    await expect(page.getByRole("textbox", { name: "Start of line" })).toBeFocused();
+    await isAccessible(page);
+    for (const typed of ["0,0", "3,4"]) {
+      await page.keyboard.type(typed);
+      await page.keyboard.press("Enter");
+    }
+    await expect(page.getByRole("region", { name: /Set one curve/ })).toHaveCount(0);
+    await expect.poll(() => drawn(page)).toBe(1);
+  });
+}

@@ -450,3 +450,19 @@ async fn definitions_have_pictures_before_they_are_opened() {
         assert_eq!(studio.get(address).await.status, status, "{address}");
     }
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_is_only_examined_is_not_solved_until_somebody_says_so() {
+    let studio = Studio::start().await;
+    let sent = studio.ask("POST", "/api/upload?name=test.kd&locked=true", "", SMALL.as_bytes()).await;
+    let mut face = studio.join(sent.json()["document"].as_str().unwrap()).await;
+    while face.state.is_none() {
+        face.hear().await;
+    }
+    assert!(face.state.as_ref().unwrap().document.locked);
+    // An answer comes behind what was told before it: no result was.
+    assert!(is_done(&face.ask(Ask::Draft { on: false }).await));
+    assert!(face.results.is_empty());
+    assert!(is_done(&face.ask(Ask::Recompute).await));
+    face.shows("shown", &["4"]).await;
+}

@@ -82,11 +82,11 @@ function Live({ id }: { id: string }) {
 
 function Inputs() {
   const objects = useStore(documentStore, (mirror) => mirror.objects);
-  const inputs = inputGroups(objects).flatMap((group) => group.inputs).filter(({ control }) => control?.is === "slider");
+  const inputs = inputGroups(objects).flatMap((group) => group.inputs).filter(({ object }) => object.control?.is === "slider");
   return (
     <div className="player-inputs">
-      {inputs.slice(0, INPUTS).map((object) => (
-        <Input key={object.id} object={object} />
+      {inputs.slice(0, INPUTS).map((input) => (
+        <Input key={input.object.id} input={input} />
       ))}
     </div>
   );

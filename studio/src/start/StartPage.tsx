@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 
 import { DropZone, take } from "../app/DropZone";
 import { close, DEFINITIONS, goTo, MODELS, open, portrait, readStart, type Opening, type Start } from "../app/files";
+import { openNew } from "../app/template";
 import { t } from "../i18n";
 import { pictures } from "../state/pictures";
 import { lineStore } from "../state/session";
@@ -37,7 +38,7 @@ export function StartPage() {
         {complaint}
       </p>
       <section aria-label={t("start.begin")} className="begin">
-        <button type="button" className="primary" onClick={() => void go({ new: true })}>
+        <button type="button" className="primary" onClick={() => void openNew().then(goTo, complain)}>
           {t("start.new")}
         </button>
         <label className="button">
@@ -115,12 +116,12 @@ export function StartPage() {
           <ul className="tiles">
             {start?.gallery
               .filter((entry) => entry.group === group)
-              .map(({ id, title, description }) => (
+              .map(({ id, name, title, description }) => (
                 <Tile
                   key={id}
                   title={title}
                   lines={[description]}
-                  picture={seen.get(`${id} ${title}`) ?? portrait({ gallery: id })}
+                  picture={seen.get(name) ?? portrait({ gallery: id })}
                   open={() => void go({ gallery: id })}
                 />
               ))}

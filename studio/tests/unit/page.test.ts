@@ -88,7 +88,7 @@ test("inputs stand under the labels of their groups; a panel that nothing reads 
     object("g", { kind: "group", control: group }),
   ];
   const objects = new Map(list.map((one) => [one.id, one]));
-  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ id }) => id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
+  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ object }) => object.id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
   const start = startOf(list);
   expect(moved(start, list)).toEqual([]);
   expect(moved(start, [object("in", { control: slider(5) })])).toEqual([["in", { is: "number", value: 2 }]]);

@@ -78,10 +78,11 @@ impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
         let files = shared.trust.files(source.origin());
-        let Source { document, name, path, hash, rules, model, id } = source;
+        let Source { document, name, path, hash, rules, model, is_locked, id } = source;
         let (mut editor, keeper) =
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
+        editor.about_mut().locked = is_locked;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
         let beside = Beside::new(model);
         let model = beside.model().map(Arc::clone);

@@ -28,6 +28,8 @@ pub(crate) struct Source {
     /// Its own units and tolerances, or those of its model.
     pub(crate) rules: Rules,
     pub(crate) model: Option<Attached>,
+    /// Whether edits, and the definition itself, wait until somebody has them solved.
+    pub(crate) is_locked: bool,
     /// The id that it is known by.
     pub(crate) id: String,
 }
@@ -47,6 +49,7 @@ impl Source {
             hash: None,
             rules: Rules { now: now(), ..Rules::default() },
             model: None,
+            is_locked: false,
             id: chance(),
         }
     }

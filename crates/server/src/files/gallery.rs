@@ -20,6 +20,8 @@ struct Examples;
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct Gallery {
     pub(crate) id: String,
+    /// What a document is called that is opened from it.
+    pub(crate) name: String,
     pub(crate) title: String,
     pub(crate) group: String,
     pub(crate) description: String,
@@ -54,9 +56,11 @@ fn example(name: &str) -> Option<Gallery> {
     let text = Examples::get(name)?.data;
     let text = String::from_utf8_lossy(&text);
     let said = |what: &str| text.lines().find_map(|line| serde_json::from_str(line.strip_prefix(what)?).ok());
+    let title: String = said("title ")?;
     Some(Gallery {
         id: name.strip_suffix(".kd")?.to_owned(),
-        title: said("title ")?,
+        name: title.clone(),
+        title,
         group: "Examples".to_owned(),
         description: said("about ")?,
     })
@@ -76,7 +80,8 @@ fn listed(text: &str) -> Vec<Gallery> {
             && target == format!("{id}/definition.kd)")
         {
             let [id, title, description] = [id, title, description].map(str::to_owned);
-            all.push(Gallery { id, title, group: group.clone(), description });
+            let name = format!("{id} {title}");
+            all.push(Gallery { id, name, title, group: group.clone(), description });
         }
     }
     all

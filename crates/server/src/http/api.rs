@@ -119,7 +119,7 @@ pub(crate) async fn close(
 fn from_gallery(one: &Gallery) -> Result<Source, String> {
     let text = one.text().ok_or("it is not in this program")?;
     let mut source = Source::sent(&format!("{}.kd", one.id), Form::Kd, &text)?;
-    source.name = format!("{} {}", one.id, one.title);
+    source.name.clone_from(&one.name);
     Ok(source)
 }
 
@@ -185,6 +185,9 @@ async fn opened(state: &State, source: Source) -> Answer<Json<Value>> {
 pub(crate) struct Sending {
     name: String,
     document: Option<String>,
+    /// Whether a definition is only to be looked at: nothing is solved until somebody says so.
+    #[serde(default)]
+    locked: bool,
 }
 
 pub(crate) async fn upload(
@@ -193,7 +196,7 @@ pub(crate) async fn upload(
     headers: HeaderMap,
     body: Request,
 ) -> Answer<Json<Value>> {
-    let Sending { name, document } = asked(query)?;
+    let Sending { name, document, locked } = asked(query)?;
     let too_large = || {
         let most = state.most_upload >> 20;
         Refused::new(StatusCode::PAYLOAD_TOO_LARGE, format!("more than {most} MB cannot be sent"))
@@ -223,7 +226,7 @@ pub(crate) async fn upload(
     let form =
         Form::of(Path::new(&name)).ok_or_else(|| Refused::bad("a definition is a .gh, .ghx or .kd file"))?;
     let source = blocking(move || Source::sent(&name, form, &bytes)).await?;
-    opened(&state, source).await
+    opened(&state, Source { is_locked: locked, ..source }).await
 }
 
 /// Which document, in which form.

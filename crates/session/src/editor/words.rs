@@ -85,6 +85,7 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
         Edit::Ungroup { .. } => "Ungroup".to_owned(),
         Edit::MakeCluster { .. } => "Make cluster".to_owned(),
         Edit::ExplodeCluster { .. } => "Explode cluster".to_owned(),
+        Edit::Publish { .. } => "Publish inputs".to_owned(),
         Edit::Settings { .. } => "Change document settings".to_owned(),
     }
 }

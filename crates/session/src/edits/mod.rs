@@ -15,6 +15,7 @@ mod make;
 mod objects;
 mod panel;
 mod paste;
+mod player;
 mod ports;
 mod settings;
 mod wires;
@@ -26,6 +27,7 @@ use crate::protocol::Edit;
 pub(crate) use clipboard::copy;
 pub(crate) use clusters::tie_ports;
 pub use make::object as new_object;
+pub(crate) use player::published;
 pub(crate) use settings::rules_of;
 
 /// The most ids that one edit may name.
@@ -63,6 +65,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::Ungroup { groups } => groups::ungroup(draft, groups),
         Edit::MakeCluster { id, objects } => clusters::make(draft, *id, objects),
         Edit::ExplodeCluster { cluster } => explode::explode(draft, *cluster),
+        Edit::Publish { inputs } => player::publish(draft, inputs.as_deref()),
         Edit::Settings { .. } => settings::change(draft, edit),
     }
 }

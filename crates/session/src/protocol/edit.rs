@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{BorderView, Colour, Control, GeometrySource, MappingView, Setting, WireView};
+use super::{BorderView, Colour, Control, GeometrySource, MappingView, PlayerInput, Setting, WireView};
 
 /// A change of the document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -83,6 +83,8 @@ pub enum Edit {
     MakeCluster { id: Uuid, objects: Vec<Uuid> },
     /// Puts the inside of a cluster in its place.
     ExplodeCluster { cluster: Uuid },
+    /// The inputs that the player shows, in their order; none lets it find them itself.
+    Publish { inputs: Option<Vec<PlayerInput>> },
     /// The document's units and tolerances; what is not given stays.
     Settings {
         units: Option<String>,

@@ -34,5 +34,6 @@ pub use model::{ModelLayerView, ModelObjectView, ModelView};
 pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType};
 pub use request::{Ask, Request, SaveFormat};
 pub use view::{
-    BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PortView, Support, WireView,
+    BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PlayerInput, PortView,
+    Support, WireView,
 };

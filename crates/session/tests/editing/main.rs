@@ -9,6 +9,7 @@ mod controls;
 mod given;
 mod made;
 mod ports;
+mod published;
 mod several;
 mod steps;
 mod wires;

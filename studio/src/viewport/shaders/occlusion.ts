@@ -50,6 +50,9 @@ void main() {
     float near = max(reach - square, 0.0) / reach;
     sum += near * near * near * max(dot(away, normal) - 0.012 * uReach, 0.0) / (sqrt(square) + 1e-4 * uReach);
   }
+  // Where a surface turns away from the eye its depths say little of its direction.
+  float facing = uProject[3][3] > 0.5 ? normal.z : dot(normal, normalize(-here));
+  sum *= smoothstep(0.08, 0.4, facing);
   oColour = vec4(vec3(clamp(1.0 - 2.1 * sum / float(${SAMPLES}), 0.0, 1.0)), 1.0);
 }
 `;

@@ -18,7 +18,7 @@ export function LayerSheet() {
         <>
           <strong className="viewport-model">{model.name}</strong>
           <Check label="viewport.layers.on" checked={isOn} onChange={(on) => modelStore.setState({ isOn: on })} />
-          <ul className="viewport-layers" role="group" aria-label={t("viewport.layers.each")}>
+          <ul className="viewport-layers" aria-label={t("viewport.layers.each")}>
             {model.layers.map((layer) => (
               <Layer key={layer.id} layer={layer} isOn={isLayerOn(store, layer)} isOff={!isOn} />
             ))}
