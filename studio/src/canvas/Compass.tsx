@@ -6,10 +6,19 @@ import { middle, toWindow, type Rect } from "../core/geometry";
 import { isGroup } from "../core/groups";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
+import { useCanvas } from "./hooks";
 import { zoomExtents } from "./view";
 
-/** Where nothing of the definition is in sight: an arrow towards the nearest of it; a press goes back. */
+/**
+ * Where nothing of the definition is in sight: an arrow towards the nearest of it; a press goes back. While something is
+ * searched for, the arrows to what was found lead there.
+ */
 export function Compass() {
+  const isFinding = useCanvas(({ found }) => found !== undefined && found.size > 0);
+  return isFinding ? null : <Needle />;
+}
+
+function Needle() {
   const [x, y, zoom] = useFlowStore((flow) => flow.transform);
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);

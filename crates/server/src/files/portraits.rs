@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use std::time::{Duration, SystemTime};
 
 use katydid_component::{Limits, Trust};
-use katydid_data::Colour;
+use katydid_data::{Colour, Tree};
 use katydid_picture::{HiddenLines, canvas, result};
 use katydid_solver::{Engine, Options};
 
@@ -23,6 +23,8 @@ const TIME: Duration = Duration::from_secs(5);
 const BYTES: u64 = 512 << 20;
 /// No component puts out more items for a picture.
 const ITEMS: u64 = 1_000_000;
+/// Of more items than this no picture is drawn: drawing has no limit of time.
+const MOST_DRAWN: usize = 50_000;
 /// So many pictures are kept.
 const MOST: usize = 300;
 /// Raised when pictures are drawn otherwise, so that old ones are not shown.
@@ -108,6 +110,11 @@ fn made(source: Source, trust: &Trust) -> Option<Vec<u8>> {
     let mut engine = Engine::new(source.document, options);
     let drawn = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
         engine.solve();
+        let reports = (0..engine.document().objects.len()).filter_map(|at| engine.report(at));
+        let items: usize = reports.flat_map(|report| &report.outputs).map(Tree::item_count).sum();
+        if items > MOST_DRAWN {
+            return None;
+        }
         let options = katydid_picture::Options {
             size: SIZE,
             background: Some(Colour::rgb(255, 255, 255)),
@@ -159,6 +166,15 @@ mod tests {
         let empty = Portraits::new(None).of(&text, &trust, || Ok(Source::empty()));
         // An empty canvas is a picture too, no larger than a tile's.
         assert!(empty.is_none_or(|png| size_of(&png).0 <= SIZE[0]));
+    }
+
+    #[test]
+    fn what_is_very_much_gets_no_picture() {
+        katydid_components::link();
+        let trust = Trust::shared(Vec::new());
+        let text = b"katydid 1\nmany = Series(0, 1, 60000)\n".to_vec();
+        let source = || Source::sent("many.kd", Form::Kd, &text);
+        assert!(source().is_ok() && Portraits::new(None).of(&text, &trust, source).is_none());
     }
 
     #[test]

@@ -2,6 +2,8 @@
 
 use katydid_definition::archive::Limits;
 use katydid_definition::document::Document;
+use katydid_definition::kd;
+use katydid_session::Registry;
 use katydid_session::protocol::{DocumentState, Edit, PlayerInput};
 use uuid::Uuid;
 
@@ -35,6 +37,11 @@ fn what_is_published_is_saved_and_taken_back() {
         let again = Studio::new(Document::read(&bytes, &Limits::default()).unwrap());
         assert_eq!(published(&again).as_ref(), Some(&inputs));
     }
+    // The text form has it among what it has no words for, and the objects keep their ids.
+    let text = kd::write(studio.editor.document(), &Registry).unwrap().text;
+    let again = Studio::new(kd::read(&text, &Registry).unwrap().document);
+    assert_eq!(published(&again).as_ref(), Some(&inputs));
+    assert_eq!((again.object(a).id, again.object(b).id), (a, b));
     studio.make(Edit::Publish { inputs: Some(vec![]) });
     assert_eq!(published(&studio), Some(vec![]), "none at all is another thing than finding them");
     studio.make(Edit::Publish { inputs: None });

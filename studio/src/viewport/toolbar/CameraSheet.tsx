@@ -10,6 +10,7 @@ import { isStill } from "../pane/open";
 import { settingsStore } from "../settings";
 import { Check } from "./fields";
 import { Popover } from "./Popover";
+import "./sheets.css";
 
 export function CameraSheet() {
   const cameras = useStore(cameraStore, (store) => store.cameras);

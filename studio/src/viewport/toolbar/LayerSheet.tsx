@@ -8,6 +8,7 @@ import { t } from "../../i18n";
 import { isLayerOn, modelStore, turnLayers } from "../../state/model";
 import { Check } from "./fields";
 import { Popover } from "./Popover";
+import "./sheets.css";
 
 export function LayerSheet() {
   const store = useStore(modelStore);

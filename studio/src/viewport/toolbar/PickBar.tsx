@@ -15,6 +15,7 @@ import { currentDrawer, currentViewport } from "../current";
 import { settingsStore, type Snaps } from "../settings";
 import { frameOf } from "../tools/drawer";
 import { Check } from "./fields";
+import "./picking.css";
 
 export function PickBar() {
   const job = useStore(pickStore, (store) => store.job);
