@@ -52,7 +52,7 @@ pub use input::{List, ListKey, ManyItems, ManyLists, ManyTrees};
 pub use katydid_component_macros::component;
 pub use katydid_memory::Account;
 pub use matching::{Matching, Ranges};
-pub use message::{Level, Message, Notes};
+pub use message::{Level, Message, ModelLack, Notes};
 pub use output::{Each, ItemOrList};
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};

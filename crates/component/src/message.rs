@@ -1,5 +1,7 @@
 use std::fmt;
 
+use katydid_data::Kind;
+
 use crate::shortened;
 
 /// How much a message matters.
@@ -23,6 +25,17 @@ impl fmt::Display for Level {
     }
 }
 
+/// What is missing of a Rhino model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModelLack {
+    /// The type of the input that needs it.
+    pub kind: Kind,
+    /// How many objects are referred to and missing; 0 where the model as a whole is asked for.
+    pub objects: usize,
+    /// Whether there is a model, without those objects.
+    pub has_model: bool,
+}
+
 /// What a component tells its user, in the user's words. Numbers of very many digits are shortened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
@@ -30,22 +43,33 @@ pub struct Message {
     pub level: Level,
     /// The sentence.
     pub text: String,
+    /// What is missing of a Rhino model, where the sentence says so: who counts it need not read sentences.
+    pub lack: Option<ModelLack>,
 }
 
 impl Message {
+    fn new(level: Level, text: impl Into<String>) -> Self {
+        Self { level, text: shortened(text), lack: None }
+    }
+
+    /// The same, which says that something is missing of a Rhino model.
+    pub fn lacking(self, lack: ModelLack) -> Self {
+        Self { lack: Some(lack), ..self }
+    }
+
     /// The work could not be done.
     pub fn error(text: impl Into<String>) -> Self {
-        Self { level: Level::Error, text: shortened(text) }
+        Self::new(Level::Error, text)
     }
 
     /// Done, but with a catch.
     pub fn warning(text: impl Into<String>) -> Self {
-        Self { level: Level::Warning, text: shortened(text) }
+        Self::new(Level::Warning, text)
     }
 
     /// Worth knowing.
     pub fn remark(text: impl Into<String>) -> Self {
-        Self { level: Level::Remark, text: shortened(text) }
+        Self::new(Level::Remark, text)
     }
 }
 

@@ -2,14 +2,15 @@
 
 use katydid_3dm::{Limits, RawObject};
 use katydid_data::{
-    Colour, Complex, DateTime, Domain2, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder, Value,
+    Colour, Complex, DateTime, Domain2, Kind, LoftOptions, Material, MeshSettings, Path, Tree, TreeBuilder,
+    Value,
 };
 use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Persistent, Stored, StoredGeometry};
 use katydid_geometry::MeshFace;
 use uuid::Uuid;
 
-use crate::{Message, RhinoModel, RhinoObject};
+use crate::{Message, ModelLack, RhinoModel, RhinoObject};
 
 /// The values of a port, and what the user should know of those that could not be had. Geometry that only a Rhino
 /// model has is looked up in `model`.
@@ -41,8 +42,14 @@ impl Missing<'_> {
     }
 
     fn into_messages(self) -> Vec<Message> {
-        let referenced = (!self.referenced.is_empty()).then(|| self.without_geometry());
-        referenced.into_iter().chain(self.others).map(Message::warning).collect()
+        let lack = ModelLack {
+            kind: Kind::Generic,
+            objects: self.referenced.len(),
+            has_model: self.model.is_some(),
+        };
+        let referenced =
+            (!self.referenced.is_empty()).then(|| Message::warning(self.without_geometry()).lacking(lack));
+        referenced.into_iter().chain(self.others.into_iter().map(Message::warning)).collect()
     }
 
     /// The objects of a model that are referenced and not to be had, as many as one cares to read.

@@ -61,7 +61,8 @@ fn opened(file: &std::path::Path, model: Option<&std::path::Path>) -> Result<Sou
     let bytes = std::fs::read(path)
         .map_err(|error| format!("{}: {}", path.display(), crate::files::plain(&error)))?;
     let model = RhinoModel::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok(source.beside(model))
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok(source.beside(name, model))
 }
 
 impl Server {

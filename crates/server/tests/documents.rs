@@ -9,8 +9,8 @@ use std::time::Duration;
 use common::{PATIENCE, Studio, is_done, refusal};
 use katydid_server::Config;
 use katydid_session::protocol::{
-    AnalysisView, Ask, BendView, CombMeasure, CombView, Edit, Event, ObjectChange, Probe, ProbePlace, Probed,
-    Row, Setting,
+    AnalysisView, Ask, BendView, CombMeasure, CombView, Edit, Event, GeometrySource, ObjectChange, Probe,
+    ProbePlace, Probed, Row, Setting,
 };
 use tokio::time::Instant;
 
@@ -367,4 +367,102 @@ async fn who_joins_hears_that_edits_are_not_kept() {
         face.hear().await;
     }
     assert!(holder.notices.is_empty(), "{:?}", holder.notices);
+}
+
+/// A model with a line of length 5 on the layer Walls.
+fn model() -> Vec<u8> {
+    use katydid_3dm::{Attributes, Layer, Model, ModelObject, Object};
+    let line = katydid_geometry::Line::new(
+        katydid_geometry::Point3::ORIGIN,
+        katydid_geometry::Point3::new(3.0, 4.0, 0.0),
+    );
+    let attributes = Attributes { id: uuid::Uuid::from_u128(0xa1), layer: Some(0), ..Attributes::default() };
+    let objects = vec![ModelObject { attributes, ..ModelObject::from(Object::Curve(line.into())) }];
+    Model { layers: vec![Layer::new("Walls")], objects, ..Model::default() }.write(70).unwrap()
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
+    let studio = Studio::start().await;
+    let mut face = studio.with("katydid 1\nwall = Curve()\n").await;
+    let id = studio.get("/api/start").await.json()["open"][0]["id"].as_str().unwrap().to_owned();
+    let wall = *face.objects.keys().next().unwrap();
+    let pick = |object: u128| Edit::SetGeometry {
+        port: wall,
+        items: vec![GeometrySource::Model { object: uuid::Uuid::from_u128(object) }],
+    };
+    assert!(matches!(face.edit(pick(0xa1)).await, Event::Refused { .. }), "there is no model yet");
+    let sent = studio.ask("POST", &format!("/api/upload?name=house.3dm&document={id}"), "", &model()).await;
+    assert_eq!(sent.status, 200);
+    let view = loop {
+        if let Some(Event::Model { model: Some(view) }) = face.hear().await {
+            break view;
+        }
+    };
+    assert_eq!((view.name.as_str(), view.layers.len()), ("house.3dm", 1));
+    assert_eq!((view.layers[0].path.as_str(), view.layers[0].objects[0].kind.as_str()), ("Walls", "Curve"));
+    let hash = view.layers[0].geometry.clone().unwrap();
+    let geometry = studio.get(&format!("/geometry/{hash}")).await;
+    assert_eq!((geometry.status, &geometry.body[..4]), (200, b"KTPV".as_slice()));
+    // Who joins later is told of it too.
+    let mut late = studio.join(&id).await;
+    loop {
+        if let Some(Event::Model { model }) = late.hear().await {
+            assert_eq!(model.as_ref(), Some(&view));
+            break;
+        }
+    }
+    assert!(matches!(face.edit(pick(0xff)).await, Event::Refused { .. }), "no such object");
+    assert!(matches!(face.edit(pick(0xa1)).await, Event::Done { .. }));
+    while face.results.get(&wall).is_none_or(|result| result.outputs[0].items != 1) {
+        face.hear().await;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_a_document_lacks_of_a_model_is_counted() {
+    let studio = Studio::start().await;
+    let ids = ["a1", "a2"].map(|end| format!("geometry(ref = @00000000-0000-0000-0000-0000000000{end})"));
+    let face = studio.with(&format!("katydid 1\nwalls = Curve([{}])\n", ids.join(", "))).await;
+    let lacks = &face.results.values().next().unwrap().lacks;
+    assert_eq!(lacks.len(), 1);
+    assert_eq!((lacks[0].kind.as_str(), lacks[0].objects, lacks[0].has_model), ("Curve", 2, false));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn definitions_have_pictures_before_they_are_opened() {
+    let studio = Studio::start().await;
+    let path = studio.folder.path().join("mine.kd");
+    std::fs::write(&path, "katydid 1\nball = Sphere(plane((0, 0, 0)), 3)\n").unwrap();
+    let asked = format!("/api/portrait?recent={}", path.display());
+    assert_eq!(studio.get(&asked).await.status, 404, "it was never opened");
+    studio.post_json("/api/open", &format!("{{\"path\":{path:?}}}")).await;
+    for address in [asked.as_str(), "/api/portrait?gallery=V2"] {
+        let picture = studio.get(address).await;
+        assert_eq!((picture.status, &picture.body[..4]), (200, b"\x89PNG".as_slice()), "{address}");
+        assert!(picture.body.len() < 100_000, "{address} is small: {}", picture.body.len());
+    }
+    for (address, status) in [
+        ("/api/portrait", 400),
+        ("/api/portrait?gallery=../V2", 404),
+        ("/api/portrait?recent=/etc/passwd", 404),
+    ] {
+        assert_eq!(studio.get(address).await.status, status, "{address}");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_is_only_examined_is_not_solved_until_somebody_says_so() {
+    let studio = Studio::start().await;
+    let sent = studio.ask("POST", "/api/upload?name=test.kd&locked=true", "", SMALL.as_bytes()).await;
+    let mut face = studio.join(sent.json()["document"].as_str().unwrap()).await;
+    while face.state.is_none() {
+        face.hear().await;
+    }
+    assert!(face.state.as_ref().unwrap().document.locked);
+    // An answer comes behind what was told before it: no result was.
+    assert!(is_done(&face.ask(Ask::Draft { on: false }).await));
+    assert!(face.results.is_empty());
+    assert!(is_done(&face.ask(Ask::Recompute).await));
+    face.shows("shown", &["4"]).await;
 }

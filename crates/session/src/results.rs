@@ -5,7 +5,7 @@ use katydid_data::{Tree, text};
 use katydid_definition::document::{Object, ids};
 use katydid_solver::ObjectReport;
 
-use crate::protocol::{MessageView, OutputView, Page, ResultView, Row, Structure};
+use crate::protocol::{MessageView, ModelLackView, OutputView, Page, ResultView, Row, Structure};
 
 /// How many rows of a panel go out with its result.
 const PANEL_ROWS: u32 = 100;
@@ -27,6 +27,16 @@ pub fn result_view(object: &Object, report: &ObjectReport, style: &text::Style) 
             .iter()
             .take(MOST_MESSAGES)
             .map(|message| MessageView { level: level(message.level).to_owned(), text: message.text.clone() })
+            .collect(),
+        lacks: report
+            .messages
+            .iter()
+            .filter_map(|message| message.lack)
+            .map(|lack| ModelLackView {
+                kind: lack.kind.name().to_owned(),
+                objects: count(lack.objects),
+                has_model: lack.has_model,
+            })
             .collect(),
         milliseconds: report.time.as_secs_f64() * 1e3,
         outputs: outputs

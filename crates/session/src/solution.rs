@@ -1,5 +1,6 @@
 //! Results of a document and of what is inside its clusters, as a face asks for them.
 
+use katydid_component::RhinoModel;
 use katydid_data::{Tree, text};
 use katydid_definition::document::{Document, Object, ids};
 use katydid_solver::ObjectReport;
@@ -15,6 +16,7 @@ pub type Reports<'a> = dyn Fn(Uuid) -> Option<ObjectReport> + 'a;
 pub struct Solution<'a> {
     document: &'a Document,
     report: &'a Reports<'a>,
+    model: Option<&'a RhinoModel>,
 }
 
 impl std::fmt::Debug for Solution<'_> {
@@ -29,7 +31,12 @@ type Inside = Vec<(Object, Option<ObjectReport>)>;
 impl<'a> Solution<'a> {
     /// The solution of a document.
     pub fn new(document: &'a Document, report: &'a Reports<'a>) -> Self {
-        Self { document, report }
+        Self { document, report, model: None }
+    }
+
+    /// The same beside a Rhino model.
+    pub fn beside(self, model: Option<&'a RhinoModel>) -> Self {
+        Self { model, ..self }
     }
 
     fn inside(&self, within: &[Uuid]) -> Option<Inside> {
@@ -101,5 +108,9 @@ impl<'a> Solution<'a> {
 impl Results for Solution<'_> {
     fn output(&self, port: Uuid, within: &[Uuid]) -> Option<Tree> {
         self.data(port, within)
+    }
+
+    fn model(&self) -> Option<&RhinoModel> {
+        self.model
     }
 }

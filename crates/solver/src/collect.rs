@@ -1,6 +1,6 @@
 //! The data of an input: what its wires bring, or what it keeps itself, cast to its type.
 
-use katydid_component::{Message, Port as Declared, stored};
+use katydid_component::{Message, ModelLack, Port as Declared, stored};
 use katydid_data::{Column, Kind, Tree, Value, cast};
 use katydid_definition::document::{Object, Port, Side};
 
@@ -24,15 +24,20 @@ pub(crate) fn port(
 ) -> Collected {
     let rules = &options.rules;
     let mut messages = Vec::new();
-    let tree = if !port.sources.is_empty() {
-        Tree::merge(wired.iter().copied())
-    } else if let Some(persistent) = object.persistent(port) {
-        let (tree, said) = stored::tree(&persistent, options.model.as_deref());
-        messages.extend(said);
-        tree
-    } else {
-        declared.and_then(|d| d.default).map_or_else(Tree::empty, |default| default())
-    };
+    let tree =
+        if !port.sources.is_empty() {
+            Tree::merge(wired.iter().copied())
+        } else if let Some(persistent) = object.persistent(port) {
+            let (tree, said) = stored::tree(&persistent, options.model.as_deref());
+            let kind = declared.map_or(Kind::Generic, |port| port.kind);
+            messages.extend(said.into_iter().map(|message| Message {
+                lack: message.lack.map(|lack| ModelLack { kind, ..lack }),
+                ..message
+            }));
+            tree
+        } else {
+            declared.and_then(|d| d.default).map_or_else(Tree::empty, |default| default())
+        };
     Collected { tree: fit(object, port, declared, tree, rules, &mut messages), messages }
 }
 

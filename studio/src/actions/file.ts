@@ -1,7 +1,8 @@
-import { goTo, open } from "../app/files";
+import { goTo } from "../app/files";
 import { chooseToInsert } from "../app/insert";
 import { chooseModel } from "../app/model";
 import { place } from "../app/place";
+import { forgetTemplate, keepTemplate, openNew, template } from "../app/template";
 import { showDialog } from "../dialogs/store";
 import { documentStore } from "../state/document";
 import { ask } from "../state/session";
@@ -15,7 +16,7 @@ register(
     label: "action.new",
     group: "file",
     keys: ["Mod+Alt+N"],
-    run: async () => goTo(await open({ new: true })),
+    run: async () => goTo(await openNew()),
   },
   { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
   { id: "file.documents", label: "documents.action", group: "file", keys: ["Mod+Shift+K"], run: () => showDialog("documents") },
@@ -55,6 +56,21 @@ register(
     group: "file",
     isEnabled: isOpen,
     run: () => goTo(place(location.search).document, true),
+  },
+  {
+    id: "file.template",
+    label: "action.template",
+    group: "file",
+    isEnabled: isOpen,
+    run: () => keepTemplate(place(location.search).document ?? ""),
+  },
+  { id: "file.template.forget", label: "action.template.forget", group: "file", isEnabled: () => template() !== null, run: forgetTemplate },
+  {
+    id: "file.publish",
+    label: "action.publish",
+    group: "file",
+    isEnabled: isOpen,
+    run: () => showDialog("publish"),
   },
   {
     id: "file.settings",

@@ -2,6 +2,7 @@
 
 import { t } from "../i18n";
 import { uiStore } from "../state/ui";
+import { saveCamera } from "../viewport/cameras";
 import { currentViewport } from "../viewport/current";
 import { aim } from "../viewport/tools/aim";
 import { DISPLAY_MODES } from "../viewport/scene/looks";
@@ -169,6 +170,17 @@ register(
     isOn: () => settingsStore.getState().section.isOn,
     run: () => settingsStore.setState(({ section }) => ({ section: { ...section, isOn: !section.isOn } })),
   },
+  {
+    ...base,
+    under: "menu.camera",
+    id: "viewport.turntable",
+    label: "viewport.turntable",
+    // What moves by itself is not for those who asked for less of it.
+    isEnabled: () => currentViewport() !== undefined && !isStill(),
+    isOn: () => settingsStore.getState().turntable,
+    run: () => settingsStore.setState(({ turntable }) => ({ turntable: !turntable })),
+  },
+  { ...base, under: "menu.camera", id: "viewport.camera.save", label: "viewport.cameras.saveNow", run: () => saveCamera() },
   { ...base, id: "viewport.save", label: "viewport.save", run: savePicture },
   step("turnLeft", "viewport.turnLeft", "ArrowLeft", orbit(1, 0)),
   step("turnRight", "viewport.turnRight", "ArrowRight", orbit(-1, 0)),

@@ -23,8 +23,7 @@ export function DropZone({ document }: { document?: string }) {
       if (!has(event)) return;
       event.preventDefault();
       setOver(false);
-      const file = event.dataTransfer?.files[0];
-      if (file) void letGo(file, event, document);
+      void letGo([...(event.dataTransfer?.files ?? [])], event, document);
     };
     addEventListener("dragover", drag);
     addEventListener("dragleave", leave);
@@ -39,24 +38,29 @@ export function DropZone({ document }: { document?: string }) {
 }
 
 /** A definition that is let go on another: Alt inserts it there, Ctrl opens it; else it is asked. */
-async function letGo(file: File, event: DragEvent, document?: string): Promise<void> {
-  if (!document || !isNamed(file.name, DEFINITIONS) || event.ctrlKey || event.metaKey) return await take(file, document);
+async function letGo(files: readonly File[], event: DragEvent, document?: string): Promise<void> {
+  const [file] = files;
+  const isInserted = file && document && files.length === 1 && isNamed(file.name, DEFINITIONS) && !event.ctrlKey && !event.metaKey;
+  if (!isInserted) return await take(files, document);
   const at = insertPlace(event);
   if (event.altKey) await insert(file, at, "loose");
   else askAbout(file, at);
 }
 
-/** Opens a file, or gives a model to a document. */
-export async function take(file: File, document?: string): Promise<void> {
+/** Opens a file, or gives a model to a document: to the one that is open, or to the one that comes with it. */
+export async function take(files: readonly File[], document?: string): Promise<void> {
   try {
-    if (isNamed(file.name, MODELS)) {
-      if (!document) throw new Error(t("drop.modelFirst"));
-      await attachModel(file, document);
-    } else if (isNamed(file.name, DEFINITIONS)) {
-      goTo(await upload(file));
-    } else {
-      throw new Error(t("drop.unknown", { name: file.name }));
+    const definition = files.find(({ name }) => isNamed(name, DEFINITIONS));
+    const model = files.find(({ name }) => isNamed(name, MODELS));
+    if (!definition && !model) {
+      if (files[0]) throw new Error(t("drop.unknown", { name: files[0].name }));
+      return;
     }
+    const opened = definition && (await upload(definition));
+    const of = opened ?? document;
+    if (model && !of) throw new Error(t("drop.modelFirst"));
+    if (model && of) await attachModel(model, of);
+    if (opened) goTo(opened);
   } catch (error) {
     lineStore.setState({ complaint: error instanceof Error ? error.message : String(error) });
   }

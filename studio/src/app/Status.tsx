@@ -21,7 +21,7 @@ export function Status() {
   const errors = useStore(runStore, (run) => count(objects, run, ["error"]));
   // Orange on the canvas is a warning here: with Grasshopper's users an object without data has one.
   const warnings = useStore(runStore, (run) => count(objects, run, ["warning", "empty"]));
-  const model = useStore(modelStore, (store) => store.name);
+  const model = useStore(modelStore, (store) => store.model?.name);
   const view = useStore(documentStore, (mirror) => mirror.document);
   const said = () => {
     if (state === "lost") return t("line.lost");

@@ -18,7 +18,7 @@ export function Telling() {
   const solves = useStore(runStore, (run) => run.progress !== undefined);
   const isEmpty = useStore(viewportStore, (viewport) => viewport.isEmpty);
   const previews = useStore(viewportSettings, (settings) => settings.previews);
-  const model = useStore(modelStore, (store) => store.name);
+  const model = useStore(modelStore, (store) => store.model?.name);
   const needs = modelNeeds(objects, results);
   if (needs) return <NeedsModel needs={needs} model={model} />;
   const nothing = isEmpty && !solves && results.size > 0 ? whyNothing(objects, previews) : undefined;

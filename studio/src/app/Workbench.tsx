@@ -6,7 +6,7 @@ import { Canvas } from "../canvas";
 import { Dialogs } from "../dialogs";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
-import { recallModel } from "../state/model";
+import { pickStore } from "../state/pickJob";
 import { join } from "../state/session";
 import { ViewportPane } from "../viewport";
 import { Banners } from "./Banners";
@@ -25,8 +25,9 @@ export function Workbench({ id }: { id: string }) {
   const name = useStore(documentStore, (mirror) => mirror.document?.name);
   const changed = useStore(documentStore, (mirror) => mirror.document?.changed);
   useEffect(() => join(id, token()), [id]);
-  useEffect(() => recallModel(id), [id]);
   useEffect(() => followKeys(), []);
+  // Who is to pick sees what there is to pick from.
+  useEffect(() => pickStore.subscribe(({ job }) => job && settingsStore.getState().panes === "canvas" && settingsStore.setState({ panes: "both" })), []);
   useEffect(() => {
     document.title = name ? `${changed ? "• " : ""}${name} – ${t("app.title")}` : t("app.title");
   }, [name, changed]);

@@ -5,7 +5,7 @@ import { t } from "../i18n";
 /** What the start page offers. */
 export interface Start {
   recent: { path: string; name: string; modified: number }[];
-  gallery: { id: string; title: string; group: string; description: string }[];
+  gallery: { id: string; name: string; title: string; group: string; description: string }[];
   open: { id: string; name: string; changed: boolean }[];
   version: string;
   /** Whether the server runs on this machine: paths are those of the person at the keyboard then. */
@@ -56,11 +56,21 @@ export async function close(document: string): Promise<void> {
   await checked(await fetch(address("api/close"), { method: "POST", headers, body: JSON.stringify({ document }) }));
 }
 
-/** Sends a file to the server; gives the id of the document that it is or belongs to. */
-export async function upload(file: File, document?: string): Promise<string> {
-  const query = document ? { name: file.name, document } : { name: file.name };
+/** The address of a picture that the server makes of a definition which is not open. */
+export function portrait(of: { gallery: string } | { recent: string }): string {
+  return address("api/portrait", of);
+}
+
+/** Sends a file to the server; gives the id of the document that it is or belongs to. One that is locked is not solved. */
+export async function upload(file: File, document?: string, isLocked = false): Promise<string> {
+  const query = { name: file.name, ...(document && { document }), ...(isLocked && { locked: "true" }) };
   const response = await checked(await fetch(address("api/upload", query), { method: "POST", body: file }));
   return ((await response.json()) as { document: string }).document;
+}
+
+/** A document that is open, as text. */
+export async function definitionOf(document: string): Promise<string> {
+  return await (await checked(await fetch(address("api/save", { document, format: "kd" })))).text();
 }
 
 /** A definition as text: files that are none are read by the server and written anew. */

@@ -1,14 +1,12 @@
 /** The Rhino model of the document that is open. */
 
-import { rememberModel } from "../state/model";
 import { lineStore } from "../state/session";
 import { MODELS, upload } from "./files";
 import { place } from "./place";
 
-/** Gives a model to a document, and remembers what it is called. */
+/** Gives a model to a document. */
 export async function attachModel(file: File, document: string): Promise<void> {
   await upload(file, document);
-  rememberModel(document, file.name);
   lineStore.setState({ complaint: undefined });
 }
 

@@ -24,6 +24,7 @@ import { Boxes } from "./Boxes";
 import { Crumbs } from "./Crumbs";
 import { FarLayer } from "./FarLayer";
 import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
+import { Compass } from "./Compass";
 import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
@@ -231,6 +232,7 @@ function Flow() {
         <AlignWidget />
         <ZoomBox />
         <FoundArrows />
+        <Compass />
       </ReactFlow>
     </Near.Provider>
   );

@@ -6,7 +6,8 @@
 import { createStore } from "zustand/vanilla";
 
 import { place } from "../app/place";
-import { beside, freshName, lensOf, readViews, renamed, viewOf, without, withView, type CanvasView } from "../core/canvasViews";
+import { beside, lensOf, readViews, viewOf, type CanvasView } from "../core/canvasViews";
+import { freshName, renamed, without, withNamed } from "../core/named";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
 import { enter } from "./edits";
@@ -50,7 +51,7 @@ function put(views: readonly CanvasView[], last = viewsStore.getState().last): v
 export function saveView(told?: string): void {
   const { views } = viewsStore.getState();
   const name = told?.trim() || freshName(views, (number) => t("canvas.views.numbered", { number }));
-  put(withView(views, viewOf(name, lens(), paneSize(), documentStore.getState().within)), name);
+  put(withNamed(views, viewOf(name, lens(), paneSize(), documentStore.getState().within)), name);
   say(t("canvas.views.saved", { name }));
 }
 

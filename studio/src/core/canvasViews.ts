@@ -1,6 +1,7 @@
 /** Places of the canvas that were given a name: what they hold, and the list of them. Nothing here knows a browser. */
 
 import { clamp, FARTHEST, NEAREST, toCanvas, type Lens, type Point } from "./geometry";
+import { readNamed } from "./named";
 
 export interface CanvasView {
   name: string;
@@ -10,9 +11,6 @@ export interface CanvasView {
   /** The clusters that lead to where it is, from the outermost. */
   within: readonly string[];
 }
-
-/** The most that a document has: what is kept in a browser must stay small. */
-const MOST = 100;
 
 /** What a window shows, as a view. */
 export function viewOf(name: string, lens: Lens, [width, height]: Point, within: readonly string[]): CanvasView {
@@ -24,32 +22,6 @@ export function lensOf({ centre, zoom }: CanvasView, [width, height]: Point): Le
   return { x: width / 2 - centre[0] * zoom, y: height / 2 - centre[1] * zoom, zoom };
 }
 
-/** The list with a view more; one of the same name is replaced. */
-export function withView(views: readonly CanvasView[], view: CanvasView): CanvasView[] {
-  const at = views.findIndex(({ name }) => name === view.name);
-  if (at >= 0) return views.map((old, k) => (k === at ? view : old));
-  return [...views, view].slice(-MOST);
-}
-
-/** The list with a view under another name; a name that another has, and an empty one, changes nothing. */
-export function renamed(views: readonly CanvasView[], from: string, to: string): CanvasView[] {
-  const name = to.trim();
-  if (name === "" || views.some((view) => view.name === name)) return [...views];
-  return views.map((view) => (view.name === from ? { ...view, name } : view));
-}
-
-export function without(views: readonly CanvasView[], name: string): CanvasView[] {
-  return views.filter((view) => view.name !== name);
-}
-
-/** The first `View n` that is not there yet. */
-export function freshName(views: readonly CanvasView[], numbered: (number: number) => string): string {
-  for (let number = 1; ; number++) {
-    const name = numbered(number);
-    if (!views.some((view) => view.name === name)) return name;
-  }
-}
-
 /** The view after or before another in the list; the first or the last where that is not in it. */
 export function beside(views: readonly CanvasView[], name: string | undefined, by: 1 | -1): CanvasView | undefined {
   const at = views.findIndex((view) => view.name === name);
@@ -59,13 +31,7 @@ export function beside(views: readonly CanvasView[], name: string | undefined, b
 
 /** The views in a text that was kept; what makes no sense in it is left out. */
 export function readViews(text: string | null): CanvasView[] {
-  let found: unknown;
-  try {
-    found = JSON.parse(text ?? "[]");
-  } catch {
-    return [];
-  }
-  return Array.isArray(found) ? found.flatMap((one: unknown) => readView(one) ?? []).slice(0, MOST) : [];
+  return readNamed(text, readView);
 }
 
 function readView(value: unknown): CanvasView | undefined {

@@ -16,25 +16,17 @@ export interface ModelNeeds {
   isWrongModel: boolean;
 }
 
-/** The beginnings of what an object says whose geometry lies in a model (`katydid-component`, `stored.rs`). */
-const NEEDS = "Needs the Rhino model";
-const LACKS = /^Referenced objects? .* not in the Rhino model/;
-const ID = /[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}/g;
-const MORE = /and (\d+) more/;
-
 export function modelNeeds(objects: Objects, results: Results): ModelNeeds | undefined {
   const kinds = new Map<string, number>();
   const needing: string[] = [];
   let isWrongModel = false;
-  for (const { id, messages } of results.values()) {
-    const object = objects.get(id);
-    const text = messages.find((message) => message.text.startsWith(NEEDS) || LACKS.test(message.text))?.text;
-    if (!object || text === undefined) continue;
-    const kind = object.inputs[0]?.kind ?? "";
-    const count = (text.match(ID)?.length ?? 0) + Number(MORE.exec(text)?.[1] ?? 0);
-    kinds.set(kind, (kinds.get(kind) ?? 0) + Math.max(count, 1));
+  for (const { id, lacks = [] } of results.values()) {
+    if (!objects.has(id) || lacks.length === 0) continue;
+    for (const { kind, objects: count, hasModel } of lacks) {
+      kinds.set(kind, (kinds.get(kind) ?? 0) + Math.max(count, 1));
+      isWrongModel ||= hasModel;
+    }
     needing.push(id);
-    isWrongModel ||= !text.startsWith(NEEDS);
   }
   return needing.length > 0 ? { kinds, objects: needing, isWrongModel } : undefined;
 }

@@ -2,7 +2,7 @@ import { useState, type FormEvent } from "react";
 import { useStore } from "zustand";
 
 import { removeView, renameView, saveView, showView, viewsStore } from "../canvas/views";
-import { freshName } from "../core/canvasViews";
+import { freshName } from "../core/named";
 import { percent } from "../core/zoomSteps";
 import { t } from "../i18n";
 import { Dialog } from "./Dialog";

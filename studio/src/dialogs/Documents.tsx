@@ -2,16 +2,19 @@ import { useEffect, useState } from "react";
 
 import { goTo, place, readStart, type Start } from "../app";
 import { t } from "../i18n";
+import { pictures } from "../state/pictures";
 import { Dialog } from "./Dialog";
 
 /** The documents that the server has open: one press goes to another. */
 export function Documents() {
-  const [open, setOpen] = useState<Start["open"]>();
+  const [start, setStart] = useState<Start>();
+  const [seen] = useState(pictures);
+  const open = start?.open;
   const [wrong, setWrong] = useState<string>();
   const here = place(location.search).document;
   useEffect(() => {
     readStart().then(
-      (start) => setOpen(start.open),
+      setStart,
       (error: unknown) => setWrong(error instanceof Error ? error.message : String(error)),
     );
   }, []);
@@ -21,6 +24,7 @@ export function Documents() {
         {open?.map(({ id, name, changed }) => (
           <li key={id}>
             <button type="button" aria-current={id === here ? "page" : undefined} disabled={id === here} onClick={() => goTo(id)}>
+              <Picture of={seen.get(start?.recent.find((one) => one.name === name)?.path ?? name)} />
               <span>{name || t("document.unnamed")}</span>
               <small>{[id === here ? t("documents.here") : "", changed ? t("documents.changed") : ""].filter(Boolean).join(", ")}</small>
             </button>
@@ -36,4 +40,9 @@ export function Documents() {
       </footer>
     </Dialog>
   );
+}
+
+/** What it made when this browser looked at it last. */
+function Picture({ of }: { of: string | undefined }) {
+  return of ? <img src={of} alt="" width={80} height={50} /> : <span className="blank" aria-hidden="true" />;
 }

@@ -1,8 +1,10 @@
 import { useStore } from "zustand";
 
 import { take } from "../app/DropZone";
+import { goTo, upload } from "../app/files";
 import { insert, insertStore, type Inserting } from "../app/insert";
 import { t } from "../i18n";
+import { lineStore } from "../state/session";
 import { Dialog } from "./Dialog";
 import { showDialog } from "./store";
 
@@ -14,7 +16,11 @@ export function Insert() {
   if (!file) return null;
   const open = () => {
     showDialog(undefined);
-    void take(file);
+    void take([file]);
+  };
+  const examine = () => {
+    showDialog(undefined);
+    upload(file, undefined, true).then(goTo, (error: unknown) => lineStore.setState({ complaint: String(error) }));
   };
   const put = (how: Inserting) => {
     showDialog(undefined);
@@ -26,6 +32,10 @@ export function Insert() {
         <button type="button" className="primary" autoFocus onClick={open}>
           <strong>{t("insert.open")}</strong>
           <span>{t("insert.open.what")}</span>
+        </button>
+        <button type="button" onClick={examine}>
+          <strong>{t("insert.examine")}</strong>
+          <span>{t("insert.examine.what")}</span>
         </button>
         {WAYS.map((how) => (
           <button key={how} type="button" onClick={() => put(how)}>

@@ -11,6 +11,7 @@ import { Export } from "./Export";
 import { Insert } from "./Insert";
 import { KeySheet } from "./KeySheet";
 import { Palette } from "./Palette";
+import { Publish } from "./Publish";
 import { SaveAs } from "./SaveAs";
 import { dialogStore } from "./store";
 
@@ -36,6 +37,8 @@ export function Dialogs() {
       return <CanvasViews />;
     case "documents":
       return <Documents />;
+    case "publish":
+      return <Publish />;
     case "insert":
       return <Insert />;
     case undefined:

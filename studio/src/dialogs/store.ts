@@ -2,7 +2,7 @@
 
 import { createStore } from "zustand/vanilla";
 
-export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about" | "insert" | "documents" | "help" | "views";
+export type DialogName = "palette" | "keys" | "settings" | "saveAs" | "export" | "about" | "insert" | "documents" | "help" | "views" | "publish";
 
 interface Dialogs {
   open: DialogName | undefined;

@@ -2,13 +2,13 @@ import { useRef } from "react";
 
 import { fromHex, toHex } from "../core/colour";
 import type { Control } from "../core/protocol/Control";
-import type { ObjectView } from "../core/protocol/ObjectView";
 import type { Setting } from "../core/protocol/Setting";
 import { t } from "../i18n";
 import { edit, newGesture } from "../state/session";
+import type { ShownInput } from "./groups";
 
 /** One control of the player. */
-export function Input({ object }: { object: ObjectView }) {
+export function Input({ input: { object, label, help } }: { input: ShownInput }) {
   const gesture = useRef<number>(undefined);
   const set = (to: Setting) => void edit({ do: "set", object: object.id, to }, gesture.current ?? null);
   const hold = {
@@ -19,10 +19,14 @@ export function Input({ object }: { object: ObjectView }) {
       gesture.current = undefined;
     },
   };
-  const name = object.nickname || object.name;
-  const field = object.control && face(object.control, name, set, hold);
+  const field = object.control && face(object.control, label, set, hold);
   if (!field) return null;
-  return <div className="input">{field}</div>;
+  return (
+    <div className="input">
+      {field}
+      {help && <p className="soft">{help}</p>}
+    </div>
+  );
 }
 
 interface Hold {

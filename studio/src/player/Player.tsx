@@ -46,8 +46,9 @@ export function Player({ id }: { id: string }) {
   const name = useStore(documentStore, (mirror) => mirror.document?.name);
   const state = useStore(lineStore, (line) => line.state);
   const solving = useStore(runStore, (run) => run.progress !== undefined);
-  const groups = useMemo(() => inputGroups(objects), [objects]);
-  const inputs = useMemo(() => groups.flatMap((group) => group.inputs), [groups]);
+  const published = useStore(documentStore, (mirror) => mirror.document?.player ?? null);
+  const groups = useMemo(() => inputGroups(objects, published), [objects, published]);
+  const inputs = useMemo(() => groups.flatMap((group) => group.inputs.map(({ object }) => object)), [groups]);
   const start = useStart(inputs);
   const changes = start ? moved(start, inputs) : [];
   const [shared, setShared] = useState(false);
@@ -74,10 +75,10 @@ export function Player({ id }: { id: string }) {
           {state === "lost" ? t("line.lost") : solving ? t("player.solving") : shared ? t("player.shared") : ""}
         </p>
         {groups.map(({ label, inputs: own }) => (
-          <fieldset key={own[0]?.id}>
+          <fieldset key={own[0]?.object.id}>
             {label && <legend>{label}</legend>}
-            {own.map((object) => (
-              <Input key={object.id} object={object} />
+            {own.map((input) => (
+              <Input key={input.object.id} input={input} />
             ))}
           </fieldset>
         ))}

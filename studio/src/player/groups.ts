@@ -2,13 +2,21 @@
 
 import { isGroup, leaves, type Objects } from "../core/groups";
 import type { ObjectView } from "../core/protocol/ObjectView";
+import type { PlayerInput } from "../core/protocol/PlayerInput";
 
 const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "panel"];
+
+/** A control of the player, as it is called there and what is said of it. */
+export interface ShownInput {
+  object: ObjectView;
+  label: string;
+  help: string;
+}
 
 export interface InputGroup {
   /** Empty for those in no group with a label. */
   label: string;
-  inputs: ObjectView[];
+  inputs: ShownInput[];
 }
 
 /** The controls that a visitor may move, from top to bottom as they stand on the canvas. */
@@ -22,16 +30,27 @@ export function playable(objects: readonly ObjectView[]): ObjectView[] {
     .sort((a, b) => a.bounds[1] - b.bounds[1] || a.bounds[0] - b.bounds[0]);
 }
 
-/** The playable controls by the smallest labelled group that holds each. */
-export function inputGroups(objects: Objects): InputGroup[] {
+/** What the player shows: what the definition publishes, else all that can be moved. */
+export function shownInputs(objects: Objects, published: readonly PlayerInput[] | null): ShownInput[] {
+  const all = playable([...objects.values()]);
+  const own = (object: ObjectView) => object.nickname || object.name;
+  if (!published) return all.map((object) => ({ object, label: own(object), help: "" }));
+  return published.flatMap(({ object: id, label, help }) => {
+    const object = all.find((one) => one.id === id);
+    return object ? [{ object, label: label || own(object), help }] : [];
+  });
+}
+
+/** The inputs that are shown by the smallest labelled group that holds each. */
+export function inputGroups(objects: Objects, published: readonly PlayerInput[] | null = null): InputGroup[] {
   const groups = [...objects.values()].flatMap((object) => {
     const label = isGroup(object) && object.control?.is === "group" ? object.control.label.trim() : "";
     return label === "" ? [] : [{ label, id: object.id, holds: leaves([object.id], objects) }];
   });
   groups.sort((a, b) => a.holds.size - b.holds.size);
   const found = new Map<string, InputGroup>();
-  for (const input of playable([...objects.values()])) {
-    const group = groups.find(({ holds }) => holds.has(input.id));
+  for (const input of shownInputs(objects, published)) {
+    const group = groups.find(({ holds }) => holds.has(input.object.id));
     const key = group?.id ?? "";
     const known = found.get(key) ?? { label: group?.label ?? "", inputs: [] };
     known.inputs.push(input);

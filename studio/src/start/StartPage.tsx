@@ -1,11 +1,13 @@
 import { useEffect, useState } from "react";
 
 import { DropZone, take } from "../app/DropZone";
-import { close, DEFINITIONS, goTo, open, readStart, type Opening, type Start } from "../app/files";
+import { close, DEFINITIONS, goTo, MODELS, open, portrait, readStart, type Opening, type Start } from "../app/files";
+import { openNew } from "../app/template";
 import { t } from "../i18n";
 import { pictures } from "../state/pictures";
 import { lineStore } from "../state/session";
 import { useStore } from "zustand";
+import { Hero, isHero } from "./Hero";
 import { Tile } from "./Tile";
 import "./start.css";
 
@@ -23,6 +25,7 @@ export function StartPage() {
   }, []);
   const go = (what: Opening) => open(what).then((id) => goTo(id), complain);
   const shut = (id: string) => void close(id).then(readStart).then(setStart, complain);
+  const opened = start?.open.filter((document) => !isHero(document)) ?? [];
   const groups = [...new Set(start?.gallery.map((entry) => entry.group))];
   return (
     <main className="start" tabIndex={-1}>
@@ -35,18 +38,18 @@ export function StartPage() {
         {complaint}
       </p>
       <section aria-label={t("start.begin")} className="begin">
-        <button type="button" className="primary" onClick={() => void go({ new: true })}>
+        <button type="button" className="primary" onClick={() => void openNew().then(goTo, complain)}>
           {t("start.new")}
         </button>
         <label className="button">
           {t("start.openFile")}
           <input
             type="file"
-            accept={DEFINITIONS.join(",")}
+            accept={[...DEFINITIONS, ...MODELS].join(",")}
+            multiple
             className="unseen"
             onChange={(event) => {
-              const file = event.target.files?.[0];
-              if (file) void take(file);
+              void take([...(event.target.files ?? [])]);
             }}
           />
         </label>
@@ -73,15 +76,16 @@ export function StartPage() {
           </form>
         )}
       </section>
-      {start && start.open.length > 0 && (
+      {start && <Hero start={start} />}
+      {opened.length > 0 && (
         <section>
           <h2>{t("start.open")}</h2>
           <ul className="tiles">
-            {start.open.map(({ id, name, changed }) => (
+            {opened.map(({ id, name, changed }) => (
               <Tile
                 key={id}
                 title={name || t("document.unnamed")}
-                picture={seen.get(start.recent.find((one) => one.name === name)?.path ?? name)}
+                picture={seen.get(start?.recent.find((one) => one.name === name)?.path ?? name)}
                 changed={changed}
                 open={() => goTo(id)}
                 close={() => shut(id)}
@@ -99,7 +103,7 @@ export function StartPage() {
                 key={at}
                 title={name}
                 lines={[at, new Date(modified * 1000).toLocaleString()]}
-                picture={seen.get(at)}
+                picture={seen.get(at) ?? portrait({ recent: at })}
                 open={() => void go({ path: at })}
               />
             ))}
@@ -112,12 +116,12 @@ export function StartPage() {
           <ul className="tiles">
             {start?.gallery
               .filter((entry) => entry.group === group)
-              .map(({ id, title, description }) => (
+              .map(({ id, name, title, description }) => (
                 <Tile
                   key={id}
                   title={title}
                   lines={[description]}
-                  picture={seen.get(`${id} ${title}`)}
+                  picture={seen.get(name) ?? portrait({ gallery: id })}
                   open={() => void go({ gallery: id })}
                 />
               ))}

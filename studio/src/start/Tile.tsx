@@ -5,6 +5,7 @@ import { t } from "../i18n";
 interface TileProps {
   title: string;
   lines?: readonly string[];
+  /** Its picture: as this browser saw it last, else as the server draws it. */
   picture: string | undefined;
   /** Whether it has edits that are not saved. */
   changed?: boolean;
@@ -12,18 +13,19 @@ interface TileProps {
   close?(): void;
 }
 
-/** A definition to open: its picture, where this browser has seen it, and its name. */
+/** A definition to open: its picture, where there is one, and its name. */
 export function Tile({ title, lines = [], picture, changed = false, open, close }: TileProps) {
   // What is not saved is not thrown away by one click.
   const [asked, setAsked] = useState(false);
+  const [isMissing, setMissing] = useState(false);
   const label = t(asked ? "start.closeChanged" : "start.close", { name: title });
   return (
     <li>
       <button type="button" className="tile" onClick={open}>
-        {picture === undefined ? (
+        {picture === undefined || isMissing ? (
           <span className="blank" aria-hidden="true" />
         ) : (
-          <img src={picture} alt="" width={320} height={200} loading="lazy" />
+          <img src={picture} alt="" width={320} height={200} loading="lazy" decoding="async" onError={() => setMissing(true)} />
         )}
         <strong>
           {changed && <span aria-label={t("document.changed")}>• </span>}

@@ -7,6 +7,7 @@ import { createStore } from "zustand/vanilla";
 
 import { documentStore, takeDocument } from "./document";
 import { takeAnalysis } from "./analysis";
+import { takeModel } from "./model";
 import { takeRun } from "./run";
 import { takeGeometry, takePreview } from "./preview";
 
@@ -34,6 +35,7 @@ export function join(document: string, token: string): void {
       takeRun(event);
       takePreview(event);
       takeAnalysis(event);
+      takeModel(event);
     },
     geometry: takeGeometry,
     state: (state) => lineStore.setState({ state }),

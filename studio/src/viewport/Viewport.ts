@@ -17,7 +17,7 @@ import { Painter, type Layer } from "./scene/painter";
 import { pixelOf, pngOf } from "./snapshot";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
 import { readTheme, type Theme } from "./theme";
-import { isTool } from "./tools/beside";
+import { isOfDocument, isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
 import { inWindow } from "./tools/windowSelect";
 import { areAlike, isHidden, type Surroundings } from "./surroundings";
@@ -34,6 +34,10 @@ const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true, areD
 const SOFTWARE: Budget = { wide: 4_000, points: 2_500, areInstances: false, areDraftsThin: true };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
+/** A turn of the turntable takes so many milliseconds. */
+const TURNTABLE = 24_000;
+/** A quick picture has so many of the pixels of a fine one along each side: what moves is not looked at closely. */
+const QUICK_SHARE = 0.6;
 const REST = 350;
 
 export class Viewport {
@@ -65,6 +69,10 @@ export class Viewport {
   /** Whether a picture was drawn before the frame that it belongs to. */
   #isHastened = false;
   #isLost = false;
+  /** When the turntable was turned last. */
+  #turned: number | undefined;
+  /** Pixels of the canvas to one of the page, in fine pictures. */
+  #ratio: number;
   #areLooksStale = true;
   #areColoursStale = true;
   /** Whether geometry was framed since the document came. */
@@ -89,7 +97,8 @@ export class Viewport {
     this.#renderer.outputColorSpace = SRGBColorSpace;
     this.#renderer.autoClear = false;
     this.#renderer.sortObjects = true;
-    this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
+    this.#ratio = options.pixelRatio ?? Math.min(devicePixelRatio, 2);
+    this.#renderer.setPixelRatio(this.#ratio);
     this.model = new Model(this.isSoftware ? SOFTWARE : CARD, () => this.#renderer.getPixelRatio());
     this.#painter = new Painter(this.#renderer, this.model);
     this.panes = new Panes(() => this.invalidate());
@@ -112,7 +121,7 @@ export class Viewport {
   }
 
   clear(): void {
-    this.clearWhere((id) => !isTool(id));
+    this.clearWhere(isOfDocument);
     this.#isFramed = false;
     this.panes.letGo();
   }
@@ -145,10 +154,11 @@ export class Viewport {
     this.#schedule();
   }
 
-  pickAt(x: number, y: number): Pick | undefined {
+  /** What is at a place: of the document, or of the Rhino model too. */
+  pickAt(x: number, y: number, withLayers = false): Pick | undefined {
     const placed = this.panes.at(x, y);
     this.#settle();
-    return this.#picker.at(this.#view(placed), x - placed.left, y - placed.top);
+    return this.#picker.at(this.#view(placed), x - placed.left, y - placed.top, withLayers);
   }
 
   /** The objects in a window, whose corners are in pixels of the canvas. */
@@ -156,12 +166,12 @@ export class Viewport {
     const { left, top, ...placed } = this.panes.at(x, y);
     this.#settle();
     const box = rectangle(x - left, y - top, u - left, v - top);
-    return inWindow(this.model, this.#view({ left, top, ...placed }), box, u < x).filter((id) => !isTool(id));
+    return inWindow(this.model, this.#view({ left, top, ...placed }), box, u < x).filter(isOfDocument);
   }
 
   zoomExtents(isStill: boolean): void {
     this.#settle();
-    this.panes.fit(this.#boxes(), this.panes.layout === "one" ? [this.panes.active] : this.panes.all(), isStill);
+    this.panes.fit(this.#boxesWhere((id) => !isTool(id)), this.panes.layout === "one" ? [this.panes.active] : this.panes.all(), isStill);
   }
 
   zoomSelected(isStill: boolean): void {
@@ -175,7 +185,11 @@ export class Viewport {
 
   /** The boxes of the objects that are shown, or of some of them. */
   #boxes(only?: ReadonlySet<string>): Bounds[] {
-    const objects = [...this.model.objects.values()].filter(({ id }) => !isTool(id) && (!only || only.has(id)));
+    return this.#boxesWhere((id) => isOfDocument(id) && (!only || only.has(id)));
+  }
+
+  #boxesWhere(isMeant: (id: string) => boolean): Bounds[] {
+    const objects = [...this.model.objects.values()].filter(({ id }) => isMeant(id));
     return objects.flatMap(({ bounds, id }) => (bounds && !isHidden(this.#around, id) ? [bounds] : []));
   }
 
@@ -252,7 +266,8 @@ export class Viewport {
     this.#resize();
     const ratio = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
     const rescale = () => {
-      this.#renderer.setPixelRatio(options.pixelRatio ?? Math.min(devicePixelRatio, 2));
+      this.#ratio = options.pixelRatio ?? Math.min(devicePixelRatio, 2);
+      this.#renderer.setPixelRatio(this.#ratio);
       this.#resize();
     };
     ratio.addEventListener("change", rescale);
@@ -329,8 +344,17 @@ export class Viewport {
 
   #tick(now: number): void {
     this.#request = 0;
-    if (this.panes.advance(now)) this.#schedule();
+    if (this.panes.advance(now) || this.#turn(now)) this.#schedule();
     this.#show();
+  }
+
+  /** Turns the table as far as it has come since the picture before; whether it turns. */
+  #turn(now: number): boolean {
+    const { turntable } = this.#settings;
+    if (turntable && this.#turned !== undefined) this.panes.turn(((now - this.#turned) / TURNTABLE) * 2 * Math.PI);
+    this.#turned = turntable ? now : undefined;
+    if (turntable) this.#isFine = false;
+    return turntable;
   }
 
   #show(): void {
@@ -341,7 +365,8 @@ export class Viewport {
 
   #isHeavy(): boolean {
     const { triangles, segments, points } = this.model.counts();
-    return this.isSoftware && triangles + segments + points > HEAVY;
+    // Software takes its time for the light of a rendered picture, however small the model.
+    return this.isSoftware && (this.#settings.mode === "rendered" || triangles + segments + points > HEAVY);
   }
 
   /** Batches, looks and false colours as they are to be now. */
@@ -360,10 +385,12 @@ export class Viewport {
   #frameFreely(): void {
     if (!this.#isFramingStale) return;
     this.#isFramingStale = false;
-    const boxes = this.#boxes();
-    const isEmpty = boxes.length === 0;
+    const own = this.#boxes();
+    const isEmpty = own.length === 0;
     if (viewportStore.getState().isEmpty !== isEmpty) viewportStore.setState({ isEmpty });
-    if (isEmpty) return;
+    // A Rhino model is looked at where the document shows nothing itself.
+    const boxes = isEmpty ? this.#boxesWhere((id) => !isTool(id)) : own;
+    if (boxes.length === 0) return;
     if (this.#isFramed) return this.panes.frame(boxes, true);
     this.#isFramed = true;
     this.panes.fit(boxes, this.panes.all(), true);
@@ -379,6 +406,8 @@ export class Viewport {
     this.#settle();
     const range = this.#settings.range ?? viewportStore.getState().legend?.range;
     const isQuick = !this.#isFine && this.#isHeavy();
+    const ratio = this.#ratio * (isQuick ? QUICK_SHARE : 1);
+    if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
     this.#painter.prepare(this.#settings, this.#theme, range, isQuick);
     const placed = this.panes.placed();
     const layer = isWhole ? "all" : this.#layer(placed);

@@ -4,19 +4,22 @@ import { useStore } from "zustand";
 import "../actions/viewport";
 import { t, type Key } from "../i18n";
 import { documentStore } from "../state/document";
+import { pickStore } from "../state/pickJob";
 import { openViewport } from "./pane/open";
 import type { Options } from "./Viewport";
 import { viewportStore } from "./settings";
 import { CombLegend } from "./toolbar/CombLegend";
 import { Legend } from "./toolbar/Legend";
+import { PickBar } from "./toolbar/PickBar";
 import { PlaceList } from "./toolbar/PlaceList";
 import { Toolbar } from "./toolbar/Toolbar";
 import "./viewport.css";
 
-/** The model of the document that is open, with its toolbar. It needs only the stores. */
-export function ViewportPane({ options, children }: { options?: Options; children?: ReactNode }) {
+/** The model of the document that is open, with its toolbar unless it is plain. It needs only the stores. */
+export function ViewportPane({ options, children, isPlain = false }: { options?: Options; children?: ReactNode; isPlain?: boolean }) {
   const host = useRef<HTMLDivElement>(null);
   const [hasGraphics, setGraphics] = useState(true);
+  const isPicking = useStore(pickStore, ({ job }) => job !== undefined);
   useEffect(() => {
     if (!host.current) return;
     try {
@@ -28,11 +31,11 @@ export function ViewportPane({ options, children }: { options?: Options; childre
   }, [options]);
   return (
     <div className="viewport">
-      <Toolbar />
+      {!isPlain && <Toolbar />}
       <div className="viewport-stage">
         <div className="viewport-host" ref={host} hidden={!hasGraphics} />
         {!hasGraphics && <p className="viewport-notice">{t("viewport.noGraphics")}</p>}
-        {children}
+        {isPicking ? <PickBar /> : children}
         <Legend />
         <div className="viewport-notes">
           <CombLegend />

@@ -5,6 +5,7 @@ import { usefulRange } from "../core/falseColour";
 import type { PreviewPart } from "../core/preview";
 import type { Model } from "./scene/model";
 import type { Analysis } from "./settings";
+import { isOfDocument } from "./tools/beside";
 import type { CurvatureAnswer, CurvatureQuestion } from "./tools/curvature.worker";
 
 export interface Coloured {
@@ -33,9 +34,9 @@ export class FalseColours {
   colour(model: Model, analysis: Analysis): Coloured | undefined {
     const all: Float32Array[] = [];
     let exact = true;
-    for (const { parts } of model.objects.values()) {
+    for (const { id, parts } of model.objects.values()) {
       for (const entry of parts) {
-        if (entry.part.kind !== "mesh") continue;
+        if (entry.part.kind !== "mesh" || !isOfDocument(id)) continue;
         const found = this.#numbers(entry.part, analysis);
         model.setValues(entry, found?.values ?? null);
         if (!found || model.table.get(entry.slot)[3] === 0) continue;

@@ -1,9 +1,16 @@
 /** The viewport that is on the page, for actions; and a window for tests to look at it. */
 
 import type { Bounds, Rgba } from "../core/preview";
+import type { Drawer } from "./tools/drawer";
 import type { Viewport } from "./Viewport";
 
 let viewport: Viewport | undefined;
+let drawer: Drawer | undefined;
+
+/** What picks and draws in the viewport that is on the page. */
+export function currentDrawer(): Drawer | undefined {
+  return drawer;
+}
 
 export function currentViewport(): Viewport | undefined {
   return viewport;
@@ -40,8 +47,9 @@ declare global {
   }
 }
 
-export function setCurrentViewport(next: Viewport | undefined): void {
+export function setCurrentViewport(next: Viewport | undefined, drawing?: Drawer): void {
   viewport = next;
+  drawer = drawing;
   window.__studio = { ...window.__studio, viewport: hook };
 }
 

@@ -142,6 +142,18 @@ export class Panes {
     this.fly(this.#active, keepProjection ? { ...pose, projection: from.projection } : pose, isStill);
   }
 
+  /** Turns the active view to a pose that somebody chose: it stays there. */
+  goTo(pose: Pose, isStill: boolean): void {
+    this.#own.add(this.#active);
+    this.fly(this.#active, { ...pose }, isStill);
+  }
+
+  /** Turns the active view about the upright axis through what it looks at. */
+  turn(angle: number): void {
+    this.#own.add(this.#active);
+    this.#active.rig.orbit(angle, 0);
+  }
+
   setProjection(projection: Pose["projection"]): void {
     const rig = this.#active.rig;
     rig.pose = { ...rig.pose, projection };

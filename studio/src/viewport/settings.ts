@@ -28,6 +28,13 @@ export interface Section {
 export const PREVIEWS = ["all", "selected", "none"] as const;
 export type Previews = (typeof PREVIEWS)[number];
 
+/** What a point that is drawn goes to, besides the grid. */
+export interface Snaps {
+  end: boolean;
+  mid: boolean;
+  near: boolean;
+}
+
 export interface ViewportSettings {
   mode: DisplayMode;
   previews: Previews;
@@ -60,7 +67,10 @@ export interface ViewportSettings {
   directions: boolean;
   section: Section;
   trackpad: boolean;
+  /** Whether the view turns by itself. */
+  turntable: boolean;
   snap: boolean;
+  snaps: Snaps;
 }
 
 /** What the viewport says of itself. */
@@ -101,7 +111,9 @@ const USUAL: ViewportSettings = {
   directions: false,
   section: { isOn: false, normal: [0, 1, 0], at: undefined },
   trackpad: false,
+  turntable: false,
   snap: true,
+  snaps: { end: true, mid: true, near: false },
 };
 
 const KEY = "katydid.viewport";

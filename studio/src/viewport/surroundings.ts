@@ -1,6 +1,7 @@
 /** What the document and the canvas say of the objects in the picture. */
 
 import type { Rgba } from "../core/preview";
+import { isOfDocument } from "./tools/beside";
 
 export interface Surroundings {
   /** The colours of previews: of objects, and of selected ones. */
@@ -11,9 +12,12 @@ export interface Surroundings {
   hidden: ReadonlySet<string>;
   /** Where only some are shown: those. */
   only: ReadonlySet<string> | undefined;
+  /** The colours of the Rhino model's layers by their ids. */
+  layers: ReadonlyMap<string, Rgba>;
 }
 
 export function isHidden({ hidden, only }: Surroundings, object: string): boolean {
+  if (!isOfDocument(object)) return false;
   return hidden.has(object) || (only !== undefined && !only.has(object));
 }
 
@@ -21,6 +25,7 @@ export function isHidden({ hidden, only }: Surroundings, object: string): boolea
 export function areAlike(one: Surroundings, other: Surroundings): boolean {
   return (
     one.hovered === other.hovered &&
+    one.layers === other.layers &&
     areSameColour(one.normal, other.normal) &&
     areSameColour(one.selected, other.selected) &&
     isSameSet(one.selection, other.selection) &&

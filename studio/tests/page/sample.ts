@@ -39,6 +39,7 @@ export function stateOf(objects: ObjectView[], name = "sample"): DocumentState {
       undo: null,
       redo: null,
       locked: false,
+      player: null,
     },
     objects,
     restored: null,

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 
-import { beside, freshName, lensOf, readViews, renamed, viewOf, withView, without } from "../../src/core/canvasViews";
+import { beside, lensOf, readViews, viewOf } from "../../src/core/canvasViews";
+import { freshName, renamed, withNamed, without } from "../../src/core/named";
 import { toCanvas } from "../../src/core/geometry";
 
 const lens = { x: -300, y: 40, zoom: 0.5 };
@@ -18,7 +19,7 @@ describe("named views", () => {
   test("have one name each", () => {
     const a = viewOf("A", lens, size, []);
     const b = viewOf("B", lens, size, []);
-    const list = withView(withView(withView([], a), b), { ...a, zoom: 2 });
+    const list = withNamed(withNamed(withNamed([], a), b), { ...a, zoom: 2 });
     expect(list.map(({ name, zoom }) => [name, zoom])).toEqual([["A", 2], ["B", 0.5]]);
     expect(renamed(list, "A", " C ").map(({ name }) => name)).toEqual(["C", "B"]);
     expect(renamed(list, "A", "B")).toEqual(list);

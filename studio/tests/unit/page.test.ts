@@ -38,21 +38,23 @@ test("colours and times are written for people", () => {
 });
 
 test("what a definition needs of a Rhino model is counted by type", () => {
-  const id = "065db0f7-e38d-4ef2-aa27-31047639af4c";
-  const needs = (text: string) => ({ id: "", status: "no-data", messages: [{ level: "warning", text }], milliseconds: 0, outputs: [], panel: null });
+  const lacking = (id: string, ...lacks: { kind: string; objects: number; hasModel: boolean }[]) => ({ id, messages: [], outputs: [], panel: null, lacks });
   const objects = new Map([
     ["a", object("a", { kind: "parameter", inputs: [{ ...port("a"), kind: "Curve" }] })],
     ["b", object("b", { kind: "parameter", inputs: [{ ...port("b"), kind: "Surface" }] })],
     ["c", object("c")],
   ]);
   const results = new Map([
-    ["a", { ...needs(`Needs the Rhino model: object ${id} is referenced, and not in this file (katydid run FILE)`), id: "a" }],
-    ["b", { ...needs(`Needs the Rhino model: objects ${id}, ${id}, and 3 more are referenced, and not in this file`), id: "b" }],
-    ["c", { ...needs("Input parameter Curves failed to collect data"), id: "c" }],
-  ]) as unknown as Parameters<typeof modelNeeds>[1];
+    ["a", lacking("a", { kind: "Curve", objects: 1, hasModel: false })],
+    // One object may need things in several inputs, and a model as a whole counts as one.
+    ["b", lacking("b", { kind: "Surface", objects: 5, hasModel: true }, { kind: "Curve", objects: 2, hasModel: false })],
+    ["c", { ...lacking("c"), messages: [{ level: "warning", text: "Needs the Rhino model" }] }],
+    ["gone", lacking("gone", { kind: "Mesh", objects: 9, hasModel: false })],
+  ] as [string, unknown][]) as unknown as Parameters<typeof modelNeeds>[1];
   const found = modelNeeds(objects, results);
   expect(found?.objects).toEqual(["a", "b"]);
-  expect(found && listed(found)).toBe("1 curve and 5 surfaces");
+  expect(found && listed(found)).toBe("3 curves and 5 surfaces");
+  expect(found?.isWrongModel).toBe(true);
   expect(modelNeeds(objects, new Map())).toBeUndefined();
 });
 
@@ -86,7 +88,7 @@ test("inputs stand under the labels of their groups; a panel that nothing reads 
     object("g", { kind: "group", control: group }),
   ];
   const objects = new Map(list.map((one) => [one.id, one]));
-  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ id }) => id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
+  expect(inputGroups(objects).map(({ label, inputs }) => [label, inputs.map(({ object }) => object.id)])).toEqual([["", ["out"]], ["Tower", ["in"]]]);
   const start = startOf(list);
   expect(moved(start, list)).toEqual([]);
   expect(moved(start, [object("in", { control: slider(5) })])).toEqual([["in", { is: "number", value: 2 }]]);

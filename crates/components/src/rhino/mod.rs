@@ -9,13 +9,15 @@ mod query;
 
 use std::sync::Arc;
 
-use katydid_component::{Context, Message, RhinoModel};
-use katydid_data::{Content, ModelLayer, ModelLinetype, ModelObject, Value};
+use katydid_component::{Context, Message, ModelLack, RhinoModel};
+use katydid_data::{Content, Kind, ModelLayer, ModelLinetype, ModelObject, Value};
 
 /// The model, or the warning that there is none.
 pub(crate) fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
     context.model().ok_or_else(|| {
+        let lack = ModelLack { kind: Kind::Generic, objects: 0, has_model: false };
         Message::warning("Needs the Rhino model: none is given (katydid run FILE --model MODEL.3dm)")
+            .lacking(lack)
     })
 }
 

@@ -17,6 +17,7 @@ use super::analyses::Finding;
 use super::drawn::Seen;
 use super::faces::Faces;
 use super::journal::Keeper;
+use super::model::Beside;
 use super::outbox::End;
 use super::solving::{Solving, Work};
 use super::worker::{Ended, Job, News, Worker};
@@ -44,6 +45,8 @@ pub(super) struct Actor {
     pub(super) shown: HashMap<Uuid, Arc<Geometry>>,
     /// What of objects could not be shown, as faces know it.
     pub(super) left_out: HashMap<Uuid, Vec<String>>,
+    /// The Rhino model beside it.
+    pub(super) model: Beside,
     /// What faces see of the form of curves and surfaces.
     pub(super) analysed: HashMap<FaceId, Seen>,
     /// Results that faces have yet to hear of.
@@ -78,12 +81,15 @@ impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
         let files = shared.trust.files(source.origin());
-        let Source { document, name, path, hash, rules, model, id } = source;
+        let Source { document, name, path, hash, rules, model, is_locked, id } = source;
         let (mut editor, keeper) =
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
+        editor.about_mut().locked = is_locked;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
         let scripts = Some(Arc::new(Refused::new(SCRIPTS)) as _);
+        let beside = Beside::new(model);
+        let model = beside.model().map(Arc::clone);
         let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };
         let (jobs, inbox) = channel();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
@@ -100,6 +106,7 @@ impl Actor {
             path,
             shown: HashMap::new(),
             left_out: HashMap::new(),
+            model: beside,
             analysed: HashMap::new(),
             fresh: Vec::new(),
             gathering: None,
@@ -160,6 +167,7 @@ impl Actor {
         for (_, geometry) in self.shown.drain() {
             self.shared.geometries.release(geometry);
         }
+        self.model.release(&self.shared.geometries);
     }
 
     fn take(&mut self, command: Command) {
@@ -180,8 +188,9 @@ impl Actor {
             Command::Bytes(form, answer) => {
                 let _ = answer.send(self.bytes(form));
             }
-            Command::Model(model, answer) => {
-                let _ = self.jobs.send(Job::Model(model));
+            Command::Model(attached, answer) => {
+                let _ = self.jobs.send(Job::Model(Arc::clone(&attached.model)));
+                self.model.attach(attached);
                 self.want(Work::Solve);
                 let _ = answer.send(());
             }
@@ -251,6 +260,10 @@ impl Actor {
             News::Drawn(solution, is_draft, previews) => {
                 self.is_drawn |= self.publish_previews(solution, is_draft, previews);
                 self.gathering = self.gathering.map(|_| Instant::now());
+            }
+            News::Modelled(preview) => {
+                self.model.show(preview, &self.shared.geometries);
+                self.faces.iter().for_each(|face| self.model.tell(&face.outbox));
             }
             News::Found(solution, face, Finding::Analysed(found)) => {
                 self.publish_analysis(solution, face, found);
@@ -353,6 +366,7 @@ impl Actor {
         let shown: Vec<_> =
             self.shown.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
         face.outbox.previews(self.progress.solution, false, &shown);
+        self.model.tell(&face.outbox);
         if let Some(seen) = self.analysed.get(&id) {
             let objects: Vec<_> =
                 seen.objects.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();

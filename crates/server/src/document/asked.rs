@@ -66,7 +66,8 @@ impl Actor {
             Ask::Edit { edit, gesture, within } => {
                 let document = Arc::clone(self.editor.document());
                 let report = |id| self.reports.get(&id).cloned();
-                let solution = Solution::new(&document, &report);
+                let model = self.model.model().map(Arc::clone);
+                let solution = Solution::new(&document, &report).beside(model.as_deref());
                 let change = self.editor.apply_with(&edit, gesture, &within, &solution).map_err(told)?;
                 made.clone_from(&change.made);
                 self.publish(&change);

@@ -11,6 +11,7 @@ mod draughts;
 mod drawn;
 mod faces;
 mod journal;
+mod model;
 mod outbox;
 mod solving;
 mod source;
@@ -49,7 +50,7 @@ pub(crate) enum Command {
     /// Its bytes in a form, and a name for the file.
     Bytes(Form, oneshot::Sender<Result<Download, String>>),
     /// A Rhino model that its parameters refer to.
-    Model(Arc<RhinoModel>, oneshot::Sender<()>),
+    Model(Attached, oneshot::Sender<()>),
     /// Something to be done with the results when no solve is running.
     With(Inquiry),
     /// A picture that it holds, by its name, with its media type.
@@ -60,6 +61,14 @@ pub(crate) enum Command {
     Work(worker::News),
     /// The end.
     Close(oneshot::Sender<()>),
+}
+
+/// A Rhino model beside a document.
+#[derive(Debug, Clone)]
+pub(crate) struct Attached {
+    /// The name of its file.
+    pub(crate) name: String,
+    pub(crate) model: Arc<RhinoModel>,
 }
 
 /// Something to be done with an engine between two solves.
@@ -139,6 +148,8 @@ impl Handle {
 pub(crate) struct Shared {
     pub(crate) geometries: Geometries,
     pub(crate) recent: Option<crate::files::Recent>,
+    /// Pictures of definitions that are not open.
+    pub(crate) portraits: crate::files::Portraits,
     /// The folder of journals.
     pub(crate) journals: Option<std::path::PathBuf>,
     /// Who works on the documents, and what they may therefore read of this machine.

@@ -305,6 +305,7 @@ mod tests {
             id: Uuid::from_u128(id),
             status: "ok".to_owned(),
             messages: vec![],
+            lacks: vec![],
             milliseconds,
             outputs: vec![],
             panel: None,

@@ -10,6 +10,7 @@ use katydid_data::cast::Rules;
 use katydid_definition::document::Document;
 use katydid_geometry::Units;
 
+use super::Attached;
 use crate::files::{self, Form};
 
 /// Files larger than this are not read: no definition comes near.
@@ -26,7 +27,9 @@ pub(crate) struct Source {
     pub(crate) hash: Option<blake3::Hash>,
     /// Its own units and tolerances, or those of its model.
     pub(crate) rules: Rules,
-    pub(crate) model: Option<Arc<RhinoModel>>,
+    pub(crate) model: Option<Attached>,
+    /// Whether edits, and the definition itself, wait until somebody has them solved.
+    pub(crate) is_locked: bool,
     /// The id that it is known by.
     pub(crate) id: String,
 }
@@ -46,6 +49,7 @@ impl Source {
             hash: None,
             rules: Rules { now: now(), ..Rules::default() },
             model: None,
+            is_locked: false,
             id: chance(),
         }
     }
@@ -88,9 +92,9 @@ impl Source {
     }
 
     /// The same beside a Rhino model, whose unit and tolerance count.
-    pub(crate) fn beside(mut self, model: RhinoModel) -> Self {
+    pub(crate) fn beside(mut self, name: String, model: RhinoModel) -> Self {
         (self.rules.units, self.rules.tolerance) = (model.units, model.tolerance);
-        self.model = Some(Arc::new(model));
+        self.model = Some(Attached { name, model: Arc::new(model) });
         self
     }
 

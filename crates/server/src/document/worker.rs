@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use katydid_component::{Cancel, RhinoModel};
 use katydid_definition::document::{Difference, Document, Object};
 use katydid_session::Change;
-use katydid_session::display::Preview;
+use katydid_session::display::{ModelPreview, Preview, encode_model};
 use katydid_session::protocol::{AnalysisView, Probe};
 use katydid_solver::{Engine, Finished, ObjectReport, Options};
 use uuid::Uuid;
@@ -57,6 +57,8 @@ pub(crate) enum News {
     Ended(Ended),
     /// Geometry, and whether it is as coarse as it may be.
     Drawn(u64, bool, Vec<Preview>),
+    /// The Rhino model as it is shown.
+    Modelled(ModelPreview),
     /// What a face wanted to see.
     Found(u64, FaceId, Finding),
     /// Nothing is left to do.
@@ -78,6 +80,8 @@ pub(crate) struct Ended {
 pub(super) struct Worker {
     engine: Engine,
     draughts: Draughts,
+    /// Whether the Rhino model is yet to be shown.
+    is_model_due: bool,
     analyses: Analyses,
     news: Sender<Command>,
     /// Threads of its own: a solve without end must not hold up other documents.
@@ -92,7 +96,8 @@ impl Worker {
         // Where no more threads are to be had, all documents share those that are there.
         let pool = rayon::ThreadPoolBuilder::new().thread_name(|_| "solver".to_owned()).build().ok();
         let analyses = Analyses::default();
-        Self { engine: Engine::new(document, options), draughts, analyses, news, pool }
+        let is_model_due = options.model.is_some();
+        Self { engine: Engine::new(document, options), draughts, is_model_due, analyses, news, pool }
     }
 
     /// Works until nobody can tell it anything any more.
@@ -116,6 +121,7 @@ impl Worker {
                     self.solve(solution, &cancel);
                 }
                 self.draw(solution, &cancel);
+                self.show_model(&cancel);
                 self.look(solution, &cancel);
                 self.tell(News::Idle);
             }
@@ -134,6 +140,7 @@ impl Worker {
             Job::Press(difference) => drop(self.engine.apply(&difference)),
             Job::Model(model) => {
                 self.engine.options_mut().model = Some(model);
+                self.is_model_due = true;
                 self.engine.forget();
             }
             Job::Forget => self.engine.forget(),
@@ -210,6 +217,21 @@ impl Worker {
         match drawn {
             Ok(previews) => self.tell(News::Drawn(solution, self.draughts.is_draft(), previews)),
             Err(_) => self.tell(News::Failed("The geometry could not be drawn")),
+        }
+    }
+
+    /// Shows the Rhino model; where somebody cancels it is due again with the next work.
+    fn show_model(&mut self, cancel: &Cancel) {
+        let options = self.engine.options();
+        let Some(model) = options.model.as_ref().filter(|_| self.is_model_due) else { return };
+        let go_on = || !cancel.is_cancelled();
+        let shown = catch_unwind(AssertUnwindSafe(|| {
+            inside(self.pool.as_ref(), || encode_model(model, &options.rules, go_on))
+        }));
+        self.is_model_due = matches!(shown, Ok(None));
+        match shown {
+            Ok(shown) => shown.into_iter().for_each(|preview| self.tell(News::Modelled(preview))),
+            Err(_) => self.tell(News::Failed("The model could not be drawn")),
         }
     }
 

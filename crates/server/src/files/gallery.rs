@@ -1,4 +1,4 @@
-//! The definitions of the book, to start from.
+//! The definitions to start from: examples, and those of the book.
 
 use std::sync::LazyLock;
 
@@ -11,34 +11,59 @@ use serde::Serialize;
 #[include = "README.md"]
 struct Book;
 
+#[derive(Embed)]
+#[folder = "$CARGO_MANIFEST_DIR/../../examples"]
+#[include = "*.kd"]
+struct Examples;
+
 /// A definition of the gallery.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct Gallery {
     pub(crate) id: String,
+    /// What a document is called that is opened from it.
+    pub(crate) name: String,
     pub(crate) title: String,
     pub(crate) group: String,
     pub(crate) description: String,
 }
 
 impl Gallery {
-    /// All of them, in the order of the book's own table.
+    /// All of them: the examples, then the book in the order of its own table.
     pub(crate) fn all() -> &'static [Self] {
         static ALL: LazyLock<Vec<Gallery>> = LazyLock::new(|| {
             let text = Book::get("README.md").map(|file| file.data.into_owned()).unwrap_or_default();
-            listed(&String::from_utf8_lossy(&text))
+            let mut all: Vec<Gallery> = Examples::iter().filter_map(|name| example(&name)).collect();
+            all.extend(listed(&String::from_utf8_lossy(&text)));
+            all
         });
         &ALL
     }
 
     /// The text of one.
     pub(crate) fn text(&self) -> Option<Vec<u8>> {
-        Book::get(&format!("{}/definition.kd", self.id)).map(|file| file.data.into_owned())
+        let file = Book::get(&format!("{}/definition.kd", self.id));
+        file.or_else(|| Examples::get(&format!("{}.kd", self.id))).map(|file| file.data.into_owned())
     }
 
     /// The one of that id.
     pub(crate) fn find(id: &str) -> Option<&'static Self> {
         Self::all().iter().find(|one| one.id == id)
     }
+}
+
+/// An example, by what its text says of it.
+fn example(name: &str) -> Option<Gallery> {
+    let text = Examples::get(name)?.data;
+    let text = String::from_utf8_lossy(&text);
+    let said = |what: &str| text.lines().find_map(|line| serde_json::from_str(line.strip_prefix(what)?).ok());
+    let title: String = said("title ")?;
+    Some(Gallery {
+        id: name.strip_suffix(".kd")?.to_owned(),
+        name: title.clone(),
+        title,
+        group: "Examples".to_owned(),
+        description: said("about ")?,
+    })
 }
 
 /// The rows of the tables under each heading.
@@ -55,7 +80,8 @@ fn listed(text: &str) -> Vec<Gallery> {
             && target == format!("{id}/definition.kd)")
         {
             let [id, title, description] = [id, title, description].map(str::to_owned);
-            all.push(Gallery { id, title, group: group.clone(), description });
+            let name = format!("{id} {title}");
+            all.push(Gallery { id, name, title, group: group.clone(), description });
         }
     }
     all
@@ -74,5 +100,7 @@ mod tests {
             assert!(!one.group.is_empty() && !one.title.is_empty());
         }
         assert!(Gallery::find("../V1").is_none());
+        let tower = Gallery::find("tower").map(|one| one.title.as_str());
+        assert_eq!(tower, Some("Twisted tower"), "examples are there too");
     }
 }

@@ -4,6 +4,7 @@ mod export;
 mod form;
 mod gallery;
 mod plain;
+mod portraits;
 mod private;
 mod recent;
 
@@ -11,5 +12,6 @@ pub(crate) use export::{Wishes, content_type, export};
 pub(crate) use form::{Form, read, write};
 pub(crate) use gallery::Gallery;
 pub(crate) use plain::plain;
+pub(crate) use portraits::Portraits;
 pub(crate) use private::private_folder;
 pub(crate) use recent::Recent;

@@ -18,7 +18,7 @@ use uuid::Uuid;
 
 use super::State;
 use super::answer::Refused;
-use crate::document::{Command, Source, left_behind};
+use crate::document::{Attached, Command, Source, left_behind};
 use crate::files::{Form, Gallery, Wishes};
 use crate::{catalogue, files};
 
@@ -119,8 +119,54 @@ pub(crate) async fn close(
 fn from_gallery(one: &Gallery) -> Result<Source, String> {
     let text = one.text().ok_or("it is not in this program")?;
     let mut source = Source::sent(&format!("{}.kd", one.id), Form::Kd, &text)?;
-    source.name = format!("{} {}", one.id, one.title);
+    source.name.clone_from(&one.name);
     Ok(source)
+}
+
+/// Of what a picture is wanted: of a definition of the gallery, or of a recent file.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Portraying {
+    gallery: Option<String>,
+    recent: Option<PathBuf>,
+}
+
+/// Larger definitions get no picture.
+const LARGEST_PORTRAYED: u64 = 16 << 20;
+
+/// A small picture of a definition.
+pub(crate) async fn portrait(
+    Extract(state): Extract<Arc<State>>,
+    query: Question<Portraying>,
+) -> Answer<Response> {
+    let shared = Arc::clone(&state.shared);
+    let picture = match asked(query)? {
+        Portraying { gallery: Some(id), .. } => {
+            let one = Gallery::find(&id).ok_or_else(|| Refused::missing("definition in the gallery"))?;
+            let made = move || {
+                let text = one.text().ok_or("it is not in this program")?;
+                Ok(shared.portraits.of(&text, &shared.trust, || from_gallery(one)))
+            };
+            blocking(made).await?
+        }
+        Portraying { recent: Some(path), .. } if shared.trust.names_paths() => {
+            let known = shared.recent.as_ref().and_then(|recent| recent.find(|known| known == path));
+            let path = known.ok_or_else(|| Refused::missing("recent file"))?;
+            let made = move || {
+                let told = |error: &std::io::Error| files::plain(error);
+                let size = std::fs::metadata(&path).map_err(|error| told(&error))?.len();
+                if size > LARGEST_PORTRAYED {
+                    return Ok(None);
+                }
+                let bytes = std::fs::read(&path).map_err(|error| told(&error))?;
+                Ok(shared.portraits.of(&bytes, &shared.trust, || Source::file(&path)))
+            };
+            blocking(made).await?
+        }
+        _ => return Err(Refused::bad("name a definition of the gallery or a recent file")),
+    };
+    let bytes = picture.ok_or_else(|| Refused::missing("picture"))?;
+    let headers = [(CONTENT_TYPE, "image/png"), (CACHE_CONTROL, "private, max-age=600")];
+    Ok((headers, Body::from(bytes)).into_response())
 }
 
 async fn opened(state: &State, source: Source) -> Answer<Json<Value>> {
@@ -139,6 +185,9 @@ async fn opened(state: &State, source: Source) -> Answer<Json<Value>> {
 pub(crate) struct Sending {
     name: String,
     document: Option<String>,
+    /// Whether a definition is only to be looked at: nothing is solved until somebody says so.
+    #[serde(default)]
+    locked: bool,
 }
 
 pub(crate) async fn upload(
@@ -147,7 +196,7 @@ pub(crate) async fn upload(
     headers: HeaderMap,
     body: Request,
 ) -> Answer<Json<Value>> {
-    let Sending { name, document } = asked(query)?;
+    let Sending { name, document, locked } = asked(query)?;
     let too_large = || {
         let most = state.most_upload >> 20;
         Refused::new(StatusCode::PAYLOAD_TOO_LARGE, format!("more than {most} MB cannot be sent"))
@@ -167,7 +216,8 @@ pub(crate) async fn upload(
         let id = document.ok_or_else(|| Refused::bad("a model belongs to a document: say to which"))?;
         let handle = state.documents.get(&id).ok_or_else(|| Refused::missing("document"))?;
         let model = blocking(move || {
-            RhinoModel::read(&bytes).map(Arc::new).map_err(|error| format!("{name}: {error}"))
+            let model = RhinoModel::read(&bytes).map_err(|error| format!("{name}: {error}"))?;
+            Ok(Attached { name, model: Arc::new(model) })
         })
         .await?;
         handle.ask(|done| Command::Model(model, done)).await.ok_or_else(|| Refused::missing("document"))?;
@@ -176,7 +226,7 @@ pub(crate) async fn upload(
     let form =
         Form::of(Path::new(&name)).ok_or_else(|| Refused::bad("a definition is a .gh, .ghx or .kd file"))?;
     let source = blocking(move || Source::sent(&name, form, &bytes)).await?;
-    opened(&state, source).await
+    opened(&state, Source { is_locked: locked, ..source }).await
 }
 
 /// Which document, in which form.

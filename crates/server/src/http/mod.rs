@@ -16,7 +16,7 @@ use axum::routing::{get, post};
 
 use crate::Config;
 use crate::document::Shared;
-use crate::files::Recent;
+use crate::files::{Portraits, Recent};
 
 pub(crate) use documents::Documents;
 pub(crate) use guard::Guard;
@@ -37,6 +37,7 @@ const MOST_QUESTION: usize = 64 << 10;
 impl State {
     pub(crate) fn new(config: Config, port: u16) -> Self {
         let shared = Arc::new(Shared {
+            portraits: Portraits::new(config.state.as_deref()),
             recent: Some(Recent::new(config.state.as_deref())),
             journals: config.state.as_ref().map(|state| state.join("journals")),
             trust: config.trust(),
@@ -61,6 +62,7 @@ pub(crate) fn router(state: Arc<State>) -> Router {
         .route("/api/close", post(api::close))
         .route("/api/upload", upload)
         .route("/api/convert", convert)
+        .route("/api/portrait", get(api::portrait))
         .route("/api/save", get(api::save))
         .route("/api/export", get(api::export))
         .route("/api/components", get(api::components))

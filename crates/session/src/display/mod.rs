@@ -11,6 +11,7 @@ mod edges;
 mod faces;
 mod fewer;
 pub(crate) mod layout;
+mod model;
 pub(crate) mod parts;
 mod runs;
 
@@ -87,6 +88,7 @@ pub struct Geometry {
 }
 
 pub use katydid_scene::{draws_inputs, is_shown};
+pub use model::{ModelPreview, encode_model};
 
 /// Encodes what objects show, side by side on all cores. Objects come back in the same order; what `go_on` denies
 /// does not come back at all.

@@ -1,5 +1,6 @@
 use std::sync::Arc;
 
+use katydid_component::RhinoModel;
 use katydid_data::Tree;
 use katydid_data::cast::Rules;
 use katydid_definition::document::{Document, Lookup, Object, PortRef};
@@ -11,6 +12,11 @@ use crate::Refusal;
 pub trait Results {
     /// The data of an output, after its modifiers; none while it is not solved.
     fn output(&self, port: Uuid, within: &[Uuid]) -> Option<Tree>;
+
+    /// The Rhino model beside the document.
+    fn model(&self) -> Option<&RhinoModel> {
+        None
+    }
 }
 
 /// No data at all.

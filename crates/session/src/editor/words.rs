@@ -65,6 +65,10 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
         Edit::Reshape { object, .. } | Edit::ChangePanel { object, .. } => format!("Change {}", one(object)),
         Edit::Keep { values: None, .. } => "Clear values".to_owned(),
         Edit::Keep { .. } => "Set values".to_owned(),
+        Edit::SetGeometry { items, .. } => match items.len() {
+            1 => "Set one item".to_owned(),
+            n => format!("Set {n} items"),
+        },
         Edit::Internalise { .. } => "Internalise data".to_owned(),
         Edit::Extract { .. } => "Extract parameter".to_owned(),
         Edit::AddPort { input: true, .. } => "Add input".to_owned(),
@@ -81,6 +85,7 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
         Edit::Ungroup { .. } => "Ungroup".to_owned(),
         Edit::MakeCluster { .. } => "Make cluster".to_owned(),
         Edit::ExplodeCluster { .. } => "Explode cluster".to_owned(),
+        Edit::Publish { .. } => "Publish inputs".to_owned(),
         Edit::Settings { .. } => "Change document settings".to_owned(),
     }
 }

@@ -1,8 +1,10 @@
 //! Geometry as a definition keeps it: openNURBS objects, packed as .NET packs them.
 
 use katydid_3dm::{BrepObject, Object as Archived};
-use katydid_data::{Tree, Value};
+use katydid_data::{Kind, Tree, Value};
 use katydid_definition::document::{Branch, OnData, Persistent, Stored, StoredGeometry};
+
+use uuid::Uuid;
 
 use crate::catalogue;
 
@@ -22,7 +24,11 @@ pub(super) fn persistent(tree: &Tree) -> Result<Persistent, String> {
     Ok(Persistent { branches: branches.collect::<Result<_, String>>()? })
 }
 
-fn stored(value: &Value) -> Result<Stored, String> {
+/// A value as a parameter keeps it.
+///
+/// # Errors
+/// With what cannot be kept yet.
+pub(super) fn stored(value: &Value) -> Result<Stored, String> {
     if let Some(plain) = catalogue::stored(value) {
         return Ok(plain);
     }
@@ -51,6 +57,26 @@ fn stored(value: &Value) -> Result<Stored, String> {
         type_name: Some(format!("Grasshopper.Kernel.Types.{type_name}")),
         ..StoredGeometry::default()
     })))
+}
+
+/// A reference to an object of a Rhino model, as a parameter of a type keeps it. `geometry` is that of the object.
+pub(super) fn reference(object: Uuid, geometry: &Value, kind: Kind) -> Stored {
+    let type_name = match geometry {
+        Value::Point(_) => "GH_Point",
+        Value::Surface(_) => "GH_Surface",
+        Value::Brep(_) | Value::Box(_) => "GH_Brep",
+        Value::Mesh(_) => "GH_Mesh",
+        Value::Kept(raw) => kept_type(&raw.class_name()),
+        _ => "GH_Curve",
+    };
+    Stored::Geometry(Box::new(StoredGeometry {
+        ref_id: object,
+        edge: (type_name == "GH_Curve").then_some(-1),
+        // A Point parameter keeps a reference otherwise than its points.
+        ref_type: (kind == Kind::Point).then(|| "point_object".to_owned()),
+        type_name: Some(format!("Grasshopper.Kernel.Types.{type_name}")),
+        ..StoredGeometry::default()
+    }))
 }
 
 /// Grasshopper's own type for a class.

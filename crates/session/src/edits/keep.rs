@@ -15,14 +15,14 @@ use crate::editor::Draft;
 use crate::view::{kind, parameter_kind, size};
 
 /// The most values that a text may have.
-const MOST_VALUES: usize = 1_000_000;
+pub(super) const MOST_VALUES: usize = 1_000_000;
 
-fn unfit(object: &Object, reason: impl Into<String>) -> Refusal {
+pub(super) fn unfit(object: &Object, reason: impl Into<String>) -> Refusal {
     Refusal::Unfit { object: object.title().to_owned(), reason: reason.into() }
 }
 
 /// The type of an input's items.
-fn kind_of(object: &Object, input: usize) -> Kind {
+pub(super) fn kind_of(object: &Object, input: usize) -> Kind {
     let declared = registry::by_guid(object.component).and_then(|c| c.input(input)).map(|port| port.kind);
     object.inputs.get(input).map_or(Kind::Generic, |port| kind(port, declared))
 }

@@ -6,6 +6,7 @@ mod clusters;
 mod controls;
 mod explode;
 mod geometry;
+mod given;
 mod graphs;
 mod groups;
 mod keep;
@@ -14,6 +15,7 @@ mod make;
 mod objects;
 mod panel;
 mod paste;
+mod player;
 mod ports;
 mod settings;
 mod wires;
@@ -25,6 +27,7 @@ use crate::protocol::Edit;
 pub(crate) use clipboard::copy;
 pub(crate) use clusters::tie_ports;
 pub use make::object as new_object;
+pub(crate) use player::published;
 pub(crate) use settings::rules_of;
 
 /// The most ids that one edit may name.
@@ -52,6 +55,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::Reshape { object, control } => controls::reshape(draft, *object, control),
         Edit::ChangePanel { object, change } => panel::change(draft, *object, change),
         Edit::Keep { port, values } => keep::keep(draft, *port, values.as_deref()),
+        Edit::SetGeometry { port, items } => given::set(draft, *port, items),
         Edit::Internalise { port } => keep::internalise(draft, *port),
         Edit::Extract { port, id } => keep::extract(draft, *port, *id),
         Edit::AddPort { object, input, index, id } => ports::add(draft, *object, *input, *index, *id),
@@ -61,6 +65,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::Ungroup { groups } => groups::ungroup(draft, groups),
         Edit::MakeCluster { id, objects } => clusters::make(draft, *id, objects),
         Edit::ExplodeCluster { cluster } => explode::explode(draft, *cluster),
+        Edit::Publish { inputs } => player::publish(draft, inputs.as_deref()),
         Edit::Settings { .. } => settings::change(draft, edit),
     }
 }

@@ -12,17 +12,17 @@ use crate::Refusal;
 use crate::editor::Draft;
 use crate::protocol::Edit;
 
-const TABLE: &str = "ValueTable";
+pub(super) const TABLE: &str = "ValueTable";
 const UNITS: &str = "Katydid.Units";
 const TOLERANCE: &str = "Katydid.Tolerance";
 const ANGLE: &str = "Katydid.AngleTolerance";
 
 /// The chunk that the definition's parts stand in: the root itself inside a cluster.
-fn definition(root: &Chunk) -> &Chunk {
+pub(super) fn definition(root: &Chunk) -> &Chunk {
     root.child("Definition").unwrap_or(root)
 }
 
-fn definition_mut(root: &mut Chunk) -> &mut Chunk {
+pub(super) fn definition_mut(root: &mut Chunk) -> &mut Chunk {
     let at = root.chunks.iter().position(|chunk| chunk.name == "Definition" && chunk.index.is_none());
     match at {
         Some(at) => &mut root.chunks[at],
@@ -48,7 +48,7 @@ pub(crate) fn rules_of(document: &Document, given: Rules) -> Rules {
 }
 
 /// The part of that name, which is made where it is missing.
-fn part<'a>(parent: &'a mut Chunk, name: &str) -> &'a mut Chunk {
+pub(super) fn part<'a>(parent: &'a mut Chunk, name: &str) -> &'a mut Chunk {
     if parent.child(name).is_none() {
         parent.set_child(Chunk::new(name));
     }

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{BorderView, Colour, Control, MappingView, Setting, WireView};
+use super::{BorderView, Colour, Control, GeometrySource, MappingView, PlayerInput, Setting, WireView};
 
 /// A change of the document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,6 +54,8 @@ pub enum Edit {
     ChangePanel { object: Uuid, change: PanelChange },
     /// Keeps values in an input, one a line, with `{0;1}` on a line of its own before each branch; none clears it.
     Keep { port: Uuid, values: Option<String> },
+    /// Keeps geometry in an input in place of what it kept: what was picked or drawn in a viewport, one item each.
+    SetGeometry { port: Uuid, items: Vec<GeometrySource> },
     /// Keeps the data that a port has now in a new parameter (or in the port itself when it is an input or parameter),
     /// and takes its wires away.
     Internalise { port: Uuid },
@@ -81,6 +83,8 @@ pub enum Edit {
     MakeCluster { id: Uuid, objects: Vec<Uuid> },
     /// Puts the inside of a cluster in its place.
     ExplodeCluster { cluster: Uuid },
+    /// The inputs that the player shows, in their order; none lets it find them itself.
+    Publish { inputs: Option<Vec<PlayerInput>> },
     /// The document's units and tolerances; what is not given stays.
     Settings {
         units: Option<String>,

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{Colour, CombMeasure, DocumentView, ObjectView, Probed};
+use super::{Colour, CombMeasure, DocumentView, ModelView, ObjectView, Probed};
 
 /// What the session tells a face.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -72,6 +72,9 @@ pub enum Event {
     /// What is at the places that [`Ask::Probe`](super::Ask::Probe) of that round named, in their order; none where there
     /// is no such curve or surface.
     Probed { solution: u64, round: u32, probes: Vec<Option<Probed>> },
+    /// The Rhino model beside the definition, when a face joins and when another is given; nothing where there is none,
+    /// or it is not drawn yet. The geometry of its layers is found by its hash as that of `Preview`.
+    Model { model: Option<ModelView> },
     /// Something that people should know.
     Notice(Notice),
 }
@@ -136,6 +139,10 @@ pub struct ResultView {
     pub status: String,
     /// What it tells.
     pub messages: Vec<MessageView>,
+    /// What its inputs need of a Rhino model and do not have.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "typescript", ts(optional, as = "Option<Vec<ModelLackView>>"))]
+    pub lacks: Vec<ModelLackView>,
     /// How long it took.
     pub milliseconds: f64,
     /// The data of its outputs in few words.
@@ -152,6 +159,19 @@ pub struct MessageView {
     pub level: String,
     /// The message.
     pub text: String,
+}
+
+/// What an input needs of a Rhino model and does not have.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct ModelLackView {
+    /// The type of the input.
+    pub kind: String,
+    /// How many objects; 0 where the model as a whole is asked for.
+    pub objects: u32,
+    /// Whether there is a model, without those objects.
+    pub has_model: bool,
 }
 
 /// The data of an output in few words.

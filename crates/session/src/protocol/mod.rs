@@ -14,6 +14,8 @@ mod analysis;
 mod control;
 mod edit;
 mod event;
+mod geometry;
+mod model;
 mod preview;
 mod request;
 mod view;
@@ -24,11 +26,14 @@ pub use analysis::{
 pub use control::{Control, GraphView, GripView, ListItemView, ListModeView, RoundingView, Setting};
 pub use edit::{Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange};
 pub use event::{
-    DocumentState, Event, MessageView, Notice, OutputView, Page, PictureView, Problem, Restored, ResultView,
-    Row, Structure,
+    DocumentState, Event, MessageView, ModelLackView, Notice, OutputView, Page, PictureView, Problem,
+    Restored, ResultView, Row, Structure,
 };
+pub use geometry::{Drawing, GeometrySource, PlaneView};
+pub use model::{ModelLayerView, ModelObjectView, ModelView};
 pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType};
 pub use request::{Ask, Request, SaveFormat};
 pub use view::{
-    BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PortView, Support, WireView,
+    BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PlayerInput, PortView,
+    Support, WireView,
 };

@@ -37,6 +37,22 @@ pub struct DocumentView {
     pub redo: Option<String>,
     /// Whether edits are not solved until somebody says so.
     pub locked: bool,
+    /// The inputs that the player shows, in their order; none where it finds them itself.
+    pub player: Option<Vec<PlayerInput>>,
+}
+
+/// An input that the player shows.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct PlayerInput {
+    /// The control.
+    pub object: Uuid,
+    /// What it is called there; empty for its own name.
+    #[serde(default)]
+    pub label: String,
+    /// What is said of it; empty for nothing.
+    #[serde(default)]
+    pub help: String,
 }
 
 /// One thing on the canvas.

@@ -62,6 +62,7 @@ pub(crate) fn header(editor: &Editor) -> DocumentView {
         undo: editor.undo_name().map(str::to_owned),
         redo: editor.redo_name().map(str::to_owned),
         locked: about.locked,
+        player: crate::edits::published(document),
     }
 }
 

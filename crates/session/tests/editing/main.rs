@@ -6,8 +6,10 @@
 mod common;
 
 mod controls;
+mod given;
 mod made;
 mod ports;
+mod published;
 mod several;
 mod steps;
 mod wires;

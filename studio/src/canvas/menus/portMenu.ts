@@ -6,7 +6,9 @@ import type { PortChange } from "../../core/protocol/PortChange";
 import type { PortView } from "../../core/protocol/PortView";
 import type { WireView } from "../../core/protocol/WireView";
 import { t, type Key } from "../../i18n";
+import { SETTABLE } from "../../core/drawing";
 import { documentStore } from "../../state/document";
+import { beginPick, isSettable } from "../../state/pickJob";
 import { edit } from "../../state/session";
 import { changePort, removePort, unwire } from "../edits";
 import { gripOf } from "../gestures/world";
@@ -51,6 +53,7 @@ export function portItems(object: ObjectView, port: PortView, side: "input" | "o
       flag(port, "canvas.modifier.principal", port.principal, (on) => ({ is: "principal", on })),
     LINE,
     { is: "do", label: t("canvas.menu.expression"), run: () => openEditor(object.id, "expression", { port: port.id }) },
+    ...(input ? setItems(port) : []),
     input && { is: "do", label: t("canvas.menu.values"), run: () => openEditor(object.id, "values", { port: port.id }) },
     input && {
       is: "do",
@@ -70,6 +73,19 @@ export function portItems(object: ObjectView, port: PortView, side: "input" | "o
       run: () => void edit({ do: "extract", port: port.id, id: crypto.randomUUID() }),
     },
   );
+}
+
+/** *Set one* and *Set multiple*, for what can be picked or drawn. */
+function setItems(port: PortView): Item[] {
+  if (!SETTABLE.has(port.kind)) return [];
+  const kind = t(`pick.kind.${port.kind}` as Key);
+  const item = (label: Key, isMany: boolean): Item => ({
+    is: "do",
+    label: t(label, { kind }),
+    off: !isSettable(port),
+    run: () => beginPick(port, isMany),
+  });
+  return [item("pick.menu.one", false), item("pick.menu.many", true)];
 }
 
 const GEOMETRIC = ["Curve", "Surface", "Brep", "Geometry", "Line", "Arc", "Circle"];

@@ -2,6 +2,7 @@
 import type { CombMeasure } from "./CombMeasure";
 import type { DocumentState } from "./DocumentState";
 import type { DocumentView } from "./DocumentView";
+import type { ModelView } from "./ModelView";
 import type { Notice } from "./Notice";
 import type { ObjectView } from "./ObjectView";
 import type { Page } from "./Page";
@@ -36,4 +37,4 @@ made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | 
 /**
  * The object that was done last.
  */
-name: string, } | { "event": "results", solution: number, within: Array<string>, results: Array<ResultView>, finished: boolean, cancelled: boolean, milliseconds: number, } | { "event": "preview", solution: number, draft: boolean, objects: Array<[string, string | null]>, } | { "event": "analysed", solution: number, draft: boolean, objects: Array<[string, string | null]>, comb: CombMeasure | null, leftOut: Array<string>, } | { "event": "probed", solution: number, round: number, probes: Array<Probed | null>, } | { "event": "notice" } & Notice;
+name: string, } | { "event": "results", solution: number, within: Array<string>, results: Array<ResultView>, finished: boolean, cancelled: boolean, milliseconds: number, } | { "event": "preview", solution: number, draft: boolean, objects: Array<[string, string | null]>, } | { "event": "analysed", solution: number, draft: boolean, objects: Array<[string, string | null]>, comb: CombMeasure | null, leftOut: Array<string>, } | { "event": "probed", solution: number, round: number, probes: Array<Probed | null>, } | { "event": "model", model: ModelView | null, } | { "event": "notice" } & Notice;

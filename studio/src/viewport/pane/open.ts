@@ -5,15 +5,18 @@ import type { Rgba } from "../../core/preview";
 import type { DocumentView } from "../../core/protocol/DocumentView";
 import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
+import { modelStore } from "../../state/model";
 import { lineStore } from "../../state/session";
 import { select, uiStore } from "../../state/ui";
 import { setCurrentViewport } from "../current";
 import { analysisGeometry, geometry } from "../geometry";
+import { layerColours, layerGeometry } from "../layers";
 import { settingsStore, viewportStore } from "../settings";
 import { aim } from "../tools/aim";
+import { Drawer } from "../tools/drawer";
 import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
-import { besides } from "../tools/beside";
+import { besides, layers } from "../tools/beside";
 import { Looker } from "../tools/looker";
 import { Probes } from "../tools/probes";
 import type { Pick } from "../tools/picking";
@@ -43,7 +46,8 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   canvas.setAttribute("role", "application");
   canvas.setAttribute("aria-label", t("viewport.label"));
   canvas.setAttribute("aria-description", t("viewport.help"));
-  setCurrentViewport(viewport);
+  const drawer = new Drawer(host, viewport);
+  setCurrentViewport(viewport, drawer);
   const stops = [
     geometry.listen({
       put: (object, preview) => viewport.put(object, preview),
@@ -52,6 +56,8 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
       failed: (object, reason) => complain(object, reason),
     }),
     analysisGeometry.listen({ ...besides(viewport), failed: (object, reason) => complain(object, reason) }),
+    layerGeometry.listen({ ...layers(viewport), failed: (layer, reason) => complain(layer, reason) }),
+    modelStore.subscribe(() => viewport.surround(surroundings())),
     uiStore.subscribe(() => viewport.surround(surroundings())),
     documentStore.subscribe(() => viewport.surround(surroundings())),
     settingsStore.subscribe((now, before) => now.previews !== before.previews && viewport.surround(surroundings())),
@@ -79,8 +85,9 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     frames.place(placed, viewport.panes.active);
     handles.place(placed);
     section.place(placed);
+    drawer.place();
   };
-  const controls = hands(viewport, host, probes);
+  const controls = hands(viewport, host, probes, drawer);
   const stopPortraits = portray(viewport, host);
   return () => {
     stopPortraits();
@@ -89,6 +96,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     probes.dispose();
     handles.dispose();
     section.dispose();
+    drawer.dispose();
     frames.dispose();
     for (const stop of stops) stop();
     setCurrentViewport(undefined);
@@ -112,13 +120,15 @@ function surroundings(): Surroundings {
     hovered,
     hidden,
     only: previews === "all" ? undefined : previews === "selected" ? selection : NONE,
+    layers: layerColours(modelStore.getState()),
   };
 }
 
 type Pick4<T> = { [K in keyof T as T[K] extends [number, number, number, number] ? K : never]: T[K] };
 
 function complain(object: string, reason: string): void {
-  const name = documentStore.getState().objects.get(object)?.nickname ?? "";
+  const layer = modelStore.getState().model?.layers.find(({ id }) => id === object);
+  const name = layer?.path ?? documentStore.getState().objects.get(object)?.nickname ?? "";
   lineStore.setState({ complaint: t("viewport.failed", { object: name, reason }) });
 }
 
@@ -134,7 +144,7 @@ function followTheme(changed: () => void): () => void {
   };
 }
 
-function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerControls {
+function hands(viewport: Viewport, host: HTMLElement, probes: Probes, drawer: Drawer): PointerControls {
   const { panes } = viewport;
   const band = document.createElement("div");
   band.className = "viewport-window";
@@ -144,6 +154,7 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerCo
   let request = 0;
   const hover = () => {
     request = 0;
+    if (drawer.isOn()) return drawer.hover(waiting);
     const pick = waiting && !controls.isBusy() ? viewport.pickAt(...waiting) : undefined;
     pointAt(probes, pick, waiting);
   };
@@ -153,7 +164,11 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerCo
       const { pane } = panes.at(x, y);
       return pane;
     },
-    begin: (pane) => panes.activate(pane),
+    begin(pane) {
+      panes.activate(pane);
+      // Who takes the model into the hand stops the table.
+      if (settingsStore.getState().turntable) settingsStore.setState({ turntable: false });
+    },
     orbit: (pane, dx, dy) => panes.orbit(pane, dx, dy),
     pan: (pane, dx, dy) => panes.pan(pane, dx, dy),
     zoom: (pane, x, y, factor) => panes.zoom(pane, aim(viewport, x, y), factor),
@@ -162,11 +177,13 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes): PointerCo
       request ||= requestAnimationFrame(hover);
     },
     click(x, y, how) {
+      if (drawer.isOn()) return drawer.click(x, y);
       const pick = viewport.pickAt(x, y);
       choose(pick ? [pick.object] : [], how);
     },
     mark: (x, y) => probes.pin(viewport.pickAt(x, y)),
     window(corners, done, how) {
+      if (drawer.isOn()) return;
       band.hidden = done || !corners;
       if (!corners) return;
       const [x, y, u, v] = corners;

@@ -3,10 +3,11 @@
 import {
   BufferAttribute, BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, InstancedInterleavedBuffer,
   InterleavedBuffer, InterleavedBufferAttribute, LineSegments, Mesh, Points, Sphere, Vector3, type Object3D,
-  type RawShaderMaterial,
+  type Camera, type RawShaderMaterial,
 } from "three";
 
 import { centre, radius } from "../../core/bounds";
+import { fadeAt } from "../../core/density";
 import type { Point3 } from "../../core/preview";
 import { segmentSlots, segmentsOf, type Merged } from "./merge";
 import { SHAPE } from "../shaders/point";
@@ -14,6 +15,8 @@ import type { Materials } from "./materials";
 
 /** The layer that only the camera of the ground's shadow sees. */
 export const SHADOW_LAYER = 1;
+/** The layer of what hides what is behind it, for its depths. */
+export const DEPTH_LAYER = 2;
 
 /**
  * The order in which things are drawn. Lines and points come twice: before the surfaces that shine through, which then
@@ -147,6 +150,7 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
     return still(mesh);
   };
   const surface = { solid: make(materials.opaque), depth: make(materials.depth), colour: make(materials.translucent) };
+  surface.solid.layers.enable(DEPTH_LAYER);
   const shadow = make(materials.shadow);
   shadow.layers.set(SHADOW_LAYER);
   return { objects: [...Object.values(surface), shadow], surface, setValues };
@@ -196,18 +200,52 @@ function linesOf(
   const used = merged.indices?.length ?? merged.positions.length / 3;
   const width = merged.width || (THINNER[merged.kind] ?? LINE);
   const isWide = used / 2 <= budget.wide && !(budget.areDraftsThin && merged.isDraft);
-  const objects: Drawn[] = [isWide ? wideLines(merged, own, materials, budget, width, pixels) : thinLines(merged, own, materials)];
+  const fade = fadeOf(merged, materials);
+  const objects: Drawn[] = [
+    isWide ? wideLines(merged, own, materials, budget, width, pixels, fade) : thinLines(merged, own, materials, fade),
+  ];
   if (merged.kind === "arrows") objects.push(heads(merged, own, materials, pixels));
   return objects;
 }
 
-function thinLines(merged: Merged, own: Owner, materials: Materials): Drawn {
+/** How strongly lines are drawn for a camera. */
+type Fade = (camera: Camera, lines: Drawn) => number;
+
+const WHOLE: Fade = () => 1;
+
+/** Edges and isocurves become fainter where they would cover what they bound; other lines are what is to be seen. */
+function fadeOf({ kind, positions, indices, bounds }: Merged, materials: Materials): Fade {
+  if ((kind !== "edges" && kind !== "isocurves") || !bounds) return WHOLE;
+  const length = lengthOf(positions, indices);
+  const size = radius(bounds);
+  const middle = new Vector3(...centre(bounds));
+  const seen = new Vector3();
+  return (camera, lines) => {
+    seen.copy(middle).applyMatrix4(lines.matrixWorld).applyMatrix4(camera.matrixWorldInverse);
+    const { elements } = camera.projectionMatrix;
+    const depth = elements[15] === 1 ? 1 : Math.max(-seen.z, size * 0.1);
+    return fadeAt(length, size, ((elements[5] ?? 1) * materials.shared.uView.value.y) / 2 / depth);
+  };
+}
+
+function lengthOf(positions: Float32Array, indices: Merged["indices"]): number {
+  const count = indices?.length ?? positions.length / 3;
+  const at = (k: number, axis: number) => positions[(indices ? (indices[k] ?? 0) : k) * 3 + axis] ?? 0;
+  let sum = 0;
+  for (let k = 0; k + 1 < count; k += 2) sum += Math.hypot(at(k + 1, 0) - at(k, 0), at(k + 1, 1) - at(k, 1), at(k + 1, 2) - at(k, 2));
+  return sum;
+}
+
+function thinLines(merged: Merged, own: Owner, materials: Materials, fade: Fade): Drawn {
   const geometry = own(new BufferGeometry());
   geometry.setAttribute("position", positionsOf(merged.positions));
   if (merged.indices) geometry.setIndex(new BufferAttribute(merged.indices, 1));
   if (typeof merged.slots !== "number") geometry.setAttribute("slot", new BufferAttribute(merged.slots, 1));
   const lines = new LineSegments(geometry, materials.thin);
-  lines.onBeforeRender = () => materials.setLook(materials.thin, merged.slots);
+  lines.onBeforeRender = (_renderer, _scene, camera) => {
+    materials.setLook(materials.thin, merged.slots);
+    uniform(materials.thin, "uFade", fade(camera, lines));
+  };
   return still(lines);
 }
 
@@ -225,12 +263,14 @@ function wideLines(
   { areInstances }: Budget,
   width: number,
   pixels: () => number,
+  fade: Fade,
 ): Drawn {
   const segments = segmentsOf(merged);
   const slots = typeof merged.slots === "number" ? undefined : segmentSlots(merged.slots, merged.indices);
   const lines = new Mesh(own(areInstances ? instances(segments, slots) : rectangles(segments, slots)), materials.wide);
-  lines.onBeforeRender = () => {
+  lines.onBeforeRender = (_renderer, _scene, camera) => {
     materials.setLook(materials.wide, merged.slots);
+    uniform(materials.wide, "uFade", fade(camera, lines));
     uniform(materials.wide, "uWidth", width * pixels());
   };
   return still(lines);

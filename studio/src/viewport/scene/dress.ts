@@ -4,8 +4,8 @@ import type { Rgba } from "../../core/preview";
 import type { ViewportSettings } from "../settings";
 import { isHidden, type Surroundings } from "../surroundings";
 import type { Theme } from "../theme";
-import { isTool } from "../tools/beside";
-import { lookOf, toolLook, type ObjectState } from "./looks";
+import { isTool, layerOf } from "../tools/beside";
+import { layerLook, lookOf, toolLook, type ObjectState } from "./looks";
 import type { Model } from "./model";
 
 export function dress(model: Model, around: Surroundings, settings: ViewportSettings, { ink, plaster, ground }: Theme): void {
@@ -15,6 +15,12 @@ export function dress(model: Model, around: Surroundings, settings: ViewportSett
   for (const { id, parts } of model.objects.values()) {
     if (isTool(id)) {
       for (const entry of parts) model.setColour(entry, toolLook(entry.part.kind, entry.part.colour, palette));
+      continue;
+    }
+    const layer = layerOf(id);
+    if (layer !== undefined) {
+      const colour = around.layers.get(layer) ?? ink;
+      for (const entry of parts) model.setColour(entry, layerLook(entry.part.kind, colour, settings.mode, palette, settings.shown));
       continue;
     }
     const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(around, id) };

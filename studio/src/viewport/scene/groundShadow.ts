@@ -1,13 +1,14 @@
 /** The soft shadow on the ground below the model, in the rendered mode; made anew when the model changes. */
 
 import {
-  BufferAttribute, BufferGeometry, Color, GLSL3, LinearFilter, Mesh, NoBlending, OrthographicCamera, RawShaderMaterial, Scene,
-  Sphere, Vector2, Vector3, WebGLRenderTarget, type WebGLRenderer,
+  Color, GLSL3, LinearFilter, Mesh, NoBlending, OrthographicCamera, RawShaderMaterial, Scene, Vector2, Vector3, WebGLRenderTarget,
+  type WebGLRenderer,
 } from "three";
 
 import { BLUR_FRAGMENT, FLAT_VERTEX, LAID_FRAGMENT } from "../shaders/shadow";
 import { ORDER, SHADOW_LAYER } from "./drawable";
 import type { Model } from "./model";
+import { square } from "./screen";
 
 const SIZE = 512;
 /** How much wider the shadow may be than the model, for its soft border. */
@@ -99,14 +100,6 @@ export class GroundShadow {
 }
 
 const SCREEN = new OrthographicCamera();
-
-function square(): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
-  geometry.setIndex(new BufferAttribute(Uint16Array.from([0, 1, 2, 0, 2, 3]), 1));
-  geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
-  return geometry;
-}
 
 function flat(fragmentShader: string, isScreen: boolean, own: RawShaderMaterial["uniforms"]): RawShaderMaterial {
   return new RawShaderMaterial({

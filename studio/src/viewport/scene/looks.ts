@@ -56,6 +56,20 @@ export function toolLook(kind: PartKind, own: Rgba | null, { ink, background }: 
   return readable([red, green, blue, kind === "hull" || kind === "isocurves" ? FAINT : 255], background);
 }
 
+/** How much of a layer's own colour is seen on its surfaces and lines: the rest is the background's. */
+const OF_SURFACE = 0.35;
+const OF_LINE = 0.55;
+const THROUGH_LAYER = 60;
+
+/** The colours of a layer of the Rhino model: dimmed, so that what the document makes stands out before it. */
+export function layerLook(kind: PartKind, layer: Rgba, mode: DisplayMode, { background }: Pick<Palette, "background">, layers: Layers): Rgba {
+  if (!isShown(kind, mode, layers)) return NONE;
+  const isSurface = kind === "mesh";
+  const [own, share] = isSurface ? [layer, OF_SURFACE] : [readable([layer[0], layer[1], layer[2], 255], background), OF_LINE];
+  const mixed = (at: 0 | 1 | 2) => Math.round(own[at] * share + background[at] * (1 - share));
+  return [mixed(0), mixed(1), mixed(2), isSurface ? THROUGH_LAYER : 255];
+}
+
 const TOOL_COLOURS: Partial<Record<PartKind, Rgba>> = {
   comb: [196, 92, 16, 255],
   circles: [112, 60, 190, 255],

@@ -90,7 +90,7 @@ export class Materials {
     this.translucent.depthFunc = LessEqualDepth;
     this.shadow = this.#make(SHADOW_VERTEX, SHADOW_FRAGMENT, 2, { uReach: { value: 1 } });
     const line = (vertex: string, fragment: string) => {
-      const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 } });
+      const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 }, uFade: { value: 1 } });
       material.transparent = true;
       material.depthWrite = false;
       return material;

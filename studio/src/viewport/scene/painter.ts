@@ -1,14 +1,17 @@
 /** Draws the model into a pane, as the settings say. */
 
-import { Color, Scene, SRGBColorSpace, Vector3, type Camera, type WebGLRenderer } from "three";
+import { Color, Matrix4, Scene, SRGBColorSpace, Vector3, type Camera, type WebGLRenderer } from "three";
 
 import type { PlacedPane } from "../panes";
 import type { ViewportSettings } from "../settings";
 import { SHADE } from "../shaders/mesh";
+import { SKY_FRAGMENT } from "../shaders/occlusion";
 import type { Theme } from "../theme";
 import { Grid } from "./grid";
 import { GroundShadow } from "./groundShadow";
 import type { Model } from "./model";
+import { Occlusion } from "./occlusion";
+import { Screen } from "./screen";
 
 /** How much of ghosted surfaces is there. */
 const GHOST = 0.55;
@@ -25,6 +28,13 @@ export class Painter {
   #shadow = new GroundShadow();
   /** What the shadow was made of. */
   #shadowOf = "";
+  #occlusion = new Occlusion();
+  #sky = new Screen(SKY_FRAGMENT, {
+    uUnproject: { value: new Matrix4() }, uToWorld: { value: new Matrix4() },
+    uHigh: { value: new Vector3() }, uHorizon: { value: new Vector3() }, uLow: { value: new Vector3() },
+  });
+  #isRendered = false;
+  #isQuick = false;
   #background = new Color();
   #isGridShown = true;
   #theme: Theme | undefined;
@@ -53,12 +63,26 @@ export class Painter {
     const isSolid = isPaper || analysis !== "none";
     this.#model.materials.isQuick = isQuick;
     this.#model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", !isQuick);
-    this.#isGridShown = shown.grid;
+    this.#isRendered = mode === "rendered" && analysis === "none";
+    this.#isQuick = isQuick;
+    // A rendered model stands under a sky, not on a grid.
+    this.#isGridShown = shown.grid && !this.#isRendered;
     this.#theme = theme;
     const { x, y, z } = isPaper ? theme.paper : theme.background;
     this.#background.setRGB(x, y, z, SRGBColorSpace);
-    this.#castShadow(mode === "rendered" && analysis === "none" && !isQuick);
+    this.#paintSky(theme);
+    this.#castShadow(this.#isRendered && !isQuick);
     this.#renderer.setScissorTest(true);
+  }
+
+  #paintSky({ background }: Theme): void {
+    const towards = (x: number, y: number, z: number, share: number) => background.clone().lerp(new Vector3(x, y, z), share);
+    const isDark = background.x + background.y + background.z < 1.2;
+    this.#sky.set({
+      uHigh: isDark ? towards(0.05, 0.09, 0.16, 0.6) : towards(0.56, 0.7, 0.86, 0.75),
+      uHorizon: isDark ? towards(0.3, 0.34, 0.4, 0.55) : towards(1, 1, 1, 0.8),
+      uLow: isDark ? towards(0.08, 0.085, 0.09, 0.5) : towards(0.8, 0.79, 0.77, 0.6),
+    });
   }
 
   #castShadow(isCast: boolean): void {
@@ -78,7 +102,7 @@ export class Painter {
 
   /** What the ground looks like, but for where it is looked at from. */
   groundLook(): string {
-    return `${this.#background.getHexString()} ${this.#isGridShown}`;
+    return `${this.#background.getHexString()} ${this.#isGridShown} ${this.#isRendered}`;
   }
 
   /** Whether what is behind surfaces cannot be drawn before all of them: some hide the grid, and the grid some of them. */
@@ -93,6 +117,10 @@ export class Painter {
     this.#renderer.setScissor(left, bottom, width, height);
     this.#renderer.setClearColor(this.#background, layer === "model" ? 0 : 1);
     this.#renderer.clear();
+    if (this.#isRendered && layer !== "model") {
+      this.#sky.set({ uUnproject: camera.projectionMatrixInverse, uToWorld: camera.matrixWorld });
+      this.#sky.draw(this.#renderer);
+    }
     const ratio = this.#renderer.getPixelRatio();
     this.#model.materials.shared.uView.value.set(width * ratio, height * ratio);
     this.#grid.mesh.visible = this.#isGridShown && layer === "all";
@@ -104,6 +132,7 @@ export class Painter {
     this.#cut(camera);
     this.#model.sortSurfaces(camera.matrixWorldInverse);
     this.#renderer.render(this.#model.scene, camera);
+    if (this.#isRendered && !this.#isQuick) this.#occlusion.apply(this.#renderer, this.#model, camera, { left, bottom, width, height });
   }
 
   /** Says where the view is cut: in the coordinates of the eye. */
@@ -129,6 +158,8 @@ export class Painter {
 
   dispose(): void {
     this.#grid.dispose();
+    this.#occlusion.dispose();
+    this.#sky.dispose();
     this.#shadow.dispose();
   }
 }

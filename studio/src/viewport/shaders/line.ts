@@ -68,18 +68,20 @@ void main() {
 
 export const LINE_FRAGMENT = /* glsl */ `
 precision highp float;
+uniform float uFade;
 in vec4 vLook;
 in float vBeyond;
 layout(location = 0) out vec4 oColour;
 
 void main() {
   if (vBeyond > 0.0) discard;
-  oColour = vLook;
+  oColour = vec4(vLook.rgb, vLook.a * uFade);
 }
 `;
 
 export const WIDE_FRAGMENT = /* glsl */ `
 precision highp float;
+uniform float uFade;
 in vec4 vLook;
 in float vAcross;
 in float vHalf;
@@ -90,7 +92,7 @@ void main() {
   if (vBeyond > 0.0) discard;
   float cover = clamp(vHalf + 0.5 - abs(vAcross), 0.0, 1.0);
   if (cover < 0.02) discard;
-  oColour = vec4(vLook.rgb, vLook.a * cover);
+  oColour = vec4(vLook.rgb, vLook.a * cover * uFade);
 }
 `;
 

@@ -10,6 +10,8 @@ import { AnalysisSheet } from "./AnalysisSheet";
 import { Check } from "./fields";
 import { Icon, type IconName } from "./icons";
 import { Popover } from "./Popover";
+import { CameraSheet } from "./CameraSheet";
+import { LayerSheet } from "./LayerSheet";
 import { SectionSheet } from "./SectionSheet";
 
 /** A button for an action, with its keys in the tooltip. */
@@ -64,8 +66,10 @@ export function Toolbar() {
       <ActionButton id="viewport.zoomSelected" icon="selected" />
       <span className="viewport-gap" />
       <ShowSheet />
+      <LayerSheet />
       <AnalysisSheet />
       <SectionSheet />
+      <CameraSheet />
       <ActionButton id="viewport.save" icon="save" />
     </div>
   );

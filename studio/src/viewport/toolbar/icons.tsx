@@ -13,6 +13,8 @@ const PATHS = {
   show: "M2 10s3-5 8-5 8 5 8 5-3 5-8 5-8-5-8-5zM10 8a2 2 0 1 0 0 4a2 2 0 0 0 0-4z",
   analysis: "M3 16c3-1 4-11 7-11s3 8 7 9M3 16h14M6 12v4M10 5v11M14 13v3",
   section: "M4 6l6-3 6 3v8l-6 3-6-3zM7 2l7 15",
+  layers: "M10 3l7 4-7 4-7-4zM3 10.5l7 4 7-4M3 14l7 4 7-4",
+  camera: "M3 7h8v7H3zM11 9l6-3v9l-6-3M5 4.5a1.5 1.5 0 1 0 3 0",
   save: "M4 5h3l1-2h4l1 2h3v11H4zM10 8a3 3 0 1 0 0 6a3 3 0 0 0 0-6z",
 } as const;
 

@@ -12,7 +12,7 @@ import type { Piece } from "../../core/protocol/Piece";
 import { nearestOnSegment } from "../../core/screen";
 import { dot } from "../../core/section";
 import type { Model, ModelObject, ModelPart } from "../scene/model";
-import { isTool } from "./beside";
+import { isOfDocument, isTool } from "./beside";
 import { buildTree } from "./treeWorker";
 
 export interface Pick {
@@ -48,6 +48,7 @@ export class Picker {
   #model: Model;
   #trees = new WeakMap<PreviewPart, Tree>();
   #isWaiting = false;
+  #isMeant: (object: string) => boolean = isOfDocument;
 
   constructor(model: Model) {
     this.#model = model;
@@ -58,9 +59,10 @@ export class Picker {
     return this.#isWaiting;
   }
 
-  /** The nearest thing at a place of the pane, in pixels from its top left. */
-  at(view: PickView, x: number, y: number): Pick | undefined {
+  /** The nearest thing at a place of the pane, in pixels from its top left: of the document, or of the Rhino model too. */
+  at(view: PickView, x: number, y: number, withLayers = false): Pick | undefined {
     this.#isWaiting = false;
+    this.#isMeant = withLayers ? (id) => !isTool(id) : isOfDocument;
     const ray = rayThrough(view, x, y);
     const surface = this.#surface(view, ray);
     let best: Candidate | undefined;
@@ -77,7 +79,7 @@ export class Picker {
 
   *#visible(wanted: (kind: PreviewPart["kind"]) => boolean): Generator<[ModelObject, ModelPart]> {
     for (const object of this.#model.objects.values()) {
-      if (isTool(object.id)) continue;
+      if (!this.#isMeant(object.id)) continue;
       for (const entry of object.parts) {
         if (wanted(entry.part.kind) && this.#model.table.get(entry.slot)[3] > 0) yield [object, entry];
       }
