@@ -106,7 +106,8 @@ impl Solid {
     }
 
     fn with(&self, other: &Self, operation: OpType) -> Result<Self> {
-        patience::room::<[u64; 48]>(self.body.num_tri().saturating_add(other.body.num_tri()))?;
+        // What the library takes at the most, as measured: about 800 bytes a triangle.
+        patience::room::<[u64; 100]>(self.body.num_tri().saturating_add(other.body.num_tri()))?;
         // The smaller first: when it goes through itself, the larger need not be searched.
         let [small, large] =
             if other.body.num_tri() < self.body.num_tri() { [other, self] } else { [self, other] };
