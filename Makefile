@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute bench bench-compute bench-kernel bench-work oracle fuzz clean
+.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -27,7 +27,7 @@ programs:
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
 test-python: $(VENV)/installed programs
 	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
-		--ignore=python-tests/step --ignore=python-tests/compute python-tests \
+		--ignore=python-tests/step --ignore=python-tests/compute python-tests --ignore=python/tests/ladybug python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
@@ -53,6 +53,16 @@ test-compute: $(VENV)-compute/installed
 $(VENV)-compute/installed: python-tests/compute/requirements.txt
 	$(PYTHON) -m venv $(VENV)-compute
 	$(VENV)-compute/bin/pip install -q -r python-tests/compute/requirements.txt
+	touch $@
+
+# Ladybug's packages from PyPI in a script component. Not part of `make test`: it fetches them.
+test-ladybug: $(VENV)-ladybug/installed
+	cargo build -p katydid
+	KATYDID=$(BUILT)/katydid $(VENV)-ladybug/bin/python -m pytest -q python/tests/ladybug
+
+$(VENV)-ladybug/installed: python/tests/ladybug/requirements.txt
+	$(PYTHON) -m venv $(VENV)-ladybug
+	$(VENV)-ladybug/bin/pip install -q -r python/tests/ladybug/requirements.txt
 	touch $@
 
 # Sixty-four clients on `katydid serve`, each answer compared with `katydid run`.

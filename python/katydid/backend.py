@@ -150,12 +150,11 @@ class Absent(Backend):
     """No host: value types work, and geometry says what is missing."""
 
     def request(self, value):
-        what = value[1] if len(value) > 1 and isinstance(value[1], str) else value[0]
-        raise NotSupported("%s needs Katydid: set KATYDID to the program, or install the package" % what)
+        raise NotSupported("geometry needs Katydid's program: set KATYDID to it, or put katydid on the path")
 
     @property
     def table(self):
-        return Table(())
+        return self.request(None)
 
     def release(self, number):
         pass

@@ -17,6 +17,14 @@ A message is a u32 length and one value. All numbers are little-endian; a value 
     k          enumeration: text body (type), i64
     E          error: text body (kind), text body (message)
 
+What has no tag travels as a map of its properties by their names in RhinoCommon: Cylinder, Cone, Torus, Ray3d,
+MeshingParameters; a domain in two directions as {"U": interval, "V": interval}. A list that belongs to an object
+(mesh.Vertices) is sent as its object. A result of several named values (AreaMassProperties) is geometry by handle.
+
+Requests of a Python process: `["call", "Class.Member", arguments...]`, `["component", id, [inputs]]`, `["components"]`,
+`["members"]`, answered by `["ok", value]` or an error; `["release", handles]`, not answered. Runs of the host, and what
+answers them: see `worker` and `run.execute`.
+
 Every length is checked against the bytes that are there before anything is made, and values nest at most 64 deep.
 """
 
@@ -27,8 +35,8 @@ from collections import deque
 from itertools import repeat
 
 from .values import (Arc, BoundingBox, Box, Circle, Color, Complex, Cone, Cylinder, DateTime, Ellipse, Guid, Interval,
-                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Ray3d, Rectangle3d, Sphere, Torus, Transform,
-                     Vector3d, Vector3f)
+                     Line, MeshFace, Plane, Point2d, Point3d, Point3f, Polyline, Ray3d, Rectangle3d, Sphere, Torus,
+                     Transform, Vector3d, Vector3f)
 from .values.enums import NetEnum, member
 from .values.netlist import NetList
 from .values.point import Point2f, Point4d

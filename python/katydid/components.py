@@ -23,6 +23,11 @@ def identifier(name):
     return text
 
 
+def nick_of(entry):
+    """The short name of a component or port."""
+    return entry.get("nickname") or entry.get("nick") or ""
+
+
 class Names:
     """The functions of a registry, by identifier. `Plugin.Component` reaches components of a tab or plug-in."""
 
@@ -36,7 +41,7 @@ class Names:
                 self._registry.setdefault(identifier(entry["name"]).lower(), entry)
                 # A name of an old file or a nickname does not hide a name.
             for entry in list(self._registry.values()):
-                nick = identifier(entry.get("nickname") or "").lower()
+                nick = identifier(nick_of(entry)).lower()
                 if nick:
                     self._registry.setdefault(nick, entry)
         return self._registry
@@ -61,9 +66,8 @@ class Function:
         self.inputs = entry.get("inputs") or []
         self.outputs = entry.get("outputs") or []
         self.__name__ = identifier(entry["name"])
-        names = [identifier(port["name"]) .lower() or "_%d" % i for i, port in enumerate(self.outputs)]
-        self._tuple = collections.namedtuple(self.__name__ if self.__name__.isidentifier() else "Output",
-                                             _distinct(names)) if len(names) > 1 else None
+        names = [identifier(port["name"]).lower() or "_%d" % i for i, port in enumerate(self.outputs)]
+        self._tuple = _tuple_class(self.__name__, _distinct(names)) if len(names) > 1 else None
 
     def __repr__(self):
         ins = ", ".join(port["name"] for port in self.inputs)
@@ -73,13 +77,12 @@ class Function:
         """The input that a keyword names: by name or nickname, case aside."""
         wanted = name.lower()
         for i, port in enumerate(self.inputs):
-            if wanted in (identifier(port["name"]).lower(), identifier(port.get("nickname") or "").lower()):
+            if wanted in (identifier(port["name"]).lower(), identifier(nick_of(port)).lower()):
                 return i
         raise TypeError("%s has no input %s" % (self.__name__, name))
 
     def __call__(self, *arguments, **keywords):
-        if len(arguments) > len(self.inputs):
-            raise TypeError("%s takes %d inputs, not %d" % (self.__name__, len(self.inputs), len(arguments)))
+        # More than the ports: some components take any number, and the host says where one does not.
         values = list(arguments) + [None] * (len(self.inputs) - len(arguments))
         for name, value in keywords.items():
             values[self.place(name)] = value
@@ -87,11 +90,23 @@ class Function:
         answer = current().component(self.entry.get("id") or self.entry["name"], values)
         several = any(isinstance(value, DataTree) or (
             isinstance(value, list) and port.get("access", "item") == "item")
-            for value, port in zip(values, self.inputs))
-        results = [_output(value, several, port) for value, port in zip(answer, self.outputs)]
+            for value, port in zip(values, self.inputs + self.inputs[-1:] * len(values)))
+        results = [_output(value, several) for value in answer]
         if not self._tuple:
             return results[0] if results else None
         return self._tuple(*results + [None] * (len(self.outputs) - len(results)))
+
+
+def _tuple_class(name, names):
+    """A named tuple whose names are found with and without underscores, in any case: `uv_point`, `uvPoint`."""
+    base = collections.namedtuple(name if name.isidentifier() else "Output", names)
+
+    def find(self, wanted):
+        plain = wanted.replace("_", "").lower()
+        if wanted.startswith("__") or plain not in names:
+            raise AttributeError("%s has no output %s" % (name, wanted))
+        return self[names.index(plain)]
+    return type(base.__name__, (base,), {"__slots__": (), "__getattr__": find})
 
 
 def _distinct(names):
@@ -123,7 +138,7 @@ def _input(value):
     return value._unwrap() if hasattr(type(value), "_unwrap") else value
 
 
-def _output(value, several, port):
+def _output(value, several):
     """A tree of one branch as its items; one item alone where a single value went in."""
     if isinstance(value, DataTree):
         branches = value.Branches
@@ -131,6 +146,6 @@ def _output(value, several, port):
             # Results of several iterations of a component that gives lists: one list after the other.
             return [item for branch in branches for item in branch]
         value = list(branches[0]) if branches else []
-    if isinstance(value, list) and not several and len(value) <= 1 and port.get("access", "item") == "item":
+    if isinstance(value, list) and not several and len(value) <= 1:
         return value[0] if value else None
     return value

@@ -177,9 +177,9 @@ def _host_member(cls, name):
     """A member of a class whose members the host knows: on the class, by an object's property, or in Python."""
     if any(name in base.__dict__ for base in cls.__mro__):
         return _VALUE
-    from .geometry.list_names import LISTS
+    from .geometry.list_names import has_list
     table = current().table
     for owner in cls._names():
-        if table.has(owner, name) or table.has(owner, "get_" + name) or name in LISTS.get(owner, ()):
+        if table.has(owner, name) or table.has(owner, "get_" + name) or has_list(table, owner, name):
             return _VALUE
     return _MISSING

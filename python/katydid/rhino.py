@@ -3,10 +3,13 @@
 Nothing is replaced until `install()` is called, so a package that is really called `System` elsewhere is untouched.
 """
 
+import importlib
 import importlib.machinery
 import importlib.util
 import os
 import sys
+
+from .values.base import not_supported
 
 #: The top-level names that are ours once installed.
 NAMES = ("Rhino", "System", "Grasshopper", "ghpythonlib", "rhinoscriptsyntax", "scriptcontext", "clr", "GhPython")
@@ -39,10 +42,24 @@ class Finder:
         spec = importlib.machinery.PathFinder.find_spec(fullname, path) if path else None
         if spec is None:
             holder = sys.modules.get(parent)
-            thing = getattr(holder, name, None)
+            thing = vars(holder).get(name) if holder is not None else None
             if thing is not None:
                 return importlib.util.spec_from_loader(fullname, _Nothing(thing))
         return spec
+
+
+def missing(module):
+    """The `__getattr__` of one of our modules: a submodule is imported when it is named, anything else is not here."""
+    def ask(name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if hasattr(sys.modules.get(module), "__path__"):
+            try:
+                return importlib.import_module(module + "." + name)
+            except ModuleNotFoundError:
+                pass
+        raise not_supported(module + "." + name)
+    return ask
 
 
 _finder = Finder()

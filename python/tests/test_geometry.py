@@ -62,6 +62,13 @@ CURVES = [
     ("b = rg.LineCurve(rg.Line(0, 0, 0, 1, 2, 3)).GetBoundingBox(True)\nlist(b.Max)", [1.0, 2.0, 3.0]),
     ("ok, plane = rg.Circle(2).ToNurbsCurve().TryGetPlane()\n[ok, abs(plane.ZAxis.Z)]", [True, 1.0]),
     ("c = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0))\nlen(c.Split(2.5))", 2),
+    ("k = rg.Circle(2).ToNurbsCurve().Contains(rg.Point3d(0, 0, 0), rg.Plane.WorldXY, 0.001)\n"
+     "[k == rg.PointContainment.Inside, str(k)]", [True, "Inside"]),
+    ("rg.AreaMassProperties.Compute(rg.Circle(2)).Area", 4 * math.pi),
+    ("len(rg.Curve.JoinCurves([rg.Line(0, 0, 0, 1, 0, 0), rg.Line(1, 0, 0, 1, 1, 0)]))", 1),
+    ("c = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0))\n[c.ClosestPoint((4, 1, 0))[1], c.PointAtLength(3.0).X]", [4.0, 3.0]),
+    ("import clr\nb = clr.StrongBox[float]()\nok = rg.LineCurve(rg.Line(0, 0, 0, 10, 0, 0)).ClosestPoint("
+     "rg.Point3d(4, 1, 0), b)\n[ok, b.Value]", [True, 4.0]),
 ]
 
 SOLIDS = [
@@ -135,15 +142,34 @@ RHINOSCRIPT = [
     ("p = rs.AddPipe(rs.AddLine((0,0,0), (0,0,4)), 0, 1, cap=1)\n[len(p), abs(rs.SurfaceVolume(p[0])[0] - 4 * math.pi) < 0.01]",
      [1, True]),
     ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n"
-     "b = rs.CopyObject(a, (1,1,1))\nrs.SurfaceVolume(rs.BooleanUnion([a, b])[0])[0]", 15.0),
+     "c = rs.AddSrfPt([(-1,-1,1),(3,-1,1),(3,3,1),(-1,3,1)])\ns = rs.SplitBrep(a, c, True)\n"
+     "[len(s), rs.Area(s[0]), rs.IsObject(a)]", [2, 12.0, False]),
     ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n"
-     "c = rs.AddSrfPt([(-1,-1,1),(3,-1,1),(3,3,1),(-1,3,1)])\nlen(rs.SplitBrep(a, c, True))", 2),
+     "c = rs.AddSrfPt([(-1,-1,0.5),(3,-1,0.5),(3,3,0.5),(-1,3,0.5)])\nt = rs.TrimBrep(a, c)\n"
+     "[len(t), rs.Area(t[0])]", [1, 4 * 2 * 0.5 + 4.0]),
+    ("a = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\nc = rs.AddSrfPt([(-1,-1,1),(1,-1,1),(1,3,1),(-1,3,1)])\n"
+     "try:\n    rs.SplitBrep(a, c)\nexcept NotImplementedError as error:\n    text = str(error)\n"
+     "'ends within the section' in text", True),
+    ("p, q = rs.AddPoint(1, 0, 0), rs.AddPoint(2, 0, 0)\nr = rs.RotateObjects([p, q], (0, 0, 0), 90)\n"
+     "[rs.PointCoordinates(r[1]).Y, len(rs.CopyObjects(r, (0, 0, 1)))]", [2.0, 2]),
+    ("b = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n[rs.coercebrep(b).IsSolid, rs.coercesurface(b) is None, "
+     "rs.coercecurve(rs.AddLine((0,0,0), (1,0,0))).IsLinear()]", [True, True, True]),
     ("m = rs.AddMesh([(0,0,0),(1,0,0),(0,1,0)], [(0,1,2,2)])\n[rs.MeshFaceCount(m), rs.MeshArea(m)[1]]", [1, 0.5]),
     ("m = rs.AddMesh([(0,0,0),(1,0,0),(0,1,0)], [(0,1,2,2)])\nrs.Area(rs.MeshToNurb(m)[0])", 0.5),
     ("s = rs.AddPlanarSrf([rs.AddRectangle(rs.WorldXYPlane(), 2, 3)])[0]\nok = rs.RebuildSurface(s, (2, 2), (4, 4))\nok", True),
     ("b = rs.AddBox([(0,0,0),(2,0,0),(2,2,0),(0,2,0),(0,0,2),(2,0,2),(2,2,2),(0,2,2)])\n"
      "t = rs.TrimBrep(b, rg.Plane(rg.Point3d(0, 0, 1), rg.Vector3d.ZAxis))\nlen(t)", 1),
 ]
+
+
+def test_a_call_that_the_host_has_not_is_named_as_scripts_know_it():
+    members = Members(program())
+    worker = WorkerProcess(members)
+    _, result = worker.run("import Rhino.Geometry as rg\nb = rg.BoundingBox(0, 0, 0, 1, 1, 1).ToBrep()\n"
+                           "b.Nonsense(1)")
+    assert "Rhino.Geometry.Brep.Nonsense is not supported by Katydid yet" in errors(result)[0]
+    worker.close()
+    members.close()
 
 
 @pytest.mark.parametrize("expression, value", CURVES, ids=lambda v: str(v).split("\n")[-1][:50])

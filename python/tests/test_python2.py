@@ -27,6 +27,9 @@ def run(code):
     ("class C(object):\n    def next(self): return 5\na = C().next()", 5), ("a = long(3)", 3), ("a = unicode(3)", "3"),
     ("a = iter([4]).next()", 4), ("if 1:\n\ta = 1\n        a = 2", 2), ("a = 'C:\\users'", "C:\\users"),
     ("a = isinstance('x', basestring)", True), ("a = zip([1], [2])[0]", (1, 2)), ("a = 5; print a; a = 6", 6),
+    ("a = (0.1).ToString() + True.ToString()", "0.1True"), ("a = 'a,b'.Split(',')", ["a", "b"]),
+    ("a = (5).GetType().Name + 'x'.GetType().FullName", "Int32System.String"), ("a = 'abc'.Substring(1, 1).ToUpper()", "B"),
+    ("class E(object):\n    def Split(self): return 3\na = E().Split()", 3), ("a = (1).Equals(1)", True),
     ("class D(object):\n    x = 9\nd = D()\nd.x /= 2\na = d.x", 4), ("a = [8]\na[0] /= 3", [2]),
 ])
 def test_meaning(code, value):

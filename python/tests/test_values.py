@@ -206,6 +206,25 @@ def test_transforms():
     assert ok and (yaw, pitch, roll) == (pytest.approx(0.3), pytest.approx(0.2), pytest.approx(0.1))
 
 
+def test_decompositions():
+    move = Transform.Translation(1, 2, 3)
+    turn = Transform.Rotation(0.5, Vector3d(1, 2, 2), Point3d.Origin)
+    kind, motion, rotation = (move * turn).DecomposeRigid(1e-9)
+    assert kind == 1 and motion == Vector3d(1, 2, 3) and near(rotation, turn)
+    kind, motion, size, rotation = (move * turn * Transform.Scale(Point3d.Origin, 3)).DecomposeSimilarity(1e-9)
+    assert kind == 1 and size == pytest.approx(3) and near(rotation, turn)
+    for angles in ((0.3, 0.7, 1.1), (-2.0, 1.0, 3.0), (0.4, 0.0, 0.0), (0.4, math.pi, 0.0)):
+        ok, *found = Transform.RotationZYZ(*angles).GetEulerZYZ()
+        assert ok and near(Transform.RotationZYZ(*found), Transform.RotationZYZ(*angles), 1e-9)
+
+
+def test_joined_lines():
+    joined = Polyline.CreateByJoiningLines([Line(0, 0, 0, 1, 0, 0), Line(2, 1, 0, 1, 0, 0), Line(9, 9, 9, 8, 8, 8)], 0.1, False)
+    assert [len(one) for one in joined] == [3, 2] and joined[0].Last == Point3d(2, 1, 0)
+    joined[0].X[0] = 5
+    assert joined[0][0] == Point3d(5, 0, 0)
+
+
 def test_quaternions():
     assert Quaternion.I * Quaternion.J == Quaternion.K and Quaternion.J * Quaternion.I == Quaternion(0, 0, 0, -1)
     turn = Quaternion.Rotation(math.pi / 2, Vector3d.ZAxis)

@@ -120,6 +120,17 @@ def test_python_2_source_runs_with_its_own_division(worker):
     assert values == {"a": [3, 3.5, 1], "b": 5} and result["out"] == ["half 0\n"]
 
 
+def test_what_goes_to_the_rhino_document_is_told_to_be_lost(worker):
+    _, result = worker.run("import Rhino\nRhino.RhinoDoc.ActiveDoc.Objects.AddPoint(1, 2, 3)")
+    assert result["messages"] == [["warning", "objects added to the Rhino document are not kept: there is no model", -1]]
+
+
+def test_a_component_sees_its_ports(worker):
+    code = "p = ghenv.Component.Params\na = [p.Input[0].NickName, p.Input[0].VolatileDataCount, p.Input[0].VolatileData[0][1]]"
+    values, _ = worker.run(code, {"x": 1}, iterations=[[5], [6]])
+    assert values["a"] == ["x", 2, 6]
+
+
 def test_a_message_box_is_a_remark(worker):
     _, result = worker.run("import System.Windows.Forms as f\nf.MessageBox.Show('hello')")
     assert result["messages"] == [["remark", "hello", -1]]
@@ -131,6 +142,7 @@ def test_what_is_not_there_is_named(worker):
 
 
 def test_an_endless_loop_is_cancelled_and_the_worker_lives_on(worker):
+    worker.run("a = 0")
     worker.send({"run": 1, "code": "while True: pass", "language": "python3", "key": "e", "inputs": [],
                  "outputs": [{"name": "a"}], "iterations": [[]], "doc": {}})
     time.sleep(0.3)
@@ -155,6 +167,25 @@ def test_a_script_cannot_reach_the_pipes(worker):
 def test_prints_are_limited(worker):
     _, result = worker.run("for i in range(400):\n    print('x' * 10000)")
     assert len(result["out"][0]) < (1 << 20) + 100
+
+
+def test_a_generator_without_end_is_an_error(worker):
+    _, result = worker.run("import itertools\na = itertools.count()")
+    assert "an output has more than 10000000 items" in errors(result)[0]
+
+
+def test_objects_that_misbehave_do_not_end_the_worker(worker):
+    code = ("class Bad(object):\n    def __getattr__(self, name): raise RuntimeError(name)\n"
+            "    def __eq__(self, other): raise RuntimeError('eq')\n    __hash__ = None\n"
+            "class Iter(object):\n    def __iter__(self): return self\n    def __next__(self): raise KeyError('x')\n"
+            "a = Bad()\nb = Iter()\nc = [Bad]\nd = float('nan')\ne = '\\ud800'\nf = 10 ** 30")
+    _, result = worker.run(code, outputs="abcdef")
+    assert len(result["messages"]) <= 1
+    assert worker.run("a = 1")[0] == {"a": 1}
+    deep = "a = []\nfor i in range(3000): a = [a]\n"
+    worker.run(deep)
+    assert worker.run("def f(n): return f(n + 1)\na = f(0)")[1]["messages"][0][1].startswith("Runtime error (RecursionError)")
+    assert worker.run("a = 2")[0] == {"a": 2}
 
 
 def test_sys_exit_ends_the_script_alone(worker):

@@ -14,6 +14,13 @@ class Layer(DotNet):
     Name, FullPath, Index, IsDeleted, IsVisible, IsLocked = "Default", "Default", 0, False, True, False
 
 
+class Linetype(DotNet):
+    """The one line type of a document without a model."""
+
+    _namespace = "Rhino.DocObjects"
+    Name, Index = "Continuous", -1
+
+
 class LayerTable(NetList):
     CurrentLayer = property(lambda self: self[0])
     CurrentLayerIndex = property(lambda self: 0)
@@ -67,6 +74,7 @@ class Document(DotNet):
         self.Objects = ObjectTable()
         self.Views = Views()
         self.Layers = LayerTable([Layer()])
+        self.Linetypes = NetList([Linetype()])
         self._settle({})
 
     def _settle(self, settings):

@@ -5,5 +5,9 @@ from .classes import CLASSES, of_handle
 from .host_object import HostObject
 from .meshing import MeshingParameters
 from .point_object import Point
+from .split import split as _split
 
-__all__ = ["CLASSES", "HostObject", "MeshingParameters", "Point", "as_curve", "call", "construct", "member_call", "of_handle", "static_call"]
+__all__ = ["CLASSES", "HostObject", "MeshingParameters", "Point", "as_curve", "call", "construct", "member_call",
+           "of_handle", "static_call"]
+
+del _split

@@ -5,7 +5,9 @@ import re
 from ..backend import current
 from ..values import Arc, Circle, Ellipse, Line, Polyline, Rectangle3d
 from ..values.base import NotSupported, not_supported
+from ..values.enums import member as enum_member
 from ..values.netlist import NetList
+from .list_names import ENUM_RESULTS
 
 _ARROW = re.compile(r"\)\s*->\s*(.*)$")
 
@@ -64,10 +66,13 @@ def invoke(owner, member, names, arguments, keywords=None):
     try:
         answer = backend.call(owner + "." + member, *map(lowered, arguments))
     except NotSupported as error:
-        if str(error).endswith("supported by Katydid yet") or not str(error).strip().endswith(member):
+        if str(error).endswith("supported by Katydid yet"):
             raise
+        # The host names its own path; scripts know the member.
         raise not_supported(full_name(owner, member)) from None
     answer = shaped(answer, signatures)
+    if type(answer) is int and member in ENUM_RESULTS:
+        return enum_member(ENUM_RESULTS[member], answer)
     if boxes and isinstance(answer, tuple):
         for box, value in zip(boxes, answer[1:]):
             box.Value = value

@@ -4,7 +4,7 @@ from .. import codec
 from ..backend import current
 from ..values.base import DotNet, not_supported
 from .call import full_name, invoke, shaped
-from .list_names import LISTS
+from .list_names import LISTS, RECORD_METHODS, has_list
 
 
 class Member:
@@ -121,7 +121,7 @@ class HostObject(DotNet, metaclass=HostClass):
             raise AttributeError(name)
         cls, table = type(self), current().table
         for owner in cls._names():
-            if name in LISTS.get(owner, ()):
+            if has_list(table, owner, name):
                 from .lists import list_of
                 return list_of(self, LISTS[owner][name], name)
             if table.has(owner, "get_" + name):
@@ -130,7 +130,9 @@ class HostObject(DotNet, metaclass=HostClass):
             if table.has(owner, name):
                 return Member(cls._host_name(), name, cls._names(), (self,))
         if getattr(cls, "_is_record", False):
-            return shaped(current().call("%s.get_%s" % (cls._host_name(), name), self), ())
+            value = shaped(current().call("%s.get_%s" % (cls._host_name(), name), self), ())
+            # A record holds what RhinoCommon computes in a method too.
+            return (lambda *arguments: value) if name in RECORD_METHODS.get(cls._host_name(), ()) else value
         raise not_supported(full_name(cls._host_name(), name))
 
     def __setattr__(self, name, value):

@@ -1,6 +1,6 @@
-"""Which properties are lists of an object's parts, and the class of each in Rhino.Geometry.Collections."""
+"""What the names of members say beyond the host's table: lists of parts, methods of records, enumerations."""
 
-#: The class of a list, by the class of its object and the property.
+#: The class in Rhino.Geometry.Collections of a list, by the class of its object and the property.
 LISTS = {
     "Mesh": {"Vertices": "MeshVertexList", "Faces": "MeshFaceList", "Normals": "MeshVertexNormalList",
              "FaceNormals": "MeshFaceNormalList", "VertexColors": "MeshVertexColorList",
@@ -13,3 +13,16 @@ LISTS = {
              "Loops": "BrepLoopList", "Surfaces": "BrepSurfaceList", "Curves3D": "BrepCurveList",
              "Curves2D": "BrepCurveList"},
 }
+
+
+def has_list(table, owner, name):
+    """Whether the host has a list: by its own class, or as a property of its object."""
+    lists = LISTS.get(owner, {})
+    return name in lists and (table.has(lists[name], "ToArray") or table.has(owner, "get_" + name))
+
+
+#: Fields of records that are methods without arguments in RhinoCommon.
+RECORD_METHODS = {"BrepLoop": {"To3dCurve"}}
+
+#: Members whose number is the member of an enumeration.
+ENUM_RESULTS = {"Contains": "PointContainment", "PlanarClosedCurveRelationship": "RegionContainment"}

@@ -149,7 +149,7 @@ class BrepList(HostList):
     __slots__ = ()
 
     def ExtractFace(self, index):
-        """A copy of one face as a Brep, without it in this one."""
+        """A copy of one face as a Brep."""
         if current().table.has(self._name, "ExtractFace"):
             return invoke(self._name, "ExtractFace", [self._name], (self, index))
         return self[index].DuplicateFace(False)

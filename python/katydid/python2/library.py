@@ -9,6 +9,8 @@ import math
 import operator
 import sys
 
+from .net import method
+
 _VIEWS = (type({}.keys()), type({}.values()), type({}.items()))
 
 
@@ -130,7 +132,8 @@ NAMES = {
     "map": map2, "filter": filter2, "zip": lambda *sequences: list(builtins.zip(*sequences)), "sorted": sorted2,
     "round": round2, "intern": sys.intern, "execfile": execfile, "StandardError": Exception,
     "__py2_divide__": divide, "__py2_list__": listed, "__py2_view__": view, "__py2_has_key__": has_key,
-    "__py2_next__": next_of, "__py2_error__": error, "__py2_sort__": sort, "__py2_compare__": compare_method,
+    "__py2_next__": next_of, "__py2_error__": error, "__py2_sort__": sort, "__py2_method__": method,
+    "__py2_compare__": compare_method,
 }
 
 #: Modules that have another name now.

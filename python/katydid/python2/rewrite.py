@@ -2,6 +2,8 @@
 
 import ast
 
+from .net import NAMES as NET_METHODS
+
 #: Methods of dictionaries that gave lists, and those that have another name now.
 _LISTS = {"keys", "values", "items"}
 _RENAMED = {"iterkeys": "keys", "itervalues": "values", "iteritems": "items", "viewkeys": "keys", "viewvalues": "values",
@@ -56,6 +58,9 @@ class _Rewriter(ast.NodeTransformer):
         if method in _RENAMED and bare:
             return ast.copy_location(_call("__py2_view__", node.func.value, ast.Constant(_RENAMED[method]),
                                            ast.Constant(method)), node)
+        if method in NET_METHODS:
+            node.func = ast.copy_location(_call("__py2_method__", node.func.value, ast.Constant(method)), node.func)
+            return node
         if method == "has_key" and len(node.args) == 1:
             return ast.copy_location(_call("__py2_has_key__", node.func.value, node.args[0]), node)
         if method == "next" and bare:
@@ -67,7 +72,7 @@ class _Rewriter(ast.NodeTransformer):
         return node
 
     def visit_ClassDef(self, node):
-        """__metaclass__ in the body becomes the class's metaclass; __nonzero__, __div__ and next get their new names too."""
+        """__metaclass__ becomes the class's metaclass; __nonzero__, __div__ and next get their new names too."""
         self.generic_visit(node)
         for statement in list(node.body):
             if isinstance(statement, ast.Assign) and len(statement.targets) == 1 and isinstance(

@@ -132,6 +132,9 @@ class Component(DotNet):
         iterations = message.get("iterations") or []
         data = [[_branch(row[i]) for row in iterations if i < len(row)] for i in range(len(specs))]
         for i, spec in enumerate(specs):
+            if spec.get("access") not in ("list", "tree") and data[i]:
+                # Items of all iterations lie in one branch.
+                data[i] = [[item for branch in data[i] for item in branch]]
             if spec.get("access") == "tree" and data[i]:
                 first = iterations[0][i]
                 data[i] = list(first.Branches) if isinstance(first, DataTree) else data[i][:1]

@@ -104,7 +104,14 @@ def variables_of(scope, language):
 
 
 def run(message, objects):
-    """Runs all iterations; gives the map that the contract's `done` carries."""
+    """Runs all iterations of a message; gives the map that answers it.
+
+    The message: `code`, `language` ("python2" or "python3"), `key` (the component's id), `name`, `nickname`, `inputs` and
+    `outputs` (each with `name`, inputs with `access`, `hint`, `optional`, `description`), `iterations` (a list of values for
+    each, by input), `doc` (`tolerance`, `angle_tolerance`, `units`, and where they are known `path` and `name`).
+    The answer: `iterations` (values by output), `out` (what each printed), `messages` ([level, text, line or -1]), `error`
+    ("cancelled", what kept the worker from running it, or None) and `seconds`. A script's own exception is a message.
+    """
     began = time.perf_counter()
     iterations = message.get("iterations") or []
     names = [port["name"] for port in message.get("outputs") or []]
@@ -112,6 +119,7 @@ def run(message, objects):
     solved = document.begin(message.get("doc"))
     _point_scriptcontext(solved)
     collector = Collector()
+    in_model = len(document.model().Objects)
     kept = sys.stdout, sys.stderr
     sys.stdout = sys.stderr = collector
     component, before = None, None
@@ -139,6 +147,8 @@ def run(message, objects):
             set_current(before)
             for one in component._messages:
                 _add(result["messages"], one)
+    if len(document.model().Objects) > in_model:
+        _add(result["messages"], ["warning", "objects added to the Rhino document are not kept: there is no model", -1])
     # Every iteration has its outputs, those that were not reached too.
     while len(result["iterations"]) < len(iterations):
         result["iterations"].append([None] * len(names))

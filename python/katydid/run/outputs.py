@@ -4,6 +4,7 @@ import datetime
 import enum
 import uuid
 from collections import deque
+from itertools import islice
 
 from ..document import find
 from ..geometry import HostObject
@@ -16,6 +17,9 @@ from ..values.system import DateTime, Guid, ticks_of
 
 #: Types whose values go as they are.
 _PLAIN = {type(None), bool, int, float, str, bytes, complex}
+
+#: The most items of one output: a generator may have no end.
+MOST_ITEMS = 10000000
 
 _VIEWS = (type({}.keys()), type({}.values()), type({}.items()))
 
@@ -44,7 +48,9 @@ def output(value, objects):
             made._branches[path] = [item(one, objects) for one in items]
         return made
     if is_list(value):
-        values = value.tolist() if _is_array(value) else list(value)
+        values = value.tolist() if _is_array(value) else list(islice(value, MOST_ITEMS + 1))
+        if len(values) > MOST_ITEMS:
+            raise ValueError("an output has more than %d items" % MOST_ITEMS)
         if values and _same_plain(values):
             return values
         return [item(one, objects) for one in values]

@@ -6,6 +6,8 @@ import traceback
 #: The name under which scripts are compiled.
 SCRIPT = "<script>"
 
+_shown = None
+
 
 def line_of(error):
     """The line of the script at which an exception came up; -1 where it did not pass through the script."""
@@ -44,4 +46,8 @@ def describe(error):
 
 def show_source(code):
     """Lets Python's own tracebacks show the script's lines."""
+    global _shown
+    if code == _shown:
+        return
+    _shown = code
     linecache.cache[SCRIPT] = (len(code), None, code.splitlines(True), SCRIPT)

@@ -7,8 +7,13 @@ import sys
 from ..values.base import DotNetType, not_supported, number_text
 
 
-class Object(object):
-    """The base of everything. `System.Object` as a type of generics."""
+class _AnyClass(type):
+    def __instancecheck__(cls, thing):
+        return True
+
+
+class Object(metaclass=_AnyClass):
+    """The base of everything, which every value is one of. `System.Object` as a type of generics."""
 
     def GetType(self):
         return DotNetType(type(self))
@@ -48,8 +53,16 @@ class Math:
     DivRem = staticmethod(lambda a, b: (int(math.trunc(a / b)), int(math.fmod(a, b))))
 
 
-class String(str):
-    """System.String: static members beside Python's text."""
+class _TextClass(type):
+    def __instancecheck__(cls, thing):
+        return isinstance(thing, str)
+
+    def __call__(cls, value="", *count):
+        return str(value) * count[0] if count else "".join(value)
+
+
+class String(metaclass=_TextClass):
+    """System.String: static members; every Python text is one."""
 
     Empty = ""
     Format = staticmethod(lambda form, *items: str(form).format(*items))

@@ -16,5 +16,5 @@ from .vector import Vector2d, Vector2f, Vector3d, Vector3f
 
 __all__ = ["Arc", "BoundingBox", "Box", "Circle", "Color", "Complex", "Cone", "Cylinder", "DateTime", "Ellipse", "Guid",
            "Interval", "Line", "MeshFace", "Plane", "Point2d", "Point2f", "Point3d", "Point3dList", "Point3f", "Point4d",
-           "Polyline", "Quaternion", "Ray3d", "Rectangle3d", "Sphere", "Torus", "Transform", "Vector2d", "Vector2f", "Vector3d",
-           "Vector3f", "to_plane", "to_point", "to_vector"]
+           "Polyline", "Quaternion", "Ray3d", "Rectangle3d", "Sphere", "Torus", "Transform", "Vector2d", "Vector2f",
+           "Vector3d", "Vector3f", "to_plane", "to_point", "to_vector"]

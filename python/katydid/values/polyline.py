@@ -2,7 +2,7 @@
 
 import math
 
-from .base import ZERO_TOLERANCE
+from .base import ZERO_TOLERANCE, not_supported
 from .box import BoundingBox
 from .interval import to_interval
 from .line import Line
@@ -10,6 +10,22 @@ from .netlist import NetList
 from .plane import to_point
 from .point import Point3d
 from .vector import Vector3d
+
+
+class _Coordinate:
+    """One coordinate of all points: `points.X[3] = 1`."""
+
+    def __init__(self, points, name):
+        self._points, self._name = points, name
+
+    def __len__(self):
+        return len(self._points)
+
+    def __getitem__(self, index):
+        return getattr(self._points[index], self._name)
+
+    def __setitem__(self, index, value):
+        setattr(self._points[index], self._name, value)
 
 
 class Point3dList(NetList):
@@ -49,6 +65,10 @@ class Point3dList(NetList):
     def Transform(self, xform):
         for point in self:
             point.Transform(xform)
+
+    X = property(lambda self: _Coordinate(self, "X"))
+    Y = property(lambda self: _Coordinate(self, "Y"))
+    Z = property(lambda self: _Coordinate(self, "Z"))
 
     def SetAllX(self, value):
         for point in self:
@@ -222,6 +242,52 @@ class Polyline(Point3dList):
                 continue
             self[i] = old[i] + ((a + b) * 0.5 - old[i]) * amount
         return True
+
+    def RemapIndex(self, index):
+        """The index of an item of a closed polyline, counted around."""
+        n = len(self) - 1 if self.IsClosed else len(self)
+        return index % n if n else 0
+
+    def CollapseShortSegments(self, tolerance):
+        """Drops points until no segment is shorter than the tolerance; the ends stay."""
+        before = len(self)
+        self.DeleteShortSegments(tolerance)
+        return before - len(self)
+
+    def RemoveNearlyEqualSubsequentPoints(self, tolerance):
+        kept = self[:1]
+        for point in self[1:]:
+            if point.DistanceTo(kept[-1]) > tolerance:
+                kept.append(point)
+        self[:] = kept
+
+    @staticmethod
+    def CreateByJoiningLines(lines, tolerance, splitAtIntersections):
+        """Polylines of lines that meet at their ends. Splitting where lines cross is not here."""
+        if splitAtIntersections:
+            raise not_supported("Rhino.Geometry.Polyline.CreateByJoiningLines with splitAtIntersections")
+        left, made = [[line.From, line.To] for line in lines], []
+        while left:
+            chain = left.pop(0)
+            grown = True
+            while grown:
+                grown = False
+                for i, (a, b) in enumerate(left):
+                    if chain[-1].DistanceTo(a) <= tolerance:
+                        chain.append(b)
+                    elif chain[-1].DistanceTo(b) <= tolerance:
+                        chain.append(a)
+                    elif chain[0].DistanceTo(b) <= tolerance:
+                        chain.insert(0, a)
+                    elif chain[0].DistanceTo(a) <= tolerance:
+                        chain.insert(0, b)
+                    else:
+                        continue
+                    del left[i]
+                    grown = True
+                    break
+            made.append(Polyline(chain))
+        return made
 
     def ToPolylineCurve(self):
         from ..geometry import construct

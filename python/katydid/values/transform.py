@@ -106,7 +106,7 @@ class Transform(Struct):
 
     @staticmethod
     def Rotation(*arguments):
-        """(angle, centre), (angle, axis, centre), (sine, cosine, axis, centre), (from, to, centre) or two frames of axes."""
+        """(angle, centre), (angle, axis, centre), (sine, cosine, axis, centre), (from, to, centre), or six axes."""
         if len(arguments) == 6:
             start, end = arguments[:3], arguments[3:]
             rows = [[to_vector(v)._parts() for v in axes] for axes in (start, end)]
@@ -255,6 +255,47 @@ class Transform(Struct):
         if max(abs(columns[i] * columns[j]) for i, j in ((0, 1), (1, 2), (2, 0))) > max(tolerance, SQRT_EPSILON):
             return 0
         return 1 if self.Determinant > 0.0 else -1
+
+    def DecomposeRigid(self, *tolerance_and_place_holders):
+        """(type, translation, rotation): 1 proper, -1 with a reflection, 0 no rigid motion."""
+        numbers = [value for value in tolerance_and_place_holders if is_number(value)]
+        kind = self.IsRigid(numbers[0] if numbers else ZERO_TOLERANCE * 1e3)
+        turn = Transform._of(self._m)
+        turn.Linearize()
+        return kind, Vector3d(self._m[3], self._m[7], self._m[11]), turn
+
+    def DecomposeSimilarity(self, *tolerance_and_place_holders):
+        """(type, translation, dilation, rotation)."""
+        numbers = [value for value in tolerance_and_place_holders if is_number(value)]
+        kind = self.IsSimilarity(numbers[0] if numbers else ZERO_TOLERANCE * 1e3)
+        dilation = kind * self._columns()[0].Length
+        turn = Transform._of(self._m)
+        turn.Linearize()
+        if dilation:
+            turn = turn * Transform.Diagonal(1.0 / dilation, 1.0 / dilation, 1.0 / dilation)
+        return kind, Vector3d(self._m[3], self._m[7], self._m[11]), dilation, turn
+
+    def DecomposeAffine(self, *place_holders):
+        """(True, translation, linear part): first the linear part, then the move."""
+        if not self.IsAffine:
+            return False, Vector3d.Zero, Transform.Identity
+        linear = Transform._of(self._m)
+        linear.Linearize()
+        return True, Vector3d(self._m[3], self._m[7], self._m[11]), linear
+
+    def GetEulerZYZ(self, *place_holders):
+        """Angles of RotationZYZ: (True, alpha, beta, gamma)."""
+        if not self.IsRotation:
+            return False, 0.0, 0.0, 0.0
+        m = self._m
+        beta = math.acos(max(-1.0, min(1.0, m[10])))
+        if abs(m[10]) >= 1.0 - 1e-12:
+            # The two turns are about the same line: gamma is taken as 0.
+            return True, math.atan2(-m[1], m[5]), beta, 0.0
+        return True, math.atan2(m[6], m[2]), beta, math.atan2(m[9], -m[8])
+
+    def CompareTo(self, other):
+        return (self._m > other._m) - (self._m < other._m)
 
     def GetYawPitchRoll(self, *place_holders):
         """Angles of RotationZYX: (True, yaw, pitch, roll)."""

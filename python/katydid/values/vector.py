@@ -2,7 +2,7 @@
 
 import math
 
-from .base import DEFAULT_ANGLE_TOLERANCE, SQRT_EPSILON, UNSET, ZERO_TOLERANCE, static_value
+from .base import DEFAULT_ANGLE_TOLERANCE, SQRT_EPSILON, UNSET, static_value
 from .tuples import VectorLike, coordinates, fill
 
 _new = object.__new__
@@ -96,7 +96,7 @@ class Vector3d(VectorLike):
 
     @staticmethod
     def VectorAngle(a, b, about=None):
-        """The angle between two vectors in radians: 0 to pi, or counter-clockwise in a plane (or about a normal), 0 to 2 pi."""
+        """In radians: 0 to pi, or counter-clockwise in a plane or about a normal, 0 to 2 pi."""
         u, v = Vector3d(a), Vector3d(b)
         if about is not None:
             if hasattr(about, "ZAxis"):

@@ -1,7 +1,7 @@
 """Grasshopper's API, as far as scripts reach: trees, paths, messages, wrappers."""
 
 from katydid.grasshopper import DataTree  # noqa: F401
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 from . import Kernel  # noqa: F401
 
@@ -18,7 +18,4 @@ class Instances:
     ActiveCanvas = DocumentEditor = None
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Grasshopper." + name)
+__getattr__ = _missing(__name__)

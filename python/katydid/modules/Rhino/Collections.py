@@ -1,8 +1,8 @@
 """Rhino.Collections: lists of geometry."""
 
 from katydid.geometry import as_curve as _as_curve
+from katydid.rhino import missing as _missing
 from katydid.values import Point3dList  # noqa: F401
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.netlist import NetList as _NetList
 
 
@@ -33,7 +33,4 @@ class ArchivableDictionary(dict):
     Count = property(len)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino.Collections." + name)
+__getattr__ = _missing(__name__)

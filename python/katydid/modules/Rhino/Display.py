@@ -1,7 +1,7 @@
 """Rhino.Display: colours and text as values. Nothing is drawn by a script."""
 
+from katydid.rhino import missing as _missing
 from katydid.values import Plane as _Plane
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.system import Color as _Color
 
 
@@ -28,7 +28,10 @@ class Text3d:
         self.FontFace, self.Bold, self.Italic = "Arial", False, False
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino.Display." + name)
+class DisplayConduit:
+    """What draws in a view. Nothing is drawn here, so a script's own conduit is never asked."""
+
+    Enabled = False
+
+
+__getattr__ = _missing(__name__)

@@ -1,6 +1,6 @@
 """Rhino.Runtime."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class HostUtils:
@@ -13,7 +13,4 @@ class HostUtils:
         print(text)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino.Runtime." + name)
+__getattr__ = _missing(__name__)

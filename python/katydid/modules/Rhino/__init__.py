@@ -1,6 +1,7 @@
 """RhinoCommon, as far as Katydid has it. What is not here raises an error that names it."""
 
 from katydid import document as _document
+from katydid.rhino import missing as _missing
 from katydid.values.base import not_supported as _not_supported
 from katydid.values.enums import UnitSystem  # noqa: F401
 
@@ -63,7 +64,4 @@ class RhinoApp:
         work(*arguments)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino." + name)
+__getattr__ = _missing(__name__)

@@ -2,7 +2,7 @@
 
 import time as _time
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class Stopwatch:
@@ -35,7 +35,4 @@ class Stopwatch:
     IsRunning = property(lambda self: self._since is not None)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.Diagnostics." + name)
+__getattr__ = _missing(__name__)

@@ -1,6 +1,6 @@
 """System.Drawing: colours, points and rectangles. Pictures and fonts are not here."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 from katydid.values.system import Color  # noqa: F401
 
 
@@ -22,7 +22,4 @@ class RectangleF:
 Point, Size, Rectangle = PointF, SizeF, RectangleF
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.Drawing." + name)
+__getattr__ = _missing(__name__)

@@ -2,7 +2,7 @@
 
 import os as _os
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class Path:
@@ -22,7 +22,4 @@ class Directory:
     Exists = staticmethod(_os.path.isdir)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.IO." + name)
+__getattr__ = _missing(__name__)

@@ -2,10 +2,11 @@
 
 import random as _random
 
-from katydid.system.array import Array
-from katydid.system.basics import Activator, Convert, Enum, Environment, Math, Nullable, Object, String, Tuple, Type, Uri
-from katydid.values.base import not_supported as _not_supported
-from katydid.values.system import DateTime, Guid
+from katydid.rhino import missing as _missing
+from katydid.system.array import Array  # noqa: F401
+from katydid.system.basics import Activator, Convert, Enum, Environment, Math  # noqa: F401
+from katydid.system.basics import Nullable, Object, String, Tuple, Type, Uri  # noqa: F401
+from katydid.values.system import DateTime, Guid  # noqa: F401
 
 Double = Single = Decimal = float
 Int32 = Int64 = Int16 = UInt32 = UInt64 = Byte = int
@@ -53,7 +54,4 @@ class TimeSpan:
     TotalMinutes = property(lambda self: self.TotalSeconds / 60.0)
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System." + name)
+__getattr__ = _missing(__name__)

@@ -3,7 +3,7 @@
 Written anew from how the functions behave. What is not here raises an error that names it.
 """
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 from .coerce import *  # noqa: F401,F403
 from .curves_ask import *  # noqa: F401,F403
@@ -25,7 +25,4 @@ for _name in [name for name in globals() if getattr(globals()[name], "__module__
         del globals()[_name]
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("rhinoscriptsyntax." + name)
+__getattr__ = _missing(__name__)

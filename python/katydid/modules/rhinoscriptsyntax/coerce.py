@@ -8,8 +8,8 @@ import re
 import scriptcontext
 from katydid import document
 from katydid.geometry import CLASSES, HostObject, as_curve
-from katydid.values import (Arc, BoundingBox, Box, Circle, Color, Ellipse, Guid, Line, Plane, Point2d, Point3d, Polyline,
-                            Rectangle3d, Sphere, Transform, Vector3d, to_point, to_vector)
+from katydid.values import (Arc, BoundingBox, Box, Circle, Color, Ellipse, Guid, Interval, Line, Plane, Point2d, Point3d,
+                            Polyline, Rectangle3d, Sphere, Transform, Vector3d, to_point, to_vector)
 from katydid.values.tuples import Coordinates
 
 _CURVES = (Line, Circle, Arc, Ellipse, Polyline, Rectangle3d)
@@ -254,11 +254,22 @@ def coercemesh(object_id, raise_if_missing=False):
     return value if isinstance(value, CLASSES["Mesh"]) else _missing(raise_if_missing, object_id, "Mesh")
 
 
-CreateColor = lambda color, g=None, b=None, a=None: coercecolor(  # noqa: E731
-    [color, g, b] + ([a] if a is not None else []) if g is not None and b is not None else color, True)
-CreatePlane = lambda origin, x=None, y=None, ignored=None: (  # noqa: E731
-    Plane(coerce3dpoint(origin, True), coerce3dvector(x, True), coerce3dvector(y, True)) if x is not None
-    and y is not None else coerceplane(origin, True))
+def CreateColor(color, g=None, b=None, a=None):
+    """Of three or four numbers, a list of them, or a name."""
+    if g is not None and b is not None:
+        color = [color, g, b] + ([a] if a is not None else [])
+    return coercecolor(color, True)
+
+
+def CreatePlane(plane_or_origin, x_axis=None, y_axis=None, *ignored):
+    """Of an origin and two axes, or of anything that is a plane."""
+    if x_axis is not None and y_axis is not None:
+        return Plane(coerce3dpoint(plane_or_origin, True), coerce3dvector(x_axis, True), coerce3dvector(y_axis, True))
+    return coerceplane(plane_or_origin, True)
+
+
+def CreateInterval(interval, y=None):
+    return Interval(*(interval if y is None else (interval, y)))
+
+
 CreateXform = coercexform
-CreateInterval = lambda interval, y=None: __import__("Rhino").Geometry.Interval(  # noqa: E731
-    *(interval if y is None else (interval, y)))

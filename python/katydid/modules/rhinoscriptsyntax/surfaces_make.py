@@ -230,7 +230,7 @@ def BooleanUnion(input, delete_input=True, manifold_only=True):
 
 def SplitBrep(brep_id, cutter_id, delete_input=False):
     """The Guids of the pieces; None where nothing is cut."""
-    pieces = coercebrep(brep_id, True).Split([coercebrep(cutter_id, True)], tolerance())
+    pieces = coercebrep(brep_id, True).Split(coercebrep(cutter_id, True), tolerance())
     if isinstance(pieces, tuple):
         pieces = pieces[0]
     made = all_added(pieces)

@@ -124,4 +124,5 @@ def GetObject(*arguments, **keywords):
 
 
 GetObjects = GetPoint = GetPoints = GetReal = GetInteger = GetString = GetCurveObject = GetSurfaceObject = GetObject
-GetBoolean = GetColor = GetRectangle = GetLine = GetBox = OpenFileName = SaveFileName = BrowseForFolder = ListBox = GetObject
+GetBoolean = GetColor = GetRectangle = GetLine = GetBox = GetObject
+OpenFileName = SaveFileName = BrowseForFolder = ListBox = GetObject

@@ -1,6 +1,6 @@
 """Grasshopper.Kernel.Special: the kinds of objects on a canvas, to compare with; a script sees none of them."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class GH_Panel:
@@ -23,7 +23,4 @@ class GH_ValueList:
     """A value list."""
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Grasshopper.Kernel.Special." + name)
+__getattr__ = _missing(__name__)

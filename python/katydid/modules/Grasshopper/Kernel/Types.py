@@ -1,7 +1,7 @@
 """Grasshopper.Kernel.Types: the wrappers of values on wires."""
 
+from katydid.rhino import missing as _missing
 from katydid.values.base import DotNet as _DotNet
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.system import Complex  # noqa: F401
 
 
@@ -46,10 +46,14 @@ class GH_ObjectWrapper(GH_Goo):
     """Holds any object, which then travels as one item."""
 
 
+class GH_GeometricGoo(GH_Goo):
+    """The base of wrapped geometry; `GH_GeometricGoo[Point3d]` is the class itself."""
+
+    def __class_getitem__(cls, types):
+        return cls
+
+
 IGH_Goo = IGH_GeometricGoo = GH_Goo
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Grasshopper.Kernel.Types." + name)
+__getattr__ = _missing(__name__)

@@ -1,9 +1,6 @@
 """Rhino.Geometry.Collections: lists of the parts of geometry."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino.Geometry.Collections." + name)
+__getattr__ = _missing(__name__)

@@ -1,9 +1,9 @@
 """Rhino.Geometry: value types in Python, geometry of the host, enumerations."""
 
 from katydid.geometry import CLASSES as _CLASSES
+from katydid.rhino import missing as _missing
 from katydid.values import *  # noqa: F401,F403
 from katydid.values import enums as _enums
-from katydid.values.base import not_supported as _not_supported
 from katydid.values.point import Point2f, Point4d  # noqa: F401
 from katydid.values.vector import Vector2f  # noqa: F401
 
@@ -18,7 +18,4 @@ for _name, _kind in list(_CLASSES.items()) + list(_enums.BY_NAME.items()):
 from . import Collections, Intersect  # noqa: E402,F401
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("Rhino.Geometry." + name)
+__getattr__ = _missing(__name__)

@@ -1,6 +1,6 @@
 """System.Threading.Tasks: loops run in order, so their results are the same each time."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class ParallelLoopResult:
@@ -30,7 +30,4 @@ class ParallelOptions:
     MaxDegreeOfParallelism = 1
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.Threading.Tasks." + name)
+__getattr__ = _missing(__name__)

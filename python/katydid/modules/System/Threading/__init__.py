@@ -1,6 +1,6 @@
 """System.Threading: work runs in order, on one thread."""
 
-from katydid.values.base import not_supported as _not_supported
+from katydid.rhino import missing as _missing
 
 
 class Thread:
@@ -17,7 +17,4 @@ class Interlocked:
         return reference.Value
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.Threading." + name)
+__getattr__ = _missing(__name__)

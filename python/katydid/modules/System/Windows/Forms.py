@@ -1,7 +1,7 @@
 """System.Windows.Forms: a message box becomes a remark on the component; windows are not here."""
 
+from katydid.rhino import missing as _missing
 from katydid.run.component import remark as _remark
-from katydid.values.base import not_supported as _not_supported
 
 
 class DialogResult:
@@ -15,7 +15,4 @@ class MessageBox:
         return DialogResult.OK
 
 
-def __getattr__(name):
-    if name.startswith("_"):
-        raise AttributeError(name)
-    raise _not_supported("System.Windows.Forms." + name)
+__getattr__ = _missing(__name__)
