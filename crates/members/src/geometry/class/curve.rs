@@ -1,6 +1,6 @@
 //! `Curve`: evaluation, parts, and changes in place.
 
-use katydid_geometry::{Continuity, ContinuityTolerance, Curve, Interval, Plane, Point3, Tolerance, Vector3};
+use katydid_geometry::{Continuity, ContinuityTolerance, Curve, Interval, Plane, Point3, Vector3};
 
 use super::{Named, ZERO};
 use crate::Fault;
@@ -204,5 +204,5 @@ fn closable(curve: &Curve, tolerance: f64) -> bool {
 
 /// The tolerance that RhinoCommon recognises shapes with, or one that a script gives.
 pub(super) fn within(tolerance: Option<f64>) -> f64 {
-    tolerance.map_or(ZERO, |tolerance| tolerance.max(ZERO).min(Tolerance::default().absolute * 1e6))
+    tolerance.map_or(ZERO, |tolerance| tolerance.max(ZERO))
 }
