@@ -288,6 +288,60 @@ fn a_sphere_has_its_measures() {
 }
 
 #[test]
+fn a_sphere_is_singular_at_its_poles_and_known_again() {
+    let mut script = Script::new();
+    let sphere = Value::Sphere(Box::new(Sphere::new(Plane::XY, 3.0).unwrap()));
+    let surface = script.call("RevSurface.CreateFromSphere", &[sphere]);
+    let poles: Vec<Value> =
+        (0..4).map(|side| script.call("Surface.IsSingular", &[surface.clone(), Value::Int(side)])).collect();
+    assert_eq!(poles, [true, false, true, false].map(Value::Bool));
+    let Value::List(found) = script.call("Surface.TryGetSphere", &[surface.clone()]) else { panic!() };
+    assert!(matches!(&found[1], Value::Sphere(own) if (own.radius - 3.0).abs() < 1e-9));
+    assert_eq!(script.call("Surface.IsCylinder", &[surface.clone()]), Value::Bool(false));
+    let Value::Interval(u) = script.call("Surface.Domain", &[surface.clone(), Value::Int(0)]) else {
+        panic!()
+    };
+    let Value::Interval(v) = script.call("Surface.Domain", &[surface.clone(), Value::Int(1)]) else {
+        panic!()
+    };
+    let at = [surface.clone(), Value::Number(u.at(0.2)), Value::Number(v.at(0.4)), Value::Int(1)];
+    let Value::List(found) = script.call("Surface.Evaluate", &at) else { panic!() };
+    let (Value::Point(point), Value::Vectors(partials)) = (&found[1], &found[2]) else { panic!() };
+    // The tangents of a sphere are at right angles to its radius.
+    assert!(partials.len() == 2 && partials.iter().all(|d| d.dot(point.to_vector()).abs() < 1e-9));
+    let nurbs = script.call("Surface.ToNurbsSurface", &[surface]);
+    assert_eq!(
+        script.call("NurbsSurface.IncreaseDegreeU", &[nurbs.clone(), Value::Int(4)]),
+        Value::Bool(true)
+    );
+    let nurbs = script.again(&nurbs);
+    assert_eq!(script.call("Surface.Degree", &[nurbs, Value::Int(0)]), Value::Int(4));
+}
+
+#[test]
+fn a_corner_is_where_a_polyline_is_not_smooth() {
+    let mut script = Script::new();
+    let corner = vec![Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Point3::new(1.0, 1.0, 0.0)];
+    let polyline = script.call("PolylineCurve.new", &[Value::Points(corner)]);
+    let Value::Number(t) = script.call("PolylineCurve.Parameter", &[polyline.clone(), Value::Int(1)]) else {
+        panic!()
+    };
+    let Value::Interval(domain) = script.call("Curve.get_Domain", &[polyline.clone()]) else { panic!() };
+    let g1 = Value::Enum("Continuity".into(), 4);
+    let next = [polyline.clone(), g1.clone(), Value::Number(domain.start), Value::Number(domain.end)];
+    assert_eq!(
+        script.call("Curve.GetNextDiscontinuity", &next),
+        Value::List(vec![Value::Bool(true), Value::Number(t)])
+    );
+    assert_eq!(
+        script.call("Curve.IsContinuous", &[polyline.clone(), g1, Value::Number(t)]),
+        Value::Bool(false)
+    );
+    let c0 = Value::Enum("Continuity".into(), 1);
+    assert_eq!(script.call("Curve.IsContinuous", &[polyline, c0, Value::Number(t)]), Value::Bool(true));
+}
+
+#[test]
 fn a_mesh_is_written_through_its_lists() {
     let mut script = Script::new();
     let mesh = script.call("Mesh.new", &[]);

@@ -92,7 +92,7 @@ impl Scripts for Python {
     }
 
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
-        let prepared = Prepared::new(task, 0);
+        let prepared = Prepared::new(task);
         task.budget.fits(prepared.iterations()).map_err(Unrun::Failed)?;
         let (done, result) = sync_channel(1);
         let end = task.limits.time.and_then(|time| Instant::now().checked_add(time));

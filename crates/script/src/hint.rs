@@ -21,7 +21,7 @@ impl Hint {
         HINTS.iter().find(|(own, _)| *own == digits).map_or(NONE, |(_, hint)| *hint)
     }
 
-    /// Whether data is handed over as it is kept, surfaces as such and polylines as their points.
+    /// Whether it is the hint of that name.
     pub(crate) fn is(self, name: &str) -> bool {
         self.name == name
     }

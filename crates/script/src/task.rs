@@ -46,7 +46,7 @@ fn text(text: &str) -> Value {
 }
 
 impl Prepared {
-    pub(crate) fn new(task: &ScriptTask<'_>, run: i64) -> Self {
+    pub(crate) fn new(task: &ScriptTask<'_>) -> Self {
         let inputs: Vec<(Access, Hint, Tree)> = task
             .inputs
             .iter()
@@ -67,7 +67,7 @@ impl Prepared {
         });
         let places = places.collect();
         let grows = accesses.contains(&Access::Item);
-        Self { head: head(task, run), inputs, rules: task.rules, sets, grows, places }
+        Self { head: head(task), inputs, rules: task.rules, sets, grows, places }
     }
 
     /// How many iterations there are.
@@ -116,7 +116,7 @@ fn whole(tree: &Tree, hint: Hint, inward: &mut Inward<'_>) -> Value {
 }
 
 /// What the message says of the component.
-fn head(task: &ScriptTask<'_>, run: i64) -> Vec<(&'static str, Value)> {
+fn head(task: &ScriptTask<'_>) -> Vec<(&'static str, Value)> {
     let object = task.object;
     let language = match task.script.language {
         ScriptLanguage::IronPython => "python2",
@@ -146,7 +146,8 @@ fn head(task: &ScriptTask<'_>, run: i64) -> Vec<(&'static str, Value)> {
         ("units", Value::Text(format!("{units:?}"))),
     ]);
     vec![
-        ("run", Value::Int(run)),
+        // Runs come one after the other: there is nothing to tell apart.
+        ("run", Value::Int(0)),
         ("code", text(&task.script.text)),
         ("language", text(language)),
         ("key", Value::Text(object.id.to_string())),

@@ -110,6 +110,13 @@ impl Answer for Event {
     }
 }
 
+/// An event, for what its class has.
+pub(super) fn sample() -> Record {
+    let nowhere = [Point3::ORIGIN; 2];
+    let (on_a, on_b) = (Interval::UNIT, Interval::UNIT);
+    Event { a: nowhere, b: nowhere, on_a, on_b, on_surface: None, is_point: true }.record()
+}
+
 impl Event {
     fn record(self) -> Record {
         let [u, v] = self.on_surface.unwrap_or_default();

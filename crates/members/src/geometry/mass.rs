@@ -233,6 +233,20 @@ impl Answer for Volume {
     }
 }
 
+/// A result of each class, for what it has.
+pub(super) fn samples() -> [Record; 2] {
+    let nothing = MassProperties {
+        amount: 0.0,
+        centroid: katydid_geometry::Point3::ORIGIN,
+        second_moments: [0.0; 6],
+        error: 0.0,
+    };
+    [
+        Record { class: "AreaMassProperties", fields: measured("Area", "AreaError", &nothing) },
+        Record { class: "VolumeMassProperties", fields: measured("Volume", "VolumeError", &nothing) },
+    ]
+}
+
 /// The properties of RhinoCommon's classes.
 fn measured(amount: &'static str, error: &'static str, found: &MassProperties) -> Vec<(&'static str, Value)> {
     let origin = katydid_geometry::Point3::ORIGIN;

@@ -3,6 +3,7 @@
 use super::argument::Waiting;
 use super::call::{Arguments, Given};
 use super::table::{Endpoints, Row, fitting};
+use super::{intersection, mass};
 use crate::shape::Shape;
 use crate::{Fault, Value};
 
@@ -79,11 +80,26 @@ impl Endpoints {
     /// The signatures of all members, sorted: `Class.Member(this Type, Type name) -> Type`.
     pub fn members(&self) -> Vec<String> {
         let answered = self.rows.iter().filter(|row| row.entry.is_some());
-        let mut signatures: Vec<String> = answered.map(signature).collect();
+        let records = mass::samples().into_iter().chain([intersection::sample()]);
+        let properties = records.flat_map(|record| {
+            let class = record.class;
+            record.fields.into_iter().map(move |(name, value)| property_signature(class, name, &value))
+        });
+        let mut signatures: Vec<String> = answered.map(signature).chain(properties).collect();
         signatures.sort();
         signatures.dedup();
         signatures
     }
+}
+
+fn property_signature(class: &str, name: &str, value: &Value) -> String {
+    let kind = match value {
+        Value::Number(_) => "Double",
+        Value::Bool(_) => "Boolean",
+        Value::Int(_) => "Int32",
+        value => value.noun().trim_start_matches("an ").trim_start_matches("a "),
+    };
+    format!("{class}.get_{name}(this {class}) -> {kind}")
 }
 
 /// A property of a result that is a record.

@@ -1,12 +1,13 @@
 //! `Curve`: evaluation, parts, and changes in place.
 
-use katydid_geometry::{Curve, Interval, Plane, Point3, Tolerance, Vector3};
+use katydid_geometry::{Continuity, ContinuityTolerance, Curve, Interval, Plane, Point3, Vector3};
 
 use super::{Named, ZERO};
 use crate::Fault;
 use crate::geometry::answer::Outcome;
-use crate::geometry::argument::Count;
+use crate::geometry::argument::{Count, choice};
 use crate::geometry::table::Endpoints;
+use crate::wire::Read;
 
 pub(super) fn enter(table: &mut Endpoints) {
     table.member("Curve.get_Domain this", |c: Curve| Ok(c.domain()));
@@ -21,6 +22,16 @@ pub(super) fn enter(table: &mut Endpoints) {
             _ => Err(Fault::bad_request(format!("spanIndex is {}, of {}", i.0, ends.len() - 1))),
         }
     });
+    table.member("Curve.IsContinuous this continuityType t", |c: Curve, kind: Smoothness, t: f64| {
+        Ok(c.is_continuous_at(t, kind.0, &ContinuityTolerance::default()))
+    });
+    table.member(
+        "Curve.GetNextDiscontinuity this continuityType t0 t1",
+        |c: Curve, kind: Smoothness, start: f64, end: f64| {
+            let found = c.next_discontinuity(kind.0, start, end, &ContinuityTolerance::default());
+            Ok((found.is_some(), found))
+        },
+    );
     table.member("Curve.get_IsClosed this", |c: Curve| Ok(c.is_closed()));
     table.member("Curve.get_IsPeriodic this", |c: Curve| Ok(c.is_periodic()));
     table.member("Curve.get_PointAtStart this", |c: Curve| Ok(c.start()));
@@ -80,6 +91,36 @@ pub(super) fn enter(table: &mut Endpoints) {
         "Curve.IsClosable this tolerance minimumAbsoluteSize minimumRelativeSize",
         |c: Curve, tolerance: f64, _: f64, _: f64| Ok(closable(&c, tolerance)),
     );
+}
+
+/// `Continuity`, of which the kinds at a locus count as the plain ones.
+struct Smoothness(Continuity);
+
+impl Read for Smoothness {
+    fn read(json: &serde_json::Value) -> Result<Self, Fault> {
+        choice(
+            json,
+            "continuity",
+            &[
+                ("None", Continuity::C0),
+                ("C0_continuous", Continuity::C0),
+                ("C1_continuous", Continuity::C1),
+                ("C2_continuous", Continuity::C2),
+                ("G1_continuous", Continuity::G1),
+                ("G2_continuous", Continuity::G2),
+                ("C0_locus_continuous", Continuity::C0),
+                ("C1_locus_continuous", Continuity::C1),
+                ("C2_locus_continuous", Continuity::C2),
+                ("G1_locus_continuous", Continuity::G1),
+                ("G2_locus_continuous", Continuity::G2),
+            ],
+        )
+        .map(Self)
+    }
+
+    fn type_name() -> String {
+        "Continuity".into()
+    }
 }
 
 /// The tangent, zero where there is none.
@@ -163,5 +204,5 @@ fn closable(curve: &Curve, tolerance: f64) -> bool {
 
 /// The tolerance that RhinoCommon recognises shapes with, or one that a script gives.
 pub(super) fn within(tolerance: Option<f64>) -> f64 {
-    tolerance.map_or(ZERO, |tolerance| tolerance.max(ZERO).min(Tolerance::default().absolute * 1e6))
+    tolerance.map_or(ZERO, |tolerance| tolerance.max(ZERO))
 }

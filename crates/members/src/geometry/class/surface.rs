@@ -1,12 +1,13 @@
 //! `Surface` and its classes: evaluation, parts, and changes in place.
 
 use katydid_geometry::{
-    Curve, Direction, Interval, Line, NurbsSurface, Plane, PlaneSurface, RevolutionSurface, Sphere, Surface,
-    SurfaceCurvature, Torus, Vector3, construct,
+    Cone, Curve, Cylinder, Direction, Interval, Line, NurbsSurface, Plane, PlaneSurface, RevolutionSurface,
+    Side, Sphere, Surface, SurfaceCurvature, Torus, Vector3, construct,
 };
 
 use super::curve::within;
 use crate::geometry::answer::Outcome;
+use crate::geometry::argument::Count;
 use crate::geometry::choice::Along;
 use crate::geometry::table::Endpoints;
 use crate::shape::{Record, Shape};
@@ -59,6 +60,37 @@ pub(super) fn enter(table: &mut Endpoints) {
     table.member("Surface.TryGetSphere this tolerance", |s: Surface, t: f64| {
         Ok(found(s.as_sphere(within(Some(t)))))
     });
+    table.member("Surface.TryGetCylinder this", |s: Surface| Ok(found(s.as_cylinder(within(None)))));
+    table.member("Surface.TryGetCylinder this tolerance", |s: Surface, t: f64| {
+        Ok(found(s.as_cylinder(within(Some(t)))))
+    });
+    table.member("Surface.TryGetCone this", |s: Surface| Ok(found(s.as_cone(within(None)))));
+    table.member("Surface.TryGetCone this tolerance", |s: Surface, t: f64| {
+        Ok(found(s.as_cone(within(Some(t)))))
+    });
+    table.member("Surface.TryGetTorus this", |s: Surface| Ok(found(s.as_torus(within(None)))));
+    table.member("Surface.TryGetTorus this tolerance", |s: Surface, t: f64| {
+        Ok(found(s.as_torus(within(Some(t)))))
+    });
+    table.member("Surface.HasNurbsForm this", |s: Surface| Ok(i32::from(s.to_nurbs().is_ok())));
+    table.member("Surface.IsSingular this side", |s: Surface, side: Count<0, 3>| {
+        // South, east, north and west, as openNURBS numbers them.
+        let sides = [Side::South, Side::East, Side::North, Side::West];
+        Ok(sides.get(side.0).is_some_and(|side| s.is_singular(*side)))
+    });
+    table.member("Surface.IsAtSeam this u v", |s: Surface, u: f64, v: f64| {
+        let [at_u, at_v] = s.is_at_seam(u, v);
+        Ok(i32::from(at_u) + 2 * i32::from(at_v))
+    });
+    table.member(
+        "Surface.Evaluate this u v numberDerivatives",
+        |s: Surface, u: f64, v: f64, n: Count<0, 8>| {
+            let found = s.derivatives(u, v, n.0, s.inner_quadrant(u, v));
+            let orders = (1..=n.0).flat_map(|order| (0..=order).map(move |j| (order - j, j)));
+            let derivatives: Vec<Vector3> = orders.map(|(i, j)| found.get(i, j)).collect();
+            Ok((true, found.point(), derivatives))
+        },
+    );
     table.member("Surface.ToNurbsSurface this", |s: Surface| Ok(Surface::from(s.to_nurbs()?)));
     table.member("Surface.ToBrep this", |s: Surface| Ok(katydid_geometry::Brep::from_surface(s)?));
     table.member("Surface.Reverse this direction", |s: Surface, along: Along| Ok(s.reversed(along.0)));
@@ -96,6 +128,37 @@ fn kinds(table: &mut Endpoints) {
     table.member("NurbsSurface.CreateFromTorus torus", |torus: Torus| {
         Ok(Surface::from(torus.to_revolution().to_nurbs()?))
     });
+    table.member("NurbsSurface.CreateFromCylinder cylinder", |cylinder: Cylinder| {
+        Ok(Surface::from(cylinder.to_revolution().to_nurbs()?))
+    });
+    table.member("NurbsSurface.CreateFromCone cone", |cone: Cone| {
+        Ok(Surface::from(cone.to_revolution().to_nurbs()?))
+    });
+    table.member("NurbsSurface.IncreaseDegreeU &this desiredDegree", |s: Surface, degree: Count<1, 11>| {
+        raised(&s, Direction::U, degree.0)
+    });
+    table.member("NurbsSurface.IncreaseDegreeV &this desiredDegree", |s: Surface, degree: Count<1, 11>| {
+        raised(&s, Direction::V, degree.0)
+    });
+    table.member("NurbsSurface.MakeRational &this", |s: Surface| {
+        Ok((true, Surface::from(s.to_nurbs()?.to_rational())))
+    });
+    table.member("RevSurface.CreateFromCylinder cylinder", |cylinder: Cylinder| {
+        Ok(Surface::from(cylinder.to_revolution()))
+    });
+    table.member("RevSurface.CreateFromCone cone", |cone: Cone| Ok(Surface::from(cone.to_revolution())));
+    table.member("RevSurface.get_Axis this", |s: Surface| match &s {
+        Surface::Revolution(own) => Ok(own.axis()),
+        _ => Err(Fault::bad_request("this is no RevSurface")),
+    });
+    table.member("RevSurface.get_Angle this", |s: Surface| match &s {
+        Surface::Revolution(own) => Ok(own.angle()),
+        _ => Err(Fault::bad_request("this is no RevSurface")),
+    });
+    table.member("RevSurface.get_Curve this", |s: Surface| match &s {
+        Surface::Revolution(own) => Ok(own.profile().clone()),
+        _ => Err(Fault::bad_request("this is no RevSurface")),
+    });
     table.member("RevSurface.CreateFromSphere sphere", |sphere: Sphere| {
         Ok(Surface::from(sphere.to_revolution()))
     });
@@ -117,6 +180,15 @@ fn kinds(table: &mut Endpoints) {
         let capped = cap && profile.is_closed();
         Ok(construct::extrude(&profile, plane.z_axis * height, capped, &tolerance)?)
     });
+}
+
+/// The surface with a higher degree; a lower one than it has changes nothing.
+fn raised(surface: &Surface, along: Direction, degree: usize) -> Outcome<(bool, Surface)> {
+    let nurbs = surface.to_nurbs()?;
+    Ok(match degree < nurbs.degree(along) {
+        true => (false, surface.clone()),
+        false => (true, nurbs.raised_to(along, degree)?.into()),
+    })
 }
 
 fn revolved(profile: Curve, axis: Line, start: f64, end: f64) -> Outcome<Surface> {
