@@ -202,7 +202,7 @@ impl Endpoints {
     /// [`Query::multiple`] a list of such lists. A path without types means the overload that the arguments fit.
     ///
     /// # Errors
-    /// As [`call`](super::call).
+    /// No such function, arguments that it does not take, what it says of them, or a limit.
     pub fn call(
         &self,
         path: &str,
