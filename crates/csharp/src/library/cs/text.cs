@@ -179,6 +179,9 @@ namespace System
     public static class GC { public static void Collect() { } }
     public static class Convert
     {
+        public static string ToBase64String(byte[] bytes) { if (bytes == null) throw new ArgumentNullException("inArray"); return Base64.Text(bytes, 0, bytes.Length); }
+        public static string ToBase64String(byte[] bytes, int offset, int length) { if (bytes == null) throw new ArgumentNullException("inArray"); if (length < 0) throw new ArgumentOutOfRangeException("length"); if (offset < 0 || offset > bytes.Length - length) throw new ArgumentOutOfRangeException("offset"); return Base64.Text(bytes, offset, length); }
+        public static byte[] FromBase64String(string text) { if (text == null) throw new ArgumentNullException("s"); return Base64.Bytes(text); }
         public static int ToInt32(double x) { return checked((int)Math.Round(x)); }
         public static int ToInt32(bool x) { return x ? 1 : 0; }
         public static int ToInt32(int x) { return x; }
