@@ -28,6 +28,7 @@ pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("tuples.cs", include_str!("cs/tuples.cs")),
     ("time.cs", include_str!("cs/time.cs")),
     ("guid.cs", include_str!("cs/guid.cs")),
+    ("drawing.cs", include_str!("cs/drawing.cs")),
 ];
 
 /// A function of the library: it finds its arguments in the call.

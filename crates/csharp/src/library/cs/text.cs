@@ -267,11 +267,11 @@ namespace System.Text
         public override extern string ToString();
         public string ToString(int start, int length) { return ToString().Substring(start, length); }
         extern void Put(string text);
-        public StringBuilder Append(string s) { Put(s); return this; }
+        public extern StringBuilder Append(string s);
         public StringBuilder Append(object o) { Put(Library.Text(o)); return this; }
-        public StringBuilder Append(char c) { Put(c.ToString()); return this; }
+        public extern StringBuilder Append(char c);
         public StringBuilder Append(char c, int n) { Put(new string(c, n)); return this; }
-        public StringBuilder Append(int x) { Put(x.ToString()); return this; }
+        public extern StringBuilder Append(int x);
         public StringBuilder Append(double x) { Put(x.ToString()); return this; }
         public StringBuilder Append(bool x) { Put(x.ToString()); return this; }
         public StringBuilder AppendLine() { Put("\n"); return this; }
