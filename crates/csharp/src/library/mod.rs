@@ -25,6 +25,7 @@ pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("text.cs", include_str!("cs/text.cs")),
     ("collections.cs", include_str!("cs/collections.cs")),
     ("linq.cs", include_str!("cs/linq.cs")),
+    ("comparer.cs", include_str!("cs/comparer.cs")),
     ("tuples.cs", include_str!("cs/tuples.cs")),
     ("time.cs", include_str!("cs/time.cs")),
     ("guid.cs", include_str!("cs/guid.cs")),
