@@ -3,6 +3,7 @@
 
 use std::io::Write;
 use std::process::ExitCode;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use katydid_csharp::{Engine, Host, Limits, Source};
 
@@ -11,6 +12,12 @@ struct Terminal;
 impl Host for Terminal {
     fn write(&mut self, text: &str) {
         let _ = std::io::stdout().write_all(text.as_bytes());
+    }
+
+    fn now(&mut self) -> Option<i64> {
+        const TICKS_TO_1970: i64 = 621_355_968_000_000_000;
+        let since = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
+        Some(TICKS_TO_1970 + i64::try_from(since.as_nanos() / 100).ok()?)
     }
 }
 

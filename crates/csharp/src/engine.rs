@@ -1,5 +1,7 @@
 //! A program made of source and a host, checked, and run as often as wanted.
 
+use std::sync::LazyLock;
+
 use crate::diagnostic::Diagnostic;
 use crate::host::Host;
 use crate::library;
@@ -65,26 +67,36 @@ pub struct Engine {
     map: SourceMap,
 }
 
-/// Reads and declares; gives all faults in the order of their places.
-fn declared(source: &Source<'_>, host: &dyn Host, map: &mut SourceMap) -> Result<Sema, Vec<Diagnostic>> {
-    let mut sema = Sema::default();
+/// The library, declared, and where its texts stand.
+type Declared = (Sema, SourceMap);
+
+/// The library as it is declared: the same for all programs, so it is read once in a process.
+static LIBRARY: LazyLock<Result<Declared, Vec<Diagnostic>>> = LazyLock::new(|| {
+    let (mut sema, mut map) = (Sema::default(), SourceMap::default());
     let mut files = Vec::new();
     for (name, text) in library::SOURCES {
-        files.push(read(map, name, text).map_err(|f| located(map, vec![f]))?);
-    }
-    if !host.declarations().is_empty() {
-        files.push(read(map, "host", host.declarations()).map_err(|f| located(map, vec![f]))?);
+        files.push(read(&mut map, name, text).map_err(|f| located(&map, vec![f]))?);
     }
     sema.declare(&files, true);
+    Ok((sema, map))
+});
+
+/// Reads and declares; gives all faults in the order of their places.
+fn declared(source: &Source<'_>, host: &dyn Host) -> Result<Declared, Vec<Diagnostic>> {
+    let (mut sema, mut map) = LIBRARY.clone()?;
+    if !host.declarations().is_empty() {
+        let own = read(&mut map, "host", host.declarations()).map_err(|f| located(&map, vec![f]))?;
+        sema.declare(&[own], true);
+    }
     let user = match source {
-        Source::File(text) => read(map, "script", text),
+        Source::File(text) => read(&mut map, "script", text),
         Source::Parts { using, body, additional, parameters, usual, base } => {
-            parts(map, using, body, additional, parameters, usual, base)
+            parts(&mut map, using, body, additional, parameters, usual, base)
         }
     };
-    let user = user.map_err(|f| located(map, vec![f]))?;
+    let user = user.map_err(|f| located(&map, vec![f]))?;
     sema.declare(&[user], false);
-    Ok(sema)
+    Ok((sema, map))
 }
 
 fn located(map: &SourceMap, mut faults: Vec<crate::diagnostic::Fault>) -> Vec<Diagnostic> {
@@ -140,8 +152,7 @@ impl Engine {
     /// # Errors
     /// All that is wrong with it.
     pub fn new(source: &Source<'_>, host: Box<dyn Host>, limits: Limits) -> Result<Self, Vec<Diagnostic>> {
-        let mut map = SourceMap::default();
-        let mut sema = declared(source, host.as_ref(), &mut map)?;
+        let (mut sema, map) = declared(source, host.as_ref())?;
         if !sema.faults.is_empty() {
             return Err(located(&map, std::mem::take(&mut sema.faults)));
         }
@@ -374,5 +385,25 @@ impl Program {
         let (owner, takes) = (self.sema.methods[found].owner, !self.sema.methods[found].params.is_empty());
         let ty = self.sema.open(owner);
         Some((MethodId(found as u32), ty, takes))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bodies of the library are bound when they are first called: here all are, so that none can fail later.
+    #[test]
+    fn the_library_has_no_faults() {
+        let (mut sema, map) = LIBRARY.clone().unwrap_or_default();
+        State::new(Box::new(crate::Printing::default()), Limits::default(), &mut sema);
+        for def in &mut sema.defs {
+            def.library = false;
+        }
+        let mut program = Program::new(sema);
+        program.check();
+        let faults = located(&map, std::mem::take(&mut program.sema.faults));
+        assert!(program.sema.defs.len() > 100, "the library was read");
+        assert_eq!(faults, [], "faults");
     }
 }

@@ -258,9 +258,7 @@ impl Binder<'_> {
             return fits.then_some((x.ty, a, a));
         }
         if matches!(op, Op::Shl | Op::Shr) {
-            let left = promoted(a, Prim::I32).filter(|p| p.is_integral())?;
-            // A shifted uint or ulong keeps its type.
-            let left = if matches!(a, Prim::U32 | Prim::U64 | Prim::I64) { a } else { left };
+            let left = promoted(a, a).filter(|p| p.is_integral())?;
             return (b.is_integral() && b != Prim::U32 && b != Prim::I64 && b != Prim::U64).then(|| {
                 let ty = self.prim_type(left);
                 (ty, left, Prim::I32)

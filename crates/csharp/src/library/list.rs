@@ -1,10 +1,15 @@
 //! `List<T>` and `StringBuilder`.
 
+use smallvec::SmallVec;
+
 use super::{Cx, Native};
 use crate::program::Start;
 use crate::vm::Raise;
 use crate::vm::heap::Obj;
 use crate::vm::value::Value;
+
+/// The characters of the longest `int`, -2147483648.
+const LONGEST_INT: usize = 11;
 
 fn range() -> Raise {
     Raise::new(
@@ -195,12 +200,22 @@ pub(super) fn find(key: &str) -> Option<Native> {
             cx.st.spend(units.len() / 64)?;
             Ok(cx.st.heap.text(&units))
         },
-        "StringBuilder.Put(String)" => |cx| {
-            let units = cx.units(1).to_vec();
-            cx.st.reserve(units.len() * 2)?;
-            cx.st.heap.bytes += units.len() * 2;
-            builder(cx)?.extend_from_slice(&units);
-            Ok(Value::Null)
+        "StringBuilder.Put(String)" | "StringBuilder.Append(String)" => |cx| {
+            cx.st.reserve(cx.units(1).len() * 2)?;
+            // Taken out for the while, so that the text need not be copied before it is appended.
+            let mut built = std::mem::take(builder(cx)?);
+            built.extend_from_slice(cx.units(1));
+            cx.st.heap.bytes += cx.units(1).len() * 2;
+            *builder(cx)? = built;
+            Ok(cx.arg(0))
+        },
+        "StringBuilder.Append(Char)" => |cx| {
+            let Value::Char(unit) = cx.arg(1) else { return Ok(cx.arg(0)) };
+            append(cx, &[unit])
+        },
+        "StringBuilder.Append(Int32)" => |cx| {
+            let units: SmallVec<[u16; LONGEST_INT]> = cx.int(1).to_string().encode_utf16().collect();
+            append(cx, &units)
         },
         "StringBuilder.Insert(Int32,String)" => |cx| {
             let units = cx.units(2).to_vec();
@@ -240,6 +255,13 @@ fn out() -> Raise {
 /// The type is known by name from now on.
 fn builder_type(cx: &mut Cx<'_>) {
     let _ = cx.type_named("System.Text", "StringBuilder");
+}
+
+fn append(cx: &mut Cx<'_>, units: &[u16]) -> Result<Value, Raise> {
+    cx.st.reserve(units.len() * 2)?;
+    builder(cx)?.extend_from_slice(units);
+    cx.st.heap.bytes += units.len() * 2;
+    Ok(cx.arg(0))
 }
 
 fn builder<'c>(cx: &'c mut Cx<'_>) -> Result<&'c mut Vec<u16>, Raise> {

@@ -1,6 +1,7 @@
 //! The library that programs may use: declared and mostly written in C#, with what is left done here.
 
 mod array;
+mod clock;
 mod culture;
 mod format;
 mod list;
@@ -24,6 +25,11 @@ pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("text.cs", include_str!("cs/text.cs")),
     ("collections.cs", include_str!("cs/collections.cs")),
     ("linq.cs", include_str!("cs/linq.cs")),
+    ("comparer.cs", include_str!("cs/comparer.cs")),
+    ("tuples.cs", include_str!("cs/tuples.cs")),
+    ("time.cs", include_str!("cs/time.cs")),
+    ("guid.cs", include_str!("cs/guid.cs")),
+    ("drawing.cs", include_str!("cs/drawing.cs")),
 ];
 
 /// A function of the library: it finds its arguments in the call.
@@ -37,6 +43,7 @@ pub(crate) fn find(key: &str) -> Option<Native> {
         .or_else(|| list::find(key))
         .or_else(|| array::find(key))
         .or_else(|| object::find(key))
+        .or_else(|| clock::find(key))
 }
 
 /// A call of the library or the host.

@@ -15,6 +15,7 @@ impl Sema {
     /// Declares all types of files. Faults are kept.
     pub fn declare(&mut self, files: &[Namespace], library: bool) {
         let first = self.defs.len();
+        self.declared_before = first;
         for file in files {
             self.declare_names(file, "", None, library);
         }
@@ -97,15 +98,11 @@ impl Sema {
         let outer_params = outer.map(|o| self.def(o).params.clone()).unwrap_or_default();
         if outer.is_none()
             && let Some(list) = self.by_name.get(&key)
-            && let Some(before) = list
-                .iter()
-                .copied()
-                .find(|d| self.def(*d).params.len() == own && (self.def(*d).library == library))
+            && list.iter().any(|d| d.0 as usize >= self.declared_before && self.def(*d).params.len() == own)
         {
             if decl.modifiers.has("partial") {
                 self.fault(decl.pos, 0, "A partial type is not supported");
             } else {
-                let _ = before;
                 let space = if namespace.is_empty() { "<global namespace>" } else { namespace };
                 self.fault(
                     decl.pos,
@@ -147,7 +144,7 @@ impl Sema {
         });
         match outer {
             None => {
-                // The user's own types come before the library's.
+                // The user's own types come before the host's, the host's before the library's.
                 self.by_name.entry(key).or_default().insert(0, id);
             }
             Some(outer) => self.add_member(outer, &decl.name, Member::Type(id)),

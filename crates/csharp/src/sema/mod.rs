@@ -52,6 +52,8 @@ pub struct Sema {
     pub anonymous: HashMap<Vec<Name>, DefId>,
     /// Types that the language knows.
     pub known: Known_,
+    /// How many types there were before those that are being declared.
+    pub declared_before: usize,
     /// Faults so far.
     pub faults: Vec<Fault>,
 }

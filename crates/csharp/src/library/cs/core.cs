@@ -320,41 +320,22 @@ namespace System
     public delegate void Action<A, B>(A a, B b);
     public delegate void Action<A, B, C>(A a, B b, C c);
     public delegate void Action<A, B, C, D>(A a, B b, C c, D d);
+    public delegate void Action<A, B, C, D, E>(A a, B b, C c, D d, E e);
+    public delegate void Action<A, B, C, D, E, F>(A a, B b, C c, D d, E e, F f);
+    public delegate void Action<A, B, C, D, E, F, G>(A a, B b, C c, D d, E e, F f, G g);
+    public delegate void Action<A, B, C, D, E, F, G, H>(A a, B b, C c, D d, E e, F f, G g, H h);
     public delegate R Func<R>();
     public delegate R Func<A, R>(A a);
     public delegate R Func<A, B, R>(A a, B b);
     public delegate R Func<A, B, C, R>(A a, B b, C c);
     public delegate R Func<A, B, C, D, R>(A a, B b, C c, D d);
     public delegate R Func<A, B, C, D, E, R>(A a, B b, C c, D d, E e);
+    public delegate R Func<A, B, C, D, E, F, R>(A a, B b, C c, D d, E e, F f);
+    public delegate R Func<A, B, C, D, E, F, G, R>(A a, B b, C c, D d, E e, F f, G g);
+    public delegate R Func<A, B, C, D, E, F, G, H, R>(A a, B b, C c, D d, E e, F f, G g, H h);
     public delegate bool Predicate<T>(T item);
     public delegate int Comparison<T>(T a, T b);
     public delegate R Converter<T, R>(T item);
-    public struct ValueTuple<A, B> : IComparable { public A Item1; public B Item2;
-        public int CompareTo(object o) { var t = (ValueTuple<A, B>)o; int c = Comparer<A>.Order(Item1, t.Item1); return c != 0 ? c : Comparer<B>.Order(Item2, t.Item2); }
-        public ValueTuple(A a, B b) { Item1 = a; Item2 = b; }
-        public override bool Equals(object o) { if (!(o is ValueTuple<A, B>)) return false; var t = (ValueTuple<A, B>)o; return EqualityComparer<A>.Same(Item1, t.Item1) && EqualityComparer<B>.Same(Item2, t.Item2); }
-        public override int GetHashCode() { return EqualityComparer<A>.Hash(Item1) * 31 + EqualityComparer<B>.Hash(Item2); }
-        public override string ToString() { return "(" + Item1 + ", " + Item2 + ")"; } }
-    public struct ValueTuple<A, B, C> : IComparable { public A Item1; public B Item2; public C Item3;
-        public int CompareTo(object o) { var t = (ValueTuple<A, B, C>)o; int c = Comparer<A>.Order(Item1, t.Item1); if (c == 0) c = Comparer<B>.Order(Item2, t.Item2); return c != 0 ? c : Comparer<C>.Order(Item3, t.Item3); }
-        public ValueTuple(A a, B b, C c) { Item1 = a; Item2 = b; Item3 = c; }
-        public override bool Equals(object o) { if (!(o is ValueTuple<A, B, C>)) return false; var t = (ValueTuple<A, B, C>)o; return EqualityComparer<A>.Same(Item1, t.Item1) && EqualityComparer<B>.Same(Item2, t.Item2) && EqualityComparer<C>.Same(Item3, t.Item3); }
-        public override int GetHashCode() { return (EqualityComparer<A>.Hash(Item1) * 31 + EqualityComparer<B>.Hash(Item2)) * 31 + EqualityComparer<C>.Hash(Item3); }
-        public override string ToString() { return "(" + Item1 + ", " + Item2 + ", " + Item3 + ")"; } }
-    public struct ValueTuple<A, B, C, D> { public A Item1; public B Item2; public C Item3; public D Item4;
-        public ValueTuple(A a, B b, C c, D d) { Item1 = a; Item2 = b; Item3 = c; Item4 = d; }
-        public override string ToString() { return "(" + Item1 + ", " + Item2 + ", " + Item3 + ", " + Item4 + ")"; } }
-    public class Tuple<A, B> { public A Item1 { get; private set; } public B Item2 { get; private set; }
-        public Tuple(A a, B b) { Item1 = a; Item2 = b; }
-        public override bool Equals(object o) { var t = o as Tuple<A, B>; return t != null && EqualityComparer<A>.Same(Item1, t.Item1) && EqualityComparer<B>.Same(Item2, t.Item2); }
-        public override int GetHashCode() { return EqualityComparer<A>.Hash(Item1) * 31 + EqualityComparer<B>.Hash(Item2); }
-        public override string ToString() { return "(" + Item1 + ", " + Item2 + ")"; } }
-    public class Tuple<A, B, C> { public A Item1 { get; private set; } public B Item2 { get; private set; } public C Item3 { get; private set; }
-        public Tuple(A a, B b, C c) { Item1 = a; Item2 = b; Item3 = c; }
-        public override string ToString() { return "(" + Item1 + ", " + Item2 + ", " + Item3 + ")"; } }
-    public static class Tuple {
-        public static Tuple<A, B> Create<A, B>(A a, B b) { return new Tuple<A, B>(a, b); }
-        public static Tuple<A, B, C> Create<A, B, C>(A a, B b, C c) { return new Tuple<A, B, C>(a, b, c); } }
     public class Exception
     {
         private string _message;

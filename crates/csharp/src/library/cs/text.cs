@@ -179,6 +179,9 @@ namespace System
     public static class GC { public static void Collect() { } }
     public static class Convert
     {
+        public static string ToBase64String(byte[] bytes) { if (bytes == null) throw new ArgumentNullException("inArray"); return Base64.Text(bytes, 0, bytes.Length); }
+        public static string ToBase64String(byte[] bytes, int offset, int length) { if (bytes == null) throw new ArgumentNullException("inArray"); if (length < 0) throw new ArgumentOutOfRangeException("length"); if (offset < 0 || offset > bytes.Length - length) throw new ArgumentOutOfRangeException("offset"); return Base64.Text(bytes, offset, length); }
+        public static byte[] FromBase64String(string text) { if (text == null) throw new ArgumentNullException("s"); return Base64.Bytes(text); }
         public static int ToInt32(double x) { return checked((int)Math.Round(x)); }
         public static int ToInt32(bool x) { return x ? 1 : 0; }
         public static int ToInt32(int x) { return x; }
@@ -264,11 +267,11 @@ namespace System.Text
         public override extern string ToString();
         public string ToString(int start, int length) { return ToString().Substring(start, length); }
         extern void Put(string text);
-        public StringBuilder Append(string s) { Put(s); return this; }
+        public extern StringBuilder Append(string s);
         public StringBuilder Append(object o) { Put(Library.Text(o)); return this; }
-        public StringBuilder Append(char c) { Put(c.ToString()); return this; }
+        public extern StringBuilder Append(char c);
         public StringBuilder Append(char c, int n) { Put(new string(c, n)); return this; }
-        public StringBuilder Append(int x) { Put(x.ToString()); return this; }
+        public extern StringBuilder Append(int x);
         public StringBuilder Append(double x) { Put(x.ToString()); return this; }
         public StringBuilder Append(bool x) { Put(x.ToString()); return this; }
         public StringBuilder AppendLine() { Put("\n"); return this; }
