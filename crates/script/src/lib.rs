@@ -10,6 +10,7 @@
 
 mod components;
 mod conductor;
+mod csharp;
 mod fence;
 mod from_script;
 mod hint;
@@ -26,6 +27,7 @@ mod task;
 mod to_script;
 
 pub use conductor::{Python, PythonMaker};
+pub use csharp::CSharp;
 pub use fence::Fence;
 pub use interpreter::{Interpreter, find};
 pub use needs::{Examiner, Needs};

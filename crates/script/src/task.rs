@@ -37,7 +37,7 @@ fn access(port: &Port) -> Access {
 }
 
 /// The variable that a port is in a script: its short name.
-fn variable(port: &Port) -> &str {
+pub(crate) fn variable(port: &Port) -> &str {
     if port.nickname.is_empty() { &port.name } else { &port.nickname }
 }
 
@@ -75,8 +75,8 @@ impl Prepared {
         self.sets.iter().map(|(_, count)| count).sum()
     }
 
-    /// The whole message, for one process.
-    pub(crate) fn message(&self, inward: &mut Inward<'_>) -> Value {
+    /// The values of the inputs in every iteration, a list each.
+    pub(crate) fn rows(&self, inward: &mut Inward<'_>) -> Vec<Value> {
         let trees: Vec<Tree> = self.inputs.iter().map(|(_, _, tree)| tree.clone()).collect();
         let accesses: Vec<Access> = self.inputs.iter().map(|(access, ..)| *access).collect();
         let matching = Matching::new(&trees, &accesses, None);
@@ -99,6 +99,12 @@ impl Prepared {
                 iterations.push(Value::List(row.collect()));
             }
         }
+        iterations
+    }
+
+    /// The whole message, for one process.
+    pub(crate) fn message(&self, inward: &mut Inward<'_>) -> Value {
+        let iterations = self.rows(inward);
         let mut pairs: Vec<(Value, Value)> =
             self.head.iter().map(|(key, value)| (text(key), value.clone())).collect();
         pairs.push((text("iterations"), Value::List(iterations)));

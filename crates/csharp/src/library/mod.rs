@@ -186,7 +186,8 @@ impl Cx<'_> {
         Some(self.program.sema.named(def, &[]))
     }
 
-    pub(crate) fn sema(&mut self) -> &mut Sema {
+    /// What is declared.
+    pub fn sema(&mut self) -> &mut Sema {
         &mut self.program.sema
     }
 

@@ -1,0 +1,114 @@
+//! C# components: each is compiled once and run in this process. A script can only compute, so it needs no permission.
+
+mod convert;
+mod declare;
+mod host;
+mod program;
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+
+use katydid_definition::document::ScriptLanguage;
+use katydid_solver::{ScriptDone, ScriptTask, Scripts, Unrun};
+use uuid::Uuid;
+
+use crate::from_script::Outward;
+use crate::keeper::Keepers;
+use crate::outputs;
+use crate::reply::Reply;
+use crate::task::Prepared;
+use crate::to_script::Inward;
+use program::Program;
+
+/// Runs the C# components of one document, and hands all others on.
+#[derive(Default)]
+pub struct CSharp {
+    /// The compiled scripts by component.
+    programs: Mutex<HashMap<Uuid, Program>>,
+    /// What runs scripts of other languages.
+    others: Option<Arc<dyn Scripts>>,
+}
+
+impl std::fmt::Debug for CSharp {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("CSharp").field("others", &self.others).finish_non_exhaustive()
+    }
+}
+
+impl CSharp {
+    /// With what runs scripts of other languages.
+    pub fn beside(others: Arc<dyn Scripts>) -> Self {
+        Self { others: Some(others), ..Self::default() }
+    }
+
+    /// The program of a component. It is taken out while it runs, so that nothing is locked meanwhile.
+    fn program(&self, task: &ScriptTask<'_>) -> Result<Program, Vec<katydid_component::Message>> {
+        let parameters = program::parameters(task);
+        let kept = self.programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&task.object.id);
+        match kept {
+            Some(kept) if kept.source.0 == *task.script && kept.source.1 == parameters => Ok(kept),
+            _ => Program::new(task.script, &parameters),
+        }
+    }
+
+    fn perform(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
+        let prepared = Prepared::new(task, 0);
+        task.budget.fits(prepared.iterations()).map_err(Unrun::Failed)?;
+        let mut program = match self.program(task) {
+            Ok(program) => program,
+            Err(messages) => return Ok(ScriptDone { outputs: Vec::new(), messages }),
+        };
+        {
+            let mut turn = program.turn.lock().unwrap_or_else(PoisonError::into_inner);
+            turn.limits = task.limits;
+            turn.cancel = task.cancel.clone();
+            turn.end = task.limits.time.and_then(|time| Instant::now().checked_add(time));
+        }
+        let mut inward = Inward { rules: &prepared.rules, process: 0, lost: Vec::new() };
+        let rows = prepared.rows(&mut inward);
+        let mut lost = inward.lost;
+        let (mut reply, mut ended) = (Reply::default(), false);
+        for row in &rows {
+            let called = program.call(&row.items().unwrap_or_default());
+            reply.iterations.push(called.row);
+            reply.prints.push(called.printed);
+            for message in called.messages {
+                if !reply.messages.contains(&message) {
+                    reply.messages.push(message);
+                }
+            }
+            ended = called.ended;
+            if ended {
+                break;
+            }
+        }
+        if !ended {
+            self.programs.lock().unwrap_or_else(PoisonError::into_inner).insert(task.object.id, program);
+        }
+        let keepers = Keepers::new(0);
+        let mut outward = Outward { keepers: &keepers, lost: Vec::new() };
+        let outputs = outputs::trees(&prepared, &reply, &mut outward);
+        lost.extend(outward.lost);
+        let warnings = lost.into_iter().map(katydid_component::Message::warning);
+        Ok(ScriptDone { outputs, messages: warnings.chain(reply.messages).collect() })
+    }
+}
+
+impl Scripts for CSharp {
+    fn runs(&self, language: &ScriptLanguage) -> bool {
+        *language == ScriptLanguage::CSharp
+            || self.others.as_ref().is_some_and(|others| others.runs(language))
+    }
+
+    fn losses(&self) -> u64 {
+        self.others.as_ref().map_or(0, |others| others.losses())
+    }
+
+    fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
+        match &self.others {
+            Some(others) if task.script.language != ScriptLanguage::CSharp => others.run(task),
+            _ => self.perform(task),
+        }
+    }
+}
