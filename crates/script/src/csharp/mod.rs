@@ -53,7 +53,7 @@ impl CSharp {
     }
 
     fn perform(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
-        let prepared = Prepared::new(task, 0);
+        let prepared = Prepared::new(task);
         task.budget.fits(prepared.iterations()).map_err(Unrun::Failed)?;
         let mut program = match self.program(task) {
             Ok(program) => program,
