@@ -36,10 +36,10 @@ impl ScriptArgs {
     pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
         match self.permission(file) {
             Permission::Given => self.maker(Some(file)).make(),
-            Permission::Refused => Arc::new(Refused::new(format!(
-                "look at it, then run it with --allow-scripts, or allow it for good with `katydid trust {}`",
-                file.display()
-            ))),
+            // Without the file's path: the same definition gives the same words wherever it lies.
+            Permission::Refused => Arc::new(Refused::new(
+                "look at it, then run it with --allow-scripts, or allow it for good with `katydid trust FILE`",
+            )),
         }
     }
 
