@@ -43,8 +43,9 @@ pub enum Error {
 }
 
 impl Error {
-    /// [`Error::Degenerate`] in one call.
+    /// [`Error::Degenerate`] in one call. Where work was given up, what is wrong with a part of it is no fault of the
+    /// input: it was stopped.
     pub(crate) fn degenerate(what: &'static str, why: &'static str) -> Self {
-        Self::Degenerate { what, why }
+        if crate::patience::was_given_up() { Self::Stopped } else { Self::Degenerate { what, why } }
     }
 }

@@ -176,6 +176,11 @@ pub(crate) fn check() -> Result<()> {
     if OVER.get() { Err(Error::Stopped) } else { Ok(()) }
 }
 
+/// Whether the answer was no for what this thread does now; nobody is asked again.
+pub(crate) fn was_given_up() -> bool {
+    OVER.get()
+}
+
 /// The same before a step that may take milliseconds: the question is passed on each time.
 ///
 /// # Errors
