@@ -66,8 +66,7 @@ test("the model is shown by layers, which can be hidden", async ({ page }, info)
   await expect.poll(() => drawn(page)).toBe(3);
 });
 
-// Known fault: on a machine without other work nothing is found under the pointer here. The cause is not found yet.
-test.fixme("a curve is picked from the model and referred to", async ({ page }, info) => {
+test("a curve is picked from the model and referred to", async ({ page }, info) => {
   await openText(page, "curve.kd", `katydid 1\nshape = Curve()\nlist = Panel(shape)\n\nlayout {\n    shape: 40 40\n    list: 200 40 [200 40 220 60]\n}\n`);
   const list = page.getByRole("group", { name: /^list/ });
   await attach(page);
@@ -112,8 +111,7 @@ test("points are drawn by clicks and typed coordinates, and are one step for Und
   await expect(panel).toContainText("{4, 5, 6}");
 });
 
-// Known fault: on a machine without other work nothing is found under the pointer here. The cause is not found yet.
-test.fixme("a polyline snaps to the ends of what is there, and Enter ends it", async ({ page }, info) => {
+test("a polyline snaps to the ends of what is there, and Enter ends it", async ({ page }, info) => {
   const text = `katydid 1\nbase = Line((0, 0, 0), (8, 0, 0))\nshape = Curve()\nsize = Length(shape)\nlist = Panel(size)\n\nlayout {\n    base: 40 160\n    shape: 40 40\n    size: 200 40\n    list: 300 40 [300 40 120 60]\n}\n`;
   await openText(page, "shape.kd", text);
   await menuOf(page, page.getByRole("group", { name: /^shape/ }), /^Set one curve/);
