@@ -37,3 +37,30 @@ pub fn take_usual_turns() {
     #[cfg(target_os = "linux")]
     linux::set_turns(None);
 }
+
+/// Keeps the threads of another process off one of the processors that this one may use, for good: what is asked of this
+/// process finds that one free of them. With one processor nothing changes. Threads that it starts later follow those
+/// that start them, so this is to be said again from time to time.
+///
+/// Linux alone lets a process say where another one runs. It gives whether the other process was found there.
+pub fn keep_off_one_processor(process: u32) -> bool {
+    #[cfg(target_os = "linux")]
+    return linux::place(process, linux::Processors::AllButOne);
+    #[cfg(not(target_os = "linux"))]
+    return {
+        _ = process;
+        false
+    };
+}
+
+/// Lets the threads of another process run on all processors that this one may use: undoes
+/// [`keep_off_one_processor`].
+pub fn let_use_all_processors(process: u32) -> bool {
+    #[cfg(target_os = "linux")]
+    return linux::place(process, linux::Processors::All);
+    #[cfg(not(target_os = "linux"))]
+    return {
+        _ = process;
+        false
+    };
+}

@@ -1,6 +1,9 @@
-//! Niceness and turns of Linux.
+//! Niceness, turns and processors of Linux.
 
 use std::time::Duration;
+
+use rustix::process::Pid;
+use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
 
 /// How many steps of niceness a thread is lowered by. Of a processor that both want it gets about a thirtieth of what
 /// the others get.
@@ -57,6 +60,35 @@ fn ask(wish: &mut Wish) {
     }
 }
 
+/// Which of the processors that this process may use.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Processors {
+    All,
+    /// The first one is left out, if there are others.
+    AllButOne,
+}
+
+/// Says where the threads of a process may run; gives whether it has any.
+pub(super) fn place(process: u32, processors: Processors) -> bool {
+    let Ok(mut set) = sched_getaffinity(None) else { return false };
+    if let Processors::AllButOne = processors
+        && set.count() > 1
+        && let Some(first) = (0..CpuSet::MAX_CPU).find(|&processor| set.is_set(processor))
+    {
+        set.unset(first);
+    }
+    let Ok(threads) = std::fs::read_dir(format!("/proc/{process}/task")) else { return false };
+    let mut is_there = false;
+    for thread in threads.flatten() {
+        let number = thread.file_name().to_str().and_then(|name| name.parse().ok());
+        if let Some(thread) = number.and_then(Pid::from_raw) {
+            // A thread that has ended meanwhile needs no place.
+            is_there |= sched_setaffinity(Some(thread), &set).is_ok();
+        }
+    }
+    is_there
+}
+
 #[cfg(test)]
 mod tests {
     fn niceness() -> i32 {
@@ -103,5 +135,28 @@ mod tests {
         if let (Some(short), Some(usual)) = (short, usual) {
             assert!(short < usual, "{short} {usual}");
         }
+    }
+
+    #[test]
+    fn another_process_is_kept_off_one_processor_and_let_back() {
+        let allowed = |process: u32| {
+            let process = rustix::process::Pid::from_raw(i32::try_from(process).ok()?);
+            Some(rustix::thread::sched_getaffinity(process).ok()?.count())
+        };
+        let all = rustix::thread::sched_getaffinity(None).map(|set| set.count()).unwrap_or_default();
+        let Ok(mut other) = std::process::Command::new("sleep").arg("60").spawn() else {
+            panic!("a process to look at: no program `sleep`")
+        };
+        let number = other.id();
+        let before = allowed(number);
+        let is_placed = super::place(number, super::Processors::AllButOne);
+        let kept_off = allowed(number);
+        super::place(number, super::Processors::All);
+        let back = allowed(number);
+        let _ = other.kill();
+        let _ = other.wait();
+        assert!(is_placed);
+        assert_eq!((before, kept_off, back), (Some(all), Some(all.max(2) - 1), Some(all)));
+        assert!(!super::place(number, super::Processors::All), "it has ended");
     }
 }

@@ -75,6 +75,7 @@ pub(crate) async fn answered(
     if !body.is_some_and(Received::is_large)
         && let Some(sent) = in_front(service, asking, &reins, work).await?
     {
+        behind.was_quick_in_front();
         return Ok(from_here(sent, reins));
     }
     service.idle.touch();

@@ -5,10 +5,14 @@
 //! lower priority, and can be asked by the one in front only. What takes all processors or much memory there does not hold
 //! up who asks for a small thing, and what ends that process does not end the server: another is started.
 //!
+//! As long as quick things are asked for, the process behind keeps off one processor: a thread that is interrupted in the
+//! middle of a large copy, or in the system, lets others wait for milliseconds, whatever its priority.
+//!
 //! In front, work has a slice of time and a share of memory. What needs more is given up and done behind.
 
 mod orders;
 mod process;
+mod processors;
 
 use std::net::SocketAddr;
 use std::time::{Duration, Instant};
@@ -26,7 +30,8 @@ use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
 use super::refusal::Refusal;
-use process::{Process, keep};
+use process::{Place, Process, keep};
+use processors::Processors;
 
 pub use orders::{Command, Orders};
 
@@ -47,7 +52,8 @@ const SENT_ON: [HeaderName; 3] = [CONTENT_TYPE, CONTENT_ENCODING, ACCEPT_ENCODIN
 pub(crate) struct Behind {
     client: Client<HttpConnector, Body>,
     key: HeaderValue,
-    at: watch::Receiver<Option<SocketAddr>>,
+    at: watch::Receiver<Option<Place>>,
+    processors: Processors,
     stop: watch::Sender<bool>,
     keeping: tokio::sync::Mutex<Option<JoinHandle<()>>>,
 }
@@ -74,18 +80,25 @@ impl Behind {
         let orders = Orders::new(front);
         let key = HeaderValue::from_str(orders.key()).map_err(std::io::Error::other)?;
         let process = Process::start(&command, &orders).await?;
-        let (place, at) = watch::channel(Some(process.address()));
+        let (place, at) = watch::channel(Some(process.place()));
         let (stop, stopped) = watch::channel(false);
+        let processors = Processors::of(at.clone());
         let keeping = tokio::spawn(keep(process, command, orders, place, stopped));
         let mut connector = HttpConnector::new();
         connector.set_nodelay(true);
         let client = Client::builder(TokioExecutor::new()).build(connector);
-        Ok(Self { client, key, at, stop, keeping: tokio::sync::Mutex::new(Some(keeping)) })
+        Ok(Self { client, key, at, processors, stop, keeping: tokio::sync::Mutex::new(Some(keeping)) })
     }
 
     /// Whether it is there.
     pub(crate) fn is_there(&self) -> bool {
         self.at.borrow().is_some()
+    }
+
+    /// Notes that something quick was answered in front: as long as that goes on, the process behind leaves a
+    /// processor free.
+    pub(crate) fn was_quick_in_front(&self) {
+        self.processors.one_is_wanted();
     }
 
     /// Ends it.
@@ -114,7 +127,7 @@ impl Behind {
         else {
             return Err(lost());
         };
-        let request = self.request(head, place.ok_or_else(lost)?, body).ok_or_else(lost)?;
+        let request = self.request(head, place.ok_or_else(lost)?.address, body).ok_or_else(lost)?;
         let asked = self.client.request(request);
         let answered = match time {
             None => asked.await,

@@ -60,9 +60,18 @@ impl Process {
         Ok(Self { child, input, _output: output, address })
     }
 
-    pub(super) fn address(&self) -> SocketAddr {
-        self.address
+    pub(super) fn place(&self) -> Place {
+        Place { address: self.address, process: self.child.id() }
     }
+}
+
+/// Where a process is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place {
+    /// It listens there.
+    pub(super) address: SocketAddr,
+    /// Its number, as long as it is known to run.
+    pub(super) process: Option<u32>,
 }
 
 /// The address in what it says: `http://127.0.0.1:40123/`.
@@ -75,7 +84,7 @@ pub(super) async fn keep(
     mut process: Process,
     command: Command,
     orders: Orders,
-    at: watch::Sender<Option<SocketAddr>>,
+    at: watch::Sender<Option<Place>>,
     mut stop: watch::Receiver<bool>,
 ) {
     let mut pause = PAUSE[0];
@@ -110,7 +119,7 @@ pub(super) async fn keep(
             }
             is_short = true;
         };
-        at.send_replace(Some(process.address));
+        at.send_replace(Some(process.place()));
     }
 }
 
