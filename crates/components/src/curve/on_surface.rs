@@ -136,7 +136,11 @@ fn pushed(
         }
         places.extend(spans.last().copied());
         context.bytes(places.len().saturating_mul(64))?;
-        let points: Vec<Point3> = places.iter().map(|&t| at(t)).collect();
+        let mut points: Vec<Point3> = Vec::with_capacity(places.len());
+        for some in places.chunks(1 << 10) {
+            context.check()?;
+            points.extend(some.iter().map(|&t| at(t)));
+        }
         // A closed curve is open in space when only its parameters return, which cannot be smooth.
         let returns =
             closed && points.first().zip(points.last()).is_some_and(|(a, b)| a.distance_to(*b) <= tolerance);

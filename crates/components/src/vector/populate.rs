@@ -90,6 +90,7 @@ fn strew(
             if enough {
                 break;
             }
+            context.check()?;
             let Some(p) = candidate(&mut random) else { break };
             let distance = near.distance(p);
             if best.is_none_or(|b| distance > b.0) {

@@ -4,7 +4,7 @@ mod cut;
 mod sew;
 
 use super::{Brep, TrimKind};
-use crate::{Error, Result, Tolerance};
+use crate::{Error, Result, Tolerance, patience};
 
 /// Breps that were joined, and where each came from.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,22 +28,23 @@ impl Brep {
     /// The tolerance is not above 0, or a brep has faults.
     pub fn join(breps: &[Self], tolerance: &Tolerance) -> Result<Joined> {
         let limit = tolerance.positive_distance()?;
-        let mut compact = Vec::with_capacity(breps.len());
+        let mut parts = super::Parts::default();
         let mut origin: Vec<usize> = Vec::new();
         for (place, brep) in breps.iter().enumerate() {
+            patience::check()?;
             let faces: Vec<usize> = (0..brep.faces().len()).collect();
-            let brep = brep.sub_brep(&faces)?;
-            origin.extend(std::iter::repeat_n(place, brep.faces().len()));
-            compact.push(brep);
+            let compact = brep.sub_brep(&faces)?;
+            origin.extend(std::iter::repeat_n(place, compact.faces().len()));
+            parts.append(compact.parts());
         }
-        let mut parts = Self::merged(&compact).into_parts();
         parts.cut_at_foreign_vertices(limit)?;
-        parts.sew(limit);
+        parts.sew(limit)?;
         parts.set_kinds();
         parts.agree_faces();
         let whole = Self { parts };
         let mut joined = Joined::default();
         for faces in whole.components() {
+            patience::check()?;
             let mut members: Vec<usize> = faces.iter().filter_map(|f| origin.get(*f).copied()).collect();
             members.dedup();
             if let ([only], Some(same)) = (members.as_slice(), members.first().and_then(|m| breps.get(*m)))
@@ -124,5 +125,34 @@ impl super::Parts {
             out.push((mate, !agree));
         }
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Brep, Interval, Plane, PlaneSurface, Point3, Tolerance};
+
+    fn square(x: f64, y: f64) -> Brep {
+        let plane = Plane::XY.with_origin(Point3::new(x, y, 0.0));
+        let surface = PlaneSurface::new(plane, Interval::UNIT, Interval::UNIT);
+        Brep::from_kinked_surface(&surface.unwrap().into(), &Tolerance::default()).unwrap()
+    }
+
+    /// The counts of a square lattice, whatever the order in which its faces are given.
+    #[test]
+    fn a_lattice_of_squares_becomes_one() {
+        const SIDE: usize = 12;
+        let at = |k: usize| square((k % SIDE) as f64, (k / SIDE) as f64);
+        // 5 and 144 have no common divisor: every face once, neighbours far apart.
+        for step in [1, 5] {
+            let faces: Vec<Brep> = (0..SIDE * SIDE).map(|k| at(k * step % (SIDE * SIDE))).collect();
+            let joined = Brep::join(&faces, &Tolerance::default()).unwrap();
+            let [one] = joined.breps.as_slice() else { panic!("{} parts", joined.breps.len()) };
+            assert_eq!(one.faces().len(), SIDE * SIDE);
+            assert_eq!(one.edges().len(), 2 * SIDE * (SIDE + 1));
+            assert_eq!(one.vertices().len(), (SIDE + 1) * (SIDE + 1));
+            assert_eq!(one.naked_edges().len(), 4 * SIDE);
+            assert_eq!(joined.members, [(0..SIDE * SIDE).collect::<Vec<_>>()]);
+        }
     }
 }

@@ -210,7 +210,8 @@ impl Brep {
 }
 
 impl Parts {
-    fn append(&mut self, other: &Self) {
+    /// Adds the parts of another brep, with nothing joined.
+    pub(super) fn append(&mut self, other: &Self) {
         let base = (
             self.curves_2d.len(),
             self.curves_3d.len(),

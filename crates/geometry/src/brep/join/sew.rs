@@ -1,8 +1,11 @@
 //! Pairs of naked edges made one.
 
+mod unions;
+
 use super::super::Parts;
 use super::super::edges::taken;
-use crate::{ClosestOnCurve, Curve, Point3};
+use crate::{ClosestOnCurve, Curve, Point3, Result, patience};
+use unions::Unions;
 
 /// Places of an edge that are looked at to see whether another runs beside it.
 const PLACES: usize = 9;
@@ -25,10 +28,14 @@ struct Pair {
 
 impl Parts {
     /// Joins pairs of naked edges that run together within the limit, nearest pairs first.
-    pub(super) fn sew(&mut self, limit: f64) {
+    ///
+    /// # Errors
+    /// It was given up.
+    pub(super) fn sew(&mut self, limit: f64) -> Result<()> {
         let mut rims = Vec::new();
         let mut boxes = Vec::new();
         for (place, bounds) in self.naked(limit) {
+            patience::check()?;
             let Some(edge) = self.edges.get(place) else { continue };
             let Some(curve) = self.edge_curve(edge).and_then(|curve| taken(curve, &edge.part).ok()) else {
                 continue;
@@ -42,6 +49,7 @@ impl Parts {
         let mut pairs = Vec::new();
         for (k, &a) in order.iter().enumerate() {
             for &b in order.iter().skip(k + 1).take_while(|b| boxes[**b].min.x <= boxes[a].max.x) {
+                patience::check()?;
                 let (low, high) = (a.min(b), a.max(b));
                 if let Some((backwards, apart)) = beside(&rims[low], &rims[high], limit) {
                     pairs.push(Pair { first: low, second: high, backwards, apart });
@@ -52,8 +60,9 @@ impl Parts {
             a.apart.total_cmp(&b.apart).then(a.first.cmp(&b.first)).then(a.second.cmp(&b.second))
         });
         let mut used = vec![false; rims.len()];
-        let mut same: Vec<usize> = (0..self.vertices.len()).collect();
+        let mut same = Unions::of(self);
         for pair in pairs {
+            patience::check()?;
             if used[pair.first] || used[pair.second] {
                 continue;
             }
@@ -64,6 +73,7 @@ impl Parts {
             }
         }
         self.unite_vertices(&same);
+        Ok(())
     }
 
     /// Joins two naked edges that run together within the limit; whether they did.
@@ -76,32 +86,24 @@ impl Parts {
         };
         let (Some(first), Some(second)) = (rim(a), rim(b)) else { return false };
         let Some((backwards, _)) = beside(&first, &second, limit).filter(|_| a != b) else { return false };
-        let mut same: Vec<usize> = (0..self.vertices.len()).collect();
+        let mut same = Unions::of(self);
         let made = self.make_one(a, b, backwards, &mut same);
         self.unite_vertices(&same);
         made
     }
 
     /// Gives the trims of edge `b` to edge `a`; not when an open edge would lose one of its two vertices by it.
-    fn make_one(&mut self, a: usize, b: usize, backwards: bool, same: &mut [usize]) -> bool {
+    fn make_one(&mut self, a: usize, b: usize, backwards: bool, same: &mut Unions) -> bool {
         let (Some(first), Some(second)) = (self.edges.get(a), self.edges.get(b)) else { return false };
         let ([Some(s), Some(e)], [Some(p), Some(q)]) = (first.vertices, second.vertices) else {
             return false;
         };
         let (p, q) = if backwards { (q, p) } else { (p, q) };
-        let before = same.to_vec();
-        unite(same, s, p);
-        unite(same, e, q);
-        let collapsed = self.edges.iter().filter(|edge| !edge.deleted).any(|edge| match edge.vertices {
-            [Some(x), Some(y)] => {
-                x != y && root(same, x) == root(same, y) && root(&before, x) != root(&before, y)
-            }
-            _ => false,
-        });
-        if collapsed {
-            same.copy_from_slice(&before);
+        if same.would_collapse(self, [[s, p], [e, q]]) {
             return false;
         }
+        same.unite(s, p);
+        same.unite(e, q);
         let Some(gone) = self.edges.get_mut(b) else { return false };
         let moved = std::mem::take(&mut gone.trims);
         gone.deleted = true;
@@ -120,8 +122,8 @@ impl Parts {
     }
 
     /// Replaces vertices by those that they became one with.
-    fn unite_vertices(&mut self, same: &[usize]) {
-        let new = |old: &mut Option<usize>| *old = old.map(|v| root(same, v));
+    fn unite_vertices(&mut self, same: &Unions) {
+        let new = |old: &mut Option<usize>| *old = old.map(|v| same.root(v));
         self.edges.iter_mut().flat_map(|edge| &mut edge.vertices).for_each(new);
         self.trims.iter_mut().flat_map(|trim| &mut trim.vertices).for_each(new);
         self.vertices.iter_mut().for_each(|vertex| vertex.edges.clear());
@@ -132,20 +134,6 @@ impl Parts {
                 }
             }
         }
-    }
-}
-
-fn root(same: &[usize], mut v: usize) -> usize {
-    while let Some(&next) = same.get(v).filter(|next| **next != v) {
-        v = next;
-    }
-    v
-}
-
-fn unite(same: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (root(same, a), root(same, b));
-    if let Some(place) = same.get_mut(a.max(b)) {
-        *place = a.min(b);
     }
 }
 
