@@ -11,7 +11,7 @@ import sys
 
 from . import rhino
 from .backend import current
-from .packages import missing
+from .packages import missing, plain_name
 from .python2 import convert
 from .python2.lexer import ConvertError
 from .python2.library import MODULES as RENAMED
@@ -33,7 +33,9 @@ def needs(code, language):
         return result
     names = _Names(language)
     names.visit(tree)
-    result["modules"] = sorted(names.modules)
+    # A module whose package is asked for by name is told once, as the package.
+    told = {plain_name(one) for one in result["packages"]}
+    result["modules"] = sorted(name for name in names.modules if plain_name(name) not in told)
     result["members"] = sorted(names.members)
     return result
 

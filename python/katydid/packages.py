@@ -22,6 +22,12 @@ def asked(code):
     return found
 
 
+def plain_name(requirement):
+    """The name of a package or a module in one form, without a version."""
+    name = _NAME.match(requirement)
+    return re.sub(r"[-_.]+", "-", name.group()).lower() if name else ""
+
+
 def is_installed(requirement):
     """Whether a package is there, in whatever version."""
     name = _NAME.match(requirement)

@@ -89,6 +89,13 @@ fn a_package_is_installed_beside_the_definition_locked_and_found() {
 
     let after = run();
     assert!(printed(&after).contains("\"42\""), "{} {}", printed(&after), said(&after));
+    // A path from the working folder finds the environment too.
+    let mut here = Command::new(env!("CARGO_BIN_EXE_katydid"));
+    here.current_dir(folder.path())
+        .args(["run", "facade.kd", "--json", "--allow-scripts"])
+        .env_remove("KATYDID_PYTHON");
+    let near = here.output().unwrap();
+    assert!(printed(&near).contains("\"42\""), "{} {}", printed(&near), said(&near));
     let checked = printed(&katydid(index.path(), &["check", text(&file)]));
     assert!(checked.contains("runs"), "{checked}");
 
