@@ -19,8 +19,10 @@ _SIGNATURE = re.compile(r"^\s*(?:(?:static|instance)\s+)?([\w`]+)\.(\w+)\s*(?:\(
 class Table:
     """The members that the host has: by class, the signatures of each name."""
 
-    def __init__(self, signatures):
+    def __init__(self, signatures, changing=()):
         self.classes = {}
+        #: The members that change their object. None where the host does not say: then any may.
+        self.changing = None if changing is None else frozenset(changing)
         for signature in signatures:
             found = _SIGNATURE.match(str(signature))
             if found:
@@ -28,6 +30,10 @@ class Table:
 
     def has(self, cls, name):
         return name in self.classes.get(cls, ())
+
+    def changes(self, names, member):
+        """Whether a member, of one of these classes, changes its object."""
+        return self.changing is None or any("%s.%s" % (name, member) in self.changing for name in names)
 
     def signatures(self, cls, name):
         return self.classes.get(cls, {}).get(name, [])
@@ -76,8 +82,14 @@ class Backend:
     @property
     def table(self):
         if self._table is None:
-            self._table = Table(self.request(["members"]))
+            self._table = Table(self.request(["members"]), self._changing())
         return self._table
+
+    def _changing(self):
+        try:
+            return self.request(["changing"])
+        except NotSupported:
+            return None
 
     def release(self, number):
         """A handle that nobody holds any more. It is told with the next request: this runs in the collector."""

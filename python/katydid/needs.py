@@ -7,23 +7,21 @@ what is asked of a value whose type only a run can tell is not looked at.
 import ast
 import importlib
 import importlib.util
-import re
 import sys
 
 from . import rhino
 from .backend import current
+from .packages import missing, plain_name
 from .python2 import convert
 from .python2.lexer import ConvertError
 from .python2.library import MODULES as RENAMED
 from .python2.rewrite import rewrite
 
-_PACKAGES = re.compile(r"^\s*#\s*(?:r|requirements)\s*:\s*(.+)$", re.M)
-
 
 def needs(code, language):
-    """A map: `modules` that cannot be imported, `members` by full name, `packages` that `# r:` lines ask for, and
+    """A map: `modules` that cannot be imported, `members` by full name, `packages` that `# r:` lines ask for and that are not installed, and
     `error` where the source cannot be read."""
-    result = {"modules": [], "members": [], "packages": packages(code), "error": None}
+    result = {"modules": [], "members": [], "packages": missing(code), "error": None}
     try:
         tree = ast.parse(convert(code) if language == "python2" else code)
         tree = rewrite(tree) if language == "python2" else tree
@@ -35,17 +33,11 @@ def needs(code, language):
         return result
     names = _Names(language)
     names.visit(tree)
-    result["modules"] = sorted(names.modules)
+    # A module whose package is asked for by name is told once, as the package.
+    told = {plain_name(one) for one in result["packages"]}
+    result["modules"] = sorted(name for name in names.modules if plain_name(name) not in told)
     result["members"] = sorted(names.members)
     return result
-
-
-def packages(code):
-    """The packages of lines such as `# r: numpy, scipy==1.10`."""
-    found = []
-    for line in _PACKAGES.findall(code):
-        found += [part.strip() for part in line.split(",") if part.strip()]
-    return found
 
 
 def has_module(name, language="python3"):

@@ -99,6 +99,14 @@ MESHES = [
     ("m = rg.Mesh.CreateFromSphere(rg.Sphere(rg.Point3d(0, 0, 0), 1), 40, 40)\n"
      "abs(rg.VolumeMassProperties.Compute(m).Volume - 4 * math.pi / 3) < 0.05", True),
     ("m = rg.Mesh()\nm.Vertices.Add(0,0,0)\nm.Vertices[0] = rg.Point3f(5, 0, 0)\nm.Vertices[0].X", 5.0),
+    # What is set waits in Python, and the host knows it when it is asked: a square of 2 becomes one of 3.
+    ("m = rg.Mesh()\nfor p in ((0,0,0), (2,0,0), (2,2,0), (0,2,0)): m.Vertices.Add(*p)\nm.Faces.AddFace(0, 1, 2, 3)\n"
+     "first = rg.AreaMassProperties.Compute(m).Area\nfor i in range(4): m.Vertices[i] = m.Vertices[i] * 1.5\n"
+     "[first, rg.AreaMassProperties.Compute(m).Area, m.Vertices.SetVertex(9, 0, 0, 0), m.Vertices.SetVertex(0, 0, 0, 1), "
+     "m.Vertices[0].Z]", [4.0, 9.0, False, True, 1.0]),
+    ("m = rg.Mesh()\nfor p in ((0,0,0), (2,0,0), (2,2,0), (0,2,0)): m.Vertices.Add(*p)\nm.Faces.AddFace(0, 1, 2, 3)\n"
+     "ok = m.Faces.SetFace(0, 0, 1, 2)\n[ok, rg.AreaMassProperties.Compute(m).Area, m.Faces[0].IsTriangle]",
+     [True, 2.0, True]),
 ]
 
 INTERSECTIONS = [
@@ -170,6 +178,23 @@ def test_a_call_that_the_host_has_not_is_named_as_scripts_know_it():
     assert "Rhino.Geometry.Brep.Nonsense is not supported by Katydid yet" in errors(result)[0]
     worker.close()
     members.close()
+
+
+def test_a_loop_over_a_mesh_asks_the_host_once(run):
+    members = Members(program())
+    worker = WorkerProcess(members)
+    # Ten thousand vertices, each read, moved up by one and measured against the mesh's own box, faces counted meanwhile.
+    code = ("import Rhino.Geometry as rg\nm = rg.Mesh()\nfor j in range(100):\n    for i in range(100):\n"
+            "        m.Vertices.Add(i, j, 0)\n        a = m.Vertices.Count\nm.Faces.AddFace(0, 1, 101, 100)\n"
+            "for i in range(m.Vertices.Count):\n    v = m.Vertices[i]\n    m.Vertices[i] = rg.Point3f(v.X, v.Y, 1)\n"
+            "b = sum(v.Z for v in m.Vertices)\n"
+            "for i in range(100):\n    b += m.ClosestPoint(rg.Point3d(m.Vertices[0])).Z\n")
+    values, result = worker.run(code, outputs="ab")
+    calls = [request[1] for request in worker.requests if request[0] == "call"]
+    worker.close()
+    members.close()
+    assert not errors(result) and values == {"a": 10000, "b": 10100.0}
+    assert calls.count("Mesh.ClosestPoint") == 100 and len(calls) < 110, calls[:20]
 
 
 @pytest.mark.parametrize("expression, value", CURVES, ids=lambda v: str(v).split("\n")[-1][:50])

@@ -41,7 +41,7 @@ def test_python_2_and_its_modules():
 
 
 def test_packages_of_comment_lines():
-    assert needs("# r: numpy, scipy==1.10\nimport os", "python3")["packages"] == ["numpy", "scipy==1.10"]
+    assert needs("# r: nobody-has-this, nor_this==1.10, pytest\nimport os", "python3")["packages"] == ["nobody-has-this", "nor_this==1.10"]
 
 
 def test_source_that_cannot_be_read_names_the_line():

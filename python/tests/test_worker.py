@@ -63,6 +63,15 @@ def test_an_error_names_the_line_and_the_kind(worker):
     assert "line 4, in script" in text and "line 2, in f" in text
 
 
+def test_a_module_that_is_missing_names_the_command(worker):
+    _, result = worker.run("import yaml_that_nobody_has\na = 1")
+    assert "to install it: katydid python add yaml_that_nobody_has" in errors(result)[0]
+    _, result = worker.run("# r: some-package-nobody-has==1.2\nimport some_package\na = 1")
+    assert 'to install it: katydid python add "some-package-nobody-has==1.2"' in errors(result)[0]
+    _, result = worker.run("import Rhino.Nonsense\na = 1")
+    assert "python add" not in errors(result)[0]
+
+
 def test_a_syntax_error_names_the_line(worker):
     _, result = worker.run("a = 1\nb = = 2")
     assert result["messages"][0][2] == 2 and "Syntax error" in result["messages"][0][1]
@@ -72,6 +81,7 @@ def test_one_failing_iteration_does_not_stop_the_others(worker):
     _, result = worker.run("a = 1.0 / x", {"x": 0}, iterations=[[2], [0], [4]])
     assert result["iterations"] == [[0.5], [None], [0.25]]
     assert len(result["messages"]) == 1 and "ZeroDivisionError" in result["messages"][0][1]
+    assert [text.partition(":")[0] for text in result["out"]] == ["", "Runtime error (ZeroDivisionError)", ""]
 
 
 def test_variables_live_between_runs_and_sticky_across_components(worker):
@@ -156,6 +166,8 @@ def test_an_interrupt_during_a_call_keeps_the_messages_in_step():
     def answer(request):
         if request[0] == "members":
             return ["ok", ["Curve.Slow(Double t) -> Double"]]
+        if request[0] == "changing":
+            return ["ok", []]
         os.kill(worker.process.pid, signal.SIGINT)
         time.sleep(0.2)
         return ["ok", 5.0]

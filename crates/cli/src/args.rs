@@ -55,6 +55,8 @@ pub(crate) enum Command {
     Serve(ServeArgs),
     /// Let the scripts of files run from now on, each as long as it does not change
     Trust(TrustArgs),
+    /// The packages that the Python scripts of definitions use
+    Python(PythonArgs),
     /// Answer the calls of a script's process: members of RhinoCommon, by name, in the form of katydid-members' codec
     #[command(hide = true)]
     Members(MembersArgs),
@@ -66,6 +68,50 @@ pub(crate) struct TrustArgs {
     /// The files, after you have looked at their scripts
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
+}
+
+/// The packages of Python scripts.
+#[derive(Debug, Args)]
+pub(crate) struct PythonArgs {
+    #[command(subcommand)]
+    pub(crate) command: PythonCommand,
+}
+
+/// What is done with the packages.
+#[derive(Debug, Subcommand)]
+pub(crate) enum PythonCommand {
+    /// Install packages beside a definition: an environment (.venv) and a lock file with versions and hashes
+    #[command(after_help = "\
+Examples:
+  katydid python add numpy --file facade.gh
+  katydid python add \"scipy==1.11.4\" ./wheels/own-1.0-py3-none-any.whl
+  katydid python add --file facade.gh        what the `# r:` lines of its scripts ask for")]
+    Add(PythonAddArgs),
+    /// Make the environment again as the lock file says
+    Sync(PythonSyncArgs),
+}
+
+/// Which packages, and where.
+#[derive(Debug, Args)]
+pub(crate) struct PythonAddArgs {
+    /// The packages, as pip takes them; without any, those that the definition's `# r:` lines ask for
+    #[arg(value_name = "PACKAGE", required_unless_present = "file")]
+    pub(crate) packages: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) place: PythonSyncArgs,
+}
+
+/// Which environment.
+#[derive(Debug, Args)]
+pub(crate) struct PythonSyncArgs {
+    /// The definition beside which the environment lies; else it is that of the working folder
+    #[arg(long, value_name = "DEFINITION")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// The Python that a new environment is made from
+    #[arg(long, value_name = "PATH")]
+    pub(crate) python: Option<PathBuf>,
 }
 
 /// How a script's process calls.

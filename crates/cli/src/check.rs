@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use katydid_script::{Examiner, find};
+use katydid_script::{Examiner, Interpreter, find};
 use katydid_session::{Check, check as examine};
 use serde_json::json;
 
@@ -27,7 +27,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
     let results: Vec<(PathBuf, Result<Check, String>)> = files
         .into_iter()
         .map(|file| {
-            let checked = source::document(&file).map(|document| scripts.examined(examine(&document)));
+            let checked = source::document(&file).map(|document| scripts.examined(&file, examine(&document)));
             (file, checked)
         })
         .collect();
@@ -45,32 +45,40 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
     Ok(results.iter().map(|(_, result)| code(result)).max().unwrap_or(0))
 }
 
-/// Looks at the scripts of all files, with one Python, which the first of them starts.
+/// Looks at the scripts of all files, with the Python that would run them; one serves all files that have the same.
 struct Scripts<'a> {
     args: &'a CheckArgs,
+    python: Option<Result<Interpreter, String>>,
     examiner: Option<Result<Examiner, String>>,
 }
 
 impl<'a> Scripts<'a> {
     fn new(args: &'a CheckArgs) -> Self {
-        Self { args, examiner: None }
+        Self { args, python: None, examiner: None }
     }
 
     /// The check with what its scripts need and have not.
-    fn examined(&mut self, mut check: Check) -> Check {
+    fn examined(&mut self, file: &Path, mut check: Check) -> Check {
+        if check.scripts.is_empty() {
+            return check;
+        }
+        let found = find(self.args.python.as_deref(), Some(file));
+        if self.python.as_ref() != Some(&found) {
+            // Another file may have another environment beside it.
+            self.examiner = None;
+            self.python = Some(found.clone());
+        }
         for object in std::mem::take(&mut check.scripts) {
-            let start = || find(self.args.python.as_deref(), None).and_then(|python| Examiner::new(&python));
-            let examiner = self.examiner.get_or_insert_with(start);
+            let examiner =
+                self.examiner.get_or_insert_with(|| found.clone().and_then(|python| Examiner::new(&python)));
             let needs = match examiner {
                 Ok(examiner) => examiner.needs(&object.script),
                 Err(why) => Err(why.clone()),
             };
             match needs {
                 Ok(needs) => {
-                    needs
-                        .modules
-                        .iter()
-                        .for_each(|name| check.lacks(&object, &format!("{name}, a module of Python")));
+                    needs.modules.iter().for_each(|name| check.lacks(&object, &module(name)));
+                    needs.packages.iter().for_each(|name| check.lacks(&object, &package(name)));
                     needs.members.iter().for_each(|name| check.lacks(&object, name));
                     needs
                         .error
@@ -88,6 +96,15 @@ impl<'a> Scripts<'a> {
         }
         check
     }
+}
+
+/// A module that cannot be imported. Its package may have another name; the script's own message knows some of them.
+fn module(name: &str) -> String {
+    format!("{name}, a module of Python (see `katydid python add`)")
+}
+
+fn package(name: &str) -> String {
+    format!("{name}, a package of Python (`katydid python add {name}`)")
 }
 
 /// All definitions in a folder and those inside it, in order of their names.

@@ -13,6 +13,7 @@ mod model_file;
 mod open;
 mod output;
 mod progress;
+mod python;
 mod run;
 mod scene_file;
 mod scripts;
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args),
         Command::Trust(args) => scripts::trust(args),
+        Command::Python(args) => python::python(args),
         Command::Members(args) => members::members(args),
     };
     // What was to be printed and was not is an error, whatever else went well.

@@ -50,7 +50,8 @@ impl ScriptArgs {
             network: self.allow_network,
             ..Bounds::default()
         };
-        PythonMaker { interpreter: find(self.python.as_deref(), file), bounds }
+        let definition = file.map(|file| std::path::absolute(file).unwrap_or_else(|_| file.to_owned()));
+        PythonMaker { interpreter: find(self.python.as_deref(), file), bounds, definition }
     }
 
     fn permission(&self, file: &Path) -> Permission {

@@ -26,7 +26,12 @@ fn rows() -> Vec<(String, PathBuf)> {
 
 /// What every output gives, all branches in a row: by `object` for its first, by `object.port` for each.
 fn outputs(file: &Path, form: &str) -> BTreeMap<String, Vec<Value>> {
-    let output = katydid(&["run", text(file), form]);
+    outputs_with(file, &[form])
+}
+
+fn outputs_with(file: &Path, words: &[&str]) -> BTreeMap<String, Vec<Value>> {
+    let words: Vec<&str> = ["run", text(file)].into_iter().chain(words.iter().copied()).collect();
+    let output = katydid(&words);
     let told = said(&output);
     assert_eq!((output.status.code(), told.as_str()), (Some(0), ""), "{}", file.display());
     let report: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -84,6 +89,31 @@ fn every_row_gives_its_numbers() {
                 assert!(agrees(found, item), "{place}, item {index}: {found}, not {item}");
             }
         }
+    }
+}
+
+/// The rows whose work a script does too, as the book's own scripts did (row S4): the same numbers.
+#[test]
+fn scripts_give_the_numbers_of_their_rows() {
+    for row in ["M5", "M8", "M9", "N7", "N8", "N9", "N10"] {
+        let folder = Path::new(BOOK).join(row);
+        let expected = std::fs::read_to_string(folder.join("expected.json")).unwrap();
+        let expected: Value = serde_json::from_str(&expected).unwrap();
+        let file = folder.join("script.kd");
+        let allowed = |form| outputs_with(&file, &[form, "--allow-scripts"]);
+        let (texts, values) = (allowed("--json"), allowed("--json=values"));
+        let mut compared = 0;
+        for (name, items) in expected["expect"].as_object().unwrap() {
+            let Some(shown) = texts.get(name) else { continue };
+            let items = items.as_array().unwrap();
+            assert_eq!(shown.len(), items.len(), "{row}: {name}: {shown:?}");
+            for (index, item) in items.iter().enumerate() {
+                let found = if item.is_string() { &shown[index] } else { &values[name][index] };
+                assert!(agrees(found, item), "{row}: {name}, item {index}: {found}, not {item}");
+            }
+            compared += 1;
+        }
+        assert!(compared >= 2, "{row}: {compared} outputs have the names of the row's");
     }
 }
 

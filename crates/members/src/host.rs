@@ -170,6 +170,7 @@ impl Host {
                 return None;
             }
             "members" => Ok(Value::List(endpoints().members().into_iter().map(Value::Text).collect())),
+            "changing" => Ok(Value::List(endpoints().changing().into_iter().map(Value::Text).collect())),
             "components" => match &self.registry {
                 Some(registry) => Ok(registry.components()),
                 None => Err(Fault::not_supported("components")),

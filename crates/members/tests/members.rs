@@ -149,9 +149,9 @@ fn a_circle_is_what_geometry_says() {
     close(curvature.length(), 0.5);
     assert_eq!(script.call("Curve.IsCircle", &[arc.clone()]), Value::Bool(true));
     assert_eq!(script.call("Curve.IsLinear", &[arc.clone()]), Value::Bool(false));
-    // Counter-clockwise is −1 in RhinoCommon.
+    // Counter-clockwise is 1 in RhinoCommon.
     let turn = script.call("Curve.ClosedCurveOrientation", &[arc.clone()]);
-    assert_eq!(turn, Value::Enum("CurveOrientation".into(), -1));
+    assert_eq!(turn, Value::Enum("CurveOrientation".into(), 1));
     let area = script.call("AreaMassProperties.Compute", &[arc.clone()]);
     assert_eq!(class(&area), "AreaMassProperties");
     close(script.number("AreaMassProperties.get_Area", &[area.clone()]), 4.0 * PI);

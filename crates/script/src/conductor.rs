@@ -3,6 +3,7 @@
 //! It is a thread of its own, with a pool of its own for what the kernel does in parallel: a thread of the solver's pool
 //! that waited in here could be given another script's turn, and wait for itself.
 
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -33,6 +34,8 @@ const LOOK: Duration = Duration::from_millis(20);
 pub struct Python {
     interpreter: Result<Interpreter, String>,
     bounds: Bounds,
+    /// Where the definition lies, which scripts ask.
+    definition: Option<PathBuf>,
     /// How many processes have ended before their time.
     losses: Arc<AtomicU64>,
     /// The way to the thread, which the first script starts.
@@ -52,7 +55,13 @@ struct Job {
 impl Python {
     /// Runs scripts with an interpreter, or says why there is none when the first script comes.
     pub fn new(interpreter: Result<Interpreter, String>, bounds: Bounds) -> Self {
-        Self { interpreter, bounds, losses: Arc::default(), jobs: OnceLock::new() }
+        Self { interpreter, bounds, definition: None, losses: Arc::default(), jobs: OnceLock::new() }
+    }
+
+    /// Tells scripts where their definition lies (`ghdoc.Path`).
+    #[must_use]
+    pub fn of(self, definition: Option<PathBuf>) -> Self {
+        Self { definition, ..self }
     }
 
     fn jobs(&self) -> &Mutex<Sender<Job>> {
@@ -74,11 +83,14 @@ pub struct PythonMaker {
     pub interpreter: Result<Interpreter, String>,
     /// What each process may use.
     pub bounds: Bounds,
+    /// Where the one definition lies that it is for; none for those that were sent.
+    pub definition: Option<PathBuf>,
 }
 
 impl ScriptMaker for PythonMaker {
     fn make(&self) -> Arc<dyn Scripts> {
-        Arc::new(Python::new(self.interpreter.clone(), self.bounds.clone()))
+        let python = Python::new(self.interpreter.clone(), self.bounds.clone());
+        Arc::new(python.of(self.definition.clone()))
     }
 }
 
@@ -92,7 +104,7 @@ impl Scripts for Python {
     }
 
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
-        let prepared = Prepared::new(task);
+        let prepared = Prepared::of(task, self.definition.as_deref());
         task.budget.fits(prepared.iterations()).map_err(Unrun::Failed)?;
         let (done, result) = sync_channel(1);
         let end = task.limits.time.and_then(|time| Instant::now().checked_add(time));

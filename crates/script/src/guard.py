@@ -1,7 +1,7 @@
 """Refuses what a script may not do, by Python's audit events, before anything else is loaded.
 
 This is a fence for scripts that mean no harm and for mistakes: code that calls the operating system past Python is held
-by the limits of the process and by its namespaces, where the system has them.
+by the limits of the process, and by Landlock and its namespaces where the system has them.
 """
 
 import os
@@ -115,6 +115,9 @@ def main():
     os.chdir(WORK)
     limit()
     sys.path.insert(0, FOLDER)
+    # The system's own fence, for what goes past Python. Where there is none, the audit events stand alone.
+    from katydid.landlock import restrict
+    restrict(READABLE, WORK, NETWORK)
     worker = os.path.join(FOLDER, "katydid", "worker.py")
     sys.argv = [worker]
     sys.addaudithook(guard)

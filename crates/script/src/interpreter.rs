@@ -27,7 +27,7 @@ pub fn find(named: Option<&Path>, definition: Option<&Path>) -> Result<Interpret
     let beside =
         beside.flat_map(|folder| ["bin/python3", "Scripts/python.exe"].map(|name| folder.join(name)));
     let found = beside.chain(on_the_path()).find(|path| path.is_file());
-    found.map(Interpreter).ok_or_else(|| {
+    found.map(|path| Interpreter(full(path))).ok_or_else(|| {
         format!(
             "There is no Python to run scripts with: install Python 3.9 or later (on Debian and Ubuntu `apt install \
              python3`, elsewhere from python.org), or name one with --python or {VARIABLE}"
@@ -39,9 +39,14 @@ fn there(path: &Path, by: &str) -> Result<Interpreter, String> {
     let is_name = path.components().count() == 1;
     let named = || on_the_path_as(path).find(|path| path.is_file());
     match if is_name { named() } else { Some(path.to_owned()).filter(|path| path.is_file()) } {
-        Some(path) => Ok(Interpreter(path)),
+        Some(path) => Ok(Interpreter(full(path))),
         None => Err(format!("There is no Python at {}, which {by} names", path.display())),
     }
+}
+
+/// The path from the root: the process starts in a folder of its own. Links stay, since an environment is known by them.
+fn full(path: PathBuf) -> PathBuf {
+    std::path::absolute(&path).unwrap_or(path)
 }
 
 fn on_the_path() -> impl Iterator<Item = PathBuf> {
@@ -69,6 +74,12 @@ mod tests {
         std::fs::write(bin.join("python3"), "").unwrap();
         let found = find(None, Some(&folder.path().join("a.gh"))).unwrap();
         assert_eq!(found.0, bin.join("python3"));
+    }
+
+    #[test]
+    fn a_path_from_here_becomes_one_from_the_root() {
+        let found = find(Some(Path::new("./Cargo.toml")), None).unwrap();
+        assert!(found.0.is_absolute() && found.0.ends_with("Cargo.toml"), "{found:?}");
     }
 
     #[test]

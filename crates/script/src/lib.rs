@@ -11,6 +11,7 @@
 mod components;
 mod conductor;
 mod csharp;
+pub mod environment;
 mod fence;
 mod from_script;
 mod hint;

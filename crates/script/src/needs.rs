@@ -17,6 +17,8 @@ const LONGEST: Duration = Duration::from_secs(20);
 pub struct Needs {
     /// Packages that cannot be imported.
     pub modules: Vec<String>,
+    /// Packages that `# r:` and `# requirements:` lines ask for and that are not installed.
+    pub packages: Vec<String>,
     /// Members of RhinoCommon, Grasshopper and the like, by full name.
     pub members: Vec<String>,
     /// Why the text is no Python, with the line.
@@ -93,5 +95,5 @@ fn read(message: &Value) -> Option<Needs> {
         items.iter().filter_map(|item| item.as_text().map(str::to_owned)).collect()
     };
     let error = answer.get("error").and_then(Value::as_text).map(str::to_owned);
-    Some(Needs { modules: texts("modules"), members: texts("members"), error })
+    Some(Needs { modules: texts("modules"), packages: texts("packages"), members: texts("members"), error })
 }

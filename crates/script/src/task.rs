@@ -1,5 +1,7 @@
 //! A script component's turn as a message: its code, its ports, and the values of every iteration.
 
+use std::path::Path as FilePath;
+
 use katydid_component::{Access, Matching, Ranges};
 use katydid_data::cast::Rules;
 use katydid_data::{Path, Tree};
@@ -47,6 +49,11 @@ fn text(text: &str) -> Value {
 
 impl Prepared {
     pub(crate) fn new(task: &ScriptTask<'_>) -> Self {
+        Self::of(task, None)
+    }
+
+    /// The same, of a definition that lies somewhere.
+    pub(crate) fn of(task: &ScriptTask<'_>, definition: Option<&FilePath>) -> Self {
         let inputs: Vec<(Access, Hint, Tree)> = task
             .inputs
             .iter()
@@ -67,7 +74,7 @@ impl Prepared {
         });
         let places = places.collect();
         let grows = accesses.contains(&Access::Item);
-        Self { head: head(task), inputs, rules: task.rules, sets, grows, places }
+        Self { head: head(task, definition), inputs, rules: task.rules, sets, grows, places }
     }
 
     /// How many iterations there are.
@@ -122,7 +129,7 @@ fn whole(tree: &Tree, hint: Hint, inward: &mut Inward<'_>) -> Value {
 }
 
 /// What the message says of the component.
-fn head(task: &ScriptTask<'_>) -> Vec<(&'static str, Value)> {
+fn head(task: &ScriptTask<'_>, definition: Option<&FilePath>) -> Vec<(&'static str, Value)> {
     let object = task.object;
     let language = match task.script.language {
         ScriptLanguage::IronPython => "python2",
@@ -150,6 +157,8 @@ fn head(task: &ScriptTask<'_>) -> Vec<(&'static str, Value)> {
         ("tolerance", Value::Number(task.rules.tolerance.absolute)),
         ("angle_tolerance", Value::Number(task.rules.tolerance.angle)),
         ("units", Value::Text(format!("{units:?}"))),
+        ("path", text(&definition.map(|path| path.display().to_string()).unwrap_or_default())),
+        ("name", text(&definition.and_then(FilePath::file_stem).unwrap_or_default().to_string_lossy())),
     ]);
     vec![
         // Runs come one after the other: there is nothing to tell apart.

@@ -140,6 +140,93 @@ fn a_process_that_dies_is_started_again() {
     goes_on(&session);
 }
 
+/// Whether this machine's kernel has Landlock for the Python that tests run with.
+#[cfg(target_os = "linux")]
+fn has_landlock() -> bool {
+    let code = "import ctypes; c = ctypes.CDLL(None).syscall; c.restype = ctypes.c_long; \
+                raise SystemExit(c(ctypes.c_long(444), None, ctypes.c_size_t(0), ctypes.c_uint32(1)) < 1)";
+    let python = katydid_script::find(None, None).unwrap().0;
+    std::process::Command::new(python).args(["-c", code]).status().unwrap().success()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn what_goes_past_python_is_refused_by_the_kernel() {
+    if !has_landlock() {
+        println!("this machine has no Landlock: not tested");
+        return;
+    }
+    // O_WRONLY | O_CREAT is 65, O_RDONLY 0; 13 is EACCES. The script's own folder can be written this way too.
+    let path = std::env::temp_dir().join(format!("katydid-past-{}", std::process::id()));
+    let code = format!(
+        "import ctypes\nc = ctypes.CDLL('libc.so.6', use_errno=True)\ndef tried(path, flags):\n    found = \
+         c.open(path, flags, 0o600)\n    return ctypes.get_errno() if found < 0 else 0\na = [tried(b'/etc/passwd', 0), \
+         tried({:?}.encode(), 65), tried(b'own', 65), c.execv(b'/bin/true', None) * ctypes.get_errno()]",
+        path.display().to_string()
+    );
+    let script = gh_python("past", "x = s", "out, a", &code, "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
+    session.solve();
+    let found: Vec<f64> = numbers(&session, "past", 1).into_iter().flat_map(|(_, numbers)| numbers).collect();
+    assert_eq!(found, [13.0, 13.0, 0.0, -13.0], "{:?}", messages(&session, "past"));
+    assert!(!path.exists());
+}
+
+/// The Python process whose command names a folder, by its number on this machine.
+#[cfg(target_os = "linux")]
+fn python_in(folder: &str) -> Option<String> {
+    std::fs::read_dir("/proc").unwrap().find_map(|entry| {
+        let entry = entry.ok()?;
+        let words = std::fs::read(entry.path().join("cmdline")).ok()?;
+        let words = String::from_utf8_lossy(&words).into_owned();
+        let program = words.split('\0').next()?;
+        (program.contains("python") && words.contains(folder))
+            .then(|| entry.file_name().into_string().ok())?
+    })
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_process_that_is_killed_while_it_runs_is_back_within_a_second() {
+    // What comes before is solved once: it says where its process works, and how often it ran.
+    let code = "import os\ncount = globals().get('count', 0) + 1\na = os.getcwd()\nb = count";
+    let before = gh_python("before", "x = one", "out, a, b", code, "");
+    let code = "import time\nif x > 50:\n    time.sleep(100)\na = x + b";
+    let user = gh_python("user", "b = before.b, x = s", "out, a", code, "");
+    let mut session =
+        session(&format!("one = Series(1, 1, 1)\ns = Number Slider(2.0, 0..100)\n{before}\n{user}"));
+    session.solve();
+    let found = |session: &Session, name: &str, output: usize| -> Vec<f64> {
+        let all = numbers(session, name, output).into_iter().flat_map(|(_, numbers)| numbers);
+        all.collect()
+    };
+    assert_eq!(found(&session, "user", 1), [3.0], "{:?}", messages(&session, "user"));
+    let Some(Some(katydid_data::Value::Text(folder))) = common::values(&session, "before", 1).pop() else {
+        panic!()
+    };
+    let folder = folder.trim_end_matches("/work").to_owned();
+    let killer = std::thread::spawn(move || {
+        std::thread::sleep(Duration::from_millis(700));
+        let process = python_in(&folder).unwrap();
+        assert!(std::process::Command::new("kill").args(["-9", &process]).status().unwrap().success());
+        Instant::now()
+    });
+    session.set("s", "60").unwrap();
+    session.solve();
+    let told = killer.join().unwrap().elapsed();
+    let said = messages(&session, "user").join("\n");
+    assert!(said.contains("The Python process ended"), "{said}");
+    // Its numbers are kept, and it is not run again.
+    assert_eq!(found(&session, "before", 2), [1.0]);
+    session.set("s", "3").unwrap();
+    let begin = Instant::now();
+    session.solve();
+    let back = begin.elapsed();
+    assert_eq!(found(&session, "user", 1), [4.0], "{:?}", messages(&session, "user"));
+    println!("told {told:?} after the kill, back {back:?} after the next change");
+    assert!(back < Duration::from_secs(1), "{back:?}");
+}
+
 #[test]
 fn what_was_lost_with_a_process_is_made_again() {
     let code = "class Part(object):\n    def __init__(self, n):\n        self.n = n\na = Part(7)";

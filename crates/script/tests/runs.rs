@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{gh_python, messages, numbers, session, values};
+use common::{gh_python, messages, numbers, session, session_of, values};
 use katydid_data::Value;
 
 #[test]
@@ -75,6 +75,42 @@ fn an_error_names_its_line_and_the_rest_goes_on() {
     assert_eq!(numbers(&session, "after", 0), [("{0;0}".to_owned(), vec![2.0, 3.0, 4.0])]);
     let all = values(&session, "broken", 1);
     assert_eq!(all, [Some(Value::Number(-1.0)), None, Some(Value::Number(1.0))]);
+}
+
+#[test]
+fn prints_and_then_the_error_stand_in_out() {
+    let code = "print('begun')\ndef half(n):\n    return n / 'two'\na = half(x)";
+    let script = gh_python("broken", "x = s", "out, a", code, "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
+    session.solve();
+    let lines: Vec<String> =
+        values(&session, "broken", 0).into_iter().flatten().map(|value| value.to_string()).collect();
+    assert_eq!(lines[0], "begun");
+    assert!(lines[1].starts_with("Runtime error (TypeError): unsupported operand"), "{lines:?}");
+    assert_eq!(lines[2..], ["", "Traceback:", "  line 4, in script", "  line 3, in half"]);
+}
+
+#[test]
+fn a_script_that_does_not_compile_says_so_in_out() {
+    let script = gh_python("broken", "x = s", "out, a", "a = 1\nb = = 2", "");
+    let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
+    session.solve();
+    let lines: Vec<String> =
+        values(&session, "broken", 0).into_iter().flatten().map(|value| value.to_string()).collect();
+    assert!(
+        lines.len() == 1 && lines[0].contains("Syntax error") && lines[0].contains("line 2"),
+        "{lines:?}"
+    );
+}
+
+#[test]
+fn a_script_knows_where_its_definition_lies() {
+    let script = gh_python("where", "x = s", "out, a, b", "a = ghdoc.Path\nb = ghdoc.Name", "");
+    let path = std::path::PathBuf::from("/some/folder/facade.gh");
+    let mut session = session_of(&format!("s = Series(1, 1, 1)\n{script}"), path);
+    session.solve();
+    assert_eq!(values(&session, "where", 1), [Some(Value::Text("/some/folder/facade.gh".into()))]);
+    assert_eq!(values(&session, "where", 2), [Some(Value::Text("facade".into()))]);
 }
 
 #[test]

@@ -176,8 +176,9 @@ class ObjectTable(DotNet):
             found.Attributes = attributes
         return found is not None
 
-    def FindByLayer(self, name):
-        return []
+    def FindByLayer(self, layer):
+        """The objects on a layer, by its name or the layer itself: there is one."""
+        return list(self) if getattr(layer, "Name", layer) == "Default" else []
 
     def FindByObjectType(self, kind):
         return [one for one in self if int(one.ObjectType) & int(kind)]

@@ -7,7 +7,7 @@ from ..values import Arc, Circle, Ellipse, Line, Polyline, Rectangle3d
 from ..values.base import NotSupported, not_supported
 from ..values.enums import member as enum_member
 from ..values.netlist import NetList
-from .list_names import ENUM_RESULTS
+from .list_names import ENUM_RESULTS, POLYLINES
 
 _ARROW = re.compile(r"\)\s*->\s*(.*)$")
 
@@ -71,6 +71,8 @@ def invoke(owner, member, names, arguments, keywords=None):
         # The host names its own path; scripts know the member.
         raise not_supported(full_name(owner, member)) from None
     answer = shaped(answer, signatures)
+    if member in POLYLINES and isinstance(answer, list):
+        return NetList(Polyline(points) for points in answer)
     if type(answer) is int and member in ENUM_RESULTS:
         return enum_member(ENUM_RESULTS[member], answer)
     if boxes and isinstance(answer, tuple):

@@ -48,10 +48,10 @@ class Brep(GeometryBase):
 
 
 class Mesh(GeometryBase):
-    """A mesh. Vertices and faces that a script adds wait here, and go to the host together when it is asked something:
-    a loop that adds ten thousand costs two calls."""
+    """A mesh. Vertices and faces that a script adds or sets wait here, and go to the host together when it is asked
+    something: a loop over ten thousand costs a few calls. What was read of them is kept up to date meanwhile."""
 
-    __slots__ = ("_waiting", "_counts")
+    __slots__ = ("_waiting",)
 
     def __init__(self, *arguments):
         if len(arguments) == 1 and isinstance(arguments[0], Mesh):
@@ -62,27 +62,33 @@ class Mesh(GeometryBase):
     def DuplicateMesh(self):
         return self._twin()
 
-    def _wait(self, which, item):
-        """Keeps a vertex (0) or a face (1) for later; gives its index."""
+    def _wait(self):
+        """What waits: vertices and faces added, then those set, by index."""
         waiting = getattr(self, "_waiting", None)
         if waiting is None:
-            object.__setattr__(self, "_counts", [len(self.Vertices), len(self.Faces)])
-            waiting = ([], [])
+            waiting = ([], [], {}, {})
             object.__setattr__(self, "_waiting", waiting)
-        waiting[which].append(item)
-        return self._counts[which] + len(waiting[which]) - 1
+        return waiting
 
     def _settle(self):
         waiting = getattr(self, "_waiting", None)
         if waiting is None:
             return
         object.__setattr__(self, "_waiting", None)
-        self._stale()
+        # Vertices and faces are known; what follows from them is not.
+        kept = {name: items for name, items in (self._cache or {}).items() if name in ("Vertices", "Faces")}
         backend = current()
-        if waiting[0]:
-            backend.call("MeshVertexList.AddVertices", self, waiting[0])
-        if waiting[1]:
-            backend.call("MeshFaceList.AddFaces", self, waiting[1])
+        vertices, faces, set_vertices, set_faces = waiting
+        object.__setattr__(self, "_cache", None)
+        if vertices:
+            backend.call("MeshVertexList.AddVertices", self, vertices)
+        if set_vertices:
+            backend.call("MeshVertexList.SetVertex", self, list(set_vertices), list(set_vertices.values()))
+        if faces:
+            backend.call("MeshFaceList.AddFaces", self, faces)
+        if set_faces:
+            backend.call("MeshFaceList.SetFace", self, list(set_faces), list(set_faces.values()))
+        object.__setattr__(self, "_cache", kept)
 
     def _lower(self):
         self._settle()

@@ -4,7 +4,7 @@ from .. import codec
 from ..backend import current
 from ..values.base import DotNet, not_supported
 from .call import full_name, invoke, shaped
-from .list_names import LISTS, RECORD_METHODS, has_list
+from .list_names import LISTS, PICKED_FIELDS, RECORD_METHODS, has_list
 
 
 class Member:
@@ -20,8 +20,9 @@ class Member:
         try:
             return invoke(self.owner, self.name, self.names, everything, keywords)
         finally:
-            # The object may have changed: what was read of it is read again.
-            if everything and hasattr(type(everything[0]), "_stale"):
+            # What was read of an object that the member changes is read again.
+            if everything and hasattr(type(everything[0]), "_stale") and \
+                    current().table.changes(self.names, self.name):
                 everything[0]._stale()
 
     def __getitem__(self, types):
@@ -129,6 +130,8 @@ class HostObject(DotNet, metaclass=HostClass):
                               table.signatures(owner, "get_" + name))
             if table.has(owner, name):
                 return Member(cls._host_name(), name, cls._names(), (self,))
+        if name in PICKED_FIELDS.get(cls._host_name(), ()):
+            return lambda index: getattr(self, "%s%d" % (name, index + 1))
         if getattr(cls, "_is_record", False):
             value = shaped(current().call("%s.get_%s" % (cls._host_name(), name), self), ())
             # A record holds what RhinoCommon computes in a method too.

@@ -24,5 +24,11 @@ def has_list(table, owner, name):
 #: Fields of records that are methods without arguments in RhinoCommon.
 RECORD_METHODS = {"BrepLoop": {"To3dCurve"}}
 
+#: Methods of records that pick one of several fields: `Kappa(0)` is the field Kappa1.
+PICKED_FIELDS = {"SurfaceCurvature": {"Kappa", "Direction"}}
+
+#: Members whose lists of points are Polylines.
+POLYLINES = {"GetNakedEdges", "GetOutlines"}
+
 #: Members whose number is the member of an enumeration.
 ENUM_RESULTS = {"Contains": "PointContainment", "PlanarClosedCurveRelationship": "RegionContainment"}

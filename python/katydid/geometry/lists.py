@@ -99,20 +99,61 @@ def _copy(item):
     return item._copy() if hasattr(type(item), "_copy") else item
 
 
-class VertexList(HostList):
-    """mesh.Vertices: points in single precision. Added points wait in Python until the mesh is asked something."""
+class WaitingList(HostList):
+    """Vertices or faces of a mesh: what a script adds or sets waits in Python until the mesh is asked something."""
+
+    __slots__ = ()
+    #: Where added ones wait; those that were set wait two places behind.
+    _place = 0
+
+    def _items(self):
+        cache = self._owner._cache
+        found = cache.get(self._property) if cache else None
+        # What waits stands in what was read already.
+        return HostList._items(self) if found is None else found
+
+    def _add(self, item):
+        items = self._items()
+        self._owner._wait()[self._place].append(item)
+        items.extend(self._convert([item]))
+        return len(items) - 1
+
+    def _set(self, index, item):
+        """Sets one; False where there is none."""
+        items = self._items()
+        place = index + len(items) if index < 0 else index
+        if not 0 <= place < len(items):
+            return False
+        self._owner._wait()[self._place + 2][place] = item
+        items[place] = self._convert([item])[0]
+        return True
+
+    def __setitem__(self, index, value):
+        if not self._set(int(index), self._one(value)):
+            raise IndexError("index is %s, of %d" % (index, len(self)))
+
+
+class VertexList(WaitingList):
+    """mesh.Vertices: points in single precision."""
 
     __slots__ = ()
 
     def _convert(self, items):
         return [Point3f(point) for point in items]
 
+    @staticmethod
+    def _one(*point):
+        return Point3d(*point) if len(point) == 3 else to_point(point[0])
+
     def Add(self, *point):
-        return self._owner._wait(0, Point3d(*point) if len(point) == 3 else to_point(point[0]))
+        return self._add(self._one(*point))
 
     def AddVertices(self, points):
         for point in points:
             self.Add(point)
+
+    def SetVertex(self, index, *point):
+        return self._set(index, self._one(*point[:3]))
 
     def ToPoint3dArray(self):
         self._owner._settle()
@@ -122,16 +163,26 @@ class VertexList(HostList):
         return NetList(self)
 
 
-class FaceList(HostList):
+class FaceList(WaitingList):
     """mesh.Faces."""
 
     __slots__ = ()
+    _place = 1
+
+    @staticmethod
+    def _one(*face):
+        return face[0]._copy() if isinstance(face[0], MeshFace) else MeshFace(*face)
 
     def AddFace(self, *face):
-        return self._owner._wait(1, face[0] if isinstance(face[0], MeshFace) else MeshFace(*face))
+        return self._add(self._one(*face))
 
     def AddFaces(self, faces):
         return NetList(self.AddFace(face) for face in faces)
+
+    def SetFace(self, index, *face):
+        return self._set(index, self._one(*face))
+
+    GetFace = WaitingList.__getitem__
 
 
 class NormalList(HostList):
@@ -141,6 +192,33 @@ class NormalList(HostList):
 
     def _convert(self, items):
         return [Vector3f(vector) for vector in items]
+
+
+class ControlPointList(HostList):
+    """curve.Points."""
+
+    __slots__ = ()
+
+    def SetPoint(self, index, *point):
+        """By a point, a point and a weight, or three or four numbers."""
+        place = Point3d(*point[:3]) if len(point) >= 3 else to_point(point[0])
+        weight = point[-1] if len(point) in (2, 4) else None
+        done = invoke(self._name, "SetPoint", [self._name], (self, index, place))
+        if weight is not None:
+            done = bool(done and invoke(self._name, "SetWeight", [self._name], (self, index, float(weight))))
+        self._stale()
+        return done
+
+
+class KnotList(HostList):
+    """curve.Knots, and those of a surface."""
+
+    __slots__ = ()
+
+    def KnotMultiplicity(self, index):
+        """How often the knot of an index comes."""
+        knots = self._items()
+        return sum(knot == knots[index] for knot in knots)
 
 
 class BrepList(HostList):
@@ -156,7 +234,8 @@ class BrepList(HostList):
 
 
 _CLASSES = {"MeshVertexList": VertexList, "MeshFaceList": FaceList, "MeshVertexNormalList": NormalList,
-            "MeshFaceNormalList": NormalList, "BrepFaceList": BrepList}
+            "MeshFaceNormalList": NormalList, "BrepFaceList": BrepList, "NurbsCurvePointList": ControlPointList,
+            "NurbsCurveKnotList": KnotList, "NurbsSurfaceKnotList": KnotList}
 
 
 def list_of(owner, name, prop):

@@ -8,6 +8,7 @@ from collections import OrderedDict
 
 from .. import document
 from ..grasshopper import DataTree
+from ..packages import advice
 from ..values.netlist import NetList
 from . import instance
 from .component import Component, Environment, set_current
@@ -140,7 +141,9 @@ def run(message, objects):
     except KeyboardInterrupt:
         result["error"] = "cancelled"
     except Exception as error:
-        _add(result["messages"], ["error", describe(error), line_of(error)])
+        # A script that does not compile: each iteration says so.
+        told(error, result["messages"])
+        result["out"] = [collector.take()] * len(iterations)
     finally:
         sys.stdout, sys.stderr = kept
         if component is not None:
@@ -156,6 +159,13 @@ def run(message, objects):
         result["out"].append(collector.take())
     result["seconds"] = time.perf_counter() - began
     return result
+
+
+def told(error, messages, advise=None):
+    """Tells an exception of the script: as a message, and behind what was printed, as `out` shows it."""
+    text = describe(error, advise)
+    _add(messages, ["error", text, line_of(error)])
+    print(text)
 
 
 def _add(messages, one):
@@ -175,6 +185,8 @@ class _Job:
         self.scope, self.compiled, self.objects = scope, compiled, objects
         self.ports = message.get("inputs") or []
         self.document = solved
+        settings = message.get("doc") or {}
+        self.advise = lambda module: advice(module, message.get("code") or "", settings.get("path") or "")
         self.variables = variables_of(scope, language)
         self.variables["ghenv"] = Environment(scope.component)
         self.variables["ghdoc"] = solved
@@ -186,7 +198,7 @@ class _Job:
             values = self.values(inputs, names)
             return [output(value, self.objects) for value in values]
         except Exception as error:
-            _add(messages, ["error", describe(error), line_of(error)])
+            told(error, messages, self.advise)
             return [None] * len(names)
 
     def values(self, inputs, names):

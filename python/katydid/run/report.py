@@ -3,6 +3,8 @@
 import linecache
 import traceback
 
+from ..rhino import NAMES as OURS
+
 #: The name under which scripts are compiled.
 SCRIPT = "<script>"
 
@@ -23,8 +25,11 @@ def frames(error):
             for frame, line in traceback.walk_tb(error.__traceback__)]
 
 
-def describe(error):
-    """The text: kind and message, then the lines of the script that led there."""
+def describe(error, advise=None):
+    """The text: kind and message, then the lines of the script that led there.
+
+    `advise` is asked for the command that installs a module that could not be found.
+    """
     kind, text = type(error).__name__, str(error)
     if isinstance(error, SyntaxError):
         where = "line %s" % error.lineno if error.lineno else ""
@@ -32,6 +37,9 @@ def describe(error):
     if kind == "HostError":
         kind = "Katydid"
     lines = ["Runtime error (%s): %s" % (kind, text)]
+    if advise is not None and isinstance(error, ModuleNotFoundError) and error.name and \
+            error.name.partition(".")[0] not in OURS:
+        lines.append(advise(error.name))
     steps = [(line, name) for file, line, name in frames(error) if file == SCRIPT]
     if steps:
         lines += ["", "Traceback:"]

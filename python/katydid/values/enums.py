@@ -70,7 +70,7 @@ CurveSimplifyOptions = make("CurveSimplifyOptions", **{
     "AdjustG1": 16, "Merge": 32, "All": 63})
 CurveExtensionStyle = make("CurveExtensionStyle", Line=0, Arc=1, Smooth=2)
 CurveEnd = make("CurveEnd", **{"None": 0, "Start": 1, "End": 2, "Both": 3})
-CurveOrientation = make("CurveOrientation", Undefined=0, Clockwise=1, CounterClockwise=-1)
+CurveOrientation = make("CurveOrientation", Undefined=0, Clockwise=-1, CounterClockwise=1)
 BlendContinuity = make("BlendContinuity", Position=0, Tangency=1, Curvature=2)
 Continuity = make("Continuity", **{"None": 0, "C0_continuous": 1, "C1_continuous": 2, "C2_continuous": 3,
                                    "G1_continuous": 4, "G2_continuous": 5, "Cinfinity_continuous": 11})

@@ -6,8 +6,8 @@ use katydid_geometry::{Direction, ExtensionStyle, OffsetCorner};
 use serde_json::Value as Json;
 
 use super::argument::choice;
-use crate::Fault;
 use crate::wire::Read;
+use crate::{Fault, Value};
 
 /// Declares a type that is read from the number or the name of a choice.
 macro_rules! choices {
@@ -19,6 +19,14 @@ macro_rules! choices {
         impl Read for $name {
             fn read(json: &Json) -> Result<Self, Fault> {
                 choice(json, $what, &[$(($text, $value)),*]).map(Self)
+            }
+
+            /// A script's number with a fraction is no choice: `Trim(2.0, 5.0)` means two parameters.
+            fn of_value(value: &Value) -> Result<Self, Fault> {
+                match value {
+                    Value::Number(_) => Err(Fault::bad_request(concat!("is no ", $what))),
+                    other => Self::read(&other.to_json(0)?),
+                }
             }
 
             fn type_name() -> String {

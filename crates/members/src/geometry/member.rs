@@ -77,6 +77,15 @@ impl Endpoints {
         Ok(if fit.row.changes { changed(value) } else { MemberReply { value, changed: None } })
     }
 
+    /// The members that change their object, sorted: what was read of it before no longer holds.
+    pub fn changing(&self) -> Vec<String> {
+        let rows = self.rows.iter().filter(|row| row.entry.is_some() && row.changes);
+        let mut names: Vec<String> = rows.map(|row| row.member.clone()).collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+
     /// The signatures of all members, sorted: `Class.Member(this Type, Type name) -> Type`.
     pub fn members(&self) -> Vec<String> {
         let answered = self.rows.iter().filter(|row| row.entry.is_some());

@@ -16,6 +16,12 @@ pub(crate) fn session(lines: &str) -> Session {
     session_with(lines, Bounds::default(), Limits::default(), Cancel::default())
 }
 
+/// The same, of a definition that lies somewhere.
+pub(crate) fn session_of(lines: &str, path: std::path::PathBuf) -> Session {
+    let python = Python::new(find(None, None), Bounds::default()).of(Some(path));
+    session_by(lines, Options { scripts: Some(Arc::new(python)), ..Options::default() })
+}
+
 pub(crate) fn python(bounds: Bounds) -> Arc<Python> {
     let interpreter = find(None, None);
     if let Err(why) = &interpreter {
@@ -25,11 +31,14 @@ pub(crate) fn python(bounds: Bounds) -> Arc<Python> {
 }
 
 pub(crate) fn session_with(lines: &str, bounds: Bounds, limits: Limits, cancel: Cancel) -> Session {
+    session_by(lines, Options { scripts: Some(python(bounds)), limits, cancel, ..Options::default() })
+}
+
+fn session_by(lines: &str, options: Options) -> Session {
     katydid_components::link();
     let text = format!("katydid 1\n{lines}\n");
     let definition =
         katydid_definition::kd::read(&text, &Registry).unwrap_or_else(|problems| panic!("{problems}"));
-    let options = Options { scripts: Some(python(bounds)), limits, cancel, ..Options::default() };
     Session::new(definition.document, options)
 }
 

@@ -99,7 +99,11 @@ def coerce3dpoint(point, raise_if_missing=False):
     return _missing(raise_if_missing, point, "Point3d")
 
 
-CreatePoint = coerce3dpoint
+def CreatePoint(point, y=None, z=None):
+    """A point of three numbers, of two, or of what converts to one."""
+    if y is None:
+        return coerce3dpoint(point, True)
+    return Point3d(float(point), float(y), 0.0 if z is None else float(z))
 
 
 def coerce2dpoint(point, raise_if_missing=False):
@@ -117,7 +121,11 @@ def coerce3dvector(vector, raise_if_missing=False):
     return _missing(raise_if_missing, vector, "Vector3d") if found is None else to_vector(found)
 
 
-CreateVector = coerce3dvector
+def CreateVector(vector, y=None, z=None):
+    """A vector of three numbers, of two, or of what converts to one."""
+    if y is None:
+        return coerce3dvector(vector, True)
+    return Vector3d(float(vector), float(y), 0.0 if z is None else float(z))
 
 
 def coerce3dpointlist(points, raise_if_missing=False):
@@ -269,7 +277,12 @@ def CreatePlane(plane_or_origin, x_axis=None, y_axis=None, *ignored):
 
 
 def CreateInterval(interval, y=None):
-    return Interval(*(interval if y is None else (interval, y)))
+    if y is not None:
+        return Interval(interval, y)
+    if isinstance(interval, (int, float)):
+        # One number: from zero to it.
+        return Interval(min(interval, 0), max(interval, 0))
+    return Interval(*interval)
 
 
 CreateXform = coercexform

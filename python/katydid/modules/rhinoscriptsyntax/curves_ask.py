@@ -190,7 +190,7 @@ def CurveWeights(curve_id, segment_index=-1):
 
 def CurveEditPoints(curve_id, return_parameters=False, segment_index=-1):
     nurbs = coercecurve(curve_id, segment_index, True).ToNurbsCurve()
-    return list(nurbs.GrevilleParameters()) if return_parameters else list(nurbs.GrevillePoints())
+    return list(nurbs.GrevilleParameters()) if return_parameters else list(nurbs.GrevillePoints(True))
 
 
 def PolylineVertices(curve_id, segment_index=-1):

@@ -267,8 +267,8 @@ def ProjectCurveToMesh(curve_ids, mesh_ids, direction):
 
 def MeanCurve(curve0, curve1, tolerance=None):
     a, b = coercecurve(curve0, -1, True), coercecurve(curve1, -1, True)
-    angle = -1.23432101234321e308 if tolerance is None else tolerance
-    return added(static_call("Curve", "CreateMeanCurve", a, b, angle))
+    more = () if tolerance is None else (float(tolerance),)
+    return added(static_call("Curve", "CreateMeanCurve", a, b, *more))
 
 
 def AddTweenCurves(from_curve_id, to_curve_id, number_of_curves=1, method=0, sample_number=10):

@@ -119,10 +119,16 @@ def frange(start, stop, step):
         yield start + i * step
 
 
-def GetObject(*arguments, **keywords):
-    raise NotImplementedError("rhinoscriptsyntax.GetObject needs a window: give the component an input instead")
+def _asks(name):
+    """A function that asks a user, whom a script in a definition has not."""
+    def ask(*arguments, **keywords):
+        raise NotImplementedError("rhinoscriptsyntax.%s needs a window: give the component an input instead" % name)
+    ask.__name__ = name
+    return ask
 
 
-GetObjects = GetPoint = GetPoints = GetReal = GetInteger = GetString = GetCurveObject = GetSurfaceObject = GetObject
-GetBoolean = GetColor = GetRectangle = GetLine = GetBox = GetObject
-OpenFileName = SaveFileName = BrowseForFolder = ListBox = GetObject
+GetObject, GetObjects, GetPoint, GetPoints = map(_asks, ("GetObject", "GetObjects", "GetPoint", "GetPoints"))
+GetReal, GetInteger, GetString, GetBoolean = map(_asks, ("GetReal", "GetInteger", "GetString", "GetBoolean"))
+GetCurveObject, GetSurfaceObject, GetColor = map(_asks, ("GetCurveObject", "GetSurfaceObject", "GetColor"))
+GetRectangle, GetLine, GetBox, ListBox = map(_asks, ("GetRectangle", "GetLine", "GetBox", "ListBox"))
+OpenFileName, SaveFileName, BrowseForFolder = map(_asks, ("OpenFileName", "SaveFileName", "BrowseForFolder"))

@@ -185,12 +185,12 @@ fn with_end(curve: &Curve, at_start: bool, to: Point3) -> Outcome<(bool, Curve)>
     ))
 }
 
-/// `CurveOrientation`: 1 clockwise, −1 counter-clockwise, 0 for a curve that is open or encloses nothing.
+/// `CurveOrientation`: −1 clockwise, 1 counter-clockwise, 0 for a curve that is open or encloses nothing.
 fn orientation(curve: &Curve, plane: &Plane) -> Named {
     let area = if curve.is_closed() { curve.signed_area_in(plane).0 } else { 0.0 };
     let turn = match area {
-        area if area > 0.0 => -1,
-        area if area < 0.0 => 1,
+        area if area > 0.0 => 1,
+        area if area < 0.0 => -1,
         _ => 0,
     };
     Named("CurveOrientation", turn)

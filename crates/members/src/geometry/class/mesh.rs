@@ -1,11 +1,14 @@
 //! `Mesh`: what it is, and changes in place.
 
+use std::sync::Arc;
+
 use katydid_data::Colour;
 use katydid_geometry::{Mesh, MeshFace, Point3, Vector3};
 
 use super::Named;
 use crate::geometry::answer::Outcome;
 use crate::geometry::table::Endpoints;
+use crate::shape::{Geometry, Shape};
 use crate::wire::Read;
 use crate::{Fault, Value};
 
@@ -41,6 +44,26 @@ pub(super) fn enter(table: &mut Endpoints) {
     );
     table.member("Mesh.Compact &this", |m: Mesh| Ok((true, m.without_vertices(|_| false, false)?)));
     table.member("Mesh.get_ObjectType this", |_: Mesh| Ok(Named("ObjectType", 32)));
+}
+
+/// A mesh that is asked and not changed: a script's own, without a copy.
+pub(super) struct SharedMesh(pub(super) Arc<Mesh>);
+
+impl Read for SharedMesh {
+    fn read(json: &serde_json::Value) -> Result<Self, Fault> {
+        Mesh::read(json).map(|mesh| Self(Arc::new(mesh)))
+    }
+
+    fn of_value(value: &Value) -> Result<Self, Fault> {
+        match value {
+            Value::Geometry(Geometry { shape: Shape::Mesh(mesh), .. }) => Ok(Self(mesh.clone())),
+            other => Mesh::of_value(other).map(|mesh| Self(Arc::new(mesh))),
+        }
+    }
+
+    fn type_name() -> String {
+        Mesh::type_name()
+    }
 }
 
 /// A face, by its corners: the last twice in a triangle.

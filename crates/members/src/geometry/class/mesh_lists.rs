@@ -4,7 +4,7 @@
 use katydid_data::Colour;
 use katydid_geometry::{Line, Mesh, MeshFace, Point3, Vector3};
 
-use super::mesh::{Corners, face_value, kernel_faces, rebuilt, rgba};
+use super::mesh::{Corners, SharedMesh, face_value, kernel_faces, rebuilt, rgba};
 use crate::geometry::answer::Outcome;
 use crate::geometry::argument::Count;
 use crate::geometry::table::Endpoints;
@@ -22,18 +22,17 @@ pub(super) fn enter(table: &mut Endpoints) {
 fn vertices(table: &mut Endpoints) {
     table.member("MeshVertexList.ToArray this", |m: Mesh| Ok(m.vertices().to_vec()));
     table.member("MeshVertexList.ToPoint3dArray this", |m: Mesh| Ok(m.vertices().to_vec()));
-    table.member("MeshVertexList.get_Item this index", |m: Mesh, i: Index| {
-        m.vertices().get(i.0).copied().ok_or_else(|| beyond(i, m.vertices().len()))
-    });
-    table.member("MeshVertexList.Point3dAt this index", |m: Mesh, i: Index| {
-        m.vertices().get(i.0).copied().ok_or_else(|| beyond(i, m.vertices().len()))
-    });
+    for signature in ["MeshVertexList.get_Item this index", "MeshVertexList.Point3dAt this index"] {
+        table.member(signature, |SharedMesh(m): SharedMesh, i: Index| {
+            m.vertices().get(i.0).copied().ok_or_else(|| beyond(i, m.vertices().len()))
+        });
+    }
     table.member("MeshVertexList.set_Item &this index vertex", |m: Mesh, i: Index, to: Point3| {
         let mut points = m.vertices().to_vec();
         *points.get_mut(i.0).ok_or_else(|| beyond(i, m.vertices().len()))? = to;
         Ok(((), with_points(&m, points)?))
     });
-    table.member("MeshVertexList.get_Count this", |m: Mesh| Ok(m.vertices().len()));
+    table.member("MeshVertexList.get_Count this", |SharedMesh(m): SharedMesh| Ok(m.vertices().len()));
     table.member("MeshVertexList.Add &this x y z", |m: Mesh, x: f64, y: f64, z: f64| {
         with_vertices(&m, &[Point3::new(x, y, z)])
     });
@@ -60,6 +59,15 @@ fn vertices(table: &mut Endpoints) {
             Ok((true, with_points(&m, points)?))
         },
     );
+    // Many at once: what a loop of a script sets one by one.
+    table.member(
+        "MeshVertexList.SetVertex &this indices vertices",
+        |m: Mesh, places: Vec<Index>, to: Vec<Point3>| {
+            let mut points = m.vertices().to_vec();
+            put(&mut points, &places, &to)?;
+            Ok((true, with_points(&m, points)?))
+        },
+    );
     table.member("MeshVertexList.Clear &this", |_: Mesh| Ok(((), Mesh::new(Vec::new(), Vec::new())?)));
 }
 
@@ -79,6 +87,18 @@ fn with(mesh: &Mesh, points: Vec<Point3>, faces: Vec<MeshFace>) -> Outcome<Mesh>
     rebuilt(points, faces, mesh.normals().to_vec(), mesh.colours().to_vec())
 }
 
+/// Puts values in places.
+fn put<T: Copy>(items: &mut [T], places: &[Index], values: &[T]) -> Outcome<()> {
+    if places.len() != values.len() {
+        return Err(Fault::bad_request(format!("{} indices for {} values", places.len(), values.len())));
+    }
+    let count = items.len();
+    for (place, value) in places.iter().zip(values) {
+        *items.get_mut(place.0).ok_or_else(|| beyond(Count(place.0), count))? = *value;
+    }
+    Ok(())
+}
+
 fn beyond(Count(index): Index, count: usize) -> Fault {
     Fault::bad_request(format!("index is {index}, of {count}"))
 }
@@ -88,7 +108,7 @@ fn faces(table: &mut Endpoints) {
         Ok(Value::List(m.faces().iter().map(face_value).collect()))
     });
     for signature in ["MeshFaceList.get_Item this index", "MeshFaceList.GetFace this index"] {
-        table.member(signature, |m: Mesh, i: Index| {
+        table.member(signature, |SharedMesh(m): SharedMesh, i: Index| {
             m.faces().get(i.0).map(face_value).ok_or_else(|| no_face(i, &m))
         });
     }
@@ -101,7 +121,15 @@ fn faces(table: &mut Endpoints) {
             Ok((true, with(&m, m.vertices().to_vec(), faces)?))
         });
     }
-    table.member("MeshFaceList.get_Count this", |m: Mesh| Ok(m.faces().len()));
+    table.member(
+        "MeshFaceList.SetFace &this indices faces",
+        |m: Mesh, places: Vec<Index>, to: Vec<Corners>| {
+            let mut faces = m.faces().to_vec();
+            put(&mut faces, &places, &kernel_faces(&to)?)?;
+            Ok((true, with(&m, m.vertices().to_vec(), faces)?))
+        },
+    );
+    table.member("MeshFaceList.get_Count this", |SharedMesh(m): SharedMesh| Ok(m.faces().len()));
     table.member("MeshFaceList.get_QuadCount this", |m: Mesh| Ok(quads(&m)));
     table.member("MeshFaceList.get_TriangleCount this", |m: Mesh| Ok(m.faces().len() - quads(&m)));
     table.member("MeshFaceList.AddFace &this face", |m: Mesh, face: Corners| with_faces(&m, &[face]));
@@ -112,8 +140,8 @@ fn faces(table: &mut Endpoints) {
         with_faces(&m, &[Corners([a, b, c, d])])
     });
     table.member("MeshFaceList.AddFaces &this faces", |m: Mesh, faces: Vec<Corners>| with_faces(&m, &faces));
-    table.member("MeshFaceList.GetFaceCenter this faceIndex", |m: Mesh, i: Index| {
-        m.face_centers().get(i.0).copied().ok_or_else(|| no_face(i, &m))
+    table.member("MeshFaceList.GetFaceCenter this faceIndex", |SharedMesh(m): SharedMesh, i: Index| {
+        center(&m, i.0).ok_or_else(|| no_face(i, &m))
     });
     table.member("MeshFaceList.ConvertQuadsToTriangles &this", |m: Mesh| {
         let cut = |face: &MeshFace| face.triangles().map(MeshFace::Triangle).collect::<Vec<_>>();
@@ -127,6 +155,15 @@ fn faces(table: &mut Endpoints) {
         let kept: Vec<MeshFace> = kept.collect();
         Ok((m.faces().len() - kept.len(), m.part(&kept)?))
     });
+}
+
+/// The mean of one face's corners.
+fn center(mesh: &Mesh, place: usize) -> Option<Point3> {
+    let face = mesh.faces().get(place)?;
+    let corners = face.indices().iter().map(|&i| mesh.vertices().get(i as usize).copied());
+    let corners: Vec<Point3> = corners.collect::<Option<_>>()?;
+    let sum = corners.iter().fold(Vector3::ZERO, |sum, corner| sum + corner.to_vector());
+    Some((sum / corners.len() as f64).to_point())
 }
 
 fn no_face(Count(index): Index, mesh: &Mesh) -> Fault {
@@ -146,12 +183,12 @@ fn with_faces(mesh: &Mesh, more: &[Corners]) -> Outcome<(usize, Mesh)> {
 
 fn attributes(table: &mut Endpoints) {
     table.member("MeshVertexNormalList.ToArray this", |m: Mesh| Ok(m.normals().to_vec()));
-    table.member("MeshVertexNormalList.get_Count this", |m: Mesh| Ok(m.normals().len()));
-    table.member("MeshVertexNormalList.get_Item this index", |m: Mesh, i: Index| {
+    table.member("MeshVertexNormalList.get_Count this", |SharedMesh(m): SharedMesh| Ok(m.normals().len()));
+    table.member("MeshVertexNormalList.get_Item this index", |SharedMesh(m): SharedMesh, i: Index| {
         m.normals().get(i.0).copied().ok_or_else(|| beyond(i, m.normals().len()))
     });
     table.member("MeshFaceNormalList.ToArray this", |m: Mesh| Ok(m.face_normals()));
-    table.member("MeshFaceNormalList.get_Count this", |m: Mesh| Ok(m.faces().len()));
+    table.member("MeshFaceNormalList.get_Count this", |SharedMesh(m): SharedMesh| Ok(m.faces().len()));
     table.member("MeshFaceNormalList.get_Item this index", |m: Mesh, i: Index| {
         m.face_normals().get(i.0).copied().ok_or_else(|| beyond(i, m.faces().len()))
     });
@@ -166,8 +203,8 @@ fn attributes(table: &mut Endpoints) {
     table.member("MeshVertexColorList.ToArray this", |m: Mesh| {
         Ok(m.colours().iter().map(|own| colour(*own)).collect::<Vec<Colour>>())
     });
-    table.member("MeshVertexColorList.get_Count this", |m: Mesh| Ok(m.colours().len()));
-    table.member("MeshVertexColorList.get_Item this index", |m: Mesh, i: Index| {
+    table.member("MeshVertexColorList.get_Count this", |SharedMesh(m): SharedMesh| Ok(m.colours().len()));
+    table.member("MeshVertexColorList.get_Item this index", |SharedMesh(m): SharedMesh, i: Index| {
         m.colours().get(i.0).map(|own| colour(*own)).ok_or_else(|| beyond(i, m.colours().len()))
     });
     table.member("MeshVertexColorList.SetColors &this colors", |m: Mesh, colours: Vec<Colour>| {

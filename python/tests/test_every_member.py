@@ -1,0 +1,122 @@
+"""Every member of the host's table is called with plausible values, and gives what its signature says, or an error that is
+one of geometry: never one of its arguments.
+
+Values are checked where a formula exists, in `test_geometry.py` and in `crates/members/tests`; here it is kinds.
+"""
+
+import re
+
+import pytest
+from hosts import Members, codec, program
+from katydid.backend import Table
+from katydid.geometry.call import given
+from katydid.values import (Arc, BoundingBox, Box, Circle, Color, Cone, Cylinder, Ellipse, Interval, Line, Plane, Point2d,
+                            Point3d, Rectangle3d, Sphere, Torus, Transform, Vector3d)
+from measure_signatures import kind, split
+
+pytestmark = pytest.mark.skipif(program() is None, reason="KATYDID names no program: nothing was called")
+
+#: Parameters that a value of their kind alone would not fit, by their name.
+BY_NAME = {"degree": 2, "pointCount": 5, "count": 4, "segmentCount": 4, "uCount": 4, "vCount": 4, "index": 0, "faceIndex": 0,
+           "uDegree": 1, "vDegree": 1, "numberDerivatives": 1, "derivativeCount": 1, "direction": 0, "side": 0, "level": 1,
+           "tolerance": 0.01, "overlapTolerance": 0.01, "angleTolerance": 0.01, "angleToleranceRadians": 0.01, "t": 0.5, "u": 0.5,
+           "v": 0.5, "t0": 0.1, "t1": 0.9}
+
+
+@pytest.fixture(scope="module")
+def host():
+    made = Members(program())
+    yield made
+    made.close()
+
+
+def samples(host):
+    """A value of each kind."""
+    pts = [Point3d(0, 0, 0), Point3d(2, 0, 0), Point3d(2, 2, 0), Point3d(0, 2, 0)]
+    surface = host.call("PlaneSurface.new", Plane.WorldXY, Interval(0, 2), Interval(0, 2))
+    brep = host.call("Brep.CreateFromBox", Box(BoundingBox(0, 0, 0, 2, 2, 2)))
+    mesh = host.call("Mesh.new", pts, [codec.MeshFace(0, 1, 2, 3)])
+    circle = host.call("ArcCurve.new", Circle(2))
+    faces, edges = host.call("Brep.get_Faces", brep), host.call("Brep.get_Edges", brep)
+    polyline = host.call("PolylineCurve.new", pts + pts[:1])
+    return {
+        "number": 0.5, "whole": 1, "truth": True, "text": "a", "Enum": 0, "any": 1, "Point3d": Point3d(1, 0.5, 0),
+        "Point2d": Point2d(0.5, 0.5), "Vector3d": Vector3d(0, 0, 1), "Plane": Plane.WorldXY, "Interval": Interval(0.1, 0.9),
+        "Line": Line(0, 0, 0, 2, 0, 0), "Circle": Circle(2), "Arc": Arc(Plane.WorldXY, 2, 1.5), "Sphere": Sphere(pts[0], 1),
+        "Ellipse": Ellipse(Plane.WorldXY, 3, 2), "Box": Box(BoundingBox(0, 0, 0, 1, 1, 1)), "Transform":
+        Transform.Translation(1, 2, 3), "BoundingBox": BoundingBox(0, 0, 0, 1, 1, 1), "Rectangle3d": Rectangle3d(Plane.WorldXY, 3, 2),
+        "Cylinder": Cylinder(Circle(1), 2), "Cone": Cone(Plane.WorldXY, 2, 1), "Torus": Torus(Plane.WorldXY, 3, 1),
+        "Color": Color.FromArgb(1, 2, 3), "MeshFace": codec.MeshFace(0, 1, 2, 3), "Curve": circle, "Surface": surface,
+        "Brep": brep, "Mesh": mesh, "GeometryBase": circle, "BrepFace": faces[0], "BrepEdge": edges[0], "BrepPart": faces[0],
+        "NurbsCurve": host.call("Curve.ToNurbsCurve", circle), "NurbsSurface": host.call("Surface.ToNurbsSurface", surface),
+        "LineCurve": host.call("LineCurve.new", Line(0, 0, 0, 2, 0, 0)), "ArcCurve": circle, "PolylineCurve": polyline,
+        "PlaneSurface": surface, "Polyline": polyline, "SubD": host.call("SubD.CreateFromMesh", mesh),
+        "Point": host.call("Point.new", pts[1]), "MeshingParameters": {"GridMinCount": 4}, "Corners": codec.MeshFace(0, 1, 2, 3),
+        "PolyCurve": host.call("PolyCurve.new"),
+    }
+
+
+def value_of(made, text, name):
+    """A value for a parameter; `None` where there is no sample."""
+    text = text.strip()
+    if text.endswith("[]"):
+        one = value_of(made, text[:-2], name)
+        return None if one is None else [one]
+    head = text.rpartition(".")[2]
+    if kind(text) in ("number", "whole") and name in BY_NAME:
+        return BY_NAME[name]
+    if kind(text) == "text" or head == "Char":
+        return "a"
+    return made.get(head, made.get(kind(text)))
+
+
+def overloads(signature):
+    """The class, whether it has an object, its parameters and what it gives."""
+    found = re.match(r"([\w`]+)\.(\w+)\((.*)\)\s*->", signature)
+    words = [word.strip() for word in split(found.group(3)) if word.strip()]
+    parameters = []
+    for word in words:
+        head, _, name = word.rpartition(" ")
+        parameters.append((head, name) if head != "this" else (name, "this"))
+    return found.group(1), found.group(2), parameters, [part for part in given(signature) if part != "Void"]
+
+
+def test_every_member_takes_what_its_signature_says(host):
+    table = Table(host(["members"])[1], host(["changing"])[1])
+    made = samples(host)
+    called, failed, skipped, wrong = 0, 0, [], []
+    for cls, names in sorted(table.classes.items()):
+        for signature in sorted(text for texts in names.values() for text in texts):
+            _, member, parameters, back = overloads(signature)
+            values = []
+            for text, name in parameters:
+                own = value_of(made, cls if name == "this" and cls in made else text, name)
+                # What a member changes is a copy: the others find the sample as it was.
+                if name == "this" and table.changes([cls], member) and hasattr(own, "number"):
+                    own = host.call("GeometryBase.Duplicate" if table.has("GeometryBase", "Duplicate") else "Curve.Duplicate",
+                                    own)
+                values.append(own)
+            if any(value is None for value in values):
+                skipped.append(signature)
+                continue
+            answer = host(["call", cls + "." + member] + values)
+            called += 1
+            if isinstance(answer, codec.Error):
+                failed += 1
+                # A fault of geometry is an answer; one of the arguments' kinds is not.
+                if re.search(r" is (a|an) [^,]*, not |is missing|takes at most", answer.message):
+                    wrong.append("%s: %s" % (signature, answer.message))
+                continue
+            # Overloads that differ in what they give back alone: the first one answers.
+            counts = {len(overloads(other)[3]) for other in names[member]}
+            if counts.isdisjoint((0, 1)) and (not isinstance(answer[1], list) or len(answer[1]) not in counts):
+                wrong.append("%s gave %r" % (signature, answer[1]))
+            if len(counts) > 1:
+                continue
+            if back == ["Double"] and not isinstance(answer[1], (int, float)) or back == ["Boolean"] and \
+                    answer[1] not in (True, False) or back == ["Point3d"] and type(answer[1]).__name__ != "Point3d":
+                wrong.append("%s gave %r" % (signature, answer[1]))
+    print("%d called, %d gave an error of geometry, %d without a sample" % (called, failed, len(skipped)))
+    assert not wrong, "%d of %d:\n%s" % (len(wrong), called, "\n".join(wrong))
+    # Results such as AreaMassProperties are no values that a test makes; they are read in `test_geometry.py`.
+    assert called > 600 and len(skipped) < 100, (called, skipped)
