@@ -45,7 +45,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
     Ok(results.iter().map(|(_, result)| code(result)).max().unwrap_or(0))
 }
 
-/// Looks at the scripts of all files, with one Python, which the first of them starts.
+/// Looks at the scripts of all files; at those in Python with one Python, which the first of them starts.
 struct Scripts<'a> {
     args: &'a CheckArgs,
     examiner: Option<Result<Examiner, String>>,
@@ -59,6 +59,12 @@ impl<'a> Scripts<'a> {
     /// The check with what its scripts need and have not.
     fn examined(&mut self, mut check: Check) -> Check {
         for object in std::mem::take(&mut check.scripts) {
+            if !object.script.is_python() {
+                for fault in katydid_script::csharp_faults(&object.object, &object.script) {
+                    check.lacks(&object, &fault);
+                }
+                continue;
+            }
             let start = || find(self.args.python.as_deref(), None).and_then(|python| Examiner::new(&python));
             let examiner = self.examiner.get_or_insert_with(start);
             let needs = match examiner {
