@@ -45,7 +45,8 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
     Ok(results.iter().map(|(_, result)| code(result)).max().unwrap_or(0))
 }
 
-/// Looks at the scripts of all files, with the Python that would run them; one serves all files that have the same.
+/// Looks at the scripts of all files; at those in Python with the Python that would run them, one for all files that have
+/// the same.
 struct Scripts<'a> {
     args: &'a CheckArgs,
     python: Option<Result<Interpreter, String>>,
@@ -59,18 +60,24 @@ impl<'a> Scripts<'a> {
 
     /// The check with what its scripts need and have not.
     fn examined(&mut self, file: &Path, mut check: Check) -> Check {
-        if check.scripts.is_empty() {
-            return check;
-        }
-        let found = find(self.args.python.as_deref(), Some(file));
-        if self.python.as_ref() != Some(&found) {
-            // Another file may have another environment beside it.
-            self.examiner = None;
-            self.python = Some(found.clone());
+        if check.scripts.iter().any(|object| object.script.is_python()) {
+            let found = find(self.args.python.as_deref(), Some(file));
+            if self.python.as_ref() != Some(&found) {
+                // Another file may have another environment beside it.
+                self.examiner = None;
+                self.python = Some(found);
+            }
         }
         for object in std::mem::take(&mut check.scripts) {
-            let examiner =
-                self.examiner.get_or_insert_with(|| found.clone().and_then(|python| Examiner::new(&python)));
+            if !object.script.is_python() {
+                for fault in katydid_script::csharp_faults(&object.object, &object.script) {
+                    check.lacks(&object, &fault);
+                }
+                continue;
+            }
+            let Some(python) = &self.python else { continue };
+            let start = || python.clone().and_then(|python| Examiner::new(&python));
+            let examiner = self.examiner.get_or_insert_with(start);
             let needs = match examiner {
                 Ok(examiner) => examiner.needs(&object.script),
                 Err(why) => Err(why.clone()),

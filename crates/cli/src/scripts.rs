@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use katydid_script::{Bounds, Permission, PythonMaker, Trusted, find};
+use katydid_script::{Bounds, CSharpMaker, Permission, PythonMaker, Trusted, find};
 use katydid_solver::{Refused, ScriptMaker, Scripts};
 
 use crate::args::TrustArgs;
@@ -35,16 +35,24 @@ impl ScriptArgs {
     /// What runs the scripts of a file, or says of each why it does not.
     pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
         match self.permission(file) {
-            Permission::Given => self.maker(Some(file)).make(),
+            Permission::Given => csharp_and(Some(Arc::new(self.python(Some(file)))), String::new()).make(),
             // Without the file's path: the same definition gives the same words wherever it lies.
-            Permission::Refused => Arc::new(Refused::new(
+            Permission::Refused => csharp_and(
+                None,
                 "look at it, then run it with --allow-scripts, or allow it for good with `katydid trust FILE`",
-            )),
+            )
+            .make(),
         }
     }
 
-    /// What runs scripts once they are allowed; an environment beside the file is looked for.
-    pub(crate) fn maker(&self, file: Option<&Path>) -> PythonMaker {
+    /// What runs the scripts of a server's definitions.
+    pub(crate) fn of_server(&self) -> CSharpMaker {
+        let python = self.allow_scripts.then(|| Arc::new(self.python(None)) as _);
+        csharp_and(python, "this server was started without --allow-scripts")
+    }
+
+    /// What runs Python scripts once they are allowed; an environment beside the file is looked for.
+    fn python(&self, file: Option<&Path>) -> PythonMaker {
         let bounds = Bounds {
             memory: self.script_memory.saturating_mul(1 << 20),
             network: self.allow_network,
@@ -61,6 +69,11 @@ impl ScriptArgs {
         };
         if self.allow_scripts || is_trusted() == Some(true) { Permission::Given } else { Permission::Refused }
     }
+}
+
+/// C# can only compute, and needs no permission; Python does.
+fn csharp_and(python: Option<Arc<dyn ScriptMaker>>, advice: impl Into<String>) -> CSharpMaker {
+    CSharpMaker { others: python, refused: Refused::new(advice) }
 }
 
 /// Trusts files: their scripts may run from now on, until they change.

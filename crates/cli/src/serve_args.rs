@@ -139,7 +139,7 @@ impl ServeArgs {
             most_jobs: self.jobs,
             keep_jobs: time(self.keep_jobs),
             cache_bytes: self.cache_bytes,
-            scripts: self.scripts.allow_scripts.then(|| Arc::new(self.scripts.maker(None)) as _),
+            scripts: Some(Arc::new(self.scripts.of_server())),
             grace: time(self.grace),
         })
     }

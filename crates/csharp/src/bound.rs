@@ -233,8 +233,6 @@ pub(crate) enum DynamicOp {
     Binary(crate::syntax::ast::BinaryOp),
     /// An operator of one operand.
     Unary(crate::syntax::ast::UnaryOp),
-    /// A conversion to a type.
-    Convert(Ty, bool),
     /// A delegate's call.
     Invoke,
 }

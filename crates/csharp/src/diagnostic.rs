@@ -35,13 +35,11 @@ pub struct Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: error ", self.at)?;
+        write!(f, "{}: error", self.at)?;
         if self.code > 0 {
-            write!(f, "CS{:04}: ", self.code)?
-        } else {
-            f.write_str(": ")?
+            write!(f, " CS{:04}", self.code)?;
         }
-        f.write_str(&self.message)
+        write!(f, ": {}", self.message)
     }
 }
 

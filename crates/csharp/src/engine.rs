@@ -9,6 +9,7 @@ use crate::program::{Key, Program};
 use crate::sema::{MethodId, Sema, Ty};
 use crate::source::{Location, SourceMap};
 use crate::syntax::{self, ast::Namespace};
+use crate::vb;
 use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 use crate::vm::{Limits, Raise, State, Stop};
@@ -21,6 +22,21 @@ pub enum Source<'a> {
     /// The three parts of a script component of Grasshopper 1, and the parameters of its `RunScript`.
     Parts {
         /// `using` lines beyond those that every component has.
+        using: &'a str,
+        /// The body of `RunScript`.
+        body: &'a str,
+        /// Further members of the class.
+        additional: &'a str,
+        /// The parameters of `RunScript`, as C# writes them.
+        parameters: &'a str,
+        /// What every component uses, as `using` lines.
+        usual: &'a str,
+        /// The base class, empty for none.
+        base: &'a str,
+    },
+    /// The same in VB; the parameters are as C# writes them.
+    Basic {
+        /// `Imports` lines beyond those that every component has.
         using: &'a str,
         /// The body of `RunScript`.
         body: &'a str,
@@ -93,10 +109,30 @@ fn declared(source: &Source<'_>, host: &dyn Host) -> Result<Declared, Vec<Diagno
         Source::Parts { using, body, additional, parameters, usual, base } => {
             parts(&mut map, using, body, additional, parameters, usual, base)
         }
+        Source::Basic { using, body, additional, parameters, usual, base } => {
+            sema.vb = true;
+            let (body, additional) = basic(body, additional, parameters)?;
+            parts(&mut map, &vb::imports(using), &body, &additional, parameters, usual, base)
+        }
     };
     let user = user.map_err(|f| located(&map, vec![f]))?;
     sema.declare(&[user], false);
     Ok((sema, map))
+}
+
+/// The body and the members of a component in VB as C#.
+fn basic(body: &str, additional: &str, parameters: &str) -> Result<(String, String), Vec<Diagnostic>> {
+    let wrong = |part: &str, (line, message): (usize, String)| {
+        let at = Location { part: part.into(), line: u32::try_from(line).unwrap_or(u32::MAX), column: 1 };
+        vec![Diagnostic { at, code: 0, message }]
+    };
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let name = |text: &str| text.split(|c: char| !is_part(c)).next().unwrap_or_default().to_owned();
+    let mut known: Vec<String> = parameters.split('@').skip(1).map(name).collect();
+    known.extend(vb::declared(additional).map_err(|w| wrong("additional", w))?);
+    let additional = vb::members(additional, &known).map_err(|w| wrong("additional", w))?;
+    let body = vb::body(body, &known).map_err(|w| wrong("script", w))?;
+    Ok((body, additional))
 }
 
 fn located(map: &SourceMap, mut faults: Vec<crate::diagnostic::Fault>) -> Vec<Diagnostic> {
@@ -240,6 +276,7 @@ impl Engine {
     }
 
     fn call_pinned(&mut self, method: MethodId, owner: Ty, args: &[Value]) -> Result<Value, Failure> {
+        self.state.renew();
         if let Some(init) = self.program.static_init(owner) {
             let (func, done) = self.program.static_inits[init as usize];
             if !done {
@@ -290,6 +327,17 @@ impl Engine {
     pub fn instance(&mut self, ty: Ty, fields: &[Value]) -> Value {
         self.program.layout(ty);
         Value::Ref(self.state.heap.add(Obj::Inst(ty, fields.into())))
+    }
+
+    /// A struct whose fields are all zero; null for any other type.
+    pub fn default_of(&mut self, ty: Ty) -> Value {
+        self.state.default_of(&mut self.program, ty)
+    }
+
+    /// What runs may use from now on.
+    pub fn limit(&mut self, limits: Limits) {
+        self.state.heap.limit = limits.bytes;
+        self.state.limits = limits;
     }
 
     /// A new `List<T>`, for use as an argument.

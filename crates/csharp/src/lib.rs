@@ -27,6 +27,7 @@ mod program;
 pub mod sema;
 mod source;
 mod syntax;
+mod vb;
 pub mod vm;
 
 pub use diagnostic::Diagnostic;

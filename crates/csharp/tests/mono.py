@@ -13,7 +13,7 @@ FOLDER = pathlib.Path(__file__).parent / "programs"
 
 def outcome(source, folder):
     program = pathlib.Path(folder) / (source.stem + ".exe")
-    made = subprocess.run(["mcs", "-langversion:latest", "-nowarn:0168,0219,0162,0164,0414,0649,0661,0659,0665,0183,0184,0108,0169,0472,0219,1717,0642,0251", f"-out:{program}", str(source)],
+    made = subprocess.run(["mcs", "-langversion:latest", "-r:Microsoft.CSharp", "-nowarn:0168,0219,0162,0164,0414,0649,0661,0659,0665,0183,0184,0108,0169,0472,0219,1717,0642,0251", f"-out:{program}", str(source)],
                           capture_output=True, text=True)
     if made.returncode:
         return "err", " ".join(sorted(set(re.findall(r"error (CS\d+)", made.stdout + made.stderr)))) + "\n"

@@ -28,7 +28,7 @@ mod task;
 mod to_script;
 
 pub use conductor::{Python, PythonMaker};
-pub use csharp::CSharp;
+pub use csharp::{CSharp, CSharpMaker, faults as csharp_faults};
 pub use fence::Fence;
 pub use interpreter::{Interpreter, find};
 pub use needs::{Examiner, Needs};

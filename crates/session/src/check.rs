@@ -2,12 +2,12 @@ use std::collections::BTreeMap;
 
 use katydid_component::registry;
 use katydid_definition::archive::Limits;
-use katydid_definition::document::{ClusterContent, Document, Object, Script};
+use katydid_definition::document::{ClusterContent, Document, Object, Script, ScriptLanguage};
 use serde::Serialize;
 use uuid::Uuid;
 
 /// What a definition needs, and whether it is there.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Default)]
+#[derive(Debug, Clone, Serialize, Default)]
 pub struct Check {
     /// The working objects: clusters opened, annotations left out.
     pub objects: usize,
@@ -15,13 +15,13 @@ pub struct Check {
     pub unsupported: Vec<Unsupported>,
     /// Whether nothing is missing.
     pub runnable: bool,
-    /// The scripts in Python, which whoever runs scripts has to look at: they are not missing by themselves.
+    /// The scripts, which whoever runs scripts has to look at: they are not missing by themselves.
     #[serde(skip)]
     pub scripts: Vec<ScriptObject>,
 }
 
 /// A script component.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct ScriptObject {
     /// Its name on the canvas.
     pub title: String,
@@ -29,6 +29,8 @@ pub struct ScriptObject {
     pub component: Uuid,
     /// Its script.
     pub script: Script,
+    /// The component, whose inputs and outputs are the variables of the script.
+    pub object: Object,
 }
 
 impl Check {
@@ -83,12 +85,13 @@ fn count(
         if object.is_annotation() {
             continue;
         }
-        if let Some(script) = object.script().filter(Script::is_python) {
+        if let Some(script) = object.script().filter(is_run) {
             objects += 1;
             scripts.push(ScriptObject {
                 title: object.title().to_owned(),
                 component: object.component,
                 script,
+                object: object.clone(),
             });
             continue;
         }
@@ -119,6 +122,11 @@ fn count(
         found.entry(key).or_insert_with(missing).count += 1;
     }
     objects
+}
+
+/// Whether scripts of its language are run.
+fn is_run(script: &Script) -> bool {
+    script.is_python() || matches!(script.language, ScriptLanguage::CSharp | ScriptLanguage::VisualBasic)
 }
 
 fn plugin(document: &Document, object: &Object) -> Option<String> {

@@ -14,13 +14,47 @@ impl Binder<'_> {
             Item::Methods(group) => self.call_group(pos, *group, args),
             item => {
                 let value = self.as_value(item, callee.pos);
+                if let Some(group) = self.extension_behind(callee, &value) {
+                    return self.call_group(pos, group, args);
+                }
                 self.call_value(pos, value, args)
             }
         }
     }
 
+    /// What is called where a property has the name of an extension method, such as `list.Count()`: members that cannot be
+    /// called do not hide methods that can (C# specification, 12.8.7.1).
+    fn extension_behind(&mut self, callee: &ast::Expr, value: &Expr) -> Option<Group> {
+        let ast::ExprKind::Member(_, part) = &callee.kind else { return None };
+        let Kind::Prop(Some(receiver), ..) = &value.kind else { return None };
+        if self.is_vb() || value.ty == Ty::DYNAMIC || self.is_delegate(value.ty) {
+            return None;
+        }
+        if self.visible_extensions(&part.name).is_empty() {
+            return None;
+        }
+        Some(Group {
+            pos: part.pos,
+            receiver: Some((**receiver).clone()),
+            on: None,
+            name: part.name.clone(),
+            type_args: Vec::new(),
+            candidates: Vec::new(),
+            base: false,
+            color: None,
+        })
+    }
+
+    fn is_delegate(&self, ty: Ty) -> bool {
+        self.sema.def_of(ty).is_some_and(|def| self.sema.def(def).invoke.is_some())
+    }
+
     /// The call of a delegate that is a value.
     fn call_value(&mut self, pos: Pos, value: Expr, args: &[ast::Arg]) -> Expr {
+        if self.is_vb() && value.ty != Ty::ERROR && value.ty != Ty::DYNAMIC && !self.is_delegate(value.ty) {
+            // In VB parentheses stand for elements too, and behind a property for nothing.
+            return if args.is_empty() { value } else { self.element(pos, value, args) };
+        }
         if value.ty == Ty::ERROR {
             for arg in args {
                 self.speculate(|b| b.item(&arg.value));

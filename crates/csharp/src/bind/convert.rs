@@ -149,9 +149,7 @@ impl Binder<'_> {
             },
             Conversion::Enum => self.enum_conversion(value, to),
             Conversion::Down => conv(Conv::Cast, value),
-            Conversion::Dynamic => {
-                make(to, pos, Kind::Dynamic(crate::bound::DynamicOp::Convert(to, false), vec![value]))
-            }
+            Conversion::Dynamic => self.dynamic_as(pos, value, to),
             Conversion::ToNullable(inner) => {
                 let target = self.sema.nullable_of(to).unwrap_or(to);
                 let value = self.apply(value, inner, target);
@@ -293,7 +291,7 @@ impl Binder<'_> {
             return self.wrong(pos);
         }
         if value.ty == Ty::DYNAMIC && to != Ty::DYNAMIC && to != self.sema.known.object {
-            return make(to, pos, Kind::Dynamic(crate::bound::DynamicOp::Convert(to, true), vec![value]));
+            return self.dynamic_as(pos, value, to);
         }
         if self.constant_fits(&value, to) {
             return self.constant_as(value, to);

@@ -164,6 +164,11 @@ pub(crate) struct Binder<'a> {
 const MAX_NESTING: u32 = 500;
 
 impl<'a> Binder<'a> {
+    /// Whether what is bound was written in VB: the library never was.
+    fn is_vb(&self) -> bool {
+        self.sema.vb && !self.sema.def(self.def).library
+    }
+
     fn new(sema: &'a mut Sema, def: DefId, is_static: bool, params: &[ParamId]) -> Self {
         let this = sema.open(def);
         Self {

@@ -162,10 +162,23 @@ impl Binder<'_> {
             if comparison && (x.ty == Ty::NULL || y.ty == Ty::NULL) {
                 return self.same_object(pos, op, x, y);
             }
-            return make(Ty::DYNAMIC, pos, Kind::Dynamic(DynamicOp::Binary(op), vec![x, y]));
+            return match self.dynamic_user(pos, op, &x, &y) {
+                Some(result) => result,
+                None => self.dynamic_binary(pos, op, x, y),
+            };
         }
         if let Some(method) = self.user_binary(op, &x, &y) {
             return self.user_call(pos, op, method, x, y);
+        }
+        let (mut x, mut y) = (x, y);
+        if op == BinaryOp::Div && self.is_vb() {
+            // VB divides whole numbers to a number with decimals.
+            let double = self.sema.known.double;
+            let is_whole = |b: &Self, e: &Expr| b.sema.prim(e.ty).is_some_and(crate::sema::Prim::is_integral);
+            if is_whole(self, &x) && is_whole(self, &y) {
+                x = self.numeric_operand(x, double).unwrap_or_else(|| self.wrong(pos));
+                y = self.numeric_operand(y, double).unwrap_or_else(|| self.wrong(pos));
+            }
         }
         let string = self.sema.known.string;
         if op == BinaryOp::Add && (x.ty == string || y.ty == string) {
@@ -182,6 +195,64 @@ impl Binder<'_> {
             return result;
         }
         self.no_operator(pos, op, &x, &y)
+    }
+
+    /// An operator of a type of its own beside a value that is known when it runs: that is taken for a number.
+    fn dynamic_user(&mut self, pos: Pos, op: BinaryOp, x: &Expr, y: &Expr) -> Option<Expr> {
+        let double = self.sema.known.double;
+        let is_own = |b: &Self, e: &Expr| b.sema.is_struct(e.ty) && b.sema.prim(e.ty).is_none();
+        let (x, y) = match (x.ty == Ty::DYNAMIC, y.ty == Ty::DYNAMIC) {
+            (true, false) if is_own(self, y) => (self.dynamic_as(pos, x.clone(), double), y.clone()),
+            (false, true) if is_own(self, x) => (x.clone(), self.dynamic_as(pos, y.clone(), double)),
+            _ => return None,
+        };
+        let method = self.user_binary(op, &x, &y)?;
+        Some(self.user_call(pos, op, method, x, y))
+    }
+
+    /// An operator whose operands are known when it runs: the library's, for numbers, texts and truth values.
+    fn dynamic_binary(&mut self, pos: Pos, op: BinaryOp, x: Expr, y: Expr) -> Expr {
+        let object = self.sema.known.object;
+        match self.dynamic_method(method_of(op)) {
+            Some(method) => {
+                let args = [x, y].map(|e| {
+                    let at = e.pos;
+                    let e = if e.ty == Ty::DYNAMIC {
+                        self.retyped(e, object)
+                    } else {
+                        self.convert(super::Item::Value(e), object, at)
+                    };
+                    (ast::Passing::Value, e)
+                });
+                make(Ty::DYNAMIC, pos, Kind::Call(None, method, args.into(), false))
+            }
+            None => make(Ty::DYNAMIC, pos, Kind::Dynamic(DynamicOp::Binary(op), vec![x, y])),
+        }
+    }
+
+    /// A value whose type is known when it runs, as another type: numbers widen, objects are cast.
+    pub(super) fn dynamic_as(&mut self, pos: Pos, value: Expr, to: Ty) -> Expr {
+        let object = self.sema.known.object;
+        let value = self.retyped(value, object);
+        // VB reads texts as numbers.
+        let method = if self.is_vb() { "ReadDouble" } else { "ToDouble" };
+        match self.dynamic_method(method) {
+            Some(method) if to == self.sema.known.double => {
+                make(to, pos, Kind::Call(None, method, vec![(ast::Passing::Value, value)], false))
+            }
+            _ => self.cast(pos, super::Item::Value(value), to),
+        }
+    }
+
+    fn dynamic_method(&mut self, name: &str) -> Option<MethodRef> {
+        let name: ast::Name = name.into();
+        let found = self.sema.library("", "__Dynamic", 0).map(|def| self.sema.named(def, &[]));
+        found.and_then(|owner| {
+            self.sema.members(owner, &name).into_iter().find_map(|(_, member)| match member {
+                crate::sema::Member::Method(id) => Some(MethodRef { id, owner, args: Vec::new() }),
+                _ => None,
+            })
+        })
     }
 
     fn delegate_sum(&mut self, pos: Pos, op: BinaryOp, x: &Expr, y: &Expr) -> Option<Expr> {

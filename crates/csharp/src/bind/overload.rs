@@ -318,7 +318,11 @@ impl Binder<'_> {
         for (i, param) in pairs(&filled) {
             let (passing, ty) = params[param];
             let given = args.get(i).map_or(Passing::Value, |a| a.passing);
-            if given != passing && !(passing == Passing::In && given == Passing::Value) {
+            // VB hands variables over by reference without a word.
+            let silent = given == Passing::Value
+                && self.is_vb()
+                && matches!(items.get(i), Some(Item::Value(v)) if matches!(v.kind, Kind::Local(_) | Kind::Field(..) | Kind::Element(..)));
+            if given != passing && !silent && !(passing == Passing::In && given == Passing::Value) {
                 return Err(Refusal::Passing(i, passing));
             }
             let Some(item) = items.get(i) else { return Err(Refusal::Count) };
@@ -455,6 +459,12 @@ impl Binder<'_> {
                 }
                 if value.ty == y {
                     return Ordering::Less;
+                }
+                if value.ty == Ty::DYNAMIC {
+                    // The choice belongs to the run: here what takes most values is taken.
+                    let known = self.sema.known;
+                    let rank = |ty: Ty| usize::from(ty == known.double) + 2 * usize::from(ty == known.object);
+                    return rank(x).cmp(&rank(y));
                 }
             }
             Item::Lambda(_, source) => {

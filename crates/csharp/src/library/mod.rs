@@ -30,6 +30,8 @@ pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("time.cs", include_str!("cs/time.cs")),
     ("guid.cs", include_str!("cs/guid.cs")),
     ("drawing.cs", include_str!("cs/drawing.cs")),
+    ("dynamic.cs", include_str!("cs/dynamic.cs")),
+    ("vb.cs", include_str!("cs/vb.cs")),
 ];
 
 /// A function of the library: it finds its arguments in the call.
@@ -151,6 +153,11 @@ impl Cx<'_> {
     pub fn instance(&mut self, ty: Ty, fields: &[Value]) -> Value {
         self.program.layout(ty);
         Value::Ref(self.st.heap.add(Obj::Inst(ty, fields.into())))
+    }
+
+    /// A struct whose fields are all zero; null for any other type.
+    pub fn default_of(&mut self, ty: Ty) -> Value {
+        self.st.default_of(self.program, ty)
     }
 
     /// A new object of the host.

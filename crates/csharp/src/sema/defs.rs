@@ -205,6 +205,13 @@ pub struct ParamDef {
     pub default: Option<Arc<ast::Expr>>,
 }
 
+impl ParamDef {
+    /// Whether it takes a value, and no reference to a variable.
+    pub fn is_value(&self) -> bool {
+        self.passing == Passing::Value
+    }
+}
+
 /// What a method does.
 #[derive(Debug, Clone)]
 pub enum Body {

@@ -27,7 +27,21 @@ impl Sema {
                 found.extend(list.iter().map(|m| (owner, *m)));
             }
         }
+        if found.is_empty() && self.vb {
+            if let Some(other) = self.in_any_case(ty, name) {
+                return self.members(ty, &other);
+            }
+        }
         found
+    }
+
+    /// The spelling of a public member whose name is the same but for capitals.
+    fn in_any_case(&mut self, ty: Ty, name: &Name) -> Option<Name> {
+        let types = self.member_types(ty);
+        let defs = types.into_iter().filter_map(|owner| self.def_of(owner));
+        let mut names: Vec<&Name> = defs.flat_map(|def| self.def(def).members.keys()).collect();
+        names.retain(|own| own.eq_ignore_ascii_case(name) && *own != name);
+        names.into_iter().min().cloned()
     }
 
     /// Whether code in a type may use a member.

@@ -56,6 +56,8 @@ pub struct Sema {
     pub declared_before: usize,
     /// Faults so far.
     pub faults: Vec<Fault>,
+    /// Whether the program was written in VB: names are found in any case, and more.
+    pub vb: bool,
 }
 
 /// Types that the language knows.

@@ -213,6 +213,12 @@ impl Sema {
             let args: Vec<_> = part.args.iter().map(|arg| self.resolve(arg, scope)).collect();
             return Some(Resolved::Type(self.with_args(def, args)));
         }
+        if self.vb
+            && let Some(name) = self.type_in_any_case(namespace, &part.name)
+        {
+            let part = NamePart { name, ..part.clone() };
+            return self.in_namespace(namespace, &part, arity, scope);
+        }
         if arity == 0 {
             let name = if namespace.is_empty() {
                 part.name.to_string()
@@ -224,6 +230,19 @@ impl Sema {
             }
         }
         None
+    }
+
+    /// The spelling of a type whose name is the same but for capitals.
+    fn type_in_any_case(
+        &self,
+        namespace: &str,
+        name: &crate::syntax::ast::Name,
+    ) -> Option<crate::syntax::ast::Name> {
+        let all = self
+            .by_name
+            .keys()
+            .filter(|(space, own)| space == namespace && own.eq_ignore_ascii_case(name) && own != name);
+        all.map(|(_, own)| own.clone()).min()
     }
 
     /// A type inside another, or inside one of its base classes.

@@ -123,6 +123,12 @@ impl State {
         }
     }
 
+    /// Steps and printed text count for each run anew.
+    pub(crate) fn renew(&mut self) {
+        self.steps = self.limits.steps;
+        self.printed = 0;
+    }
+
     /// The type of a value at run time.
     pub fn type_of(&self, value: Value, sema: &Sema) -> Ty {
         let prim = |p: Prim| self.prims[p as usize];

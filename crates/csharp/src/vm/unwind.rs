@@ -24,6 +24,14 @@ impl State {
         Value::Ref(self.heap.add(Obj::Inst(ty, fields)))
     }
 
+    /// A struct whose fields are all zero; null for any other type.
+    pub(crate) fn default_of(&mut self, program: &mut Program, ty: Ty) -> Value {
+        match program.start(ty) {
+            Start::Value(value) => value,
+            Start::Struct(ty) => self.instance(program, ty),
+        }
+    }
+
     /// An exception of the library as an object; its message is its first field.
     pub(crate) fn exception(&mut self, program: &mut Program, name: &str, message: &str) -> Value {
         let found = ["System", "System.Collections.Generic"]

@@ -4,12 +4,12 @@ use katydid_csharp::sema::{Prim, Sema, Ty};
 use katydid_csharp::vm::State;
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::{Cx, Engine, Value as Net};
-use katydid_geometry::{BoundingBox, Circle, Interval, Line, Plane, Point2, Point3, Vector3};
 use katydid_members::{Shape, Value};
 
-use super::declare::is_of_intersections;
+use super::declare::namespace;
+use super::structs;
 
-const GEOMETRY: &str = "Rhino.Geometry";
+pub(super) const GEOMETRY: &str = "Rhino.Geometry";
 /// How deep values stand in one another at most.
 const DEPTH: usize = 64;
 
@@ -18,6 +18,8 @@ pub(super) trait Machine {
     fn state(&mut self) -> &mut State;
     fn sema(&mut self) -> &mut Sema;
     fn made(&mut self, ty: Ty, fields: &[Net]) -> Net;
+    /// A struct whose fields are all zero.
+    fn zero(&mut self, ty: Ty) -> Net;
 }
 
 impl Machine for Engine {
@@ -30,6 +32,9 @@ impl Machine for Engine {
     fn made(&mut self, ty: Ty, fields: &[Net]) -> Net {
         self.instance(ty, fields)
     }
+    fn zero(&mut self, ty: Ty) -> Net {
+        self.default_of(ty)
+    }
 }
 
 impl Machine for Cx<'_> {
@@ -41,6 +46,9 @@ impl Machine for Cx<'_> {
     }
     fn made(&mut self, ty: Ty, fields: &[Net]) -> Net {
         self.instance(ty, fields)
+    }
+    fn zero(&mut self, ty: Ty) -> Net {
+        self.default_of(ty)
     }
 }
 
@@ -61,75 +69,82 @@ fn array(m: &mut impl Machine, element: Ty, items: Vec<Net>) -> Net {
     Net::Ref(m.state().heap.add(Obj::Array(ty, items, None)))
 }
 
-/// A struct of Rhino.Geometry by its fields.
-fn of_fields(m: &mut impl Machine, name: &str, fields: &[Net]) -> Option<Net> {
-    let ty = named(m, GEOMETRY, name)?;
-    Some(m.made(ty, fields))
-}
-
-fn point(m: &mut impl Machine, p: Point3) -> Option<Net> {
-    of_fields(m, "Point3d", &[p.x, p.y, p.z].map(Net::F64))
-}
-
-fn vector(m: &mut impl Machine, v: Vector3) -> Option<Net> {
-    of_fields(m, "Vector3d", &[v.x, v.y, v.z].map(Net::F64))
-}
-
-fn plane(m: &mut impl Machine, own: &Plane) -> Option<Net> {
-    let fields =
-        [point(m, own.origin)?, vector(m, own.x_axis)?, vector(m, own.y_axis)?, vector(m, own.z_axis)?];
-    of_fields(m, "Plane", &fields)
-}
-
 /// The value as a program has it; none for what it has no type for.
 pub(super) fn to_csharp(m: &mut impl Machine, value: &Value) -> Option<Net> {
     Some(match value {
         Value::Null => Net::Null,
         Value::Bool(flag) => Net::Bool(*flag),
-        Value::Int(whole) => i32::try_from(*whole).map_or(Net::I64(*whole), Net::I32),
+        Value::Int(whole) | Value::Enum(_, whole) => i32::try_from(*whole).map_or(Net::I64(*whole), Net::I32),
         Value::Number(x) => Net::F64(*x),
         Value::Text(text) => m.state().text(text),
-        Value::Point(p) => point(m, *p)?,
-        Value::Vector(v) => vector(m, *v)?,
-        Value::Point2(p) => of_fields(m, "Point2d", &[p.x, p.y].map(Net::F64))?,
-        Value::Interval(i) => of_fields(m, "Interval", &[i.start, i.end].map(Net::F64))?,
-        Value::Plane(own) => plane(m, own)?,
-        Value::Line(line) => {
-            let ends = [point(m, line.from)?, point(m, line.to)?];
-            of_fields(m, "Line", &ends)?
+        Value::Geometry(geometry) => shape(m, &geometry.shape)?,
+        Value::Path(indices) => {
+            let int = m.sema().known.int;
+            let indices = indices.iter().map(|i| Net::I32(*i)).collect();
+            let indices = array(m, int, indices);
+            let ty = named(m, "Grasshopper.Kernel.Data", "GH_Path")?;
+            m.made(ty, &[indices])
         }
-        Value::BoundingBox(bounds) => {
-            let corners = [point(m, bounds.min)?, point(m, bounds.max)?];
-            of_fields(m, "BoundingBox", &corners)?
+        Value::Colour(c) => {
+            let argb = u32::from_be_bytes([c.a, c.r, c.g, c.b]);
+            with_fields(m, "System.Drawing", "Color", &[(0, Net::U32(argb)), (2, Net::Bool(true))])?
         }
-        Value::Circle(circle) => {
-            let fields = [plane(m, &circle.plane)?, Net::F64(circle.radius)];
-            of_fields(m, "Circle", &fields)?
+        Value::Guid(id) => {
+            let (first, second) = id.as_u64_pair();
+            with_fields(m, "System", "Guid", &[(0, Net::U64(first)), (1, Net::U64(second))])?
+        }
+        Value::Time(ticks) => with_fields(m, "System", "DateTime", &[(0, Net::I64(*ticks))])?,
+        Value::Complex(z) => {
+            built(m, "System.Numerics", "Complex", &[Value::Number(z.re), Value::Number(z.im)])?
         }
         Value::Polyline(points) => {
-            let points = points.iter().map(|p| point(m, *p)).collect::<Option<Vec<_>>>()?;
+            let points =
+                points.iter().map(|p| to_csharp(m, &Value::Point(*p))).collect::<Option<Vec<_>>>()?;
             let element = named(m, GEOMETRY, "Point3d")?;
             let points = list(m, element, points)?;
-            of_fields(m, "Polyline", &[points])?
+            let ty = named(m, GEOMETRY, "Polyline")?;
+            m.made(ty, &[points])
         }
-        Value::Geometry(geometry) => shape(m, &geometry.shape)?,
         other => {
+            if let Some((namespace, name, fields)) = structs::fields(other) {
+                return built(m, namespace, name, &fields);
+            }
             let items = other.items()?;
-            let element = element_type(m, items.first())?;
+            let element = element_type(m, items.iter().find(|item| **item != Value::Null))?;
             let items = items.iter().map(|item| to_csharp(m, item)).collect::<Option<Vec<_>>>()?;
             array(m, element, items)
         }
     })
 }
 
+/// A struct of the library with some of its fields set.
+fn with_fields(m: &mut impl Machine, namespace: &str, name: &str, values: &[(usize, Net)]) -> Option<Net> {
+    let ty = named(m, namespace, name)?;
+    let made = m.zero(ty);
+    if let Net::Ref(handle) = made
+        && let Some(Obj::Inst(_, fields)) = m.state().heap.get_mut(handle)
+    {
+        for (place, value) in values {
+            *fields.get_mut(*place)? = *value;
+        }
+    }
+    Some(made)
+}
+
+/// A struct of its fields.
+fn built(m: &mut impl Machine, namespace: &str, name: &str, fields: &[Value]) -> Option<Net> {
+    let ty = named(m, namespace, name)?;
+    let fields = fields.iter().map(|field| to_csharp(m, field)).collect::<Option<Vec<_>>>()?;
+    Some(m.made(ty, &fields))
+}
+
 fn shape(m: &mut impl Machine, shape: &Shape) -> Option<Net> {
     let class = shape.class();
-    let namespace = if is_of_intersections(class) { "Rhino.Geometry.Intersect" } else { GEOMETRY };
-    let ty = named(m, namespace, class).or_else(|| named(m, GEOMETRY, "GeometryBase"))?;
+    let ty = named(m, namespace(class), class).or_else(|| named(m, GEOMETRY, "GeometryBase"))?;
     Some(Net::Ref(m.state().heap.add(Obj::Host(ty, Box::new(shape.clone())))))
 }
 
-/// The type of an array's elements, by the first.
+/// The type of an array's elements, by the first that is not null.
 fn element_type(m: &mut impl Machine, first: Option<&Value>) -> Option<Ty> {
     let known = m.sema().known;
     Some(match first {
@@ -137,18 +152,27 @@ fn element_type(m: &mut impl Machine, first: Option<&Value>) -> Option<Ty> {
         Some(Value::Int(_)) => known.int,
         Some(Value::Bool(_)) => known.bool,
         Some(Value::Text(_)) => known.string,
-        Some(Value::Point(_)) => named(m, GEOMETRY, "Point3d")?,
-        Some(Value::Vector(_)) => named(m, GEOMETRY, "Vector3d")?,
-        Some(Value::Plane(_)) => named(m, GEOMETRY, "Plane")?,
-        Some(Value::Line(_)) => named(m, GEOMETRY, "Line")?,
         Some(Value::Geometry(geometry)) => match &geometry.shape {
-            Shape::Curve(_) | Shape::Edge(..) => named(m, GEOMETRY, "Curve")?,
-            Shape::Brep(_) => named(m, GEOMETRY, "Brep")?,
-            Shape::Surface(_) | Shape::Face(..) => named(m, GEOMETRY, "Surface")?,
-            Shape::Mesh(_) => named(m, GEOMETRY, "Mesh")?,
-            _ => known.object,
+            Shape::Curve(_) => named(m, GEOMETRY, "Curve")?,
+            Shape::Surface(_) => named(m, GEOMETRY, "Surface")?,
+            Shape::Record(record) => named(m, namespace(record.class), record.class).unwrap_or(known.object),
+            shape => named(m, GEOMETRY, shape.class()).unwrap_or(known.object),
         },
-        _ => known.object,
+        Some(value) => {
+            let nested = match value.items() {
+                Some(items) if structs::fields(value).is_none() => {
+                    let element = element_type(m, items.first())?;
+                    Some(m.sema().array(element, 1))
+                }
+                _ => None,
+            };
+            match (nested, structs::fields(value)) {
+                (Some(nested), _) => nested,
+                (None, Some((namespace, name, _))) => named(m, namespace, name).unwrap_or(known.object),
+                (None, None) => known.object,
+            }
+        }
+        None => known.object,
     })
 }
 
@@ -159,17 +183,8 @@ pub(super) fn fitted(m: &mut impl Machine, value: Net, ty: Ty) -> Net {
         (Some(Prim::F64), value) => value.real().map_or(value, Net::F64),
         (Some(Prim::I32), Net::Null) => Net::I32(0),
         (Some(Prim::Bool), Net::Null) => Net::Bool(false),
-        (None, Net::Null) if m.sema().is_struct(ty) => {
-            let name = m.sema().full_name(ty);
-            let zero = match name.rsplit('.').next() {
-                Some("Point3d") => Value::Point(Point3::ORIGIN),
-                Some("Vector3d") => Value::Vector(Vector3::new(0.0, 0.0, 0.0)),
-                Some("Interval") => Value::Interval(Interval::new(0.0, 0.0)),
-                Some("Line") => Value::Line(Line::new(Point3::ORIGIN, Point3::ORIGIN)),
-                _ => Value::Plane(Plane::XY),
-            };
-            to_csharp(m, &zero).unwrap_or(Net::Null)
-        }
+        // A struct is no reference: what is missing is one whose fields are all zero, as .NET's default.
+        (None, Net::Null) if m.sema().is_struct(ty) => m.zero(ty),
         (_, value) => value,
     }
 }
@@ -209,16 +224,44 @@ fn read(m: &mut impl Machine, value: Net, depth: usize) -> Result<Value, String>
         other => return Err(kind_of(other).to_owned()),
     };
     let name = m.sema().full_name(ty);
+    if let ("System.Guid", [Net::U64(first), Net::U64(second)]) = (name.as_str(), fields.as_slice()) {
+        return Ok(Value::Guid(uuid::Uuid::from_u64_pair(*first, *second)));
+    }
     let parts =
         |m: &mut _| fields.iter().map(|field| read(m, *field, depth)).collect::<Result<Vec<Value>, String>>();
     let start = name.split(['<', '`']).next().unwrap_or_default();
-    Ok(match (start, fields.len()) {
-        ("Grasshopper.DataTree", 2) => tree(parts(m)?),
-        (start, _) if start.starts_with("Rhino.Geometry.") || start == "Grasshopper.Kernel.Data.GH_Path" => {
-            structure(start.rsplit('.').next().unwrap_or_default(), &parts(m)?).ok_or(name)?
+    let short = start.rsplit('.').next().unwrap_or_default();
+    Ok(match start {
+        "Grasshopper.DataTree" => {
+            let own: Vec<Net> = fields.iter().take(2).copied().collect();
+            tree(own.into_iter().map(|field| read(m, field, depth)).collect::<Result<_, _>>()?)
         }
-        _ => return Err(name),
+        // A list of an object stands for its object.
+        _ if start.starts_with("Rhino.Geometry.Collections.") => match fields.first() {
+            Some(owner) => read(m, *owner, depth)?,
+            None => return Err(name),
+        },
+        _ if start.starts_with("Grasshopper.Kernel.Types.GH_") => match fields.first() {
+            Some(held) => read(m, *held, depth)?,
+            None => return Err(name),
+        },
+        "Rhino.Geometry.MeshingParameters"
+        | "Rhino.Geometry.Cylinder"
+        | "Rhino.Geometry.Cone"
+        | "Rhino.Geometry.Torus"
+        | "Rhino.Geometry.Ray3d" => {
+            let names = field_names(m, ty);
+            Value::Map(names.into_iter().map(Value::Text).zip(parts(m)?).collect())
+        }
+        _ => structs::of_fields(short, &parts(m)?).ok_or(name)?,
     })
+}
+
+/// The names of the fields of a type's objects.
+fn field_names(m: &mut impl Machine, ty: Ty) -> Vec<String> {
+    let sema = m.sema();
+    let fields = sema.def_of(ty).map(|def| sema.def(def).fields.clone()).unwrap_or_default();
+    fields.into_iter().map(|field| sema.field(field).name.to_string()).collect()
 }
 
 fn kind_of(object: &Obj) -> &'static str {
@@ -237,38 +280,4 @@ fn tree(parts: Vec<Value>) -> Value {
     let path = |path: Value| if let Value::Path(path) = path { path } else { Vec::new() };
     let branches = branches.into_iter().map(|branch| branch.items().unwrap_or_default());
     Value::Tree(paths.into_iter().map(path).zip(branches).collect())
-}
-
-/// A struct of its fields.
-fn structure(name: &str, parts: &[Value]) -> Option<Value> {
-    Some(match (name, parts) {
-        ("Point3d", [Value::Number(x), Value::Number(y), Value::Number(z)]) => {
-            Value::Point(Point3::new(*x, *y, *z))
-        }
-        ("Vector3d", [Value::Number(x), Value::Number(y), Value::Number(z)]) => {
-            Value::Vector(Vector3::new(*x, *y, *z))
-        }
-        ("Point2d", [Value::Number(x), Value::Number(y)]) => Value::Point2(Point2::new(*x, *y)),
-        ("Interval", [Value::Number(a), Value::Number(b)]) => Value::Interval(Interval::new(*a, *b)),
-        ("Plane", [Value::Point(origin), Value::Vector(x), Value::Vector(y), Value::Vector(z)]) => {
-            Value::Plane(Plane { origin: *origin, x_axis: *x, y_axis: *y, z_axis: *z })
-        }
-        ("Line", [Value::Point(from), Value::Point(to)]) => Value::Line(Line::new(*from, *to)),
-        ("BoundingBox", [Value::Point(min), Value::Point(max)]) => {
-            Value::BoundingBox(Box::new(BoundingBox { min: *min, max: *max }))
-        }
-        ("Circle", [Value::Plane(plane), Value::Number(radius)]) => {
-            Value::Circle(Box::new(Circle { plane: *plane, radius: *radius }))
-        }
-        ("Polyline", [points]) => {
-            let points = points.items()?;
-            let point = |value: Value| if let Value::Point(p) = value { Some(p) } else { None };
-            Value::Polyline(points.into_iter().map(point).collect::<Option<_>>()?)
-        }
-        ("GH_Path", [indices]) => {
-            let index = |value: Value| if let Value::Int(i) = value { i32::try_from(i).ok() } else { None };
-            Value::Path(indices.items()?.into_iter().map(index).collect::<Option<_>>()?)
-        }
-        _ => return None,
-    })
 }

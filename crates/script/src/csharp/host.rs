@@ -4,16 +4,48 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::time::Instant;
 
 use katydid_component::{Cancel, Limits};
+use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
 use katydid_csharp::{Cx, Host, Raise, Stop};
+use katydid_data::cast::Rules;
+use katydid_geometry::Patience;
 use katydid_members::geometry::{Waiting, endpoints};
 use katydid_members::{Cause, Fault, Shape, Value};
 
+use super::breps::{self, Extracted};
 use super::convert::{from_csharp, to_csharp};
-use super::declare;
+use super::{declare, enums};
 
 /// The declarations, which all scripts share.
-static DECLARATIONS: LazyLock<String> = LazyLock::new(|| declare::declarations(&endpoints().members()));
+pub(super) static DECLARATIONS: LazyLock<String> =
+    LazyLock::new(|| declare::declarations(&endpoints().members()));
+
+/// What the members of the table are called, each once, in order.
+static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let signatures = endpoints().members();
+    let names = signatures.iter().filter_map(|text| Some(text.split_once('(')?.0.to_owned()));
+    let records = RECORDS
+        .iter()
+        .flat_map(|(class, fields)| fields.iter().map(move |field| format!("{class}.get_{field}")));
+    let mut names: Vec<String> = names.chain(records).chain(breps::MEMBERS.map(str::to_owned)).collect();
+    names.sort();
+    names.dedup();
+    names
+});
+
+/// Properties that no member of the table is: of the document, and of results of named values.
+const RECORDS: [(&str, &[&str]); 4] = [
+    (
+        "RhinoDoc",
+        &["ModelAbsoluteTolerance", "ModelAngleToleranceRadians", "ModelAngleToleranceDegrees", "UnitNumber"],
+    ),
+    ("BrepLoop", &["LoopIndex", "Face", "To3dCurve"]),
+    ("BrepVertex", &["VertexIndex", "Location", "EdgeIndices"]),
+    (
+        "SurfaceCurvature",
+        &["UVPoint", "Point", "Normal", "Gaussian", "Mean", "Kappa1", "Kappa2", "Direction1", "Direction2"],
+    ),
+];
 
 /// What a script's run may use, and what it printed: shared by its host and by whoever runs it.
 #[derive(Debug, Default)]
@@ -21,29 +53,39 @@ pub(super) struct Turn {
     pub(super) limits: Limits,
     pub(super) cancel: Cancel,
     pub(super) end: Option<Instant>,
+    /// Units and tolerances.
+    pub(super) rules: Rules,
     pub(super) printed: String,
 }
 
 impl Turn {
     fn is_over(&self) -> bool {
-        self.cancel.is_cancelled() || self.end.is_some_and(|end| Instant::now() >= end)
+        self.cancel.is_cancelled() || Patience::is_over() || self.end.is_some_and(|end| Instant::now() >= end)
     }
 }
 
 /// The host of one script.
 pub(super) struct ScriptHost {
     pub(super) turn: Arc<Mutex<Turn>>,
-    /// The members that the script's declarations name, as the table calls them.
-    pub(super) names: Vec<String>,
+    /// Breps that faces were taken out of.
+    extracted: Extracted,
 }
 
 impl ScriptHost {
     pub(super) fn new(turn: Arc<Mutex<Turn>>) -> Self {
-        let signatures = endpoints().members();
-        let mut names: Vec<String> =
-            signatures.iter().filter_map(|text| Some(text.split_once('(')?.0.to_owned())).collect();
-        names.dedup();
-        Self { turn, names }
+        Self { turn, extracted: Extracted::default() }
+    }
+
+    /// What the document says of units and tolerances; none for another member.
+    fn document(&self, name: &str) -> Option<Net> {
+        let turn = self.turn();
+        let tolerance = turn.rules.tolerance;
+        Some(match name.strip_prefix("RhinoDoc.get_")? {
+            "ModelAbsoluteTolerance" => Net::F64(tolerance.absolute),
+            "ModelAngleToleranceRadians" => Net::F64(tolerance.angle),
+            "ModelAngleToleranceDegrees" => Net::F64(tolerance.angle.to_degrees()),
+            _ => Net::I32(enums::number("UnitSystem", &format!("{:?}", turn.rules.units)).unwrap_or(0)),
+        })
     }
 
     fn turn(&self) -> std::sync::MutexGuard<'_, Turn> {
@@ -57,14 +99,16 @@ impl Host for ScriptHost {
     }
 
     fn member(&self, key: &str) -> Option<u32> {
-        let name = key.split_once('(')?.0;
-        let place = self.names.binary_search_by(|own| own.as_str().cmp(name)).ok()?;
-        u32::try_from(place).ok()
+        let name = key.split_once('(')?.0.replacen("raw_", "", 1);
+        u32::try_from(NAMES.binary_search(&name).ok()?).ok()
     }
 
     fn call(&mut self, member: u32, cx: &mut Cx<'_>) -> Result<Net, Raise> {
         let missing = || Raise::Stop(Stop::NotSupported("This member".to_owned()));
-        let name = self.names.get(member as usize).ok_or_else(missing)?;
+        let name = NAMES.get(member as usize).ok_or_else(missing)?;
+        if let Some(value) = self.document(name) {
+            return Ok(value);
+        }
         let waiting = {
             let turn = self.turn();
             let left = turn.end.map(|end| end.saturating_duration_since(Instant::now()));
@@ -82,14 +126,20 @@ impl Host for ScriptHost {
                 }
             }
         }
-        let reply = endpoints().call_member(name, &arguments, &waiting).map_err(raised)?;
-        if let Some(shape) = reply.changed {
-            let object = cx.arg(0);
+        let (value, changed) = match breps::call(name, &arguments, &mut self.extracted) {
+            Some(given) => given.map_err(raised)?,
+            None => {
+                let reply = endpoints().call_member(name, &arguments, &waiting).map_err(raised)?;
+                (reply.value, reply.changed)
+            }
+        };
+        if let Some(shape) = changed {
+            let object = owner(cx, cx.arg(0));
             if let Some(own) = cx.host_data_mut::<Shape>(object) {
                 *own = shape;
             }
         }
-        give(name, reply.value, &outs, cx)
+        give(name, value, &outs, cx)
     }
 
     fn write(&mut self, text: &str) {
@@ -101,20 +151,31 @@ impl Host for ScriptHost {
     }
 }
 
+/// The object that changes: that of a list, for the list.
+fn owner(cx: &Cx<'_>, object: Net) -> Net {
+    match object {
+        Net::Ref(handle) if matches!(cx.st.heap.get(handle), Obj::Inst(..)) => cx.field(object, 0),
+        object => object,
+    }
+}
+
 /// The result of a member as the program has it; what stands behind it goes to the `out` parameters.
 fn give(name: &str, value: Value, outs: &[usize], cx: &mut Cx<'_>) -> Result<Net, Raise> {
-    let (value, rest) = match value {
-        Value::List(items) if !outs.is_empty() => {
+    let (value, rest) = match value.items() {
+        Some(items) if !outs.is_empty() => {
             let mut items = items.into_iter();
             (items.next().unwrap_or(Value::Null), items.collect())
         }
-        value => (value, Vec::new()),
+        _ => (value, Vec::new()),
     };
     let refused =
         |value: &Value| Raise::Stop(Stop::NotSupported(format!("{} as the result of {name}", value.noun())));
     for (place, value) in outs.iter().zip(rest) {
         let made = to_csharp(cx, &value).ok_or_else(|| refused(&value))?;
-        cx.set(*place, made);
+        // What was not found leaves the variable as it began: a struct is no reference that may be null.
+        if made != Net::Null || !matches!(cx.read(*place), Net::Ref(_)) {
+            cx.set(*place, made);
+        }
     }
     to_csharp(cx, &value).ok_or_else(|| refused(&value))
 }

@@ -6,10 +6,9 @@ use katydid_component::Message;
 use katydid_csharp::sema::{MethodId, Ty};
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
-use katydid_csharp::{Engine, Failure, Limits, Source};
-use katydid_definition::document::{Access, Script};
+use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Source};
+use katydid_definition::document::{Access, Object, Port, Script, ScriptLanguage};
 use katydid_members::Value;
-use katydid_solver::ScriptTask;
 
 use super::convert::{fitted, from_csharp, list, to_csharp};
 use super::host::{ScriptHost, Turn};
@@ -17,9 +16,9 @@ use crate::hint::Hint;
 use crate::task::{OUT, variable};
 
 const CLASS: &str = "Script_Instance";
-/// What every component of Grasshopper 1 uses.
-const USUAL: &str = "using System; using System.Collections; using System.Collections.Generic; using Rhino; \
-    using Rhino.Geometry; using Grasshopper; using Grasshopper.Kernel; using Grasshopper.Kernel.Data; \
+/// What every component of Grasshopper 1 uses: scripts that name no more use LINQ and colours too.
+const USUAL: &str = "using System; using System.Collections; using System.Collections.Generic; using System.Linq; \
+    using System.Drawing; using Rhino; using Rhino.Geometry; using Grasshopper; using Grasshopper.Kernel; using Grasshopper.Kernel.Data; \
     using Grasshopper.Kernel.Types;";
 
 /// A compiled script with its object, whose fields stay between runs.
@@ -32,9 +31,50 @@ pub(super) struct Program {
     takes: Vec<Ty>,
     /// How many parameters give data.
     gives: usize,
+    /// What runs before the first iteration of a solve, and after the last.
+    around: [Option<MethodId>; 2],
+    /// Whether the script draws something itself, which is not supported.
+    draws: bool,
     pub(super) turn: Arc<Mutex<Turn>>,
     /// What it was made of.
     pub(super) source: (Script, String),
+}
+
+/// Reads and checks a script.
+fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Result<Engine, Vec<Diagnostic>> {
+    let host = Box::new(ScriptHost::new(turn.clone()));
+    if script.language == ScriptLanguage::VisualBasic {
+        let source = Source::Basic {
+            using: &script.using,
+            body: &script.text,
+            additional: &script.additional,
+            parameters,
+            usual: USUAL,
+            base: "GH_ScriptInstance",
+        };
+        return Engine::new(&source, host, Limits::default());
+    }
+    if is_whole(script) {
+        return Engine::new(&Source::File(&script.text), host, Limits::default());
+    }
+    let (using, body) = match is_loose(script) {
+        true => parted(&script.text),
+        false => (script.using.clone(), script.text.clone()),
+    };
+    let source = Source::Parts {
+        using: &using,
+        body: &body,
+        additional: &script.additional,
+        parameters,
+        usual: USUAL,
+        base: "GH_ScriptInstance",
+    };
+    Engine::new(&source, host, Limits::default())
+}
+
+/// What is wrong with a script before it runs, each with its place: what it needs that is not here too.
+pub(super) fn faults(script: &Script, parameters: &str) -> Vec<Diagnostic> {
+    compiled(script, parameters, &Arc::default()).err().unwrap_or_default()
 }
 
 /// What one call gave.
@@ -48,9 +88,13 @@ pub(super) struct Called {
 }
 
 /// The parameters of `RunScript` of a component in three parts.
-pub(super) fn parameters(task: &ScriptTask<'_>) -> String {
-    let inputs = task.inputs.iter().map(|(port, _)| {
-        let kind = type_name(Hint::of(port.type_hint).name);
+pub(super) fn parameters(object: &Object, inputs: &[&Port], language: &ScriptLanguage) -> String {
+    // A script of statements alone has no types for data without a hint, and VB finds members of objects when it runs.
+    let is_open =
+        *language == ScriptLanguage::VisualBasic || object.script().is_some_and(|script| is_loose(&script));
+    let open = if is_open { "dynamic" } else { "object" };
+    let inputs = inputs.iter().map(|port| {
+        let kind = type_name(Hint::of(port.type_hint).name).unwrap_or(open);
         let kind = match port.access {
             Access::Item => kind.to_owned(),
             Access::List => format!("List<{kind}>"),
@@ -58,41 +102,66 @@ pub(super) fn parameters(task: &ScriptTask<'_>) -> String {
         };
         format!("{kind} @{}", variable(port))
     });
-    let outputs = task.object.outputs.iter().filter(|port| variable(port) != OUT);
+    let outputs = object.outputs.iter().filter(|port| variable(port) != OUT);
     let outputs = outputs.map(|port| format!("ref object @{}", variable(port)));
     inputs.chain(outputs).collect::<Vec<_>>().join(", ")
 }
 
-/// The type that a hint is in C#.
-fn type_name(hint: &str) -> &str {
-    match hint {
+/// The type that a hint is in C#; none for data as it comes.
+fn type_name(hint: &str) -> Option<&str> {
+    Some(match hint {
         "str" => "string",
         "float" => "double",
-        "int" | "bool" | "Point3d" | "Vector3d" | "Plane" | "Interval" | "Line" | "Circle" | "Polyline"
-        | "Curve" | "Surface" | "Brep" | "Mesh" | "GeometryBase" => hint,
-        _ => "object",
+        "Color" => "System.Drawing.Color",
+        "Guid" => "System.Guid",
+        "DateTime" => "System.DateTime",
+        "Box" => "Rhino.Geometry.Box",
+        "Complex" => "System.Numerics.Complex",
+        "int" | "bool" | "Point3d" | "Vector3d" | "Plane" | "Interval" | "Line" | "Circle" | "Arc"
+        | "Polyline" | "Rectangle3d" | "Transform" | "Curve" | "Surface" | "Brep" | "Mesh"
+        | "GeometryBase" => hint,
+        _ => return None,
+    })
+}
+
+/// Whether a script is a class of its own.
+fn is_whole(script: &Script) -> bool {
+    script.text.contains("RunScript") && script.text.contains(CLASS)
+}
+
+/// Whether a script is statements alone, as Rhino 8 has them, with its `using` lines among them.
+fn is_loose(script: &Script) -> bool {
+    script.language == ScriptLanguage::CSharp
+        && !is_whole(script)
+        && script.using.is_empty()
+        && script.additional.is_empty()
+}
+
+/// The `using` lines at the beginning of a script, and the rest with empty lines in their place.
+fn parted(text: &str) -> (String, String) {
+    let (mut using, mut body) = (String::new(), String::new());
+    let mut begins = true;
+    for line in text.lines() {
+        let plain = line.trim();
+        let is_using = begins && plain.starts_with("using ") && plain.contains(';') && !plain.contains('(');
+        let is_reference = begins && (plain.starts_with("#r ") || plain.starts_with("// "));
+        begins &= is_using || is_reference || plain.is_empty();
+        if is_using {
+            using.push_str(plain);
+        } else if !(is_reference && plain.starts_with('#')) {
+            body.push_str(line);
+        }
+        using.push('\n');
+        body.push('\n');
     }
+    (using, body)
 }
 
 impl Program {
     /// Compiles a script; what is wrong with it otherwise, each with its place.
     pub(super) fn new(script: &Script, parameters: &str) -> Result<Self, Vec<Message>> {
-        let is_whole = script.text.contains("RunScript") && script.text.contains(CLASS);
-        let source = if is_whole {
-            Source::File(&script.text)
-        } else {
-            Source::Parts {
-                using: &script.using,
-                body: &script.text,
-                additional: &script.additional,
-                parameters,
-                usual: USUAL,
-                base: "GH_ScriptInstance",
-            }
-        };
         let turn = Arc::new(Mutex::new(Turn::default()));
-        let host = Box::new(ScriptHost::new(turn.clone()));
-        let mut engine = Engine::new(&source, host, Limits::default()).map_err(|faults| {
+        let mut engine = compiled(script, parameters, &turn).map_err(|faults| {
             faults.iter().take(20).map(|fault| Message::error(fault.to_string())).collect::<Vec<_>>()
         })?;
         let failed = |failure: &Failure| vec![Message::error(failure.to_string())];
@@ -101,10 +170,15 @@ impl Program {
         let run = engine.method(CLASS, "RunScript").ok_or_else(missing)?;
         let owner = engine.type_named("", CLASS).ok_or_else(missing)?;
         let all = engine.sema().method(run).params.clone();
-        let is_value = |ty: &katydid_csharp::sema::ParamDef| format!("{:?}", ty.passing) == "Value";
-        let takes: Vec<Ty> = all.iter().filter(|own| is_value(own)).map(|own| own.ty).collect();
+        let takes: Vec<Ty> = all.iter().filter(|own| own.is_value()).map(|own| own.ty).collect();
         let gives = all.len() - takes.len();
+        let around = ["BeforeRunScript", "AfterRunScript"].map(|name| engine.method(CLASS, name));
+        let draws = ["DrawViewportWires", "DrawViewportMeshes"]
+            .iter()
+            .any(|name| engine.method(CLASS, name).is_some());
         Ok(Self {
+            around,
+            draws,
             engine,
             object,
             owner,
@@ -114,6 +188,24 @@ impl Program {
             turn,
             source: (script.clone(), parameters.to_owned()),
         })
+    }
+
+    /// What runs may use from now on.
+    pub(super) fn limit(&mut self, bytes: u64) {
+        let bytes = usize::try_from(bytes).unwrap_or(usize::MAX);
+        self.engine.limit(Limits { bytes, ..Limits::default() });
+    }
+
+    /// Runs what stands before all iterations, or behind them; what it said.
+    pub(super) fn around(&mut self, is_after: bool) -> Vec<Message> {
+        let Some(method) = self.around[usize::from(is_after)] else { return Vec::new() };
+        let outcome = self.engine.call(method, self.owner, &[self.object]);
+        let mut messages = self.said();
+        messages.extend(outcome.err().map(|failure| Message::error(failure.to_string())));
+        if is_after && self.draws {
+            messages.push(Message::remark("what the script draws in the viewport itself is not supported"));
+        }
+        messages
     }
 
     /// Calls `RunScript` for one iteration.
@@ -161,11 +253,7 @@ impl Program {
                 let (mut paths, mut lists) = (Vec::new(), Vec::new());
                 let mut list_type = None;
                 for (path, items) in branches {
-                    let indices = to_csharp(
-                        &mut self.engine,
-                        &Value::Ints(path.iter().map(|i| i64::from(*i)).collect()),
-                    )?;
-                    paths.push(self.engine.instance(path_type, &[indices]));
+                    paths.push(to_csharp(&mut self.engine, &Value::Path(path.clone()))?);
                     let items = self.items(items, element)?;
                     let own = list(&mut self.engine, element, items)?;
                     if let Net::Ref(handle) = own
@@ -178,7 +266,7 @@ impl Program {
                 let list_type = list_type.unwrap_or(self.engine.sema().known.object);
                 let paths = list(&mut self.engine, path_type, paths)?;
                 let lists = list(&mut self.engine, list_type, lists)?;
-                Some(self.engine.instance(ty, &[paths, lists]))
+                Some(self.engine.instance(ty, &[paths, lists, Net::Null]))
             }
             (value, Some(element)) if name.starts_with("System.Collections.Generic.List") => {
                 let items = value.items().unwrap_or_default();
@@ -238,3 +326,5 @@ impl Program {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod values;

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use katydid_data::text::Style;
 use katydid_definition::document::Object;
+use katydid_script::CSharp;
 use katydid_session::protocol::{Event, Notice, ResultView};
 use katydid_session::{Change, Editor, Solution, result_view};
 use katydid_solver::{ObjectReport, Options, Refused};
@@ -75,7 +76,7 @@ struct Progress {
 }
 
 /// What to do about a script, which the studio does not run yet: it would have to ask first.
-const SCRIPTS: &str = "the studio does not run scripts yet; `katydid run FILE --allow-scripts` does";
+const SCRIPTS: &str = "the studio does not run Python yet; `katydid run FILE --allow-scripts` does";
 
 impl Actor {
     /// Starts the worker and the first solve.
@@ -87,7 +88,7 @@ impl Actor {
         editor.about_mut().name = name;
         editor.about_mut().locked = is_locked;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
-        let scripts = Some(Arc::new(Refused::new(SCRIPTS)) as _);
+        let scripts = Some(Arc::new(CSharp::beside(Arc::new(Refused::new(SCRIPTS)))) as _);
         let beside = Beside::new(model);
         let model = beside.model().map(Arc::clone);
         let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };

@@ -6,7 +6,7 @@ use super::*;
 use katydid_definition::document::ScriptLanguage;
 use katydid_geometry::Point3;
 
-fn program(body: &str, additional: &str, parameters: &str) -> Result<Program, Vec<Message>> {
+pub(super) fn program(body: &str, additional: &str, parameters: &str) -> Result<Program, Vec<Message>> {
     let script = Script {
         language: ScriptLanguage::CSharp,
         text: body.into(),
@@ -17,7 +17,7 @@ fn program(body: &str, additional: &str, parameters: &str) -> Result<Program, Ve
     Program::new(&script, parameters)
 }
 
-fn row(body: &str, parameters: &str, inputs: &[Value]) -> Vec<Value> {
+pub(super) fn row(body: &str, parameters: &str, inputs: &[Value]) -> Vec<Value> {
     let mut program = program(body, "", parameters).unwrap_or_else(|faults| panic!("{faults:?}"));
     let called = program.call(inputs);
     assert!(called.messages.is_empty(), "{:?}", called.messages);

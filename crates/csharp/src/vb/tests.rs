@@ -1,0 +1,148 @@
+//! Programs in VB, with what they print by the rules of the language.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that meets an error fails")]
+
+use crate::{Engine, Limits, Printing, Source};
+
+fn printed(body: &str, additional: &str) -> Result<String, String> {
+    let host = Printing::default();
+    let text = host.text.clone();
+    let source = Source::Basic {
+        using: "",
+        body,
+        additional,
+        parameters: "",
+        usual: "using System; using System.Collections.Generic; using System.Linq;",
+        base: "",
+    };
+    let all = |faults: Vec<crate::Diagnostic>| {
+        faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    let mut engine = Engine::new(&source, Box::new(host), Limits::default()).map_err(all)?;
+    let script = engine.create("Script_Instance").map_err(|e| e.to_string())?;
+    let run = engine.method("Script_Instance", "RunScript").unwrap();
+    let owner = engine.type_named("", "Script_Instance").unwrap();
+    engine.call(run, owner, &[script]).map_err(|e| e.to_string())?;
+    let text = text.lock().unwrap().trim_end().replace('\n', " ");
+    Ok(text)
+}
+
+#[test]
+fn programs_print_what_vb_says() {
+    let cases = [
+        ("Console.WriteLine(7 / 2 & \" \" & 7 \\ 2 & \" \" & 7 Mod 4 & \" \" & 2 ^ 3)", "", "3.5 3 3 8"),
+        ("Dim i As Integer = 2.5\nDim j As Integer = 3.5\nConsole.WriteLine(i & \" \" & j)", "", "2 4"),
+        ("Dim s As Integer\nFor i As Integer = 1 To 4\n  s += i\nNext\nConsole.WriteLine(s)", "", "10"),
+        (
+            "Dim i, s As Integer\nFor i = 10 To 0 Step -5\n s = s * 100 + i\nNext i\nConsole.WriteLine(s)",
+            "",
+            "100500",
+        ),
+        (
+            "Dim a(2) As Double\na(1) = 4\nA(2) = a(1) + 1\nConsole.WriteLine(a.length & \" \" & a(2))",
+            "",
+            "3 5",
+        ),
+        (
+            "Dim l As New List(Of Integer) From {3, 1, 2}\nl.Sort\nConsole.WriteLine(l(0) & l.count())",
+            "",
+            "13",
+        ),
+        (
+            "Dim n = 0\nDo While n < 5\n n = n + 1\n If n = 2 Then Continue Do\n If n = 4 Then Exit Do\n Console.Write(n)\nLoop",
+            "",
+            "13",
+        ),
+        ("Dim n = 0\nDo\n n += 1\nLoop Until n >= 3\nConsole.WriteLine(n)", "", "3"),
+        (
+            "For Each w In {\"a\", \"b\"}\n Select Case w\n  Case \"a\", \"c\"\n   Console.Write(1)\n  Case Else\n   Console.Write(2)\n End Select\nNext",
+            "",
+            "12",
+        ),
+        (
+            "Select Case 7\n Case 1 To 5\n  Console.Write(\"low\")\n Case Is > 6\n  Console.Write(\"high\")\nEnd Select",
+            "",
+            "high",
+        ),
+        ("Dim x = 5\nDim ok = x > 3 AndAlso Not x = 4 Or False\nConsole.WriteLine(ok)", "", "True"),
+        ("Console.WriteLine(If(1 = 1, \"yes\", \"no\") & If(Nothing, \"none\"))", "", "yesnone"),
+        ("Dim v = 0\nInteger.TryParse(\"42\", v)\nConsole.WriteLine(v)", "", "42"),
+        (
+            "Try\n Throw New Exception(\"bad\")\nCatch ex As Exception\n Console.WriteLine(ex.message)\nFinally\n Console.WriteLine(\"end\")\nEnd Try",
+            "",
+            "bad end",
+        ),
+        (
+            "Console.WriteLine(Twice(4))\nDim k = 1\nBump(k)\nConsole.WriteLine(k)",
+            "Function Twice(x As Integer) As Integer\n Twice = x * 2\nEnd Function\nSub Bump(ByRef n As Integer)\n n += 10\nEnd Sub",
+            "8 11",
+        ),
+        ("count += 1\nConsole.WriteLine(Count)", "Dim count As Integer = 4", "5"),
+        ("Console.WriteLine({1, 2, 3}.Select(Function(x) x * x).Sum()) ' a comment\nREM another", "", "14"),
+        ("Dim t As String = \"say \"\"hi\"\"\" & _\n \"!\"\nConsole.WriteLine(t)", "", "say \"hi\"!"),
+        (
+            "Dim o As Object = \"abc\"\nConsole.WriteLine(TypeOf o Is String)\nDim b As Boolean\nIf Not b Then Console.WriteLine(\"no\") Else Console.WriteLine(\"yes\")",
+            "",
+            "True no",
+        ),
+        ("Dim x As Object = 3\nDim y As Object = 4.5\nConsole.WriteLine(x + y)", "", "7.5"),
+    ];
+    let mut wrong = Vec::new();
+    for (body, additional, expected) in cases {
+        match printed(body, additional) {
+            Ok(given) if given == expected => {}
+            given => wrong.push(format!("{body}\n  gave {given:?}, not {expected}")),
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_is_not_there_is_said_by_name_and_line() {
+    let failure = printed("Dim a = 1\nWith a\nEnd With", "").unwrap_err();
+    assert_eq!(failure, "script(2,1): error: 'with' is not supported in VB");
+    let failure = printed("Dim a = 1\nDim b As Integer = a.Foo", "").unwrap_err();
+    assert!(failure.starts_with("script(2,") && failure.contains("Foo"), "{failure}");
+}
+
+/// Text without end is refused, and nothing overflows the stack.
+#[test]
+fn deep_texts_are_refused() {
+    let cases = [
+        ("a = ", "-"),
+        ("a = ", "Not "),
+        ("a = ", "("),
+        ("a = ", "{"),
+        ("", "If a Then "),
+        ("a = ", "CInt("),
+        ("Dim a As ", "List(Of "),
+        ("a = ", "If("),
+        ("a = ", "AddressOf "),
+        ("a = 2", " ^ 2"),
+    ];
+    for (head, again) in cases {
+        assert!(printed(&format!("{head}{}", again.repeat(20_000)), "").is_err(), "{again}");
+    }
+}
+
+/// No text of words and signs makes the front panic or hang.
+#[test]
+fn any_text_is_read_or_refused() {
+    let words = [
+        "Dim", "a", "As", "Integer", "=", "(", ")", "{", "}", "If", "Then", "Else", "End", "For", "Each",
+        "In", "To", "Next", "1", "2.5", "\"t\"", "\n", ":", ",", ".", "New", "List", "Of", "Function", "Sub",
+        "Select", "Case", "Do", "Loop", "While", "Not", "-", "&", "'", "_", "Class", "Try", "Catch", "Exit",
+        "Return", "With", "\u{e9}", "[", "#",
+    ];
+    let mut state = 7_u64;
+    for _ in 0..3_000 {
+        let mut text = String::new();
+        for _ in 0..40 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            text.push_str(words[(state >> 33) as usize % words.len()]);
+            text.push(' ');
+        }
+        let _ = super::body(&text, &[]);
+        let _ = super::members(&text, &[]);
+    }
+}
