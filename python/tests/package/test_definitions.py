@@ -261,3 +261,24 @@ def test_real_definitions_give_what_the_command_gives(shared, tmp_path):
                 assert [len(branch) for branch in tree.values()] == [len(b["items"]) for b in branches], (file, id)
                 compared += 1
     assert compared > 100
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork on this system")
+def test_a_forked_process_is_told_that_it_cannot_solve(definition):
+    d = definition(BOX)
+    d.solve()
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            d.solve()
+            os.write(write, b"solved")
+        except RuntimeError as error:
+            os.write(write, str(error).encode())
+        finally:
+            os._exit(0)
+    os.close(write)
+    assert b"spawn" in os.read(read, 1000)
+    os.waitpid(child, 0)
+    os.close(read)
+    assert d.solve()["area"].item == 6

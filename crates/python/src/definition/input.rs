@@ -1,7 +1,7 @@
 use katydid_component::registry;
 use katydid_compute::definition::Interface;
 use katydid_data::cast::{self, Rules};
-use katydid_data::{Kind, Tree, Value};
+use katydid_data::{Column, Items, Kind, Tree, Value};
 use katydid_definition::document::{Document, Object, Special, ids};
 use pyo3::prelude::*;
 use uuid::Uuid;
@@ -119,7 +119,7 @@ pub(super) fn data(object: &Object, brought: &Bound<'_, PyAny>, rules: &Rules) -
     let kind = kind(object);
     let tree =
         crate::values::given(brought, kind).map_err(|error| refused(object, error.value(brought.py())))?;
-    if let Some(number) = tree.column().iter().flatten().find_map(|value| not_finite(&value)) {
+    if let Some(number) = not_finite(tree.column()) {
         return Err(refused(object, format!("{number} is not a finite number")));
     }
     let only = (tree.item_count() == 1).then(|| tree.column().get(0)).flatten();
@@ -154,16 +154,29 @@ pub(super) fn data(object: &Object, brought: &Bound<'_, PyAny>, rules: &Rules) -
     }
 }
 
-/// The number of a value that is none, or is infinite.
-fn not_finite(value: &Value) -> Option<f64> {
-    let numbers = match value {
-        Value::Number(x) => [*x, 0.0, 0.0],
-        Value::Point(p) => [p.x, p.y, p.z],
-        Value::Vector(v) => [v.x, v.y, v.z],
-        Value::Domain(range) => [range.start, range.end, 0.0],
-        _ => return None,
-    };
-    numbers.into_iter().find(|x| !x.is_finite())
+/// The first number of a column that is none, or is infinite. Long columns are looked through as they lie.
+fn not_finite(column: &Column) -> Option<f64> {
+    fn first(mut numbers: impl Iterator<Item = f64>) -> Option<f64> {
+        numbers.find(|x| !x.is_finite())
+    }
+    match column.items() {
+        Items::Numbers(all) => first(all.iter().copied()),
+        Items::Points(all) => {
+            all.iter().find(|p| !p.is_finite()).and_then(|p| first([p.x, p.y, p.z].into_iter()))
+        }
+        Items::Vectors(all) => {
+            all.iter().find(|v| !v.is_finite()).and_then(|v| first([v.x, v.y, v.z].into_iter()))
+        }
+        Items::Domains(all) => first(all.iter().flat_map(|range| [range.start, range.end])),
+        Items::Values(all) => all.iter().find_map(|value| match value {
+            Value::Number(x) => Some(*x).filter(|x| !x.is_finite()),
+            Value::Point(p) => first([p.x, p.y, p.z].into_iter()),
+            Value::Vector(v) => first([v.x, v.y, v.z].into_iter()),
+            Value::Domain(range) => first([range.start, range.end].into_iter()),
+            _ => None,
+        }),
+        _ => None,
+    }
 }
 
 /// What a value list gives when one of its items is chosen, by its name.

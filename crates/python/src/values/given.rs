@@ -36,6 +36,9 @@ pub(crate) fn given(object: &Bound<'_, PyAny>, kind: Kind) -> PyResult<Data> {
 
 /// One tree of branches.
 fn joined(parts: &[(Path, Column)]) -> Data {
+    if let [(path, column)] = parts {
+        return Data::branch_at(path.clone(), column.clone());
+    }
     let trees: Vec<Data> =
         parts.iter().map(|(path, column)| Data::branch_at(path.clone(), column.clone())).collect();
     Data::merge(trees.iter())
