@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
+.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -22,11 +22,20 @@ test-rust:
 	cargo test $(TESTED)
 
 programs:
-	cargo build $(TESTED) --bins --examples
+	cargo build $(TESTED) --lib --bins --examples
+
+# The extension module where `import katydid` in `python/` finds it.
+module: programs
+	cp $(BUILT)/lib_katydid$(if $(filter Darwin,$(shell uname)),.dylib,.so) python/katydid/_katydid.abi3.so
+
+# The wheel of the Python package, in target/wheels; `pip install ./python` makes and installs the same.
+wheel: $(VENV)/installed
+	$(VENV)/bin/pip install -q "maturin>=1.9,<2"
+	cd python && ../$(VENV)/bin/maturin build --release --out ../target/wheels
 
 # What rhino3dm, the official reader, makes of the files that Katydid writes.
-test-python: $(VENV)/installed programs
-	KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
+test-python: $(VENV)/installed module
+	KATYDID_REQUIRE_MODULE=1 KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
 		--ignore=python-tests/step --ignore=python-tests/compute python-tests --ignore=python/tests/ladybug python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 

@@ -1,87 +1,13 @@
-//! The `katydid` command: opens files, hands them to the session, and prints what comes back.
-
-mod args;
-mod check;
-mod components;
-mod convert;
-mod convert_model;
-mod diff;
-mod fmt;
-mod info;
-mod members;
-mod model_file;
-mod open;
-mod output;
-mod progress;
-mod python;
-mod run;
-mod scene_file;
-mod scripts;
-mod serve;
-mod serve_args;
-mod serving;
-mod source;
-mod studio;
-mod ticks;
-mod view;
-mod web_args;
+//! The program `katydid`.
 
 use std::process::ExitCode;
-
-use clap::Parser;
-
-use crate::args::{Command, Katydid};
 
 /// Counts the memory that solves take, so that their limits hold.
 #[global_allocator]
 static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
 
-/// The call was wrong, or something could not be opened or written.
-const EXIT_USAGE: u8 = 2;
-
 fn main() -> ExitCode {
-    let Katydid { command } = match Katydid::try_parse() {
-        Ok(words) => words,
-        Err(error) => return explained(&error),
-    };
-    katydid_components::link();
-    let result = match &command {
-        Command::Run(args) => run::run(args),
-        Command::Check(args) => check::check(args),
-        Command::Convert(args) => convert::convert(args),
-        Command::Info(args) => info::info(args),
-        Command::Diff(args) => diff::diff(args),
-        Command::Fmt(args) => fmt::fmt(args),
-        Command::Components(args) => components::components(args),
-        Command::View(args) => view::view(args),
-        Command::Studio(args) => studio::studio(args),
-        Command::Serve(args) => serve::serve(args),
-        Command::Trust(args) => scripts::trust(args),
-        Command::Python(args) => python::python(args),
-        Command::Members(args) => members::members(args),
-    };
-    // What was to be printed and was not is an error, whatever else went well.
-    match result.and_then(|code| output::printed().map(|()| code)) {
-        Ok(code) => ExitCode::from(code),
-        Err(error) => {
-            output::complain(&error);
-            ExitCode::from(EXIT_USAGE)
-        }
-    }
-}
-
-/// Prints help, the version, or what was wrong with the call.
-fn explained(error: &clap::Error) -> ExitCode {
-    let unwritten = error.print().is_err_and(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
-    match output::printed() {
-        Ok(()) if !unwritten => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(EXIT_USAGE)),
-        Ok(()) => {
-            output::complain("the help could not be written");
-            ExitCode::from(EXIT_USAGE)
-        }
-        Err(why) => {
-            output::complain(&why);
-            ExitCode::from(EXIT_USAGE)
-        }
-    }
+    let words: Vec<_> = std::env::args_os().collect();
+    let program = katydid_cli::Program::this(words.iter().skip(1).cloned().collect());
+    ExitCode::from(katydid_cli::run_command(words, &program))
 }

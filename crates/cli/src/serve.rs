@@ -1,10 +1,10 @@
 //! `katydid serve`.
 
 use std::net::{IpAddr, Ipv4Addr};
-use std::path::PathBuf;
 
-use katydid_server::compute::{self, Command, Config, Orders, Processes, Server};
+use katydid_server::compute::{self, Config, Orders, Processes, Server};
 
+use crate::Program;
 use crate::output::{BOLD, YELLOW, note, printed, say};
 use crate::serve_args::{LogForm, ServeArgs};
 use crate::serving::{self, Signals};
@@ -12,14 +12,14 @@ use crate::serving::{self, Signals};
 /// Where the key may be when it is not on the command line, where others could see it.
 const KEY: &str = "RHINO_COMPUTE_KEY";
 
-pub(crate) fn serve(args: &ServeArgs) -> Result<u8, String> {
+pub(crate) fn serve(args: &ServeArgs, program: &Program) -> Result<u8, String> {
     if args.behind {
         return behind(args);
     }
     log(args.log);
     let mut config = args.config(std::env::var(KEY).ok())?;
     if !args.one_process {
-        config.processes = Processes::Two(again()?);
+        config.processes = Processes::Two(program.again("--behind")?);
         compute::stand_in_front();
     }
     serving::run(async {
@@ -58,18 +58,6 @@ fn behind(args: &ServeArgs) -> Result<u8, String> {
         let _ = ended.await;
         Ok(0)
     })
-}
-
-/// This program, called in the same way, as the process behind.
-fn again() -> Result<Command, String> {
-    // By that name it is found when it has been replaced since.
-    let program = if cfg!(target_os = "linux") {
-        PathBuf::from("/proc/self/exe")
-    } else {
-        std::env::current_exe().map_err(|error| format!("where the program is cannot be told: {error}"))?
-    };
-    let words = std::env::args_os().skip(1).chain(["--behind".into()]).collect();
-    Ok(Command { program, words })
 }
 
 fn greet(server: &Server, args: &ServeArgs, has_key: bool) {

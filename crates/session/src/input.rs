@@ -73,7 +73,10 @@ fn is_contextual(object: &Object) -> bool {
 
 /// The index of the one input of that nickname or id. Exact spelling goes before another case, and a contextual input
 /// before what else has its name: the slider that is its default, say.
-pub(crate) fn find(document: &Document, name: &str) -> Result<usize, InputError> {
+///
+/// # Errors
+/// There is no such input, or there are several.
+pub fn find(document: &Document, name: &str) -> Result<usize, InputError> {
     if let Ok(id) = Uuid::parse_str(name.trim().trim_matches(['{', '}']))
         && let Some(index) = document.objects.iter().position(|o| o.id == id)
     {
@@ -131,7 +134,10 @@ fn edit_distance(a: &str, b: &str) -> usize {
 }
 
 /// Gives an object its new value.
-pub(crate) fn assign(object: &mut Object, value: &str) -> Result<(), InputError> {
+///
+/// # Errors
+/// It does not take that value.
+pub fn assign(object: &mut Object, value: &str) -> Result<(), InputError> {
     let name = object.title().to_owned();
     let refuse = |reason: String| InputError::Refused { name: name.clone(), value: value.to_owned(), reason };
     let plain = |error: katydid_definition::Error| refuse(error.to_string());

@@ -44,7 +44,7 @@ pub use change::{Change, Refusal};
 pub use check::{Check, ScriptObject, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
-pub use input::{InputError, inputs};
+pub use input::{InputError, assign as assign_input, find as find_input, inputs};
 #[cfg(not(target_family = "wasm"))]
 pub use output_file::{OutputFile, write_file};
 pub use report::{Items, Report};
