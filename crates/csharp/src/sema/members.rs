@@ -27,10 +27,11 @@ impl Sema {
                 found.extend(list.iter().map(|m| (owner, *m)));
             }
         }
-        if found.is_empty() && self.vb {
-            if let Some(other) = self.in_any_case(ty, name) {
-                return self.members(ty, &other);
-            }
+        if found.is_empty()
+            && self.vb
+            && let Some(other) = self.in_any_case(ty, name)
+        {
+            return self.members(ty, &other);
         }
         found
     }

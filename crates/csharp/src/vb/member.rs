@@ -31,11 +31,8 @@ impl Writer {
             return Ok(());
         }
         let mut words = Vec::new();
-        loop {
-            let word = match self.peek().map(|token| &token.kind) {
-                Some(Kind::Word(word)) => word.to_lowercase(),
-                _ => break,
-            };
+        while let Some(Kind::Word(word)) = self.peek().map(|token| &token.kind) {
+            let word = word.to_lowercase();
             words.push(match word.as_str() {
                 "public" => "public",
                 "private" => "private",

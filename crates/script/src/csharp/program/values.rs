@@ -244,6 +244,13 @@ fn scripts_in_vb_use_the_same_members() {
         basic("A = x + y", "dynamic @x, dynamic @y, ref object @A", &[Value::Number(2.5), Value::Int(4)]),
         [Value::Number(6.5)]
     );
+    // Beside a vector it counts as a number, and a text as the number it says: a quarter of the way along.
+    for quarter in [Value::Number(0.25), Value::from("0.25")] {
+        let inputs = [at(0.0, 0.0, 0.0), at(4.0, 0.0, 8.0), quarter];
+        let given =
+            basic("D = p + t * (q - p)", "Point3d @p, Point3d @q, dynamic @t, ref object @D", &inputs);
+        assert_eq!(given, [at(1.0, 0.0, 2.0)]);
+    }
     // Six faces of a cube of edge 2, moved by 1: the numbers of the others stay while one is taken out.
     let body = "Dim area As Double
         Dim i As Int32
