@@ -91,7 +91,8 @@ pub(crate) fn support(document: &Document, object: &Object, component: Option<&C
             _ => Support::Yes,
         };
     }
-    if component.is_some() {
+    // A script in Python says with its result whether it may run.
+    if component.is_some() || object.script().is_some_and(|script| script.is_python()) {
         return Support::Yes;
     }
     let known = registry::unsupported(object.component).map(|known| known.reason.to_owned());
