@@ -83,6 +83,7 @@ function NameField({ port, label, onTake }: { port: PortView; label: string; onT
   };
   return (
     <input
+      type="text"
       aria-label={label}
       spellCheck={false}
       autoCapitalize="off"

@@ -70,9 +70,7 @@ fn members_of_c_sharp_stand_beside_its_text() {
 #[test]
 fn rhino_8_keeps_it_in_base64() {
     let text = BASE64.encode("a = x");
-    let settings = format!(
-        "    Script {{\n        Text = \"{text}\"\n        LanguageSpec {{\n            Taxon = \"*.*.python\"\n        }}\n    }}"
-    );
+    let settings = format!("    Script/Text = \"{text}\"\n    Script/LanguageSpec/Taxon = \"*.*.python\"");
     let (mut studio, id) = studio(PYTHON_3, &settings);
     assert_eq!(studio.object(id).script().unwrap().text, "a = x");
     let edit = control(studio.object(id), "a = 'ü'", None);
@@ -104,7 +102,7 @@ fn inputs_have_hints_and_access_as_files_have_them() {
 fn a_new_input_is_of_the_type_that_grasshopper_gives_it() {
     for (component, settings, type_id) in [
         (GH_PYTHON, "    CodeInput = \"a = x\"", "84fa917c-1ed8-4db3-8be1-7bdc4a6495a2"),
-        (PYTHON_3, "    Script {\n        Text = \"\"\n    }", "08908df5-fa14-4982-9ab2-1aa0927566aa"),
+        (PYTHON_3, "    Script/Text = \"YSA9IHg=\"", "08908df5-fa14-4982-9ab2-1aa0927566aa"),
     ] {
         let (mut studio, id) = studio(component, settings);
         studio.make(Edit::AddPort { object: id, input: true, index: 1, id: None });
