@@ -53,7 +53,10 @@ test("a script runs once its owner has looked at it, and the answer holds for th
   const dialog = page.getByRole("dialog", { name: "Scripts of this definition" });
   await expect(dialog).toContainText("a = x * 2");
   await expect(dialog.locator(".imports")).toContainText("os");
-  await isAccessible(page);
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme });
+    await isAccessible(page);
+  }
   await dialog.getByRole("button", { name: "Run", exact: true }).click();
   await expect(dialog).toHaveCount(0);
   await expect(question(page)).toHaveCount(0);
@@ -78,7 +81,10 @@ test("the editor shows the error at its line, tests, and is one step for Undo", 
   await question(page).getByRole("button", { name: "Run", exact: true }).click();
   await expect(panel(page, "42").first()).toBeVisible();
   await openEditor(page);
-  await isAccessible(page);
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme });
+    await isAccessible(page);
+  }
   await write(page, "y = x\na = y / 0");
   await page.keyboard.press("ControlOrMeta+Enter");
   const messages = editor(page).getByRole("log", { name: "Messages" });
