@@ -34,7 +34,7 @@ const cookie = {
 const studio = {
   command: `${binary} studio --no-open --port ${port} --token ${token}`,
   url: `${address(port)}/api/start`,
-  env: { XDG_STATE_HOME: state },
+  env: { XDG_STATE_HOME: state, XDG_CONFIG_HOME: state },
   reuseExistingServer: false,
 };
 const page = {

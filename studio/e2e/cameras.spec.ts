@@ -1,4 +1,6 @@
 /** Cameras with names, the turntable, and what is rendered. */
+import { readFile } from "node:fs/promises";
+
 import { isAccessible } from "./access";
 import { openText } from "./open";
 import { expect, test } from "./test";
@@ -54,4 +56,32 @@ test("what is rendered stands under a sky, with a shadow on the ground, and is d
   const [open, inCorner] = [await light([0, -3, 0]), await light([0, 4.9, 0])];
   expect(inCorner).toBeLessThan(open - 25);
   await page.screenshot({ path: info.outputPath("rendered.png") });
+});
+
+test("one turn of the model is kept as a film, and the camera is back where it was", async ({ page }) => {
+  await openText(page, "box.kd", TEXT);
+  await page.getByRole("button", { name: "Cameras" }).click();
+  const before = await corner(page);
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Film of a turn" }).click();
+  await expect.poll(() => corner(page)).not.toEqual(before);
+  const film = await download;
+  expect(film.suggestedFilename()).toMatch(/^model\.(webm|mp4)$/);
+  const bytes = await readFile((await film.path()) ?? "");
+  expect(bytes.length).toBeGreaterThan(2_000);
+  // The mark of EBML, which WebM is made of.
+  if (film.suggestedFilename().endsWith("webm")) expect([...bytes.subarray(0, 4)]).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
+  await expect.poll(() => corner(page)).toEqual(before);
+});
+
+test("where the browser makes no films, the turn is kept as pictures", async ({ page }) => {
+  await page.addInitScript(() => Reflect.deleteProperty(window, "MediaRecorder"));
+  await openText(page, "box.kd", TEXT);
+  await page.getByRole("button", { name: "Cameras" }).click();
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Film of a turn" }).click();
+  const film = await download;
+  expect(film.suggestedFilename()).toBe("model.zip");
+  const bytes = await readFile((await film.path()) ?? "");
+  expect(bytes.toString("latin1").match(/turn-\d\d\.png/g)?.length).toBe(2 * 72);
 });

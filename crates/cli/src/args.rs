@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::scripts::ScriptArgs;
+use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
 use crate::web_args::WebArgs;
 
@@ -469,6 +469,9 @@ pub(crate) struct StudioArgs {
     /// Show the inputs and the model alone
     #[arg(long, requires = "file")]
     pub(crate) player: bool,
+
+    #[command(flatten)]
+    pub(crate) scripts: StudioScriptArgs,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use katydid_script::{Bounds, CSharpMaker, Permission, PythonMaker, Trusted, find};
+use katydid_server::ScriptConfig;
 use katydid_solver::{Refused, ScriptMaker, Scripts};
 
 use crate::args::TrustArgs;
@@ -31,6 +32,39 @@ pub(crate) struct ScriptArgs {
     pub(crate) script_memory: u64,
 }
 
+/// With what the scripts of definitions run that are open in the studio, which asks whether they may.
+#[derive(Debug, Args)]
+pub(crate) struct StudioScriptArgs {
+    /// Let the scripts that run use the network
+    #[arg(long)]
+    allow_network: bool,
+
+    /// The Python to run scripts with, once the page was told that they may run; else that of KATYDID_PYTHON, a .venv or
+    /// venv beside the definition, or python3
+    #[arg(long, value_name = "PATH")]
+    python: Option<PathBuf>,
+
+    /// The most megabytes of memory that the scripts of a definition may take
+    #[arg(long, value_name = "MEGABYTES", default_value_t = 4096)]
+    script_memory: u64,
+}
+
+impl StudioScriptArgs {
+    /// What runs scripts, and where the answers are kept.
+    pub(crate) fn for_studio(&self) -> ScriptConfig {
+        ScriptConfig {
+            python: self.python.clone(),
+            bounds: bounds(self.script_memory, self.allow_network),
+            trusted: Trusted::usual_place(),
+        }
+    }
+}
+
+/// What a process of scripts may use.
+fn bounds(megabytes: u64, network: bool) -> Bounds {
+    Bounds { memory: megabytes.saturating_mul(1 << 20), network, ..Bounds::default() }
+}
+
 impl ScriptArgs {
     /// What runs the scripts of a file, or says of each why it does not.
     pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
@@ -53,11 +87,7 @@ impl ScriptArgs {
 
     /// What runs Python scripts once they are allowed; an environment beside the file is looked for.
     fn python(&self, file: Option<&Path>) -> PythonMaker {
-        let bounds = Bounds {
-            memory: self.script_memory.saturating_mul(1 << 20),
-            network: self.allow_network,
-            ..Bounds::default()
-        };
+        let bounds = bounds(self.script_memory, self.allow_network);
         let definition = file.map(|file| std::path::absolute(file).unwrap_or_else(|_| file.to_owned()));
         PythonMaker { interpreter: find(self.python.as_deref(), file), bounds, definition }
     }

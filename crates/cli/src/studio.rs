@@ -16,6 +16,7 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         model: args.model.clone(),
         player: args.player,
         state: Config::usual_state(),
+        scripts: Some(args.scripts.for_studio()),
         ..Config::default()
     };
     serving::run(async {

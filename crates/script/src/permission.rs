@@ -51,13 +51,23 @@ impl Trusted {
     /// # Errors
     /// It cannot be read, or there is no such folder.
     pub fn of_user() -> io::Result<Self> {
-        let folder = config_folder().ok_or_else(|| io::Error::other("there is no folder for settings"))?;
-        Self::read(&folder.join("katydid").join("trusted"))
+        let place = Self::usual_place();
+        Self::read(&place.ok_or_else(|| io::Error::other("there is no folder for settings"))?)
+    }
+
+    /// Where the user's own list is.
+    pub fn usual_place() -> Option<PathBuf> {
+        Some(config_folder()?.join("katydid").join("trusted"))
     }
 
     /// Whether the scripts of a file with these bytes may run.
     pub fn trusts(&self, bytes: &[u8]) -> bool {
-        self.hashes.contains(&fingerprint(bytes))
+        self.knows(&fingerprint(bytes))
+    }
+
+    /// The same of a file with this [`fingerprint`].
+    pub fn knows(&self, fingerprint: &str) -> bool {
+        self.hashes.contains(fingerprint)
     }
 
     /// Where the list is kept.
@@ -70,9 +80,16 @@ impl Trusted {
     /// # Errors
     /// The list cannot be written.
     pub fn add(&mut self, bytes: &[u8], name: &str) -> io::Result<()> {
+        self.learn(&fingerprint(bytes), name)
+    }
+
+    /// The same of a file with this [`fingerprint`].
+    ///
+    /// # Errors
+    /// The list cannot be written.
+    pub fn learn(&mut self, hash: &str, name: &str) -> io::Result<()> {
         use std::io::Write as _;
-        let hash = fingerprint(bytes);
-        if !self.hashes.insert(hash.clone()) {
+        if !self.hashes.insert(hash.to_owned()) {
             return Ok(());
         }
         if let Some(folder) = self.path.parent() {

@@ -2,6 +2,7 @@ use std::net::{IpAddr, Ipv4Addr};
 use std::path::PathBuf;
 
 use katydid_component::Trust;
+use katydid_script::Bounds;
 
 /// How the server runs.
 #[derive(Debug, Clone)]
@@ -23,10 +24,23 @@ pub struct Config {
     pub player: bool,
     /// The folder for recent files and journals; nothing is kept when there is none.
     pub state: Option<PathBuf>,
+    /// What runs the scripts of definitions once somebody lets them; without it none run.
+    pub scripts: Option<ScriptConfig>,
     /// The most bytes of a file that is sent.
     pub most_upload: usize,
     /// The most documents that are open at a time.
     pub most_documents: usize,
+}
+
+/// What runs the scripts of definitions that are open in the studio.
+#[derive(Debug, Clone, Default)]
+pub struct ScriptConfig {
+    /// The Python to run them with; else one is looked for beside the definition and on the path.
+    pub python: Option<PathBuf>,
+    /// What the scripts of a definition may use.
+    pub bounds: Bounds,
+    /// The list of the files whose scripts may run; answers are not kept when there is none.
+    pub trusted: Option<PathBuf>,
 }
 
 /// The port of the studio.
@@ -44,6 +58,7 @@ impl Default for Config {
             model: None,
             player: false,
             state: None,
+            scripts: None,
             most_upload: 256 << 20,
             most_documents: 64,
         }

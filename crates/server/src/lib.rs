@@ -30,6 +30,6 @@ mod names;
 mod secret;
 mod server;
 
-pub use config::Config;
+pub use config::{Config, ScriptConfig};
 pub use error::Error;
 pub use server::{Server, start};

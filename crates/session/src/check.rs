@@ -125,7 +125,7 @@ fn count(
 }
 
 /// Whether scripts of its language are run.
-fn is_run(script: &Script) -> bool {
+pub(crate) fn is_run(script: &Script) -> bool {
     script.is_python() || matches!(script.language, ScriptLanguage::CSharp | ScriptLanguage::VisualBasic)
 }
 

@@ -6,6 +6,7 @@ use katydid_definition::document::{Object, ids};
 use katydid_solver::ObjectReport;
 
 use crate::protocol::{MessageView, ModelLackView, OutputView, Page, ResultView, Row, Structure};
+use crate::scripts;
 
 /// How many rows of a panel go out with its result.
 const PANEL_ROWS: u32 = 100;
@@ -19,6 +20,7 @@ const MOST_MESSAGES: usize = 50;
 /// The result of an object as a face shows it; `style` is that of the panels.
 pub fn result_view(object: &Object, report: &ObjectReport, style: &text::Style) -> ResultView {
     let outputs = object.outputs.iter().zip(&report.outputs);
+    let is_script = !report.messages.is_empty() && object.script().is_some();
     ResultView {
         id: object.id,
         status: report.status.word().to_owned(),
@@ -26,7 +28,11 @@ pub fn result_view(object: &Object, report: &ObjectReport, style: &text::Style) 
             .messages
             .iter()
             .take(MOST_MESSAGES)
-            .map(|message| MessageView { level: level(message.level).to_owned(), text: message.text.clone() })
+            .map(|message| MessageView {
+                level: level(message.level).to_owned(),
+                text: message.text.clone(),
+                line: if is_script { scripts::line(&message.text) } else { None },
+            })
             .collect(),
         lacks: report
             .messages

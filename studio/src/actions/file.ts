@@ -51,6 +51,13 @@ register(
     run: () => showDialog("export"),
   },
   {
+    id: "file.scripts",
+    label: "action.scripts",
+    group: "file",
+    isEnabled: () => documentStore.getState().document?.scripts !== undefined,
+    run: () => showDialog("scripts"),
+  },
+  {
     id: "file.player",
     label: "action.player",
     group: "file",

@@ -4,6 +4,7 @@ import { t } from "../i18n";
 import { uiStore } from "../state/ui";
 import { saveCamera } from "../viewport/cameras";
 import { currentViewport } from "../viewport/current";
+import { filmOf, isFilmed } from "../viewport/film";
 import { aim } from "../viewport/tools/aim";
 import { DISPLAY_MODES } from "../viewport/scene/looks";
 import { ANALYSES, PREVIEWS, settingsStore, type Analysis } from "../viewport/settings";
@@ -99,10 +100,20 @@ const zoom = (factor: number) => () => {
 
 async function savePicture(): Promise<void> {
   const picture = await currentViewport()?.picture();
-  if (!picture) return;
+  if (picture) keepFile(picture, t("viewport.pictureName"));
+}
+
+async function saveFilm(): Promise<void> {
+  const viewport = currentViewport();
+  const film = viewport && (await filmOf(viewport));
+  if (film) keepFile(film.bytes, t("viewport.filmName", { ending: film.ending }));
+}
+
+/** Has the browser keep a file. */
+function keepFile(bytes: Blob, name: string): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(picture);
-  link.download = t("viewport.pictureName");
+  link.href = URL.createObjectURL(bytes);
+  link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
@@ -182,6 +193,14 @@ register(
   },
   { ...base, under: "menu.camera", id: "viewport.camera.save", label: "viewport.cameras.saveNow", run: () => saveCamera() },
   { ...base, id: "viewport.save", label: "viewport.save", run: savePicture },
+  {
+    ...base,
+    under: "menu.camera",
+    id: "viewport.film",
+    label: "viewport.film",
+    isEnabled: () => currentViewport() !== undefined && !isFilmed(),
+    run: saveFilm,
+  },
   step("turnLeft", "viewport.turnLeft", "ArrowLeft", orbit(1, 0)),
   step("turnRight", "viewport.turnRight", "ArrowRight", orbit(-1, 0)),
   step("turnUp", "viewport.turnUp", "ArrowUp", orbit(0, 1)),

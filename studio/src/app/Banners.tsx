@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 import { t } from "../i18n";
 import { documentStore } from "../state/document";
 import { ask, lineStore } from "../state/session";
+import { ScriptsBanner } from "../script/ScriptsBanner";
 import { settingsStore } from "./settings";
 
 /** What must be seen at once: the connection is lost; edits were restored; add-ons are missing. */
@@ -34,6 +35,7 @@ export function Banners() {
           </button>
         </div>
       )}
+      <ScriptsBanner />
       {missing + problems.length > 0 && !seen && (
         <div className="banner warning" role="status">
           <p>{missing > 0 ? t("missing.text", { n: missing }) : t("missing.problems", { n: problems.length })}</p>

@@ -7,6 +7,7 @@ import { isGroup } from "../core/groups";
 import type { Grip } from "../core/hit";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { documentStore } from "../state/document";
+import { showScript } from "../dialogs/store";
 import { canvasStore, type EditorAt } from "./store";
 import { enter, set } from "./edits";
 import { rectNow } from "./gestures/world";
@@ -119,8 +120,10 @@ export function activate(id: string): void {
       set(id, { is: "switch", on: !object.control.on });
       return;
     case "script":
+      showScript(id);
+      return;
     case "formula":
-      openEditor(id, "script");
+      openEditor(id, "formula");
       return;
     case undefined:
       openEditor(id, "nickname");

@@ -36,7 +36,7 @@ export interface TipAt {
 /** A box about one object that is open. */
 export interface EditorAt {
   object: string;
-  is: "control" | "nickname" | "script" | "expression" | "values";
+  is: "control" | "nickname" | "formula" | "expression" | "values";
   /** The port that an expression or values are for. */
   port?: string;
   /** An index in the control, such as a gradient's grip. */

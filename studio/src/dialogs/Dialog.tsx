@@ -2,8 +2,17 @@ import { useEffect, useId, useRef, type ReactNode } from "react";
 
 import { showDialog } from "./store";
 
+interface DialogProps {
+  title: string;
+  children: ReactNode;
+  wide?: boolean;
+  className?: string;
+  /** What is done before it closes, however that comes about. */
+  onClosing?(): void;
+}
+
 /** A modal dialog: the browser's own, which keeps the focus inside, closes on Escape and gives the focus back. */
-export function Dialog({ title, children, wide = false }: { title: string; children: ReactNode; wide?: boolean }) {
+export function Dialog({ title, children, wide = false, className, onClosing }: DialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => {
@@ -11,13 +20,14 @@ export function Dialog({ title, children, wide = false }: { title: string; child
     if (element && !element.open) element.showModal();
   }, []);
   const close = () => {
+    onClosing?.();
     dialog.current?.close();
     showDialog(undefined);
   };
   return (
     <dialog
       ref={dialog}
-      className={wide ? "wide" : undefined}
+      className={[wide ? "wide" : "", className ?? ""].join(" ").trim() || undefined}
       aria-labelledby={id}
       // A long dialog is scrolled with the arrow keys: it takes the focus itself then.
       tabIndex={wide ? 0 : undefined}

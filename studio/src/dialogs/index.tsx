@@ -12,6 +12,8 @@ import { Insert } from "./Insert";
 import { KeySheet } from "./KeySheet";
 import { Palette } from "./Palette";
 import { Publish } from "./Publish";
+import { ScriptDialog } from "../script/ScriptDialog";
+import { ScriptsDialog } from "../script/ScriptsDialog";
 import { SaveAs } from "./SaveAs";
 import { dialogStore } from "./store";
 
@@ -39,6 +41,10 @@ export function Dialogs() {
       return <Documents />;
     case "publish":
       return <Publish />;
+    case "script":
+      return <ScriptDialog />;
+    case "scripts":
+      return <ScriptsDialog />;
     case "insert":
       return <Insert />;
     case undefined:

@@ -3,8 +3,9 @@ import { app } from "./en/app";
 import { canvas } from "./en/canvas";
 import { canvasMore } from "./en/canvasMore";
 import { pick } from "./en/pick";
+import { script } from "./en/script";
 import { viewport } from "./en/viewport";
 
-export const en = { ...app, ...canvas, ...canvasMore, ...pick, ...viewport } as const;
+export const en = { ...app, ...canvas, ...canvasMore, ...pick, ...script, ...viewport } as const;
 
 export type Key = keyof typeof en;

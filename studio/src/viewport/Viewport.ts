@@ -14,7 +14,7 @@ import type { Budget } from "./scene/drawable";
 import { dress } from "./scene/dress";
 import { Model } from "./scene/model";
 import { Painter, type Layer } from "./scene/painter";
-import { pixelOf, pngOf } from "./snapshot";
+import { paintOn, pixelOf, pngOf } from "./snapshot";
 import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
 import { readTheme, type Theme } from "./theme";
 import { isOfDocument, isTool } from "./tools/beside";
@@ -226,6 +226,12 @@ export class Viewport {
   picture(): Promise<Blob | null> {
     this.#draw(true, true);
     return pngOf(this.canvas, this.#texts, this.#renderer.getPixelRatio());
+  }
+
+  /** The picture with its texts, on another canvas. */
+  paint(copy: HTMLCanvasElement): void {
+    this.#draw(true, true);
+    paintOn(copy, this.canvas, this.#texts, this.#renderer.getPixelRatio());
   }
 
   /** The colour of a pixel of the canvas as it would be drawn now. */

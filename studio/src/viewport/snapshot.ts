@@ -6,14 +6,24 @@ import type { TextLayer } from "./overlay/texts";
 /** The canvas with its texts, as PNG. */
 export function pngOf(canvas: HTMLCanvasElement, texts: TextLayer, ratio: number): Promise<Blob | null> {
   const copy = document.createElement("canvas");
-  copy.width = canvas.width;
-  copy.height = canvas.height;
+  if (!paintOn(copy, canvas, texts, ratio)) return Promise.resolve(null);
+  return new Promise((resolve) => copy.toBlob(resolve, "image/png"));
+}
+
+/** Paints the canvas with its texts on another one, which takes its size; gives whether it could. */
+export function paintOn(copy: HTMLCanvasElement, canvas: HTMLCanvasElement, texts: TextLayer, ratio: number): boolean {
+  if (copy.width !== canvas.width || copy.height !== canvas.height) {
+    copy.width = canvas.width;
+    copy.height = canvas.height;
+  }
   const flat = copy.getContext("2d");
-  if (!flat) return Promise.resolve(null);
+  if (!flat) return false;
+  flat.setTransform(1, 0, 0, 1, 0, 0);
+  flat.clearRect(0, 0, copy.width, copy.height);
   flat.drawImage(canvas, 0, 0);
   flat.scale(ratio, ratio);
   texts.paint(flat);
-  return new Promise((resolve) => copy.toBlob(resolve, "image/png"));
+  return true;
 }
 
 /** The colour of a pixel, from the top left. Waits for the graphics card. */

@@ -91,7 +91,7 @@ export function sampleState(): DocumentState {
   const gradient = control("Gradient", [610, 350, 170, 30], { is: "gradient", grips, linear: true });
   const viewer = { ...control("Param Viewer", [610, 400, 90, 90], { is: "formula", text: "" }), control: null };
   const script = component("C# Script", "C#", [730, 410], ["x: Generic Data", "y: Generic Data"], ["out: Text", "A: Generic Data"], {
-    control: { is: "script", language: "C#", text: "A = x;" },
+    control: { is: "script", language: "C#", text: "A = x;", additional: null, using: null, fromWire: false, hints: [] },
     support: { is: "no", plugin: null, reason: "Scripts in C# do not run here" },
   });
   const cluster = component("Cluster", "Truss", [880, 410], ["Span: Number"], ["Truss: Curve"], { kind: "cluster" });

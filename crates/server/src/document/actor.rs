@@ -7,11 +7,10 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};
 
 use katydid_data::text::Style;
-use katydid_definition::document::Object;
-use katydid_script::CSharp;
+use katydid_definition::document::{Object, ids};
 use katydid_session::protocol::{Event, Notice, ResultView};
 use katydid_session::{Change, Editor, Solution, result_view};
-use katydid_solver::{ObjectReport, Options, Refused};
+use katydid_solver::{ObjectReport, Options};
 use uuid::Uuid;
 
 use super::analyses::Finding;
@@ -20,6 +19,7 @@ use super::faces::Faces;
 use super::journal::Keeper;
 use super::model::Beside;
 use super::outbox::End;
+use super::scripts::Scripting;
 use super::solving::{Solving, Work};
 use super::worker::{Ended, Job, News, Worker};
 use super::{About, Command, FaceId, Inquiry, Shared, Source};
@@ -62,6 +62,8 @@ pub(super) struct Actor {
     is_drawn: bool,
     /// What waits for the results.
     inquiries: Vec<Inquiry>,
+    /// Whether scripts run.
+    pub(super) scripting: Scripting,
 }
 
 /// How far the solve that is running has come.
@@ -75,20 +77,20 @@ struct Progress {
     name: String,
 }
 
-/// What to do about a script, which the studio does not run yet: it would have to ask first.
-const SCRIPTS: &str = "the studio does not run Python yet; `katydid run FILE --allow-scripts` does";
-
 impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
         let files = shared.trust.files(source.origin());
-        let Source { document, name, path, hash, rules, model, is_locked, id } = source;
+        let Source { document, name, path, hash, fingerprint, rules, model, is_locked, id } = source;
         let (mut editor, keeper) =
             Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
         editor.about_mut().name = name;
         editor.about_mut().locked = is_locked;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
-        let scripts = Some(Arc::new(CSharp::beside(Arc::new(Refused::new(SCRIPTS)))) as _);
+        let known = fingerprint.filter(|_| editor.found().is_none());
+        let scripting = Scripting::new(shared.scripts.clone(), known, path.clone());
+        editor.about_mut().scripts = scripting.view(editor.document());
+        let scripts = Some(scripting.scripts());
         let beside = Beside::new(model);
         let model = beside.model().map(Arc::clone);
         let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };
@@ -116,6 +118,7 @@ impl Actor {
             ending: None,
             is_drawn: false,
             inquiries: Vec::new(),
+            scripting,
         };
         actor.want(Work::Solve);
         actor
@@ -173,8 +176,8 @@ impl Actor {
 
     fn take(&mut self, command: Command) {
         match command {
-            Command::Join(id, outbox) => {
-                self.faces.join(id, outbox);
+            Command::Join(id, outbox, standing) => {
+                self.faces.join(id, outbox, standing);
                 self.show_all(id);
             }
             Command::Leave(id) => {
@@ -397,6 +400,11 @@ impl Actor {
             }
         }
         lost.into_iter().for_each(|id| self.show_all(id));
+        let difference = &change.difference;
+        let is_script = |object: &Object| object.script().is_some() || object.component == ids::CLUSTER;
+        if !difference.removed.is_empty() || difference.put.iter().any(|(_, object)| is_script(object)) {
+            self.show_scripts();
+        }
         self.want(Work::Solve);
     }
 

@@ -56,6 +56,7 @@ impl Actor {
     fn carry_out(&mut self, id: FaceId, seq: u64, ask: Ask) -> Result<Answer, String> {
         let told = |refusal: Refusal| refusal.to_string();
         let mut made = Vec::new();
+        self.look_at_scripts(id, &ask);
         match ask {
             // Nobody keeps or takes back that a button is held: only the solver hears of it.
             Ask::Edit { edit: Edit::Set { object, to: Setting::Press { down } }, within, .. } => {
@@ -108,6 +109,11 @@ impl Actor {
                 let text = self.editor.copy(&objects, &within).map_err(told)?;
                 return Ok(Answer::Event(Box::new(Event::Copied { seq, text })));
             }
+            Ask::Scripts => {
+                let scripts = katydid_session::scripts(self.editor.document());
+                return Ok(Answer::Event(Box::new(Event::Scripts { seq, scripts })));
+            }
+            Ask::AllowScripts { run, keep } => self.allow_scripts(id, run, keep)?,
             Ask::Save { path } => self.save(path)?,
             Ask::Settle { keep } => {
                 let change = self.editor.settle(keep);
@@ -222,6 +228,7 @@ impl Actor {
         about.name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         about.path = Some(told);
         self.keeper.saved(&mut self.editor, &path, blake3::hash(&bytes));
+        self.scripting.saved(&bytes, &path);
         if let Some(recent) = &self.shared.recent {
             recent.note(&path);
         }

@@ -15,6 +15,16 @@ pub(super) struct Face {
     pub(super) within: Vec<Uuid>,
     /// Whether something is dragged there.
     pub(super) drags: bool,
+    pub(super) standing: Standing,
+}
+
+/// Whose page shows a document.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Standing {
+    /// Whoever is at this machine: they answer for what runs on it.
+    Owner,
+    /// Somebody who joined from another.
+    Guest,
 }
 
 /// All who show the document.
@@ -22,8 +32,8 @@ pub(super) struct Face {
 pub(super) struct Faces(HashMap<FaceId, Face>);
 
 impl Faces {
-    pub(super) fn join(&mut self, id: FaceId, outbox: Arc<Outbox>) {
-        self.0.insert(id, Face { outbox, within: Vec::new(), drags: false });
+    pub(super) fn join(&mut self, id: FaceId, outbox: Arc<Outbox>, standing: Standing) {
+        self.0.insert(id, Face { outbox, within: Vec::new(), drags: false, standing });
     }
 
     pub(super) fn leave(&mut self, id: FaceId) {

@@ -13,6 +13,7 @@ mod faces;
 mod journal;
 mod model;
 mod outbox;
+mod scripts;
 mod solving;
 mod source;
 mod thumbnails;
@@ -30,6 +31,7 @@ use crate::files::Form;
 use crate::geometry::Geometries;
 use katydid_session::protocol::Request;
 
+pub(crate) use faces::Standing;
 pub(crate) use journal::left_behind;
 pub(crate) use outbox::{Message, Outbox};
 pub(crate) use source::{Source, id_of};
@@ -40,7 +42,7 @@ pub(crate) type FaceId = u64;
 /// What a document is asked or told.
 pub(crate) enum Command {
     /// A face wants to see it.
-    Join(FaceId, Arc<Outbox>),
+    Join(FaceId, Arc<Outbox>, Standing),
     /// A face is gone.
     Leave(FaceId),
     /// A face was too slow: it wants everything anew.
@@ -154,4 +156,6 @@ pub(crate) struct Shared {
     pub(crate) journals: Option<std::path::PathBuf>,
     /// Who works on the documents, and what they may therefore read of this machine.
     pub(crate) trust: Trust,
+    /// What runs their scripts once somebody lets them.
+    pub(crate) scripts: Option<crate::ScriptConfig>,
 }

@@ -25,6 +25,8 @@ pub(crate) struct Source {
     pub(crate) path: Option<PathBuf>,
     /// The bytes that it was read from.
     pub(crate) hash: Option<blake3::Hash>,
+    /// What trust in its scripts goes by: the hash of the bytes that were read or sent.
+    pub(crate) fingerprint: Option<String>,
     /// Its own units and tolerances, or those of its model.
     pub(crate) rules: Rules,
     pub(crate) model: Option<Attached>,
@@ -47,6 +49,7 @@ impl Source {
             name: String::new(),
             path: None,
             hash: None,
+            fingerprint: None,
             rules: Rules { now: now(), ..Rules::default() },
             model: None,
             is_locked: false,
@@ -63,7 +66,8 @@ impl Source {
     pub(crate) fn sent(name: &str, form: Form, bytes: &[u8]) -> Result<Self, String> {
         let (document, units) = files::read(form, bytes).map_err(|error| format!("{name}: {error}"))?;
         let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-        let source = Self { document, name: stem.unwrap_or_default(), ..Self::empty() };
+        let fingerprint = Some(katydid_script::fingerprint(bytes));
+        let source = Self { document, name: stem.unwrap_or_default(), fingerprint, ..Self::empty() };
         Ok(source.with_units(units))
     }
 
@@ -84,6 +88,7 @@ impl Source {
             document,
             name: path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
             hash: Some(blake3::hash(&bytes)),
+            fingerprint: Some(katydid_script::fingerprint(&bytes)),
             id: id_of(&path),
             path: Some(path),
             ..Self::empty()

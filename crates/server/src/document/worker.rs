@@ -10,11 +10,11 @@ use std::sync::mpsc::{Receiver, Sender};
 use std::time::{Duration, Instant};
 
 use katydid_component::{Cancel, RhinoModel};
-use katydid_definition::document::{Difference, Document, Object};
+use katydid_definition::document::{Difference, Document, Object, ids};
 use katydid_session::Change;
 use katydid_session::display::{ModelPreview, Preview, encode_model};
 use katydid_session::protocol::{AnalysisView, Probe};
-use katydid_solver::{Engine, Finished, ObjectReport, Options};
+use katydid_solver::{Engine, Finished, ObjectReport, Options, Scripts};
 use uuid::Uuid;
 
 use super::analyses::{Analyses, Finding};
@@ -29,6 +29,8 @@ pub(crate) enum Job {
     Press(Difference),
     /// The Rhino model that parameters refer to is another.
     Model(Arc<RhinoModel>),
+    /// What runs scripts from now on; those of the document are solved anew.
+    Scripts(Arc<dyn Scripts>),
     /// Everything is to be solved again.
     Forget,
     /// Whether things are being dragged.
@@ -142,6 +144,16 @@ impl Worker {
                 self.engine.options_mut().model = Some(model);
                 self.is_model_due = true;
                 self.engine.forget();
+            }
+            Job::Scripts(scripts) => {
+                self.engine.options_mut().scripts = Some(scripts);
+                let objects = self.engine.document().objects.iter().enumerate();
+                // Scripts stand in clusters too.
+                let due: Vec<usize> = objects
+                    .filter(|(_, object)| object.script().is_some() || object.component == ids::CLUSTER)
+                    .map(|(at, _)| at)
+                    .collect();
+                due.into_iter().for_each(|at| self.engine.expire(at));
             }
             Job::Forget => self.engine.forget(),
             Job::Draft(is_draft) => {

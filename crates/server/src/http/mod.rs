@@ -41,6 +41,7 @@ impl State {
             recent: Some(Recent::new(config.state.as_deref())),
             journals: config.state.as_ref().map(|state| state.join("journals")),
             trust: config.trust(),
+            scripts: config.scripts.clone(),
             ..Shared::default()
         });
         Self {

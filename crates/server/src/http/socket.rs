@@ -4,11 +4,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
+use axum::Extension;
 use axum::body::Bytes;
 use axum::extract::rejection::QueryRejection;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::ws::{Message as Frame, WebSocket, WebSocketUpgrade};
 use axum::extract::{Query, State as Extract};
+use axum::http::HeaderMap;
 use axum::response::{IntoResponse, Response};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
@@ -19,7 +21,8 @@ use tokio::time::{Instant, interval, timeout};
 
 use super::State;
 use super::answer::Refused;
-use crate::document::{Command, FaceId, Handle, Message, Outbox, Source, id_of, left_behind};
+use crate::document::{Command, FaceId, Handle, Message, Outbox, Source, Standing, id_of, left_behind};
+use crate::listen::Peer;
 
 /// A request has no more bytes: what is pasted is the largest.
 const LARGEST: usize = 16 << 20;
@@ -40,11 +43,14 @@ pub(crate) struct Joining {
 pub(crate) async fn join(
     Extract(state): Extract<Arc<State>>,
     query: Result<Query<Joining>, QueryRejection>,
+    peer: Option<Extension<Peer>>,
+    headers: HeaderMap,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Response {
     let Ok(Query(Joining { document })) = query else {
         return Refused::bad("say which document").into_response();
     };
+    let standing = standing(peer.map(|Extension(peer)| peer), &headers);
     let upgrade = match upgrade {
         Ok(upgrade) => upgrade,
         Err(error) => return Refused::bad(error.to_string()).into_response(),
@@ -52,7 +58,18 @@ pub(crate) async fn join(
     let Some(handle) = find(&state, &document).await else {
         return Refused::missing("document").into_response();
     };
-    upgrade.max_message_size(LARGEST).max_frame_size(LARGEST).on_upgrade(move |socket| serve(socket, handle))
+    upgrade
+        .max_message_size(LARGEST)
+        .max_frame_size(LARGEST)
+        .on_upgrade(move |socket| serve(socket, handle, standing))
+}
+
+/// Whose page asks. A program of this machine that passes the requests of others on says so, as a rule.
+fn standing(peer: Option<Peer>, headers: &HeaderMap) -> Standing {
+    let is_here = peer.is_some_and(|Peer(peer)| peer.ip().to_canonical().is_loopback());
+    let is_passed_on =
+        ["forwarded", "x-forwarded-for", "x-real-ip", "via"].iter().any(|name| headers.contains_key(*name));
+    if is_here && !is_passed_on { Standing::Owner } else { Standing::Guest }
 }
 
 /// A document that is open; or one of the recent files, or one that was never saved and left its journal: a page asks
@@ -77,13 +94,13 @@ async fn find(state: &Arc<State>, id: &str) -> Option<Handle> {
     state.documents.get(&id)
 }
 
-async fn serve(socket: WebSocket, handle: Handle) {
+async fn serve(socket: WebSocket, handle: Handle, standing: Standing) {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     let face: FaceId = NEXT.fetch_add(1, Ordering::Relaxed);
     let outbox = Arc::new(Outbox::default());
     let room = Arc::new(Semaphore::new(MOST_WAITING));
     let (writer, reader) = socket.split();
-    if !handle.tell(Command::Join(face, Arc::clone(&outbox))) {
+    if !handle.tell(Command::Join(face, Arc::clone(&outbox), standing)) {
         return;
     }
     let writing = write(writer, Arc::clone(&outbox), Arc::clone(&room), &handle, face);
@@ -187,4 +204,25 @@ async fn write(
 
 async fn send(writer: &mut SplitSink<WebSocket, Frame>, frame: Frame) -> Option<()> {
     timeout(SEND_TIME, writer.send(frame)).await.ok()?.ok()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::*;
+
+    #[test]
+    fn only_whoever_is_at_the_machine_is_its_owner() {
+        let peer = |text: &str| Some(Peer(text.parse().unwrap()));
+        let plain = HeaderMap::new();
+        assert_eq!(standing(peer("127.0.0.1:5000"), &plain), Standing::Owner);
+        assert_eq!(standing(peer("[::1]:5000"), &plain), Standing::Owner);
+        assert_eq!(standing(peer("[::ffff:127.0.0.1]:5000"), &plain), Standing::Owner);
+        assert_eq!(standing(peer("192.168.1.7:5000"), &plain), Standing::Guest);
+        assert_eq!(standing(None, &plain), Standing::Guest);
+        let mut passed_on = HeaderMap::new();
+        passed_on.insert("x-forwarded-for", "192.168.1.7".parse().unwrap());
+        assert_eq!(standing(peer("127.0.0.1:5000"), &passed_on), Standing::Guest);
+    }
 }

@@ -14,6 +14,8 @@ use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 use tokio::time::{Instant, timeout};
 use tokio_tungstenite::tungstenite::Message;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 use uuid::Uuid;
@@ -112,7 +114,19 @@ impl Studio {
     }
 
     pub(crate) async fn join(&self, document: &str) -> Face {
-        let url = self.socket(document);
+        self.join_through(document, None).await
+    }
+
+    /// Joins as somebody at another machine does, whose words a proxy of this one passes on.
+    pub(crate) async fn join_from(&self, document: &str, address: &'static str) -> Face {
+        self.join_through(document, Some(address)).await
+    }
+
+    async fn join_through(&self, document: &str, address: Option<&'static str>) -> Face {
+        let mut url = self.socket(document).into_client_request().unwrap();
+        if let Some(address) = address {
+            url.headers_mut().insert("x-forwarded-for", HeaderValue::from_static(address));
+        }
         let config = WebSocketConfig::default().max_message_size(None).max_frame_size(None);
         let (socket, _) =
             tokio_tungstenite::connect_async_with_config(url, Some(config), false).await.unwrap();
@@ -239,6 +253,7 @@ impl Face {
                     | Event::Refused { seq, .. }
                     | Event::Rows { seq, .. }
                     | Event::Pictures { seq, .. }
+                    | Event::Scripts { seq, .. }
                     | Event::Copied { seq, .. }),
                 ) if seq == mine => return event,
                 _ => {}

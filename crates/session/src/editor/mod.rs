@@ -20,7 +20,7 @@ pub(crate) use draft::Draft;
 pub(crate) use inside::{content, open};
 
 use crate::journal::{Found, Journal};
-use crate::protocol::{DocumentState, Edit, Event};
+use crate::protocol::{DocumentState, Edit, Event, ScriptsView};
 use crate::{Change, Refusal, edits, view};
 
 /// A document being edited, with its history.
@@ -70,6 +70,8 @@ pub struct About {
     pub path: Option<String>,
     /// Whether edits are not solved until somebody says so.
     pub locked: bool,
+    /// The scripts that run only where somebody lets them.
+    pub scripts: Option<ScriptsView>,
 }
 
 impl Editor {

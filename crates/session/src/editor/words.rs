@@ -56,6 +56,8 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
             PortChange::Degrees { .. } => "Change degrees",
             PortChange::Unitize { .. } => "Unitize",
             PortChange::Expression { .. } => "Change expression",
+            PortChange::Hint { .. } => "Change type hint",
+            PortChange::Access { .. } => "Change access",
             PortChange::Wire { .. } => "Change wire display",
             PortChange::Principal { .. } => "Change principal input",
         }

@@ -3,7 +3,7 @@
 use katydid_definition::archive::{Chunk, Colour as Argb, ItemValue};
 use katydid_definition::document::{Object, Special, ids, parse_path};
 
-use super::{bounded, finite, graphs, lists, make, objects, panel};
+use super::{bounded, finite, graphs, lists, make, objects, panel, scripts};
 use crate::Refusal;
 use crate::editor::Draft;
 use crate::protocol::{BorderView, Colour, Control, PanelChange, RoundingView, Setting};
@@ -226,8 +226,8 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
         (Control::Sketch { lines, colour, width }, Some(Special::Sketch(_))) => {
             lists::sketch(object, lines, *colour, *width)?
         }
-        (Control::Script { .. }, _) => {
-            return Err(unfit(object, "this cannot be changed here"));
+        (Control::Script { text, additional, using, .. }, _) => {
+            scripts::write(object, text, [additional.as_deref(), using.as_deref()])?;
         }
         _ => return Err(unfit(object, "it is not a control of that kind")),
     }

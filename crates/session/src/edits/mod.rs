@@ -17,6 +17,7 @@ mod panel;
 mod paste;
 mod player;
 mod ports;
+mod scripts;
 mod settings;
 mod wires;
 

@@ -6,7 +6,7 @@ use katydid_definition::document::{Mapping, NewPort, Object, PortPlace, PortRef,
 use katydid_definition::kd::{self, Catalogue};
 use uuid::Uuid;
 
-use super::{make, wires};
+use super::{make, scripts, wires};
 use crate::editor::Draft;
 use crate::protocol::{MappingView, PortChange, WireView};
 use crate::view::{is_removable, is_variable, kind, size};
@@ -27,6 +27,12 @@ pub(super) fn change(draft: &mut Draft<'_>, port: Uuid, change: &PortChange) -> 
     let object = draft.at(at.object)?;
     if let PortChange::Nickname { text } = change {
         return nickname(object, at, text);
+    }
+    if let PortChange::Hint { hint } = change {
+        return scripts::hint(object, at, hint);
+    }
+    if let PortChange::Access { access } = change {
+        return scripts::access(object, at, *access);
     }
     if let PortChange::Principal { on } = change {
         return principal(object, at, *on);
@@ -74,7 +80,11 @@ pub(super) fn change(draft: &mut Draft<'_>, port: Uuid, change: &PortChange) -> 
             WireView::Faint => chunk.set("WireDisplay", 1),
             WireView::Hidden => chunk.set("WireDisplay", 2),
         },
-        PortChange::Nickname { .. } | PortChange::Mapping { .. } | PortChange::Principal { .. } => {}
+        PortChange::Nickname { .. }
+        | PortChange::Mapping { .. }
+        | PortChange::Principal { .. }
+        | PortChange::Hint { .. }
+        | PortChange::Access { .. } => {}
     }
     object.refresh();
     Ok(())
@@ -208,10 +218,11 @@ pub(super) fn add(
                     name: name.clone(),
                     nickname: name,
                     optional: input,
-                    type_id: Some(ids::DATA),
+                    type_id: Some(scripts::port_type(found, side)),
                     ..NewPort::default()
                 },
             );
+            scripts::equip(found, side);
         }
     }
     if let (Some(component), true) = (component, input)

@@ -47,8 +47,19 @@ pub enum Control {
     Image { file: String, hash: Option<String> },
     /// Expression, Evaluate: the text of the formula.
     Formula { text: String },
-    /// A script: its language and text. Read only.
-    Script { language: String, text: String },
+    /// A script. Of what is sent back only the texts count.
+    Script {
+        language: String,
+        text: String,
+        /// Further members of its class; none where its component keeps none.
+        additional: Option<String>,
+        /// Its imports, where its component keeps them apart.
+        using: Option<String>,
+        /// Whether the text comes in over a wire: it cannot be changed here then.
+        from_wire: bool,
+        /// The names of the type hints that its inputs can have.
+        hints: Vec<String>,
+    },
     /// Path Mapper: source and target masks.
     Paths { rules: Vec<[String; 2]> },
     /// Cherry Picker: a path and an index.

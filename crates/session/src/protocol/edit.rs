@@ -187,6 +187,23 @@ pub enum PortChange {
     Wire { wire: WireView },
     /// Whether the outputs' paths follow this input's.
     Principal { on: bool },
+    /// The type hint of a script's input, by its name.
+    Hint { hint: String },
+    /// How much of a tree a script's input takes at once.
+    Access { access: AccessView },
+}
+
+/// How much of a tree an input takes at once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub enum AccessView {
+    /// One item.
+    Item,
+    /// A list.
+    List,
+    /// The whole tree.
+    Tree,
 }
 
 /// A change of how a panel looks.

@@ -36,6 +36,8 @@ pub enum Event {
     Rows { seq: u64, page: Page },
     /// Small pictures, in answer to `Pictures`.
     Pictures { seq: u64, pictures: Vec<PictureView> },
+    /// The scripts that run only where somebody lets them, in answer to `Scripts`.
+    Scripts { seq: u64, scripts: Vec<ScriptView> },
     /// The clipboard's text, in answer to `Copy`.
     Copied { seq: u64, text: String },
     /// A solve has begun or gone on. Solves are numbered; what belongs to an older one can be thrown away.
@@ -108,6 +110,20 @@ pub struct Restored {
     pub at: u64,
 }
 
+/// A script that is asked about, wherever in the definition it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct ScriptView {
+    /// Its component's name.
+    pub title: String,
+    /// Its language.
+    pub language: String,
+    /// Its text; empty when it comes in over a wire.
+    pub text: String,
+    /// The modules that it imports, and the packages that it asks for.
+    pub imports: Vec<String>,
+}
+
 /// Something odd about a file: a part that could not be read, an add-on that is not here.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -159,6 +175,10 @@ pub struct MessageView {
     pub level: String,
     /// The message.
     pub text: String,
+    /// The line of the script that it is about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub line: Option<u32>,
 }
 
 /// What an input needs of a Rhino model and does not have.

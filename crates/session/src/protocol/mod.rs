@@ -24,10 +24,12 @@ pub use analysis::{
     AnalysisView, BendView, CircleView, CombMeasure, CombView, IsocurvesView, Probe, ProbePlace, Probed,
 };
 pub use control::{Control, GraphView, GripView, ListItemView, ListModeView, RoundingView, Setting};
-pub use edit::{Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange};
+pub use edit::{
+    AccessView, Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange,
+};
 pub use event::{
     DocumentState, Event, MessageView, ModelLackView, Notice, OutputView, Page, PictureView, Problem,
-    Restored, ResultView, Row, Structure,
+    Restored, ResultView, Row, ScriptView, Structure,
 };
 pub use geometry::{Drawing, GeometrySource, PlaneView};
 pub use model::{ModelLayerView, ModelObjectView, ModelView};
@@ -35,5 +37,5 @@ pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, Preview
 pub use request::{Ask, Request, SaveFormat};
 pub use view::{
     BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PlayerInput, PortView,
-    Support, WireView,
+    ScriptPermission, ScriptsView, Support, WireView,
 };

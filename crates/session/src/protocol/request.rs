@@ -59,6 +59,10 @@ pub enum Ask {
         #[serde(default)]
         within: Vec<Uuid>,
     },
+    /// The scripts that run only where somebody lets them, those in clusters too.
+    Scripts,
+    /// Says whether they may run; with `keep`, from now on whenever this file is opened as it is.
+    AllowScripts { run: bool, keep: bool },
     /// Objects with the wires between them, as Grasshopper's clipboard has them.
     Copy {
         objects: Vec<Uuid>,

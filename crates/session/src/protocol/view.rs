@@ -39,6 +39,33 @@ pub struct DocumentView {
     pub locked: bool,
     /// The inputs that the player shows, in their order; none where it finds them itself.
     pub player: Option<Vec<PlayerInput>>,
+    /// The scripts in it that run only where somebody lets them; none where there are none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub scripts: Option<ScriptsView>,
+}
+
+/// Scripts that run only where somebody lets them: programs that could do anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct ScriptsView {
+    /// How many there are.
+    pub count: u32,
+    /// Whether they may run.
+    pub permission: ScriptPermission,
+}
+
+/// Whether a document's scripts may run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub enum ScriptPermission {
+    /// Nobody has said.
+    Asked,
+    /// They may.
+    Given,
+    /// They may not.
+    Refused,
 }
 
 /// An input that the player shows.
@@ -178,6 +205,10 @@ pub struct PortView {
     pub principal: bool,
     /// Whether this port can be removed.
     pub removable: bool,
+    /// The name of a script input's type hint.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub hint: Option<String>,
 }
 
 /// How wires into an input are drawn.

@@ -3,7 +3,7 @@
 use katydid_data::Value;
 use katydid_definition::archive;
 use katydid_definition::document::special::{Border, Graph, GraphMapper, ListMode, Rounding, Sketch};
-use katydid_definition::document::{Document, Object, Persistent, Special, Stored, format_path};
+use katydid_definition::document::{Document, Object, Persistent, Script, Special, Stored, format_path, ids};
 use katydid_solver::{Engine, Options};
 
 use crate::protocol::{
@@ -23,7 +23,7 @@ pub(crate) fn colour(c: archive::Colour) -> Colour {
 /// What an object has of its own; none for an ordinary component.
 pub(crate) fn control(object: &Object) -> Option<Control> {
     if let Some(script) = object.script() {
-        return Some(Control::Script { language: script.language.to_string(), text: script.text });
+        return Some(scripted(object, script));
     }
     Some(match object.special()? {
         Special::Slider(slider) => Control::Slider {
@@ -142,6 +142,22 @@ pub(crate) fn control(object: &Object) -> Option<Control> {
         Special::Sketch(sketch) => sketched(sketch),
         _ => return None,
     })
+}
+
+/// A script, with line feeds alone between its lines.
+fn scripted(object: &Object, script: Script) -> Control {
+    let plain = |text: String| text.replace("\r\n", "\n");
+    let container = object.container();
+    let is_in_parts =
+        [ids::C_SHARP, ids::VB].contains(&object.component) && container.child("UserCode").is_none();
+    Control::Script {
+        language: script.language.to_string(),
+        text: plain(script.text),
+        additional: is_in_parts.then(|| plain(script.additional)),
+        using: is_in_parts.then(|| plain(script.using)),
+        from_wire: script.from_wire,
+        hints: super::hints::names(object.component),
+    }
 }
 
 fn sketched(sketch: Sketch) -> Control {

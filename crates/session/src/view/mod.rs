@@ -1,6 +1,7 @@
 //! The document as faces see it.
 
 mod control;
+pub(crate) mod hints;
 mod implied;
 mod object;
 pub(crate) mod picture;
@@ -63,6 +64,7 @@ pub(crate) fn header(editor: &Editor) -> DocumentView {
         redo: editor.redo_name().map(str::to_owned),
         locked: about.locked,
         player: crate::edits::published(document),
+        scripts: about.scripts,
     }
 }
 

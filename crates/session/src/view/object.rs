@@ -4,6 +4,7 @@ use katydid_component::{Component, registry};
 use katydid_definition::archive::Limits;
 use katydid_definition::document::{Annotation, ClusterContent, Document, Object, ObjectKind, Side, ids};
 
+use crate::check::is_run;
 use crate::protocol::{ObjectKindView, ObjectView, Support};
 use crate::view::implied::Names;
 use crate::view::{control, port, size, strip};
@@ -91,7 +92,8 @@ pub(crate) fn support(document: &Document, object: &Object, component: Option<&C
             _ => Support::Yes,
         };
     }
-    if component.is_some() {
+    // A script says with its result whether it may run.
+    if component.is_some() || object.script().is_some_and(|script| is_run(&script)) {
         return Support::Yes;
     }
     let known = registry::unsupported(object.component).map(|known| known.reason.to_owned());

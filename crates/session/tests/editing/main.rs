@@ -10,6 +10,7 @@ mod given;
 mod made;
 mod ports;
 mod published;
+mod scripts;
 mod several;
 mod steps;
 mod wires;

@@ -10,7 +10,7 @@ import { GradientEditor } from "./GradientEditor";
 import { GroupEditor, NicknameEditor, PaperEditor } from "./NameEditors";
 import { GraphEditor } from "./GraphEditor";
 import { DigitsEditor, DomainsEditor, GenesEditor, KnobEditor } from "./NumberEditors";
-import { ExpressionEditor, ScriptView, ValuesEditor } from "./PortEditors";
+import { ExpressionEditor, FormulaEditor, ValuesEditor } from "./PortEditors";
 import { SwatchEditor } from "./SwatchEditor";
 import { SliderEditor } from "./SliderEditor";
 import { ListEditor } from "./ListEditor";
@@ -32,7 +32,7 @@ export function Editor() {
 
 function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
   if (at.is === "nickname") return <NicknameEditor object={object} />;
-  if (at.is === "script") return <ScriptView object={object} />;
+  if (at.is === "formula") return <FormulaEditor object={object} />;
   if (at.is === "expression" && at.port) return <ExpressionEditor object={object} port={at.port} />;
   if (at.is === "values" && at.port) return <ValuesEditor object={object} port={at.port} />;
   const { control } = object;

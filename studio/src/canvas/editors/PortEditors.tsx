@@ -5,7 +5,6 @@ import type { PortView } from "../../core/protocol/PortView";
 import { t } from "../../i18n";
 import { edit } from "../../state/session";
 import { changePort, reshape } from "../edits";
-import { closeBoxes } from "../open";
 import { rowsOf } from "../rows";
 import { Form, Line, TextLine } from "./fields";
 
@@ -64,8 +63,8 @@ export function ValuesEditor({ object, port: id }: { object: ObjectView; port: s
   );
 }
 
-/** A script, to be read; a formula, to be written. */
-export function ScriptView({ object }: { object: ObjectView }) {
+/** The formula of an Expression. */
+export function FormulaEditor({ object }: { object: ObjectView }) {
   const { control } = object;
   const [text, setText] = useState(control?.is === "formula" ? control.text : "");
   if (control?.is === "formula") {
@@ -77,19 +76,5 @@ export function ScriptView({ object }: { object: ObjectView }) {
       </Form>
     );
   }
-  if (control?.is !== "script") return null;
-  return (
-    <div className="script">
-      <h3>
-        {object.nickname.trim() || object.name} <small>{control.language}</small>
-      </h3>
-      <p className="faint">{t("canvas.script.readOnly")}</p>
-      <pre tabIndex={0}>{control.text}</pre>
-      <div className="form-end">
-        <button type="button" onClick={closeBoxes}>
-          {t("canvas.form.close")}
-        </button>
-      </div>
-    </div>
-  );
+  return null;
 }

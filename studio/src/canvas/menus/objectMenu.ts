@@ -6,6 +6,7 @@ import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PanelChange } from "../../core/protocol/PanelChange";
 import { graphChoices } from "../../core/graph";
+import { showScript } from "../../dialogs/store";
 import { t, type Key } from "../../i18n";
 import { edit } from "../../state/session";
 import { runStore } from "../../state/run";
@@ -151,8 +152,9 @@ function controlItems(object: ObjectView, control: Control): Item[] {
         { is: "do", label: t("canvas.false"), on: !control.on, run: () => set(object.id, { is: "switch", on: false }) },
       ];
     case "script":
+      return [{ is: "do", label: t("script.menu"), run: () => showScript(object.id) }];
     case "formula":
-      return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "script") }];
+      return [{ is: "do", label: t("canvas.menu.script"), run: () => openEditor(object.id, "formula") }];
     case "recorder": {
       const flip = () => reshape(object.id, { ...control, recording: !control.recording });
       return [{ is: "do", label: t("canvas.menu.recording"), on: control.recording, run: flip }];

@@ -14,4 +14,20 @@ export type Control = { "is": "slider", value: number, min: number, max: number,
 /**
  * 0 left, 1 centre, 2 right.
  */
-alignment: number, colour: [number, number, number, number], } | { "is": "toggle", on: boolean, } | { "is": "button", normal: string, pressed: string, } | { "is": "valueList", mode: ListModeView, items: Array<ListItemView>, } | { "is": "swatch", colour: [number, number, number, number], } | { "is": "mdSlider", value: [number, number, number], domains: [[number, number], [number, number], [number, number]], } | { "is": "knob", value: number, min: number, max: number, limited: boolean, range: number, decimals: number, } | { "is": "digits", value: number, digits: number, radix: number, prefix: string, suffix: string, } | { "is": "genes", values: Array<number>, decimals: number, min: number, max: number, } | { "is": "graph", x: [number, number], y: [number, number], graph: GraphView, drawn: Array<[number, number]>, } | { "is": "gradient", grips: Array<GripView>, linear: boolean, } | { "is": "image", file: string, hash: string | null, } | { "is": "formula", text: string, } | { "is": "script", language: string, text: string, } | { "is": "paths", rules: Array<[string, string]>, } | { "is": "cherry", path: string, index: number, } | { "is": "recorder", recording: boolean, limit: number | null, } | { "is": "contextual", prompt: string, minimum: number | null, maximum: number | null, } | { "is": "group", label: string, colour: [number, number, number, number], border: BorderView, members: Array<string>, } | { "is": "scribble", text: string, font: string, size: number, bold: boolean, italic: boolean, corners: [[number, number], [number, number], [number, number], [number, number]], } | { "is": "sketch", lines: Array<Array<[number, number]>>, colour: [number, number, number, number], width: number, };
+alignment: number, colour: [number, number, number, number], } | { "is": "toggle", on: boolean, } | { "is": "button", normal: string, pressed: string, } | { "is": "valueList", mode: ListModeView, items: Array<ListItemView>, } | { "is": "swatch", colour: [number, number, number, number], } | { "is": "mdSlider", value: [number, number, number], domains: [[number, number], [number, number], [number, number]], } | { "is": "knob", value: number, min: number, max: number, limited: boolean, range: number, decimals: number, } | { "is": "digits", value: number, digits: number, radix: number, prefix: string, suffix: string, } | { "is": "genes", values: Array<number>, decimals: number, min: number, max: number, } | { "is": "graph", x: [number, number], y: [number, number], graph: GraphView, drawn: Array<[number, number]>, } | { "is": "gradient", grips: Array<GripView>, linear: boolean, } | { "is": "image", file: string, hash: string | null, } | { "is": "formula", text: string, } | { "is": "script", language: string, text: string, 
+/**
+ * Further members of its class; none where its component keeps none.
+ */
+additional: string | null, 
+/**
+ * Its imports, where its component keeps them apart.
+ */
+using: string | null, 
+/**
+ * Whether the text comes in over a wire: it cannot be changed here then.
+ */
+fromWire: boolean, 
+/**
+ * The names of the type hints that its inputs can have.
+ */
+hints: Array<string>, } | { "is": "paths", rules: Array<[string, string]>, } | { "is": "cherry", path: string, index: number, } | { "is": "recorder", recording: boolean, limit: number | null, } | { "is": "contextual", prompt: string, minimum: number | null, maximum: number | null, } | { "is": "group", label: string, colour: [number, number, number, number], border: BorderView, members: Array<string>, } | { "is": "scribble", text: string, font: string, size: number, bold: boolean, italic: boolean, corners: [[number, number], [number, number], [number, number], [number, number]], } | { "is": "sketch", lines: Array<Array<[number, number]>>, colour: [number, number, number, number], width: number, };

@@ -9,6 +9,7 @@ import type { Page } from "./Page";
 import type { PictureView } from "./PictureView";
 import type { Probed } from "./Probed";
 import type { ResultView } from "./ResultView";
+import type { ScriptView } from "./ScriptView";
 
 /**
  * What the session tells a face.
@@ -33,7 +34,7 @@ document: DocumentView | null, } | { "event": "done", seq: number, revision: num
 /**
  * The ids of objects that a paste or copy made.
  */
-made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "pictures", seq: number, pictures: Array<PictureView>, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
+made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "pictures", seq: number, pictures: Array<PictureView>, } | { "event": "scripts", seq: number, scripts: Array<ScriptView>, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
 /**
  * The object that was done last.
  */

@@ -11,4 +11,8 @@ level: string,
 /**
  * The message.
  */
-text: string, };
+text: string, 
+/**
+ * The line of the script that it is about.
+ */
+line?: number, };

@@ -85,4 +85,8 @@ principal: boolean,
 /**
  * Whether this port can be removed.
  */
-removable: boolean, };
+removable: boolean, 
+/**
+ * The name of a script input's type hint.
+ */
+hint?: string, };

@@ -4,7 +4,7 @@ export const app = {
   "about.what":
     "Katydid runs, edits and saves Grasshopper definitions without Rhino, on a geometry kernel of its own.",
   "about.privacy": "Nothing leaves this machine: no account, no telemetry, no page fetched from elsewhere.",
-  "about.parts": "The page is made with React, React Flow, three.js and three-mesh-bvh, which are under the MIT licence.",
+  "about.parts": "The page is made with React, React Flow, three.js, three-mesh-bvh and CodeMirror, which are under the MIT licence.",
   "about.typeface": "Its typeface is Inter, under the SIL Open Font License 1.1",
   "about.licence": "Free software under the MIT or the Apache 2.0 licence.",
   "action.about": "About Katydid",
@@ -21,6 +21,7 @@ export const app = {
   "action.recompute": "Recompute",
   "action.save": "Save",
   "action.saveAs": "Save as …",
+  "action.scripts": "Scripts …",
   "action.settings": "Document settings …",
   "action.start": "Open …",
   "data.after": "Next rows",

@@ -149,7 +149,6 @@ export const canvas = {
   "canvas.cherry.index": "Index",
   "canvas.paths.rules": "Rules, one a line: {A;B} -> {B;A}",
   "canvas.values.lines": "Values, one a line; {0;1} before each branch",
-  "canvas.script.readOnly": "Scripts in this language are kept as they are; they are not run here.",
   "canvas.form.take": "OK",
   "canvas.form.cancel": "Cancel",
   "canvas.form.close": "Close",

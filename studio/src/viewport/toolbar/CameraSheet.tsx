@@ -41,6 +41,7 @@ export function CameraSheet() {
       </form>
       <hr />
       <Turntable />
+      <FilmButton />
       <small>{t("viewport.cameras.kept")}</small>
     </Popover>
   );
@@ -51,4 +52,25 @@ function Turntable() {
   const isOn = useStore(settingsStore, (settings) => settings.turntable);
   if (isStill()) return null;
   return <Check label="viewport.turntable" checked={isOn} onChange={() => void action("viewport.turntable")?.run()} />;
+}
+
+/** Films one turn of the model; it is kept by the browser as a file. */
+function FilmButton() {
+  const [isFilming, setFilming] = useState(false);
+  const film = async () => {
+    setFilming(true);
+    try {
+      await action("viewport.film")?.run();
+    } finally {
+      setFilming(false);
+    }
+  };
+  return (
+    <>
+      <button type="button" disabled={isFilming} onClick={() => void film()}>
+        {t("viewport.film")}
+      </button>
+      <small role="status">{isFilming ? t("viewport.film.running") : ""}</small>
+    </>
+  );
 }
