@@ -20,6 +20,7 @@ mod meets;
 mod primitives;
 mod read;
 mod report;
+mod surface_pairs;
 mod surfaces;
 mod xforms;
 
@@ -47,10 +48,12 @@ const KINDS: &[(&str, Compare)] = &[
     ("area", measures::area),
     ("curve_curve_2d", meets::curve_curve),
     ("curve_surface", meets::curve_surface),
+    ("cases", surface_pairs::branches),
+    ("surface_surface", surface_pairs::points),
 ];
 
 /// Kinds of the same files that belong to solids.
-const NOT_PART: &[&str] = &["solids", "surface_surface", "tessellation"];
+const NOT_PART: &[&str] = &["solids", "tessellation"];
 
 fn main() -> ExitCode {
     let files: Vec<String> = std::env::args().skip(1).collect();

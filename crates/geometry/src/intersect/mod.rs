@@ -17,6 +17,7 @@ mod search;
 mod side;
 mod surface_kinds;
 mod surface_plane;
+mod surface_surface;
 mod tree;
 pub(crate) mod zeros;
 
@@ -36,3 +37,7 @@ pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
 pub use surface_kinds::curve_with_surface;
 pub(crate) use surface_kinds::curve_with_surface_within;
 pub use surface_plane::{SurfaceSection, surface_plane};
+pub(crate) use surface_surface::common_planes;
+pub use surface_surface::{
+    SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, surface_surface,
+};

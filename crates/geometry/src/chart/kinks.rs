@@ -1,0 +1,67 @@
+//! Cutting a surface along its kinks.
+
+use crate::{Direction, NurbsSurface, Result};
+
+/// Legs of the control net that turn by less than this many radians at a knot line are no kink.
+const STRAIGHT: f64 = 1e-6;
+
+/// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together.
+///
+/// # Errors
+/// A number overflows.
+pub(crate) fn smooth_pieces(nurbs: &NurbsSurface) -> Result<Vec<NurbsSurface>> {
+    let mut pieces = vec![nurbs.clone()];
+    for direction in Direction::BOTH {
+        let kinks = kinks(nurbs, direction);
+        let mut next = Vec::with_capacity(pieces.len());
+        for piece in pieces {
+            let mut rest = piece;
+            for &t in &kinks {
+                let (before, after) = rest.split(direction, t)?;
+                next.push(before);
+                rest = after;
+            }
+            next.push(rest);
+        }
+        pieces = next;
+    }
+    Ok(pieces)
+}
+
+/// The parameters inside the domain at which the surface has a kink.
+fn kinks(nurbs: &NurbsSurface, direction: Direction) -> Vec<f64> {
+    let degree = nurbs.degree(direction);
+    let knots = nurbs.knots(direction);
+    let domain = nurbs.domain(direction);
+    let mut out = Vec::new();
+    let mut i = 0;
+    while i < knots.len() {
+        let t = knots[i];
+        let multiplicity = knots[i..].iter().take_while(|k| **k == t).count();
+        // The control point on the knot line is that before the last `degree` of its knots.
+        if multiplicity >= degree
+            && t > domain.start
+            && t < domain.end
+            && turns(nurbs, direction, i + multiplicity - degree)
+        {
+            out.push(t);
+        }
+        i += multiplicity;
+    }
+    out
+}
+
+/// Whether the legs of the net on both sides of a row of control points turn.
+fn turns(nurbs: &NurbsSurface, direction: Direction, row: usize) -> bool {
+    let across = nurbs.count(direction.other());
+    let at = |r: usize, k: usize| match direction {
+        Direction::U => nurbs.control_point(r, k),
+        Direction::V => nurbs.control_point(k, r),
+    };
+    let Some(before) = row.checked_sub(1) else { return false };
+    (0..across).any(|k| {
+        let (Some(a), Some(b), Some(c)) = (at(before, k), at(row, k), at(row + 1, k)) else { return false };
+        let (p, q) = (b - a, c - b);
+        p.dot(q) < 0.0 || p.cross(q).length() > STRAIGHT * p.length() * q.length()
+    })
+}

@@ -1,0 +1,124 @@
+//! Every leaf of the search is shown to hold nothing, or is crossed by a curve that was followed.
+
+use super::search::{Leaf, Search};
+use crate::trace::{Condition, End, Followed, Four, Limits, Place, followed};
+use crate::{Direction, Result, intersect, patience};
+
+/// The curves, as they are found.
+pub(super) struct Curves {
+    pub(super) found: Vec<Followed>,
+    pub(super) limits: Limits,
+    /// Whether the search for ends on the sides came to its end.
+    pub(super) complete: bool,
+}
+
+impl Curves {
+    /// Follows what begins on the sides of the domains: a side's curve and the other surface have these points in common.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(super) fn add_from_sides(&mut self, search: &Search<'_>) -> Result<()> {
+        let pair = search.pair;
+        for s in 0..2 {
+            for d in Direction::BOTH {
+                for at_end in [false, true] {
+                    let (own, other) = (pair.charts[s], pair.charts[1 - s]);
+                    if own.is_collapsed(d.index(), at_end) {
+                        continue;
+                    }
+                    let domain = own.domain(d.index());
+                    let value = if at_end { domain.end } else { domain.start };
+                    let side = own.nurbs().isocurve(d.other(), value)?;
+                    if !boxes_meet(&side, other) {
+                        continue;
+                    }
+                    let both = intersect::curve_surface(&side.into(), other.nurbs(), 64.0 * pair.noise)?;
+                    self.complete &= both.complete;
+                    let stretches = both.overlaps.iter().map(|o| (o.t.middle(), mean(o.from, o.to)));
+                    let points = both.crossings.iter().map(|c| (c.t, [c.u, c.v])).chain(stretches);
+                    for (t, uv) in points {
+                        let mut x: Four = [0.0; 4];
+                        (x[2 * s + d.index()], x[2 * s + 1 - d.index()]) = (value, t);
+                        (x[2 - 2 * s], x[3 - 2 * s]) = (uv[0], uv[1]);
+                        let parameter = 2 * s + d.index();
+                        self.add(search, x, Condition::Fixed { parameter, value })?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Follows the curve through a common point near parameters, unless it is known. Whether there is such a point.
+    fn add(&mut self, search: &Search<'_>, near: Four, condition: Condition) -> Result<bool> {
+        let pair = search.pair;
+        let Some(x) = pair.polished(near, condition) else { return Ok(false) };
+        if pair.beyond(x).iter().any(Option::is_some) {
+            return Ok(false);
+        }
+        let x = pair.clamped(x);
+        // At a tangent place nothing begins: the search has it among what is undecided.
+        let Some(start) = pair.place(x) else { return Ok(true) };
+        if self.found.iter().any(|c| c.holds(x, start.point)) {
+            return Ok(true);
+        }
+        let curve = followed(&pair, start, &self.limits)?;
+        if curve.places.len() > 1 {
+            self.found.push(curve);
+        }
+        Ok(true)
+    }
+
+    /// Goes through the leaves, and follows what runs through them and is not known.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(super) fn add_from_leaves(&mut self, search: &mut Search<'_>, leaves: Vec<Leaf>) -> Result<()> {
+        let mut stack = leaves;
+        stack.reverse();
+        while let Some(leaf) = stack.pop() {
+            patience::check()?;
+            let wide = search.wide(leaf.bounds);
+            if self.found.iter().any(|c| c.enters(&wide)) {
+                continue;
+            }
+            let middle: Four = leaf.bounds.map(|[a, b]| 0.5 * (a + b));
+            let jets = search.pair.jets(middle);
+            let through = (jets[0][0] + jets[1][0]) * 0.5;
+            if !self.add(search, middle, Condition::Slice { through, across: leaf.along })? {
+                let mut parts = search.parts(&leaf);
+                parts.reverse();
+                stack.append(&mut parts);
+            }
+        }
+        Ok(())
+    }
+
+    /// The places where curves could not be followed further.
+    pub(super) fn stuck(&self) -> Vec<Place> {
+        let at = |c: &Followed, k: usize| if k == 0 { c.places.first() } else { c.places.last() }.copied();
+        self.found
+            .iter()
+            .flat_map(|c| {
+                (0..2).filter(|k| c.ends[*k] == End::Stuck).filter_map(|k| at(c, k)).collect::<Vec<_>>()
+            })
+            .collect()
+    }
+}
+
+fn mean(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+}
+
+/// Whether the boxes of a side and a surface have anything in common.
+fn boxes_meet(side: &crate::NurbsCurve, other: &crate::chart::Chart) -> bool {
+    let Some(a) = crate::BoundingBox::from_points(side.control_points()) else { return false };
+    let b = other.nurbs().hull_box().inflated(1e-9 * other.size());
+    [
+        (a.min.x, a.max.x, b.min.x, b.max.x),
+        (a.min.y, a.max.y, b.min.y, b.max.y),
+        (a.min.z, a.max.z, b.min.z, b.max.z),
+    ]
+    .iter()
+    .all(|(low, high, from, to)| low <= to && from <= high)
+}

@@ -1,0 +1,185 @@
+#![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::TAU;
+
+use super::{SurfaceContactKind, SurfaceMeeting, surface_surface};
+use crate::{Curve, NurbsSurface, Plane, Point3, Sphere, Surface, Tolerance, Torus, Vector3, Xform};
+
+/// z = a x² + b y² + c over −2…2 in both directions, exactly: x² has the Bernstein coefficients 4, −4, 4 there.
+fn graph(a: f64, b: f64, c: f64) -> NurbsSurface {
+    let square = [4.0, -4.0, 4.0];
+    let points: Vec<Point3> = (0..9)
+        .map(|k| {
+            let (i, j) = (k / 3, k % 3);
+            Point3::new(2.0 * i as f64 - 2.0, 2.0 * j as f64 - 2.0, a * square[i] + b * square[j] + c)
+        })
+        .collect();
+    NurbsSurface::bezier([3, 3], &points).unwrap()
+}
+
+/// Not over the same square, so that nothing falls on a border.
+fn floor() -> NurbsSurface {
+    NurbsSurface::from_corners(
+        Point3::new(-2.7, -2.3, 0.0),
+        Point3::new(2.9, -2.5, 0.0),
+        Point3::new(2.6, 2.4, 0.0),
+        Point3::new(-2.5, 2.8, 0.0),
+    )
+    .unwrap()
+}
+
+fn meet(a: &NurbsSurface, b: &NurbsSurface) -> SurfaceMeeting {
+    let tolerance = Tolerance { absolute: 1e-5, ..Tolerance::default() };
+    let met = surface_surface(a, b, &tolerance).unwrap();
+    for branch in &met.branches {
+        assert!(branch.deviation <= 1e-5, "{}", branch.deviation);
+        let domain = branch.curve.domain();
+        for k in 0..=97 {
+            let share = f64::from(k) / 97.0;
+            let p = branch.curve.point_at(domain.at(share));
+            for (surface, image) in [a, b].into_iter().zip(&branch.parameters) {
+                let uv = image.point_at(image.domain().at(share));
+                let wrapped = Surface::from(surface.clone());
+                let [u, v] = [crate::Direction::U, crate::Direction::V].map(|d| {
+                    let (domain, t) = (wrapped.domain(d), if d == crate::Direction::U { uv.x } else { uv.y });
+                    if domain.contains(t) { t } else { domain.wrapped(t) }
+                });
+                assert!(surface.point_at(u, v).distance_to(p) < 2e-5);
+            }
+        }
+    }
+    met
+}
+
+fn counts(met: &SurfaceMeeting) -> [usize; 2] {
+    let closed = met.branches.iter().filter(|b| b.closed).count();
+    [closed, met.branches.len() - closed]
+}
+
+fn length(met: &SurfaceMeeting) -> f64 {
+    met.branches.iter().map(|b| b.curve.length()).sum()
+}
+
+#[test]
+fn bowls_have_circles() {
+    for radius in [1.5, 1.0, 1e-1, 1e-2, 1e-3] {
+        let met = meet(&graph(1.0, 1.0, -radius * radius), &floor());
+        assert!(met.complete && met.contacts.is_empty(), "{radius}");
+        assert_eq!(counts(&met), [1, 0], "{radius}");
+        assert!((length(&met) - TAU * radius).abs() < 1e-5, "{radius} {}", length(&met));
+        // Smaller loops are round only as far as the small angle between the surfaces tells where they are.
+        if radius > 0.05 {
+            let circle = met.branches[0].curve.as_circle(1e-9);
+            assert!(circle.is_some_and(|c| (c.radius - radius).abs() < 1e-9), "{radius}");
+        }
+    }
+    assert!(meet(&graph(1.0, 1.0, 1e-6), &floor()).branches.is_empty());
+}
+
+#[test]
+fn saddles_have_hyperbolas() {
+    for c in [0.3, 1e-2, -1e-4, 1e-6] {
+        let met = meet(&graph(1.0, -1.0, c), &floor());
+        assert!(met.complete, "{c}");
+        assert_eq!(counts(&met), [0, 2], "{c}");
+        // From the side of the square to its side: x² − y² = −c.
+        let n = 40_000;
+        let r = c.abs();
+        let end = (4.0_f64 - r).sqrt();
+        let at = |k: usize| {
+            let y = -end + 2.0 * end * k as f64 / n as f64;
+            Point3::new((y * y + r).sqrt(), y, 0.0)
+        };
+        let want: f64 = (0..n).map(|k| at(k).distance_to(at(k + 1))).sum();
+        assert!((length(&met) - 2.0 * want).abs() < 1e-3, "{c} {} {want}", length(&met));
+    }
+}
+
+#[test]
+fn contacts_have_names() {
+    let kind = |a: f64, b: f64| {
+        let met = meet(&graph(a, b, 0.0), &floor());
+        (met.contacts.iter().map(|c| c.kind).collect::<Vec<_>>(), counts(&met), met.complete)
+    };
+    assert_eq!(kind(1.0, 2.0), (vec![SurfaceContactKind::Point], [0, 0], true));
+    assert_eq!(kind(1.0, -1.0), (vec![SurfaceContactKind::Crossing], [0, 4], true));
+    assert_eq!(kind(1.0, 0.0).0, vec![SurfaceContactKind::Curve]);
+    assert_eq!(kind(0.0, 0.0).0, vec![SurfaceContactKind::Overlap]);
+    let touch = meet(&graph(1.0, 1.0, 0.0), &floor());
+    assert!(touch.contacts[0].point.distance_to(Point3::ORIGIN) < 1e-4);
+}
+
+#[test]
+fn laws_hold() {
+    let (a, b) = (graph(1.0, -1.0, 0.05), graph(-0.4, 0.3, 0.1));
+    let met = meet(&a, &b);
+    let want = (counts(&met), length(&met));
+    assert!(met.complete && want.0 != [0, 0]);
+    let swapped = meet(&b, &a);
+    for (x, y) in met.branches.iter().zip(&swapped.branches) {
+        let back = y.curve.reversed();
+        assert_eq!(x.curve.start(), back.start());
+        assert_eq!(x.curve.end(), back.end());
+        assert_eq!(x.parameters[0].control_points(), y.parameters[1].reversed().control_points());
+    }
+    let axis = Vector3::new(1.0, 2.0, 3.0).unitized().unwrap();
+    let turned = Xform::rotation(0.7, axis, Point3::ORIGIN);
+    for (name, xform, scale) in [
+        ("moved", Ok(Xform::translation(Vector3::new(1e6, -1e6, 1e6))), 1.0),
+        ("small", Ok(Xform::scale(Point3::ORIGIN, 1e-3)), 1e-3),
+        ("large", Ok(Xform::scale(Point3::ORIGIN, 1e4)), 1e4),
+        ("turned", turned, 1.0),
+    ] {
+        let xform = xform.unwrap();
+        let tolerance = Tolerance { absolute: 1e-5 * scale, ..Tolerance::default() };
+        let [a, b] = [&a, &b].map(|s| s.transformed(&xform).unwrap());
+        let other = surface_surface(&a, &b, &tolerance).unwrap();
+        assert!(other.complete, "{name}");
+        assert_eq!(counts(&other), want.0, "{name}");
+        assert!((length(&other) / scale - want.1).abs() < 1e-4, "{name}");
+    }
+}
+
+#[test]
+fn seams_are_crossed() {
+    let ring = |p: Plane| Surface::from(Torus::new(p, 5.0, 2.0).unwrap()).to_nurbs().unwrap();
+    let ball = |x: f64, y: f64, z: f64, r: f64| {
+        Surface::from(Sphere::around(Point3::new(x, y, z), r).unwrap()).to_nurbs().unwrap()
+    };
+    // A ball round the outermost point of the ring, at its seams.
+    let met = meet(&ring(Plane::XY), &ball(7.0, 0.0, 0.0, 1.0));
+    assert!(met.complete, "{:?}", met.contacts);
+    assert_eq!(counts(&met), [1, 0]);
+    // Linked rings do not meet; a ring pushed through another does.
+    let upright = Plane::XZ.with_origin(Point3::new(5.0, 0.0, 0.0));
+    assert!(meet(&ring(Plane::XY), &ring(upright)).branches.is_empty());
+}
+
+#[test]
+fn circles_stay_circles() {
+    let ball = Surface::from(Sphere::around(Point3::new(0.2, 0.1, 0.3), 1.0).unwrap()).to_nurbs().unwrap();
+    let met = meet(&ball, &floor());
+    let [only] = &met.branches[..] else { panic!("{}", met.branches.len()) };
+    assert!(only.closed && met.complete);
+    let circle = only.curve.as_circle(1e-8).unwrap();
+    assert!((circle.radius - 0.91_f64.sqrt()).abs() < 1e-8);
+    assert!((only.curve.length() - TAU * circle.radius).abs() < 1e-8);
+    assert!(!matches!(only.curve, Curve::Nurbs(_)));
+}
+
+#[test]
+fn bad_input_is_refused() {
+    let flat = floor();
+    let negative = NurbsSurface::with_weights(
+        [1, 1],
+        [2, 2],
+        &flat.control_points(),
+        &[1.0, 1.0, -0.5, 1.0],
+        [vec![0.0, 1.0], vec![0.0, 1.0]],
+    );
+    if let Ok(negative) = negative {
+        assert!(surface_surface(&negative, &graph(1.0, 1.0, -1.0), &Tolerance::default()).is_err());
+    }
+    let none = Tolerance { absolute: 0.0, ..Tolerance::default() };
+    assert!(surface_surface(&flat, &flat, &none).is_err());
+}

@@ -1,0 +1,100 @@
+//! Proofs that a part of both domains holds at most one piece of the common curve.
+//!
+//! Over a box of the four parameters let F be the difference of both surfaces together with the height of their middle
+//! along a direction d. The difference of F at two places of the box is M times the difference of the places, where
+//! every entry of M lies within bounds of a derivative over the box. When all matrices within these bounds are regular,
+//! F takes no value twice: every plane across d holds at most one common point of the box, so that the common curve in
+//! the box is a graph over d, without loops (the mean value form of interval Newton methods; A. Neumaier, *Interval
+//! Methods for Systems of Equations*, 5.1; for normals T. Sederberg and R. Meyers, *Loop detection in surface patch
+//! intersections*, 1988).
+
+use super::{Four, Pair};
+use crate::Vector3;
+
+/// A box of the four parameters.
+pub(crate) type Box4 = [[f64; 2]; 4];
+
+impl Pair<'_> {
+    /// The box grown by a share of its widths on every side, within the domains.
+    pub(crate) fn grown(&self, b: Box4, share: f64) -> Box4 {
+        std::array::from_fn(|k| {
+            let room = share * (b[k][1] - b[k][0]) + 1e-9 * self.domain(k).length();
+            let domain = self.domain(k);
+            [(b[k][0] - room).max(domain.start), (b[k][1] + room).min(domain.end)]
+        })
+    }
+
+    /// Whether each plane across `d` is proved to hold at most one common point of the box.
+    pub(crate) fn is_graph(&self, b: Box4, d: Vector3) -> bool {
+        let (Some(first), Some(second)) =
+            (self.charts[0].partials_over([b[0], b[1]]), self.charts[1].partials_over([b[2], b[3]]))
+        else {
+            return false;
+        };
+        let mut middle = [[0.0; 4]; 4];
+        let mut radius = [[0.0; 4]; 4];
+        for (k, column) in [first[0], first[1], second[0], second[1]].into_iter().enumerate() {
+            let sign = if k < 2 { 1.0 } else { -1.0 };
+            let axes: [f64; 3] = d.into();
+            for i in 0..3 {
+                middle[i][k] = sign * column[i].middle();
+                radius[i][k] = column[i].radius();
+                middle[3][k] += 0.5 * axes[i] * column[i].middle();
+                radius[3][k] += 0.5 * axes[i].abs() * column[i].radius();
+            }
+        }
+        let Some(inverse) = inverted(middle) else { return false };
+        // All matrices are regular when the absolute inverse of the middle times the radii shrinks some positive vector.
+        let mut shrink = [[0.0; 4]; 4];
+        for i in 0..4 {
+            for j in 0..4 {
+                shrink[i][j] = (0..4).map(|k| inverse[i][k].abs() * radius[k][j]).sum();
+            }
+        }
+        // Towards the vector that is shrunk most evenly; any positive one is a proof.
+        let mut z: Four = std::array::from_fn(|k| (b[k][1] - b[k][0]).max(1e-300));
+        for _ in 0..6 {
+            let next: Four = std::array::from_fn(|i| (0..4).map(|j| shrink[i][j] * z[j]).sum());
+            if (0..4).all(|i| next[i] < 0.9 * z[i]) {
+                return true;
+            }
+            let size = next.iter().fold(0.0, |m: f64, x| m.max(*x));
+            if !(size > 0.0) || !size.is_finite() {
+                return false;
+            }
+            let largest = z.iter().fold(0.0, |m: f64, x| m.max(*x));
+            z = std::array::from_fn(|i| next[i] / size + 0.1 * z[i] / largest);
+        }
+        false
+    }
+}
+
+/// The inverse of a matrix, by elimination with row pivoting; columns may have units of their own.
+fn inverted(m: [[f64; 4]; 4]) -> Option<[[f64; 4]; 4]> {
+    let mut a = [[0.0; 8]; 4];
+    for i in 0..4 {
+        a[i][..4].copy_from_slice(&m[i]);
+        a[i][4 + i] = 1.0;
+    }
+    for k in 0..4 {
+        let best = (k..4).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        a.swap(k, best);
+        let pivot = a[k][k];
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        for j in 0..8 {
+            a[k][j] /= pivot;
+        }
+        for i in 0..4 {
+            if i != k {
+                let factor = a[i][k];
+                for j in 0..8 {
+                    a[i][j] -= factor * a[k][j];
+                }
+            }
+        }
+    }
+    let out: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| a[i][4 + j]));
+    out.iter().flatten().all(|x| x.is_finite()).then_some(out)
+}
