@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 21] = [
+static LIST: [Unsupported; 18] = [
     row(
         uuid!("410755b1-224a-4c1e-a407-bf32fb45ea7e"),
         "GhPython Script",
@@ -59,11 +59,6 @@ static LIST: [Unsupported; 21] = [
     ),
     row(uuid!("2d3b6ef3-5c26-4e2f-bcb3-8ffb9fb0f7c3"), "Box Slits", "solids are not cut by one another yet"),
     row(
-        uuid!("904e4b56-484a-4814-b35f-aa4baf362117"),
-        "Brep | Brep",
-        "solids are not cut by one another yet",
-    ),
-    row(
         uuid!("fab11c30-2d9c-4d15-ab3c-2289f1ae5c21"),
         "Solid Difference",
         "solids are not cut by one another yet",
@@ -76,12 +71,6 @@ static LIST: [Unsupported; 21] = [
     row(
         uuid!("10434a15-da85-4281-bb64-a2b3a995b9c6"),
         "Solid Union",
-        "solids are not cut by one another yet",
-    ),
-    row(uuid!("ef6b26f4-f820-48d6-b0c5-85898ef8888b"), "Split Brep", "solids are not cut by one another yet"),
-    row(
-        uuid!("03f22640-ff80-484e-bb53-a4025c5faa07"),
-        "Split Brep Multiple",
         "solids are not cut by one another yet",
     ),
     row(

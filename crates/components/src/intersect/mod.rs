@@ -1,5 +1,6 @@
 //! The Intersect tab.
 
+mod breps;
 mod collision;
 mod contour;
 mod mathematical;

@@ -55,6 +55,18 @@ fn intersections_of_curves() {
         json!([object(&ball(0.0, 5.0)), object(&Plane::XY), 0.001]),
     );
     near(&json!(curves(&section[1]).iter().map(Curve::length).sum::<f64>()), TAU * 5.0);
+    // Balls of radius 5, 6 apart: a circle of radius 4.
+    let balls = ask(
+        "intersect/intersection/brepbrep-brep_brep_double_curvearray_point3darray",
+        json!([object(&ball(0.0, 5.0)), object(&ball(6.0, 5.0)), 0.001]),
+    );
+    assert_eq!((&balls[0], balls[2].as_array().unwrap().len()), (&json!(true), 0));
+    near(&json!(curves(&balls[1]).iter().map(Curve::length).sum::<f64>()), TAU * 4.0);
+    let cut = ask(
+        "intersect/intersection/brepsurface-brep_surface_double_curvearray_point3darray",
+        json!([object(&ball(0.0, 1.0)), object(&floor()), 0.001]),
+    );
+    assert!(!curves(&cut[1]).is_empty());
 }
 
 #[test]

@@ -24,6 +24,12 @@ pub(super) fn enter(table: &mut Endpoints) {
         // Nothing was split: there are no parts.
         Ok(if parts.len() > 1 { parts } else { Vec::new() })
     });
+    table.add("brep/split-brep_brep_double", |b: Brep, cutter: Brep, t: Within, w: Waiting| {
+        split_by(&b, &[cutter], t, &w)
+    });
+    table.add("brep/split-brep_breparray_double", |b: Brep, cutters: Some1<Brep>, t: Within, w: Waiting| {
+        split_by(&b, &cutters.0, t, &w)
+    });
     table.add("brep/unjoinedges-brep_intarray", |b: Brep, edges: Some1<Index>| {
         let edges: Vec<usize> = edges.0.iter().map(|at| at.0).collect();
         Ok(b.unjoined(&edges)?)
@@ -61,6 +67,25 @@ pub(super) fn enter(table: &mut Endpoints) {
 type Index = Count<0, { i32::MAX as usize }>;
 
 /// What closes to solids without being cut; cutting shells by one another is another matter.
+/// The parts into which other Breps cut one; none where nothing was split.
+fn split_by(brep: &Brep, cutters: &[Brep], within: Within, waiting: &Waiting) -> Result<Vec<Brep>, Fault> {
+    let tolerance = within.tolerance();
+    let mut curves = Vec::new();
+    for cutter in cutters {
+        let met = brep.meeting(cutter, &tolerance)?;
+        if !met.complete {
+            return Err(Fault::bad_request(
+                "faces are tangent to each other or lie upon each other: not supported",
+            ));
+        }
+        curves.extend(met.curves);
+    }
+    let cut = brep.split_along(&curves, &tolerance, || waiting.go_on());
+    waiting.check()?;
+    let parts = cut?;
+    Ok(if parts.len() > 1 { parts } else { Vec::new() })
+}
+
 fn solids(breps: &[Brep], tolerance: Within) -> Outcome<Vec<Brep>> {
     let joined = Brep::join(breps, &tolerance.tolerance())?.breps;
     if joined.iter().all(Brep::is_solid) {

@@ -78,6 +78,24 @@ pub(super) fn enter(table: &mut Endpoints) {
             Ok((true, found.curves, found.points))
         },
     );
+    table.add(
+        "intersect/intersection/brepbrep-brep_brep_double_curvearray_point3darray",
+        |a: Brep, b: Brep, t: Within| met(&a, &b, t),
+    );
+    table.add(
+        "intersect/intersection/brepsurface-brep_surface_double_curvearray_point3darray",
+        |a: Brep, s: Surface, t: Within| met(&a, &Brep::from_surface(s)?, t),
+    );
+    table.add(
+        "intersect/intersection/surfacesurface-surface_surface_double_curvearray_point3darray",
+        |a: Surface, b: Surface, t: Within| met(&Brep::from_surface(a)?, &Brep::from_surface(b)?, t),
+    );
+}
+
+/// Whether the search came to its end, and the curves and points that two Breps have in common.
+fn met(a: &Brep, b: &Brep, within: Within) -> Result<(bool, Vec<Curve>, Vec<Point3>), Fault> {
+    let found = a.meeting(b, &within.tolerance())?;
+    Ok((found.complete, found.curves, found.points))
 }
 
 /// An `IntersectionEvent`: a point, or a stretch from one point to another.

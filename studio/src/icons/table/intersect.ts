@@ -70,6 +70,7 @@ export const intersect: Tab = {
     "Solid Intersection": [faint(SOLIDS.block, SOLIDS.ball), hotFill(SOLIDS.shared)],
     "Solid Union": [tint(SOLIDS.union), ink(SOLIDS.union, line(2, 13, 8, 16, 10, 15), line(8, 16, 8, 22))],
     "Split Brep": [s.bareBox, hot("M15 1L9 9L16 14L9 23")],
+    "Split Brep Multiple": [s.bareBox, hot("M11 1L5 9L12 14L5 23M19 1L13 9L20 14L13 23")],
     "Trim Solid": [s.ghostBox, ink(line(4, 12, 4, 16, 12, 20, 20, 16, 20, 12)), hot(poly(4, 12, 12, 8, 20, 12, 12, 16)), tint(poly(4, 12, 12, 8, 20, 12, 12, 16)), ink(line(12, 16, 12, 20))],
     "Mesh Difference": [tint(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17)), ink(poly(2, 10, 8, 2, 16, 6, 15, 8.5, 10, 11, 9.6, 16, 5, 17), line(2, 10, 10, 11, 8, 2)), faint(poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20))],
     "Mesh Intersection": [faint(poly(2, 10, 8, 2, 16, 6, 14, 15, 5, 17), poly(10, 11, 18, 7, 22, 14, 18, 22, 9, 20)), tint(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16)), hot(poly(10, 11, 15, 8.5, 14, 15, 9.6, 16), line(10, 11, 14, 15))],
