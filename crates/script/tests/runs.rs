@@ -77,14 +77,22 @@ fn an_error_names_its_line_and_the_rest_goes_on() {
     assert_eq!(all, [Some(Value::Number(-1.0)), None, Some(Value::Number(1.0))]);
 }
 
+/// What stands in `out`, a line an item.
+fn printed(session: &katydid_session::Session, name: &str) -> Vec<String> {
+    let line = |item: Option<Value>| match item {
+        Some(Value::Text(line)) => line.to_string(),
+        other => panic!("{other:?} is no line"),
+    };
+    values(session, name, 0).into_iter().map(line).collect()
+}
+
 #[test]
 fn prints_and_then_the_error_stand_in_out() {
     let code = "print('begun')\ndef half(n):\n    return n / 'two'\na = half(x)";
     let script = gh_python("broken", "x = s", "out, a", code, "");
     let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
     session.solve();
-    let lines: Vec<String> =
-        values(&session, "broken", 0).into_iter().flatten().map(|value| value.to_string()).collect();
+    let lines = printed(&session, "broken");
     assert_eq!(lines[0], "begun");
     assert!(lines[1].starts_with("Runtime error (TypeError): unsupported operand"), "{lines:?}");
     assert_eq!(lines[2..], ["", "Traceback:", "  line 4, in script", "  line 3, in half"]);
@@ -95,8 +103,7 @@ fn a_script_that_does_not_compile_says_so_in_out() {
     let script = gh_python("broken", "x = s", "out, a", "a = 1\nb = = 2", "");
     let mut session = session(&format!("s = Series(1, 1, 1)\n{script}"));
     session.solve();
-    let lines: Vec<String> =
-        values(&session, "broken", 0).into_iter().flatten().map(|value| value.to_string()).collect();
+    let lines = printed(&session, "broken");
     assert!(
         lines.len() == 1 && lines[0].contains("Syntax error") && lines[0].contains("line 2"),
         "{lines:?}"
