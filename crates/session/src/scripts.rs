@@ -9,6 +9,7 @@ use crate::protocol::ScriptView;
 pub fn scripts(document: &Document) -> Vec<ScriptView> {
     let found = check(document).scripts.into_iter();
     found
+        .filter(|object| object.script.is_python())
         .map(|object| ScriptView {
             imports: imports(&object.script.text),
             title: object.title,

@@ -42,7 +42,7 @@ fn brep_brep(
 }
 
 /// The parts into which curves on it cut a Brep.
-fn parts(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result<Vec<Brep>, Message> {
+fn parts(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result<Vec<Shared<Brep>>, Message> {
     let mut curves = Vec::new();
     for cutter in cutters {
         context.check()?;
@@ -52,7 +52,7 @@ fn parts(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result
     context.check()?;
     let parts = parts?;
     context.items(parts.len())?;
-    Ok(parts)
+    Ok(parts.into_iter().map(Shared::new).collect())
 }
 
 /// Cuts a Brep with another one.
@@ -73,7 +73,7 @@ fn split_brep(
     /// The Brep to cut with.
     #[port("Cutter", "C")]
     cutter: Option<Shared<Brep>>,
-) -> Result<Vec<Brep>, Message> {
+) -> Result<Vec<Shared<Brep>>, Message> {
     parts(context, &brep, cutter.as_slice())
 }
 
@@ -95,7 +95,7 @@ fn split_brep_multiple(
     /// The Breps to cut with.
     #[port("Cutters", "C")]
     cutters: List<'_, Shared<Brep>>,
-) -> Result<Vec<Brep>, Message> {
+) -> Result<Vec<Shared<Brep>>, Message> {
     let cutters: Vec<Shared<Brep>> = cutters.iter().flatten().map(|c| Shared::clone(&c)).collect();
     parts(context, &brep, &cutters)
 }

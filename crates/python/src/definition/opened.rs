@@ -6,7 +6,7 @@ use katydid_component::{Cancel, Origin, Trust};
 use katydid_compute::definition::Interface;
 use katydid_data::DateTime;
 use katydid_data::cast::Rules;
-use katydid_script::{Bounds as ScriptBounds, PythonMaker, find};
+use katydid_script::{Bounds as ScriptBounds, CSharp, PythonMaker, find};
 use katydid_solver::{Engine, Options, Progress, Refused, ScriptMaker, Summary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -127,13 +127,16 @@ impl Definition {
         Ok(Solution::new(engine, interface, outputs, summary))
     }
 
-    /// What runs the Python scripts of a definition.
+    /// What runs the scripts of a definition: those in Python where they are allowed, the others in any case.
     fn scripts(path: &Path, allowed: bool, python: Option<&Path>) -> Arc<dyn katydid_solver::Scripts> {
-        if allowed {
+        let with_permission: Arc<dyn katydid_solver::Scripts> = if allowed {
             let bounds = ScriptBounds { memory: 4 << 30, ..ScriptBounds::default() };
-            return PythonMaker { interpreter: find(python, Some(path)), bounds }.make();
-        }
-        Arc::new(Refused::new("look at it, then open the definition with allow_scripts=True"))
+            let definition = Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+            PythonMaker { interpreter: find(python, Some(path)), bounds, definition }.make()
+        } else {
+            Arc::new(Refused::new("look at it, then open the definition with allow_scripts=True"))
+        };
+        Arc::new(CSharp::beside(with_permission))
     }
 }
 

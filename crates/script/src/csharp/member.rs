@@ -267,7 +267,7 @@ mod tests {
                     .iter()
                     .any(|part| member.name.contains(part));
             assert!(
-                paths.iter().any(|path| fits(path)) || is_known_otherwise,
+                paths.iter().any(fits) || is_known_otherwise,
                 "{signature}: {types}, not {paths:?}"
             );
         }

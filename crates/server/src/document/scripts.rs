@@ -72,9 +72,7 @@ impl Scripting {
     /// are run here.
     pub(super) fn view(&self, document: &Document) -> Option<ScriptsView> {
         self.config.as_ref()?;
-        let scripts = katydid_session::scripts(document);
-        let asking = scripts.iter().filter(|object| object.script.is_python()).count();
-        let count = u32::try_from(asking).unwrap_or(u32::MAX);
+        let count = u32::try_from(katydid_session::scripts(document).len()).unwrap_or(u32::MAX);
         (count > 0).then_some(ScriptsView { count, permission: self.permission })
     }
 

@@ -152,7 +152,7 @@ fn values_of_all_kinds_go_in_and_out() {
         Value::Polyline(vec![Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)]),
     ];
     for value in values {
-        assert_eq!(row("A = x;", "object x, ref object A", &[value.clone()]), [value]);
+        assert_eq!(row("A = x;", "object x, ref object A", std::slice::from_ref(&value)), [value]);
     }
 }
 

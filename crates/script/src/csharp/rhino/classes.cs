@@ -16,13 +16,12 @@
   public Curve DuplicateCurve() { return (Curve)Duplicate(); }
   public bool Reverse() { return raw_Reverse(); }
   internal extern bool raw_Reverse();
-  // The table has 1 for clockwise.
   internal extern int raw_ClosedCurveOrientation();
   internal extern int raw_ClosedCurveOrientation(Plane plane);
   internal extern int raw_ClosedCurveOrientation(Vector3d up);
-  public CurveOrientation ClosedCurveOrientation() { return (CurveOrientation)(-raw_ClosedCurveOrientation()); }
-  public CurveOrientation ClosedCurveOrientation(Plane plane) { return (CurveOrientation)(-raw_ClosedCurveOrientation(plane)); }
-  public CurveOrientation ClosedCurveOrientation(Vector3d up) { return (CurveOrientation)(-raw_ClosedCurveOrientation(up)); }
+  public CurveOrientation ClosedCurveOrientation() { return (CurveOrientation)(raw_ClosedCurveOrientation()); }
+  public CurveOrientation ClosedCurveOrientation(Plane plane) { return (CurveOrientation)(raw_ClosedCurveOrientation(plane)); }
+  public CurveOrientation ClosedCurveOrientation(Vector3d up) { return (CurveOrientation)(raw_ClosedCurveOrientation(up)); }
 //: LineCurve
   public LineCurve(Line line, double t0, double t1) : this(line) { Domain = new Interval(t0, t1); }
 //: NurbsCurve
