@@ -15,40 +15,31 @@ use crate::vm::value::Value;
 use crate::vm::{Limits, Raise, State, Stop};
 
 /// The source of a program.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub enum Source<'a> {
-    /// A whole file.
+    /// A whole file of C#.
     File(&'a str),
-    /// The three parts of a script component of Grasshopper 1, and the parameters of its `RunScript`.
-    Parts {
-        /// `using` lines beyond those that every component has.
-        using: &'a str,
-        /// The body of `RunScript`.
-        body: &'a str,
-        /// Further members of the class.
-        additional: &'a str,
-        /// The parameters of `RunScript`, as C# writes them.
-        parameters: &'a str,
-        /// What every component uses, as `using` lines.
-        usual: &'a str,
-        /// The base class, empty for none.
-        base: &'a str,
-    },
-    /// The same in VB; the parameters are as C# writes them.
-    Basic {
-        /// `Imports` lines beyond those that every component has.
-        using: &'a str,
-        /// The body of `RunScript`.
-        body: &'a str,
-        /// Further members of the class.
-        additional: &'a str,
-        /// The parameters of `RunScript`, as C# writes them.
-        parameters: &'a str,
-        /// What every component uses, as `using` lines.
-        usual: &'a str,
-        /// The base class, empty for none.
-        base: &'a str,
-    },
+    /// A script component of Grasshopper 1 in C#.
+    Parts(Parts<'a>),
+    /// One in VB.
+    Basic(Parts<'a>),
+}
+
+/// The three parts of a script component of Grasshopper 1, in its own language, and what it is put into.
+#[derive(Debug, Clone, Copy)]
+pub struct Parts<'a> {
+    /// `using` or `Imports` lines beyond those that every component has.
+    pub using: &'a str,
+    /// The body of `RunScript`.
+    pub body: &'a str,
+    /// Further members of the class.
+    pub additional: &'a str,
+    /// The parameters of `RunScript`, as C# writes them.
+    pub parameters: &'a str,
+    /// What every component uses, as `using` lines of C#.
+    pub usual: &'a str,
+    /// The base class, empty for none.
+    pub base: &'a str,
 }
 
 /// How a run ended that did not end well.
@@ -106,13 +97,12 @@ fn declared(source: &Source<'_>, host: &dyn Host) -> Result<Declared, Vec<Diagno
     }
     let user = match source {
         Source::File(text) => read(&mut map, "script", text),
-        Source::Parts { using, body, additional, parameters, usual, base } => {
-            parts(&mut map, using, body, additional, parameters, usual, base)
-        }
-        Source::Basic { using, body, additional, parameters, usual, base } => {
+        Source::Parts(own) => parts(&mut map, own),
+        Source::Basic(own) => {
             sema.vb = true;
-            let (body, additional) = basic(body, additional, parameters)?;
-            parts(&mut map, &vb::imports(using), &body, &additional, parameters, usual, base)
+            let (body, additional) = basic(own)?;
+            let using = vb::imports(own.using);
+            parts(&mut map, &Parts { using: &using, body: &body, additional: &additional, ..*own })
         }
     };
     let user = user.map_err(|f| located(&map, vec![f]))?;
@@ -121,7 +111,8 @@ fn declared(source: &Source<'_>, host: &dyn Host) -> Result<Declared, Vec<Diagno
 }
 
 /// The body and the members of a component in VB as C#.
-fn basic(body: &str, additional: &str, parameters: &str) -> Result<(String, String), Vec<Diagnostic>> {
+fn basic(component: &Parts<'_>) -> Result<(String, String), Vec<Diagnostic>> {
+    let Parts { body, additional, parameters, .. } = *component;
     let wrong = |part: &str, (line, message): (usize, String)| {
         let at = Location { part: part.into(), line: u32::try_from(line).unwrap_or(u32::MAX), column: 1 };
         vec![Diagnostic { at, code: 0, message }]
@@ -151,15 +142,8 @@ fn read(map: &mut SourceMap, name: &str, text: &str) -> crate::diagnostic::Check
 }
 
 /// The parts of a component put together as one class; each keeps its own places.
-fn parts(
-    map: &mut SourceMap,
-    using: &str,
-    body: &str,
-    additional: &str,
-    parameters: &str,
-    usual: &str,
-    base: &str,
-) -> crate::diagnostic::Checked<Namespace> {
+fn parts(map: &mut SourceMap, component: &Parts<'_>) -> crate::diagnostic::Checked<Namespace> {
+    let Parts { using, body, additional, parameters, usual, base } = *component;
     let before = if base.is_empty() { String::new() } else { format!(" : {base}") };
     let head = format!("public class Script_Instance{before} {{ private void RunScript({parameters}) {{");
     let mut tokens = Vec::new();

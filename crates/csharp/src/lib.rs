@@ -31,7 +31,7 @@ mod vb;
 pub mod vm;
 
 pub use diagnostic::Diagnostic;
-pub use engine::{Engine, Failure, Source};
+pub use engine::{Engine, Failure, Parts, Source};
 pub use host::{Host, Printing};
 pub use library::Cx;
 pub use source::Location;

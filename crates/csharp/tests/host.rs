@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that meets an error fails")]
 
-use katydid_csharp::{Cx, Engine, Host, Limits, Raise, Source, Value};
+use katydid_csharp::{Cx, Engine, Host, Limits, Parts, Raise, Source, Value};
 use std::sync::{Arc, Mutex};
 
 const DECLARATIONS: &str = "
@@ -181,14 +181,14 @@ fn a_member_that_the_host_does_not_have_is_named() {
 
 #[test]
 fn a_component_in_three_parts() {
-    let source = Source::Parts {
+    let source = Source::Parts(Parts {
         usual: "using System; using System.Collections.Generic; using Geo;",
         using: "using System.Linq;",
         body: "int n = 0;\nforeach (var v in x) n += (int)v.Length;\ncount++;\nPrint(\"{0} {1}\", n, count);\nA = Twice(n);",
         additional: "int count = 0;\nint Twice(int n) { return n * 2; }",
         parameters: "List<Vec3> x, double y, ref object A",
         base: "Geo.Script",
-    };
+    });
     let mut engine = Engine::new(&source, Box::new(Geo::default()), Limits::default())
         .map_err(|e| e[0].to_string())
         .unwrap();
@@ -210,14 +210,14 @@ fn a_component_in_three_parts() {
 
 #[test]
 fn faults_of_a_part_have_the_lines_of_that_part() {
-    let source = Source::Parts {
+    let source = Source::Parts(Parts {
         usual: "using System;",
         using: "",
         body: "int a = 1;\nint b = \"x\";",
         additional: "",
         parameters: "ref object A",
         base: "",
-    };
+    });
     let errors = Engine::new(&source, Box::new(Geo::default()), Limits::default()).err().unwrap();
     assert_eq!(
         errors[0].to_string(),

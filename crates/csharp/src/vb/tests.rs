@@ -2,19 +2,19 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that meets an error fails")]
 
-use crate::{Engine, Limits, Printing, Source};
+use crate::{Engine, Limits, Parts, Printing, Source};
 
 fn printed(body: &str, additional: &str) -> Result<String, String> {
     let host = Printing::default();
     let text = host.text.clone();
-    let source = Source::Basic {
+    let source = Source::Basic(Parts {
         using: "",
         body,
         additional,
         parameters: "",
         usual: "using System; using System.Collections.Generic; using System.Linq;",
         base: "",
-    };
+    });
     let all = |faults: Vec<crate::Diagnostic>| {
         faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
     };

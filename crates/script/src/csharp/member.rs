@@ -266,10 +266,7 @@ mod tests {
                 ["MeshPolyline", "Validate", "ShrinkSurface", "Sum", "TryGet", "Offset", "Project"]
                     .iter()
                     .any(|part| member.name.contains(part));
-            assert!(
-                paths.iter().any(fits) || is_known_otherwise,
-                "{signature}: {types}, not {paths:?}"
-            );
+            assert!(paths.iter().any(fits) || is_known_otherwise, "{signature}: {types}, not {paths:?}");
         }
         assert!(checked > 30, "{checked}");
     }

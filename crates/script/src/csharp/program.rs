@@ -6,7 +6,7 @@ use katydid_component::Message;
 use katydid_csharp::sema::{MethodId, Ty};
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
-use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Source};
+use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Parts, Source};
 use katydid_definition::document::{Access, Object, Port, Script, ScriptLanguage};
 use katydid_members::Value;
 
@@ -44,14 +44,14 @@ pub(super) struct Program {
 fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Result<Engine, Vec<Diagnostic>> {
     let host = Box::new(ScriptHost::new(turn.clone()));
     if script.language == ScriptLanguage::VisualBasic {
-        let source = Source::Basic {
+        let source = Source::Basic(Parts {
             using: &script.using,
             body: &script.text,
             additional: &script.additional,
             parameters,
             usual: USUAL,
             base: "GH_ScriptInstance",
-        };
+        });
         return Engine::new(&source, host, Limits::default());
     }
     if is_whole(script) {
@@ -61,14 +61,14 @@ fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Resul
         true => parted(&script.text),
         false => (script.using.clone(), script.text.clone()),
     };
-    let source = Source::Parts {
+    let source = Source::Parts(Parts {
         using: &using,
         body: &body,
         additional: &script.additional,
         parameters,
         usual: USUAL,
         base: "GH_ScriptInstance",
-    };
+    });
     Engine::new(&source, host, Limits::default())
 }
 
