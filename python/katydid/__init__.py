@@ -17,7 +17,11 @@ def __getattr__(name):
     import importlib
     if name in ("rhino", "interop", "notebook", "backend"):
         return importlib.import_module("." + name, __name__)
-    api = importlib.import_module(".api", __name__)
+    try:
+        api = importlib.import_module(".api", __name__)
+    except ImportError as error:
+        # So that `from katydid import landlock` goes on to look for a module of that name.
+        raise AttributeError("module 'katydid' has no attribute %r: %s" % (name, error)) from error
     try:
         value = getattr(api, name)
     except AttributeError:
