@@ -48,6 +48,7 @@ TABLE = [
      "[len(c), sorted(P(rs.CurveStartPoint(x))[1] for x in c)]", [2, [1, 2]]),
     ("[isid(x) for x in rs.AddPoints([(0, 0, 0), (1, 0, 0)])]", [True, True]),
     ("c = rs.MeanCurve(rs.AddLine((0, 0, 0), (4, 0, 0)), rs.AddLine((0, 2, 0), (4, 2, 0)))\nC(c)", [[0, 1, 0], [4, 1, 0]]),
+    ("sum(rs.CurveLength(c) for c in rs.IntersectBreps(ball(), rs.AddSphere((2, 0, 0), 2)))", 2 * PI * math.sqrt(3)),
     # Curves: asked
     ("P(rs.ArcCenterPoint(arc()))", [0, 0, 0]),
     ("rs.ArcAngle(arc())", 90.0),
@@ -283,7 +284,6 @@ MISSING = [
     ("rs.BooleanUnion([box(), box()])", "Brep.CreateBooleanUnion"),
     ("rs.BooleanDifference(box(), box())", "Brep.CreateBooleanDifference"),
     ("rs.BooleanIntersection(box(), box())", "Brep.CreateBooleanIntersection"),
-    ("rs.IntersectBreps(box(), box())", "Intersection.BrepBrep"),
 ]
 
 

@@ -171,7 +171,9 @@ def test_control_c_ends_a_solve(tmp_path):
         "print('begins', flush=True)",
         "try:\n    d.solve(points=points, curve=curve)\nexcept KeyboardInterrupt:\n    print('interrupted')",
         "print(d.solve(points=points[:5], curve=curve)['near.Distance'].item_count)"])
-    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    # A shell that runs a command in the background has it ignore the signal, and what it starts inherits that.
+    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     assert run.stdout.readline() == "begins\n"
     time.sleep(0.7)
     begin = time.monotonic()
