@@ -33,9 +33,10 @@ wheel: $(VENV)/installed
 	$(VENV)/bin/pip install -q "maturin>=1.9,<2"
 	cd python && ../$(VENV)/bin/maturin build --release --out ../target/wheels
 
-# What rhino3dm, the official reader, makes of the files that Katydid writes.
+# What rhino3dm, the official reader, makes of the files that Katydid writes; the Python package and what scripts call.
+# Scripts of real definitions are run where the shared data is there.
 test-python: $(VENV)/installed module
-	KATYDID_REQUIRE_MODULE=1 KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
+	KATYDID_TEST_DEFINITIONS=$(wildcard $(abspath ../shared/data/gh)) KATYDID_REQUIRE_MODULE=1 KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
 		--ignore=python-tests/step --ignore=python-tests/compute python-tests --ignore=python/tests/ladybug python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
