@@ -20,7 +20,7 @@ pub enum ItemOrList<T> {
 
 /// Collects one output's results over a run of iterations.
 #[doc(hidden)]
-pub trait Sink: Send + Sized {
+pub trait Sink: Send + Sized + 'static {
     /// What one iteration gives.
     type Result;
 
@@ -399,7 +399,7 @@ impl Sink for EachTrees {
 
 /// All outputs of a component side by side.
 #[doc(hidden)]
-pub trait Sinks: Send + Sized {
+pub trait Sinks: Send + Sized + 'static {
     /// What one iteration gives.
     type Results;
     /// Nothing yet; `ports` is the number of outputs the object has.
