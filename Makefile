@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -130,6 +130,10 @@ docs:
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
 # Katydid and NumPy over a million items, side by side.
+# The program as it is published, optimised in one piece: target/dist/katydid.
+dist:
+	cargo build --profile dist -p katydid
+
 bench: $(VENV)/installed
 	$(VENV)/bin/pip install -q numpy==2.3.4
 	$(VENV)/bin/python benches/compare.py
@@ -174,7 +178,7 @@ attack-server:
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in csharp_parse csharp_run gh_binary gh_xml document rhino3dm step shp pdb expression geometry kd request preview; do \
+	cd fuzz && for t in csharp_parse csharp_run gh_binary gh_xml document rhino3dm step obj stl ply gltf shp pdb expression geometry kd request preview; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

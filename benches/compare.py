@@ -1,4 +1,5 @@
-"""Katydid and NumPy over a million items, in turns, so that a busy machine is unfair to both alike.
+"""Katydid and NumPy over a million items, in turns, so that a busy machine is unfair to both alike. NumPy works on
+columns, its fastest way.
 
     python benches/compare.py [rounds]
 
@@ -19,13 +20,11 @@ ITEMS = 1_000_000
 
 
 def numpy_pipeline():
-    series = 0.0 + 0.001 * np.arange(ITEMS)
-    sine = np.sin(series)
-    points = np.column_stack((series, sine, np.zeros(ITEMS)))
-    moved = points + np.array([0.0, 0.0, 10.0])
-    distance = np.sqrt(((moved - np.zeros(3)) ** 2).sum(axis=1))
-    partial = np.cumsum(distance)
-    return partial
+    # Coordinates as columns of their own: rows of three take NumPy more than twice as long.
+    x = 0.001 * np.arange(ITEMS)
+    y, z = np.sin(x), np.zeros(ITEMS)
+    x, y, z = x + 0.0, y + 0.0, z + 10.0
+    return np.cumsum(np.sqrt(x * x + y * y + z * z))
 
 
 def numpy_seconds():

@@ -47,6 +47,7 @@ enum Lane {
     Degree,
     Factorial,
     One(fn(f64) -> f64),
+    All(fn(&mut [f64])),
     Abs,
     Sign,
     ToInteger,
@@ -148,7 +149,8 @@ fn lane(code: &Code, stack: &mut Vec<Kind>) -> Option<Option<Lane>> {
         }
         Code::Call(function, 1) if numeric::of_one(*function).is_some() => {
             stack.pop()?;
-            (Some(Lane::One(numeric::of_one(*function)?)), Number)
+            let one = Lane::One(numeric::of_one(*function)?);
+            (Some(numeric::sweeping(*function).map_or(one, Lane::All)), Number)
         }
         Code::Call(Function::Abs, 1) => match stack.pop()? {
             Number => (Some(Lane::Abs), Number),
@@ -372,6 +374,10 @@ fn sweep_one(lane: Lane, block: &mut [f64]) -> bool {
         Lane::Degree => each(block, f64::to_radians),
         Lane::Abs => each(block, f64::abs),
         Lane::One(function) => each(block, function),
+        Lane::All(function) => {
+            function(block);
+            true
+        }
         Lane::ToBoolean => each(block, |x| f64::from(u8::from(x != 0.0))),
         Lane::Factorial => each_within(block, numeric::factorial),
         Lane::Sign => each_within(block, |x| numeric::sign(x).map(f64::from)),

@@ -27,6 +27,7 @@
 
 mod arithmetic;
 mod ast;
+pub mod circular;
 mod columns;
 mod compare;
 mod complex;

@@ -35,14 +35,21 @@ pub(super) fn apply(
     }
 }
 
-/// The values of a function at all numbers of a plain column; `None` when one is not finite.
-pub(super) fn numbers(call: &Call<'_>, real: fn(f64) -> f64) -> Option<Outcome> {
-    whole::map(call, |&x: &f64| Some(real(x)).filter(|y| y.is_finite()))
+/// The values of a function at all numbers of a plain column, which `all` may give at once; `None` when one is not finite.
+pub(super) fn numbers(call: &Call<'_>, real: fn(f64) -> f64, all: Option<fn(&mut [f64])>) -> Option<Outcome> {
+    let Some(all) = all else {
+        return whole::map(call, |&x: &f64| Some(real(x)).filter(|y| y.is_finite()));
+    };
+    whole::numbers(call, |columns, _| {
+        let mut values = columns.first()?.to_vec();
+        all(&mut values);
+        values.iter().all(|y| y.is_finite()).then_some(values)
+    })
 }
 
-/// Declares components `y = f(x)`.
+/// Declares components `y = f(x)`, some with a way to do many at once that gives the same bits.
 macro_rules! functions {
-    ($at:tt; $($(#[doc = $help:tt])+ $function:ident, $guid:tt, $name:tt, $nick:tt, [$($also:tt),*], $real:expr, $complex:expr;)*) => {$(
+    ($at:tt; $($(#[doc = $help:tt])+ $function:ident, $guid:tt, $name:tt, $nick:tt, [$($also:tt),*], $real:expr, $complex:expr $(, $all:expr)?;)*) => {$(
         $(#[doc = $help])+
         #[component($guid, name = $name, nick = $nick, at = $at, also($($also),*), columns = columns::$function)]
         #[output("Result", "y", "The value of the function.")]
@@ -58,7 +65,8 @@ macro_rules! functions {
         mod columns {
             use super::*;
             $(pub(super) fn $function(call: &katydid_component::Call<'_>) -> Option<katydid_component::Outcome> {
-                unary::numbers(call, $real)
+                let all: &[fn(&mut [f64])] = &[$($all)?];
+                unary::numbers(call, $real, all.first().copied())
             })*
         }
     };

@@ -4,6 +4,7 @@
 //! makes an error of it.
 
 use super::Function;
+use crate::circular;
 
 /// Two numbers to one, or `None` outside the domain.
 pub(crate) type OfTwo = fn(f64, f64) -> Option<f64>;
@@ -14,16 +15,16 @@ pub(crate) type OfMany = fn(&mut [f64]) -> Option<f64>;
 /// A function of one number that always gives a number.
 pub(crate) fn of_one(function: Function) -> Option<fn(f64) -> f64> {
     Some(match function {
-        Function::Sin => f64::sin,
-        Function::Cos => f64::cos,
+        Function::Sin => circular::sin,
+        Function::Cos => circular::cos,
         Function::Tan => f64::tan,
         Function::ASin => f64::asin,
         Function::ACos => f64::acos,
         Function::ATan => f64::atan,
-        Function::Sec => |x| 1.0 / x.cos(),
-        Function::Csc => |x| 1.0 / x.sin(),
-        Function::Cot => |x| x.cos() / x.sin(),
-        Function::Sinc => |x| if x == 0.0 { 1.0 } else { x.sin() / x },
+        Function::Sec => |x| 1.0 / circular::cos(x),
+        Function::Csc => |x| 1.0 / circular::sin(x),
+        Function::Cot => |x| circular::cos(x) / circular::sin(x),
+        Function::Sinc => |x| if x == 0.0 { 1.0 } else { circular::sin(x) / x },
         Function::Sinh => f64::sinh,
         Function::Cosh => f64::cosh,
         Function::Tanh => f64::tanh,
@@ -41,6 +42,15 @@ pub(crate) fn of_one(function: Function) -> Option<fn(f64) -> f64> {
         Function::CDbl => |x| x,
         _ => return None,
     })
+}
+
+/// A function of one number over many, where it has a faster way with the same bits.
+pub(crate) fn sweeping(function: Function) -> Option<fn(&mut [f64])> {
+    match function {
+        Function::Sin => Some(circular::sines),
+        Function::Cos => Some(circular::cosines),
+        _ => None,
+    }
 }
 
 /// A function of two numbers.

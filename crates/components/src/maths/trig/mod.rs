@@ -5,6 +5,7 @@ mod triangles;
 
 use katydid_component::{Message, component};
 use katydid_data::{Complex, Value};
+use katydid_expression::circular;
 
 use super::complex::{self, divide, real};
 use super::unary::{self, functions};
@@ -17,26 +18,26 @@ functions! {
     "Maths/Trig";
 
     /// The sine of an angle in radians.
-    sine, "7663efbb-d9b8-4c6a-a0da-c3750a7bbe77", "Sine", "Sin", ["c53932eb-7c8c-4825-ae98-e36bba97232d", "ecee923b-1b93-4cf2-acd6-680835503437"], f64::sin, complex::sin;
+    sine, "7663efbb-d9b8-4c6a-a0da-c3750a7bbe77", "Sine", "Sin", ["c53932eb-7c8c-4825-ae98-e36bba97232d", "ecee923b-1b93-4cf2-acd6-680835503437"], circular::sin, complex::sin, circular::sines;
 
     /// The cosine of an angle in radians.
-    cosine, "d2d2a900-780c-4d58-9a35-1f9d8d35df6f", "Cosine", "Cos", ["7874f26c-6f76-4da8-b527-2d567184b2bd", "12278a4b-c131-4735-a3ee-bcb783083856"], f64::cos, complex::cos;
+    cosine, "d2d2a900-780c-4d58-9a35-1f9d8d35df6f", "Cosine", "Cos", ["7874f26c-6f76-4da8-b527-2d567184b2bd", "12278a4b-c131-4735-a3ee-bcb783083856"], circular::cos, complex::cos, circular::cosines;
 
     /// The tangent of an angle in radians: its sine over its cosine.
     tangent, "0f31784f-7177-4104-8500-1f4f4a306df4", "Tangent", "Tan", ["0bc93049-e1a7-44b5-8068-c7ddc85a9f46", "002b2feb-5d1b-41ea-913f-9f203c615792"], f64::tan, complex::tan;
 
     /// One over the cosine of an angle in radians.
-    secant, "60103def-1bb7-4700-b294-3a89100525c4", "Secant", "Sec", ["d879e74c-6fe3-4cbf-b3fa-60a7c48b73e7"], |x| x.cos().recip(), |z| one_over(complex::cos, z);
+    secant, "60103def-1bb7-4700-b294-3a89100525c4", "Secant", "Sec", ["d879e74c-6fe3-4cbf-b3fa-60a7c48b73e7"], |x| circular::cos(x).recip(), |z| one_over(complex::cos, z);
 
     /// One over the sine of an angle in radians, which must not be 0.
-    cosecant, "d222500b-dfd5-45e0-933e-eabefd07cbfa", "CoSecant", "Csc", ["99197a17-d5c7-419b-acde-eca2737f3c58"], |x| x.sin().recip(), |z| one_over(complex::sin, z);
+    cosecant, "d222500b-dfd5-45e0-933e-eabefd07cbfa", "CoSecant", "Csc", ["99197a17-d5c7-419b-acde-eca2737f3c58"], |x| circular::sin(x).recip(), |z| one_over(complex::sin, z);
 
     /// One over the tangent of an angle in radians, which must not be 0.
-    cotangent, "1f602c33-f38e-4f47-898b-359f0a4de3c2", "CoTangent", "Cot", ["39461433-ac44-4298-94a9-988f983e347c"], |x| x.cos() / x.sin(),
+    cotangent, "1f602c33-f38e-4f47-898b-359f0a4de3c2", "CoTangent", "Cot", ["39461433-ac44-4298-94a9-988f983e347c"], |x| circular::cos(x) / circular::sin(x),
         |z| divide(complex::cos(z), complex::sin(z));
 
     /// The sine of x over x, and 1 for 0.
-    sinc, "a2d9503d-a83c-4d71-81e0-02af8d09cd0c", "Sinc", "Sinc", ["da4be42b-ba75-4249-a685-69ce78b6ee44"], |x| if x == 0.0 { 1.0 } else { x.sin() / x },
+    sinc, "a2d9503d-a83c-4d71-81e0-02af8d09cd0c", "Sinc", "Sinc", ["da4be42b-ba75-4249-a685-69ce78b6ee44"], |x| if x == 0.0 { 1.0 } else { circular::sin(x) / x },
         |z| if z == real(0.0) { real(1.0) } else { divide(complex::sin(z), z) };
 
     /// The angle in radians, -π/2 to π/2, whose sine is x. A real x lies between -1 and 1.
