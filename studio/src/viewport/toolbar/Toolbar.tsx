@@ -75,7 +75,7 @@ export function Toolbar() {
 }
 
 function ShowSheet() {
-  const { shown, previews, trackpad, snap } = useStore(settingsStore);
+  const { shown, previews, trackpad, snap, gumball } = useStore(settingsStore);
   return (
     <Popover label={t("viewport.show")} icon="show">
       {SHOWN.map((name) => (
@@ -97,6 +97,7 @@ function ShowSheet() {
       </div>
       <hr />
       <Check label="viewport.snap" checked={snap} onChange={(on) => settingsStore.setState({ snap: on })} />
+      <Check label="viewport.gumball" checked={gumball} onChange={(on) => settingsStore.setState({ gumball: on })} />
       <Check label="viewport.trackpad" checked={trackpad} onChange={(on) => settingsStore.setState({ trackpad: on })} />
     </Popover>
   );
