@@ -6,8 +6,8 @@
 import { evaluate } from "../../core/arithmetic";
 import { centre, union } from "../../core/bounds";
 import { minus } from "../../core/frame";
-import { angleAbout, AXES, imageOf, mapOf, moving, unit, type Axis, type Grip, type Rows } from "../../core/gumball";
-import { gridSteps, snap } from "../../core/gridSteps";
+import { imageOf, mapOf, moving, type Grip, type Rows } from "../../core/gumball";
+import { snap } from "../../core/gridSteps";
 import type { Bounds, Point3 } from "../../core/preview";
 import { documentStore } from "../../state/document";
 import { pickStore } from "../../state/pickJob";
@@ -18,15 +18,13 @@ import { settingsStore } from "../settings";
 import type { Viewport } from "../Viewport";
 import { AmountField } from "./gumballAmount";
 import { GumballPicture } from "./gumballPicture";
+import { amountOf, COARSE, reached, said, stepOf } from "./gumballReach";
 import { movablePorts } from "./movable";
-import { dragged, draggedAcross, draggedAlong } from "./rays";
 
 /** A press that goes less far than this is a click. */
 const CLICK = 4;
-/** What a turn goes by with Shift, in degrees, and a factor that the keys scale by. */
-const COARSE = 15;
+/** The factor that a press of a key scales by. */
 const GROW = 1.1;
-const LEAST_FACTOR = 0.001;
 
 interface Drag {
   grip: Grip;
@@ -47,6 +45,8 @@ export class Gumball {
   #ports: readonly string[] = [];
   #middle: Point3 | undefined;
   #drag: Drag | undefined;
+  /** Where a drag has left it, until the geometry that it moved is here. */
+  #left: { middle: Point3; bounds: Bounds | null } | undefined;
   #isSending = false;
   #next: (() => void) | undefined;
   #stops: (() => void)[];
@@ -77,7 +77,8 @@ export class Gumball {
     const { panes } = this.#viewport;
     const active = placed.find(({ pane }) => pane === panes.active);
     const bounds = this.#ports.length > 0 ? this.#bounds() : null;
-    this.#middle = this.#drag ? imageOf(this.#drag.rows, this.#drag.middle) : (bounds ?? undefined) && centre(bounds as Bounds);
+    if (this.#left && String(this.#left.bounds) !== String(bounds)) this.#left = undefined;
+    this.#middle = this.#drag ? imageOf(this.#drag.rows, this.#drag.middle) : (this.#left?.middle ?? (bounds ? centre(bounds) : undefined));
     if (!active || !this.#middle) return this.#picture.hide();
     const isPoint = bounds !== null && bounds[0].every((value, axis) => value === bounds[1][axis]);
     const pixel = active.pane.rig.pixel(active.height);
@@ -104,6 +105,7 @@ export class Gumball {
     if (ports.join() !== this.#ports.join()) {
       this.#leave();
       this.#amount.hide();
+      this.#left = undefined;
     }
     this.#ports = ports;
     this.#viewport.invalidate();
@@ -162,6 +164,7 @@ export class Gumball {
     this.#next = undefined;
     this.#amount.hide();
     if (!drag.isMoved) return this.#type(drag.grip, this.#at(event));
+    this.#left = { middle: imageOf(drag.rows, drag.middle), bounds: this.#bounds() };
     this.#send(drag, true);
   }
 
@@ -230,51 +233,17 @@ export class Gumball {
       return;
     }
     this.#isSending = true;
-    void edit({ do: "transform", ports: [...this.#ports], map: drag.rows }, drag.gesture).finally(() => {
-      this.#isSending = false;
-      if (isLast) void ask({ ask: "draft", on: false }).catch(() => {});
-      const next = this.#next;
-      this.#next = undefined;
-      next?.();
-    });
+    void edit({ do: "transform", ports: [...this.#ports], map: drag.rows }, drag.gesture)
+      .then((answer) => {
+        // What is refused is where it was.
+        if (!answer) this.#left = undefined;
+      })
+      .finally(() => {
+        this.#isSending = false;
+        if (isLast) void ask({ ask: "draft", on: false }).catch(() => {});
+        const next = this.#next;
+        this.#next = undefined;
+        next?.();
+      });
   }
-}
-
-function stepOf({ pane, height }: PlacedPane): number {
-  return gridSteps(pane.rig.pixel(height)).minor;
-}
-
-/** The point that the pointer stands for, on what a grip goes along. */
-function reached(grip: Grip, pane: PlacedPane, middle: Point3, [x, y]: readonly [number, number], isUpright: boolean): Point3 | undefined {
-  if (grip.axis === undefined) return dragged(pane, middle, x, y, isUpright);
-  if (grip.does === "turn") return draggedAcross(pane, middle, unit(grip.axis), x, y);
-  return draggedAlong(pane, middle, unit(grip.axis), x, y);
-}
-
-interface How {
-  isFree: boolean;
-  isCoarse: boolean;
-  step: number;
-}
-
-/** How far a grip was dragged: a length, degrees or a factor. */
-function amountOf(does: Grip["does"], axis: Axis, middle: Point3, from: Point3, to: Point3, { isFree, isCoarse, step }: How): number | undefined {
-  const along = (point: Point3) => point[axis] - middle[axis];
-  if (does === "move") {
-    const length = along(to) - along(from);
-    return isFree ? length : snap(length, step);
-  }
-  if (does === "turn") {
-    const degrees = (angleAbout(middle, axis, from, to) * 180) / Math.PI;
-    return isCoarse ? snap(degrees, COARSE) : isFree ? degrees : Math.round(degrees);
-  }
-  if (along(from) === 0) return undefined;
-  const factor = Math.max(along(to) / along(from), LEAST_FACTOR);
-  return isFree ? factor : Math.max(snap(factor, 0.05), 0.05);
-}
-
-function said({ does, axis }: Grip, amount: number): string {
-  const value = Number(amount.toPrecision(6));
-  const name = axis === undefined ? "" : AXES[axis];
-  return does === "turn" ? `${name} ${value}°` : does === "scale" ? `${name} × ${value}` : `${name} ${value}`;
 }
