@@ -22,7 +22,7 @@ async function open(page: Page, isPoint = false): Promise<Request[]> {
     const { join, documentStore, feed, select } = window.test;
     join("d", "t");
     const port = { id, sources: [], kept: 1, kind: isPoint ? "Point" : "Curve" };
-    const object = { id, component: "x", kind: "parameter", nickname: "Crv", inputs: [port], outputs: [port] };
+    const object = { id, component: isPoint ? "fbac3e32-f100-4292-8692-77240a42fd1a" : "x", kind: "parameter", nickname: "Crv", inputs: [port], outputs: [port] };
     documentStore.setState({ objects: new Map([[id, object as never]]) });
     const part = isPoint ? { kind: "points" as const, positions: [6, 4, 2] } : { kind: "curves" as const, positions: [0, 0, 0, 6, 4, 2] };
     feed({ object: id, bounds: null, parts: [part] }, { object: "other", bounds: null, parts: [{ kind: "curves", positions: [-20, -20, 0, 20, 20, 0] }] });
@@ -114,6 +114,7 @@ test("Escape takes a drag back; a click asks for the amount", async ({ page }) =
 test("the keyboard alone moves, and a point has no grips that do nothing", async ({ page }) => {
   const asked = await open(page, true);
   await expect(page.getByRole("button", { name: "Rotate about z", exact: true })).toBeHidden();
+  await expect(page.getByRole("button", { name: "Move freely", exact: true })).toBeHidden();
   await page.getByRole("button", { name: "Move along z", exact: true }).focus();
   await page.keyboard.press("ArrowUp");
   await expect.poll(() => made(asked).length).toBe(1);

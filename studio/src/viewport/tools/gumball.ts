@@ -20,6 +20,7 @@ import { AmountField } from "./gumballAmount";
 import { GumballPicture } from "./gumballPicture";
 import { amountOf, COARSE, reached, said, stepOf } from "./gumballReach";
 import { movablePorts } from "./movable";
+import { keepsPoints } from "./pointHandles";
 
 /** A press that goes less far than this is a click. */
 const CLICK = 4;
@@ -82,13 +83,23 @@ export class Gumball {
     if (!active || !this.#middle) return this.#picture.hide();
     const isPoint = bounds !== null && bounds[0].every((value, axis) => value === bounds[1][axis]);
     const pixel = active.pane.rig.pixel(active.height);
-    this.#picture.show(this.#middle, pixel, isPoint, (point) => this.#viewport.placeOf(point, active));
+    // Points have handles of their own, of which one may be in the middle.
+    const isFree = !this.#hasHandles();
+    this.#picture.show(this.#middle, pixel, { isPoint, isFree }, (point) => this.#viewport.placeOf(point, active));
   }
 
   dispose(): void {
     for (const stop of this.#stops) stop();
     this.#picture.dispose();
     this.#amount.dispose();
+  }
+
+  #hasHandles(): boolean {
+    const { objects } = documentStore.getState();
+    return [...uiStore.getState().selection].some((id) => {
+      const object = objects.get(id);
+      return object !== undefined && keepsPoints(object);
+    });
   }
 
   /** The box around what the selected parameters show. */

@@ -52,8 +52,11 @@ export class GumballPicture {
     this.layer.hidden = true;
   }
 
-  /** Shows it about a point; `pixel` is the length in the model that one pixel shows there. A point cannot be turned. */
-  show(middle: Point3, pixel: number, isPoint: boolean, seen: Seen): void {
+  /**
+   * Shows it about a point; `pixel` is the length in the model that one pixel shows there. A point cannot be turned, and
+   * has no free grip where it has a handle.
+   */
+  show(middle: Point3, pixel: number, { isPoint, isFree }: { isPoint: boolean; isFree: boolean }, seen: Seen): void {
     const at = seen(middle);
     if (!at) return this.hide();
     this.#svg.style.display = "";
@@ -63,14 +66,14 @@ export class GumballPicture {
       const tip = end(axis, FAR.move);
       return !tip || Math.hypot(tip[0] - at[0], tip[1] - at[1]) < FLAT * FAR.move;
     });
-    const shown: Place[] = [];
+    const shown: Place[] = isFree ? [] : [at];
     /** The first of some places that nothing stands at. */
     const free = (places: readonly (Place | undefined)[]) =>
       places.findIndex((place) => place && shown.every(([x, y]) => Math.hypot(place[0] - x, place[1] - y) >= APART));
     const arcs: (number | undefined)[] = [];
     for (const { grip, button } of this.buttons) {
       const { does, axis } = grip;
-      const isMeant = axis === undefined || (!(isPoint && does !== "move") && !(does === "turn" ? across(axis).some((other) => isFlat[other]) : isFlat[axis]));
+      const isMeant = axis === undefined ? isFree : !(isPoint && does !== "move") && !(does === "turn" ? across(axis).some((other) => isFlat[other]) : isFlat[axis]);
       const places = axis === undefined ? [at] : does === "turn" ? QUARTERS.map((turn) => seen(onArc(middle, axis, FAR.turn * pixel, turn + 0.5))) : [end(axis, FAR[does])];
       const found = isMeant ? free(places) : -1;
       const place = places[found];
