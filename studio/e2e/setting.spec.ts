@@ -66,6 +66,15 @@ test("the model is shown by layers, which can be hidden", async ({ page }, info)
   await expect.poll(() => drawn(page)).toBe(3);
 });
 
+test("a model is taken away again", async ({ page }) => {
+  await openCanvas(page);
+  await attach(page);
+  await expect.poll(() => drawn(page)).toBe(3);
+  await page.getByRole("button", { name: "Detach the model" }).click();
+  await expect.poll(() => drawn(page)).toBe(0);
+  await expect(page.getByText("No Rhino model is attached.")).toBeVisible();
+});
+
 test("a curve is picked from the model and referred to", async ({ page }, info) => {
   await openText(page, "curve.kd", `katydid 1\nshape = Curve()\nlist = Panel(shape)\n\nlayout {\n    shape: 40 40\n    list: 200 40 [200 40 220 60]\n}\n`);
   const list = page.getByRole("group", { name: /^list/ });

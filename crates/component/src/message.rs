@@ -85,6 +85,12 @@ impl From<katydid_geometry::Error> for Message {
     }
 }
 
+impl From<katydid_data::TransformError> for Message {
+    fn from(error: katydid_data::TransformError) -> Self {
+        Self::error(error.to_string())
+    }
+}
+
 /// Different messages beyond this many are counted, not kept.
 const KEPT: usize = 32;
 

@@ -26,6 +26,19 @@ pub fn tree(persistent: &Persistent, model: Option<&RhinoModel>) -> (Tree, Vec<M
     (builder.finish(), missing.into_messages())
 }
 
+/// A kept value that needs no Rhino model; none for a null.
+///
+/// # Errors
+/// Why it cannot be had, in words.
+pub fn item(stored: &Stored) -> Result<Option<Value>, String> {
+    let mut missing = Missing::default();
+    let found = value(stored, &mut missing);
+    match missing.into_messages().pop() {
+        Some(message) if found.is_none() => Err(message.text),
+        _ => Ok(found),
+    }
+}
+
 /// Where geometry is looked up, and what could not be had, each reason once.
 #[derive(Default)]
 struct Missing<'a> {

@@ -417,6 +417,18 @@ async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
     while face.results.get(&wall).is_none_or(|result| result.outputs[0].items != 1) {
         face.hear().await;
     }
+    // Without the model there is nothing that the parameter could refer to.
+    assert!(matches!(face.ask(Ask::DetachModel).await, Event::Done { .. }));
+    while face.results.get(&wall).is_none_or(|result| result.outputs[0].items != 0) {
+        face.hear().await;
+    }
+    let mut last = studio.join(&id).await;
+    loop {
+        if let Some(Event::Model { model }) = last.hear().await {
+            assert_eq!(model, None);
+            break;
+        }
+    }
 }
 
 #[tokio::test(flavor = "multi_thread")]

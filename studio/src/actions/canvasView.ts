@@ -113,6 +113,13 @@ register(
     run: () => keep({ snapping: !canvasStore.getState().snapping }),
   },
   {
+    id: "canvas.likely",
+    label: "likely.action",
+    group: "canvas",
+    isOn: () => canvasStore.getState().likely,
+    run: () => keep({ likely: !canvasStore.getState().likely }),
+  },
+  {
     id: "canvas.ribbon",
     label: "canvas.action.ribbon",
     group: "canvas",

@@ -5,6 +5,7 @@ import { place } from "../app/place";
 import { forgetTemplate, keepTemplate, openNew, template } from "../app/template";
 import { showDialog } from "../dialogs/store";
 import { documentStore } from "../state/document";
+import { modelStore } from "../state/model";
 import { ask } from "../state/session";
 import { register } from "./registry";
 
@@ -21,6 +22,15 @@ register(
   { id: "file.start", label: "action.start", group: "file", keys: ["Mod+O"], run: () => goTo(undefined) },
   { id: "file.documents", label: "documents.action", group: "file", keys: ["Mod+Shift+K"], run: () => showDialog("documents") },
   { id: "file.model", label: "action.model", group: "file", isEnabled: isOpen, run: chooseModel },
+  {
+    id: "file.detach",
+    label: "action.detach",
+    group: "file",
+    isEnabled: () => isOpen() && modelStore.getState().model !== undefined,
+    async run() {
+      await ask({ ask: "detachModel" });
+    },
+  },
   { id: "file.insert", label: "insert.action", group: "file", isEnabled: isOpen, run: chooseToInsert },
   {
     id: "file.save",

@@ -34,6 +34,12 @@ export function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button", "color"].includes(target.type);
 }
 
+/** Whether a field without text takes these keys itself: radio buttons and ranges go on by arrow keys. */
+export function isTaken(target: EventTarget | null, keys: string): boolean {
+  const isStepped = target instanceof HTMLInputElement && (target.type === "radio" || target.type === "range");
+  return isStepped && /^(Shift\+)?(Arrow(Left|Right|Up|Down)|Home|End|PageUp|PageDown)$/.test(keys);
+}
+
 /** The action for some keys in the place where they are pressed; one for that place goes before one for everywhere. */
 export function actionFor(keys: string, scope: Action["scope"], actions = allActions()): Action | undefined {
   const fitting = actions.filter((action) => action.keys?.includes(keys));
@@ -45,6 +51,7 @@ export function followKeys(): () => void {
   const listen = (event: KeyboardEvent) => {
     if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const keys = keysOf(event);
+    if (isTaken(event.target, keys)) return;
     if (isTyping(event.target) && !keys.startsWith("Mod+")) return;
     // Copying, pasting and undoing inside a text field is the field's own business.
     if (isTyping(event.target) && /^Mod\+(Shift\+)?[ACVXZY]$/.test(keys)) return;

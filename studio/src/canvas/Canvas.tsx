@@ -25,6 +25,7 @@ import { Crumbs } from "./Crumbs";
 import { FarLayer } from "./FarLayer";
 import { EdgeMaker, NodeMaker, type CanvasNode, type WireEdge } from "./flow";
 import { Compass } from "./Compass";
+import { Likely } from "./Likely";
 import { FoundArrows } from "./FoundArrows";
 import { keysChanged, pointerDown, pointerMove, pointerUp, wheel } from "./gestures/bind";
 import { doubleClick, drop, keyDown, placeClick } from "./gestures/more";
@@ -233,6 +234,7 @@ function Flow() {
         <ZoomBox />
         <FoundArrows />
         <Compass />
+        <Likely />
       </ReactFlow>
     </Near.Provider>
   );

@@ -84,6 +84,8 @@ export interface CanvasState {
   aligning: boolean;
   /** Whether capsules show pictures for names. */
   icons: boolean;
+  /** Whether likely next components are shown. */
+  likely: boolean;
   /** The tab of components that was used last. */
   tab: string | undefined;
   /** What was placed lately, the last first. */
@@ -100,23 +102,25 @@ interface Kept {
   ribbon: boolean;
   aligning: boolean;
   icons: boolean;
+  likely: boolean;
   tab: string | undefined;
   recent: readonly string[];
 }
 
 /** What of the canvas a browser remembers. Storage may be forbidden: then nothing is remembered. */
 function kept(): Kept {
-  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true, icons: false, tab: undefined, recent: [] };
+  const usual: Kept = { scheme: "grasshopper", snapping: true, ribbon: true, aligning: true, icons: false, likely: true, tab: undefined, recent: [] };
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
     if (typeof found !== "object" || found === null) return usual;
-    const { scheme, snapping, ribbon, aligning, icons, tab, recent } = found as Record<string, unknown>;
+    const { scheme, snapping, ribbon, aligning, icons, likely, tab, recent } = found as Record<string, unknown>;
     return {
       scheme: scheme === "figma" ? "figma" : "grasshopper",
       snapping: snapping !== false,
       ribbon: ribbon !== false,
       aligning: aligning !== false,
       icons: icons === true,
+      likely: likely !== false,
       tab: typeof tab === "string" ? tab : undefined,
       recent: Array.isArray(recent) ? recent.filter((one): one is string => typeof one === "string") : [],
     };
@@ -153,9 +157,9 @@ export const canvasStore = createStore<CanvasState>(() => ({
 /** Changes what a browser remembers. */
 export function keep(change: Partial<Kept>): void {
   canvasStore.setState(change);
-  const { scheme, snapping, ribbon, aligning, icons, tab, recent } = canvasStore.getState();
+  const { scheme, snapping, ribbon, aligning, icons, likely, tab, recent } = canvasStore.getState();
   try {
-    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning, icons, tab, recent }));
+    localStorage.setItem(KEPT, JSON.stringify({ scheme, snapping, ribbon, aligning, icons, likely, tab, recent }));
   } catch {
     // It holds for this page then.
   }

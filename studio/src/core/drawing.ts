@@ -1,6 +1,6 @@
 /** What is drawn in the viewport: which points it takes, what it is, and how it looks while it is drawn. */
 
-import { along, coordinatesIn, distance, dot, minus, type Frame } from "./frame";
+import { along, coordinatesIn, cross, distance, dot, minus, type Frame } from "./frame";
 import type { Point3 } from "./preview";
 import type { Drawing } from "./protocol/Drawing";
 
@@ -14,6 +14,8 @@ export function toolsFor(kind: string): readonly DrawTool[] {
     case "Point":
       return ["point"];
     case "Line":
+    case "Plane":
+    case "Vector":
     case "Circle":
     case "Rectangle":
       return [kind.toLowerCase() as DrawTool];
@@ -28,7 +30,7 @@ export function toolsFor(kind: string): readonly DrawTool[] {
 
 /** The types of inputs that geometry is picked or drawn for. */
 export const SETTABLE: ReadonlySet<string> = new Set([
-  "Point", "Curve", "Line", "Circle", "Arc", "Rectangle", "Surface", "Brep", "Box", "Mesh", "SubD", "Geometry",
+  "Point", "Curve", "Line", "Circle", "Arc", "Rectangle", "Surface", "Brep", "Box", "Mesh", "SubD", "Geometry", "Plane", "Vector",
 ]);
 
 /** After how many points a drawing is done; those that go on are ended by hand. */
@@ -46,6 +48,12 @@ export function drawingOf(tool: DrawTool, points: readonly Point3[], frame: Fram
   if (!second) return undefined;
   const plane = { origin: triple(first), x: triple(frame.x), y: triple(frame.y) };
   switch (tool) {
+    case "vector":
+      return distance(first, second) > 0 ? { is: "vector", along: triple(minus(second, first)) } : undefined;
+    case "plane": {
+      const x = minus(second, first);
+      return inPlane(frame, first, second) > 0 ? { is: "plane", plane: { origin: plane.origin, x: triple(x), y: triple(cross(frame.z, x)) } } : undefined;
+    }
     case "line":
       return distance(first, second) > 0 ? { is: "line", ends: [triple(first), triple(second)] } : undefined;
     case "circle": {
@@ -82,7 +90,12 @@ const FINE = 12;
 export function outline(tool: DrawTool, points: readonly Point3[], frame: Frame): readonly Point3[] {
   const [first, second] = points;
   if (!first || !second) return points;
-  const { x, y } = frame;
+  const { x, y, z } = frame;
+  if (tool === "plane") {
+    const u = minus(second, first);
+    const v = cross(z, u);
+    return [first, second, along(second, [1, v]), along(first, [1, v]), first];
+  }
   if (tool === "circle") {
     const radius = inPlane(frame, first, second);
     return Array.from({ length: SEGMENTS + 1 }, (_, k) => {

@@ -44,3 +44,7 @@ export function coordinatesIn({ origin, x, y, z }: Frame, point: Point3): Point3
   const away = minus(point, origin);
   return [dot(away, x), dot(away, y), dot(away, z)];
 }
+
+export function cross(a: Point3, b: Point3): Point3 {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}

@@ -3,6 +3,7 @@
 import { isGroup, leaves, type Objects } from "../core/groups";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import type { PlayerInput } from "../core/protocol/PlayerInput";
+import { t } from "../i18n";
 
 const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "panel"];
 
@@ -30,10 +31,26 @@ export function playable(objects: readonly ObjectView[]): ObjectView[] {
     .sort((a, b) => a.bounds[1] - b.bounds[1] || a.bounds[0] - b.bounds[0]);
 }
 
+/**
+ * What a control is called: by its own name, or, where nobody gave it one, by the input that it is for: a visitor does
+ * not know which panel of three is meant.
+ */
+function labelOf({ id, nickname, name, outputs }: ObjectView, objects: Objects): string {
+  if (nickname && nickname !== name) return nickname;
+  const own = new Set([id, ...outputs.map((port) => port.id)]);
+  for (const reader of objects.values()) {
+    const port = reader.inputs.find(({ sources }) => sources.some((source) => own.has(source)));
+    if (!port) continue;
+    const called = reader.nickname || reader.name;
+    return reader.kind === "parameter" ? called : t("player.of", { input: port.name, object: reader.name || called });
+  }
+  return nickname || name;
+}
+
 /** What the player shows: what the definition publishes, else all that can be moved. */
 export function shownInputs(objects: Objects, published: readonly PlayerInput[] | null): ShownInput[] {
   const all = playable([...objects.values()]);
-  const own = (object: ObjectView) => object.nickname || object.name;
+  const own = (object: ObjectView) => labelOf(object, objects);
   if (!published) return all.map((object) => ({ object, label: own(object), help: "" }));
   return published.flatMap(({ object: id, label, help }) => {
     const object = all.find((one) => one.id === id);

@@ -37,7 +37,8 @@ export function isSettable({ kind, sources }: PortView): boolean {
 }
 
 export function beginPick({ id, kind }: PortView, isMany: boolean): void {
-  const tool = kind === "Point" ? "point" : "pick";
+  // There is mostly none of these to pick.
+  const tool = kind === "Point" || kind === "Plane" || kind === "Vector" ? (toolsFor(kind)[0] ?? "pick") : "pick";
   pickStore.setState({ job: { port: id, kind, isMany, tool, items: [], points: [], gesture: newGesture() } });
 }
 

@@ -70,6 +70,8 @@ export interface ViewportSettings {
   /** Whether the view turns by itself. */
   turntable: boolean;
   snap: boolean;
+  /** Handles that move, turn and scale what the selected parameters keep. */
+  gumball: boolean;
   snaps: Snaps;
 }
 
@@ -113,6 +115,7 @@ const USUAL: ViewportSettings = {
   trackpad: false,
   turntable: false,
   snap: true,
+  gumball: true,
   snaps: { end: true, mid: true, near: false },
 };
 
@@ -136,6 +139,7 @@ export function readSettings(text: string | null): ViewportSettings {
     shown: shown as unknown as Shown,
     trackpad: flag(found.trackpad, USUAL.trackpad),
     snap: flag(found.snap, USUAL.snap),
+    gumball: flag(found.gumball, USUAL.gumball),
   };
 }
 
@@ -149,9 +153,9 @@ function stored(): string | null {
 
 export const settingsStore = createStore<ViewportSettings>(() => readSettings(stored()));
 
-settingsStore.subscribe(({ mode, shown, trackpad, snap }) => {
+settingsStore.subscribe(({ mode, shown, trackpad, snap, gumball }) => {
   try {
-    localStorage.setItem(KEY, JSON.stringify({ mode, shown, trackpad, snap }));
+    localStorage.setItem(KEY, JSON.stringify({ mode, shown, trackpad, snap, gumball }));
   } catch {
     // A browser that keeps nothing still works.
   }

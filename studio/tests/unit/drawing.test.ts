@@ -80,6 +80,17 @@ describe("drawings", () => {
     expect(drawingOf("interpolated", [a, b, c], xy, true)).toEqual({ is: "interpolated", points: [a, b, c], closed: true });
   });
 
+  test("of planes and vectors keep directions", () => {
+    expect(drawingOf("vector", [c, b], xy)).toEqual({ is: "vector", along: [0, 4, 0] });
+    expect(drawingOf("vector", [b, b], xy)).toBeUndefined();
+    expect(drawingOf("plane", [c, b], xy)).toEqual({ is: "plane", plane: { origin: [3, 0, 0], x: [0, 4, 0], y: [-4, 0, 0] } });
+    // On the front plane y is up where x is to the right.
+    const front = JSON.stringify(drawingOf("plane", [a, c], xz));
+    expect(JSON.parse(front)).toMatchObject({ plane: { x: [3, 0, 0], y: [0, 0, 3] } });
+    expect(drawingOf("plane", [a, [0, 0, 4]], xy)).toBeUndefined();
+    expect([toolsFor("Plane"), toolsFor("Vector"), lastPoint("plane")]).toEqual([["plane"], ["vector"], 2]);
+  });
+
   test("lie in the plane of the view", () => {
     expect(drawingOf("rectangle", [a, [2, 9, 5]], xz)).toMatchObject({ size: [2, 5] });
     for (const point of outline("circle", [[1, 2, 3], [4, 2, 7]], xz)) {

@@ -8,7 +8,6 @@ use katydid_data::{BlockDefinition, BlockInstance, Content, ModelObject, Value};
 use katydid_geometry::Xform;
 
 use super::{content_of, unfit};
-use crate::transform::apply;
 
 /// A value as a block placed in space.
 fn instance_of(context: &Context<'_>, value: &Value) -> Result<BlockInstance, Message> {
@@ -63,7 +62,7 @@ fn explode_block_instance(
     for object in objects {
         let Some(geometry) = &object.geometry else { continue };
         let stays = instance.transform == Xform::IDENTITY;
-        let geometry = if stays { Ok(geometry.clone()) } else { apply(geometry, &instance.transform) };
+        let geometry = if stays { Ok(geometry.clone()) } else { geometry.transformed(&instance.transform) };
         match geometry {
             // A copy is an object of its own.
             Ok(geometry) => {
@@ -73,7 +72,7 @@ fn explode_block_instance(
                     ..object.clone()
                 }));
             }
-            Err(message) => context.warn(format!("Left out: {}", message.text)),
+            Err(error) => context.warn(format!("Left out: {error}")),
         }
     }
     Ok(placed)

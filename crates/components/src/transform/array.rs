@@ -6,8 +6,6 @@ use katydid_component::{Context, Message, component};
 use katydid_data::Geometry;
 use katydid_geometry::{Box3, Curve, Interval, Plane, Rectangle, Vector3, Xform};
 
-use super::apply;
-
 type Copies = Result<(Vec<Option<Geometry>>, Vec<Xform>), Message>;
 
 fn count(n: i32) -> Result<usize, Message> {
@@ -23,7 +21,7 @@ fn copies(context: &Context<'_>, geometry: Option<Geometry>, maps: Vec<Xform>) -
     if let Some(Geometry(value)) = geometry {
         for map in &maps {
             context.check()?;
-            out.push(Some(Geometry(apply(&value, map)?)));
+            out.push(Some(Geometry(value.transformed(map)?)));
         }
     }
     Ok((out, maps))

@@ -142,7 +142,7 @@ fn rotate_axis_by_points(
     end: Point3,
 ) -> Result<Option<Geometry>, Message> {
     let turn = Xform::rotation(angle, end - start, start)?;
-    geometry.map(|g| super::apply(&g.0, &turn).map(Geometry)).transpose()
+    Ok(geometry.map(|g| g.0.transformed(&turn).map(Geometry)).transpose()?)
 }
 
 /// Turns geometry about a point by the smallest rotation that takes one direction to another.

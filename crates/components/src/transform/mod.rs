@@ -1,16 +1,13 @@
 //! The Transform tab.
 
 mod affine;
-mod apply;
 mod array;
 mod euclidean;
 mod extent;
-mod kept;
 mod morph;
 mod sanity;
 mod util;
 
-pub(crate) use apply::apply;
 pub(crate) use extent::around;
 
 use katydid_component::{Context, Message};
@@ -26,7 +23,7 @@ fn transformed(context: &Context<'_>, geometry: Option<Geometry>, xform: Xform) 
         return Err(Message::error("The transform holds a number that is not finite"));
     }
     let image = match geometry {
-        Some(Geometry(value)) => Some(Geometry(apply(&value, &xform)?)),
+        Some(Geometry(value)) => Some(Geometry(value.transformed(&xform)?)),
         None => None,
     };
     Ok((image, context.is_wanted(1).then(|| Value::from(xform))))

@@ -4,7 +4,6 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::Geometry;
 use katydid_geometry::Xform;
 
-use super::apply;
 use crate::sets::dotnet_random::DotNetRandom;
 
 /// Bends geometry at random, which is a joke of Grasshopper's, and hands it on as it was beside that.
@@ -37,7 +36,7 @@ fn sanity_xform(
                 *x = if i == j { 1.0 + random.next_double() } else { (random.next_double() - 0.5) * 0.6 };
             }
         }
-        bent.push(item.map(|item| apply(&item.0, &xform).map(Geometry)).transpose()?);
+        bent.push(item.map(|item| item.0.transformed(&xform).map(Geometry)).transpose()?);
     }
     Ok((geometry.iter().collect(), bent))
 }

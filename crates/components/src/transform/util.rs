@@ -6,8 +6,6 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Compound, Geometry, Group, Tree};
 use katydid_geometry::Xform;
 
-use super::apply;
-
 /// Makes one group of a list of geometry. What happens to the group happens to all members.
 #[component("874eebe7-835b-4f4f-9811-97e031c41597", name = "Group", nick = "Group", at = "Transform/Util")]
 #[output("Group", "G", "The group.")]
@@ -109,7 +107,7 @@ fn transform(
     #[port("Transform", "T")]
     transform: Xform,
 ) -> Result<Geometry, Message> {
-    Ok(Geometry(apply(&geometry.0, &transform)?))
+    Ok(Geometry(geometry.0.transformed(&transform)?))
 }
 
 /// One transform that does what a list of transforms does one after the other, the first one first. Nulls are skipped.

@@ -193,7 +193,7 @@ impl Actor {
                 let _ = answer.send(self.bytes(form));
             }
             Command::Model(attached, answer) => {
-                let _ = self.jobs.send(Job::Model(Arc::clone(&attached.model)));
+                let _ = self.jobs.send(Job::Model(Some(Arc::clone(&attached.model))));
                 self.model.attach(attached);
                 self.want(Work::Solve);
                 let _ = answer.send(());
@@ -210,6 +210,14 @@ impl Actor {
             Command::Work(news) => self.heard(news),
             Command::Close(_) => {}
         }
+    }
+
+    /// Takes the Rhino model away; what refers to it is solved anew.
+    pub(super) fn detach_model(&mut self) {
+        let _ = self.jobs.send(Job::Model(None));
+        self.model.detach(&self.shared.geometries);
+        self.faces.iter().for_each(|face| self.model.tell(&face.outbox));
+        self.want(Work::Solve);
     }
 
     fn about(&self) -> About {

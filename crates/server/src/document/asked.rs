@@ -115,6 +115,7 @@ impl Actor {
             }
             Ask::AllowScripts { run, keep } => self.allow_scripts(id, run, keep)?,
             Ask::Save { path } => self.save(path)?,
+            Ask::DetachModel => self.detach_model(),
             Ask::Settle { keep } => {
                 let change = self.editor.settle(keep);
                 self.publish(&change);

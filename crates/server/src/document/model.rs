@@ -29,13 +29,20 @@ impl Beside {
         self.attached = Some(attached);
     }
 
+    /// There is none any more.
+    pub(super) fn detach(&mut self, all: &Geometries) {
+        self.attached = None;
+        self.view = None;
+        self.release(all);
+    }
+
     pub(super) fn model(&self) -> Option<&Arc<RhinoModel>> {
         self.attached.as_ref().map(|attached| &attached.model)
     }
 
-    /// Takes what was drawn of it.
+    /// Takes what was drawn of it; it may be gone by then.
     pub(super) fn show(&mut self, ModelPreview { view, geometries }: ModelPreview, all: &Geometries) {
-        let name = self.attached.as_ref().map(|attached| attached.name.clone()).unwrap_or_default();
+        let Some(name) = self.attached.as_ref().map(|attached| attached.name.clone()) else { return };
         self.view = Some(ModelView { name, ..view });
         let now = geometries.into_iter().map(|geometry| all.keep(geometry.hash, geometry.bytes)).collect();
         std::mem::replace(&mut self.geometries, now).into_iter().for_each(|before| all.release(before));

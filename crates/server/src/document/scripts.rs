@@ -111,6 +111,7 @@ fn may_bring_code(ask: &Ask) -> bool {
                 | Edit::Align { .. }
                 | Edit::Resize { .. }
                 | Edit::Arrange { .. }
+                | Edit::Transform { .. }
                 | Edit::Set {
                     to: Setting::Number { .. }
                         | Setting::Switch { .. }

@@ -27,8 +27,8 @@ pub(crate) enum Job {
     Change(Box<Change>),
     /// A button is held, or was let go.
     Press(Difference),
-    /// The Rhino model that parameters refer to is another.
-    Model(Arc<RhinoModel>),
+    /// The Rhino model that parameters refer to is another, or there is none any more.
+    Model(Option<Arc<RhinoModel>>),
     /// What runs scripts from now on; those of the document are solved anew.
     Scripts(Arc<dyn Scripts>),
     /// Everything is to be solved again.
@@ -141,8 +141,8 @@ impl Worker {
             // One that does not fit is of a button that is gone.
             Job::Press(difference) => drop(self.engine.apply(&difference)),
             Job::Model(model) => {
-                self.engine.options_mut().model = Some(model);
-                self.is_model_due = true;
+                self.is_model_due = model.is_some();
+                self.engine.options_mut().model = model;
                 self.engine.forget();
             }
             Job::Scripts(scripts) => {

@@ -137,6 +137,11 @@ impl History {
         self.undone.iter().rev()
     }
 
+    /// The document before a gesture that goes on.
+    pub(crate) fn before(&self, gesture: u64) -> Option<&Arc<Document>> {
+        self.running.as_ref().filter(|running| running.gesture == gesture).map(|running| &running.before)
+    }
+
     /// The gesture that goes on, when the last step is of it.
     pub(crate) fn running(&self) -> Option<u64> {
         self.running.as_ref().filter(|running| running.is_step).map(|running| running.gesture)

@@ -158,13 +158,20 @@ impl Editor {
         within: &[Uuid],
         results: &dyn Results,
     ) -> Result<Change, Refusal> {
-        let lookup = within.is_empty().then(|| Arc::clone(self.lookup()));
-        let document = self.open(within)?;
+        // A map that changes during a gesture is one from where that began: nothing adds up on the way.
+        let began = match edit {
+            Edit::Transform { .. } => {
+                gesture.and_then(|gesture| self.history.before(gesture)).map(Arc::clone)
+            }
+            _ => None,
+        };
+        let lookup = (began.is_none() && within.is_empty()).then(|| Arc::clone(self.lookup()));
+        let document = inside::open(began.as_ref().unwrap_or(&self.document), within)?;
         let name = words::name(edit, &document);
         let mut draft = Draft::new(document, lookup, within, results, self.rules());
         edits::carry_out(edit, &mut draft)?;
         let Draft { document, made, .. } = draft;
-        let after = self.close(within, document)?;
+        let after = inside::close(began.as_ref().unwrap_or(&self.document), within, document)?;
         Ok(self.commit(name, gesture, after, made))
     }
 

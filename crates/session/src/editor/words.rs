@@ -71,6 +71,7 @@ pub(super) fn name(edit: &Edit, document: &Document) -> String {
             1 => "Set one item".to_owned(),
             n => format!("Set {n} items"),
         },
+        Edit::Transform { .. } => "Transform geometry".to_owned(),
         Edit::Internalise { .. } => "Internalise data".to_owned(),
         Edit::Extract { .. } => "Extract parameter".to_owned(),
         Edit::AddPort { input: true, .. } => "Add input".to_owned(),

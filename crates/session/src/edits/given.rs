@@ -74,7 +74,7 @@ fn item_of(draft: &Draft<'_>, port: Uuid, path: &str, index: u32) -> Result<Valu
 }
 
 /// A value as an input of a type takes it.
-fn fit(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
+pub(super) fn fit(value: &Value, kind: Kind, rules: &Rules) -> Option<Value> {
     match kind {
         Kind::Generic | Kind::Geometry => Some(value.clone()),
         kind => cast::value(value, kind, rules),
@@ -86,6 +86,11 @@ fn drawn(drawing: &Drawing) -> Result<Value, Refusal> {
     let senseless = |error: katydid_geometry::Error| Refusal::Senseless(error.to_string());
     Ok(match drawing {
         Drawing::Point { at } => Value::Point(point(at)?),
+        Drawing::Vector { along: [x, y, z] } => {
+            finite(&[*x, *y, *z])?;
+            Value::Vector(Vector3::new(*x, *y, *z))
+        }
+        Drawing::Plane { plane } => Value::from(plane_of(plane)?),
         Drawing::Line { ends: [from, to] } => {
             let line = Line { from: point(from)?, to: point(to)? };
             if line.from == line.to {

@@ -19,6 +19,7 @@ mod player;
 mod ports;
 mod scripts;
 mod settings;
+mod transformed;
 mod wires;
 
 use crate::Refusal;
@@ -57,6 +58,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
         Edit::ChangePanel { object, change } => panel::change(draft, *object, change),
         Edit::Keep { port, values } => keep::keep(draft, *port, values.as_deref()),
         Edit::SetGeometry { port, items } => given::set(draft, *port, items),
+        Edit::Transform { ports, map } => transformed::transform(draft, ports, map),
         Edit::Internalise { port } => keep::internalise(draft, *port),
         Edit::Extract { port, id } => keep::extract(draft, *port, *id),
         Edit::AddPort { object, input, index, id } => ports::add(draft, *object, *input, *index, *id),

@@ -56,6 +56,9 @@ pub enum Edit {
     Keep { port: Uuid, values: Option<String> },
     /// Keeps geometry in an input in place of what it kept: what was picked or drawn in a viewport, one item each.
     SetGeometry { port: Uuid, items: Vec<GeometrySource> },
+    /// Moves, turns or scales the geometry that inputs keep, by the first three rows of a matrix. Edits of one gesture
+    /// are maps from where the gesture began, each in place of the one before.
+    Transform { ports: Vec<Uuid>, map: [[f64; 4]; 3] },
     /// Keeps the data that a port has now in a new parameter (or in the port itself when it is an input or parameter),
     /// and takes its wires away.
     Internalise { port: Uuid },

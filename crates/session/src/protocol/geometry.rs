@@ -21,6 +21,10 @@ pub enum GeometrySource {
 pub enum Drawing {
     /// A point.
     Point { at: [f64; 3] },
+    /// An arrow: only its length and direction are kept.
+    Vector { along: [f64; 3] },
+    /// A plane.
+    Plane { plane: PlaneView },
     /// A straight segment.
     Line { ends: [[f64; 3]; 2] },
     /// Straight segments end to end; closed where the last point is the first.

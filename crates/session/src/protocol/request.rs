@@ -71,6 +71,8 @@ pub enum Ask {
     },
     /// Saves the document where it is kept, or at a path on this machine.
     Save { path: Option<String> },
+    /// Takes the Rhino model beside the document away; its file stays as it is.
+    DetachModel,
     /// Says whether what was restored from the journal shall stay (`keep`) or make way for the file as it was saved.
     Settle { keep: bool },
     /// The preview as coarse as it may be while a slider is dragged, or as fine as the document says.

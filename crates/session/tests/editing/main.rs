@@ -13,4 +13,5 @@ mod published;
 mod scripts;
 mod several;
 mod steps;
+mod transformed;
 mod wires;

@@ -2,16 +2,18 @@ import { useStore } from "zustand";
 
 import { placing } from "../../core/initial";
 import { parsePopup } from "../../core/popup";
-import { search, type Wanted } from "../../core/search";
+import { likelyAfter } from "../../core/likely";
+import { portFor, search, type Found, type Wanted } from "../../core/search";
 import type { Grip } from "../../core/hit";
 import { t } from "../../i18n";
 import { Icon } from "../../icons/Icon";
 import { catalogueStore, type Catalogue } from "../../state/catalogue";
 import { documentStore } from "../../state/document";
+import { likelyStore } from "../../state/likely";
 import { place, placeWired } from "../edits";
 import { useCanvas } from "../hooks";
 import type { SearchAt } from "../store";
-import { PickList, type Pick } from "./PickList";
+import { PickList, type Pick as Listed } from "./PickList";
 
 /** The search box: a double-click on the empty canvas, or a wire let go in the void. */
 export function SearchBox() {
@@ -40,11 +42,23 @@ function wantedBy(grip: Grip): Wanted {
   return { side: grip.side === "output" ? "input" : "output", kind };
 }
 
-function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, query: string): Pick[] {
+/** What mostly reads a component comes first where nothing is typed yet. */
+function likely({ byId }: Catalogue, { object }: Grip, wanted: Wanted | undefined): Pick<Found, "entry">[] {
+  const component = documentStore.getState().objects.get(object)?.component;
+  if (!component || wanted?.side !== "input") return [];
+  return likelyAfter(likelyStore.getState().counts, component).flatMap((id) => {
+    const entry = byId.get(id);
+    return entry && !entry.old && portFor(entry, wanted) ? [{ entry }] : [];
+  });
+}
+
+function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, query: string): Listed[] {
   const popup = wanted ? undefined : parsePopup(query);
   const code = popup && placing(popup, catalogue.entries);
-  const found = search(catalogue.entries, query, wanted).map(
-    ({ entry }): Pick => ({
+  const usual = at.from && query.trim() === "" ? likely(catalogue, at.from, wanted) : [];
+  const others = search(catalogue.entries, query, wanted).filter(({ entry }) => !usual.some((one) => one.entry === entry));
+  const found = [...usual, ...others].map(
+    ({ entry }): Listed => ({
       key: entry.guid,
       label: entry.name,
       icon: <Icon component={entry.guid} name={entry.name} size={20} />,
@@ -56,7 +70,7 @@ function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, q
     }),
   );
   if (!code) return query.trim() === "" && !wanted ? [] : found;
-  const first: Pick = {
+  const first: Listed = {
     key: "code",
     label: code.name,
     icon: <Icon component={code.component} name={code.name} size={20} />,

@@ -4,4 +4,4 @@ import type { PlaneView } from "./PlaneView";
 /**
  * What is drawn in a viewport, in model units.
  */
-export type Drawing = { "is": "point", at: [number, number, number], } | { "is": "line", ends: [[number, number, number], [number, number, number]], } | { "is": "polyline", points: Array<[number, number, number]>, } | { "is": "interpolated", points: Array<[number, number, number]>, closed: boolean, } | { "is": "circle", plane: PlaneView, radius: number, } | { "is": "rectangle", plane: PlaneView, size: [number, number], };
+export type Drawing = { "is": "point", at: [number, number, number], } | { "is": "vector", along: [number, number, number], } | { "is": "plane", plane: PlaneView, } | { "is": "line", ends: [[number, number, number], [number, number, number]], } | { "is": "polyline", points: Array<[number, number, number]>, } | { "is": "interpolated", points: Array<[number, number, number]>, closed: boolean, } | { "is": "circle", plane: PlaneView, radius: number, } | { "is": "rectangle", plane: PlaneView, size: [number, number], };

@@ -13,6 +13,10 @@ export const canvasMore = {
   "help.optional": "optional",
   "help.many": "any number of these",
 
+  "likely.label": "Likely next",
+  "likely.action": "Likely next components",
+  "likely.place": "Place {name} after it",
+
   "canvas.radial": "Ring of commands",
   "canvas.aligning": "Handles for lining up",
 

@@ -14,6 +14,7 @@ import { layerColours, layerGeometry } from "../layers";
 import { settingsStore, viewportStore } from "../settings";
 import { aim } from "../tools/aim";
 import { Drawer } from "../tools/drawer";
+import { Gumball } from "../tools/gumball";
 import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
 import { besides, layers } from "../tools/beside";
@@ -74,6 +75,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
       viewport.panes.look(view, true, isStill());
     },
   });
+  const gumball = new Gumball(host, viewport);
   const handles = new PointHandles(host, viewport);
   const section = new SectionHandle(host, viewport);
   const looker = new Looker();
@@ -83,6 +85,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   });
   viewport.afterDraw = (placed) => {
     frames.place(placed, viewport.panes.active);
+    gumball.place(placed);
     handles.place(placed);
     section.place(placed);
     drawer.place();
@@ -94,6 +97,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     controls.dispose();
     looker.dispose();
     probes.dispose();
+    gumball.dispose();
     handles.dispose();
     section.dispose();
     drawer.dispose();

@@ -34,6 +34,11 @@ export function LayerSheet() {
       <button type="button" onClick={() => void action("file.model")?.run()}>
         {t(model ? "viewport.layers.other" : "action.model")}
       </button>
+      {model && (
+        <button type="button" onClick={() => void action("file.detach")?.run()}>
+          {t("action.detach")}
+        </button>
+      )}
     </Popover>
   );
 }

@@ -3,7 +3,6 @@ import { useStore } from "zustand";
 import { action } from "../../actions/registry";
 import { shownKeys } from "../../actions/keys";
 import { t, type Key } from "../../i18n";
-import { DISPLAY_MODES } from "../scene/looks";
 import { PREVIEWS, settingsStore, viewportStore, type Shown } from "../settings";
 import { VIEW_NAMES, type ViewName } from "../views";
 import { AnalysisSheet } from "./AnalysisSheet";
@@ -11,6 +10,7 @@ import { Check } from "./fields";
 import { Icon, type IconName } from "./icons";
 import { Popover } from "./Popover";
 import { CameraSheet } from "./CameraSheet";
+import { DisplaySheet } from "./DisplaySheet";
 import { LayerSheet } from "./LayerSheet";
 import { SectionSheet } from "./SectionSheet";
 
@@ -58,9 +58,8 @@ export function Toolbar() {
       <ActionButton id="viewport.parallel" icon="parallel" isOn={projection === "parallel"} />
       <ActionButton id="viewport.four" icon="four" isOn={layout === "four"} />
       <span className="viewport-gap" />
-      {DISPLAY_MODES.map((name) => (
-        <ActionButton key={name} id={`viewport.mode.${name}`} icon={name} isOn={mode === name} />
-      ))}
+      <DisplaySheet />
+      <ActionButton id="viewport.mode.rendered" icon="rendered" isOn={mode === "rendered"} />
       <span className="viewport-gap" />
       <ActionButton id="viewport.zoomExtents" icon="extents" />
       <ActionButton id="viewport.zoomSelected" icon="selected" />
@@ -76,7 +75,7 @@ export function Toolbar() {
 }
 
 function ShowSheet() {
-  const { shown, previews, trackpad, snap } = useStore(settingsStore);
+  const { shown, previews, trackpad, snap, gumball } = useStore(settingsStore);
   return (
     <Popover label={t("viewport.show")} icon="show">
       {SHOWN.map((name) => (
@@ -98,6 +97,7 @@ function ShowSheet() {
       </div>
       <hr />
       <Check label="viewport.snap" checked={snap} onChange={(on) => settingsStore.setState({ snap: on })} />
+      <Check label="viewport.gumball" checked={gumball} onChange={(on) => settingsStore.setState({ gumball: on })} />
       <Check label="viewport.trackpad" checked={trackpad} onChange={(on) => settingsStore.setState({ trackpad: on })} />
     </Popover>
   );

@@ -33,6 +33,12 @@ export function dragged(placed: PlacedPane, from: Point3, x: number, y: number, 
   return met && start.addScaledVector(across, met.sub(start).dot(across)).toArray();
 }
 
+/** Where the pointer meets the plane through a point, upright to a unit direction; undefined where that is seen edge on. */
+export function draggedAcross(placed: PlacedPane, through: Point3, upright: Point3, x: number, y: number): Point3 | undefined {
+  const { origin, direction } = rayAt(placed, x, y);
+  return meet(origin, direction, new Vector3(...upright), new Vector3(...through))?.toArray();
+}
+
 function meet(origin: Vector3, direction: Vector3, normal: Vector3, through: Vector3): Vector3 | undefined {
   // A plane seen along itself is met anywhere, or nowhere.
   if (Math.abs(direction.dot(normal)) < 1e-4) return undefined;

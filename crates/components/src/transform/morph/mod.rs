@@ -110,7 +110,7 @@ fn deformed(
             Value::Vector(morph.image(origin + *v)? - morph.image(origin)?)
         }
         Value::Brep(brep) => solid(context, brep, morph, manner)?,
-        Value::Box(_) => solid(context, &*super::apply::solid(value)?, morph, manner)?,
+        Value::Box(_) => solid(context, &*value.solid()?, morph, manner)?,
         Value::Kept(object) => match object.bare_surface() {
             Ok(Some(bare)) => sheet(&bare.surface)?,
             _ => kept::deformed(context, value, object, morph, manner)?,
@@ -156,7 +156,7 @@ fn moved(value: &Value, morph: &dyn Morph) -> Result<Value, Message> {
         }
     };
     let frame = Plane { origin: center, ..Plane::XY };
-    super::apply(value, &rigid_part(morph, &frame, REACH * size.max(1e-6))?)
+    Ok(value.transformed(&rigid_part(morph, &frame, REACH * size.max(1e-6))?)?)
 }
 
 /// A list of points, each with the vector of its place in another list; the last vector serves for the points that are

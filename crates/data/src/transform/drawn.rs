@@ -3,8 +3,7 @@
 use katydid_3dm::{
     Annotation, AnnotationKind, ClippingPlane, CurveForm, Dimension, Hatch, Light, Object, StoredPlane,
 };
-use katydid_component::Message;
-use katydid_geometry::{Plane, Point2, Vector2, Vector3, Xform};
+use katydid_geometry::{Plane, Point2, Result, Vector2, Vector3, Xform};
 
 /// The image of an object that is drawn rather than solid; nothing for a class that is not known here.
 ///
@@ -12,7 +11,7 @@ use katydid_geometry::{Plane, Point2, Vector2, Vector3, Xform};
 ///
 /// # Errors
 /// The map leaves no plane of the object's plane, or no curve of its outline.
-pub(super) fn transformed(object: Object, xform: &Xform) -> Result<Option<Object>, Message> {
+pub(super) fn transformed(object: Object, xform: &Xform) -> Result<Option<Object>> {
     Ok(Some(match object {
         Object::Annotation(annotation) => Object::Annotation(Box::new(self::annotation(*annotation, xform)?)),
         Object::Hatch(hatch) => Object::Hatch(Box::new(self::hatch(*hatch, xform)?)),
@@ -37,7 +36,7 @@ struct Moved {
 }
 
 impl Moved {
-    fn new(old: &Plane, xform: &Xform) -> Result<Self, Message> {
+    fn new(old: &Plane, xform: &Xform) -> Result<Self> {
         let plane = old.transformed(xform)?;
         let column = |axis: Vector3| {
             let image = xform.vector(axis);
@@ -74,7 +73,7 @@ impl Moved {
     }
 }
 
-fn annotation(mut annotation: Annotation, xform: &Xform) -> Result<Annotation, Message> {
+fn annotation(mut annotation: Annotation, xform: &Xform) -> Result<Annotation> {
     let moved = Moved::new(&annotation.plane.frame, xform)?;
     annotation.plane = StoredPlane::from(moved.plane);
     let text = |dimension: &mut Dimension| {
@@ -115,7 +114,7 @@ fn annotation(mut annotation: Annotation, xform: &Xform) -> Result<Annotation, M
     Ok(annotation)
 }
 
-fn hatch(mut hatch: Hatch, xform: &Xform) -> Result<Hatch, Message> {
+fn hatch(mut hatch: Hatch, xform: &Xform) -> Result<Hatch> {
     let moved = Moved::new(&hatch.plane.frame, xform)?;
     hatch.plane = StoredPlane::from(moved.plane);
     hatch.scale *= moved.factor();
@@ -135,7 +134,7 @@ fn light(mut light: Light, xform: &Xform) -> Light {
     light
 }
 
-fn clipping_plane(mut clipping: ClippingPlane, xform: &Xform) -> Result<ClippingPlane, Message> {
+fn clipping_plane(mut clipping: ClippingPlane, xform: &Xform) -> Result<ClippingPlane> {
     let moved = Moved::new(&clipping.surface_plane.frame, xform)?;
     let factor = moved.factor();
     clipping.surface_plane = StoredPlane::from(moved.plane);

@@ -1,11 +1,10 @@
 //! What a map does to geometry that is kept as a whole.
 
-mod drawn;
-
 use katydid_3dm::{BrepObject, Extrusion, Limits, Object, PointCloud, RawObject, StoredPart, SubDObject};
-use katydid_component::Message;
-use katydid_data::Value;
 use katydid_geometry::{Brep, Curve, Direction, Line, Surface, Vector3, Xform};
+
+use super::{TransformError, drawn};
+use crate::Value;
 
 /// How far a linear part may be from orthonormal to count as a rotation.
 const ROUND: f64 = 1e-9;
@@ -18,13 +17,15 @@ const NEWEST: i32 = 80;
 ///
 /// # Errors
 /// A class that nothing is known of; an object that cannot be read or made anew.
-pub(super) fn transformed(raw: &RawObject, xform: &Xform) -> Result<Value, Message> {
+pub(super) fn transformed(raw: &RawObject, xform: &Xform) -> Result<Value, TransformError> {
     if xform.is_identity(0.0) {
         return Ok(Value::from(raw.clone()));
     }
     let class = raw.class_name();
-    let broken =
-        |error: &dyn std::fmt::Display| Message::error(format!("A {class} cannot be transformed: {error}"));
+    let broken = |error: &dyn std::fmt::Display| TransformError::Unreadable {
+        class: class.to_string(),
+        reason: error.to_string(),
+    };
     let object = raw.parse(&Limits::default()).map_err(|error| broken(&error))?;
     if let Some(curve) = object.curve() {
         return Ok(Value::from(curve.transformed(xform)?));
@@ -56,7 +57,7 @@ pub(super) fn transformed(raw: &RawObject, xform: &Xform) -> Result<Value, Messa
             Some(surface) => return Ok(Value::from(surface.transformed(xform)?)),
             None => match drawn::transformed(other, xform)? {
                 Some(image) => image,
-                None => return Err(Message::error(format!("A {class} cannot be transformed"))),
+                None => return Err(TransformError::Unsupported(class.to_string())),
             },
         },
     };
@@ -176,7 +177,7 @@ mod tests {
         match transformed(&raw(object), xform) {
             Ok(Value::Kept(raw)) => Ok(raw.parse(&Limits::default()).unwrap()),
             Ok(other) => Err(format!("{other:?}")),
-            Err(message) => Err(message.text),
+            Err(error) => Err(error.to_string()),
         }
     }
 

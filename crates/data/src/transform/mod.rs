@@ -1,25 +1,41 @@
 //! What a map does to any geometry.
 
+mod drawn;
+mod error;
+mod kept;
+
 use std::sync::Arc as Shared;
 
-use katydid_component::Message;
-use katydid_data::{Content, Group, ModelObject, Value};
 use katydid_geometry::{Box3, Brep, Curve, Interval, Plane, Rectangle, TwistedBox, Vector3, Xform};
 
-use super::kept;
+pub use self::error::TransformError;
+use crate::{Content, Group, ModelObject, Value};
 
 /// Groups in groups beyond this depth are refused.
 const DEEPEST: usize = 100;
 
-/// The image of a value. It keeps its type where the map allows: a circle that is stretched becomes a curve.
-///
-/// # Errors
-/// A type that cannot be transformed, or a map that leaves nothing of the type.
-pub(crate) fn apply(value: &Value, xform: &Xform) -> Result<Value, Message> {
-    at_depth(value, xform, 0)
+impl Value {
+    /// The image under a map. It keeps its type where the map allows: a circle that is stretched becomes a curve.
+    ///
+    /// # Errors
+    /// A type that cannot be transformed, or a map that leaves nothing of the type.
+    pub fn transformed(&self, xform: &Xform) -> Result<Self, TransformError> {
+        at_depth(self, xform, 0)
+    }
+
+    /// What stands for it as a Brep: the six faces of a box, the walls of an extrusion.
+    ///
+    /// # Errors
+    /// It stands for none.
+    pub fn solid(&self) -> Result<Shared<Brep>, TransformError> {
+        match self.brep() {
+            Some(brep) => brep.map_err(TransformError::NoBrep),
+            None => Err(TransformError::NoBrep(format!("A {} has no faces", self.kind()))),
+        }
+    }
 }
 
-fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message> {
+fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, TransformError> {
     Ok(match value {
         Value::Point(p) => Value::Point(xform.point(*p)),
         Value::Vector(v) => Value::Vector(xform.vector(*v)),
@@ -39,7 +55,7 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
         },
         Value::Box(b) => match cuboid(b, xform) {
             Some(image) => Value::from(image),
-            None => Value::from(solid(value)?.transformed(xform)?),
+            None => Value::from(value.solid()?.transformed(xform)?),
         },
         Value::TwistedBox(b) => Value::from(TwistedBox { corners: b.corners.map(|p| xform.point(p)) }),
         Value::Curve(curve) => Value::from(curve.transformed(xform)?),
@@ -48,10 +64,10 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
         Value::Mesh(mesh) => Value::from(mesh.transformed(xform)?),
         Value::Group(group) => {
             if depth > DEEPEST {
-                return Err(Message::error("Groups are nested too deep to be transformed"));
+                return Err(TransformError::TooDeep);
             }
             let member = |m: &Option<Value>| m.as_ref().map(|m| at_depth(m, xform, depth + 1)).transpose();
-            let members = group.members.iter().map(member).collect::<Result<_, Message>>()?;
+            let members = group.members.iter().map(member).collect::<Result<_, TransformError>>()?;
             Value::Group(Shared::new(Group { members }))
         }
         Value::Content(content) => match &**content {
@@ -59,22 +75,11 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Message
             Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
                 at_depth(geometry, xform, depth + 1)?
             }
-            other => return Err(Message::error(format!("A {} cannot be transformed", other.type_name()))),
+            other => return Err(TransformError::Unsupported(other.type_name().to_string())),
         },
         Value::Kept(object) => kept::transformed(object, xform)?,
-        other => return Err(Message::error(format!("A {} cannot be transformed", other.kind()))),
+        other => return Err(TransformError::Unsupported(other.kind().to_string())),
     })
-}
-
-/// What stands for a value as a Brep: the six faces of a box, the walls of an extrusion.
-///
-/// # Errors
-/// The value stands for none.
-pub(super) fn solid(value: &Value) -> Result<Shared<Brep>, Message> {
-    match value.brep() {
-        Some(brep) => brep.map_err(Message::error),
-        None => Err(Message::error(format!("A {} has no faces", value.kind()))),
-    }
 }
 
 /// The images of the axes as unit vectors with the factors they grow by, when they stay at right angles.
@@ -127,9 +132,9 @@ mod tests {
     #[test]
     fn a_circle_stays_one_only_where_angles_stay() {
         let circle = Value::from(Circle { plane: Plane::XY, radius: 2.0 });
-        let twice = apply(&circle, &Xform::scale(Point3::ORIGIN, 2.0)).unwrap();
+        let twice = circle.transformed(&Xform::scale(Point3::ORIGIN, 2.0)).unwrap();
         assert!(matches!(twice, Value::Circle(c) if c.radius == 4.0));
-        let oval = apply(&circle, &Xform::scale_non_uniform(&Plane::XY, 2.0, 1.0, 1.0)).unwrap();
+        let oval = circle.transformed(&Xform::scale_non_uniform(&Plane::XY, 2.0, 1.0, 1.0)).unwrap();
         let Value::Curve(oval) = oval else { panic!("a curve") };
         assert!(oval.closest_point(Point3::new(4.0, 0.0, 0.0)).unwrap().distance < 1e-12);
     }
@@ -139,29 +144,35 @@ mod tests {
         let unit = Interval::new(0.0, 1.0);
         let b = Box3 { plane: Plane::XY, x: unit, y: unit, z: unit };
         let stretch = Xform::scale_non_uniform(&Plane::XY, 2.0, 3.0, 4.0);
-        let Value::Box(image) = apply(&Value::from(b), &stretch).unwrap() else { panic!("a box") };
+        let Value::Box(image) = Value::from(b).transformed(&stretch).unwrap() else { panic!("a box") };
         assert_eq!(image.corners()[6], Point3::new(2.0, 3.0, 4.0));
-        let Value::Box(image) = apply(&Value::from(b), &Xform::mirror(&Plane::XY)).unwrap() else { panic!() };
+        let Value::Box(image) = Value::from(b).transformed(&Xform::mirror(&Plane::XY)).unwrap() else {
+            panic!()
+        };
         assert_eq!(image.corners()[0].z, -1.0);
         let shear = Xform::shear(&Plane::XY, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]);
-        let Value::Brep(sheared) = apply(&Value::from(b), &shear).unwrap() else { panic!("a brep") };
+        let Value::Brep(sheared) = Value::from(b).transformed(&shear).unwrap() else { panic!("a brep") };
         assert!(sheared.is_valid() && sheared.is_solid());
         assert!((sheared.volume_properties(1e-9, || true).unwrap().amount - 1.0).abs() < 1e-12);
         let r = Rectangle { plane: Plane::XY, x: unit, y: unit };
-        assert!(matches!(apply(&Value::from(r), &stretch).unwrap(), Value::Rectangle(_)));
-        assert!(matches!(apply(&Value::from(r), &shear).unwrap(), Value::Curve(_)));
+        assert!(matches!(Value::from(r).transformed(&stretch).unwrap(), Value::Rectangle(_)));
+        assert!(matches!(Value::from(r).transformed(&shear).unwrap(), Value::Curve(_)));
     }
 
     #[test]
     fn groups_move_whole_and_numbers_do_not() {
         let group = Group { members: vec![Some(Value::Point(Point3::ORIGIN)), None] };
-        let moved = apply(&Value::from(group), &Xform::translation(Vector3::X)).unwrap();
+        let moved = Value::from(group).transformed(&Xform::translation(Vector3::X)).unwrap();
         let Value::Group(moved) = moved else { panic!("a group") };
         assert_eq!(moved.members, [Some(Value::Point(Point3::new(1.0, 0.0, 0.0))), None]);
         assert!(
-            apply(&Value::Number(1.0), &Xform::IDENTITY).unwrap_err().text.contains("cannot be transformed")
+            Value::Number(1.0)
+                .transformed(&Xform::IDENTITY)
+                .unwrap_err()
+                .to_string()
+                .contains("cannot be transformed")
         );
-        let v = apply(&Value::Vector(Vector3::Y), &Xform::translation(Vector3::X)).unwrap();
+        let v = Value::Vector(Vector3::Y).transformed(&Xform::translation(Vector3::X)).unwrap();
         assert_eq!(v, Value::Vector(Vector3::Y));
     }
 }
