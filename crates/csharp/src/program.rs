@@ -7,7 +7,7 @@ use crate::bind;
 use crate::bound::{self, MethodRef};
 use crate::sema::{Body, DefId, Kind, MAX_TYPE_DEPTH, MAX_TYPES, MethodId, Sema, Ty};
 use crate::syntax::ast::{Name, TypeKind};
-use crate::vm::op::Function;
+use crate::vm::op::{Function, Op};
 use crate::vm::value::{Handle, Value};
 
 /// What a function is compiled from.
@@ -76,6 +76,8 @@ pub(crate) struct Program {
     /// Declarations.
     pub sema: Sema,
     pub(crate) funcs: Vec<Function>,
+    /// The code of all functions that are compiled.
+    pub(crate) code: Vec<Op>,
     pub(crate) keys: HashMap<Key, u32>,
     pub(crate) sources: Vec<Option<Key>>,
     pub(crate) bodies: HashMap<MethodId, Option<Arc<bound::Body>>>,
@@ -105,6 +107,7 @@ impl Program {
         Self {
             sema,
             funcs: Vec::new(),
+            code: Vec::new(),
             keys: HashMap::new(),
             sources: Vec::new(),
             bodies: HashMap::new(),

@@ -5,7 +5,7 @@ use super::{Emitted, Emitter, Refused};
 use crate::bind::wrap;
 use crate::bound::{Const, Conv, Expr, Kind, Op as BinOp};
 use crate::sema::{Prim, Ty};
-use crate::vm::op::{Op, Reg};
+use crate::vm::op::{Low, Op, Reg};
 use crate::vm::value::Value;
 
 impl Emitter<'_> {
@@ -413,22 +413,19 @@ impl Emitter<'_> {
         {
             let a = self.expr(a, None)?;
             let k = if op == BinOp::Add { n as i32 } else { (n as i32).wrapping_neg() };
+            if let (Ok(d), Ok(a)) = (Low::try_from(d), Low::try_from(a)) {
+                self.pos = pos;
+                self.op(Op::AddIK { d, a, k });
+                return Ok(());
+            }
+            let b = self.expr(b, None)?;
             self.pos = pos;
-            self.op(Op::AddIK { d, a, k });
+            self.op(Op::Arith { op, prim, checked, d, a, b });
             return Ok(());
         }
         let (a, b) = self.operands(a, b)?;
         self.pos = pos;
-        self.op(match (op, prim, checked) {
-            (BinOp::Add, Prim::I32, false) => Op::AddI { d, a, b },
-            (BinOp::Sub, Prim::I32, false) => Op::SubI { d, a, b },
-            (BinOp::Mul, Prim::I32, false) => Op::MulI { d, a, b },
-            (BinOp::Add, Prim::F64, _) => Op::AddF { d, a, b },
-            (BinOp::Sub, Prim::F64, _) => Op::SubF { d, a, b },
-            (BinOp::Mul, Prim::F64, _) => Op::MulF { d, a, b },
-            (BinOp::Div, Prim::F64, _) => Op::DivF { d, a, b },
-            _ => Op::Arith { op, prim, checked, d, a, b },
-        });
+        self.op(Op::Arith { op, prim, checked, d, a, b });
         Ok(())
     }
 

@@ -63,6 +63,8 @@ struct Emitter<'p> {
     next: u32,
     envs: Vec<Env>,
     marks: Vec<Option<u32>>,
+    /// The last place that is jumped to.
+    last_mark: u32,
     labels: HashMap<Label, (Mark, usize)>,
     guards: Vec<Guard>,
     /// Exceptions of the `catch` that is being compiled.
@@ -152,7 +154,7 @@ fn compile_auto(
         }
     }
     f.code.push(if set { Op::ReturnVoid } else { Op::Return { a: 0 } });
-    program.funcs[number as usize] = f;
+    program.link(number, f);
 }
 
 impl Program {
@@ -175,6 +177,27 @@ impl Program {
                 *slot = value;
             }
         }
+        self.link(number, function);
+    }
+
+    /// Puts the code of a function behind that of all others; its places are among them from then on.
+    fn link(&mut self, number: u32, mut function: Function) {
+        let entry = self.code.len() as u32;
+        for op in &mut function.code {
+            if let Some(to) = op.target_mut() {
+                *to += entry;
+            }
+        }
+        for (at, _) in &mut function.places {
+            *at += entry;
+        }
+        for handler in &mut function.handlers {
+            handler.from += entry;
+            handler.to += entry;
+            handler.target += entry;
+        }
+        self.code.append(&mut function.code);
+        function.entry = Some(entry);
         self.funcs[number as usize] = function;
     }
 
@@ -203,6 +226,7 @@ impl<'p> Emitter<'p> {
             next: 0,
             envs: Vec::new(),
             marks: Vec::new(),
+            last_mark: 0,
             labels: HashMap::new(),
             guards: Vec::new(),
             caught: Vec::new(),
@@ -250,14 +274,8 @@ impl<'p> Emitter<'p> {
         let marks = self.marks;
         let at = |to: u32| marks.get(to as usize).copied().flatten().unwrap_or(0);
         for op in &mut self.f.code {
-            match op {
-                Op::Jump { to }
-                | Op::JumpIf { to, .. }
-                | Op::JumpNot { to, .. }
-                | Op::JumpNull { to, .. }
-                | Op::JumpI { to, .. }
-                | Op::JumpF { to, .. } => *to = at(*to),
-                _ => {}
+            if let Some(to) = op.target_mut() {
+                *to = at(*to);
             }
         }
         for handler in &mut self.f.handlers {
@@ -288,7 +306,15 @@ impl<'p> Emitter<'p> {
     }
 
     fn op(&mut self, op: Op) {
+        let op = op.narrow();
         let pc = self.f.code.len() as u32;
+        if self.last_mark < pc
+            && let Some(last) = self.f.code.last_mut()
+            && let Some(both) = last.fused(op)
+        {
+            *last = both;
+            return;
+        }
         if self.f.places.last().is_none_or(|(_, pos)| *pos != self.pos) {
             self.f.places.push((pc, self.pos));
         }
@@ -306,6 +332,7 @@ impl<'p> Emitter<'p> {
 
     fn set(&mut self, mark: Mark) {
         let here = self.here();
+        self.last_mark = here;
         if let Some(place) = self.marks.get_mut(mark.0 as usize) {
             *place = Some(here);
         }

@@ -3,10 +3,13 @@
 mod arith;
 mod array;
 mod call;
+pub mod elements;
 pub mod heap;
 mod machine;
+mod narrow;
 mod native;
 pub mod op;
+mod plain;
 mod start;
 mod state;
 mod unwind;
