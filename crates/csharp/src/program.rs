@@ -81,6 +81,8 @@ pub(crate) struct Program {
     pub(crate) keys: HashMap<Key, u32>,
     pub(crate) sources: Vec<Option<Key>>,
     pub(crate) bodies: HashMap<MethodId, Option<Arc<bound::Body>>>,
+    /// Methods that only compute, of those that were asked for.
+    pub(crate) quiet: HashMap<MethodId, Option<crate::emit::Quiet>>,
     pub(crate) inits: HashMap<DefId, Option<Arc<bound::Body>>>,
     pub(crate) layouts: Vec<Option<Arc<Layout>>>,
     pub(crate) natives: Vec<NativeRef>,
@@ -111,6 +113,7 @@ impl Program {
             keys: HashMap::new(),
             sources: Vec::new(),
             bodies: HashMap::new(),
+            quiet: HashMap::new(),
             inits: HashMap::new(),
             layouts: Vec::new(),
             natives: Vec::new(),

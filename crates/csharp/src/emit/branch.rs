@@ -5,6 +5,7 @@ use crate::bound::{Const, Expr, Kind, Op as BinOp};
 use crate::sema::Prim;
 use crate::source::Pos;
 use crate::vm::op::{Cmp, Low, Op};
+use crate::vm::value::Value;
 
 pub(super) fn comparison(op: BinOp) -> Option<Cmp> {
     Some(match op {
@@ -33,6 +34,14 @@ impl Emitter<'_> {
             && let Kind::Const(Const::Int(n)) = b.kind
         {
             let a = self.expr(a, None)?;
+            if cmp == Cmp::LT
+                && let Some(b) = self.hoisted(Value::I32(n as i32))
+            {
+                // The step of the loop and this are one operation.
+                self.pos = pos;
+                self.op(Op::JumpCmp { cmp, prim, a, b, to: to.0 });
+                return Ok(());
+            }
             if let (Ok(k), Ok(a)) = (i32::try_from(n), Low::try_from(a)) {
                 self.pos = pos;
                 self.op(Op::JumpIK { cmp, a, k, to: to.0 });

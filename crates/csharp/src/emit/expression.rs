@@ -42,6 +42,11 @@ impl Emitter<'_> {
                 return Ok(self.moved(reg, want));
             }
             Kind::Convert(Conv::Same, inner) => return self.retyped(e, inner, want),
+            Kind::Const(value) if want.is_none() => {
+                if let Some(reg) = self.hoisted_constant(value, e.ty) {
+                    return Ok(reg);
+                }
+            }
             _ => {}
         }
         let d = self.target(want)?;
@@ -331,6 +336,21 @@ impl Emitter<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// The register of a number in a loop.
+    fn hoisted_constant(&mut self, value: &Const, ty: Ty) -> Option<Reg> {
+        self.hoisted.as_ref()?;
+        let ty = self.ty(ty);
+        if self.program.sema.is_enum(ty) {
+            return None;
+        }
+        let value = match (value, self.program.sema.prim(ty)?) {
+            (Const::Int(n), prim @ (Prim::I32 | Prim::I64)) => number(*n, prim),
+            (Const::Double(x), Prim::F64) => Value::F64(*x),
+            _ => return None,
+        };
+        self.hoisted(value)
     }
 
     fn truth(&mut self, d: Reg, value: bool) {

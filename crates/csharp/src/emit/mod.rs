@@ -4,14 +4,19 @@ mod branch;
 mod call;
 mod effect;
 mod expression;
+mod hoist;
+mod inline;
+mod intrinsic;
 mod lambda;
 mod place;
+mod quiet;
 mod statement;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 pub(crate) use expression::number;
+pub(crate) use quiet::Quiet;
 
 use crate::bound::{Body, Label, LocalId, Stmt};
 use crate::program::{Key, Program, Start};
@@ -72,6 +77,10 @@ struct Emitter<'p> {
     this: Option<Reg>,
     in_lambda: bool,
     texts: HashMap<Arc<[u16]>, u32>,
+    /// The constants of the outermost loop.
+    hoisted: Option<hoist::Hoisted>,
+    /// How many methods stand in one another without a call.
+    inlined: u32,
     pos: Pos,
 }
 
@@ -233,6 +242,8 @@ impl<'p> Emitter<'p> {
             this: None,
             in_lambda: false,
             texts: HashMap::new(),
+            hoisted: None,
+            inlined: 0,
             pos: 0,
         }
     }
@@ -335,6 +346,14 @@ impl<'p> Emitter<'p> {
         self.last_mark = here;
         if let Some(place) = self.marks.get_mut(mark.0 as usize) {
             *place = Some(here);
+        }
+    }
+
+    /// The first is where the second is.
+    fn same_place(&mut self, mark: Mark, other: Mark) {
+        let at = self.marks.get(other.0 as usize).copied().flatten();
+        if let Some(place) = self.marks.get_mut(mark.0 as usize) {
+            *place = at;
         }
     }
 

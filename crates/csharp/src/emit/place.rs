@@ -36,7 +36,9 @@ impl Emitter<'_> {
                 Ok(())
             }
             Some(receiver) => {
-                let o = self.expr(receiver, None)?;
+                let pos = self.pos;
+                let o = self.in_place(receiver)?;
+                self.pos = pos;
                 let owner = self.ty(field.owner);
                 let i = self.program.field_index(owner, field.id);
                 self.op(Op::LoadField { d, o, i });

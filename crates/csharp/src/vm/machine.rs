@@ -208,6 +208,39 @@ fn operations(code: &[Op], program: &mut Program, st: &mut State, floor: usize) 
                     r!(d) = ok!(arith::binary(BinOp::Add, Prim::I32, false, r!(a), Value::I32(k)));
                 }
             }
+            Op::ArithI { op, d, a, b } => {
+                let w = low!();
+                let done = match (w[a as usize], w[b as usize]) {
+                    (Value::I32(x), Value::I32(y)) => arith::int(op, x, y),
+                    _ => None,
+                };
+                match done {
+                    Some(value) => w[d as usize] = value,
+                    None => r!(d) = ok!(arith::binary(op, Prim::I32, false, r!(a), r!(b))),
+                }
+            }
+            Op::Item { d, l, i } => {
+                let value = ok!(st.item(r!(l), r!(i)));
+                r!(d) = value;
+            }
+            Op::SetItem { l, i, v } => ok!(st.set_item(r!(l), r!(i), r!(v))),
+            Op::AddItem { l, v } => {
+                ok!(st.tidy(program, fi, base));
+                ok!(st.add_item(r!(l), r!(v)));
+            }
+            Op::Count { d, l } => r!(d) = ok!(st.count(r!(l))),
+            Op::TextLength { d, t } => r!(d) = ok!(st.text_length(r!(t))),
+            Op::TextItem { d, t, i } => r!(d) = ok!(st.text_item(r!(t), r!(i))),
+            Op::Real { f, d, a } => {
+                let w = low!();
+                w[d as usize] = Value::F64(f.of(w[a as usize].real().unwrap_or(0.0)));
+            }
+            Op::Build { d, first, n, ty } => {
+                ok!(st.tidy(program, fi, base));
+                let from = base + first as usize;
+                let fields = st.stack.get(from..from + n as usize).unwrap_or(&[]).into();
+                r!(d) = Value::Ref(st.heap.add(Obj::Inst(ty, fields)));
+            }
             Op::IntToReal { d, a } => {
                 let w = low!();
                 w[d as usize] = match w[a as usize] {

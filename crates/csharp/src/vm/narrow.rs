@@ -30,6 +30,7 @@ impl Op {
                     (BinOp::Sub, Prim::F64, _) => Self::SubF { d, a, b },
                     (BinOp::Mul, Prim::F64, _) => Self::MulF { d, a, b },
                     (BinOp::Div, Prim::F64, _) => Self::DivF { d, a, b },
+                    (op, Prim::I32, false) => Self::ArithI { op, d, a, b },
                     _ => return None,
                 }
             }

@@ -1,6 +1,7 @@
 //! Operations on registers. A register is one of a window of the stack; calls put their arguments into the first
 //! registers of the callee's window, and find the result in the first of them.
 
+use super::real::Real;
 use super::value::Value;
 use crate::bound::Op as BinOp;
 use crate::sema::{Prim, Ty};
@@ -43,410 +44,107 @@ impl Cmp {
     }
 }
 
-/// An operation; `d` is where the result goes.
+/// An operation; `d` is where the result goes. Those from `MoveLow` on do what one of the others does, for low registers
+/// and usual types; `StepLtI` is `a += k` and a jump where `a` is then less than `b`, the end of most loops.
 #[derive(Debug, Clone, Copy)]
 #[allow(missing_docs, reason = "the names say what they do, and `run` how")]
 pub enum Op {
-    Move {
-        d: Reg,
-        a: Reg,
-    },
-    Const {
-        d: Reg,
-        k: u32,
-    },
-    Int {
-        d: Reg,
-        v: i32,
-    },
-    Copy {
-        d: Reg,
-        a: Reg,
-    },
-    Arith {
-        op: BinOp,
-        prim: Prim,
-        checked: bool,
-        d: Reg,
-        a: Reg,
-        b: Reg,
-    },
-    Neg {
-        prim: Prim,
-        checked: bool,
-        d: Reg,
-        a: Reg,
-    },
-    Complement {
-        prim: Prim,
-        d: Reg,
-        a: Reg,
-    },
-    Not {
-        d: Reg,
-        a: Reg,
-    },
-    Convert {
-        from: Prim,
-        to: Prim,
-        checked: bool,
-        d: Reg,
-        a: Reg,
-    },
-    ToEnum {
-        d: Reg,
-        a: Reg,
-        ty: Ty,
-    },
-    FromEnum {
-        d: Reg,
-        a: Reg,
-        prim: Prim,
-    },
-    Jump {
-        to: u32,
-    },
-    JumpIf {
-        a: Reg,
-        to: u32,
-    },
-    JumpNot {
-        a: Reg,
-        to: u32,
-    },
-    JumpNull {
-        a: Reg,
-        to: u32,
-    },
-    /// Of two `int`, `long` or `double`.
-    JumpCmp {
-        cmp: Cmp,
-        prim: Prim,
-        a: Reg,
-        b: Reg,
-        to: u32,
-    },
-    IsNull {
-        d: Reg,
-        a: Reg,
-    },
-    Same {
-        d: Reg,
-        a: Reg,
-        b: Reg,
-    },
-    NullCheck {
-        a: Reg,
-    },
-    FromNullable {
-        d: Reg,
-        a: Reg,
-    },
-    LoadField {
-        d: Reg,
-        o: Reg,
-        i: Reg,
-    },
-    StoreField {
-        o: Reg,
-        i: Reg,
-        v: Reg,
-    },
-    LoadStatic {
-        d: Reg,
-        s: u32,
-    },
-    StoreStatic {
-        s: u32,
-        v: Reg,
-    },
-    Init {
-        i: u32,
-    },
-    LoadElem {
-        d: Reg,
-        a: Reg,
-        i: Reg,
-    },
-    StoreElem {
-        a: Reg,
-        i: Reg,
-        v: Reg,
-    },
-    LoadElems {
-        d: Reg,
-        a: Reg,
-        first: Reg,
-    },
-    StoreElems {
-        a: Reg,
-        first: Reg,
-        v: Reg,
-    },
-    Length {
-        d: Reg,
-        a: Reg,
-    },
-    New {
-        d: Reg,
-        ty: Ty,
-    },
-    NewArray {
-        d: Reg,
-        first: Reg,
-        rank: u16,
-        ty: Ty,
-    },
-    ArrayOf {
-        d: Reg,
-        first: Reg,
-        n: u16,
-        ty: Ty,
-    },
-    SetDims {
-        a: Reg,
-        k: u32,
-    },
-    NewEnv {
-        d: Reg,
-        n: u16,
-        parent: Reg,
-    },
-    Lambda {
-        d: Reg,
-        f: u32,
-        env: Reg,
-    },
-    SetType {
-        a: Reg,
-        ty: Ty,
-    },
-    Call {
-        f: u32,
-        base: Reg,
-    },
-    CallVirtual {
-        site: u32,
-        base: Reg,
-    },
-    Native {
-        n: u32,
-        base: Reg,
-        ty: Ty,
-    },
-    Invoke {
-        base: Reg,
-    },
-    GenNext {
-        base: Reg,
-    },
-    GenDispose {
-        base: Reg,
-    },
-    Return {
-        a: Reg,
-    },
+    Move { d: Reg, a: Reg },
+    Const { d: Reg, k: u32 },
+    Int { d: Reg, v: i32 },
+    Copy { d: Reg, a: Reg },
+    Arith { op: BinOp, prim: Prim, checked: bool, d: Reg, a: Reg, b: Reg },
+    Neg { prim: Prim, checked: bool, d: Reg, a: Reg },
+    Complement { prim: Prim, d: Reg, a: Reg },
+    Not { d: Reg, a: Reg },
+    Convert { from: Prim, to: Prim, checked: bool, d: Reg, a: Reg },
+    ToEnum { d: Reg, a: Reg, ty: Ty },
+    FromEnum { d: Reg, a: Reg, prim: Prim },
+    Jump { to: u32 },
+    JumpIf { a: Reg, to: u32 },
+    JumpNot { a: Reg, to: u32 },
+    JumpNull { a: Reg, to: u32 },
+    JumpCmp { cmp: Cmp, prim: Prim, a: Reg, b: Reg, to: u32 },
+    IsNull { d: Reg, a: Reg },
+    Same { d: Reg, a: Reg, b: Reg },
+    NullCheck { a: Reg },
+    FromNullable { d: Reg, a: Reg },
+    LoadField { d: Reg, o: Reg, i: Reg },
+    StoreField { o: Reg, i: Reg, v: Reg },
+    LoadStatic { d: Reg, s: u32 },
+    StoreStatic { s: u32, v: Reg },
+    Init { i: u32 },
+    LoadElem { d: Reg, a: Reg, i: Reg },
+    StoreElem { a: Reg, i: Reg, v: Reg },
+    LoadElems { d: Reg, a: Reg, first: Reg },
+    StoreElems { a: Reg, first: Reg, v: Reg },
+    Length { d: Reg, a: Reg },
+    New { d: Reg, ty: Ty },
+    NewArray { d: Reg, first: Reg, rank: u16, ty: Ty },
+    ArrayOf { d: Reg, first: Reg, n: u16, ty: Ty },
+    SetDims { a: Reg, k: u32 },
+    NewEnv { d: Reg, n: u16, parent: Reg },
+    Lambda { d: Reg, f: u32, env: Reg },
+    SetType { a: Reg, ty: Ty },
+    Call { f: u32, base: Reg },
+    CallVirtual { site: u32, base: Reg },
+    Native { n: u32, base: Reg, ty: Ty },
+    Invoke { base: Reg },
+    GenNext { base: Reg },
+    GenDispose { base: Reg },
+    Return { a: Reg },
     ReturnVoid,
-    Throw {
-        a: Reg,
-    },
-    Rethrow {
-        a: Reg,
-    },
-    Is {
-        d: Reg,
-        a: Reg,
-        ty: Ty,
-    },
-    As {
-        d: Reg,
-        a: Reg,
-        ty: Ty,
-    },
-    Cast {
-        d: Reg,
-        a: Reg,
-        ty: Ty,
-    },
-    Concat {
-        d: Reg,
-        first: Reg,
-        n: u16,
-    },
-    Text {
-        d: Reg,
-        a: Reg,
-    },
-    RefLocal {
-        d: Reg,
-        a: Reg,
-    },
-    RefField {
-        d: Reg,
-        o: Reg,
-        i: Reg,
-    },
-    RefElem {
-        d: Reg,
-        a: Reg,
-        i: Reg,
-    },
-    RefElems {
-        d: Reg,
-        a: Reg,
-        first: Reg,
-    },
-    RefStatic {
-        d: Reg,
-        s: u32,
-    },
-    LoadRef {
-        d: Reg,
-        a: Reg,
-    },
-    StoreRef {
-        a: Reg,
-        v: Reg,
-    },
-    TypeOf {
-        d: Reg,
-        ty: Ty,
-    },
-    Yield {
-        a: Reg,
-    },
-    NotSupported {
-        k: u32,
-    },
-
-    // What follows does what one of those above does, for registers that are low and types that are usual.
-    MoveLow {
-        d: Low,
-        a: Low,
-    },
-    AddI {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    SubI {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    MulI {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    AddIK {
-        d: Low,
-        a: Low,
-        k: i32,
-    },
-    AddL {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    SubL {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    MulL {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    AddF {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    SubF {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    MulF {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    DivF {
-        d: Low,
-        a: Low,
-        b: Low,
-    },
-    IntToReal {
-        d: Low,
-        a: Low,
-    },
-    IntToLong {
-        d: Low,
-        a: Low,
-    },
-    LongToInt {
-        d: Low,
-        a: Low,
-    },
-    JumpI {
-        cmp: Cmp,
-        a: Low,
-        b: Low,
-        to: u32,
-    },
-    JumpLtI {
-        a: Low,
-        b: Low,
-        to: u32,
-    },
-    JumpIK {
-        cmp: Cmp,
-        a: Low,
-        k: i32,
-        to: u32,
-    },
-    JumpL {
-        cmp: Cmp,
-        a: Low,
-        b: Low,
-        to: u32,
-    },
-    JumpF {
-        cmp: Cmp,
-        a: Low,
-        b: Low,
-        to: u32,
-    },
-    /// `a += k`, and a jump where it is then less than `b`: the end of most loops.
-    StepLtI {
-        a: Low,
-        k: i8,
-        b: Low,
-        to: u32,
-    },
-    LoadFieldLow {
-        d: Low,
-        o: Low,
-        i: Low,
-    },
-    StoreFieldLow {
-        o: Low,
-        i: Low,
-        v: Low,
-    },
-    LoadElemLow {
-        d: Low,
-        a: Low,
-        i: Low,
-    },
-    StoreElemLow {
-        a: Low,
-        i: Low,
-        v: Low,
-    },
+    Throw { a: Reg },
+    Rethrow { a: Reg },
+    Is { d: Reg, a: Reg, ty: Ty },
+    As { d: Reg, a: Reg, ty: Ty },
+    Cast { d: Reg, a: Reg, ty: Ty },
+    Concat { d: Reg, first: Reg, n: u16 },
+    Text { d: Reg, a: Reg },
+    RefLocal { d: Reg, a: Reg },
+    RefField { d: Reg, o: Reg, i: Reg },
+    RefElem { d: Reg, a: Reg, i: Reg },
+    RefElems { d: Reg, a: Reg, first: Reg },
+    RefStatic { d: Reg, s: u32 },
+    LoadRef { d: Reg, a: Reg },
+    StoreRef { a: Reg, v: Reg },
+    TypeOf { d: Reg, ty: Ty },
+    Yield { a: Reg },
+    NotSupported { k: u32 },
+    Build { d: Reg, first: Reg, n: u16, ty: Ty },
+    Item { d: Low, l: Low, i: Low },
+    SetItem { l: Low, i: Low, v: Low },
+    AddItem { l: Low, v: Low },
+    Count { d: Low, l: Low },
+    TextLength { d: Low, t: Low },
+    TextItem { d: Low, t: Low, i: Low },
+    Real { f: Real, d: Low, a: Low },
+    MoveLow { d: Low, a: Low },
+    AddI { d: Low, a: Low, b: Low },
+    SubI { d: Low, a: Low, b: Low },
+    MulI { d: Low, a: Low, b: Low },
+    AddIK { d: Low, a: Low, k: i32 },
+    AddL { d: Low, a: Low, b: Low },
+    SubL { d: Low, a: Low, b: Low },
+    MulL { d: Low, a: Low, b: Low },
+    AddF { d: Low, a: Low, b: Low },
+    SubF { d: Low, a: Low, b: Low },
+    MulF { d: Low, a: Low, b: Low },
+    DivF { d: Low, a: Low, b: Low },
+    ArithI { op: BinOp, d: Low, a: Low, b: Low },
+    IntToReal { d: Low, a: Low },
+    IntToLong { d: Low, a: Low },
+    LongToInt { d: Low, a: Low },
+    JumpI { cmp: Cmp, a: Low, b: Low, to: u32 },
+    JumpLtI { a: Low, b: Low, to: u32 },
+    JumpIK { cmp: Cmp, a: Low, k: i32, to: u32 },
+    JumpL { cmp: Cmp, a: Low, b: Low, to: u32 },
+    JumpF { cmp: Cmp, a: Low, b: Low, to: u32 },
+    StepLtI { a: Low, k: i8, b: Low, to: u32 },
+    LoadFieldLow { d: Low, o: Low, i: Low },
+    StoreFieldLow { o: Low, i: Low, v: Low },
+    LoadElemLow { d: Low, a: Low, i: Low },
+    StoreElemLow { a: Low, i: Low, v: Low },
 }
 
 /// Where an exception goes from a range of operations.
