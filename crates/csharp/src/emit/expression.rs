@@ -348,6 +348,7 @@ impl Emitter<'_> {
         let value = match (value, self.program.sema.prim(ty)?) {
             (Const::Int(n), prim @ (Prim::I32 | Prim::I64)) => number(*n, prim),
             (Const::Double(x), Prim::F64) => Value::F64(*x),
+            (Const::Bool(x), Prim::Bool) => Value::Bool(*x),
             _ => return None,
         };
         self.hoisted(value)
