@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-kernel bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -141,6 +141,12 @@ bench: $(VENV)/installed
 # The kernel beside curvo and truck, on the inputs in ../shared: a table of ratios.
 bench-kernel:
 	cargo run --release -p katydid-kernel-bench --bin ratios
+
+# The C# interpreter beside Mono and CPython: a table of seconds and ratios. Needs the Debian packages mono-mcs and
+# mono-runtime.
+bench-csharp:
+	cargo build --release -p katydid-csharp --example run
+	$(PYTHON) benches/csharp/run.py $(RELEASED)/examples/run
 
 # Whole definitions beside NumPy, shapely, Open CASCADE and others: a table of seconds, exponents, ratios and memory. It
 # takes ten minutes, and installs more than a gigabyte.

@@ -205,7 +205,7 @@ impl Engine {
         if takes {
             let string = self.program.sema.known.string;
             let ty = self.program.sema.array(string, 1);
-            args.push(Value::Ref(self.state.heap.add(Obj::Array(ty, Vec::new(), None))));
+            args.push(Value::Ref(self.state.heap.add(Obj::Array(ty, Vec::new().into(), None))));
         }
         self.call(id, ty, &args)
     }
@@ -288,14 +288,14 @@ impl Engine {
     ) -> Result<(Value, Vec<Value>), Failure> {
         let object = self.program.sema.known.object;
         let ty = self.program.sema.array(object, 1);
-        let handle = self.state.heap.add(Obj::Array(ty, refs.to_vec(), None));
+        let handle = self.state.heap.add(Obj::Array(ty, refs.to_vec().into(), None));
         self.state.heap.pins.push(handle);
         let mut all = args.to_vec();
         all.extend((0..refs.len()).map(|i| Value::PartRef(handle, i as u32)));
         let result = self.call(method, owner, &all);
         self.state.heap.pins.retain(|pin| *pin != handle);
         let outs = match self.state.heap.get(handle) {
-            Obj::Array(_, data, _) => data.clone(),
+            Obj::Array(_, data, _) => data.to_values(),
             _ => Vec::new(),
         };
         Ok((result?, outs))

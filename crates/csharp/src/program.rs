@@ -7,7 +7,7 @@ use crate::bind;
 use crate::bound::{self, MethodRef};
 use crate::sema::{Body, DefId, Kind, MAX_TYPE_DEPTH, MAX_TYPES, MethodId, Sema, Ty};
 use crate::syntax::ast::{Name, TypeKind};
-use crate::vm::op::Function;
+use crate::vm::op::{Function, Op};
 use crate::vm::value::{Handle, Value};
 
 /// What a function is compiled from.
@@ -76,9 +76,13 @@ pub(crate) struct Program {
     /// Declarations.
     pub sema: Sema,
     pub(crate) funcs: Vec<Function>,
+    /// The code of all functions that are compiled.
+    pub(crate) code: Vec<Op>,
     pub(crate) keys: HashMap<Key, u32>,
     pub(crate) sources: Vec<Option<Key>>,
     pub(crate) bodies: HashMap<MethodId, Option<Arc<bound::Body>>>,
+    /// Methods that only compute, of those that were asked for.
+    pub(crate) quiet: HashMap<MethodId, Option<crate::emit::Quiet>>,
     pub(crate) inits: HashMap<DefId, Option<Arc<bound::Body>>>,
     pub(crate) layouts: Vec<Option<Arc<Layout>>>,
     pub(crate) natives: Vec<NativeRef>,
@@ -105,9 +109,11 @@ impl Program {
         Self {
             sema,
             funcs: Vec::new(),
+            code: Vec::new(),
             keys: HashMap::new(),
             sources: Vec::new(),
             bodies: HashMap::new(),
+            quiet: HashMap::new(),
             inits: HashMap::new(),
             layouts: Vec::new(),
             natives: Vec::new(),

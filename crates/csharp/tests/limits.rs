@@ -28,6 +28,44 @@ fn an_endless_loop_ends() {
     assert_eq!(failure.at.unwrap().line, 6);
 }
 
+/// Also where condition and step of a loop are one operation, and where a call is none.
+#[test]
+fn short_loops_are_counted() {
+    for body in [
+        "for (int i = 0; i < 2000000000; i++) { }",
+        "int n = 5; for (int i = 0; i < n; i++) i--;",
+        "for (int i = 0; i < 10; i++) for (int j = 0; j < 3; j++) if (j == 2) { i = 0; j = -1; }",
+        "double x = 0; while (x < 1.0) x = Half(x);",
+        "for (long i = 0; i < 4000000000L; i += 1L) { }",
+    ] {
+        let failure = run(body, "static double Half(double x) { return x * 0.5; }");
+        assert_eq!(failure.stop, Some(Stop::Steps(2_000_000)), "{body}");
+        assert_eq!(failure.at.unwrap().line, 6, "{body}");
+    }
+}
+
+/// Of 32 MiB an array takes what its elements need, not more.
+#[test]
+fn arrays_count_by_what_they_hold() {
+    for (fits, length, element) in [
+        (true, 30_000_000, "bool"),
+        (true, 30_000_000, "byte"),
+        (true, 15_000_000, "char"),
+        (false, 18_000_000, "char"),
+        (true, 7_000_000, "int"),
+        (false, 9_000_000, "float"),
+        (true, 4_000_000, "double"),
+        (false, 5_000_000, "long"),
+        (true, 1_900_000, "object"),
+        (false, 2_200_000, "string"),
+    ] {
+        let body = format!("var a = new {element}[{length}]; throw new Exception(\"made\");");
+        let failure = run(&body, "");
+        let expected = if fits { None } else { Some(Stop::Bytes(32 << 20)) };
+        assert_eq!(failure.stop, expected, "{body}: {failure}");
+    }
+}
+
 #[test]
 fn unbounded_recursion_ends() {
     let failure = run("F(1);", "static int F(int n) { return F(n + 1) + 1; }");

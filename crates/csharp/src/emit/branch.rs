@@ -3,29 +3,20 @@
 use super::{Emitted, Emitter, Mark};
 use crate::bound::{Const, Expr, Kind, Op as BinOp};
 use crate::sema::Prim;
-use crate::vm::op::{Cmp, Op};
+use crate::source::Pos;
+use crate::vm::op::{Cmp, Low, Op};
+use crate::vm::value::Value;
 
 pub(super) fn comparison(op: BinOp) -> Option<Cmp> {
     Some(match op {
-        BinOp::Eq => Cmp::Eq,
-        BinOp::Ne => Cmp::Ne,
-        BinOp::Lt => Cmp::Lt,
-        BinOp::Le => Cmp::Le,
-        BinOp::Gt => Cmp::Gt,
-        BinOp::Ge => Cmp::Ge,
+        BinOp::Eq => Cmp::EQ,
+        BinOp::Ne => Cmp::NE,
+        BinOp::Lt => Cmp::LT,
+        BinOp::Le => Cmp::LE,
+        BinOp::Gt => Cmp::GT,
+        BinOp::Ge => Cmp::GE,
         _ => return None,
     })
-}
-
-fn opposite(cmp: Cmp) -> Cmp {
-    match cmp {
-        Cmp::Eq => Cmp::Ne,
-        Cmp::Ne => Cmp::Eq,
-        Cmp::Lt => Cmp::Ge,
-        Cmp::Le => Cmp::Gt,
-        Cmp::Gt => Cmp::Le,
-        Cmp::Ge => Cmp::Lt,
-    }
 }
 
 impl Emitter<'_> {
@@ -34,6 +25,36 @@ impl Emitter<'_> {
         let kept = self.next;
         self.branch_on(e, to, when)?;
         self.next = kept;
+        Ok(())
+    }
+
+    /// Jumps when two numbers stand in a relation.
+    fn compare(&mut self, cmp: Cmp, prim: Prim, (a, b): (&Expr, &Expr), pos: Pos, to: Mark) -> Emitted<()> {
+        if prim == Prim::I32
+            && let Kind::Const(Const::Int(n)) = b.kind
+        {
+            let a = self.expr(a, None)?;
+            if cmp == Cmp::LT
+                && let Some(b) = self.hoisted(Value::I32(n as i32))
+            {
+                // The step of the loop and this are one operation.
+                self.pos = pos;
+                self.op(Op::JumpCmp { cmp, prim, a, b, to: to.0 });
+                return Ok(());
+            }
+            if let (Ok(k), Ok(a)) = (i32::try_from(n), Low::try_from(a)) {
+                self.pos = pos;
+                self.op(Op::JumpIK { cmp, a, k, to: to.0 });
+                return Ok(());
+            }
+            let b = self.expr(b, None)?;
+            self.pos = pos;
+            self.op(Op::JumpCmp { cmp, prim, a, b, to: to.0 });
+            return Ok(());
+        }
+        let (a, b) = self.operands(a, b)?;
+        self.pos = pos;
+        self.op(Op::JumpCmp { cmp, prim, a, b, to: to.0 });
         Ok(())
     }
 
@@ -60,18 +81,10 @@ impl Emitter<'_> {
                 }
                 return Ok(());
             }
-            Kind::Binary(op, prim @ (Prim::I32 | Prim::F64), _, a, b) => {
-                // `!(a < b)` is not `a >= b` where one is not a number.
-                if let Some(cmp) = comparison(*op).filter(|_| when || *prim == Prim::I32) {
-                    let (a, b) = self.operands(a, b)?;
-                    let cmp = if when { cmp } else { opposite(cmp) };
-                    self.pos = e.pos;
-                    self.op(if *prim == Prim::I32 {
-                        Op::JumpI { cmp, a, b, to: to.0 }
-                    } else {
-                        Op::JumpF { cmp, a, b, to: to.0 }
-                    });
-                    return Ok(());
+            Kind::Binary(op, prim @ (Prim::I32 | Prim::I64 | Prim::F64), _, a, b) => {
+                if let Some(cmp) = comparison(*op) {
+                    let cmp = if when { cmp } else { cmp.opposite() };
+                    return self.compare(cmp, *prim, (a, b), e.pos, to);
                 }
             }
             Kind::IsNull(is, inner) if *is == when => {

@@ -8,7 +8,7 @@ use crate::syntax::ast::Passing;
 use crate::vm::op::{Op, Reg};
 
 impl Emitter<'_> {
-    fn method_ref(&mut self, method: &MethodRef) -> MethodRef {
+    pub(super) fn method_ref(&mut self, method: &MethodRef) -> MethodRef {
         MethodRef {
             id: method.id,
             owner: self.ty(method.owner),
@@ -54,7 +54,18 @@ impl Emitter<'_> {
         e: &Expr,
     ) -> Emitted<()> {
         let pos = e.pos;
-        let method = self.method_ref(method);
+        let mut method = self.method_ref(method);
+        let mut is_virtual = is_virtual;
+        if let Some(receiver) = receiver {
+            let ty = self.ty(receiver.ty);
+            self.settle(ty, &mut method, &mut is_virtual);
+        }
+        if !is_virtual
+            && (self.intrinsic(d, receiver, &method, args, e)?
+                || self.inline_call(d, receiver, &method, args, e)?)
+        {
+            return Ok(());
+        }
         let count = args.len() as u32 + u32::from(receiver.is_some());
         // What the library does to structs of its own neither keeps nor changes its arguments.
         let info = self.program.sema.method(method.id);
@@ -111,6 +122,18 @@ impl Emitter<'_> {
         }
     }
 
+    /// Which method is called is known for a struct, whatever it implements.
+    fn settle(&mut self, receiver: Ty, method: &mut MethodRef, is_virtual: &mut bool) {
+        if *is_virtual
+            && self.program.sema.is_value_type(receiver)
+            && self.program.sema.nullable_of(receiver).is_none()
+            && let Some(found) = self.program.sema.find_override(receiver, method)
+        {
+            *method = found;
+            *is_virtual = false;
+        }
+    }
+
     fn dispatch(
         &mut self,
         base: Reg,
@@ -123,14 +146,8 @@ impl Emitter<'_> {
         let mut method = method.clone();
         let mut is_virtual = is_virtual;
         let value_type = self.program.sema.is_value_type(receiver_ty);
-        if has_receiver && value_type && is_virtual {
-            let inner = self.program.sema.nullable_of(receiver_ty);
-            if inner.is_none()
-                && let Some(found) = self.program.sema.find_override(receiver_ty, &method)
-            {
-                method = found;
-                is_virtual = false;
-            }
+        if has_receiver {
+            self.settle(receiver_ty, &mut method, &mut is_virtual);
         }
         if is_virtual {
             let site = self.program.site(method);
@@ -170,6 +187,9 @@ impl Emitter<'_> {
         is_virtual: bool,
     ) -> Emitted<()> {
         let method = self.method_ref(method);
+        if !is_virtual && self.intrinsic_registers(d, receiver, &method, args) {
+            return Ok(());
+        }
         let base = self.allocs(args.len() as u32 + 1)?;
         let mut at = base;
         if let Some(receiver) = receiver {
@@ -226,6 +246,9 @@ impl Emitter<'_> {
             method.id = id;
         }
         let ty = method.owner;
+        if self.inline_new(d, &method, args, pos)? {
+            return Ok(());
+        }
         let base = self.allocs(args.len() as u32 + 1)?;
         if let Target::Native(n, _) = self.program.target(&method) {
             // The library makes the object; its arguments begin at the second register.

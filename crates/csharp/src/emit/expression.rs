@@ -5,7 +5,7 @@ use super::{Emitted, Emitter, Refused};
 use crate::bind::wrap;
 use crate::bound::{Const, Conv, Expr, Kind, Op as BinOp};
 use crate::sema::{Prim, Ty};
-use crate::vm::op::{Op, Reg};
+use crate::vm::op::{Low, Op, Reg};
 use crate::vm::value::Value;
 
 impl Emitter<'_> {
@@ -42,6 +42,11 @@ impl Emitter<'_> {
                 return Ok(self.moved(reg, want));
             }
             Kind::Convert(Conv::Same, inner) => return self.retyped(e, inner, want),
+            Kind::Const(value) if want.is_none() => {
+                if let Some(reg) = self.hoisted_constant(value, e.ty) {
+                    return Ok(reg);
+                }
+            }
             _ => {}
         }
         let d = self.target(want)?;
@@ -333,6 +338,22 @@ impl Emitter<'_> {
         }
     }
 
+    /// The register of a number in a loop.
+    fn hoisted_constant(&mut self, value: &Const, ty: Ty) -> Option<Reg> {
+        self.hoisted.as_ref()?;
+        let ty = self.ty(ty);
+        if self.program.sema.is_enum(ty) {
+            return None;
+        }
+        let value = match (value, self.program.sema.prim(ty)?) {
+            (Const::Int(n), prim @ (Prim::I32 | Prim::I64)) => number(*n, prim),
+            (Const::Double(x), Prim::F64) => Value::F64(*x),
+            (Const::Bool(x), Prim::Bool) => Value::Bool(*x),
+            _ => return None,
+        };
+        self.hoisted(value)
+    }
+
     fn truth(&mut self, d: Reg, value: bool) {
         let k = self.constant(Value::Bool(value));
         self.op(Op::Const { d, k });
@@ -413,22 +434,19 @@ impl Emitter<'_> {
         {
             let a = self.expr(a, None)?;
             let k = if op == BinOp::Add { n as i32 } else { (n as i32).wrapping_neg() };
+            if let (Ok(d), Ok(a)) = (Low::try_from(d), Low::try_from(a)) {
+                self.pos = pos;
+                self.op(Op::AddIK { d, a, k });
+                return Ok(());
+            }
+            let b = self.expr(b, None)?;
             self.pos = pos;
-            self.op(Op::AddIK { d, a, k });
+            self.op(Op::Arith { op, prim, checked, d, a, b });
             return Ok(());
         }
         let (a, b) = self.operands(a, b)?;
         self.pos = pos;
-        self.op(match (op, prim, checked) {
-            (BinOp::Add, Prim::I32, false) => Op::AddI { d, a, b },
-            (BinOp::Sub, Prim::I32, false) => Op::SubI { d, a, b },
-            (BinOp::Mul, Prim::I32, false) => Op::MulI { d, a, b },
-            (BinOp::Add, Prim::F64, _) => Op::AddF { d, a, b },
-            (BinOp::Sub, Prim::F64, _) => Op::SubF { d, a, b },
-            (BinOp::Mul, Prim::F64, _) => Op::MulF { d, a, b },
-            (BinOp::Div, Prim::F64, _) => Op::DivF { d, a, b },
-            _ => Op::Arith { op, prim, checked, d, a, b },
-        });
+        self.op(Op::Arith { op, prim, checked, d, a, b });
         Ok(())
     }
 

@@ -36,7 +36,7 @@ impl Emitter<'_> {
             shared.push((place, text));
         }
         self.program.pending_texts.push((number, shared));
-        self.program.funcs[number as usize] = function;
+        self.program.link(number, function);
         let ty = self.ty(ty);
         self.op(Op::Lambda { d, f: number, env });
         self.op(Op::SetType { a: d, ty });

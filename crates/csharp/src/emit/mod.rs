@@ -4,14 +4,19 @@ mod branch;
 mod call;
 mod effect;
 mod expression;
+mod hoist;
+mod inline;
+mod intrinsic;
 mod lambda;
 mod place;
+mod quiet;
 mod statement;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 pub(crate) use expression::number;
+pub(crate) use quiet::Quiet;
 
 use crate::bound::{Body, Label, LocalId, Stmt};
 use crate::program::{Key, Program, Start};
@@ -63,6 +68,8 @@ struct Emitter<'p> {
     next: u32,
     envs: Vec<Env>,
     marks: Vec<Option<u32>>,
+    /// The last place that is jumped to.
+    last_mark: u32,
     labels: HashMap<Label, (Mark, usize)>,
     guards: Vec<Guard>,
     /// Exceptions of the `catch` that is being compiled.
@@ -70,6 +77,10 @@ struct Emitter<'p> {
     this: Option<Reg>,
     in_lambda: bool,
     texts: HashMap<Arc<[u16]>, u32>,
+    /// The constants of the outermost loop.
+    hoisted: Option<hoist::Hoisted>,
+    /// How many methods stand in one another without a call.
+    inlined: u32,
     pos: Pos,
 }
 
@@ -152,7 +163,7 @@ fn compile_auto(
         }
     }
     f.code.push(if set { Op::ReturnVoid } else { Op::Return { a: 0 } });
-    program.funcs[number as usize] = f;
+    program.link(number, f);
 }
 
 impl Program {
@@ -175,6 +186,27 @@ impl Program {
                 *slot = value;
             }
         }
+        self.link(number, function);
+    }
+
+    /// Puts the code of a function behind that of all others; its places are among them from then on.
+    fn link(&mut self, number: u32, mut function: Function) {
+        let entry = self.code.len() as u32;
+        for op in &mut function.code {
+            if let Some(to) = op.target_mut() {
+                *to += entry;
+            }
+        }
+        for (at, _) in &mut function.places {
+            *at += entry;
+        }
+        for handler in &mut function.handlers {
+            handler.from += entry;
+            handler.to += entry;
+            handler.target += entry;
+        }
+        self.code.append(&mut function.code);
+        function.entry = Some(entry);
         self.funcs[number as usize] = function;
     }
 
@@ -203,12 +235,15 @@ impl<'p> Emitter<'p> {
             next: 0,
             envs: Vec::new(),
             marks: Vec::new(),
+            last_mark: 0,
             labels: HashMap::new(),
             guards: Vec::new(),
             caught: Vec::new(),
             this: None,
             in_lambda: false,
             texts: HashMap::new(),
+            hoisted: None,
+            inlined: 0,
             pos: 0,
         }
     }
@@ -250,14 +285,8 @@ impl<'p> Emitter<'p> {
         let marks = self.marks;
         let at = |to: u32| marks.get(to as usize).copied().flatten().unwrap_or(0);
         for op in &mut self.f.code {
-            match op {
-                Op::Jump { to }
-                | Op::JumpIf { to, .. }
-                | Op::JumpNot { to, .. }
-                | Op::JumpNull { to, .. }
-                | Op::JumpI { to, .. }
-                | Op::JumpF { to, .. } => *to = at(*to),
-                _ => {}
+            if let Some(to) = op.target_mut() {
+                *to = at(*to);
             }
         }
         for handler in &mut self.f.handlers {
@@ -288,7 +317,15 @@ impl<'p> Emitter<'p> {
     }
 
     fn op(&mut self, op: Op) {
+        let op = op.narrow();
         let pc = self.f.code.len() as u32;
+        if self.last_mark < pc
+            && let Some(last) = self.f.code.last_mut()
+            && let Some(both) = last.fused(op)
+        {
+            *last = both;
+            return;
+        }
         if self.f.places.last().is_none_or(|(_, pos)| *pos != self.pos) {
             self.f.places.push((pc, self.pos));
         }
@@ -306,8 +343,17 @@ impl<'p> Emitter<'p> {
 
     fn set(&mut self, mark: Mark) {
         let here = self.here();
+        self.last_mark = here;
         if let Some(place) = self.marks.get_mut(mark.0 as usize) {
             *place = Some(here);
+        }
+    }
+
+    /// The first is where the second is.
+    fn same_place(&mut self, mark: Mark, other: Mark) {
+        let at = self.marks.get(other.0 as usize).copied().flatten();
+        if let Some(place) = self.marks.get_mut(mark.0 as usize) {
+            *place = at;
         }
     }
 

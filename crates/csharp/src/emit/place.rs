@@ -1,8 +1,10 @@
 //! Variables, fields and elements: reading, setting, references.
 
+use super::effect::sets_locals;
 use super::{Emitted, Emitter, Refused};
 use crate::bound::{Arg, Expr, FieldRef, Kind, MethodRef};
 use crate::sema::Ty;
+use crate::syntax::ast::Passing;
 use crate::vm::op::{Op, Reg};
 
 /// A place with everything evaluated that says where it is.
@@ -36,7 +38,9 @@ impl Emitter<'_> {
                 Ok(())
             }
             Some(receiver) => {
-                let o = self.expr(receiver, None)?;
+                let pos = self.pos;
+                let o = self.in_place(receiver)?;
+                self.pos = pos;
                 let owner = self.ty(field.owner);
                 let i = self.program.field_index(owner, field.id);
                 self.op(Op::LoadField { d, o, i });
@@ -76,8 +80,13 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    /// Evaluates what says where a place is.
-    fn place(&mut self, e: &Expr) -> Emitted<Place> {
+    /// A part of a place: as it is in a variable where nothing that is evaluated after it sets variables.
+    fn part(&mut self, e: &Expr, later: &[&Expr]) -> Emitted<Reg> {
+        if later.iter().any(|e| sets_locals(e)) { self.fresh(e) } else { self.expr(e, None) }
+    }
+
+    /// Evaluates what says where a place is, before the value that goes there.
+    fn place(&mut self, e: &Expr, value: Option<&Expr>) -> Emitted<Place> {
         self.pos = e.pos;
         Ok(match &e.kind {
             Kind::Local(id) => {
@@ -106,21 +115,40 @@ impl Emitter<'_> {
                 let i = self.program.field_index(owner, field.id);
                 Place::Field(o, i)
             }
-            Kind::Element(array, indices) => {
-                let a = self.fresh(array)?;
-                match &**indices {
-                    [index] => {
-                        let i = self.fresh(index)?;
-                        Place::Element(a, i)
-                    }
-                    _ => {
-                        let first = self.row(indices)?;
-                        Place::Elements(a, first)
-                    }
+            Kind::Element(array, indices) => match (&**indices, value) {
+                ([index], Some(value)) => {
+                    let a = self.part(array, &[index, value])?;
+                    let i = self.part(index, &[value])?;
+                    Place::Element(a, i)
                 }
-            }
+                ([index], None) => {
+                    let (a, i) = (self.fresh(array)?, self.fresh(index)?);
+                    Place::Element(a, i)
+                }
+                _ => {
+                    let a = self.fresh(array)?;
+                    let first = self.row(indices)?;
+                    Place::Elements(a, first)
+                }
+            },
             Kind::Prop(receiver, args, getter, setter, is_virtual) => {
                 let receiver_ty = receiver.as_ref().map_or(Ty::ERROR, |r| r.ty);
+                // One index that is no struct may stay in its variable, as the object that has it.
+                let plain = match (args.as_slice(), value, receiver) {
+                    ([(Passing::Value, index)], Some(value), Some(object)) => {
+                        let (index_ty, object_ty) = (self.ty(index.ty), self.ty(object.ty));
+                        let plain =
+                            !self.program.sema.is_struct(index_ty) && !self.program.sema.is_struct(object_ty);
+                        plain.then_some((object, index, value))
+                    }
+                    _ => None,
+                };
+                if let Some((object, index, value)) = plain {
+                    let o = self.part(object, &[index, value])?;
+                    let regs = vec![self.part(index, &[value])?];
+                    let (getter, setter) = (getter.clone(), setter.clone());
+                    return Ok(Place::Property(Some(o), regs, getter, setter, *is_virtual, receiver_ty));
+                }
                 let receiver = match receiver {
                     Some(receiver) => Some(self.steady(receiver)?),
                     None => None,
@@ -133,7 +161,7 @@ impl Emitter<'_> {
                 }
                 Place::Property(receiver, regs, getter.clone(), setter.clone(), *is_virtual, receiver_ty)
             }
-            Kind::Convert(_, inner) => return self.place(inner),
+            Kind::Convert(_, inner) => return self.place(inner, value),
             _ => {
                 return Err(Refused(
                     e.pos,
@@ -234,13 +262,22 @@ impl Emitter<'_> {
             }
             return Ok(());
         }
-        let place = self.place(place)?;
+        let place = self.place(place, Some(value))?;
         let v = self.alloc()?;
         self.copied(value, Some(v))?;
         self.pos = pos;
         self.store(&place, v)?;
         self.op(Op::Move { d, a: v });
         Ok(())
+    }
+
+    /// An assignment whose value nobody needs.
+    fn assign_only(&mut self, place: &Expr, value: &Expr) -> Emitted<()> {
+        let pos = self.pos;
+        let place = self.place(place, Some(value))?;
+        let v = self.copied(value, None)?;
+        self.pos = pos;
+        self.store(&place, v)
     }
 
     pub(super) fn update_into(
@@ -252,7 +289,7 @@ impl Emitter<'_> {
         post: bool,
     ) -> Emitted<()> {
         let pos = self.pos;
-        let place = self.place(place)?;
+        let place = self.place(place, Some(value))?;
         if let (Place::Register(reg), false) = (&place, post) {
             // `i += 1` in the variable's own register.
             self.held.insert(number, *reg);
@@ -310,8 +347,7 @@ impl Emitter<'_> {
                 {
                     self.assign_into(reg, place, value)?;
                 } else {
-                    let d = self.alloc()?;
-                    self.assign_into(d, place, value)?;
+                    self.assign_only(place, value)?;
                 }
             }
             _ => {
@@ -331,7 +367,7 @@ impl Emitter<'_> {
             self.op(Op::RefField { d, o, i });
             return Ok(());
         }
-        let place = self.place(e)?;
+        let place = self.place(e, None)?;
         match place {
             Place::Register(a) => self.op(Op::RefLocal { d, a }),
             Place::Reference(a) | Place::This(a) => self.op(Op::Move { d, a }),

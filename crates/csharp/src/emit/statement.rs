@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Emitted, Emitter, Env, Guard};
-use crate::bound::{Catch, Label, LocalId, Stmt, StmtKind};
+use crate::bound::{Catch, Expr, Kind, Label, LocalId, Stmt, StmtKind};
 use crate::vm::op::{Op, Reg};
 
 impl Emitter<'_> {
@@ -79,23 +79,7 @@ impl Emitter<'_> {
                 self.set(end);
             }
             StmtKind::Loop(c, body, step, brk, cont) => {
-                // The condition stands at the end, so that each turn has one jump.
-                let (top, test) = (self.mark(), self.mark());
-                self.jump(test);
-                self.set(top);
-                self.stmt(body)?;
-                self.place_label(*cont);
-                for e in step {
-                    self.effect(e)?;
-                }
-                self.set(test);
-                match c {
-                    Some(c) => {
-                        self.pos = c.pos;
-                        self.branch(c, top, true)?;
-                    }
-                    None => self.jump(top),
-                }
+                self.with_hoisted(|emitter| emitter.turns(c.as_ref(), body, step, (*brk, *cont)))?;
                 self.place_label(*brk);
             }
             StmtKind::DoLoop(body, c, brk, cont) => {
@@ -149,6 +133,45 @@ impl Emitter<'_> {
             self.next = kept;
         }
         Ok(())
+    }
+
+    /// The condition stands at the end, so that each turn has one jump.
+    fn turns(
+        &mut self,
+        c: Option<&Expr>,
+        body: &Stmt,
+        step: &[Expr],
+        (brk, cont): (Label, Label),
+    ) -> Emitted<()> {
+        let (top, test) = (self.mark(), self.mark());
+        // A short one stands before the first turn too, so that it follows the step with no jump in between.
+        let guard = self.labels.get(&brk).map(|(mark, _)| *mark).zip(c.filter(|c| is_short(c)));
+        match guard {
+            Some((end, c)) => {
+                self.pos = c.pos;
+                self.branch(c, end, false)?;
+            }
+            None => self.jump(test),
+        }
+        self.set(top);
+        self.stmt(body)?;
+        self.place_label(cont);
+        for e in step {
+            self.effect(e)?;
+        }
+        if guard.is_none() {
+            self.set(test);
+        }
+        match c {
+            Some(c) => {
+                self.pos = c.pos;
+                self.branch(c, top, true)
+            }
+            None => {
+                self.jump(top);
+                Ok(())
+            }
+        }
     }
 
     /// Registers for the variables of a block, and the object that it shares with lambdas.
@@ -309,4 +332,16 @@ impl Emitter<'_> {
         self.envs.truncate(envs);
         Ok(())
     }
+}
+
+/// Whether a condition is worth standing twice: a comparison of variables, constants and lengths.
+fn is_short(c: &Expr) -> bool {
+    fn is_leaf(e: &Expr) -> bool {
+        match &e.kind {
+            Kind::Local(_) | Kind::Const(_) | Kind::This => true,
+            Kind::Length(a) | Kind::Convert(_, a) | Kind::Field(Some(a), _) => is_leaf(a),
+            _ => false,
+        }
+    }
+    matches!(&c.kind, Kind::Binary(_, _, _, a, b) if is_leaf(a) && is_leaf(b))
 }

@@ -4,10 +4,11 @@ use super::list::{copied, first_value};
 use super::{Cx, Native, culture};
 use crate::sema::{Kind, Ty};
 use crate::vm::Raise;
+use crate::vm::elements::Elements;
 use crate::vm::heap::{GenState, Generator, Obj};
 use crate::vm::value::Value;
 
-fn data<'c>(cx: &'c mut Cx<'_>, i: usize) -> Result<&'c mut Vec<Value>, Raise> {
+fn data<'c>(cx: &'c mut Cx<'_>, i: usize) -> Result<&'c mut Elements, Raise> {
     let handle = cx.handle(i)?;
     match cx.st.heap.get_mut(handle) {
         Some(Obj::Array(_, data, _)) => Ok(data),
@@ -31,17 +32,13 @@ fn element_of(cx: &Cx<'_>, i: usize) -> Ty {
 
 fn get(cx: &mut Cx<'_>) -> Result<Value, Raise> {
     let i = cx.int(1);
-    let value = data(cx, 0)?.get(i as usize).copied().ok_or_else(range)?;
+    let value = data(cx, 0)?.get(i as usize).ok_or_else(range)?;
     Ok(crate::vm::copy(cx.program, cx.st, value))
 }
 
 fn put(cx: &mut Cx<'_>, value: usize, index: usize) -> Result<Value, Raise> {
     let (i, value) = (cx.int(index), cx.arg(value));
-    match data(cx, 0)?.get_mut(i as usize) {
-        Some(slot) => *slot = value,
-        None => return Err(range()),
-    }
-    Ok(Value::Null)
+    if data(cx, 0)?.set(i as usize, value) { Ok(Value::Null) } else { Err(range()) }
 }
 
 pub(super) fn find(key: &str) -> Option<Native> {
@@ -69,8 +66,8 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let handle = cx.handle(0)?;
             let Obj::Array(ty, data, dims) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
             let (ty, data, dims) = (*ty, data.clone(), dims.clone());
-            cx.st.reserve(data.len() * 16)?;
-            let data = copied(cx, data);
+            cx.st.reserve(data.bytes())?;
+            let data = copied_elements(cx, data);
             Ok(Value::Ref(cx.st.heap.add(Obj::Array(ty, data, dims))))
         },
         "Array.Copy(Array,Int32,Array,Int32,Int32)" => |cx| {
@@ -82,20 +79,16 @@ pub(super) fn find(key: &str) -> Option<Native> {
                     "Source array was not long enough. Check srcIndex and length, and the array's lower bounds.",
                 ));
             }
-            let part = source[from as usize..(from + n) as usize].to_vec();
-            let part = copied(cx, part);
+            let part = source.part(from as usize..from as usize + n as usize).ok_or_else(range)?;
+            let part = copied_elements(cx, part);
             cx.st.spend(part.len() / 16)?;
-            let target = data(cx, 2)?;
-            match target.get_mut(to as usize..to as usize + part.len()) {
-                Some(slots) => slots.copy_from_slice(&part),
-                None => {
-                    return Err(Raise::new(
-                        "ArgumentException",
-                        "Destination array was not long enough. Check destIndex and length, and the array's lower bounds.",
-                    ));
-                }
+            if data(cx, 2)?.put(to as usize, &part) {
+                return Ok(Value::Null);
             }
-            Ok(Value::Null)
+            Err(Raise::new(
+                "ArgumentException",
+                "Destination array was not long enough. Check destIndex and length, and the array's lower bounds.",
+            ))
         },
         "Array.Clear(Array,Int32,Int32)" => |cx| {
             let (start, n) = (cx.int(1), cx.int(2));
@@ -105,7 +98,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
             }
             for i in start..start + n {
                 let first = first_value(cx, element);
-                data(cx, 0)?[i as usize] = first;
+                data(cx, 0)?.set(i as usize, first);
             }
             Ok(Value::Null)
         },
@@ -118,7 +111,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let element = cx.ty;
             let mut made = match old {
                 Value::Ref(handle) => match cx.st.heap.get(handle) {
-                    Obj::Array(_, data, _) => data.clone(),
+                    Obj::Array(_, data, _) => data.to_values(),
                     _ => Vec::new(),
                 },
                 _ => Vec::new(),
@@ -136,21 +129,22 @@ pub(super) fn find(key: &str) -> Option<Native> {
         },
         "Array.Reverse(Array,Int32,Int32)" => |cx| {
             let (start, n) = (cx.int(1), cx.int(2));
-            match data(cx, 0)?.get_mut(start.max(0) as usize..(start.max(0) + n.max(0)) as usize) {
-                Some(part) => part.reverse(),
-                None => return Err(range()),
+            let start = start.max(0) as usize;
+            if data(cx, 0)?.reverse(start..start + n.max(0) as usize) {
+                Ok(Value::Null)
+            } else {
+                Err(range())
             }
-            Ok(Value::Null)
         },
         "Sorter.Plain(T[],Int32,Int32)" => |cx| {
             let (start, n) = (cx.int(1).max(0) as usize, cx.int(2).max(0) as usize);
             cx.st.spend(n)?;
-            let Some(part) = data(cx, 0)?.get(start..start + n).map(<[Value]>::to_vec) else {
+            let Some(part) = data(cx, 0)?.part(start..start + n).map(|part| part.to_values()) else {
                 return Err(range());
             };
             let sorted = sorted(cx, part);
             let Some(sorted) = sorted else { return Ok(Value::Bool(false)) };
-            data(cx, 0)?[start..start + n].copy_from_slice(&sorted);
+            data(cx, 0)?.put(start, &sorted.into());
             Ok(Value::Bool(true))
         },
         "Iterator.get_Current()" => |cx| {
@@ -180,6 +174,14 @@ pub(super) fn find(key: &str) -> Option<Native> {
         },
         _ => return None,
     })
+}
+
+/// Structs among the elements are copied.
+fn copied_elements(cx: &mut Cx<'_>, elements: Elements) -> Elements {
+    match elements {
+        Elements::Values(values) => Elements::Values(copied(cx, values)),
+        plain => plain,
+    }
 }
 
 /// Values of one predefined type in order; none where only a comparison written in C# can tell.

@@ -155,7 +155,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "List.__Take(T[])" => |cx| {
             let handle = cx.handle(1)?;
             let data = match cx.st.heap.get(handle) {
-                Obj::Array(_, data, _) => data.clone(),
+                Obj::Array(_, data, _) => data.to_values(),
                 _ => Vec::new(),
             };
             let (items, version) = items(cx)?;

@@ -12,6 +12,7 @@ mod string;
 
 use crate::program::Program;
 use crate::sema::{Prim, Sema, Ty};
+use crate::vm::elements::Elements;
 use crate::vm::heap::Obj;
 use crate::vm::value::{Handle, Value};
 use crate::vm::{Raise, State};
@@ -199,7 +200,11 @@ impl Cx<'_> {
     }
 
     pub(crate) fn array(&mut self, element: Ty, data: Vec<Value>) -> Result<Value, Raise> {
-        self.st.reserve(data.len() * 16)?;
+        self.array_of(element, data.into())
+    }
+
+    pub(crate) fn array_of(&mut self, element: Ty, data: Elements) -> Result<Value, Raise> {
+        self.st.reserve(data.bytes())?;
         let ty = self.program.sema.array(element, 1);
         Ok(Value::Ref(self.st.heap.add(Obj::Array(ty, data, None))))
     }

@@ -3,6 +3,7 @@
 use super::{Cx, Native, culture};
 use crate::sema::Prim;
 use crate::vm::Raise;
+use crate::vm::elements::Elements;
 use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 
@@ -24,7 +25,7 @@ fn char_of(cx: &Cx<'_>) -> char {
 fn units_of_array(cx: &Cx<'_>, i: usize) -> Vec<u16> {
     let Value::Ref(handle) = cx.arg(i) else { return Vec::new() };
     match cx.st.heap.get(handle) {
-        Obj::Array(_, data, _) => data.iter().map(|v| if let Value::Char(u) = v { *u } else { 0 }).collect(),
+        Obj::Array(_, Elements::Char(units), _) => units.clone(),
         _ => Vec::new(),
     }
 }
@@ -93,7 +94,7 @@ fn split(cx: &mut Cx<'_>) -> Result<Value, Raise> {
     let separators: Option<Vec<Vec<u16>>> = match cx.arg(1) {
         Value::Ref(handle) => match cx.st.heap.get(handle) {
             Obj::Array(_, data, _) => {
-                Some(data.iter().map(|v| cx.st.heap.str(*v).unwrap_or(&[]).to_vec()).collect())
+                Some(data.to_values().iter().map(|v| cx.st.heap.str(*v).unwrap_or(&[]).to_vec()).collect())
             }
             _ => None,
         },
@@ -282,9 +283,9 @@ pub(super) fn find(key: &str) -> Option<Native> {
         },
         "String.ToCharArray()" => |cx| {
             cx.handle(0)?;
-            let values = cx.units(0).iter().map(|u| Value::Char(*u)).collect();
+            let units = cx.units(0).to_vec();
             let ty = cx.prim(Prim::Char);
-            cx.array(ty, values)
+            cx.array_of(ty, Elements::Char(units))
         },
         "String.Cut(String,String[],Int32,Boolean)" => split,
         "String.Glue(String,String[],Int32,Int32)" => |cx| {
@@ -293,13 +294,13 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let (start, count) = (cx.int(2), cx.int(3));
             let Obj::Array(_, data, _) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
             let Some(parts) = (start >= 0 && count >= 0)
-                .then(|| data.get(start as usize..start as usize + count as usize))
+                .then(|| data.part(start as usize..start as usize + count as usize))
                 .flatten()
             else {
                 return Err(range("startIndex"));
             };
             let mut out: Vec<u16> = Vec::new();
-            for (i, part) in parts.iter().enumerate() {
+            for (i, part) in parts.references().iter().enumerate() {
                 if i > 0 {
                     out.extend_from_slice(&separator);
                 }

@@ -7,6 +7,47 @@ use crate::bound::Op;
 use crate::emit::number;
 use crate::sema::Prim;
 
+/// An unchecked operation on two `int`; none where it has no result.
+#[inline]
+pub(super) fn int(op: Op, x: i32, y: i32) -> Option<Value> {
+    Some(match op {
+        Op::Add => Value::I32(x.wrapping_add(y)),
+        Op::Sub => Value::I32(x.wrapping_sub(y)),
+        Op::Mul => Value::I32(x.wrapping_mul(y)),
+        Op::Div => Value::I32(x.checked_div(y)?),
+        Op::Rem => Value::I32(x.checked_rem(y)?),
+        Op::Shl => Value::I32(x.wrapping_shl(y as u32)),
+        Op::Shr => Value::I32(x.wrapping_shr(y as u32)),
+        Op::And => Value::I32(x & y),
+        Op::Or => Value::I32(x | y),
+        Op::Xor => Value::I32(x ^ y),
+        Op::Eq => Value::Bool(x == y),
+        Op::Ne => Value::Bool(x != y),
+        Op::Lt => Value::Bool(x < y),
+        Op::Le => Value::Bool(x <= y),
+        Op::Gt => Value::Bool(x > y),
+        Op::Ge => Value::Bool(x >= y),
+    })
+}
+
+/// An unchecked operation on two `long`; none where it has no result, and for shifts, which are by an `int`.
+fn long(op: Op, x: i64, y: i64) -> Option<Value> {
+    Some(match op {
+        Op::Div => Value::I64(x.checked_div(y)?),
+        Op::Rem => Value::I64(x.checked_rem(y)?),
+        Op::And => Value::I64(x & y),
+        Op::Or => Value::I64(x | y),
+        Op::Xor => Value::I64(x ^ y),
+        Op::Eq => Value::Bool(x == y),
+        Op::Ne => Value::Bool(x != y),
+        Op::Lt => Value::Bool(x < y),
+        Op::Le => Value::Bool(x <= y),
+        Op::Gt => Value::Bool(x > y),
+        Op::Ge => Value::Bool(x >= y),
+        _ => return None,
+    })
+}
+
 fn divide_by_zero() -> Raise {
     Raise::new("DivideByZeroException", "Attempted to divide by zero.")
 }
@@ -17,6 +58,11 @@ pub(crate) fn overflow() -> Raise {
 
 /// An operation on two values of one type.
 pub(super) fn binary(op: Op, prim: Prim, checked: bool, a: Value, b: Value) -> Result<Value, Raise> {
+    if let (Prim::I64, false, Value::I64(x), Value::I64(y)) = (prim, checked, a, b)
+        && let Some(value) = long(op, x, y)
+    {
+        return Ok(value);
+    }
     match prim {
         Prim::F64 => {
             let (Some(x), Some(y)) = (a.real(), b.real()) else { return Ok(Value::F64(0.0)) };

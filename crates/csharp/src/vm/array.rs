@@ -1,5 +1,6 @@
 //! Arrays, and copies of structs.
 
+use super::elements::Elements;
 use super::heap::{Fields, Obj};
 use super::machine::{null_reference, out_of_range};
 use super::state::{Raise, State};
@@ -15,17 +16,19 @@ pub(crate) fn new_array(
     length: usize,
     dims: Option<Box<[u32]>>,
 ) -> Result<Value, Raise> {
-    st.reserve(length.saturating_mul(16))?;
     st.spend(length / 16)?;
     let element = match program.sema.types.kind(ty) {
         Kind::Array(element, _) => *element,
         _ => Ty::ERROR,
     };
     let data = match program.start(element) {
-        crate::program::Start::Value(value) => vec![value; length],
+        crate::program::Start::Value(value) => {
+            st.reserve(length.saturating_mul(Elements::width(value)))?;
+            Elements::repeated(value, length)
+        }
         crate::program::Start::Struct(inner) => {
-            st.reserve(length.saturating_mul(80))?;
-            (0..length).map(|_| st.instance(program, inner)).collect()
+            st.reserve(length.saturating_mul(96))?;
+            Elements::Values((0..length).map(|_| st.instance(program, inner)).collect())
         }
     };
     Ok(Value::Ref(st.heap.add(Obj::Array(ty, data, dims))))

@@ -1,6 +1,7 @@
 //! Calls, iterators, and references to variables.
 
 use super::heap::{GenState, Generator, Obj};
+use super::op::LOW;
 use super::state::{FUEL, Frame, Raise, State, Stop};
 use super::value::{Handle, Value};
 use crate::program::Program;
@@ -21,6 +22,7 @@ impl State {
     pub(super) fn enter(
         &mut self,
         func: u32,
+        pc: u32,
         base: u32,
         regs: u32,
         gen_: Option<Handle>,
@@ -28,14 +30,15 @@ impl State {
         if self.frames.len() >= self.limits.depth {
             return Err(Raise::Stop(Stop::Depth(self.limits.depth)));
         }
-        let top = base as usize + regs as usize;
+        // Low registers are all there, whether used or not.
+        let top = base as usize + (regs as usize).max(LOW);
         if top > self.stack.len() {
             if top > 4_000_000 {
                 return Err(Raise::Stop(Stop::Depth(self.frames.len())));
             }
             self.stack.resize((top * 2).min(4_000_064), Value::Null);
         }
-        self.frames.push(Frame { func, pc: 0, base, gen_ });
+        self.frames.push(Frame { func, pc, base, gen_ });
         Ok(())
     }
 
@@ -45,7 +48,7 @@ impl State {
             Value::StaticRef(at) => program.static_values.get(at as usize).copied().unwrap_or(Value::Null),
             Value::PartRef(handle, i) => match self.heap.get(handle) {
                 Obj::Inst(_, fields) => fields.get(i as usize).copied().unwrap_or(Value::Null),
-                Obj::Array(_, data, _) => data.get(i as usize).copied().unwrap_or(Value::Null),
+                Obj::Array(_, data, _) => data.get(i as usize).unwrap_or(Value::Null),
                 _ => Value::Null,
             },
             // The object itself, inside a struct.
@@ -72,9 +75,7 @@ impl State {
                     }
                 }
                 Some(Obj::Array(_, data, _)) => {
-                    if let Some(slot) = data.get_mut(i as usize) {
-                        *slot = value;
-                    }
+                    data.set(i as usize, value);
                 }
                 _ => {}
             },

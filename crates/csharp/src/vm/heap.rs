@@ -5,6 +5,7 @@ use std::any::Any;
 
 use smallvec::SmallVec;
 
+use super::elements::Elements;
 use super::value::{Handle, Value};
 use crate::sema::Ty;
 
@@ -21,7 +22,7 @@ pub enum Obj {
     /// An instance of a class, a struct, or the captured variables of a block.
     Inst(Ty, Fields),
     /// An array, with its lengths where it has several dimensions.
-    Array(Ty, Vec<Value>, Option<Box<[u32]>>),
+    Array(Ty, Elements, Option<Box<[u32]>>),
     /// A list and how often it changed.
     List(Ty, Vec<Value>, u32),
     /// A text that is being built.
@@ -109,7 +110,8 @@ impl Heap {
             + match obj {
                 Obj::Str(s) => s.len() * 2,
                 Obj::Inst(_, fields) if fields.spilled() => fields.len() * 16,
-                Obj::Array(_, data, _) | Obj::List(_, data, _) => data.capacity() * 16,
+                Obj::Array(_, data, _) => data.bytes(),
+                Obj::List(_, data, _) => data.capacity() * 16,
                 Obj::Builder(b) => b.capacity() * 2,
                 Obj::Gen(g) => (g.regs.len() + g.start.len()) * 16 + 96,
                 Obj::Host(..) => 256,
@@ -184,9 +186,8 @@ impl Heap {
             }
             match &self.objects[handle.0 as usize] {
                 Obj::Inst(_, fields) => fields.iter().for_each(|v| reach(v, &mut todo)),
-                Obj::Array(_, data, _) | Obj::List(_, data, _) => {
-                    data.iter().for_each(|v| reach(v, &mut todo))
-                }
+                Obj::Array(_, data, _) => data.references().iter().for_each(|v| reach(v, &mut todo)),
+                Obj::List(_, data, _) => data.iter().for_each(|v| reach(v, &mut todo)),
                 Obj::Delegate(_, _, env) => reach(env, &mut todo),
                 Obj::Gen(g) => {
                     g.regs.iter().chain(&g.start).for_each(|v| reach(v, &mut todo));

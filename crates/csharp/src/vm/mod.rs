@@ -3,10 +3,15 @@
 mod arith;
 mod array;
 mod call;
+pub mod elements;
 pub mod heap;
 mod machine;
+mod member;
+mod narrow;
 mod native;
 pub mod op;
+mod plain;
+pub(crate) mod real;
 mod start;
 mod state;
 mod unwind;

@@ -59,11 +59,9 @@ pub(super) fn resume(program: &mut Program, st: &mut State, at: usize, close: bo
     if st.fuel == 0 {
         st.turn()?;
     }
-    st.enter(func, at as u32, needed, Some(handle))?;
+    let entry = program.funcs[func as usize].entry.unwrap_or_default();
+    st.enter(func, if begun { pc } else { entry }, at as u32, needed, Some(handle))?;
     st.stack[at..at + regs.len()].copy_from_slice(&regs);
-    if let Some(frame) = st.frames.last_mut() {
-        frame.pc = if begun { pc } else { 0 };
-    }
     if close {
         let floor = st.frames.len() - 1;
         // The operation behind the `yield` was next: its range is that of the `yield` itself.

@@ -1,6 +1,7 @@
 //! Operations on registers. A register is one of a window of the stack; calls put their arguments into the first
 //! registers of the callee's window, and find the result in the first of them.
 
+use super::real::Real;
 use super::value::Value;
 use crate::bound::Op as BinOp;
 use crate::sema::{Prim, Ty};
@@ -9,19 +10,42 @@ use crate::source::Pos;
 /// A register.
 pub type Reg = u16;
 
-/// How two numbers are compared in a jump.
+/// A register among the first 256 of its window: of most functions these are all.
+pub type Low = u8;
+
+/// How many registers a [`Low`] reaches.
+pub const LOW: usize = 256;
+
+/// How two numbers are compared in a jump: a bit for each relation between them in which the jump is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cmp(u8);
+
 #[allow(missing_docs, reason = "their names say it")]
-pub enum Cmp {
-    Eq,
-    Ne,
-    Lt,
-    Le,
-    Gt,
-    Ge,
+impl Cmp {
+    pub const LT: Self = Self(1);
+    pub const EQ: Self = Self(2);
+    pub const LE: Self = Self(3);
+    pub const GT: Self = Self(4);
+    pub const GE: Self = Self(6);
+    /// Also where one is not a number, as IEEE 754 has it.
+    pub const NE: Self = Self(13);
+
+    /// The jump is taken where this one is not: also where one is not a number.
+    pub fn opposite(self) -> Self {
+        Self(self.0 ^ 15)
+    }
+
+    /// Whether the jump is taken.
+    #[inline]
+    pub fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
+        let (lt, eq, gt) = (a < b, a == b, a > b);
+        let relation = u8::from(lt) | u8::from(eq) << 1 | u8::from(gt) << 2 | u8::from(!(lt | eq | gt)) << 3;
+        self.0 & relation != 0
+    }
 }
 
-/// An operation; `d` is where the result goes.
+/// An operation; `d` is where the result goes. Those from `MoveLow` on do what one of the others does, for low registers
+/// and usual types; `StepLtI` is `a += k` and a jump where `a` is then less than `b`, the end of most loops.
 #[derive(Debug, Clone, Copy)]
 #[allow(missing_docs, reason = "the names say what they do, and `run` how")]
 pub enum Op {
@@ -29,14 +53,6 @@ pub enum Op {
     Const { d: Reg, k: u32 },
     Int { d: Reg, v: i32 },
     Copy { d: Reg, a: Reg },
-    AddI { d: Reg, a: Reg, b: Reg },
-    SubI { d: Reg, a: Reg, b: Reg },
-    MulI { d: Reg, a: Reg, b: Reg },
-    AddIK { d: Reg, a: Reg, k: i32 },
-    AddF { d: Reg, a: Reg, b: Reg },
-    SubF { d: Reg, a: Reg, b: Reg },
-    MulF { d: Reg, a: Reg, b: Reg },
-    DivF { d: Reg, a: Reg, b: Reg },
     Arith { op: BinOp, prim: Prim, checked: bool, d: Reg, a: Reg, b: Reg },
     Neg { prim: Prim, checked: bool, d: Reg, a: Reg },
     Complement { prim: Prim, d: Reg, a: Reg },
@@ -48,8 +64,7 @@ pub enum Op {
     JumpIf { a: Reg, to: u32 },
     JumpNot { a: Reg, to: u32 },
     JumpNull { a: Reg, to: u32 },
-    JumpI { cmp: Cmp, a: Reg, b: Reg, to: u32 },
-    JumpF { cmp: Cmp, a: Reg, b: Reg, to: u32 },
+    JumpCmp { cmp: Cmp, prim: Prim, a: Reg, b: Reg, to: u32 },
     IsNull { d: Reg, a: Reg },
     Same { d: Reg, a: Reg, b: Reg },
     NullCheck { a: Reg },
@@ -96,6 +111,40 @@ pub enum Op {
     TypeOf { d: Reg, ty: Ty },
     Yield { a: Reg },
     NotSupported { k: u32 },
+    Build { d: Reg, first: Reg, n: u16, ty: Ty },
+    Item { d: Low, l: Low, i: Low },
+    SetItem { l: Low, i: Low, v: Low },
+    AddItem { l: Low, v: Low },
+    Count { d: Low, l: Low },
+    TextLength { d: Low, t: Low },
+    TextItem { d: Low, t: Low, i: Low },
+    Real { f: Real, d: Low, a: Low },
+    MoveLow { d: Low, a: Low },
+    AddI { d: Low, a: Low, b: Low },
+    SubI { d: Low, a: Low, b: Low },
+    MulI { d: Low, a: Low, b: Low },
+    AddIK { d: Low, a: Low, k: i32 },
+    AddL { d: Low, a: Low, b: Low },
+    SubL { d: Low, a: Low, b: Low },
+    MulL { d: Low, a: Low, b: Low },
+    AddF { d: Low, a: Low, b: Low },
+    SubF { d: Low, a: Low, b: Low },
+    MulF { d: Low, a: Low, b: Low },
+    DivF { d: Low, a: Low, b: Low },
+    ArithI { op: BinOp, d: Low, a: Low, b: Low },
+    IntToReal { d: Low, a: Low },
+    IntToLong { d: Low, a: Low },
+    LongToInt { d: Low, a: Low },
+    JumpI { cmp: Cmp, a: Low, b: Low, to: u32 },
+    JumpLtI { a: Low, b: Low, to: u32 },
+    JumpIK { cmp: Cmp, a: Low, k: i32, to: u32 },
+    JumpL { cmp: Cmp, a: Low, b: Low, to: u32 },
+    JumpF { cmp: Cmp, a: Low, b: Low, to: u32 },
+    StepLtI { a: Low, k: i8, b: Low, to: u32 },
+    LoadFieldLow { d: Low, o: Low, i: Low },
+    StoreFieldLow { o: Low, i: Low, v: Low },
+    LoadElemLow { d: Low, a: Low, i: Low },
+    StoreElemLow { a: Low, i: Low, v: Low },
 }
 
 /// Where an exception goes from a range of operations.
@@ -118,8 +167,10 @@ pub struct Handler {
 pub struct Function {
     /// Its name, for messages.
     pub name: String,
-    /// Operations; none until it is compiled.
+    /// Operations, until they stand with those of all other functions.
     pub code: Vec<Op>,
+    /// Where it begins among them; none until it is compiled.
+    pub entry: Option<u32>,
     /// Constants.
     pub consts: Vec<Value>,
     /// Messages of operations that are not supported.

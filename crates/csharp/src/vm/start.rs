@@ -19,7 +19,8 @@ pub(crate) fn run(program: &mut Program, st: &mut State, func: u32, args: &[Valu
     let needed = program.funcs.get(func as usize).map_or(0, |f| f.regs).max(args.len() as u32) + 1;
     let begun = compiled(program, st, func).and_then(|()| {
         let regs = program.funcs[func as usize].regs.max(needed);
-        st.enter(func, base, regs, None)
+        let entry = program.funcs[func as usize].entry.unwrap_or_default();
+        st.enter(func, entry, base, regs, None)
     });
     if let Err(raise) = begun {
         return Err(Ended { raise, at: st.thrown_at });
@@ -54,7 +55,7 @@ pub(crate) fn run(program: &mut Program, st: &mut State, func: u32, args: &[Valu
 
 /// Compiles a function if that has not been done.
 pub(super) fn compiled(program: &mut Program, st: &mut State, func: u32) -> Result<(), Raise> {
-    if program.funcs.get(func as usize).is_some_and(|f| f.code.is_empty()) {
+    if program.funcs.get(func as usize).is_some_and(|f| f.entry.is_none()) {
         let heap = &mut st.heap;
         let mut add = |units: &[u16]| {
             let value = heap.text(units);

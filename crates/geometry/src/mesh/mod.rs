@@ -3,6 +3,7 @@
 mod align;
 #[cfg(feature = "mesh-booleans")]
 mod boolean;
+mod change;
 mod closest;
 mod cut;
 mod decimate;

@@ -50,6 +50,7 @@ mod table;
 
 pub use argument::Waiting;
 pub use call::CallReply;
+pub use class::{change_in_place, changes_in_place};
 pub use member::MemberReply;
 pub use query::Query;
 pub use table::Endpoints;

@@ -66,7 +66,7 @@ pub(super) fn list(m: &mut impl Machine, element: Ty, items: Vec<Net>) -> Option
 
 fn array(m: &mut impl Machine, element: Ty, items: Vec<Net>) -> Net {
     let ty = m.sema().array(element, 1);
-    Net::Ref(m.state().heap.add(Obj::Array(ty, items, None)))
+    Net::Ref(m.state().heap.add(Obj::Array(ty, items.into(), None)))
 }
 
 /// The value as a program has it; none for what it has no type for.
@@ -211,8 +211,12 @@ fn read(m: &mut impl Machine, value: Net, depth: usize) -> Result<Value, String>
     };
     let (ty, fields) = match m.state().heap.get(handle) {
         Obj::Str(units) => return Ok(Value::Text(String::from_utf16_lossy(units))),
-        Obj::Array(_, items, None) | Obj::List(_, items, _) => {
-            let items = items.clone();
+        array_or_list @ (Obj::Array(_, _, None) | Obj::List(..)) => {
+            let items = match array_or_list {
+                Obj::Array(_, items, _) => items.to_values(),
+                Obj::List(_, items, _) => items.clone(),
+                _ => Vec::new(),
+            };
             let items = items.into_iter().map(|item| read(m, item, depth)).collect::<Result<_, _>>()?;
             return Ok(Value::list(items));
         }

@@ -9,7 +9,7 @@ use katydid_csharp::vm::value::Value as Net;
 use katydid_csharp::{Cx, Host, Raise, Stop};
 use katydid_data::cast::Rules;
 use katydid_geometry::Patience;
-use katydid_members::geometry::{Waiting, endpoints};
+use katydid_members::geometry::{Waiting, change_in_place, changes_in_place, endpoints};
 use katydid_members::{Cause, Fault, Shape, Value};
 
 use super::breps::{self, Extracted};
@@ -109,6 +109,9 @@ impl Host for ScriptHost {
         if let Some(value) = self.document(name) {
             return Ok(value);
         }
+        if let Some(given) = in_place(name, cx) {
+            return Ok(given);
+        }
         let waiting = {
             let turn = self.turn();
             let left = turn.end.map(|end| end.saturating_duration_since(Instant::now()));
@@ -149,6 +152,22 @@ impl Host for ScriptHost {
     fn cancelled(&mut self) -> bool {
         self.turn().is_over()
     }
+}
+
+/// A member that changes one part of a large object, done in the object: nobody else sees it change, and a loop of them
+/// costs no copy for each.
+fn in_place(name: &str, cx: &mut Cx<'_>) -> Option<Net> {
+    if !changes_in_place(name) {
+        return None;
+    }
+    let mut arguments = Vec::new();
+    for place in 1..cx.len() {
+        let value = cx.arg(place);
+        arguments.push(from_csharp(cx, value).ok()?);
+    }
+    let object = owner(cx, cx.arg(0));
+    let given = change_in_place(name, cx.host_data_mut::<Shape>(object)?, &arguments)?;
+    to_csharp(cx, &given)
 }
 
 /// The object that changes: that of a list, for the list.

@@ -6,6 +6,7 @@ mod curve;
 mod curve_kinds;
 mod curve_recognised;
 mod mesh;
+mod mesh_change;
 mod mesh_lists;
 mod object;
 mod surface;
@@ -17,6 +18,8 @@ use super::table::Endpoints;
 use crate::shape::Shape;
 use crate::wire::Read;
 use crate::{Fault, Value};
+
+pub use mesh_change::{change_in_place, changes_in_place};
 
 pub(super) fn enter(table: &mut Endpoints) {
     for (signature, class) in LISTS {

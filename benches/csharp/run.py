@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""The C# interpreter beside Mono's JIT and CPython, on the five programs of this folder: `make bench-csharp`.
+
+The answers are compared before anything is timed. Seconds are the least of a few runs and include the start of each
+program, of which a line of its own tells the length. With --counts, callgrind counts the instructions of ours instead,
+which do not depend on what else the machine does. Needs the Debian packages mono-mcs and mono-runtime, and valgrind for
+--counts.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+FOLDER = pathlib.Path(__file__).parent
+NAMES = ["loops", "vectors", "nbody", "sieve", "text"]
+EMPTY = "class P { static void Main() { } }\n"
+
+
+def printed(command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def seconds(command, runs):
+    best = float("inf")
+    for _ in range(runs):
+        start = time.perf_counter()
+        subprocess.run(command, capture_output=True, check=True)
+        best = min(best, time.perf_counter() - start)
+    return best
+
+
+def assembled(source, folder):
+    program = pathlib.Path(folder) / (source.stem + ".exe")
+    subprocess.run(["mcs", "-optimize+", f"-out:{program}", str(source)], capture_output=True, check=True)
+    return program
+
+
+def compared(ours, folder):
+    """Commands of all programs; ends where two answers differ."""
+    commands = []
+    for name in NAMES:
+        source = FOLDER / f"{name}.cs"
+        own = [[ours, str(source)], ["mono", str(assembled(source, folder))], [sys.executable, str(FOLDER / f"{name}.py")]]
+        # Mono writes numbers with other digits at times: they are compared as numbers.
+        answers = [[float(word) for word in printed(command).split()] for command in own]
+        if any(answer != answers[0] for answer in answers):
+            sys.exit(f"{name}: the answers differ: {answers}")
+        commands.append((name, own))
+    return commands
+
+
+def main():
+    ours = sys.argv[1]
+    runs = 3
+    if "--counts" in sys.argv:
+        for name in NAMES:
+            command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", ours, str(FOLDER / f"{name}.cs")]
+            text = subprocess.run(command, capture_output=True, text=True, check=True).stderr
+            count = int(re.search(r"Collected : (\d+)", text)[1])
+            print(f"| {name} | {count / 1e6:,.0f} million |", flush=True)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        commands = compared(ours, folder)
+        print("| program | Katydid | Mono | CPython | of Mono | of CPython |\n| --- | --- | --- | --- | --- | --- |")
+        empty = pathlib.Path(folder) / "empty.cs"
+        empty.write_text(EMPTY)
+        nothing = pathlib.Path(folder) / "empty.py"
+        nothing.write_text("")
+        starts = [[ours, str(empty)], ["mono", str(assembled(empty, folder))], [sys.executable, str(nothing)]]
+        for name, own in [("start alone", starts), *commands]:
+            a, b, c = (seconds(command, runs) for command in own)
+            print(f"| {name} | {a:.3f} s | {b:.3f} s | {c:.3f} s | {a / b:.1f} × | {a / c:.2f} × |", flush=True)
+
+
+main()
