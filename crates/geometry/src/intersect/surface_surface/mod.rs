@@ -2,11 +2,8 @@
 
 mod contacts;
 mod cover;
-mod planar;
 mod rows;
 mod search;
-
-pub(crate) use planar::common_planes;
 
 use cover::Curves;
 use search::Search;
