@@ -140,10 +140,13 @@ fn surfaces_of(
             }
             let met = surface_surface(&a.to_nurbs()?, &b.to_nurbs()?, tolerance)?;
             out.complete = met.complete
-                && met
-                    .contacts
-                    .iter()
-                    .all(|c| matches!(c.kind, SurfaceContactKind::Point | SurfaceContactKind::Crossing));
+                && met.contacts.iter().all(|c| match c.kind {
+                    SurfaceContactKind::Point | SurfaceContactKind::Crossing => true,
+                    SurfaceContactKind::Curve => c.curve.is_some(),
+                    _ => false,
+                });
+            let touching = met.contacts.iter().filter_map(|c| c.curve.as_ref());
+            out.curves.extend(touching.map(|b| b.curve.clone()));
             out.curves.extend(met.branches.into_iter().map(|b| b.curve));
             let points = met.contacts.iter().filter(|c| c.kind == SurfaceContactKind::Point);
             out.points.extend(points.map(|c| c.point));
