@@ -135,6 +135,23 @@ fn a_ball_and_a_ring_keep_their_curves() {
     }
 }
 
+/// A surface and itself, with its directions as they are, reversed and exchanged: all of it is common.
+#[test]
+fn equal_surfaces_overlap() {
+    let s = heights(3, 9, |x, y| (x + 0.3 * y).sin() * (1.7 * y).cos());
+    for copy in [s.clone(), s.reversed(Direction::U), s.transposed().reversed(Direction::V)] {
+        let met = meet(&s, &copy);
+        let [all] = &met.contacts[..] else { panic!("{:?}", met.contacts) };
+        assert!(met.complete && met.branches.is_empty());
+        let whole = |n: &NurbsSurface| Direction::BOTH.map(|d| [n.domain(d).start, n.domain(d).end]);
+        assert_eq!(all.kind, SurfaceContactKind::Overlap);
+        assert_eq!([all.ranges[0], all.ranges[1]], whole(&s));
+        assert_eq!([all.ranges[2], all.ranges[3]], whole(&copy));
+        let [[u, v], [p, q]] = all.at;
+        assert!(s.point_at(u, v).distance_to(copy.point_at(p, q)) < 1e-12);
+    }
+}
+
 /// A generator of numbers between 0 and 1 (S. Vigna's splitmix64).
 struct Random(u64);
 

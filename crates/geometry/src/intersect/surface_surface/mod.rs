@@ -2,6 +2,7 @@
 
 mod contacts;
 mod cover;
+mod equal;
 mod rows;
 mod search;
 mod tangent_curve;
@@ -88,6 +89,10 @@ pub struct SurfaceMeeting {
 /// (After T. Sederberg and R. Meyers, *Loop detection in surface patch intersections*, 1988, with interval bounds instead of
 /// cones; marching as in N. Patrikalakis and T. Maekawa, *Shape Interrogation*, 5.8.)
 ///
+/// Where the surfaces touch, Newton's method on their tangent planes finds the place, and the difference of their second
+/// fundamental forms its kind; along a curve the way goes on where the difference is 0. Surfaces of equal control points and
+/// knots overlap as a whole.
+///
 /// The result does not depend on the order of the surfaces but for the direction of branches, nor on the number of threads.
 ///
 /// # Errors
@@ -135,6 +140,11 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     let whole = [Chart::new(a.transformed(&home)?)?, Chart::new(b.transformed(&home)?)?];
     let pair = Pair::new(&whole[0], &whole[1]);
     let size = pair.size();
+    if let Some(mut all) = equal::equal(&pair) {
+        all.point += shift;
+        out.contacts.push(all);
+        return Ok(out);
+    }
     let limits = Limits {
         tolerance: 0.5 * limit.min(COARSEST * size).max(ABOVE_NOISE * pair.noise),
         shortest: (SHORTEST * size).max(ABOVE_NOISE * pair.noise),
