@@ -1,20 +1,23 @@
 //! Breps with breps: the curves in which their faces meet.
 
+use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use super::{Brep, ClosestOnBrep};
-use crate::intersect::{SurfaceContactKind, common_planes, surface_plane, surface_surface};
+use crate::intersect::{
+    Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
+};
 use crate::{Curve, Error, Plane, Point3, Result, Surface, Tolerance, join_curves, patience};
 
 /// What two breps have in common.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BrepMeeting {
-    /// The curves in which faces pass through each other or end on each other, joined.
+    /// The curves in which faces pass through each other, touch, or end on each other, joined.
     pub curves: Vec<Curve>,
     /// Points in which faces touch.
     pub points: Vec<Point3>,
     /// Whether the search came to its end on every pair of faces. `false` says that something may be missing: where
-    /// faces touch along a curve, or lie upon each other and are not flat.
+    /// faces lie upon each other and are not flat, or what they do where they touch is not decided.
     pub complete: bool,
 }
 
@@ -25,8 +28,8 @@ impl Brep {
     /// The curves and points that the faces of two breps have in common, within `tolerance`.
     ///
     /// Flat faces cut others as planes do, with lines, circles and arcs as such
-    /// ([`surface_plane`](crate::intersect::surface_plane())); spheres and cylinders whose common curves lie in planes
-    /// likewise; all other pairs meet in the branches of [`surface_surface`](crate::intersect::surface_surface()). The parts
+    /// ([`surface_plane`](crate::intersect::surface_plane())); spheres, cylinders, cones and tori that have a closed form
+    /// meet in that ([`carrier_carrier`]), also where they touch; all other pairs meet in the branches of [`surface_surface`](crate::intersect::surface_surface()). The parts
     /// within the trims of both faces are kept. Where flat faces lie upon each other, the curves of the faces beside them
     /// are what is found.
     ///
@@ -38,6 +41,7 @@ impl Brep {
         let [first, second] = sides;
         let sides = [first?, second?];
         let mut out = BrepMeeting { curves: Vec::new(), points: Vec::new(), complete: true };
+        let mut carriers = Carriers::default();
         for a in sides[0].sheets() {
             for b in sides[1].sheets() {
                 patience::check()?;
@@ -45,7 +49,7 @@ impl Brep {
                     continue;
                 }
                 let faces = [(&sides[0], a.face), (&sides[1], b.face)];
-                let found = surfaces_of(faces, tolerance)?;
+                let found = surfaces_of(faces, &mut carriers, tolerance)?;
                 out.complete &= found.complete;
                 for curve in &found.curves {
                     for part in faces[0].0.curve_within(a.face, curve, limit)? {
@@ -70,8 +74,48 @@ impl Brep {
     }
 }
 
+/// What is equal to rounding, as a part of the size of the smaller surface: lengths and, in radians, directions. The axes of
+/// carriers that are told inside NURBS surfaces are off by some 1e-12.
+const EXACT: f64 = 1e-10;
+
+/// The carriers of faces, told once for each face that needs it.
+#[derive(Default)]
+struct Carriers([BTreeMap<usize, Option<Carrier>>; 2]);
+
+impl Carriers {
+    fn both(&mut self, keys: [usize; 2], surfaces: [&Surface; 2]) -> Option<[Carrier; 2]> {
+        let [a, b] = [0, 1].map(|s| {
+            let tell = || {
+                let size = surfaces[s].bounding_box().ok()?.diagonal().length();
+                Carrier::of(surfaces[s], EXACT * size)
+            };
+            *self.0[s].entry(keys[s]).or_insert_with(tell)
+        });
+        Some([a?, b?])
+    }
+}
+
+/// The closed form of two surfaces, as far as it lies near both; `None` when there is none.
+fn closed_form(surfaces: [&Surface; 2], carriers: &[Carrier; 2], limit: f64) -> Result<Option<BrepMeeting>> {
+    let [a, b] = [surfaces[0].bounding_box()?, surfaces[1].bounding_box()?];
+    let size = a.diagonal().length().min(b.diagonal().length());
+    let exact = Tolerance { absolute: EXACT * size, angle: EXACT };
+    let Some(met) = carrier_carrier(&carriers[0], &carriers[1], &exact) else { return Ok(None) };
+    // Which parts both have is a question of their trims.
+    let CarrierMeeting::Parts { curves, points } = met else { return Ok(None) };
+    let mut out = BrepMeeting { curves: Vec::new(), points, complete: true };
+    for curve in curves {
+        out.curves.extend(curve.conic.over(&a.inflated(limit))?);
+    }
+    Ok(Some(out))
+}
+
 /// The common curves and points of the surfaces of two faces.
-fn surfaces_of(faces: [(&ClosestOnBrep, usize); 2], tolerance: &Tolerance) -> Result<BrepMeeting> {
+fn surfaces_of(
+    faces: [(&ClosestOnBrep, usize); 2],
+    carriers: &mut Carriers,
+    tolerance: &Tolerance,
+) -> Result<BrepMeeting> {
     let surface = |(search, face): (&ClosestOnBrep, usize)| {
         search.brep().face_surface(face).cloned().ok_or(Error::degenerate("brep", "a face has no surface"))
     };
@@ -89,18 +133,20 @@ fn surfaces_of(faces: [(&ClosestOnBrep, usize); 2], tolerance: &Tolerance) -> Re
         [_, Some(plane)] => cut(&a, &plane, &mut out)?,
         [Some(plane), None] => cut(&b, &plane, &mut out)?,
         [None, None] => {
-            if let Some(planes) = common_planes(&a, &b) {
-                for plane in &planes {
-                    cut(&a, plane, &mut out)?;
-                }
-                return Ok(out);
+            if let Some(both) = carriers.both([faces[0].1, faces[1].1], [&a, &b])
+                && let Some(met) = closed_form([&a, &b], &both, tolerance.absolute)?
+            {
+                return Ok(met);
             }
             let met = surface_surface(&a.to_nurbs()?, &b.to_nurbs()?, tolerance)?;
             out.complete = met.complete
-                && met
-                    .contacts
-                    .iter()
-                    .all(|c| matches!(c.kind, SurfaceContactKind::Point | SurfaceContactKind::Crossing));
+                && met.contacts.iter().all(|c| match c.kind {
+                    SurfaceContactKind::Point | SurfaceContactKind::Crossing => true,
+                    SurfaceContactKind::Curve => c.curve.is_some(),
+                    _ => false,
+                });
+            let touching = met.contacts.iter().filter_map(|c| c.curve.as_ref());
+            out.curves.extend(touching.map(|b| b.curve.clone()));
             out.curves.extend(met.branches.into_iter().map(|b| b.curve));
             let points = met.contacts.iter().filter(|c| c.kind == SurfaceContactKind::Point);
             out.points.extend(points.map(|c| c.point));
@@ -202,6 +248,43 @@ mod tests {
         let ellipse = crate::Ellipse::new(Plane::XY, 8f64.sqrt(), 2.0).unwrap().to_nurbs().unwrap();
         assert!(met.complete);
         assert!((length(&met) - 2.0 * Curve::from(ellipse).length()).abs() < 1e-2, "{}", length(&met));
+    }
+
+    #[test]
+    fn what_touches_is_told_exactly() {
+        let tube = brep(Cylinder::new(Plane::XY.offset(-10.0), 2.0, Interval::new(0.0, 20.0)).unwrap());
+        // A ball that fills the tube touches it along a circle.
+        let met = meet(&tube, &ball(0.0, 2.0));
+        let [circle] = &met.curves[..] else { panic!("{met:?}") };
+        assert!(met.complete && met.points.is_empty());
+        assert!((circle.as_circle(1e-9).unwrap().radius - 2.0).abs() < 1e-12);
+        // One beside it touches in a point, one a little further away nowhere.
+        let met = meet(&tube, &ball(5.0, 3.0));
+        assert!(met.complete && met.curves.is_empty() && met.points.len() == 1, "{met:?}");
+        assert!(met.points[0].distance_to(Point3::new(2.0, 0.0, 0.0)) < 1e-12);
+        assert_eq!(meet(&tube, &ball(5.01, 3.0)).points, vec![]);
+        // Tubes side by side have a ruling in common.
+        let beside = Plane::XY.with_origin(Point3::new(5.0, 0.0, -4.0));
+        let other = brep(Cylinder::new(beside, 3.0, Interval::new(0.0, 20.0)).unwrap());
+        let met = meet(&tube, &other);
+        assert!(met.complete && met.curves.len() == 1, "{met:?}");
+        // The ends are those of the shorter tube, to a part of the tolerance.
+        assert!((length(&met) - 14.0).abs() < 1e-6, "{}", length(&met));
+    }
+
+    #[test]
+    fn balls_cut_rings_in_circles() {
+        let ring = brep(crate::Torus::new(Plane::XY, 5.0, 1.0).unwrap());
+        let copy = ring.face_surface(0).unwrap().to_nurbs().unwrap();
+        for ring in [ring, brep(copy)] {
+            // (r − 5)² + z² = 1 and r² + z² = 25 give 10 r = 49.
+            let met = meet(&ring, &ball(0.0, 5.0));
+            assert!(met.complete && met.curves.len() == 2, "{met:?}");
+            let radius = 4.9;
+            for circle in &met.curves {
+                assert!((circle.as_circle(1e-9).unwrap().radius - radius).abs() < 1e-9);
+            }
+        }
     }
 
     #[test]

@@ -3,6 +3,10 @@
 use super::{Chart, Patch};
 use crate::nurbs::MAX_DEGREE;
 
+/// What a control point is off after one step of de Casteljau's algorithm, as a part of the largest of the net: three
+/// rounded operations.
+const STEP_ROUNDING: f64 = 3.0 * f64::EPSILON;
+
 /// The smallest and the largest of numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Range {
@@ -37,11 +41,21 @@ impl Range {
                 out.add(a * b);
             }
         }
-        out
+        out.outward()
     }
 
     fn minus(self, other: Self) -> Self {
-        Self { low: self.low - other.high, high: self.high - other.low }
+        Self { low: self.low - other.high, high: self.high - other.low }.outward()
+    }
+
+    /// The next number below and above: what one rounded operation may be off.
+    fn outward(self) -> Self {
+        Self { low: self.low.next_down(), high: self.high.next_up() }
+    }
+
+    /// Grown on both sides.
+    fn grown(self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }.outward()
     }
 }
 
@@ -54,7 +68,8 @@ pub(crate) fn hull(a: Bounds3, b: Bounds3) -> Bounds3 {
 }
 
 impl Chart {
-    /// Bounds on the derivatives by u and v over ranges of the parameters, as far as they lie in the domain.
+    /// Bounds on the derivatives by u and v over ranges of the parameters, as far as they lie in the domain. They are
+    /// rounded outward, so that they hold for the exact derivatives.
     ///
     /// A part of each patch that the ranges meet is cut out by de Casteljau's algorithm; the differences of its control
     /// points bound the derivatives. With weights, after a shift of the origin to the middle of the part,
@@ -97,6 +112,9 @@ impl Patch {
         for i in 0..n {
             restrict(&mut net, i * m, 1, m, y);
         }
+        // Each direction is restricted in two runs of as many steps as its degree; the shift of the origin is one more.
+        let largest = net.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let rounding = STEP_ROUNDING * (2 * (n + m)) as f64 * largest;
         let rational = net.iter().any(|p| p[3] != 1.0);
         let mut weight = Range { low: 1.0, high: 1.0 };
         let mut room = [Range { low: 0.0, high: 0.0 }; 3];
@@ -112,6 +130,10 @@ impl Patch {
                     room[c].add(p[c] / p[3]);
                 }
             }
+            weight = weight.grown(rounding);
+            // Weights near 0 bound nothing.
+            let least = weight.low.max(0.0);
+            room = room.map(|r| r.grown(rounding / least));
         }
         [0, 1].map(|k| {
             let width = self.ranges[k][1] - self.ranges[k][0];
@@ -128,10 +150,14 @@ impl Patch {
                     }
                 }
             }
+            let slopes = slopes.map(|r| r.grown(2.0 * rounding * scale));
             if !rational {
                 return [slopes[0], slopes[1], slopes[2]];
             }
-            let inverse = Range { low: 1.0 / weight.high, high: 1.0 / weight.low };
+            if !(weight.low > 0.0) {
+                return [Range { low: f64::NEG_INFINITY, high: f64::INFINITY }; 3];
+            }
+            let inverse = Range { low: 1.0 / weight.high, high: 1.0 / weight.low }.outward();
             std::array::from_fn(|c| slopes[c].minus(room[c].times(slopes[3])).times(inverse))
         })
     }
@@ -191,7 +217,7 @@ mod tests {
                         for d in 0..2 {
                             let own: [f64; 3] = jet[d + 1].into();
                             for c in 0..3 {
-                                let slack = 1e-9 * (1.0 + own[c].abs());
+                                let slack = 1e-13 * (1.0 + own[c].abs());
                                 assert!(bounds[d][c].low <= own[c] + slack, "{i} {step} {k} {l}");
                                 assert!(bounds[d][c].high >= own[c] - slack, "{i} {step} {k} {l}");
                                 if width < 0.1 {

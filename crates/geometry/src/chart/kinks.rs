@@ -1,9 +1,7 @@
 //! Cutting a surface along its kinks.
 
+use crate::trace::thresholds::STRAIGHT;
 use crate::{Direction, NurbsSurface, Result};
-
-/// Legs of the control net that turn by less than this many radians at a knot line are no kink.
-const STRAIGHT: f64 = 1e-6;
 
 /// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together.
 ///

@@ -140,7 +140,7 @@ impl Chart {
         let (a, b) = (jet[1], jet[2]);
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
         let determinant = e * g - f * f;
-        if !(determinant > 1e-14 * e * g) {
+        if !(determinant > crate::trace::thresholds::PARALLEL_SQUARED * e * g) {
             return None;
         }
         let (p, q) = (w.dot(a), w.dot(b));

@@ -326,7 +326,7 @@ pub fn sphere_sphere(a: (Point3, f64), b: (Point3, f64), tolerance: f64) -> Sphe
 
 /// Of the triangle with base `d` and the sides `ra` and `rb` over it: where the height stands on the base, measured
 /// from the first corner, and the height, by W. Kahan's stable form of Heron's formula.
-fn triangle(d: f64, ra: f64, rb: f64) -> (f64, f64) {
+pub(super) fn triangle(d: f64, ra: f64, rb: f64) -> (f64, f64) {
     let along = 0.5 * (d + (ra - rb) * (ra + rb) / d);
     let mut s = [d, ra, rb];
     s.sort_by(|x, y| y.total_cmp(x));

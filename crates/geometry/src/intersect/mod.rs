@@ -1,6 +1,7 @@
 //! Where things meet: lines and planes in closed form, curves and surfaces by subdivision with bounds.
 
 mod analytic;
+mod closed_forms;
 mod clusters;
 mod curve_curve;
 mod curve_plane;
@@ -26,6 +27,7 @@ pub use analytic::{
     circle_circle, line_arc, line_bounding_box, line_box, line_circle, line_cylinder, line_sphere, plane_arc,
     plane_circle, plane_sphere, sphere_sphere,
 };
+pub use closed_forms::{Axis, Carrier, CarrierCurve, CarrierMeeting, Conic, carrier_carrier};
 pub use curve_curve::{curve_curve, curve_self};
 pub use curve_plane::{PlaneIntersections, curve_plane};
 pub(crate) use curve_surface::curve_surface_within;
@@ -37,7 +39,6 @@ pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
 pub use surface_kinds::curve_with_surface;
 pub(crate) use surface_kinds::curve_with_surface_within;
 pub use surface_plane::{SurfaceSection, surface_plane};
-pub(crate) use surface_surface::common_planes;
 pub use surface_surface::{
     SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, surface_surface,
 };

@@ -1,6 +1,7 @@
 //! Curves through the places that were followed: in space and in both domains, of one parameter.
 
-use super::{Four, Pair, Place};
+use super::thresholds::{ALONG, FLAT_ARC, SAME_PLACE};
+use super::{Condition, Cubic, Four, Pair, Place};
 use crate::curve::traced::{Sample, shape};
 use crate::{Curve, NurbsCurve, Point3, Result, Vector3};
 
@@ -36,7 +37,50 @@ fn apart(places: &[Place], near: f64) -> Vec<Place> {
 
 /// Whether the curve runs along a direction at a place.
 fn is_along(place: &Place, direction: Vector3) -> bool {
-    place.tangent.cross(direction).length() <= 1e-7 * direction.length()
+    place.tangent.cross(direction).length() <= ALONG * direction.length()
+}
+
+/// So often are places put between, which makes the cubics 16 times as exact each time.
+const REFINEMENTS: usize = 4;
+
+/// As [`fitted`], with places put between until the deviation is within a limit, if that helps.
+///
+/// # Errors
+/// A number is not finite.
+pub(crate) fn fitted_within(pair: &Pair<'_>, places: &[Place], shift: Vector3, limit: f64) -> Result<Fitted> {
+    let mut fit = fitted(pair, places, shift)?;
+    let mut places = places.to_vec();
+    for _ in 0..REFINEMENTS {
+        if fit.deviation <= limit {
+            break;
+        }
+        places = halved(pair, &places);
+        let finer = fitted(pair, &places, shift)?;
+        if finer.deviation < fit.deviation {
+            fit = finer;
+        }
+    }
+    Ok(fit)
+}
+
+/// The places with one more between two, where Newton's method finds one.
+fn halved(pair: &Pair<'_>, places: &[Place]) -> Vec<Place> {
+    let mut out: Vec<Place> = places.first().copied().into_iter().collect();
+    for w in places.windows(2) {
+        let [from, to] = [&w[0], &w[1]];
+        let chord = to.point - from.point;
+        let cubic = Cubic { from, to, length: chord.length() };
+        let x = chord.unitized().and_then(|across| {
+            pair.polished(cubic.parameters(0.5), Condition::Slice { through: cubic.point(0.5), across })
+        });
+        out.extend(x.and_then(|x| pair.place(x)).filter(|m| {
+            // Between both, or it is a place of another curve.
+            let along = (m.point - from.point).dot(chord);
+            along > 0.0 && along < chord.length_squared() && m.tangent.dot(from.tangent) > 0.0
+        }));
+        out.push(*to);
+    }
+    out
 }
 
 /// The curve through places in order. It runs by its length: lines and arcs as such, else cubics.
@@ -44,12 +88,12 @@ fn is_along(place: &Place, direction: Vector3) -> bool {
 /// # Errors
 /// A number is not finite.
 pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place], shift: Vector3) -> Result<Fitted> {
-    let places = &apart(places, 1e-7 * pair.size());
+    let places = &apart(places, SAME_PLACE * pair.size());
     let mut lengths = vec![0.0];
     for w in places.windows(2) {
         // The length of an arc with these tangents.
         let half = 0.5 * w[0].tangent.angle_to(w[1].tangent).unwrap_or(0.0);
-        let stretch = if half > 1e-6 { half / half.sin() } else { 1.0 };
+        let stretch = if half > FLAT_ARC { half / half.sin() } else { 1.0 };
         lengths.push(lengths.last().copied().unwrap_or(0.0) + stretch * (w[1].point - w[0].point).length());
     }
     let samples: Vec<Sample> = places

@@ -1,6 +1,7 @@
 //! From a place of the common curve to its end.
 
 use super::proof::Box4;
+use super::thresholds::{BESIDE, RATE, REACH};
 use super::{Condition, Four, Pair, Place};
 use crate::{Result, Vector3, patience};
 
@@ -51,7 +52,7 @@ impl Proved {
     /// Whether a common point must be one of the curve.
     fn holds(&self, x: Four, point: Vector3) -> bool {
         let ahead = self.across.dot(point - self.through);
-        let slack = 1e-6 * self.reach;
+        let slack = REACH * self.reach;
         (0..4).all(|k| self.bounds[k][0] <= x[k] && x[k] <= self.bounds[k][1])
             && ahead >= -slack
             && ahead <= self.reach + slack
@@ -141,7 +142,9 @@ fn leads_out(pair: &Pair<'_>, place: &Place, sign: f64) -> bool {
     (0..4).any(|k| {
         let domain = pair.domain(k);
         let rate = sign * place.velocity[k] * pair.size() / domain.length();
-        (place.x[k] <= domain.start && rate < -1e-9) || (place.x[k] >= domain.end && rate > 1e-9)
+        let slack = pair.slack(k);
+        (place.x[k] <= domain.start + slack && rate < -RATE)
+            || (place.x[k] >= domain.end - slack && rate > RATE)
     })
 }
 
@@ -183,7 +186,7 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     let tangent = cubic.direction(0.5)?;
     let through = cubic.point(0.5);
     let true_x = pair.polished(middle, Condition::Slice { through, across: tangent })?;
-    let slack = |k: usize| 1e-7 * pair.domain(k).length();
+    let slack = |k: usize| BESIDE * pair.domain(k).length();
     if (0..4)
         .any(|k| true_x[k] < pair.domain(k).start - slack(k) || true_x[k] > pair.domain(k).end + slack(k))
     {
@@ -205,7 +208,7 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     if !pair.is_graph(bounds, along) {
         return None;
     }
-    let growth = (0.3 * limits.tolerance / miss.max(1e-300)).powf(0.25).clamp(0.5, 2.0);
+    let growth = (0.3 * limits.tolerance / miss.max(f64::MIN_POSITIVE)).powf(0.25).clamp(0.5, 2.0);
     let proved = Proved { bounds, through: from.point, across: along, reach };
     Some(Step { to, proved, at_border, growth })
 }

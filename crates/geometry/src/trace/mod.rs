@@ -4,9 +4,10 @@ mod fit;
 mod follow;
 mod newton;
 mod proof;
+pub(crate) mod thresholds;
 
-pub(crate) use fit::fitted;
-pub(crate) use follow::{End, Followed, Limits, followed};
+pub(crate) use fit::{fitted, fitted_within};
+pub(crate) use follow::{Cubic, End, Followed, Limits, followed};
 pub(crate) use newton::{Condition, solved};
 pub(crate) use proof::Box4;
 
@@ -50,8 +51,7 @@ impl<'a> Pair<'a> {
             let bounds = c.nurbs().hull_box();
             bounds.min.to_vector().length().max(bounds.max.to_vector().length())
         });
-        let noise = 1e-14 * (a.size() + b.size()) + 4e-16 * (far[0] + far[1]);
-        Self { charts: [a, b], noise }
+        Self { charts: [a, b], noise: thresholds::noise([a.size(), b.size()], far) }
     }
 
     /// The smaller of the surfaces' sizes.
@@ -75,7 +75,7 @@ impl<'a> Pair<'a> {
         let [m, n] = [0, 1].map(|s| jets[s][1].cross(jets[s][2]).unitized());
         let cross = m?.cross(n?);
         let angle = cross.length();
-        if !(angle > 1e-9) {
+        if !(angle > thresholds::TANGENT) {
             return None;
         }
         let tangent = cross / angle;
@@ -91,7 +91,7 @@ impl<'a> Pair<'a> {
 
     /// How far one parameter may lie beyond its domain and still count as on its side.
     pub(crate) fn slack(&self, k: usize) -> f64 {
-        1e-10 * self.domain(k).length()
+        thresholds::ON_SIDE * self.domain(k).length()
     }
 
     /// Which parameters lie beyond their domain, and at which end.

@@ -1,5 +1,6 @@
 //! Points of the common curve by Newton's method in four unknowns.
 
+use super::thresholds::{MET, PIVOT, ROOM};
 use super::{Four, Pair};
 use crate::Vector3;
 
@@ -45,7 +46,7 @@ impl Pair<'_> {
                 }
                 Condition::Fixed { parameter, value } => {
                     // In the unit of length of that direction, as the other rows are.
-                    let unit = columns[parameter].length().max(1e-9 * limit);
+                    let unit = columns[parameter].length().max(ROOM * limit);
                     m[3][parameter] = unit;
                     m[3][4] = unit * (value - x[parameter]) / self.domain(parameter).length();
                 }
@@ -67,9 +68,13 @@ impl Pair<'_> {
             }
             last = moved;
         }
+        if let Condition::Fixed { parameter, value } = condition {
+            // To the last bit, so that a place on a side is on it.
+            x[parameter] = value;
+        }
         let ends = [0, 1].map(|s| self.charts[s].jet(super::on(x, s))[0]);
         let gap = (ends[0] - ends[1]).length();
-        (gap <= 64.0 * self.noise).then_some(x)
+        (gap <= MET * self.noise).then_some(x)
     }
 }
 
@@ -91,7 +96,7 @@ pub(crate) fn solved(mut m: [[f64; 5]; 4]) -> Option<Four> {
                 }
             }
         }
-        if best <= 1e-14 * largest {
+        if best <= PIVOT * largest {
             rank = k;
             break;
         }

@@ -8,8 +8,13 @@
 //! Methods for Systems of Equations*, 5.1; for normals T. Sederberg and R. Meyers, *Loop detection in surface patch
 //! intersections*, 1988).
 
+use super::thresholds::ROOM;
 use super::{Four, Pair};
 use crate::Vector3;
+
+/// What rounding adds at most to a sum of four products of which each factor is a rounded middle of a range, as a part of
+/// the sum of their sizes: ten operations.
+const SUM: f64 = 10.0 * f64::EPSILON;
 
 /// A box of the four parameters.
 pub(crate) type Box4 = [[f64; 2]; 4];
@@ -18,7 +23,7 @@ impl Pair<'_> {
     /// The box grown by a share of its widths on every side, within the domains.
     pub(crate) fn grown(&self, b: Box4, share: f64) -> Box4 {
         std::array::from_fn(|k| {
-            let room = share * (b[k][1] - b[k][0]) + 1e-9 * self.domain(k).length();
+            let room = share * (b[k][1] - b[k][0]) + ROOM * self.domain(k).length();
             let domain = self.domain(k);
             [(b[k][0] - room).max(domain.start), (b[k][1] + room).min(domain.end)]
         })
@@ -44,15 +49,23 @@ impl Pair<'_> {
             }
         }
         let Some(inverse) = inverted(middle) else { return false };
-        // All matrices are regular when the absolute inverse of the middle times the radii shrinks some positive vector.
+        // With C near the inverse of the middle, all matrices M are regular when |1 − C M| shrinks some positive vector:
+        // what C is off, and what rounding adds to each sum, count as well.
         let mut shrink = [[0.0; 4]; 4];
         for i in 0..4 {
             for j in 0..4 {
-                shrink[i][j] = (0..4).map(|k| inverse[i][k].abs() * radius[k][j]).sum();
+                let one = if i == j { 1.0 } else { 0.0 };
+                let (mut product, mut size, mut spread) = (0.0, one, 0.0);
+                for k in 0..4 {
+                    product += inverse[i][k] * middle[k][j];
+                    size += (inverse[i][k] * middle[k][j]).abs();
+                    spread += inverse[i][k].abs() * radius[k][j];
+                }
+                shrink[i][j] = (one - product).abs() + spread + SUM * size;
             }
         }
         // Towards the vector that is shrunk most evenly; any positive one is a proof.
-        let mut z: Four = std::array::from_fn(|k| (b[k][1] - b[k][0]).max(1e-300));
+        let mut z: Four = std::array::from_fn(|k| (b[k][1] - b[k][0]).max(f64::MIN_POSITIVE));
         for _ in 0..6 {
             let next: Four = std::array::from_fn(|i| (0..4).map(|j| shrink[i][j] * z[j]).sum());
             if (0..4).all(|i| next[i] < 0.9 * z[i]) {

@@ -1,11 +1,10 @@
 //! What surfaces do where nothing could be proved: they touch there, or nearly.
 
+use super::touch::{Bends, bends, touching};
 use super::{SurfaceContact, SurfaceContactKind};
+use crate::Point3;
+use crate::trace::thresholds::{CLUSTER, POINT};
 use crate::trace::{Box4, Four, Pair, on};
-use crate::{Point3, Vector3};
-
-/// A group of more boxes than this along its longest side is no point.
-const POINT: f64 = 1e-3;
 
 /// The contacts that undecided boxes of parameters belong to.
 pub(super) fn contacts(pair: &Pair<'_>, undecided: &[Box4], tolerance: f64) -> Vec<SurfaceContact> {
@@ -54,26 +53,26 @@ fn contact(pair: &Pair<'_>, boxes: &[Box4], group: &[usize], tolerance: f64) -> 
             std::array::from_fn(|k| [all[k][0].min(b[k][0]), all[k][1].max(b[k][1])])
         });
     let middle: Four = ranges.map(|[a, b]| 0.5 * (a + b));
-    let small = (0..4).all(|k| ranges[k][1] - ranges[k][0] <= POINT * pair.domain(k).length());
-    let starts = if small { vec![middle] } else { spread(boxes, group) };
+    let length = (0..4).map(|k| (ranges[k][1] - ranges[k][0]) / pair.domain(k).length()).fold(0.0, f64::max);
+    let starts = if length <= POINT { vec![middle] } else { spread(boxes, group) };
     let nearest: Vec<(f64, Four)> = starts.iter().map(|x| nearest(pair, *x)).collect();
     let (gap, x) = nearest.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let jets = pair.jets(x);
     if gap > tolerance {
         return None;
     }
+    // The distance is flat around a tangent place: the tangent planes tell where it is to all digits.
+    let exact = touching(pair, x, None).filter(|y| {
+        let jets = pair.jets(*y);
+        let there = (jets[0][0] - jets[1][0]).length();
+        let moved = (pair.jets(x)[0][0] - jets[0][0]).length();
+        pair.beyond(*y).iter().all(Option::is_none) && there <= tolerance && moved <= CLUSTER * pair.size()
+    });
+    let x = exact.map_or(x, |y| pair.clamped(y));
+    let jets = pair.jets(x);
+    let gap = (jets[0][0] - jets[1][0]).length();
     let kind = match bends(pair, x) {
         None => SurfaceContactKind::Undecided,
-        Some([low, high]) => {
-            let flat = 1e-4 * (low.abs() + high.abs()).max(1e-3 / pair.size());
-            match (small, low.abs() <= flat, high.abs() <= flat) {
-                (true, false, false) if low * high > 0.0 => SurfaceContactKind::Point,
-                (true, false, false) => SurfaceContactKind::Crossing,
-                (false, true, true) => SurfaceContactKind::Overlap,
-                (false, true, false) | (false, false, true) => SurfaceContactKind::Curve,
-                _ => SurfaceContactKind::Undecided,
-            }
-        }
+        Some(bends) => kind(&bends, bends.flat(pair.size()), length),
     };
     Some(SurfaceContact {
         kind,
@@ -81,7 +80,23 @@ fn contact(pair: &Pair<'_>, boxes: &[Box4], group: &[usize], tolerance: f64) -> 
         at: [on(x, 0), on(x, 1)],
         gap,
         ranges,
+        curve: None,
     })
+}
+
+/// What the difference of the second fundamental forms says of a contact: it bends the same way in all directions, both ways,
+/// in one direction only, or not at all (Dupin's indicatrix of the difference). `length` is that of the group, as a part of
+/// the domains.
+fn kind(bends: &Bends, flat: f64, length: f64) -> SurfaceContactKind {
+    let [low, high] = bends.values;
+    match [low, high].map(|x| x.abs() <= flat) {
+        [false, false] if length > CLUSTER => SurfaceContactKind::Undecided,
+        [false, false] if low * high > 0.0 => SurfaceContactKind::Point,
+        [false, false] => SurfaceContactKind::Crossing,
+        _ if length <= POINT => SurfaceContactKind::Undecided,
+        [true, true] => SurfaceContactKind::Overlap,
+        _ => SurfaceContactKind::Curve,
+    }
 }
 
 /// The middles of some boxes of a group, evenly by their order.
@@ -89,6 +104,11 @@ fn spread(boxes: &[Box4], group: &[usize]) -> Vec<Four> {
     let step = group.len().div_ceil(8).max(1);
     group.iter().step_by(step).filter_map(|i| boxes.get(*i)).map(|b| b.map(|[a, b]| 0.5 * (a + b))).collect()
 }
+
+/// The damping of the first step, as a part of the squared lengths of the derivatives.
+const FIRST_DAMPING: f64 = 1e-3;
+/// Steps with more damping than this are too short to help.
+const MOST_DAMPING: f64 = 1e8;
 
 /// The place near `x` where the way from one surface to the other is square to both, and the distance there: Gauss and
 /// Newton's method on the distance, with a damping term that keeps steps short where the surfaces are parallel.
@@ -98,7 +118,7 @@ fn nearest(pair: &Pair<'_>, x: Four) -> (f64, Four) {
         (jets[0][0] - jets[1][0]).length()
     };
     let (mut x, mut best) = (x, distance(x));
-    let mut damping = 1e-3;
+    let mut damping = FIRST_DAMPING;
     for _ in 0..60 {
         let jets = pair.jets(x);
         let away = jets[0][0] - jets[1][0];
@@ -122,7 +142,7 @@ fn nearest(pair: &Pair<'_>, x: Four) -> (f64, Four) {
             }
         } else {
             damping *= 8.0;
-            if damping > 1e8 {
+            if damping > MOST_DAMPING {
                 break;
             }
         }
@@ -130,40 +150,22 @@ fn nearest(pair: &Pair<'_>, x: Four) -> (f64, Four) {
     (best, x)
 }
 
-/// The two principal values of the difference of both second fundamental forms, in the tangent plane that the surfaces
-/// have in common; `None` where they have none.
-fn bends(pair: &Pair<'_>, x: Four) -> Option<[f64; 2]> {
-    let forms = [0, 1].map(|s| {
-        let [_, su, sv, suu, suv, svv] = pair.charts[s].second_jet(on(x, s));
-        (su, sv, su.cross(sv).unitized(), [suu, suv, svv])
-    });
-    let normal = forms[0].2?;
-    let other = forms[1].2?;
-    if normal.cross(other).length() > 1e-2 {
-        return None;
-    }
-    let e = forms[0].0.unitized()?;
-    let f = normal.cross(e);
-    let mut difference = [0.0; 3];
-    for (s, (su, sv, _, [suu, suv, svv])) in forms.iter().enumerate() {
-        let jet = [Vector3::ZERO, *su, *sv];
-        let [p, q] = [crate::chart::Chart::lifted(&jet, e)?, crate::chart::Chart::lifted(&jet, f)?];
-        let bend = |a: [f64; 2], b: [f64; 2]| {
-            (*suu * (a[0] * b[0]) + *suv * (a[0] * b[1] + a[1] * b[0]) + *svv * (a[1] * b[1])).dot(normal)
-        };
-        let sign = if s == 0 { 1.0 } else { -1.0 };
-        for (slot, value) in difference.iter_mut().zip([bend(p, p), bend(p, q), bend(q, q)]) {
-            *slot += sign * value;
-        }
-    }
-    let [a, b, c] = difference;
-    let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
-    Some([mean - half, mean + half])
-}
-
 /// Drops what was not decided only because a surface has a pole there that a curve runs into or past.
 pub(super) fn drop_poles(contacts: &mut Vec<SurfaceContact>, poles: &[Point3], near: f64) {
     contacts.retain(|c| {
         c.kind != SurfaceContactKind::Undecided || !poles.iter().any(|p| p.distance_to(c.point) <= near)
     });
+}
+
+/// Drops points that were found before: one on a line between pieces, or on a seam, lies in several.
+pub(super) fn drop_doubles(contacts: &mut Vec<SurfaceContact>, near: f64) {
+    let mut kept: Vec<SurfaceContact> = Vec::with_capacity(contacts.len());
+    for contact in contacts.drain(..) {
+        let is_point = matches!(contact.kind, SurfaceContactKind::Point | SurfaceContactKind::Crossing);
+        let known = |k: &SurfaceContact| k.kind == contact.kind && k.point.distance_to(contact.point) <= near;
+        if !(is_point && kept.iter().any(known)) {
+            kept.push(contact);
+        }
+    }
+    *contacts = kept;
 }

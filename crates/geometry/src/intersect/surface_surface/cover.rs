@@ -1,6 +1,7 @@
 //! Every leaf of the search is shown to hold nothing, or is crossed by a curve that was followed.
 
 use super::search::{Leaf, Search};
+use crate::trace::thresholds::{MET, ROOM};
 use crate::trace::{Condition, End, Followed, Four, Limits, Place, followed};
 use crate::{Direction, Result, intersect, patience};
 
@@ -32,7 +33,7 @@ impl Curves {
                     if !boxes_meet(&side, other) {
                         continue;
                     }
-                    let both = intersect::curve_surface(&side.into(), other.nurbs(), 64.0 * pair.noise)?;
+                    let both = intersect::curve_surface(&side.into(), other.nurbs(), MET * pair.noise)?;
                     self.complete &= both.complete;
                     let stretches = both.overlaps.iter().map(|o| (o.t.middle(), mean(o.from, o.to)));
                     let points = both.crossings.iter().map(|c| (c.t, [c.u, c.v])).chain(stretches);
@@ -113,7 +114,7 @@ fn mean(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 /// Whether the boxes of a side and a surface have anything in common.
 fn boxes_meet(side: &crate::NurbsCurve, other: &crate::chart::Chart) -> bool {
     let Some(a) = crate::BoundingBox::from_points(side.control_points()) else { return false };
-    let b = other.nurbs().hull_box().inflated(1e-9 * other.size());
+    let b = other.nurbs().hull_box().inflated(ROOM * other.size());
     [
         (a.min.x, a.max.x, b.min.x, b.max.x),
         (a.min.y, a.max.y, b.min.y, b.max.y),

@@ -2,24 +2,28 @@
 
 mod contacts;
 mod cover;
-mod planar;
+mod equal;
 mod rows;
 mod search;
-
-pub(crate) use planar::common_planes;
+mod tangent_curve;
+mod touch;
 
 use cover::Curves;
 use search::Search;
+use tangent_curve::tangent_curve;
 
 use crate::chart::{Chart, smooth_pieces};
-use crate::trace::{Limits, Pair, fitted};
-use crate::{Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Tolerance, Xform};
+use crate::trace::thresholds::{
+    ABOVE_NOISE, AT_CONTACT, AT_POLE, COARSEST, LONGEST, ON_CURVE, SAME_PLACE, SHORTEST, SMALLEST,
+};
+use crate::trace::{Limits, Pair, fitted, fitted_within};
+use crate::{Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Tolerance, Vector3, Xform};
 
-/// A curve along which two surfaces pass through each other.
+/// A curve along which two surfaces pass through each other, or touch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceBranch {
     /// The curve: a line, an arc or a circle where it is one to rounding, else cubics. It runs along the product of the
-    /// normals of the surfaces.
+    /// normals of the surfaces where they pass through each other.
     pub curve: Curve,
     /// Its images in the domain of the first and of the second surface (z is 0). At equal shares of the domains they and
     /// the curve are at the same point. Across a seam they go on beyond the domain.
@@ -58,6 +62,8 @@ pub struct SurfaceContact {
     pub gap: f64,
     /// The ranges of u and v of the first, then of the second surface within which the contact lies.
     pub ranges: [[f64; 2]; 4],
+    /// The curve along which they touch, when they do so from side to side or around.
+    pub curve: Option<SurfaceBranch>,
 }
 
 /// All that two surfaces have in common.
@@ -83,6 +89,10 @@ pub struct SurfaceMeeting {
 /// (After T. Sederberg and R. Meyers, *Loop detection in surface patch intersections*, 1988, with interval bounds instead of
 /// cones; marching as in N. Patrikalakis and T. Maekawa, *Shape Interrogation*, 5.8.)
 ///
+/// Where the surfaces touch, Newton's method on their tangent planes finds the place, and the difference of their second
+/// fundamental forms its kind; along a curve the way goes on where the difference is 0. Surfaces of equal control points and
+/// knots overlap as a whole.
+///
 /// The result does not depend on the order of the surfaces but for the direction of branches, nor on the number of threads.
 ///
 /// # Errors
@@ -100,6 +110,9 @@ pub fn surface_surface(a: &NurbsSurface, b: &NurbsSurface, tolerance: &Tolerance
         for contact in &mut out.contacts {
             contact.at.reverse();
             contact.ranges.rotate_left(2);
+            if let Some(curve) = &mut contact.curve {
+                curve.parameters.reverse();
+            }
         }
         return Ok(out);
     }
@@ -127,10 +140,15 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     let whole = [Chart::new(a.transformed(&home)?)?, Chart::new(b.transformed(&home)?)?];
     let pair = Pair::new(&whole[0], &whole[1]);
     let size = pair.size();
+    if let Some(mut all) = equal::equal(&pair) {
+        all.point += shift;
+        out.contacts.push(all);
+        return Ok(out);
+    }
     let limits = Limits {
-        tolerance: 0.5 * limit.min(1e-2 * size).max(1e3 * pair.noise),
-        shortest: (1e-6 * size).max(1e3 * pair.noise),
-        longest: 0.25 * size,
+        tolerance: 0.5 * limit.min(COARSEST * size).max(ABOVE_NOISE * pair.noise),
+        shortest: (SHORTEST * size).max(ABOVE_NOISE * pair.noise),
+        longest: LONGEST * size,
         most: 50_000,
     };
     let pieces = [smooth_pieces(whole[0].nurbs())?, smooth_pieces(whole[1].nurbs())?];
@@ -144,7 +162,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     for first in &charts[0] {
         for second in &charts[1] {
             let part = Pair { charts: [first, second], noise: pair.noise };
-            let mut search = Search::new(part, 1e-5 * size)?;
+            let mut search = Search::new(part, SMALLEST * size)?;
             let places = search.places()?;
             if places.leaves.is_empty() && places.undecided.is_empty() {
                 continue;
@@ -153,15 +171,16 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
             curves.add_from_sides(&search)?;
             curves.add_from_leaves(&mut search, places.leaves)?;
             out.complete &= curves.complete;
-            let contacts = contacts::contacts(&part, &places.undecided, limit);
+            let mut contacts = contacts::contacts(&part, &places.undecided, limit);
+            follow_tangents(&part, &mut contacts, &out.contacts, &limits, shift)?;
             for stuck in curves.stuck() {
                 let known = contacts.iter().any(|c| {
                     c.kind != SurfaceContactKind::Undecided
-                        && (c.point.to_vector() - stuck.point).length() <= 1e-2 * size
+                        && (c.point.to_vector() - stuck.point).length() <= AT_CONTACT * size
                 });
-                let pole = [first, second]
-                    .iter()
-                    .any(|c| c.poles().iter().any(|p| (p.to_vector() - stuck.point).length() <= 1e-3 * size));
+                let pole = [first, second].iter().any(|c| {
+                    c.poles().iter().any(|p| (p.to_vector() - stuck.point).length() <= AT_POLE * size)
+                });
                 out.complete &= known || pole;
             }
             out.contacts.extend(contacts);
@@ -169,7 +188,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
         }
     }
     for row in rows::joined(&pair, followed) {
-        let fit = fitted(&pair, &row.places, shift)?;
+        let fit = fitted_within(&pair, &row.places, shift, limit)?;
         out.branches.push(SurfaceBranch {
             curve: fit.curve,
             parameters: fit.parameters,
@@ -178,7 +197,8 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
         });
     }
     let poles: Vec<Point3> = whole.iter().flat_map(Chart::poles).collect();
-    contacts::drop_poles(&mut out.contacts, &poles, 1e-3 * size);
+    contacts::drop_poles(&mut out.contacts, &poles, AT_POLE * size);
+    contacts::drop_doubles(&mut out.contacts, SAME_PLACE * size);
     for contact in &mut out.contacts {
         out.complete &= contact.kind != SurfaceContactKind::Undecided;
         contact.point += shift;
@@ -186,5 +206,53 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     Ok(out)
 }
 
+/// Gives contacts along curves their curves, and drops what lies on the curve of another one.
+fn follow_tangents(
+    pair: &Pair<'_>,
+    contacts: &mut Vec<SurfaceContact>,
+    before: &[SurfaceContact],
+    limits: &Limits,
+    shift: Vector3,
+) -> Result<()> {
+    let (mut along, rest): (Vec<_>, Vec<_>) =
+        contacts.drain(..).partition(|c| c.kind == SurfaceContactKind::Curve);
+    let mut kept: Vec<SurfaceContact> = Vec::new();
+    for mut contact in along.drain(..) {
+        if is_known(&kept, &contact, pair.size(), shift)? || is_known(before, &contact, pair.size(), shift)? {
+            continue;
+        }
+        let [[a, b], [c, d]] = contact.at;
+        if let Some(found) = tangent_curve(pair, [a, b, c, d], limits)? {
+            let fit = fitted(pair, &found.places, shift)?;
+            contact.curve = Some(SurfaceBranch {
+                curve: fit.curve,
+                parameters: fit.parameters,
+                deviation: fit.deviation,
+                closed: found.closed,
+            });
+        }
+        kept.push(contact);
+    }
+    for contact in rest {
+        if contact.kind != SurfaceContactKind::Undecided || !is_known(&kept, &contact, pair.size(), shift)? {
+            kept.push(contact);
+        }
+    }
+    *contacts = kept;
+    Ok(())
+}
+
+/// Whether the place of a contact lies on a curve that was followed.
+fn is_known(kept: &[SurfaceContact], contact: &SurfaceContact, size: f64, shift: Vector3) -> Result<bool> {
+    for branch in kept.iter().filter_map(|k| k.curve.as_ref()) {
+        if branch.curve.closest_point_within(contact.point + shift, ON_CURVE * size)?.is_some() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+#[cfg(test)]
+mod families;
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! Curves that go on across seams and lines between pieces, as one.
 
+use crate::trace::thresholds::{MET, SAME_END, SAME_PARAMETER, SAME_PLACE, SMOOTH};
 use crate::trace::{End, Followed, Four, Pair, Place};
 
 /// The places of a whole curve.
@@ -70,8 +71,8 @@ fn shifted(places: &[Place], shift: Four) -> Vec<Place> {
 
 /// By what the parameters of a curve that begins at `next` are moved to go on from `end`, if it does so smoothly.
 fn goes_on(pair: &Pair<'_>, end: &Place, next: &Place) -> Option<Four> {
-    let near = (end.point - next.point).length() <= 1e-8 * pair.size() + 64.0 * pair.noise;
-    if !near || end.tangent.dot(next.tangent) < 1.0 - 1e-6 {
+    let near = (end.point - next.point).length() <= SAME_END * pair.size() + MET * pair.noise;
+    if !near || end.tangent.dot(next.tangent) < 1.0 - SMOOTH {
         return None;
     }
     let mut shift = [0.0; 4];
@@ -81,7 +82,7 @@ fn goes_on(pair: &Pair<'_>, end: &Place, next: &Place) -> Option<Four> {
         let moved = pair.charts[s].unwrapped(own, to);
         for k in 0..2 {
             shift[2 * s + k] = moved[k] - own[k];
-            if (moved[k] - to[k]).abs() > 1e-6 * pair.domain(2 * s + k).length() {
+            if (moved[k] - to[k]).abs() > SAME_PARAMETER * pair.domain(2 * s + k).length() {
                 return None;
             }
         }
@@ -91,7 +92,7 @@ fn goes_on(pair: &Pair<'_>, end: &Place, next: &Place) -> Option<Four> {
 
 /// Whether two rows are the same curve, by their ends and a place between.
 fn is_same(pair: &Pair<'_>, a: &Row, b: &Row) -> bool {
-    let near = 1e-7 * pair.size();
+    let near = SAME_PLACE * pair.size();
     let close = |p: Option<&Place>, q: Option<&Place>| {
         p.zip(q).is_some_and(|(p, q)| (p.point - q.point).length() <= near)
     };

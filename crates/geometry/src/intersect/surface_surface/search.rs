@@ -2,6 +2,7 @@
 
 use super::super::judge::separated;
 use super::super::patch_tree::{PatchNode, PatchTree};
+use crate::trace::thresholds::{MET, TINY};
 use crate::trace::{Box4, Pair};
 use crate::{Result, Vector3, patience};
 
@@ -141,7 +142,7 @@ impl<'a> Search<'a> {
 
     /// Whether the hulls of the control points are proved to be apart.
     fn is_apart(&self, nodes: [u32; 2]) -> bool {
-        let reach = 64.0 * self.pair.noise;
+        let reach = MET * self.pair.noise;
         let [a, b] = [0, 1].map(|s| self.node(nodes, s));
         if (0..3).any(|k| a.min[k] > b.max[k] + reach || b.min[k] > a.max[k] + reach) {
             return true;
@@ -179,7 +180,7 @@ impl<'a> Search<'a> {
 
     /// The parts of a leaf that may hold a common point; none when it cannot be divided.
     pub(super) fn parts(&mut self, leaf: &Leaf) -> Vec<Leaf> {
-        let tiny = 1e-4 * self.smallest;
+        let tiny = TINY * self.smallest;
         if (0..2).all(|s| self.node(leaf.nodes, s).size_squared() < tiny * tiny) {
             return Vec::new();
         }

@@ -106,7 +106,54 @@ fn contacts_have_names() {
     assert_eq!(kind(1.0, 0.0).0, vec![SurfaceContactKind::Curve]);
     assert_eq!(kind(0.0, 0.0).0, vec![SurfaceContactKind::Overlap]);
     let touch = meet(&graph(1.0, 1.0, 0.0), &floor());
-    assert!(touch.contacts[0].point.distance_to(Point3::ORIGIN) < 1e-4);
+    assert!(touch.contacts[0].point.distance_to(Point3::ORIGIN) < 1e-12);
+}
+
+#[test]
+fn tangent_points_are_exact() {
+    for (radius, way) in [(1.0, Vector3::new(1.0, 2.0, 2.0)), (0.3, Vector3::new(-2.0, 1.0, 0.5))] {
+        let frame = Plane::from_normal(Point3::new(0.3, -0.2, radius), way).unwrap();
+        let ball = Surface::from(Sphere::new(frame, radius).unwrap()).to_nurbs().unwrap();
+        let met = meet(&ball, &floor());
+        let [only] = &met.contacts[..] else { panic!("{:?}", met.contacts) };
+        assert!(met.complete && met.branches.is_empty());
+        assert_eq!(only.kind, SurfaceContactKind::Point);
+        assert!(only.point.distance_to(Point3::new(0.3, -0.2, 0.0)) < 1e-12, "{:?}", only.point);
+        assert!(only.gap < 1e-14, "{}", only.gap);
+    }
+}
+
+/// The one curve along which two surfaces touch.
+fn tangent_curve(a: &NurbsSurface, b: &NurbsSurface) -> super::SurfaceBranch {
+    let met = meet(a, b);
+    let [only] = &met.contacts[..] else { panic!("{:?}", met.contacts) };
+    assert!(met.complete && met.branches.is_empty());
+    assert_eq!(only.kind, SurfaceContactKind::Curve);
+    let branch = only.curve.clone().unwrap();
+    assert!(branch.deviation < 1e-5, "{}", branch.deviation);
+    branch
+}
+
+#[test]
+fn tangent_curves_are_followed() {
+    // A valley on a floor, from side to side.
+    let valley = tangent_curve(&graph(1.0, 0.0, 0.0), &floor());
+    assert!(!valley.closed);
+    assert!((valley.curve.length() - 4.0).abs() < 1e-9, "{}", valley.curve.length());
+    // A ring under a floor touches it along a circle, across the seams of the ring.
+    let ring = Surface::from(Torus::new(Plane::XY.offset(-0.5), 1.5, 0.5).unwrap()).to_nurbs().unwrap();
+    let top = tangent_curve(&ring, &floor());
+    assert!(top.closed);
+    assert!((top.curve.as_circle(1e-7).unwrap().radius - 1.5).abs() < 1e-8);
+    assert!((top.curve.length() - 1.5 * TAU).abs() < 1e-7);
+    // A ball fills a tube.
+    let frame = Plane::from_normal(Point3::new(0.0, 0.0, 0.2), Vector3::new(1.0, 2.0, 2.0)).unwrap();
+    let ball = Surface::from(Sphere::new(frame, 1.0).unwrap()).to_nurbs().unwrap();
+    let height = crate::Interval::new(-2.0, 2.0);
+    let tube = Surface::from(crate::Cylinder::new(Plane::XY, 1.0, height).unwrap()).to_nurbs().unwrap();
+    let around = tangent_curve(&ball, &tube);
+    assert!(around.closed);
+    assert!((around.curve.as_circle(1e-7).unwrap().radius - 1.0).abs() < 1e-8);
 }
 
 #[test]
