@@ -1,14 +1,15 @@
 //! Calls.
 
 use super::{Emitted, Emitter};
-use crate::bound::{Arg, Expr, Kind, MethodRef};
-use crate::program::Target;
+use crate::bound::{Arg, DynamicOp, Expr, Kind, MethodRef};
+use crate::program::{DynamicSite, Target};
 use crate::sema::Ty;
+use crate::source::Pos;
 use crate::syntax::ast::Passing;
 use crate::vm::op::{Op, Reg};
 
 impl Emitter<'_> {
-    fn method_ref(&mut self, method: &MethodRef) -> MethodRef {
+    pub(super) fn method_ref(&mut self, method: &MethodRef) -> MethodRef {
         MethodRef {
             id: method.id,
             owner: self.ty(method.owner),
@@ -124,10 +125,8 @@ impl Emitter<'_> {
         let mut is_virtual = is_virtual;
         let value_type = self.program.sema.is_value_type(receiver_ty);
         if has_receiver && value_type && is_virtual {
-            let inner = self.program.sema.nullable_of(receiver_ty);
-            if inner.is_none()
-                && let Some(found) = self.program.sema.find_override(receiver_ty, &method)
-            {
+            // The methods of `T?` see to a missing value themselves.
+            if let Some(found) = self.program.sema.find_override(receiver_ty, &method) {
                 method = found;
                 is_virtual = false;
             }
@@ -194,6 +193,37 @@ impl Emitter<'_> {
         self.arguments(base + 1, args, true)?;
         self.pos = pos;
         self.op(Op::Invoke { base });
+        if d != base {
+            self.op(Op::Move { d, a: base });
+        }
+        Ok(())
+    }
+
+    /// An operation whose function is found when it runs, by the types of its operands.
+    pub(super) fn dynamic_into(
+        &mut self,
+        d: Reg,
+        op: &DynamicOp,
+        operands: &[Expr],
+        pos: Pos,
+    ) -> Emitted<()> {
+        let Some(def) = self.def else {
+            self.unsupported(d, "An operation on 'dynamic' here");
+            return Ok(());
+        };
+        let base = self.allocs(operands.len().max(1) as u32)?;
+        for (i, operand) in operands.iter().enumerate() {
+            if i == 0 {
+                self.expr(operand, Some(base))?;
+            } else {
+                self.copied(operand, Some(base + i as Reg))?;
+            }
+        }
+        self.pos = pos;
+        let site = self.program.dynamics.len() as u32;
+        let (op, operands) = (op.clone(), operands.len());
+        self.program.dynamics.push(DynamicSite { op, def, operands, pos, cache: Vec::new() });
+        self.op(Op::Dynamic { site, base });
         if d != base {
             self.op(Op::Move { d, a: base });
         }

@@ -447,6 +447,10 @@ pub(super) fn execute(program: &mut Program, st: &mut State, floor: usize) -> Re
                     }
                 }
             }
+            Op::Dynamic { site, base: b } => {
+                let f = ok!(super::dynamic::target(program, st, site, base + b as usize));
+                enter!(f, b);
+            }
             Op::Native { n, base: b, ty } => {
                 collect!();
                 ok!(native(program, st, n, base + b as usize, ty));

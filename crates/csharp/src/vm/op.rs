@@ -3,6 +3,7 @@
 
 use super::value::Value;
 use crate::bound::Op as BinOp;
+use crate::bound::Origin;
 use crate::sema::{Prim, Ty};
 use crate::source::Pos;
 
@@ -73,6 +74,7 @@ pub enum Op {
     SetType { a: Reg, ty: Ty },
     Call { f: u32, base: Reg },
     CallVirtual { site: u32, base: Reg },
+    Dynamic { site: u32, base: Reg },
     Native { n: u32, base: Reg, ty: Ty },
     Invoke { base: Reg },
     GenNext { base: Reg },
@@ -134,6 +136,8 @@ pub struct Function {
     pub handlers: Vec<Handler>,
     /// Whether a call makes an iterator, of which type.
     pub generator: Option<Ty>,
+    /// What the function of a delegate was made of.
+    pub origin: Origin,
 }
 
 impl Function {
