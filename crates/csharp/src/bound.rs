@@ -124,6 +124,22 @@ pub(crate) struct Lambda {
     pub params: Vec<LocalId>,
     /// What it does.
     pub body: Stmt,
+    /// What an iterator gives.
+    pub iterator: Option<Ty>,
+    /// What it was made of.
+    pub origin: Origin,
+}
+
+/// What the function behind a delegate was made of: by it two delegates are compared.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub enum Origin {
+    /// A lambda, or a function in a function.
+    #[default]
+    Written,
+    /// A method; whether the object it is called on is the first captured variable.
+    Method(MethodRef, bool),
+    /// Several delegates in a row: the first captured variable is the array of them.
+    Joined,
 }
 
 /// Forms of expressions.
@@ -235,6 +251,8 @@ pub(crate) enum DynamicOp {
     Unary(crate::syntax::ast::UnaryOp),
     /// A delegate's call.
     Invoke,
+    /// A cast.
+    Convert(Ty),
 }
 
 /// A statement.

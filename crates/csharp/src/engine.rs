@@ -385,8 +385,11 @@ impl Program {
         let own: Vec<_> = (0..self.sema.defs.len()).filter(|i| !self.sema.defs[*i].library).collect();
         for i in own {
             let def = crate::sema::DefId(i as u32);
-            for method in self.sema.def(def).methods.clone() {
+            // Functions with type parameters in functions become methods while others are bound.
+            let mut next = 0;
+            while let Some(method) = self.sema.def(def).methods.get(next).copied() {
                 self.body(method);
+                next += 1;
             }
             self.static_body(def);
             for field in 0..self.sema.fields.len() {

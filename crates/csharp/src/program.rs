@@ -17,6 +17,20 @@ pub(crate) enum Key {
     Method(MethodId, Ty, Vec<Ty>),
     /// First values of static fields.
     Statics(Ty),
+    /// An operation on `dynamic` values, by its site, for operands of these types.
+    Dynamic(u32, Vec<Ty>),
+}
+
+/// An operation on `dynamic` values.
+#[derive(Debug, Clone)]
+pub(crate) struct DynamicSite {
+    pub(crate) op: bound::DynamicOp,
+    /// The class that it stands in: what it may use.
+    pub(crate) def: DefId,
+    pub(crate) operands: usize,
+    pub(crate) pos: crate::source::Pos,
+    /// The last kinds of operands and their functions.
+    pub(crate) cache: Vec<(Vec<Ty>, u32)>,
 }
 
 /// Texts, each with its place among the constants of a function.
@@ -88,6 +102,8 @@ pub(crate) struct Program {
     pub(crate) natives: Vec<NativeRef>,
     pub(crate) native_keys: HashMap<Name, u32>,
     pub(crate) sites: Vec<Site>,
+    pub(crate) dynamics: Vec<DynamicSite>,
+    pub(crate) dynamic_bodies: HashMap<u32, Arc<bound::Body>>,
     /// Static fields by their type and number.
     pub(crate) statics: HashMap<Ty, u32>,
     pub(crate) static_values: Vec<Value>,
@@ -119,6 +135,8 @@ impl Program {
             natives: Vec::new(),
             native_keys: HashMap::new(),
             sites: Vec::new(),
+            dynamics: Vec::new(),
+            dynamic_bodies: HashMap::new(),
             statics: HashMap::new(),
             static_values: Vec::new(),
             static_inits: Vec::new(),

@@ -27,7 +27,10 @@ impl Binder<'_> {
             let (number, held) = self.held(ty, pos);
             return make(ty, pos, Kind::Deconstruct(Box::new(made), number, vec![held]));
         }
+        let outer =
+            std::mem::replace(&mut self.subscribing, matches!(op, Some(BinaryOp::Add | BinaryOp::Sub)));
         let place = self.value(target);
+        self.subscribing = outer;
         match op {
             None => {
                 if let ExprKind::ArrayInit(values) = &value.kind {
@@ -229,11 +232,21 @@ impl Binder<'_> {
             let sum = self.binary_values(pos, op, place.clone(), right);
             return self.assign_to(pos, place, Item::Value(sum), value.pos);
         }
+        let delegate = self.delegate_operand(op, place.ty, value);
+        if let Some(right) = &delegate
+            && let Some(call) = self.subscribe(pos, op, &place, right.clone())
+        {
+            return call;
+        }
         if !self.check_place(pos, &place, true) {
             return self.wrong(pos);
         }
         let ty = place.ty;
         let (number, held) = self.held(ty, pos);
+        if let Some(right) = delegate {
+            let made = self.binary_values(pos, op, held, right);
+            return make(ty, pos, Kind::Update(Box::new(place), number, Box::new(made), false));
+        }
         if op == BinaryOp::Coalesce {
             let item = self.item(value);
             let inner = self.sema.nullable_of(ty).unwrap_or(ty);

@@ -45,12 +45,8 @@ impl Binder<'_> {
         })
     }
 
-    fn is_delegate(&self, ty: Ty) -> bool {
-        self.sema.def_of(ty).is_some_and(|def| self.sema.def(def).invoke.is_some())
-    }
-
     /// The call of a delegate that is a value.
-    fn call_value(&mut self, pos: Pos, value: Expr, args: &[ast::Arg]) -> Expr {
+    pub(super) fn call_value(&mut self, pos: Pos, value: Expr, args: &[ast::Arg]) -> Expr {
         if self.is_vb() && value.ty != Ty::ERROR && value.ty != Ty::DYNAMIC && !self.is_delegate(value.ty) {
             // In VB parentheses stand for elements too, and behind a property for nothing.
             return if args.is_empty() { value } else { self.element(pos, value, args) };
@@ -171,6 +167,7 @@ impl Binder<'_> {
                 ),
             );
         };
+        let receiver = self.unchanging(receiver);
         let is_abstract = self.sema.method(id).is_abstract;
         if group.base && is_abstract {
             let shown = self.sema.show_method(id);
@@ -181,6 +178,29 @@ impl Binder<'_> {
             pos,
             Kind::Call(Some(Box::new(receiver)), chosen.method, chosen.args, is_virtual && !group.base),
         )
+    }
+
+    /// A struct that may not be changed is copied before a method of it runs (C# specification, 12.8.7.2).
+    fn unchanging(&mut self, receiver: Expr) -> Expr {
+        if !self.sema.is_struct(receiver.ty) {
+            return receiver;
+        }
+        let fixed = match &receiver.kind {
+            Kind::Field(_, field) => {
+                let info = self.sema.field(field.id);
+                info.readonly && !(self.constructor && info.owner == self.def)
+            }
+            Kind::Local(id) => self.locals.get(id.0 as usize).is_some_and(|l| l.passing == Passing::In),
+            _ => false,
+        };
+        if !fixed || self.sema.def(self.def).library {
+            return receiver;
+        }
+        let (ty, pos) = (receiver.ty, receiver.pos);
+        let copy = self.new_local("", ty, Passing::Value);
+        let set = self.set_local(pos, copy, receiver);
+        let copy = self.local(copy, pos);
+        make(ty, pos, Kind::Block(vec![set], Box::new(copy)))
     }
 
     fn same_name_as_type(&mut self, group: &Group) -> bool {

@@ -106,6 +106,12 @@ impl Binder<'_> {
                         format!("Constant value '{n}' cannot be converted to a '{shown}'"),
                     );
                 }
+                if let (Kind::Const(Const::Double(_)), Some(prim @ (Prim::F32 | Prim::Decimal))) =
+                    (&value.kind, self.sema.prim(to))
+                {
+                    let (shown, suffix) = (self.show(to), if prim == Prim::F32 { 'F' } else { 'M' });
+                    return self.error(pos, 664, format!("Literal of type double cannot be implicitly converted to type '{shown}'; use an '{suffix}' suffix to create a literal of this type"));
+                }
                 self.no_conversion(pos, value.ty, to)
             }
         }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::{Binder, Entry, Function, Group, Item, LambdaSource, Returns, make};
-use crate::bound::{Expr, Kind, Lambda, LocalId, Stmt, StmtKind};
+use crate::bound::{Expr, Kind, Lambda, LocalId, Origin, Stmt, StmtKind};
 use crate::sema::Ty;
 use crate::source::Pos;
 use crate::syntax::ast::{self, FnBody, Passing};
@@ -32,7 +32,7 @@ impl Binder<'_> {
                 format!("Delegate '{shown}' does not take {} arguments", params.len()),
             );
         }
-        let (lambda, _) = self.lambda(pos, source, &takes, Returns::Type(gives));
+        let (lambda, _) = self.lambda(pos, source, &takes, Returns::Type(gives), None);
         make(to, pos, Kind::Lambda(Arc::new(lambda)))
     }
 
@@ -43,8 +43,10 @@ impl Binder<'_> {
         source: &LambdaSource,
         takes: &[(Passing, Ty)],
         ret: Ty,
+        iterator: bool,
     ) -> Lambda {
-        self.lambda(pos, source, takes, Returns::Type(ret)).0
+        let yields = if iterator { self.element_of_iterator(pos, ret) } else { None };
+        self.lambda(pos, source, takes, Returns::Type(ret), yields).0
     }
 
     /// The common type of what a lambda gives; `void` when it gives nothing.
@@ -53,7 +55,8 @@ impl Binder<'_> {
             return None;
         }
         let takes = takes.to_vec();
-        let returns = self.speculate(|b| b.lambda(0, source, &takes, Returns::Infer(Vec::new(), false)).1)?;
+        let returns =
+            self.speculate(|b| b.lambda(0, source, &takes, Returns::Infer(Vec::new(), false), None).1)?;
         let Returns::Infer(types, untyped) = returns else { return None };
         if types.is_empty() {
             return if untyped { None } else { Some(Ty::VOID) };
@@ -68,9 +71,10 @@ impl Binder<'_> {
         source: &LambdaSource,
         takes: &[(Passing, Ty)],
         returns: Returns,
+        yields: Option<Ty>,
     ) -> (Lambda, Returns) {
         let base = self.scopes.len();
-        self.functions.push(Function { returns, yields: None, base });
+        self.functions.push(Function { returns, yields, base });
         let outer_jumps = std::mem::take(&mut self.jumps);
         let ((params, body), locals) = self.in_scope(|b| {
             let params = b.lambda_params(source, takes);
@@ -85,6 +89,7 @@ impl Binder<'_> {
         if let (FnBody::Block(block), Returns::Type(ty)) = (&*source.body, &returns)
             && *ty != Ty::VOID
             && *ty != Ty::ERROR
+            && yields.is_none()
             && super::method::ends(&body)
         {
             self.fault(
@@ -94,7 +99,7 @@ impl Binder<'_> {
             );
         }
         let stmt = Stmt { pos, kind: StmtKind::Block(locals, vec![body]) };
-        (Lambda { params, body: stmt }, returns)
+        (Lambda { params, body: stmt, iterator: yields, origin: Origin::Written }, returns)
     }
 
     fn lambda_params(&mut self, source: &LambdaSource, takes: &[(Passing, Ty)]) -> Vec<LocalId> {
@@ -200,27 +205,42 @@ impl Binder<'_> {
             return self.error(pos, 428, format!("Cannot convert method group '{}' to non-delegate type '{shown}'. Did you intend to invoke the method?", group.name));
         };
         let mut group = group.clone();
-        let mut before = Vec::new();
-        if let Some(receiver) = &group.receiver
-            && !matches!(receiver.kind, Kind::This)
-        {
-            let local = self.new_local("", receiver.ty, Passing::Value);
-            let target = self.local(local, pos);
-            let ty = receiver.ty;
-            let set = make(ty, pos, Kind::Assign(Box::new(target), Box::new(receiver.clone())));
-            before.push(Stmt { pos, kind: StmtKind::Expr(set) });
-            group.receiver = Some(make(ty, pos, Kind::Local(local)));
-        }
-        let base = self.scopes.len();
-        self.functions.push(Function { returns: Returns::Type(gives), yields: None, base });
-        let ((params, body), locals) = self.in_scope(|b| b.group_call(pos, group, &takes, gives, to));
-        self.functions.pop();
-        let stmt = Stmt { pos, kind: StmtKind::Block(locals, vec![body]) };
-        let lambda = make(to, pos, Kind::Lambda(Arc::new(Lambda { params, body: stmt })));
-        if before.is_empty() {
-            return lambda;
-        }
-        make(to, pos, Kind::Block(before, Box::new(lambda)))
+        let result = self.new_local("", to, Passing::Value);
+        // The object is the only captured variable of a block of its own: so delegates of one method are compared.
+        let (stmts, locals) = self.in_scope(|b| {
+            let mut stmts = Vec::new();
+            let instance = group.candidates.iter().all(|(_, id)| !b.sema.method(*id).is_static);
+            let receiver = group.receiver.take();
+            let has_object = match receiver {
+                Some(receiver) if instance || !matches!(receiver.kind, Kind::This) => {
+                    let local = b.new_local("", receiver.ty, Passing::Value);
+                    group.receiver = Some(make(receiver.ty, pos, Kind::Local(local)));
+                    stmts.push(b.set_local(pos, local, receiver));
+                    true
+                }
+                other => {
+                    group.receiver = other;
+                    false
+                }
+            };
+            let base = b.scopes.len();
+            b.functions.push(Function { returns: Returns::Type(gives), yields: None, base });
+            let ((params, body), locals) = b.in_scope(|b| b.group_call(pos, group, &takes, gives, to));
+            b.functions.pop();
+            let origin = match called(&body) {
+                Some(Kind::Call(receiver, method, ..)) => {
+                    Origin::Method(method.clone(), has_object && receiver.is_some())
+                }
+                _ => Origin::Written,
+            };
+            let body = Stmt { pos, kind: StmtKind::Block(locals, vec![body]) };
+            let lambda = Lambda { params, body, iterator: None, origin };
+            stmts.push(b.set_local(pos, result, make(to, pos, Kind::Lambda(Arc::new(lambda)))));
+            stmts
+        });
+        let block = Stmt { pos, kind: StmtKind::Block(locals, stmts) };
+        let value = self.local(result, pos);
+        make(to, pos, Kind::Block(vec![block], Box::new(value)))
     }
 
     fn group_call(
@@ -258,8 +278,14 @@ impl Binder<'_> {
                 || call.ty == gives
                 || (call.ty != Ty::VOID && self.sema.implicit(call.ty, gives).is_some()));
         if !fits {
+            let called = self.sema.faults.len() == faults && call.ty != Ty::ERROR;
             self.sema.faults.truncate(faults);
             let shown = self.show(to);
+            if called {
+                let given = self.show(call.ty);
+                self.fault(pos, 407, format!("'{given} {name}' has the wrong return type"));
+                return (params, Stmt { pos, kind: StmtKind::Expr(call) });
+            }
             self.fault(pos, 123, format!("No overload for '{name}' matches delegate '{shown}'"));
         }
         let kind = if gives == Ty::VOID || !fits {
@@ -305,4 +331,14 @@ impl Binder<'_> {
             _ => self.compare_targets(gx, gy),
         }
     }
+}
+
+/// The call that the body of a delegate of a method is, below conversions of what it gives.
+fn called(body: &Stmt) -> Option<&Kind> {
+    let (StmtKind::Expr(value) | StmtKind::Return(Some(value))) = &body.kind else { return None };
+    let mut value = value;
+    while let Kind::Convert(_, inner) = &value.kind {
+        value = inner;
+    }
+    Some(&value.kind)
 }

@@ -34,7 +34,16 @@ impl Binder<'_> {
         source: &ast::Expr,
         body: &ast::Stmt,
     ) -> StmtKind {
-        let source = self.real_value(source);
+        let item = self.item(source);
+        if let Item::Methods(_) = &item {
+            self.fault(
+                source.pos,
+                446,
+                "Foreach cannot operate on a 'method group'. Did you intend to invoke the 'method group'?",
+            );
+            return StmtKind::Several(Vec::new());
+        }
+        let source = self.as_value(item, source.pos);
         let (stmts, locals) = self.in_scope(|b| b.foreach_in(pos, ty, names, source, body));
         StmtKind::Block(locals, stmts)
     }

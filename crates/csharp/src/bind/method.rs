@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::{Binder, Function, Item, Returns, make};
+use super::local_function::LIFTED;
+use super::{Binder, Entry, Function, Item, Returns, make};
 use crate::bound::{self, Const, Expr, FieldRef, Kind, Label, Stmt, StmtKind};
 use crate::sema::{Body, DefId, FieldId, Known, MethodId, Sema, Ty};
 use crate::source::Pos;
@@ -21,11 +22,15 @@ pub(crate) fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> 
         Body::Default => (None, None, info.pos, info.pos),
         _ => return None,
     };
+    let faults = sema.faults.len();
     let is_constructor = matches!(&*info.name, ".ctor" | ".cctor");
     let mut binder = Binder::new(sema, info.owner, info.is_static, &info.type_params);
     binder.constructor = is_constructor;
     let yields = if info.iterator { binder.element_of_iterator(pos, info.ret) } else { None };
     binder.functions.push(Function { returns: Returns::Type(info.ret), yields, base: 0 });
+    if let Some(name) = info.name.strip_prefix(LIFTED) {
+        binder.enter(&name.into(), Entry::Lifted(id));
+    }
     let mut params = Vec::new();
     for param in &info.params {
         params.push(binder.declare(pos, &param.name, param.ty, param.passing));
@@ -49,7 +54,14 @@ pub(crate) fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> 
         binder.fault(info.pos, 161, format!("'{shown}': not all code paths return a value"));
     }
     stmts.push(body_stmt);
-    Some(binder.finish_body(pos, params, stmts, yields))
+    let body = binder.finish_body(pos, params, stmts, yields);
+    // In VB a variable begins with the default value of its type.
+    if sema.faults.len() == faults && !sema.vb && !sema.def(info.owner).library {
+        for fault in super::assigned::unassigned(sema, &body) {
+            sema.fault(fault.pos, fault.code, fault.message);
+        }
+    }
+    Some(body)
 }
 
 /// Binds the first values of static fields and the static constructor.
@@ -140,7 +152,7 @@ pub(crate) fn constant_of(sema: &mut Sema, id: FieldId) -> Const {
 }
 
 impl Binder<'_> {
-    fn finish_body(
+    pub(super) fn finish_body(
         mut self,
         pos: Pos,
         params: Vec<bound::LocalId>,
@@ -152,7 +164,7 @@ impl Binder<'_> {
         bound::Body { locals: self.locals, params, stmt, captures_this: self.captures_this, iterator }
     }
 
-    fn element_of_iterator(&mut self, pos: Pos, ret: Ty) -> Option<Ty> {
+    pub(super) fn element_of_iterator(&mut self, pos: Pos, ret: Ty) -> Option<Ty> {
         let known = self.sema.known;
         if ret == known.plain_enumerable || ret == known.plain_enumerator {
             return Some(known.object);
@@ -243,6 +255,7 @@ impl Binder<'_> {
             let Some(e) = &field.value else { continue };
             // The first value of a field sees no object.
             let outer = std::mem::replace(&mut self.is_static, true);
+            self.in_field_value = instance.is_some();
             let scopes = std::mem::take(&mut self.scopes);
             self.scopes.push(super::Scope::default());
             let value = self.initial(e, field.ty);
@@ -252,7 +265,7 @@ impl Binder<'_> {
                 scope.locals.extend(made);
             }
             self.is_static = outer;
-            let _ = instance;
+            self.in_field_value = false;
             let place = self.own_field(field.pos, *id);
             let ty = place.ty;
             stmts.push(self.expression_stmt(

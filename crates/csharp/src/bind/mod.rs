@@ -1,14 +1,19 @@
 //! Syntax trees to bound trees: names to what they stand for, expressions to types, conversions made explicit.
 
 mod assign;
+mod assigned;
+mod assigned_set;
 mod call;
 mod constant;
 mod convert;
 mod create;
 mod deconstruct;
+mod delegate;
+mod dynamic;
 mod expression;
 mod infer;
 mod lambda;
+mod local_function;
 mod loops;
 mod member;
 mod method;
@@ -31,6 +36,7 @@ use crate::source::Pos;
 use crate::syntax::ast::{self, LambdaParam, Name};
 
 pub(crate) use constant::wrap;
+pub(crate) use dynamic::bind_dynamic;
 pub(crate) use method::{bind_method, bind_static_init, constant_of};
 
 /// How many expressions are bound for one method: lambdas are bound again for each overload.
@@ -85,6 +91,8 @@ enum Entry {
     Carried(LocalId, Name),
     Constant(Expr),
     Function(Arc<LocalFunction>),
+    /// A function with type parameters, as a method.
+    Lifted(MethodId),
 }
 
 #[derive(Debug)]
@@ -158,6 +166,10 @@ pub(crate) struct Binder<'a> {
     nesting: u32,
     /// In the constructor, where readonly fields may be set.
     constructor: bool,
+    /// In the first value of a field, which sees no object.
+    in_field_value: bool,
+    /// On the left of `+=` or `-=`, where events of other types may stand.
+    subscribing: bool,
 }
 
 /// How deep bound expressions may be.
@@ -193,6 +205,8 @@ impl<'a> Binder<'a> {
             work: 0,
             nesting: 0,
             constructor: false,
+            in_field_value: false,
+            subscribing: false,
         }
     }
 

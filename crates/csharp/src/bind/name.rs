@@ -9,10 +9,14 @@ use crate::syntax::ast::{Name, NamePart};
 impl Binder<'_> {
     pub(super) fn name(&mut self, part: &NamePart) -> Item {
         let pos = part.pos;
-        if part.args.is_empty()
-            && let Some(entry) = self.find(&part.name)
-        {
+        let entry = self.find(&part.name);
+        if let Some(entry) = entry.filter(|e| part.args.is_empty() || matches!(e, Entry::Lifted(_))) {
             return match entry {
+                Entry::Lifted(method) => {
+                    let receiver = if self.is_static { None } else { Some(self.this(pos)) };
+                    let member = (self.this, Member::Method(method));
+                    self.methods_item(pos, receiver, None, part, vec![member], false, None)
+                }
                 Entry::Local(id) => Item::Value(self.local(id, pos)),
                 Entry::Constant(value) => Item::Value(Expr { pos, ..value }),
                 Entry::Carried(id, name) => {
@@ -116,6 +120,9 @@ impl Binder<'_> {
             Member::Type(_) => return self.wrong(pos),
         };
         let owner = self.sema.def(owner).name.clone();
+        if self.in_field_value {
+            return self.error(pos, 236, format!("A field initializer cannot reference the non-static field, method, or property '{owner}.{name}'"));
+        }
         self.error(pos, 120, format!("An object reference is required for the non-static field, method, or property '{owner}.{name}'"))
     }
 
@@ -163,6 +170,7 @@ impl Binder<'_> {
         args: Vec<crate::bound::Arg>,
         virtual_: bool,
     ) -> Expr {
+        self.check_event(pos, id);
         let by = self.sema.substitution(owner);
         let prop = self.sema.prop(id).clone();
         let ty = self.sema.types.substitute(prop.ty, &by);

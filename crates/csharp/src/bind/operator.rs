@@ -91,7 +91,10 @@ impl Binder<'_> {
             _ => {}
         }
         let x = self.operand(a, op);
-        let y = self.operand(b, op);
+        let y = match self.delegate_operand(op, x.ty, b) {
+            Some(y) => y,
+            None => self.operand(b, op),
+        };
         self.binary_values(pos, op, x, y)
     }
 
@@ -162,10 +165,7 @@ impl Binder<'_> {
             if comparison && (x.ty == Ty::NULL || y.ty == Ty::NULL) {
                 return self.same_object(pos, op, x, y);
             }
-            return match self.dynamic_user(pos, op, &x, &y) {
-                Some(result) => result,
-                None => self.dynamic_binary(pos, op, x, y),
-            };
+            return make(Ty::DYNAMIC, pos, Kind::Dynamic(DynamicOp::Binary(op), vec![x, y]));
         }
         if let Some(method) = self.user_binary(op, &x, &y) {
             return self.user_call(pos, op, method, x, y);
@@ -181,6 +181,16 @@ impl Binder<'_> {
             }
         }
         let string = self.sema.known.string;
+        if self.is_vb() && (x.ty == string) != (y.ty == string) {
+            // VB reads a text beside a number as a number.
+            let double = self.sema.known.double;
+            let is_number = |b: &Self, ty| b.sema.prim(ty).is_some_and(|p| p.is_numeric() && p != Prim::Char);
+            if x.ty == string && is_number(self, y.ty) {
+                x = self.dynamic_as(pos, x, double);
+            } else if y.ty == string && is_number(self, x.ty) {
+                y = self.dynamic_as(pos, y, double);
+            }
+        }
         if op == BinaryOp::Add && (x.ty == string || y.ty == string) {
             return self.concat(pos, x, y);
         }
@@ -197,39 +207,6 @@ impl Binder<'_> {
         self.no_operator(pos, op, &x, &y)
     }
 
-    /// An operator of a type of its own beside a value that is known when it runs: that is taken for a number.
-    fn dynamic_user(&mut self, pos: Pos, op: BinaryOp, x: &Expr, y: &Expr) -> Option<Expr> {
-        let double = self.sema.known.double;
-        let is_own = |b: &Self, e: &Expr| b.sema.is_struct(e.ty) && b.sema.prim(e.ty).is_none();
-        let (x, y) = match (x.ty == Ty::DYNAMIC, y.ty == Ty::DYNAMIC) {
-            (true, false) if is_own(self, y) => (self.dynamic_as(pos, x.clone(), double), y.clone()),
-            (false, true) if is_own(self, x) => (x.clone(), self.dynamic_as(pos, y.clone(), double)),
-            _ => return None,
-        };
-        let method = self.user_binary(op, &x, &y)?;
-        Some(self.user_call(pos, op, method, x, y))
-    }
-
-    /// An operator whose operands are known when it runs: the library's, for numbers, texts and truth values.
-    fn dynamic_binary(&mut self, pos: Pos, op: BinaryOp, x: Expr, y: Expr) -> Expr {
-        let object = self.sema.known.object;
-        match self.dynamic_method(method_of(op)) {
-            Some(method) => {
-                let args = [x, y].map(|e| {
-                    let at = e.pos;
-                    let e = if e.ty == Ty::DYNAMIC {
-                        self.retyped(e, object)
-                    } else {
-                        self.convert(super::Item::Value(e), object, at)
-                    };
-                    (ast::Passing::Value, e)
-                });
-                make(Ty::DYNAMIC, pos, Kind::Call(None, method, args.into(), false))
-            }
-            None => make(Ty::DYNAMIC, pos, Kind::Dynamic(DynamicOp::Binary(op), vec![x, y])),
-        }
-    }
-
     /// A value whose type is known when it runs, as another type: numbers widen, objects are cast.
     pub(super) fn dynamic_as(&mut self, pos: Pos, value: Expr, to: Ty) -> Expr {
         let object = self.sema.known.object;
@@ -240,29 +217,27 @@ impl Binder<'_> {
             Some(method) if to == self.sema.known.double => {
                 make(to, pos, Kind::Call(None, method, vec![(ast::Passing::Value, value)], false))
             }
+            _ if self.sema.is_value_type(to) && !self.sema.types.is_open(to) => {
+                make(to, pos, Kind::Dynamic(DynamicOp::Convert(to), vec![value]))
+            }
             _ => self.cast(pos, super::Item::Value(value), to),
         }
     }
 
     fn dynamic_method(&mut self, name: &str) -> Option<MethodRef> {
+        self.function_of("__Dynamic", name)
+    }
+
+    /// A function of one of the library's own classes.
+    pub(super) fn function_of(&mut self, class: &str, name: &str) -> Option<MethodRef> {
         let name: ast::Name = name.into();
-        let found = self.sema.library("", "__Dynamic", 0).map(|def| self.sema.named(def, &[]));
+        let found = self.sema.library("", class, 0).map(|def| self.sema.named(def, &[]));
         found.and_then(|owner| {
             self.sema.members(owner, &name).into_iter().find_map(|(_, member)| match member {
                 crate::sema::Member::Method(id) => Some(MethodRef { id, owner, args: Vec::new() }),
                 _ => None,
             })
         })
-    }
-
-    fn delegate_sum(&mut self, pos: Pos, op: BinaryOp, x: &Expr, y: &Expr) -> Option<Expr> {
-        if !matches!(op, BinaryOp::Add | BinaryOp::Sub)
-            || x.ty != y.ty
-            || self.sema.type_kind(x.ty) != Some(ast::TypeKind::Delegate)
-        {
-            return None;
-        }
-        Some(self.error(pos, 0, "Joining delegates is not supported"))
     }
 
     /// Predefined operators on numbers, truth values and enums, lifted where a value may be missing.
@@ -445,6 +420,9 @@ impl Binder<'_> {
         }
         if x.ty == Ty::NULL {
             return make(bool_, pos, Kind::IsNull(equal, Box::new(y)));
+        }
+        if self.is_delegate(x.ty) && self.is_delegate(y.ty) {
+            return self.same_delegate(pos, equal, x, y);
         }
         make(bool_, pos, Kind::SameObject(equal, Box::new(x), Box::new(y)))
     }

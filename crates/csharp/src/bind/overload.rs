@@ -50,6 +50,12 @@ impl Binder<'_> {
     pub(super) fn argument_items(&mut self, args: &[ast::Arg]) -> Vec<Item> {
         args.iter()
             .map(|arg| {
+                if let (Passing::Out, ast::ExprKind::Name(part)) = (arg.passing, &arg.value.kind)
+                    && &*part.name == "_"
+                    && self.find(&part.name).is_none()
+                {
+                    return Item::OutVar(arg.value.pos, None);
+                }
                 let item = self.item(&arg.value);
                 match item {
                     Item::Value(value) if value.ty == Ty::VOID => {
@@ -538,6 +544,10 @@ impl Binder<'_> {
     }
 
     fn default_value(&mut self, default: &ast::Expr, ty: Ty) -> Expr {
+        if matches!(default.kind, ast::ExprKind::Default(_)) {
+            // `default(T)`: the type parameter is that of the method.
+            return make(ty, default.pos, Kind::Default(ty));
+        }
         let item = self.item(default);
         if matches!(&item, Item::Value(v) if v.ty == Ty::NULL) && self.sema.is_param(ty) {
             return make(ty, default.pos, Kind::Default(ty));

@@ -1,11 +1,10 @@
 //! Statements.
 
-use super::{Binder, Entry, Item, Jump, LocalFunction, Returns, make};
+use super::{Binder, Entry, Item, Jump, Returns, make};
 use crate::bound::{Catch, Expr, Kind, Label, Stmt, StmtKind};
 use crate::sema::Ty;
 use crate::source::Pos;
-use crate::syntax::ast::{self, ExprKind, FnBody, Passing, StmtKind as Written, TypeRefKind, Variable};
-use std::sync::Arc;
+use crate::syntax::ast::{self, ExprKind, Passing, StmtKind as Written, TypeRefKind, Variable};
 
 impl Binder<'_> {
     pub(super) fn block(&mut self, block: &ast::Block) -> Stmt {
@@ -17,7 +16,7 @@ impl Binder<'_> {
         let functions: Vec<_> = list
             .iter()
             .filter_map(|s| if let Written::Function(f) = &s.kind { Some((s.pos, f.clone())) } else { None })
-            .map(|(pos, f)| (pos, self.declare_function(pos, &f), f))
+            .map(|(pos, f)| (pos, self.declare_function(&f), f))
             .collect();
         let body = self.plain_statements(list);
         // Functions may be called before they stand, and see all variables of the block.
@@ -198,6 +197,10 @@ impl Binder<'_> {
         if written == Some(Ty::VOID) {
             self.fault(ty.pos, 1547, "Keyword 'void' cannot be used in this context");
         }
+        if written.is_none() && variables.len() > 1 {
+            let message = "Implicitly-typed variables cannot have multiple declarators";
+            self.fault(ty.pos, 819, message);
+        }
         for variable in variables {
             let pos = variable.pos;
             if constant {
@@ -372,62 +375,6 @@ impl Binder<'_> {
         }
         let finally = finally.map(|f| Box::new(self.block(f)));
         StmtKind::Try(Box::new(body), made, finally)
-    }
-
-    /// The signature of a function in a function, and the variable that holds it.
-    fn declare_function(&mut self, pos: Pos, written: &Arc<ast::Method>) -> Option<Arc<LocalFunction>> {
-        if !written.type_params.is_empty() {
-            self.fault(pos, 0, "A generic local function is not supported");
-            return None;
-        }
-        if written.iterator {
-            self.fault(pos, 0, "A local function that is an iterator is not supported");
-            return None;
-        }
-        let mut hidden = (**written).clone();
-        hidden.name = format!("<local>{}", written.name).into();
-        let outer = std::mem::take(&mut self.params);
-        let method = self.sema.declare_local(self.def, &Arc::new(hidden), &outer);
-        self.params = outer;
-        let object = self.sema.known.object;
-        let local = self.new_local(&written.name, object, Passing::Value);
-        let function = Arc::new(LocalFunction { local, method });
-        self.enter(&written.name, Entry::Function(function.clone()));
-        Some(function)
-    }
-
-    fn local_function(&mut self, pos: Pos, function: &LocalFunction, written: &ast::Method) -> Stmt {
-        let info = self.sema.method(function.method).clone();
-        let source = super::LambdaSource {
-            params: Some(
-                written
-                    .params
-                    .iter()
-                    .map(|p| ast::LambdaParam {
-                        pos: p.pos,
-                        name: p.name.clone(),
-                        ty: None,
-                        passing: p.passing,
-                        carries: Vec::new(),
-                    })
-                    .collect(),
-            ),
-            body: Arc::new(written.body.clone().unwrap_or(FnBody::Block(ast::Block {
-                pos,
-                end: pos,
-                stmts: Vec::new(),
-            }))),
-        };
-        let takes: Vec<_> = info.params.iter().map(|p| (p.passing, p.ty)).collect();
-        let lambda = self.function_value(pos, &source, &takes, info.ret);
-        let place = self.local(function.local, pos);
-        let ty = place.ty;
-        let set = make(
-            ty,
-            pos,
-            Kind::Assign(Box::new(place), Box::new(make(ty, pos, Kind::Lambda(Arc::new(lambda))))),
-        );
-        self.expression_stmt(pos, set)
     }
 
     pub(super) fn using(&mut self, pos: Pos, held: &ast::Stmt, body: &ast::Stmt) -> StmtKind {

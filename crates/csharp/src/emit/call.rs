@@ -1,9 +1,10 @@
 //! Calls.
 
 use super::{Emitted, Emitter};
-use crate::bound::{Arg, Expr, Kind, MethodRef};
-use crate::program::Target;
+use crate::bound::{Arg, DynamicOp, Expr, Kind, MethodRef};
+use crate::program::{DynamicSite, Target};
 use crate::sema::Ty;
+use crate::source::Pos;
 use crate::syntax::ast::Passing;
 use crate::vm::op::{Op, Reg};
 
@@ -122,11 +123,11 @@ impl Emitter<'_> {
         }
     }
 
-    /// Which method is called is known for a struct, whatever it implements.
+    /// Which method is called is known for a struct, whatever it implements; the methods of `T?` see to a missing value
+    /// themselves.
     fn settle(&mut self, receiver: Ty, method: &mut MethodRef, is_virtual: &mut bool) {
         if *is_virtual
             && self.program.sema.is_value_type(receiver)
-            && self.program.sema.nullable_of(receiver).is_none()
             && let Some(found) = self.program.sema.find_override(receiver, method)
         {
             *method = found;
@@ -214,6 +215,37 @@ impl Emitter<'_> {
         self.arguments(base + 1, args, true)?;
         self.pos = pos;
         self.op(Op::Invoke { base });
+        if d != base {
+            self.op(Op::Move { d, a: base });
+        }
+        Ok(())
+    }
+
+    /// An operation whose function is found when it runs, by the types of its operands.
+    pub(super) fn dynamic_into(
+        &mut self,
+        d: Reg,
+        op: &DynamicOp,
+        operands: &[Expr],
+        pos: Pos,
+    ) -> Emitted<()> {
+        let Some(def) = self.def else {
+            self.unsupported(d, "An operation on 'dynamic' here");
+            return Ok(());
+        };
+        let base = self.allocs(operands.len().max(1) as u32)?;
+        for (i, operand) in operands.iter().enumerate() {
+            if i == 0 {
+                self.expr(operand, Some(base))?;
+            } else {
+                self.copied(operand, Some(base + i as Reg))?;
+            }
+        }
+        self.pos = pos;
+        let site = self.program.dynamics.len() as u32;
+        let (op, operands) = (op.clone(), operands.len());
+        self.program.dynamics.push(DynamicSite { op, def, operands, pos, cache: Vec::new() });
+        self.op(Op::Dynamic { site, base });
         if d != base {
             self.op(Op::Move { d, a: base });
         }

@@ -321,15 +321,7 @@ impl Emitter<'_> {
                 self.expr(value, Some(d))?;
                 Ok(())
             }
-            Kind::Dynamic(..) => {
-                for operand in dynamic_operands(e) {
-                    let kept = self.next;
-                    self.expr(operand, None)?;
-                    self.next = kept;
-                }
-                self.unsupported(d, "An operation on 'dynamic'");
-                Ok(())
-            }
+            Kind::Dynamic(op, operands) => self.dynamic_into(d, op, operands, e.pos),
             Kind::Error => Err(Refused(e.pos, "There is an error in the source".to_owned())),
             Kind::Local(_) | Kind::This | Kind::Held(_) => {
                 self.expr(e, Some(d))?;
@@ -554,13 +546,6 @@ fn equality_of(inner: &Expr) -> bool {
         Kind::Convert(_, inner) => equality_of(inner),
         Kind::Call(None, ..) => false,
         _ => false,
-    }
-}
-
-fn dynamic_operands(e: &Expr) -> &[Expr] {
-    match &e.kind {
-        Kind::Dynamic(_, operands) => operands,
-        _ => &[],
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Emitted, Emitter};
-use crate::bound::Lambda;
+use crate::bound::{Lambda, Origin};
 use crate::sema::Ty;
 use crate::vm::op::{Op, Reg};
 
@@ -14,7 +14,9 @@ impl Emitter<'_> {
         self.program.funcs.push(crate::vm::op::Function::default());
         self.program.sources.push(None);
         let envs = self.envs.iter().map(|env| super::Env { reg: None, ..env.clone() }).collect();
+        let def = self.def;
         let mut inner = Emitter::new(self.program, self.body.clone(), self.by.clone());
+        inner.def = def;
         inner.envs = envs;
         inner.in_lambda = true;
         inner.f.name = format!("lambda in {}", self.f.name);
@@ -26,6 +28,13 @@ impl Emitter<'_> {
             inner.fixed.push(*param);
         }
         inner.f.params = inner.next;
+        if let Some(element) = lambda.iterator {
+            inner.f.generator = Some(inner.iterator_of(element));
+        }
+        inner.f.origin = match &lambda.origin {
+            Origin::Method(method, receiver) => Origin::Method(inner.method_ref(method), *receiver),
+            other => other.clone(),
+        };
         inner.labels_of(&lambda.body, 0);
         inner.stmt(&lambda.body)?;
         inner.op(Op::ReturnVoid);

@@ -20,7 +20,7 @@ pub(crate) use quiet::Quiet;
 
 use crate::bound::{Body, Label, LocalId, Stmt};
 use crate::program::{Key, Program, Start};
-use crate::sema::{Substitution, Ty};
+use crate::sema::{DefId, Substitution, Ty};
 use crate::source::Pos;
 use crate::syntax::ast::Passing;
 use crate::vm::op::{Function, Handler, Op, Reg};
@@ -58,6 +58,8 @@ struct Guard {
 
 struct Emitter<'p> {
     program: &'p mut Program,
+    /// The class that the function stands in.
+    def: Option<DefId>,
     body: Arc<Body>,
     by: Substitution,
     f: Function,
@@ -112,6 +114,10 @@ pub(crate) fn compile(
             let body = program.body(*id);
             (body, by, program.sema.show_method(*id), !info.is_static)
         }
+        Key::Dynamic(..) => {
+            let body = program.dynamic_bodies.get(&number).cloned();
+            (body, Substitution::default(), "dynamic".to_owned(), false)
+        }
         Key::Statics(ty) => {
             let def = program.sema.def_of(*ty);
             let body = def.and_then(|d| program.static_body(d));
@@ -124,7 +130,13 @@ pub(crate) fn compile(
     if let Some(fault) = program.sema.faults.first() {
         return Err(Refused(fault.pos, fault.message.clone()));
     }
+    let def = match &key {
+        Key::Method(id, ..) => Some(program.sema.method(*id).owner),
+        Key::Statics(ty) => program.sema.def_of(*ty),
+        Key::Dynamic(site, _) => program.dynamics.get(*site as usize).map(|site| site.def),
+    };
     let mut emitter = Emitter::new(program, body, by);
+    emitter.def = def;
     emitter.f.name = name;
     let function = emitter.method(has_this)?;
     program.finish(number, function, add_text);
@@ -226,6 +238,7 @@ impl<'p> Emitter<'p> {
     fn new(program: &'p mut Program, body: Arc<Body>, by: Substitution) -> Self {
         Self {
             program,
+            def: None,
             body,
             by,
             f: Function::default(),
@@ -260,9 +273,7 @@ impl<'p> Emitter<'p> {
         }
         self.f.params = self.next;
         if let Some(element) = body.iterator {
-            let element = self.ty(element);
-            let def = self.program.sema.known.iterator;
-            self.f.generator = Some(self.program.sema.named(def, &[element]));
+            self.f.generator = Some(self.iterator_of(element));
         }
         if body.captures_this && has_this {
             // A block of its own around all others holds the object itself.
@@ -278,6 +289,13 @@ impl<'p> Emitter<'p> {
         self.stmt(&body.stmt)?;
         self.op(Op::ReturnVoid);
         self.close()
+    }
+
+    /// The type of iterators over elements of a type.
+    fn iterator_of(&mut self, element: Ty) -> Ty {
+        let element = self.ty(element);
+        let def = self.program.sema.known.iterator;
+        self.program.sema.named(def, &[element])
     }
 
     /// Resolves jumps.

@@ -3,11 +3,13 @@
 mod array;
 mod clock;
 mod culture;
+mod delegate;
 mod format;
 mod list;
 mod math;
 mod number;
 mod object;
+mod regex;
 mod string;
 
 use crate::program::Program;
@@ -29,6 +31,8 @@ pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("comparer.cs", include_str!("cs/comparer.cs")),
     ("tuples.cs", include_str!("cs/tuples.cs")),
     ("time.cs", include_str!("cs/time.cs")),
+    ("dates.cs", include_str!("cs/dates.cs")),
+    ("regex.cs", include_str!("cs/regex.cs")),
     ("guid.cs", include_str!("cs/guid.cs")),
     ("drawing.cs", include_str!("cs/drawing.cs")),
     ("dynamic.cs", include_str!("cs/dynamic.cs")),
@@ -47,6 +51,8 @@ pub(crate) fn find(key: &str) -> Option<Native> {
         .or_else(|| array::find(key))
         .or_else(|| object::find(key))
         .or_else(|| clock::find(key))
+        .or_else(|| delegate::find(key))
+        .or_else(|| regex::find(key))
 }
 
 /// A call of the library or the host.

@@ -3,7 +3,8 @@
 use super::format::formatted;
 use super::{Cx, Native, culture, number};
 use crate::bound::Const;
-use crate::sema::{Known, Sema, Ty};
+use crate::program::Program;
+use crate::sema::{Known, Prim, Sema, Ty};
 use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 use crate::vm::{Raise, State};
@@ -95,6 +96,7 @@ pub(super) fn hash(value: Value, st: &State) -> i32 {
         Value::Ref(handle) => match st.heap.get(handle) {
             Obj::Str(units) => units.iter().fold(5381_i32, |h, u| h.wrapping_mul(33) ^ i32::from(*u)),
             Obj::Type(ty) => ty.0 as i32,
+            Obj::Delegate(..) => 1,
             _ => handle.0 as i32,
         },
         other => other.whole().unwrap_or(0) as i32,
@@ -102,7 +104,8 @@ pub(super) fn hash(value: Value, st: &State) -> i32 {
 }
 
 /// Whether two values without code of their own are equal: structs field by field.
-fn equal(a: Value, b: Value, st: &State, sema: &Sema, depth: u32) -> bool {
+fn equal(a: Value, b: Value, st: &State, program: &Program, depth: u32) -> bool {
+    let sema = &program.sema;
     match (a, b) {
         (Value::F64(x), Value::F64(y)) => x == y || x.is_nan() && y.is_nan(),
         (Value::Ref(x), Value::Ref(y)) => {
@@ -112,11 +115,12 @@ fn equal(a: Value, b: Value, st: &State, sema: &Sema, depth: u32) -> bool {
             match (st.heap.get(x), st.heap.get(y)) {
                 (Obj::Str(s), Obj::Str(t)) => s == t,
                 (Obj::Type(s), Obj::Type(t)) => s == t,
+                (Obj::Delegate(..), Obj::Delegate(..)) => super::delegate::same(a, b, st, program),
                 (Obj::Inst(s, fields), Obj::Inst(t, others)) => {
                     s == t
                         && (sema.is_struct(*s) || depth > 0 && is_anonymous(sema, *s))
                         && depth < 32
-                        && fields.iter().zip(others).all(|(p, q)| equal(*p, *q, st, sema, depth + 1))
+                        && fields.iter().zip(others).all(|(p, q)| equal(*p, *q, st, program, depth + 1))
                 }
                 _ => false,
             }
@@ -197,9 +201,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Object.Equals(Object)"
         | "Boolean.Equals(Object)"
         | "Boolean.Equals(Boolean)"
-        | "Type.Equals(Object)" => {
-            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 0)))
-        }
+        | "Type.Equals(Object)" => |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, cx.program, 0))),
         "Object.GetHashCode()" => |cx| {
             let ty = cx.st.type_of(cx.arg(0), &cx.program.sema);
             Ok(Value::I32(if cx.program.sema.is_struct(ty) {
@@ -220,7 +222,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
             Ok(Value::Ref(cx.st.heap.add(made)))
         },
         "AnonymousObject.Equals(Object)" => {
-            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 1)))
+            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, cx.program, 1)))
         }
         "AnonymousObject.GetHashCode()" | "Library.StructHash(Object)" => {
             |cx| Ok(Value::I32(fields_hash(cx.arg(0), cx.st, 0)))
@@ -256,7 +258,12 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let Value::Enum(ty, n) = cx.arg(0) else { return Ok(Value::Null) };
             let text = match &*cx.string(1) {
                 "D" | "d" => n.to_string(),
-                "X" | "x" => format!("{:08X}", n as u32),
+                "X" | "x" => match cx.sema().enum_prim(ty) {
+                    Some(Prim::I8 | Prim::U8) => format!("{:02X}", n as u8),
+                    Some(Prim::I16 | Prim::U16) => format!("{:04X}", n as u16),
+                    Some(Prim::I64 | Prim::U64) => format!("{n:016X}"),
+                    _ => format!("{:08X}", n as u32),
+                },
                 _ => enum_text(cx.sema(), ty, n),
             };
             Ok(cx.text(&text))
@@ -289,6 +296,12 @@ pub(super) fn find(key: &str) -> Option<Native> {
             let found = members(cx.sema(), ty).into_iter().find(|(_, v)| *v == n);
             Ok(found.map_or(Value::Null, |(name, _)| cx.text(&name)))
         },
+        "Enum.GetUnderlyingType(Type)" => |cx| {
+            let ty = type_arg(cx, 0)?;
+            let prim = cx.program.sema.enum_prim(ty).unwrap_or(Prim::I32);
+            let under = cx.prim(prim);
+            Ok(Value::Ref(cx.st.heap.add(Obj::Type(under))))
+        },
         "Enum.IsDefined(Type,Object)" => |cx| {
             let ty = type_arg(cx, 0)?;
             let all = members(cx.sema(), ty);
@@ -300,7 +313,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Library.IsPlain(Object)" => |cx| Ok(Value::Bool(is_plain(cx.arg(0), cx.st))),
         "Library.PlainHash(Object)" => |cx| Ok(Value::I32(hash(cx.arg(0), cx.st))),
         "Library.PlainEquals(Object,Object)" => {
-            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, &cx.program.sema, 0)))
+            |cx| Ok(Value::Bool(equal(cx.arg(0), cx.arg(1), cx.st, cx.program, 0)))
         }
         "Library.PlainCompare(Object,Object)" => |cx| {
             let (a, b) = (cx.arg(0), cx.arg(1));

@@ -16,6 +16,7 @@ impl Sema {
             }
         }
         self.check_implemented(id);
+        self.check_rules(id);
         let chain = self.def(id).methods.clone();
         for method in chain {
             if self.method(method).is_override {
@@ -97,6 +98,7 @@ impl Sema {
                             let (mine, theirs) = (self.show_method(method), self.show_method(other));
                             self.fault(self.method(method).pos, 506, format!("'{mine}': cannot override inherited member '{theirs}' because it is not marked virtual, abstract, or override"));
                         }
+                        self.check_same_result(method, &reference);
                         return;
                     }
                 }
@@ -104,6 +106,41 @@ impl Sema {
         }
         let shown = self.show_method(method);
         self.fault(self.method(method).pos, 115, format!("'{shown}': no suitable method found to override"));
+    }
+
+    /// An override gives what the method gives that it overrides, to the same callers.
+    fn check_same_result(&mut self, method: MethodId, other: &crate::bound::MethodRef) {
+        let ret = self.result_of(other);
+        let info = self.method(method);
+        let (pos, own, access) = (info.pos, info.ret, info.access);
+        if access != self.method(other.id).access {
+            let (mine, theirs) = (self.show_method(method), self.show_method(other.id));
+            self.fault(
+                pos,
+                507,
+                format!(
+                    "'{mine}': cannot change access modifiers when overriding inherited member '{theirs}'"
+                ),
+            );
+        }
+        if self.types.erase(ret) != self.types.erase(own) && !self.is_subtype(own, ret) {
+            let (mine, theirs, shown) =
+                (self.show_method(method), self.show_method(other.id), self.show(ret));
+            self.fault(
+                pos,
+                508,
+                format!("'{mine}': return type must be '{shown}' to match overridden member '{theirs}'"),
+            );
+        }
+    }
+
+    /// What a method gives for the type arguments that it is named with.
+    fn result_of(&mut self, method: &crate::bound::MethodRef) -> super::Ty {
+        let mut by = self.substitution(method.owner);
+        let info = self.method(method.id);
+        let (ret, params) = (info.ret, info.type_params.clone());
+        by.0.extend(super::Substitution::of(&params, &method.args).0);
+        self.types.substitute(ret, &by)
     }
 
     fn check_implemented(&mut self, id: DefId) {
@@ -128,9 +165,24 @@ impl Sema {
                     .map(|p| self.types.intern(Kind::Param(p)))
                     .collect();
                 let called = crate::bound::MethodRef { id: method, owner: interface, args };
-                if self.find_override(open, &called).is_none() && !is_abstract {
-                    let shown = self.show_method(method);
-                    self.fault(pos, 535, format!("'{owner}' does not implement interface member '{shown}'"));
+                match self.find_override(open, &called) {
+                    None if !is_abstract => {
+                        let shown = self.show_method(method);
+                        self.fault(
+                            pos,
+                            535,
+                            format!("'{owner}' does not implement interface member '{shown}'"),
+                        );
+                    }
+                    Some(found) => {
+                        let (wanted, given) = (self.result_of(&called), self.result_of(&found));
+                        if self.types.erase(wanted) != self.types.erase(given) {
+                            let (shown, best) = (self.show_method(method), self.show_method(found.id));
+                            let ty = self.show(wanted);
+                            self.fault(pos, 738, format!("'{owner}' does not implement interface member '{shown}'. '{best}' cannot implement it because it does not have the matching return type of '{ty}'"));
+                        }
+                    }
+                    None => {}
                 }
             }
         }

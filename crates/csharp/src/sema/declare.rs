@@ -434,9 +434,16 @@ impl Sema {
         let accessor = |sema: &mut Self, set: bool| {
             let side = if set { &written.setter } else { &written.getter };
             let (pos, own, body) = side.as_ref()?;
-            let name: Name = format!("{}_{}", if set { "set" } else { "get" }, written.name).into();
+            let subscribes = words.has("event") && body.is_some();
+            let word = match (subscribes, set) {
+                (true, false) => "add",
+                (true, true) => "remove",
+                (false, false) => "get",
+                (false, true) => "set",
+            };
+            let name: Name = format!("{word}_{}", written.name).into();
             let mut params = params.clone();
-            if set {
+            if set || subscribes {
                 params.push(ParamDef {
                     name: "value".into(),
                     ty,
@@ -458,7 +465,7 @@ impl Sema {
                 name,
                 owner,
                 params,
-                ret: if set { Ty::VOID } else { ty },
+                ret: if set || subscribes { Ty::VOID } else { ty },
                 type_params: Vec::new(),
                 is_static,
                 is_virtual: words.has("virtual")
@@ -489,6 +496,7 @@ impl Sema {
             field,
             access: member_access,
             explicit,
+            is_event: words.has("event"),
             is_override: words.has("override"),
         });
         self.defs[owner.0 as usize].props.push(id);

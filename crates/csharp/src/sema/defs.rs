@@ -329,6 +329,8 @@ pub struct PropDef {
     pub access: Access,
     /// The interface of an explicit implementation.
     pub explicit: Option<Ty>,
+    /// Whether it is an event.
+    pub is_event: bool,
     /// Whether it replaces one of a base class.
     pub is_override: bool,
 }

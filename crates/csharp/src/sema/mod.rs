@@ -9,6 +9,7 @@ mod display;
 mod inherit;
 mod members;
 mod resolve;
+mod rules;
 mod types;
 
 use std::collections::HashMap;

@@ -31,7 +31,14 @@ impl Modifiers {
         "unsafe",
         "volatile",
         "ref",
+        "event",
     ];
+
+    /// These and another word.
+    pub fn with(self, word: &str) -> Self {
+        let bit = Self::WORDS.iter().position(|w| *w == word).map_or(0, |i| 1 << i);
+        Self(self.0 | bit)
+    }
 
     /// Whether a word is there.
     pub fn has(self, word: &str) -> bool {

@@ -1,7 +1,8 @@
 //! Expressions of VB as C#.
 
+use super::library::library_name;
 use super::token::Kind;
-use super::{Writer, Wrong, escaped};
+use super::{Block, Writer, Wrong, escaped};
 
 /// How deep expressions may stand in one another.
 const DEPTH: usize = 200;
@@ -20,6 +21,7 @@ const LEVELS: [&[(&str, &str)]; 9] = [
         (">", ">"),
         ("is", "=="),
         ("isnot", "!="),
+        ("like", ""),
     ],
     &[("<<", "<<"), (">>", ">>")],
     &[("&", "&")],
@@ -55,7 +57,7 @@ impl Writer {
         let Some(table) = LEVELS.get(level) else { return self.product() };
         // `Not` binds less than a comparison.
         if level == 3 && self.take("not") {
-            return Ok(format!("(!{})", self.deeper(|writer| writer.level(3))?));
+            return Ok(format!("__VB.Not({})", self.deeper(|writer| writer.level(3))?));
         }
         let mut left = self.level(level + 1)?;
         while let Some((vb, cs)) = self.operator(table) {
@@ -63,6 +65,7 @@ impl Writer {
             left = match vb {
                 "&" => format!("__VB.Join({left}, {right})"),
                 "\\" => format!("__VB.Whole({left}, {right})"),
+                "like" => format!("__VB.Like({left}, {right})"),
                 _ => format!("({left} {cs} {right})"),
             };
         }
@@ -152,6 +155,14 @@ impl Writer {
                 self.expect_op(")")?;
                 Ok(format!("({inner})"))
             }
+            Some(Kind::Op(".")) => {
+                let with = self.blocks.iter().rev().find_map(|block| match block {
+                    Block::With(value) => Some(value.clone()),
+                    _ => None,
+                });
+                // The dot is read by what takes members.
+                with.ok_or_else(|| self.wrong("a leading dot stands in no 'With'"))
+            }
             Some(Kind::Op("{")) => Ok(format!("new[] {}", self.braces()?)),
             Some(Kind::Word(name)) => self.named(&name),
             _ => Err(self.wrong("expression expected")),
@@ -181,7 +192,7 @@ impl Writer {
             "mybase" => "base".into(),
             "new" => return self.creation(),
             "function" => return self.lambda(),
-            "sub" => return Err(self.wrong("a Sub within an expression is not supported")),
+            "sub" => return self.action(),
             "addressof" => return self.deeper(Self::postfix),
             "typeof" => {
                 let value = self.deeper(Self::postfix)?;
@@ -222,10 +233,20 @@ impl Writer {
             "cdbl" if in_parentheses => format!("__VB.Dbl({})", self.one()?),
             "csng" if in_parentheses => format!("Convert.ToSingle({})", self.one()?),
             "cstr" if in_parentheses => format!("__VB.Str({})", self.one()?),
+            "cobj" if in_parentheses => format!("((object){})", self.one()?),
+            "cchar" if in_parentheses => format!("Convert.ToChar({})", self.one()?),
+            "cbyte" if in_parentheses => format!("Convert.ToByte({})", self.one()?),
+            "cshort" if in_parentheses => format!("Convert.ToInt16({})", self.one()?),
+            "cdate" if in_parentheses => format!("DateTime.Parse({})", self.one()?),
             "cbool" if in_parentheses => format!("Convert.ToBoolean({})", self.one()?),
             plain @ ("integer" | "string" | "double" | "boolean" | "object" | "long" | "single" | "char"
             | "date") => primitive(plain).unwrap_or("object").to_owned(),
-            _ => self.spelled(name),
+            _ => {
+                let is_own = self.names.contains_key(&name.to_lowercase());
+                let behind_dot = self.at >= 2 && self.tokens.get(self.at - 2).is_some_and(|t| t.is_op("."));
+                let library = if is_own || behind_dot { None } else { library_name(name, in_parentheses) };
+                library.unwrap_or_else(|| self.spelled(name))
+            }
         })
     }
 
@@ -236,7 +257,7 @@ impl Writer {
         Ok(value)
     }
 
-    fn list(&mut self, end: &str) -> Result<Vec<String>, Wrong> {
+    pub(super) fn list(&mut self, end: &str) -> Result<Vec<String>, Wrong> {
         let mut all = Vec::new();
         while !self.take_op(end) {
             all.push(self.expression()?);
@@ -281,8 +302,52 @@ impl Writer {
         Ok(format!("new {kind}({joined})"))
     }
 
-    /// `Function(x, y) x + y`
+    /// Statements up to what closes them, as text of their own.
+    fn nested(&mut self, block: Block, head: &str) -> Result<String, Wrong> {
+        let line = self.line();
+        let outer = std::mem::take(&mut self.lines);
+        let (open, inline) = (self.blocks.len(), std::mem::take(&mut self.inline));
+        self.lines = vec![String::new(); line];
+        self.open(line, block, head);
+        while self.blocks.len() > open {
+            if self.peek().is_none() {
+                return Err(self.wrong("the lambda has no end"));
+            }
+            self.deeper(Self::statement)?;
+        }
+        self.inline = inline;
+        let made = std::mem::replace(&mut self.lines, outer);
+        Ok(made.get(line.saturating_sub(1)..).unwrap_or_default().join("\n"))
+    }
+
+    /// `Sub(x) statement`, or statements up to `End Sub`.
+    fn action(&mut self) -> Result<String, Wrong> {
+        let names = self.lambda_names()?;
+        if self.at_end() {
+            return Ok(format!("(({names}) => {})", self.nested(Block::Sub, "{")?));
+        }
+        let line = self.line();
+        let outer = std::mem::take(&mut self.lines);
+        self.lines = vec![String::new(); line];
+        self.deeper(Self::statement)?;
+        let made = std::mem::replace(&mut self.lines, outer);
+        Ok(format!("(({names}) => {{ {} }})", made.concat()))
+    }
+
+    /// `Function(x, y) x + y`, or statements up to `End Function`.
     fn lambda(&mut self) -> Result<String, Wrong> {
+        let names = self.lambda_names()?;
+        if self.take("as") {
+            self.array_type()?;
+        }
+        if self.at_end() {
+            let block = Block::Lambda;
+            return Ok(format!("(({names}) => {})", self.nested(block, "{")?));
+        }
+        Ok(format!("(({names}) => {})", self.expression()?))
+    }
+
+    fn lambda_names(&mut self) -> Result<String, Wrong> {
         self.expect_op("(")?;
         let mut names = Vec::new();
         while !self.take_op(")") {
@@ -297,10 +362,7 @@ impl Writer {
                 self.expect_op(",")?;
             }
         }
-        if self.at_end() {
-            return Err(self.wrong("a Function of several lines within an expression is not supported"));
-        }
-        Ok(format!("(({}) => {})", names.join(", "), self.expression()?))
+        Ok(names.join(", "))
     }
 
     /// `(Of T, U)`

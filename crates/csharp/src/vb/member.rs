@@ -1,5 +1,6 @@
 //! Members of a class in VB, and variables, as C#.
 
+use super::property::Halves;
 use super::token::Kind;
 use super::{Block, Writer, Wrong};
 
@@ -8,7 +9,11 @@ impl Writer {
     pub(super) fn declarations(&mut self) -> Result<(), Wrong> {
         while self.peek().is_some() {
             match self.blocks.last() {
-                None | Some(Block::Class) => self.member()?,
+                None | Some(Block::Class(_)) => self.member()?,
+                Some(Block::Property(kind, _)) => {
+                    let (line, kind) = (self.line(), kind.clone());
+                    self.accessor(line, &kind)?;
+                }
                 Some(_) => self.statement()?,
             }
         }
@@ -25,15 +30,24 @@ impl Writer {
         }
         let line = self.line();
         if self.take("end") {
-            self.expect("class")?;
+            if !self.take("structure") {
+                self.expect("class")?;
+            }
             self.blocks.pop();
             self.put(line, "}");
             return Ok(());
         }
+        let mut halves = Halves::Both;
         let mut words = Vec::new();
         while let Some(Kind::Word(word)) = self.peek().map(|token| &token.kind) {
             let word = word.to_lowercase();
             words.push(match word.as_str() {
+                "readonly"
+                    if self.tokens.get(self.at + 1).is_some_and(|t| t.is("property") || t.is("default")) =>
+                {
+                    halves = Halves::Get;
+                    ""
+                }
                 "public" => "public",
                 "private" => "private",
                 "protected" => "protected",
@@ -43,10 +57,22 @@ impl Writer {
                 "overrides" => "override",
                 "overridable" => "virtual",
                 "const" => "const",
-                "dim" => "",
+                "dim" | "default" | "shadows" | "overloads" => "",
+                "mustinherit" | "mustoverride" => "abstract",
+                "notinheritable" => "sealed",
+                "writeonly" => {
+                    halves = Halves::Set;
+                    ""
+                }
                 _ => break,
             });
             self.at += 1;
+        }
+        let is_open = |word: &&str| ["public", "private", "protected", "internal"].contains(word);
+        let has_body =
+            ["sub", "function", "property", "class", "structure", "enum"].iter().any(|w| self.is(w));
+        if has_body && !words.iter().any(is_open) {
+            words.insert(0, "public");
         }
         let access = words.join(" ");
         if self.take("class") {
@@ -60,8 +86,16 @@ impl Writer {
             } else {
                 String::new()
             };
-            self.blocks.push(Block::Class);
+            self.blocks.push(Block::Class(name.clone()));
             self.put(line, &format!("{access} class {name}{base} {{"));
+        } else if self.take("structure") {
+            let name = self.word()?;
+            self.blocks.push(Block::Class(name.clone()));
+            self.put(line, &format!("{access} struct {name} {{"));
+        } else if self.is("enum") {
+            self.enumeration(line, &access)?;
+        } else if self.is("property") {
+            self.property(line, &access, halves)?;
         } else if self.is("sub") || self.is("function") {
             self.method(line, &access)?;
         } else {
@@ -87,7 +121,14 @@ impl Writer {
         }
         let list = parameters.join(", ");
         if is_constructor {
-            return Err(self.wrong("a constructor is not supported in VB"));
+            let Some(Block::Class(class)) = self.blocks.last().cloned() else {
+                return Err((line, "a constructor stands in a class".to_owned()));
+            };
+            let chain = self.chain()?;
+            self.put(line, &format!("{access} {class}({list}){chain} {{"));
+            self.blocks.push(Block::Sub);
+            self.scopes.push(Vec::new());
+            return Ok(());
         }
         let result = match (is_function, self.take("as")) {
             (true, true) => self.array_type()?,
@@ -105,7 +146,7 @@ impl Writer {
         Ok(())
     }
 
-    fn parameter(&mut self) -> Result<String, Wrong> {
+    pub(super) fn parameter(&mut self) -> Result<String, Wrong> {
         let (mut passing, mut rest) = ("", false);
         loop {
             if self.take("byref") {
@@ -128,9 +169,14 @@ impl Writer {
 
     /// `()` behind a name: an array.
     fn brackets(&mut self) -> &'static str {
-        let is = self.is_op("(") && self.tokens.get(self.at + 1).is_some_and(|token| token.is_op(")"));
-        self.at += 2 * usize::from(is);
-        if is { "[]" } else { "" }
+        for (length, brackets) in [(2, "[]"), (3, "[,]"), (4, "[,,]")] {
+            let at = |i: usize, op: &str| self.tokens.get(self.at + i).is_some_and(|token| token.is_op(op));
+            if at(0, "(") && (1..length - 1).all(|i| at(i, ",")) && at(length - 1, ")") {
+                self.at += length;
+                return brackets;
+            }
+        }
+        ""
     }
 
     /// A type, with `()` behind it.
@@ -149,18 +195,12 @@ impl Writer {
     /// `a, b As T`, `x As New T(...)`, `y As T = v`, `z = v`, `a(5) As T`: each as C#, with its name.
     pub(super) fn variables(&mut self) -> Result<Vec<(String, String)>, Wrong> {
         let mut made = Vec::new();
-        let mut waiting: Vec<(String, Option<String>, &'static str)> = Vec::new();
+        let mut waiting: Vec<(String, Option<Vec<String>>, &'static str)> = Vec::new();
         loop {
             let name = self.word()?;
             let name = self.spelled(&name);
             let brackets = self.brackets();
-            let size = if brackets.is_empty() && self.take_op("(") {
-                let most = self.expression()?;
-                self.expect_op(")")?;
-                Some(most)
-            } else {
-                None
-            };
+            let size = if brackets.is_empty() && self.take_op("(") { Some(self.list(")")?) } else { None };
             waiting.push((name, size, brackets));
             if self.take_op(",") {
                 continue;
@@ -196,9 +236,17 @@ impl Writer {
 }
 
 /// A declared variable: what has no value begins with the first of its type.
-fn variable(kind: &str, name: &str, size: Option<String>, brackets: &str, value: Option<&str>) -> String {
+fn variable(
+    kind: &str,
+    name: &str,
+    size: Option<Vec<String>>,
+    brackets: &str,
+    value: Option<&str>,
+) -> String {
     if let Some(most) = size {
-        return format!("{kind}[] {name} = new {kind}[{most} + 1]");
+        let commas = ",".repeat(most.len().saturating_sub(1));
+        let sizes: Vec<_> = most.iter().map(|most| format!("{most} + 1")).collect();
+        return format!("{kind}[{commas}] {name} = new {kind}[{}]", sizes.join(", "));
     }
     let kind = format!("{kind}{brackets}");
     match value {

@@ -4,7 +4,9 @@
 //! reference without a word, `a(i)` for elements, `/` of whole numbers, names in any case.
 
 mod expression;
+mod library;
 mod member;
+mod property;
 mod statement;
 mod token;
 
@@ -54,9 +56,23 @@ fn names(tokens: &[Token]) -> Vec<String> {
         let before = i.checked_sub(1).and_then(|i| tokens.get(i));
         let next = tokens.get(i + 1);
         let after_word = before.is_some_and(|t| {
-            ["dim", "sub", "function", "each", "for", "catch", "const", "byval", "byref", "class"]
-                .iter()
-                .any(|w| t.is(w))
+            [
+                "dim",
+                "sub",
+                "function",
+                "each",
+                "for",
+                "catch",
+                "const",
+                "byval",
+                "byref",
+                "class",
+                "property",
+                "structure",
+                "enum",
+            ]
+            .iter()
+            .any(|w| t.is(w))
         });
         if after_word || next.is_some_and(|t| t.is("as")) {
             found.push(name.clone());
@@ -108,7 +124,16 @@ enum Block {
     Sub,
     /// With its name in small letters.
     Function(String),
-    Class,
+    /// With its type, and its name in small letters.
+    Property(String, String),
+    /// A function of several lines within an expression.
+    Lambda,
+    /// `Get` (true) or `Set`.
+    Accessor(bool),
+    /// With what a leading dot stands for.
+    With(String),
+    /// A class or structure, with its name.
+    Class(String),
 }
 
 impl Writer {
@@ -140,9 +165,15 @@ impl Writer {
         while self.lines.len() < line {
             self.lines.push(String::new());
         }
-        if let Some(last) = self.lines.last_mut() {
-            last.push_str(text);
-            last.push(' ');
+        // Text of several lines, as a lambda may be, takes as many here.
+        for (i, part) in text.split('\n').enumerate() {
+            if i > 0 {
+                self.lines.push(String::new());
+            }
+            if let Some(last) = self.lines.last_mut() {
+                last.push_str(part);
+                last.push(' ');
+            }
         }
     }
 

@@ -4,25 +4,12 @@ use super::token::Kind;
 use super::{Block, Writer, Wrong};
 
 /// What is not rewritten, by its first word.
-const MISSING: [&str; 13] = [
-    "with",
-    "on",
-    "goto",
-    "resume",
-    "redim",
-    "raiseevent",
-    "addhandler",
-    "removehandler",
-    "synclock",
-    "erase",
-    "static",
-    "property",
-    "structure",
-];
+const MISSING: [&str; 8] =
+    ["on", "goto", "resume", "raiseevent", "addhandler", "removehandler", "synclock", "static"];
 
 /// What assigns, with how C# writes it.
-const ASSIGNS: [(&str, &str); 7] =
-    [("=", "="), ("+=", "+="), ("-=", "-="), ("*=", "*="), ("/=", "/="), ("\\=", ""), ("&=", "")];
+const ASSIGNS: [(&str, &str); 8] =
+    [("=", "="), ("^=", ""), ("+=", "+="), ("-=", "-="), ("*=", "*="), ("/=", "/="), ("\\=", ""), ("&=", "")];
 
 impl Writer {
     pub(super) fn statements(&mut self) -> Result<(), Wrong> {
@@ -152,6 +139,25 @@ impl Writer {
                 self.open(line, Block::Using, &text);
                 Ok(())
             }
+            "with" => {
+                self.at += 1;
+                let value = self.expression()?;
+                // A place is meant itself: a structure would be changed in a copy.
+                if value.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '@')) {
+                    self.open(line, Block::With(value), "{");
+                } else {
+                    let name = self.fresh();
+                    self.open(line, Block::With(name.clone()), &format!("{{ var {name} = {value};"));
+                }
+                Ok(())
+            }
+            "redim" => self.redim(line),
+            "erase" => {
+                self.at += 1;
+                let name = self.postfix()?;
+                self.put(line, &format!("{name} = null;"));
+                Ok(())
+            }
             "throw" => {
                 self.at += 1;
                 let value = if self.at_end() { String::new() } else { format!(" {}", self.expression()?) };
@@ -171,8 +177,9 @@ impl Writer {
                     line,
                     match what.as_str() {
                         "sub" => "return;",
-                        "function" => "return __result;",
-                        "for" | "while" | "do" => "break;",
+                        "property" if !self.blocks.contains(&Block::Accessor(true)) => "return;",
+                        "function" | "property" => "return __result;",
+                        "for" | "while" | "do" | "select" => self.leave(line, &what)?,
                         _ => return Err((line, format!("'Exit {what}' is not supported in VB"))),
                     },
                 );
@@ -326,6 +333,17 @@ impl Writer {
             ("while", _) => self.close(line, &Block::While, "}"),
             ("try", _) => self.close(line, &Block::Try, "}"),
             ("using", _) => self.close(line, &Block::Using, "}"),
+            ("with", Some(Block::With(_))) => {
+                self.blocks.pop();
+                self.scopes.pop();
+                self.put(line, "}");
+                Ok(())
+            }
+            ("get", Some(Block::Accessor(true))) => {
+                self.close(line, &Block::Accessor(true), "return __result; }")
+            }
+            ("function", Some(Block::Lambda)) => self.close(line, &Block::Lambda, "}"),
+            ("set", _) => self.close(line, &Block::Accessor(false), "}"),
             ("select", Some(Block::Select(_, begun))) => {
                 self.blocks.pop();
                 self.scopes.pop();
@@ -343,7 +361,51 @@ impl Writer {
         }
     }
 
-    fn open(&mut self, line: usize, block: Block, text: &str) {
+    /// `ReDim [Preserve] a(n)`, `a(n, m)`: a new array, of the old elements where they are kept.
+    fn redim(&mut self, line: usize) -> Result<(), Wrong> {
+        self.at += 1;
+        let keeps = self.take("preserve");
+        loop {
+            let name = self.word()?;
+            let mut place = self.spelled(&name);
+            while self.take_op(".") {
+                place = format!("{place}.{}", self.word()?);
+            }
+            self.expect_op("(")?;
+            let most = self.list(")")?;
+            if self.take("as") {
+                self.array_type()?;
+            }
+            if keeps && most.len() > 1 {
+                return Err((line, "'ReDim Preserve' of several dimensions is not supported in VB".into()));
+            }
+            let word = if keeps { "Preserve" } else { "ReDim" };
+            let sizes: Vec<_> = most.iter().map(|most| format!("__VB.Int({most})")).collect();
+            self.put(line, &format!("__VB.{word}(ref {place}, {});", sizes.join(", ")));
+            if !self.take_op(",") {
+                return Ok(());
+            }
+        }
+    }
+
+    /// `Exit For` and the like, where that is the innermost loop.
+    fn leave(&self, line: usize, what: &str) -> Result<&'static str, Wrong> {
+        let innermost = self.blocks.iter().rev().find_map(|block| match block {
+            Block::For => Some("for"),
+            Block::While => Some("while"),
+            Block::Do => Some("do"),
+            _ => None,
+        });
+        match innermost {
+            Some(own) if own == what => Ok("break;"),
+            _ => Err((
+                line,
+                format!("'Exit {what}' of a loop that is not the innermost is not supported in VB"),
+            )),
+        }
+    }
+
+    pub(super) fn open(&mut self, line: usize, block: Block, text: &str) {
         self.blocks.push(block);
         self.scopes.push(Vec::new());
         self.put(line, text);
@@ -370,7 +432,7 @@ impl Writer {
     fn assignment(&mut self, line: usize) -> Result<(), Wrong> {
         let place = self.postfix()?;
         let function = self.blocks.iter().rev().find_map(|block| match block {
-            Block::Function(name) => Some(name.clone()),
+            Block::Function(name) | Block::Property(_, name) => Some(name.clone()),
             _ => None,
         });
         let place = match function {
@@ -392,6 +454,7 @@ impl Writer {
             line,
             &match vb {
                 "\\=" => format!("{place} = __VB.Whole({place}, {value});"),
+                "^=" => format!("{place} = Math.Pow({place}, {value});"),
                 "&=" => format!("{place} = __VB.Join({place}, {value});"),
                 _ => format!("{place} {cs} {value};"),
             },

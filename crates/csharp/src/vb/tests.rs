@@ -86,6 +86,78 @@ fn programs_print_what_vb_says() {
             "True no",
         ),
         ("Dim x As Object = 3\nDim y As Object = 4.5\nConsole.WriteLine(x + y)", "", "7.5"),
+        // `+` of two texts joins, as text and as object; a text beside a number is a number (Option Strict Off).
+        (
+            "Dim x As Object = \"10.5\"\nDim y As Object = \"15.5\"\nDim n As Object = 2.5\nConsole.WriteLine(x + y)\nConsole.WriteLine(x + n)\nConsole.WriteLine(x * 2)",
+            "",
+            "10.515.5 13 21",
+        ),
+        (
+            "Dim x As String = \"10.5\"\nDim y As String = \"15.5\"\nConsole.WriteLine(x + y)\nConsole.WriteLine(x + 1)\nConsole.WriteLine(x & 1)",
+            "",
+            "10.515.5 11.5 10.51",
+        ),
+        (
+            "Dim l As New List(Of Integer)\nWith l\n .Add(1)\n .Add(2)\n Console.WriteLine(.Count)\nEnd With",
+            "",
+            "2",
+        ),
+        (
+            "Dim p As New Pt\nWith p\n .X = 3\n .Y = .X + 1\nEnd With\nConsole.WriteLine(p.X & p.Y)",
+            "Structure Pt\n Public X As Double\n Public Y As Double\nEnd Structure",
+            "34",
+        ),
+        (
+            "Dim a(1) As Integer\na(1) = 7\nReDim Preserve a(3)\na(3) = 1\nConsole.WriteLine(UBound(a) & \" \" & a(1) & a(3))\nReDim a(0)\nConsole.WriteLine(a(0) & a.Length)",
+            "",
+            "3 71 01",
+        ),
+        (
+            "Dim m(1, 2) As Double\nm(1, 2) = 5\nConsole.WriteLine(m.Length & UBound(m, 2) & m(1, 2))\nReDim m(3, 3)\nConsole.WriteLine(m.Length)",
+            "",
+            "625 16",
+        ),
+        (
+            "Dim b As New Box(4)\nb.Size += 1\nConsole.WriteLine(b.Size & b.Twice & b.Name)",
+            "Class Box\n Private s As Double\n Public Property Name As String = \"n\"\n Public Sub New(v As Double)\n  s = v\n End Sub\n Public Property Size() As Double\n  Get\n   Return s\n  End Get\n  Set(ByVal v As Double)\n   s = v\n  End Set\n End Property\n ReadOnly Property Twice As Double\n  Get\n   Twice = s * 2\n  End Get\n End Property\nEnd Class",
+            "510n",
+        ),
+        (
+            "Dim d As New Derived(3)\nConsole.WriteLine(d.V)",
+            "Class Base\n Public V As Integer\n Sub New(x As Integer)\n  V = x\n End Sub\nEnd Class\nClass Derived\n Inherits Base\n Sub New(x As Integer)\n  MyBase.New(x * 2)\n  V += 1\n End Sub\nEnd Class",
+            "7",
+        ),
+        ("Console.WriteLine(Kind.B & \" \" & CInt(Kind.C))", "Enum Kind\n A\n B\n C = 7\nEnd Enum", "B 7"),
+        (
+            "Console.WriteLine(Left(\"hello\", 2) & Mid(\"hello\", 2, 3) & Right(\"hello\", 1) & Len(\"abc\") & InStr(\"hello\", \"l\"))\nConsole.WriteLine(UCase(\"a\") & Trim(\"  b \") & Val(\" 12.5abc\") & Chr(65) & Asc(\"B\") & StrReverse(\"xy\"))",
+            "",
+            "heello33 Ab12.5A66yx",
+        ),
+        (
+            "Console.WriteLine(Join(Split(\"a,b,c\", \",\"), \"-\") & IIf(1 > 2, 1, 2) & IsNumeric(\"3.5\") & IsNumeric(\"x\") & IsNothing(Nothing))",
+            "",
+            "a-b-c2TrueFalseTrue",
+        ),
+        (
+            "Console.WriteLine((\"abc\" Like \"a*\") & (\"abc\" Like \"a?d\") & (\"a1\" Like \"a#\") & (\"ab\" Like \"[a-c][!a]\"))",
+            "",
+            "TrueFalseTrueTrue",
+        ),
+        (
+            "Console.WriteLine((Not 5) & \" \" & (Not True) & \" \" & (6 And 3) & (6 Xor 3) & \" \" & 7.6 \\ 2)",
+            "",
+            "-6 False 25 4",
+        ),
+        (
+            "Dim f As Action(Of Integer) = Sub(x) Console.WriteLine(x + 1)\nf(1)\nDim g As Action = Sub()\n Console.WriteLine(2)\n Console.WriteLine(3)\nEnd Sub\ng()\nDim h As Func(Of Integer, Integer) = Function(x)\n If x > 1 Then Return 10\n Return 20\nEnd Function\nConsole.WriteLine(h(1) + h(2))",
+            "",
+            "2 2 3 30",
+        ),
+        (
+            "Console.WriteLine(Sum(1) + Sum(1, 5))",
+            "Function Sum(a As Integer, Optional b As Integer = 10) As Integer\n Return a + b\nEnd Function",
+            "17",
+        ),
     ];
     let mut wrong = Vec::new();
     for (body, additional, expected) in cases {
@@ -99,8 +171,10 @@ fn programs_print_what_vb_says() {
 
 #[test]
 fn what_is_not_there_is_said_by_name_and_line() {
-    let failure = printed("Dim a = 1\nWith a\nEnd With", "").unwrap_err();
-    assert_eq!(failure, "script(2,1): error: 'with' is not supported in VB");
+    let failure = printed("Dim a = 1\nOn Error Resume Next", "").unwrap_err();
+    assert_eq!(failure, "script(2,1): error: 'on' is not supported in VB");
+    let failure = printed("Dim a = 1\nFor i = 0 To 1\n Do\n Exit For\n Loop\nNext", "").unwrap_err();
+    assert!(failure.starts_with("script(4,") && failure.contains("Exit for"), "{failure}");
     let failure = printed("Dim a = 1\nDim b As Integer = a.Foo", "").unwrap_err();
     assert!(failure.starts_with("script(2,") && failure.contains("Foo"), "{failure}");
 }
@@ -129,10 +203,61 @@ fn deep_texts_are_refused() {
 #[test]
 fn any_text_is_read_or_refused() {
     let words = [
-        "Dim", "a", "As", "Integer", "=", "(", ")", "{", "}", "If", "Then", "Else", "End", "For", "Each",
-        "In", "To", "Next", "1", "2.5", "\"t\"", "\n", ":", ",", ".", "New", "List", "Of", "Function", "Sub",
-        "Select", "Case", "Do", "Loop", "While", "Not", "-", "&", "'", "_", "Class", "Try", "Catch", "Exit",
-        "Return", "With", "\u{e9}", "[", "#",
+        "Dim",
+        "a",
+        "As",
+        "Integer",
+        "=",
+        "(",
+        ")",
+        "{",
+        "}",
+        "If",
+        "Then",
+        "Else",
+        "End",
+        "For",
+        "Each",
+        "In",
+        "To",
+        "Next",
+        "1",
+        "2.5",
+        "\"t\"",
+        "\n",
+        ":",
+        ",",
+        ".",
+        "New",
+        "List",
+        "Of",
+        "Function",
+        "Sub",
+        "Select",
+        "Case",
+        "Do",
+        "Loop",
+        "While",
+        "Not",
+        "-",
+        "&",
+        "'",
+        "_",
+        "Class",
+        "Try",
+        "Catch",
+        "Exit",
+        "Return",
+        "With",
+        "ReDim",
+        "Property",
+        "Get",
+        "Set",
+        "Structure",
+        "Enum",
+        "\u{e9}",
+        "[",
+        "#",
     ];
     let mut state = 7_u64;
     for _ in 0..3_000 {

@@ -405,6 +405,10 @@ fn operations(code: &[Op], program: &mut Program, st: &mut State, floor: usize) 
                     }
                 }
             }
+            Op::Dynamic { site, base: b } => {
+                let f = ok!(super::dynamic::target(program, st, site, base + b as usize));
+                enter!(f, b);
+            }
             Op::Native { n, base: b, ty } => {
                 ok!(st.tidy(program, fi, base));
                 ok!(native(program, st, n, base + b as usize, ty));

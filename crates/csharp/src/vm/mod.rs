@@ -3,6 +3,7 @@
 mod arith;
 mod array;
 mod call;
+mod dynamic;
 pub mod elements;
 pub mod heap;
 mod machine;

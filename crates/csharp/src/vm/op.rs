@@ -4,6 +4,7 @@
 use super::real::Real;
 use super::value::Value;
 use crate::bound::Op as BinOp;
+use crate::bound::Origin;
 use crate::sema::{Prim, Ty};
 use crate::source::Pos;
 
@@ -88,6 +89,7 @@ pub enum Op {
     SetType { a: Reg, ty: Ty },
     Call { f: u32, base: Reg },
     CallVirtual { site: u32, base: Reg },
+    Dynamic { site: u32, base: Reg },
     Native { n: u32, base: Reg, ty: Ty },
     Invoke { base: Reg },
     GenNext { base: Reg },
@@ -185,6 +187,8 @@ pub struct Function {
     pub handlers: Vec<Handler>,
     /// Whether a call makes an iterator, of which type.
     pub generator: Option<Ty>,
+    /// What the function of a delegate was made of.
+    pub origin: Origin,
 }
 
 impl Function {

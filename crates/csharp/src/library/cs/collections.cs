@@ -62,8 +62,14 @@ namespace System.Collections.Generic
         public override string ToString() { return "[" + Key + ", " + Value + "]"; }
         public void Deconstruct(out K key, out V value) { key = Key; value = Value; }
     }
-    [Native] public class List<T> : IList<T>, IReadOnlyList<T>
+    [Native] public class List<T> : IList<T>, IReadOnlyList<T>, IList
     {
+        object IList.this[int index] { get { return this[index]; } set { this[index] = (T)value; } }
+        int IList.Add(object item) { Add((T)item); return Count - 1; }
+        bool IList.Contains(object item) { return item is T && Contains((T)item); }
+        int IList.IndexOf(object item) { return item is T ? IndexOf((T)item) : -1; }
+        void IList.Insert(int index, object item) { Insert(index, (T)item); }
+        void IList.Remove(object item) { if (item is T) Remove((T)item); }
         public extern List();
         public extern List(int capacity);
         public List(IEnumerable<T> items) { AddRange(items); }

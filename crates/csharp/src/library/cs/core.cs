@@ -28,6 +28,7 @@ namespace System
         public static extern Array GetValues(Type type);
         public static extern string[] GetNames(Type type);
         public static extern string GetName(Type type, object value);
+        public static extern Type GetUnderlyingType(Type type);
         public static extern bool IsDefined(Type type, object value);
         public static bool TryParse<T>(string text, out T value) where T : struct { return TryParse<T>(text, false, out value); }
         public static bool TryParse<T>(string text, bool ignoreCase, out T value) where T : struct
@@ -37,7 +38,21 @@ namespace System
             catch (ArgumentException) { return false; }
         }
     }
-    public abstract class Delegate { }
+    public abstract class Delegate
+    {
+        public static extern T[] __Join<T>(T a, T b);
+        public static extern T[] __Without<T>(T a, T b);
+        public static extern bool __Same(object a, object b);
+        public override extern bool Equals(object other);
+        public override int GetHashCode() { return 1; }
+        public extern Delegate[] GetInvocationList();
+    }
+    public class EventArgs
+    {
+        public static readonly EventArgs Empty = new EventArgs();
+    }
+    public delegate void EventHandler(object sender, EventArgs e);
+    public delegate void EventHandler<T>(object sender, T e);
     public abstract class AnonymousObject
     {
         public override extern string ToString();
@@ -346,6 +361,7 @@ namespace System
         public virtual string Message { get { return _message != null ? _message : "Exception of type '" + GetType().FullName + "' was thrown."; } }
         public string StackTrace { get { return ""; } }
         public string Source { get; set; }
+        public Exception GetBaseException() { Exception e = this; while (e.InnerException != null) e = e.InnerException; return e; }
         public override string ToString() { string m = Message; string own = GetType().FullName + (m == "" ? "" : ": " + m); return InnerException == null ? own : own + " ---> " + InnerException; }
     }
     public class SystemException : Exception { public SystemException() : base("System error.") { } public SystemException(string m) : base(m) { } public SystemException(string m, Exception i) : base(m, i) { } }
@@ -366,12 +382,14 @@ namespace System
     public class OverflowException : ArithmeticException { public OverflowException() : base("Arithmetic operation resulted in an overflow.") { } public OverflowException(string m) : base(m) { } }
     public class IndexOutOfRangeException : SystemException { public IndexOutOfRangeException() : base("Index was outside the bounds of the array.") { } public IndexOutOfRangeException(string m) : base(m) { } }
     public class InvalidCastException : SystemException { public InvalidCastException() : base("Specified cast is not valid.") { } public InvalidCastException(string m) : base(m) { } }
+    public class ArrayTypeMismatchException : SystemException { public ArrayTypeMismatchException() : base("Attempted to access an element as a type incompatible with the array.") { } public ArrayTypeMismatchException(string m) : base(m) { } }
     public class InvalidOperationException : SystemException { public InvalidOperationException() : base("Operation is not valid due to the current state of the object.") { } public InvalidOperationException(string m) : base(m) { } public InvalidOperationException(string m, Exception i) : base(m, i) { } }
     public class NotImplementedException : SystemException { public NotImplementedException() : base("The method or operation is not implemented.") { } public NotImplementedException(string m) : base(m) { } }
     public class NotSupportedException : SystemException { public NotSupportedException() : base("Specified method is not supported.") { } public NotSupportedException(string m) : base(m) { } }
     public class NullReferenceException : SystemException { public NullReferenceException() : base("Object reference not set to an instance of an object.") { } public NullReferenceException(string m) : base(m) { } }
     public class FormatException : SystemException { public FormatException() : base("One of the identified items was in an invalid format.") { } public FormatException(string m) : base(m) { } }
     public class SwitchExpressionException : InvalidOperationException { public SwitchExpressionException() : base("Non-exhaustive switch expression failed to match its input.") { } }
+    public class RuntimeBinderException : Exception { public RuntimeBinderException() { } public RuntimeBinderException(string m) : base(m) { } }
     public class TimeoutException : SystemException { public TimeoutException() { } public TimeoutException(string m) : base(m) { } }
 }
 namespace System.Globalization
@@ -390,4 +408,36 @@ namespace System.Collections
     public interface IEnumerable { IEnumerator GetEnumerator(); }
     public interface IEnumerator { object Current { get; } bool MoveNext(); void Reset(); }
     public interface ICollection : IEnumerable { int Count { get; } }
+    public interface IList : ICollection
+    {
+        object this[int index] { get; set; }
+        int Add(object item);
+        void Clear();
+        bool Contains(object item);
+        int IndexOf(object item);
+        void Insert(int index, object item);
+        void Remove(object item);
+        void RemoveAt(int index);
+    }
+    public class ArrayList : IList
+    {
+        private List<object> items = new List<object>();
+        public ArrayList() { }
+        public ArrayList(int capacity) { }
+        public ArrayList(IEnumerable source) { AddRange(source); }
+        public int Count { get { return items.Count; } }
+        public object this[int index] { get { return items[index]; } set { items[index] = value; } }
+        public int Add(object item) { items.Add(item); return items.Count - 1; }
+        public void AddRange(IEnumerable source) { foreach (object x in source) items.Add(x); }
+        public void Clear() { items.Clear(); }
+        public bool Contains(object item) { return items.Contains(item); }
+        public int IndexOf(object item) { return items.IndexOf(item); }
+        public void Insert(int index, object item) { items.Insert(index, item); }
+        public void Remove(object item) { items.Remove(item); }
+        public void RemoveAt(int index) { items.RemoveAt(index); }
+        public void Reverse() { items.Reverse(); }
+        public void Sort() { items.Sort(); }
+        public object[] ToArray() { return items.ToArray(); }
+        public IEnumerator GetEnumerator() { return items.GetEnumerator(); }
+    }
 }

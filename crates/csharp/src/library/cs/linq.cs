@@ -119,6 +119,25 @@ namespace System.Linq
         public static T Single<T>(this IEnumerable<T> s) { int n = 0; T l = default(T); foreach (T x in s) { l = x; if (++n > 1) throw new InvalidOperationException("Sequence contains more than one element"); } if (n == 0) throw None(); return l; }
         public static T Single<T>(this IEnumerable<T> s, Func<T, bool> f) { int n = 0; T l = default(T); foreach (T x in s) if (f(x)) { l = x; n++; } if (n == 0) throw NoMatch(); if (n > 1) throw new InvalidOperationException("Sequence contains more than one matching element"); return l; }
         public static T SingleOrDefault<T>(this IEnumerable<T> s) { int n = 0; T l = default(T); foreach (T x in s) { l = x; if (++n > 1) throw new InvalidOperationException("Sequence contains more than one element"); } return l; }
+        public static T SingleOrDefault<T>(this IEnumerable<T> s, Func<T, bool> f) { int n = 0; T l = default(T); foreach (T x in s) if (f(x)) { l = x; n++; } if (n > 1) throw new InvalidOperationException("Sequence contains more than one matching element"); return l; }
+        public static long LongCount<T>(this IEnumerable<T> s) { return s.Count(); }
+        public static long LongCount<T>(this IEnumerable<T> s, Func<T, bool> f) { return s.Count(f); }
+        public static IEnumerable<T> TakeLast<T>(this IEnumerable<T> s, int n) { T[] a = s.ToArray(); for (int i = Math.Max(0, a.Length - n); i < a.Length; i++) yield return a[i]; }
+        public static IEnumerable<T> SkipLast<T>(this IEnumerable<T> s, int n) { T[] a = s.ToArray(); for (int i = 0; i < a.Length - Math.Max(n, 0); i++) yield return a[i]; }
+        public static IEnumerable<T[]> Chunk<T>(this IEnumerable<T> s, int n)
+        {
+            if (n < 1) throw new ArgumentOutOfRangeException("size");
+            var part = new List<T>();
+            foreach (T x in s) { part.Add(x); if (part.Count == n) { yield return part.ToArray(); part.Clear(); } }
+            if (part.Count > 0) yield return part.ToArray();
+        }
+        public static IEnumerable<T> DistinctBy<T, K>(this IEnumerable<T> s, Func<T, K> k) { var seen = new HashSet<K>(); foreach (T x in s) if (seen.Add(k(x))) yield return x; }
+        public static T MaxBy<T, K>(this IEnumerable<T> s, Func<T, K> k) { return s.Aggregate((a, b) => Comparer<K>.Order(k(b), k(a)) > 0 ? b : a); }
+        public static T MinBy<T, K>(this IEnumerable<T> s, Func<T, K> k) { return s.Aggregate((a, b) => Comparer<K>.Order(k(b), k(a)) < 0 ? b : a); }
+        public static IEnumerable<(A First, B Second)> Zip<A, B>(this IEnumerable<A> a, IEnumerable<B> b) { using (var i = a.GetEnumerator()) using (var j = b.GetEnumerator()) while (i.MoveNext() && j.MoveNext()) yield return (i.Current, j.Current); }
+        public static IOrderedEnumerable<T> OrderByDescending<T, K>(this IEnumerable<T> s, Func<T, K> k, IComparer<K> c) { return new Ordered<T>(s, (a, b) => c.Compare(k(b), k(a))); }
+        public static IOrderedEnumerable<T> ThenBy<T, K>(this IOrderedEnumerable<T> s, Func<T, K> k, IComparer<K> c) { return s.Then((a, b) => c.Compare(k(a), k(b))); }
+        public static IOrderedEnumerable<T> ThenByDescending<T, K>(this IOrderedEnumerable<T> s, Func<T, K> k, IComparer<K> c) { return s.Then((a, b) => c.Compare(k(b), k(a))); }
         public static T ElementAt<T>(this IEnumerable<T> s, int i) { int n = i; if (i >= 0) foreach (T x in s) if (n-- == 0) return x; throw new ArgumentOutOfRangeException("index"); }
         public static T ElementAtOrDefault<T>(this IEnumerable<T> s, int i) { if (i >= 0) foreach (T x in s) if (i-- == 0) return x; return default(T); }
         public static T Aggregate<T>(this IEnumerable<T> s, Func<T, T, T> f) { bool any = false; T a = default(T); foreach (T x in s) { a = any ? f(a, x) : x; any = true; } if (!any) throw None(); return a; }
@@ -156,6 +175,22 @@ namespace System.Linq
         public static float Max<T>(this IEnumerable<T> s, Func<T, float> f) { return s.Select(f).Max(); }
         public static float Min(this IEnumerable<float> s) { bool any = false; float m = 0; foreach (float x in s) { if (!any || x < m || float.IsNaN(x)) m = x; any = true; } if (!any) throw None(); return m; }
         public static float Min<T>(this IEnumerable<T> s, Func<T, float> f) { return s.Select(f).Min(); }
+        public static int? Sum(this IEnumerable<int?> s) { long t = 0; foreach (int? x in s) if (x != null) t = checked(t + x.Value); return checked((int)t); }
+        public static int? Sum<T>(this IEnumerable<T> s, Func<T, int?> f) { return s.Select(f).Sum(); }
+        public static double? Average(this IEnumerable<int?> s) { long t = 0; long n = 0; foreach (int? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return (double)((double)t / n); }
+        public static double? Average<T>(this IEnumerable<T> s, Func<T, int?> f) { return s.Select(f).Average(); }
+        public static long? Sum(this IEnumerable<long?> s) { long t = 0; foreach (long? x in s) if (x != null) t = checked(t + x.Value); return checked((long)t); }
+        public static long? Sum<T>(this IEnumerable<T> s, Func<T, long?> f) { return s.Select(f).Sum(); }
+        public static double? Average(this IEnumerable<long?> s) { long t = 0; long n = 0; foreach (long? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return (double)((double)t / n); }
+        public static double? Average<T>(this IEnumerable<T> s, Func<T, long?> f) { return s.Select(f).Average(); }
+        public static double? Sum(this IEnumerable<double?> s) { double t = 0; foreach (double? x in s) if (x != null) t = checked(t + x.Value); return checked((double)t); }
+        public static double? Sum<T>(this IEnumerable<T> s, Func<T, double?> f) { return s.Select(f).Sum(); }
+        public static double? Average(this IEnumerable<double?> s) { double t = 0; long n = 0; foreach (double? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return (double)((double)t / n); }
+        public static double? Average<T>(this IEnumerable<T> s, Func<T, double?> f) { return s.Select(f).Average(); }
+        public static float? Sum(this IEnumerable<float?> s) { double t = 0; foreach (float? x in s) if (x != null) t = checked(t + x.Value); return checked((float)t); }
+        public static float? Sum<T>(this IEnumerable<T> s, Func<T, float?> f) { return s.Select(f).Sum(); }
+        public static float? Average(this IEnumerable<float?> s) { double t = 0; long n = 0; foreach (float? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return (float)((double)t / n); }
+        public static float? Average<T>(this IEnumerable<T> s, Func<T, float?> f) { return s.Select(f).Average(); }
         public static T Max<T>(this IEnumerable<T> s) { bool any = false; T m = default(T); foreach (T x in s) { if ((object)x == null) continue; if (!any || Comparer<T>.Order(x, m) > 0) m = x; any = true; } if (!any && (object)default(T) != null) throw None(); return m; }
         public static R Max<T, R>(this IEnumerable<T> s, Func<T, R> f) { return s.Select(f).Max(); }
         public static T Min<T>(this IEnumerable<T> s) { bool any = false; T m = default(T); foreach (T x in s) { if ((object)x == null) continue; if (!any || Comparer<T>.Order(x, m) < 0) m = x; any = true; } if (!any && (object)default(T) != null) throw None(); return m; }

@@ -41,6 +41,11 @@ namespace System
                 default: return CultureOrder(a, b, false);
             }
         }
+        static string Part(string s, int start, int length) { return s == null ? null : s.Substring(start, Math.Min(length, s.Length - start)); }
+        public static int Compare(string a, int i, string b, int j, int length) { return Compare(Part(a, i, length), Part(b, j, length)); }
+        public static int Compare(string a, int i, string b, int j, int length, bool ignoreCase) { return Compare(Part(a, i, length), Part(b, j, length), ignoreCase); }
+        public static int Compare(string a, int i, string b, int j, int length, StringComparison how) { return Compare(Part(a, i, length), Part(b, j, length), how); }
+        public static int CompareOrdinal(string a, int i, string b, int j, int length) { return CompareOrdinal(Part(a, i, length), Part(b, j, length)); }
         public IEnumerator<char> GetEnumerator() { for (int i = 0; i < Length; i++) yield return this[i]; }
         IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
         public static bool IsNullOrEmpty(string s) { return s == null || s.Length == 0; }
@@ -63,6 +68,15 @@ namespace System
         public int IndexOf(string part, StringComparison how) { return how == StringComparison.OrdinalIgnoreCase || how == StringComparison.CurrentCultureIgnoreCase || how == StringComparison.InvariantCultureIgnoreCase ? ToUpper().IndexOf(part.ToUpper()) : IndexOf(part); }
         public int IndexOf(char c) { return IndexOf(c, 0); }
         public int IndexOf(char c, int start) { for (int i = start; i < Length; i++) if (this[i] == c) return i; return -1; }
+        public int IndexOf(char c, int start, int count) { for (int i = start; i < start + count; i++) if (this[i] == c) return i; return -1; }
+        public int IndexOf(string part, int start, int count) { int i = Substring(start, count).IndexOf(part); return i < 0 ? -1 : start + i; }
+        public int IndexOf(string part, int start, StringComparison how) { int i = Substring(start).IndexOf(part, how); return i < 0 ? -1 : start + i; }
+        public int LastIndexOf(char c, int start) { for (int i = start; i >= 0; i--) if (this[i] == c) return i; return -1; }
+        public int LastIndexOf(string part, int start) { return Substring(0, Math.Min(Length, start + 1)).LastIndexOf(part); }
+        public int LastIndexOfAny(char[] any) { for (int i = Length - 1; i >= 0; i--) if (Array.IndexOf(any, this[i]) >= 0) return i; return -1; }
+        public bool Contains(string part, StringComparison how) { return IndexOf(part, how) >= 0; }
+        public bool StartsWith(char c) { return Length > 0 && this[0] == c; }
+        public bool EndsWith(char c) { return Length > 0 && this[Length - 1] == c; }
         public int LastIndexOf(char c) { for (int i = Length - 1; i >= 0; i--) if (this[i] == c) return i; return -1; }
         public int LastIndexOf(string part) { if (part == null) throw new ArgumentNullException("value"); return Find(this, part, 0, Length, true); }
         public int IndexOfAny(char[] any) { for (int i = 0; i < Length; i++) if (Array.IndexOf(any, this[i]) >= 0) return i; return -1; }
@@ -94,11 +108,15 @@ namespace System
             for (int i = 0; i < c.Length; i++) s[i] = c[i].ToString();
             return Cut(this, s, count, o == StringSplitOptions.RemoveEmptyEntries);
         }
+        public string[] Split(char c, StringSplitOptions o) { return Split(new char[] { c }, int.MaxValue, o); }
+        public string[] Split(string s, StringSplitOptions o = StringSplitOptions.None) { return Split(new string[] { s }, int.MaxValue, o); }
         public string[] Split(string[] s, StringSplitOptions o) { return Cut(this, s, int.MaxValue, o == StringSplitOptions.RemoveEmptyEntries); }
         public string[] Split(string[] s, int count, StringSplitOptions o) { return Cut(this, s, count, o == StringSplitOptions.RemoveEmptyEntries); }
         static extern string Glue(string separator, string[] parts, int start, int count);
         public static string Join(string separator, params string[] parts) { return Glue(separator, parts, 0, parts.Length); }
         public static string Join(string separator, string[] parts, int start, int count) { return Glue(separator, parts, start, count); }
+        public static string Join(char separator, params string[] parts) { return Glue(separator.ToString(), parts, 0, parts.Length); }
+        public static string Join(char separator, params object[] parts) { return Join(separator.ToString(), parts); }
         public static string Join(string separator, params object[] parts) { return Glue(separator, Texts(parts), 0, parts.Length); }
         public static string Join<T>(string separator, IEnumerable<T> parts)
         {
@@ -262,6 +280,10 @@ namespace System.Text
         public extern StringBuilder();
         public extern StringBuilder(string text);
         public extern StringBuilder(int capacity);
+        public StringBuilder(string text, int capacity) { Put(text); }
+        public StringBuilder(int capacity, int most) { }
+        public int Capacity { get { return Math.Max(16, Length); } set { } }
+        public bool Equals(StringBuilder other) { return other != null && ToString() == other.ToString(); }
         public extern int Length { get; set; }
         public extern char this[int index] { get; set; }
         public override extern string ToString();
@@ -274,11 +296,24 @@ namespace System.Text
         public extern StringBuilder Append(int x);
         public StringBuilder Append(double x) { Put(x.ToString()); return this; }
         public StringBuilder Append(bool x) { Put(x.ToString()); return this; }
+        public StringBuilder Append(string s, int start, int count) { if (s != null) Put(s.Substring(start, count)); return this; }
+        public StringBuilder Append(char[] c) { if (c != null) Put(new string(c)); return this; }
+        public StringBuilder Append(char[] c, int start, int count) { Put(new string(c, start, count)); return this; }
+        public StringBuilder Append(float x) { Put(x.ToString()); return this; }
+        public StringBuilder Append(long x) { Put(x.ToString()); return this; }
+        public StringBuilder AppendJoin<T>(string separator, IEnumerable<T> parts) { Put(string.Join(separator, parts)); return this; }
         public StringBuilder AppendLine() { Put("\n"); return this; }
         public StringBuilder AppendLine(string s) { Put(s); Put("\n"); return this; }
         public StringBuilder AppendFormat(string f, params object[] args) { Put(string.Format(f, args)); return this; }
         public extern StringBuilder Insert(int at, string s);
         public StringBuilder Insert(int at, object o) { return Insert(at, Library.Text(o)); }
+        public StringBuilder Replace(string a, string b, int start, int count)
+        {
+            string all = ToString(), changed = all.Substring(start, count).Replace(a, b);
+            Clear(); Put(all.Substring(0, start)); Put(changed); Put(all.Substring(start + count));
+            return this;
+        }
+        public void CopyTo(int start, char[] to, int at, int count) { for (int i = 0; i < count; i++) to[at + i] = this[start + i]; }
         public extern StringBuilder Remove(int start, int length);
         public extern StringBuilder Replace(string a, string b);
         public StringBuilder Replace(char a, char b) { return Replace(a.ToString(), b.ToString()); }

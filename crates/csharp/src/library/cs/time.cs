@@ -1,4 +1,5 @@
 // Dates and spans of time, in ticks of 100 ns as in .NET. The host's clock is the only one; its zone is UTC.
+using System.Globalization;
 using System.Text;
 
 namespace System
@@ -84,8 +85,101 @@ namespace System
             if (part > 0) text.Append("." + part.ToString("0000000"));
             return text.ToString();
         }
-        public string ToString(string format) { if (string.IsNullOrEmpty(format) || format == "c" || format == "t" || format == "T") return ToString(); throw new NotSupportedException("The format '" + format + "' of TimeSpan is not supported"); }
+        public static bool TryParse(string text, out TimeSpan t)
+        {
+            t = Zero;
+            if (text == null) return false;
+            text = text.Trim();
+            bool minus = text.StartsWith("-");
+            if (minus) text = text.Substring(1);
+            long days = 0, fraction = 0;
+            string[] parts = text.Split(':');
+            int dot = parts[0].IndexOf('.');
+            if (dot >= 0 && parts.Length > 1) { if (!Digits(parts[0].Substring(0, dot), 10675199, out days)) return false; parts[0] = parts[0].Substring(dot + 1); }
+            if (parts.Length == 4) { if (!Digits(parts[0], 10675199, out days)) return false; parts = new string[] { parts[1], parts[2], parts[3] }; }
+            long hours = 0, minutes = 0, seconds = 0;
+            if (parts.Length == 1) { if (!Digits(parts[0], 10675199, out days)) return false; }
+            else
+            {
+                if (parts.Length > 3 || !Digits(parts[0], 23, out hours) || !Digits(parts[1], 59, out minutes)) return false;
+                if (parts.Length == 3)
+                {
+                    dot = parts[2].IndexOf('.');
+                    string whole = dot < 0 ? parts[2] : parts[2].Substring(0, dot), rest = dot < 0 ? "0" : parts[2].Substring(dot + 1);
+                    if (!Digits(whole, 59, out seconds) || rest.Length > 7 || !Digits(rest.PadRight(7, '0'), 9999999, out fraction)) return false;
+                }
+            }
+            long all = ((days * 24 + hours) * 60 + minutes) * 60 + seconds;
+            t = new TimeSpan((minus ? -1 : 1) * (all * TicksPerSecond + fraction));
+            return true;
+        }
+        static bool Digits(string text, long most, out long n)
+        {
+            n = 0;
+            if (text.Length == 0 || text.Length > 9) return false;
+            foreach (char c in text) { if (c < '0' || c > '9') return false; n = n * 10 + c - '0'; }
+            return n <= most;
+        }
+        public static bool TryParse(string text, IFormatProvider provider, out TimeSpan t) { return TryParse(text, out t); }
+        public static TimeSpan Parse(string text) { TimeSpan t; if (text == null) throw new ArgumentNullException("input"); if (!TryParse(text, out t)) throw new FormatException("String was not recognized as a valid TimeSpan."); return t; }
+        public static TimeSpan Parse(string text, IFormatProvider provider) { return Parse(text); }
+        public string ToString(string format) { return TimeFormat.Text(this, format); }
         public string ToString(string format, IFormatProvider provider) { return ToString(format); }
+    }
+    // Formats of spans of time: "c", "g", "G" and patterns.
+    static class TimeFormat
+    {
+        static string Fraction(long ticks, int digits, bool trim)
+        {
+            string all = (ticks % 10000000).ToString("0000000").Substring(0, digits);
+            return trim ? all.TrimEnd('0') : all;
+        }
+        public static string Text(TimeSpan t, string format)
+        {
+            if (string.IsNullOrEmpty(format) || format == "c" || format == "t" || format == "T") return t.ToString();
+            TimeSpan a = t < TimeSpan.Zero ? t.Negate() : t;
+            string sign = t < TimeSpan.Zero ? "-" : "";
+            if (format == "g")
+            {
+                string rest = Fraction(a.Ticks, 7, true);
+                return sign + (a.Days > 0 ? a.Days + ":" : "") + a.Hours + ":" + a.Minutes.ToString("00") + ":" + a.Seconds.ToString("00") + (rest == "" ? "" : "." + rest);
+            }
+            if (format == "G") return sign + a.Days + ":" + a.Hours.ToString("00") + ":" + a.Minutes.ToString("00") + ":" + a.Seconds.ToString("00") + "." + Fraction(a.Ticks, 7, false);
+            if (format.Length == 1) throw new FormatException("Input string was not in a correct format.");
+            return Pattern(a, format);
+        }
+        static string Pattern(TimeSpan a, string format)
+        {
+            var text = new StringBuilder();
+            for (int i = 0; i < format.Length; )
+            {
+                char c = format[i];
+                int n = 1;
+                if (c == '%') { i++; continue; }
+                if (c == '\\') { if (i + 1 >= format.Length) throw new FormatException("Input string was not in a correct format."); text.Append(format[i + 1]); i += 2; continue; }
+                if (c == '\'' || c == '"')
+                {
+                    int end = format.IndexOf(c, i + 1);
+                    if (end < 0) throw new FormatException("Input string was not in a correct format.");
+                    text.Append(format.Substring(i + 1, end - i - 1));
+                    i = end + 1;
+                    continue;
+                }
+                while (i + n < format.Length && format[i + n] == c) n++;
+                if (n > (c == 'd' ? 8 : c == 'f' || c == 'F' ? 7 : 2)) throw new FormatException("Input string was not in a correct format.");
+                switch (c)
+                {
+                    case 'd': text.Append(a.Days.ToString("D" + n)); break;
+                    case 'h': text.Append(a.Hours.ToString("D" + n)); break;
+                    case 'm': text.Append(a.Minutes.ToString("D" + n)); break;
+                    case 's': text.Append(a.Seconds.ToString("D" + n)); break;
+                    case 'f': case 'F': text.Append(Fraction(a.Ticks, n, c == 'F')); break;
+                    default: throw new FormatException("Input string was not in a correct format.");
+                }
+                i += n;
+            }
+            return text.ToString();
+        }
     }
     public struct DateTime : IComparable, IComparable<DateTime>, IEquatable<DateTime>, IFormattable
     {
@@ -199,6 +293,33 @@ namespace System
         public string ToString(IFormatProvider provider) { return ToString("G"); }
         public string ToString(string format, IFormatProvider provider) { return ToString(format); }
         public string ToString(string format) { return DateFormat.Text(this, format); }
+        public static DateTime Parse(string text) { DateTime d; if (text == null) throw new ArgumentNullException("s"); if (!DateParser.Any(text, out d)) throw DateParser.Wrong(); return d; }
+        public static DateTime Parse(string text, IFormatProvider provider) { return Parse(text); }
+        public static DateTime Parse(string text, IFormatProvider provider, DateTimeStyles styles) { return Parse(text); }
+        public static bool TryParse(string text, out DateTime d) { d = MinValue; return text != null && DateParser.Any(text, out d); }
+        public static bool TryParse(string text, IFormatProvider provider, DateTimeStyles styles, out DateTime d) { return TryParse(text, out d); }
+        public static DateTime ParseExact(string text, string format, IFormatProvider provider) { return ParseExact(text, format, provider, DateTimeStyles.None); }
+        public static DateTime ParseExact(string text, string format, IFormatProvider provider, DateTimeStyles styles)
+        {
+            DateTime d;
+            if (text == null) throw new ArgumentNullException("s");
+            if (format == null) throw new ArgumentNullException("format");
+            if (!TryParseExact(text, format, provider, styles, out d)) throw DateParser.Wrong();
+            return d;
+        }
+        public static DateTime ParseExact(string text, string[] formats, IFormatProvider provider, DateTimeStyles styles)
+        {
+            DateTime d;
+            foreach (string format in formats) if (TryParseExact(text, format, provider, styles, out d)) return d;
+            throw DateParser.Wrong();
+        }
+        public static bool TryParseExact(string text, string format, IFormatProvider provider, DateTimeStyles styles, out DateTime d)
+        {
+            d = MinValue;
+            if (text == null || format == null) return false;
+            if (format.Length == 1) format = DateFormat.Pattern(format[0]);
+            return DateParser.Exact((styles & DateTimeStyles.AllowWhiteSpaces) != 0 ? text.Trim() : text, format, out d);
+        }
         public string ToShortDateString() { return ToString("d"); }
         public string ToLongDateString() { return ToString("D"); }
         public string ToShortTimeString() { return ToString("t"); }
@@ -207,8 +328,8 @@ namespace System
     // Formats of dates in the invariant culture.
     static class DateFormat
     {
-        static readonly string[] Months = { "January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November", "December" };
-        static string Pattern(char c)
+        public static readonly string[] Months = { "January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November", "December" };
+        public static string Pattern(char c)
         {
             switch (c)
             {

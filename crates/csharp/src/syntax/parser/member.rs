@@ -42,11 +42,13 @@ impl Parser {
             return self.unsupported("unsafe code");
         }
         let pos = self.pos();
+        if modifiers.has("event") {
+            return self.event(modifiers);
+        }
         if self.is_type_declaration() {
             return Ok(Member::Type(Arc::new(self.type_declaration(modifiers)?)));
         }
         match self.tok() {
-            Tok::Kw("event") => return self.unsupported("An event"),
             Tok::P("~") => return self.unsupported("A finalizer"),
             Tok::Kw("implicit" | "explicit") => return self.conversion(modifiers),
             Tok::Ident(name) if &**name == owner && self.is_ahead(1, "(") => {
@@ -235,6 +237,57 @@ impl Parser {
                 self.expect(";")?;
             }
         }
+        Ok(Member::Property(Arc::new(Property {
+            pos,
+            name,
+            modifiers,
+            ty,
+            params,
+            explicit,
+            getter,
+            setter,
+            value,
+            iterator,
+        })))
+    }
+
+    /// An event is a property of a delegate type: who is not its type only adds to it and takes away. With accessors of
+    /// its own, `add` stands for `get` and `remove` for `set`.
+    fn event(&mut self, modifiers: Modifiers) -> Checked<Member> {
+        let ty = self.type_ref()?;
+        let (explicit, pos, name) = self.member_title()?;
+        let (mut getter, mut setter): (Accessor, Accessor) = (None, None);
+        let mut value = None;
+        if self.eat("{") {
+            while !self.is("}") {
+                self.attributes()?;
+                let at = self.pos();
+                let which = self.ident()?;
+                let (body, _) = self.body()?;
+                match &*which {
+                    "add" => getter = Some((at, Modifiers::default(), body)),
+                    "remove" => setter = Some((at, Modifiers::default(), body)),
+                    _ => return Err(Fault::new(at, 1055, "An add or remove accessor expected")),
+                }
+            }
+            self.expect("}")?;
+            if getter.is_none() || setter.is_none() {
+                let message = format!("'{name}': event property must have both add and remove accessors");
+                return Err(Fault::new(pos, 65, message));
+            }
+        } else {
+            getter = Some((pos, Modifiers::default(), None));
+            setter = Some((pos, Modifiers::default(), None));
+            if self.eat("=") {
+                value = Some(self.expression()?);
+            }
+            if self.is(",") {
+                return self.unsupported("Several events in one declaration");
+            }
+            self.expect(";")?;
+        }
+        let params = Vec::new();
+        let iterator = false;
         Ok(Member::Property(Arc::new(Property {
             pos,
             name,

@@ -1,0 +1,7 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+struct S { public int A, B; }
+class P { static void Main() { S s; s.A = 1; System.Console.WriteLine(s.B); } }
