@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -28,8 +28,12 @@ programs:
 module: programs
 	cp $(BUILT)/lib_katydid$(if $(filter Darwin,$(shell uname)),.dylib,.so) python/katydid/_katydid.abi3.so
 
+# The licences of what is linked into the wheel, with their texts.
+third-party:
+	$(PYTHON) python/third_party.py
+
 # The wheel of the Python package, in target/wheels; `pip install ./python` makes and installs the same.
-wheel: $(VENV)/installed
+wheel: $(VENV)/installed third-party
 	$(VENV)/bin/pip install -q "maturin>=1.9,<2"
 	cd python && ../$(VENV)/bin/maturin build --release --out ../target/wheels
 

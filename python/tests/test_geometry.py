@@ -220,3 +220,30 @@ def test_intersections(run, expression, value):
 @pytest.mark.parametrize("expression, value", RHINOSCRIPT, ids=lambda v: str(v).split("\n")[-1][:50])
 def test_rhinoscriptsyntax(run, expression, value):
     check(run, expression, value)
+
+
+def test_colours_of_a_mesh_are_added_and_set_one_by_one(run):
+    code = """
+from System.Drawing import Color
+m = rg.Mesh()
+for p in [(0, 0, 0), (1, 0, 0), (0, 1, 0)]: m.Vertices.Add(*p)
+m.Faces.AddFace(0, 1, 2)
+m.VertexColors.Add(1, 2, 3)
+m.VertexColors.Add(Color.Red)
+partly = m.Faces.Count
+m.VertexColors.Add(Color.Blue)
+m.VertexColors[0] = Color.FromArgb(9, 8, 7)
+twin = m.DuplicateMesh()
+a = [partly, m.VertexColors.Count, m.IsValid] + [[c.R, c.G, c.B] for c in twin.VertexColors]
+a = repr(a)"""
+    assert run(code) == "[1, 3, True, [9, 8, 7], [255, 0, 0], [0, 0, 255]]"
+
+
+def test_control_points_are_set_in_homogeneous_coordinates(run):
+    code = """
+c = rg.NurbsCurve.Create(False, 2, [rg.Point3d(0, 0, 0), rg.Point3d(1, 1, 0), rg.Point3d(2, 0, 0)])
+c.Points.SetPoint(1, rg.Point4d(2, 2, 0, 2))
+p = c.Points[1]
+c.Points[0] = rg.Point3d(-1, 0, 0)
+a = repr([p.Location.X, p.Location.Y, p.Weight, c.PointAtStart.X])"""
+    assert run(code) == "[1.0, 1.0, 2.0, -1.0]"

@@ -19,7 +19,7 @@ def run(code):
     ("a = filter(lambda x: x > 1, [1, 2])", [2]), ("a = reduce(lambda x, y: x + y, xrange(5))", 10),
     ("a = round(2.5)", 3.0), ("a = round(-0.5)", -1.0), ("a = u'\\u00e9'", "é"), ("a = ur'\\d'", "\\d"),
     ("try:\n    raise ValueError, 'x'\nexcept (ValueError, TypeError), e:\n    a = str(e)", "x"),
-    ("exec 'b = 4'\na = b", 4), ("exec 'a = 4' in globals()", 4), ("a = (lambda (x, y): x * y)((3, 4))", 12),
+    ("exec 'b = 4'\na = b", 4), ("d = {}\nexec('b = 4', d)\na = d['b']", 4), ("exec 'a = 4' in globals()", 4), ("a = (lambda (x, y): x * y)((3, 4))", 12),
     ("a = sorted([(1, 2), (0, 5)], key=lambda (x, y): y)", [(1, 2), (0, 5)]),
     ("a = [3, 1, 2]\na.sort(lambda x, y: cmp(y, x))", [3, 2, 1]), ("a = sorted([1, 3], cmp=lambda x, y: y - x)", [3, 1]),
     ("class C:\n    def __nonzero__(self): return False\na = not C()", True),

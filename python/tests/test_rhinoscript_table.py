@@ -339,23 +339,53 @@ def test_what_shows_a_message_says_it(worker):
     assert not errors(result) and ["remark", "m", -1] in result["messages"]
 
 
-def test_every_function_is_named_in_a_test():
-    """None is here that no test calls."""
-    import ast
+#: What scripts in real definitions call.
+USED = """
+AddArc AddArc3Pt AddCircle AddCurve AddInterpCurve AddLine AddLoftSrf AddPipe AddPlanarSrf AddPoint
+AddPointCloud AddPolyline AddRectangle AddSphere Area CapPlanarHoles CopyObject CopyObjects CreateColor
+CurveAreaCentroid CurveDomain CurveLength Distance DivideCurve EnableRedraw EvaluateCurve EvaluatePlane
+EvaluateSurface ExtrudeCurve ExtrudeCurveStraight ExtrudeSurface IsCurve LineLineIntersection MeshToNurb
+MoveObject MoveObjects MovePlane ObjectsByLayer OffsetCurve PointCoordinates RebuildSurface RotateObject
+RotateObjects RotatePlane SplitBrep SurfaceClosestPoint SurfaceDomain SurfaceNormal SurfaceParameter TrimBrep
+VectorAdd VectorCrossProduct VectorDivide VectorLength VectorRotate VectorSubtract VectorUnitize WorldXYPlane
+coerce3dpoint coercebrep coercecurve coercegeometry coerceline coercesurface
+""".split()
+
+
+def called():
+    """The functions that the tests name."""
     import os
     import re
     here = os.path.dirname(os.path.abspath(__file__))
     tests = "".join(open(os.path.join(here, name), encoding="utf-8").read() for name in sorted(os.listdir(here))
                     if name.startswith("test_"))
-    called = set(re.findall(r"(?:\\n|\b)rs\.(\w+)", tests)) | {call.partition("(")[0] for call in ASKING}
+    return set(re.findall(r"(?:\\n|\b)rs\.(\w+)", tests)) | {call.partition("(")[0] for call in ASKING}
+
+
+def test_what_real_scripts_call_is_here_and_in_a_test():
+    from katydid import rhino
+    rhino.install()
+    try:
+        import rhinoscriptsyntax
+        assert not [name for name in USED if not callable(getattr(rhinoscriptsyntax, name, None))]
+    finally:
+        rhino.uninstall()
+    assert not set(USED) - called()
+
+
+def test_every_function_is_named_in_a_test():
+    """None is here that no test calls."""
+    import ast
+    import os
+    here = os.path.dirname(os.path.abspath(__file__))
     folder = os.path.join(os.path.dirname(here), "katydid", "modules", "rhinoscriptsyntax")
-    untested = set()
+    tested, untested = called(), set()
     for name in sorted(os.listdir(folder)):
         if not name.endswith(".py") or name == "support.py":
             continue
         with open(os.path.join(folder, name), encoding="utf-8") as source:
             for node in ast.parse(source.read()).body:
-                if isinstance(node, ast.FunctionDef) and node.name[0].isupper() and node.name.strip("_") not in called:
+                if isinstance(node, ast.FunctionDef) and node.name[0].isupper() and node.name.strip("_") not in tested:
                     untested.add(node.name)
     assert not untested, " ".join(sorted(untested))
 

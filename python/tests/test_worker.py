@@ -231,3 +231,27 @@ def test_a_warm_run_is_quick(worker):
         times.append(time.perf_counter() - began)
     # The bar is 0.5 ms on a quiet machine; the machine of a test is not.
     assert sorted(times)[5] < 0.01
+
+
+def test_a_package_learns_that_python_3_runs_it(worker):
+    """Packages for both languages ask for itertools.izip to learn which one runs them; converted scripts find it."""
+    asked = "try:\\n    from itertools import izip\\n    old = True\\nexcept ImportError:\\n    old = False\\n"
+    probe = "package = {}\neval(compile('%s', 'package', 'exec'), package)\n" \
+            "from itertools import izip, imap\n" \
+            "a = repr([package['old'], list(izip([1], [2])), list(imap(str, [3]))])" % asked
+    values, result = worker.run(probe, language="python2")
+    assert not errors(result), errors(result)[0]
+    assert values["a"] == "[False, [(1, 2)], ['3']]"
+    _, result = worker.run("from itertools import izip", key="new")
+    assert "ImportError" in errors(result)[0]
+
+
+def test_a_wrapper_of_ones_own_travels_without_a_call_of_the_constructor(worker):
+    code = "import Grasshopper as gh\n" \
+           "class Own(gh.Kernel.Types.GH_GeometricGoo[object], gh.Kernel.IGH_PreviewData):\n" \
+           "    def __init__(self, held): self.m_value = held\n" \
+           "    def ToString(self): return 'own'\n" \
+           "a = Own(4.5)\nb = a.Value"
+    values, result = worker.run(code, outputs=("a", "b"))
+    assert not errors(result), errors(result)[0]
+    assert values == {"a": 4.5, "b": 4.5}

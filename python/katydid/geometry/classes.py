@@ -51,7 +51,7 @@ class Mesh(GeometryBase):
     """A mesh. Vertices and faces that a script adds or sets wait here, and go to the host together when it is asked
     something: a loop over ten thousand costs a few calls. What was read of them is kept up to date meanwhile."""
 
-    __slots__ = ("_waiting",)
+    __slots__ = ("_waiting", "_colours")
 
     def __init__(self, *arguments):
         if len(arguments) == 1 and isinstance(arguments[0], Mesh):
@@ -71,12 +71,25 @@ class Mesh(GeometryBase):
         return waiting
 
     def _settle(self):
+        self._settle_parts()
+        colours = getattr(self, "_colours", None)
+        if colours is None:
+            return
+        object.__setattr__(self, "_colours", None)
+        backend = current()
+        if len(colours) == backend.call("MeshVertexList.get_Count", self):
+            backend.call("MeshVertexColorList.SetColors", self, colours)
+        else:
+            # A colour for each vertex, or none: the rest is still to come.
+            object.__setattr__(self, "_colours", colours)
+
+    def _settle_parts(self):
         waiting = getattr(self, "_waiting", None)
         if waiting is None:
             return
         object.__setattr__(self, "_waiting", None)
         # Vertices and faces are known; what follows from them is not.
-        kept = {name: items for name, items in (self._cache or {}).items() if name in ("Vertices", "Faces")}
+        kept = {name: items for name, items in (self._cache or {}).items() if name in ("Vertices", "Faces", "VertexColors")}
         backend = current()
         vertices, faces, set_vertices, set_faces = waiting
         object.__setattr__(self, "_cache", None)
@@ -102,6 +115,7 @@ _BASES = {
     "PointCloud": GeometryBase, "Point": GeometryBase, "Hatch": GeometryBase, "TextDot": GeometryBase,
     "Light": GeometryBase, "InstanceReferenceGeometry": GeometryBase, "AnnotationBase": GeometryBase,
     "Point3dGrid": GeometryBase, "MorphControl": GeometryBase, "BrepVertex": HostObject, "BrepLoop": HostObject,
+    "BrepTrim": HostObject,
     "MeshingParameters": HostObject, "AreaMassProperties": HostObject, "VolumeMassProperties": HostObject,
     "LengthMassProperties": HostObject, "BezierCurve": HostObject, "BezierSurface": HostObject,
     "SurfaceCurvature": HostObject, "MeshPoint": HostObject, "Matrix": HostObject, "ConicSection": HostObject,
@@ -124,7 +138,7 @@ def _make(name, base):
 
 for _name, _base in _BASES.items():
     _make(_name, _base)
-for _name, _base in (("CurveOnSurface", "Curve"), ("BrepEdge", "CurveProxy"), ("BrepTrim", "CurveProxy"),
+for _name, _base in (("CurveOnSurface", "Curve"), ("BrepEdge", "CurveProxy"),
                      ("BrepFace", "SurfaceProxy"), ("TextEntity", "AnnotationBase"), ("Leader", "AnnotationBase"),
                      ("Dimension", "AnnotationBase"), ("LinearDimension", "Dimension")):
     _make(_name, CLASSES[_base])

@@ -5,11 +5,11 @@ read is kept until the object changes.
 """
 
 from ..backend import current
-from ..values import MeshFace, Point3d, Point3f, Vector3f, to_point
+from ..values import Color, MeshFace, Point3d, Point3f, Point4d, Vector3f, to_point
 from ..values.base import DotNet, not_supported
 from ..values.netlist import NetList
 from .call import invoke, shaped
-from .host_object import Member
+from .host_object import HostObject, Member
 
 
 class HostList(DotNet):
@@ -185,6 +185,36 @@ class FaceList(WaitingList):
     GetFace = WaitingList.__getitem__
 
 
+class ColorList(HostList):
+    """mesh.VertexColors: colours that a script adds or sets wait in Python until the mesh is asked something."""
+
+    __slots__ = ()
+
+    def _items(self):
+        cache = self._owner._cache
+        found = cache.get(self._property) if cache else None
+        return HostList._items(self) if found is None else found
+
+    def _wait(self, items):
+        object.__setattr__(self._owner, "_colours", items)
+
+    def Add(self, *colour):
+        """A colour, or red, green and blue."""
+        items = self._items()
+        items.append(Color.FromArgb(*colour) if len(colour) == 3 else colour[0])
+        self._wait(items)
+        return len(items) - 1
+
+    def SetColor(self, index, *colour):
+        self[index] = Color.FromArgb(*colour) if len(colour) == 3 else colour[0]
+        return True
+
+    def __setitem__(self, index, colour):
+        items = self._items()
+        items[index] = colour
+        self._wait(items)
+
+
 class NormalList(HostList):
     """Normals: vectors in single precision."""
 
@@ -201,6 +231,10 @@ class ControlPointList(HostList):
 
     def SetPoint(self, index, *point):
         """By a point, a point and a weight, or three or four numbers."""
+        if len(point) == 1 and isinstance(point[0], Point4d):
+            # Homogeneous: the point in space is divided by its weight.
+            own = point[0]
+            point = (Point3d(own.X / own.W, own.Y / own.W, own.Z / own.W), own.W)
         place = Point3d(*point[:3]) if len(point) >= 3 else to_point(point[0])
         weight = point[-1] if len(point) in (2, 4) else None
         done = invoke(self._name, "SetPoint", [self._name], (self, index, place))
@@ -208,6 +242,13 @@ class ControlPointList(HostList):
             done = bool(done and invoke(self._name, "SetWeight", [self._name], (self, index, float(weight))))
         self._stale()
         return done
+
+    def __setitem__(self, index, value):
+        """A control point, or a point: its weight stays as it is."""
+        if isinstance(value, HostObject):
+            self.SetPoint(index, value.Location, value.Weight)
+        else:
+            self.SetPoint(index, value)
 
 
 class KnotList(HostList):
@@ -234,6 +275,7 @@ class BrepList(HostList):
 
 
 _CLASSES = {"MeshVertexList": VertexList, "MeshFaceList": FaceList, "MeshVertexNormalList": NormalList,
+            "MeshVertexColorList": ColorList,
             "MeshFaceNormalList": NormalList, "BrepFaceList": BrepList, "NurbsCurvePointList": ControlPointList,
             "NurbsCurveKnotList": KnotList, "NurbsSurfaceKnotList": KnotList}
 

@@ -171,6 +171,21 @@ class _Given:
 _finder = RenamedModules()
 
 
+#: A name that the variables of converted scripts alone have.
+MARK = "__py2_divide__"
+#: What itertools had.
+_ITERTOOLS = {"izip": zip, "imap": map, "ifilter": filter, "izip_longest": itertools.zip_longest,
+              "ifilterfalse": itertools.filterfalse}
+
+
+def _of_itertools(name):
+    """Old names of itertools, for converted scripts alone: packages ask for them to learn which Python runs them."""
+    found = _ITERTOOLS.get(name)
+    if found is None or MARK not in sys._getframe(1).f_globals:
+        raise AttributeError("module 'itertools' has no attribute %r" % name)
+    return found
+
+
 def install():
     """Gives the standard library the names that it lost: for the whole process, so only in a worker."""
     if _finder not in sys.meta_path:
@@ -179,9 +194,7 @@ def install():
                  "Hashable", "Set", "Sized", "Container"):
         if name not in vars(collections):
             setattr(collections, name, getattr(collections.abc, name))
-    itertools.izip, itertools.imap, itertools.ifilter = zip, map, filter
-    itertools.izip_longest = itertools.zip_longest
-    itertools.ifilterfalse = itertools.filterfalse
+    itertools.__getattr__ = _of_itertools
     sys.maxint = sys.maxsize
     import string
     import time

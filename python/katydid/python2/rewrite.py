@@ -53,6 +53,11 @@ class _Rewriter(ast.NodeTransformer):
         self.generic_visit(node)
         method = node.func.attr if isinstance(node.func, ast.Attribute) else None
         bare = not node.args and not node.keywords
+        if isinstance(node.func, ast.Name) and node.func.id == "exec" and len(node.args) == 1 and \
+                isinstance(node.args[0], ast.Tuple) and len(node.args[0].elts) in (2, 3):
+            # `exec (code, names)` is the statement with a tuple: code, global and local names.
+            node.args = node.args[0].elts
+            return node
         if method in _LISTS and bare:
             return ast.copy_location(_call("__py2_list__", node), node)
         if method in _RENAMED and bare:

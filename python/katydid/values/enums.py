@@ -77,9 +77,12 @@ Continuity = make("Continuity", **{"None": 0, "C0_continuous": 1, "C1_continuous
 PipeCapMode = make("PipeCapMode", **{"None": 0, "Flat": 1, "Round": 2})
 ExtrudeCornerType = make("ExtrudeCornerType", **{"None": 0, "Sharp": 1, "Round": 2, "Smooth": 3, "Chamfer": 4})
 SolidOrientation = make("BrepSolidOrientation", **{"None": 0, "Outward": 1, "Inward": -1, "Unknown": 2})
+BrepLoopType = make("BrepLoopType", Unknown=0, Outer=1, Inner=2, Slit=3)
+BrepTrimType = make("BrepTrimType", Unknown=0, Boundary=1, Mated=2, Seam=3, Singular=4, CurveOnSurface=5,
+                    PointOnSurface=6, Slit=7)
 IsoStatus = make("IsoStatus", **{"None": 0, "X": 1, "Y": 2, "West": 3, "South": 4, "East": 5, "North": 6})
 RegionContainment = make("RegionContainment", Disjoint=0, MutualIntersection=1, AInsideB=2, BInsideA=3)
-PlaneFitResult = make("PlaneFitResult", Success=1, Inconclusive=0, Failure=-1)
+PlaneFitResult = make("PlaneFitResult", Success=0, Inconclusive=1, Failure=-1)
 TransformSimilarityType = make("TransformSimilarityType", OrientationReversing=-1, NotSimilarity=0,
                                OrientationPreserving=1)
 ObjectType = make("ObjectType", **{

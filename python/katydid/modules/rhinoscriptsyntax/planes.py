@@ -2,6 +2,7 @@
 
 from katydid.geometry.intersect import Intersection
 from katydid.values import Plane, Vector3d
+from katydid.values.enums import PlaneFitResult
 
 from .coerce import coerce3dpoint, coerce3dpointlist, coerce3dvector, coerceline, coerceplane, coercexform
 from .support import radians
@@ -68,7 +69,7 @@ def PlaneFromPoints(origin, x, y):
 
 def PlaneFitFromPoints(points):
     result, plane = Plane.FitPlaneToPoints(coerce3dpointlist(points, True))
-    return plane if result == 1 else None
+    return plane if result == PlaneFitResult.Success else None
 
 
 def PlaneClosestPoint(plane, point, return_point=True):

@@ -9,12 +9,22 @@ class GH_Goo(_DotNet):
     """Holds one value."""
 
     _namespace = "Grasshopper.Kernel.Types"
+    #: The field of GH_GeometricGoo. Classes of scripts that inherit set it without a call of the constructor.
+    m_value = None
 
     def __init__(self, value=None):
         self.Value = getattr(value, "Value", value) if isinstance(value, GH_Goo) else value
 
+    def _get_value(self):
+        return self.m_value
+
+    def _set_value(self, value):
+        self.m_value = value
+
+    Value = property(_get_value, _set_value)
+
     def _unwrap(self):
-        return self.Value
+        return self.m_value
 
     def ScriptVariable(self):
         return self.Value

@@ -1,0 +1,31 @@
+"""The licences of what is linked into the wheel."""
+
+import importlib.util
+import os
+import shutil
+
+import pytest
+from hosts import PACKAGE
+
+SOURCE = os.path.join(os.path.dirname(PACKAGE), "third_party.py")
+
+
+def test_every_crate_is_named_and_has_a_text():
+    if shutil.which(os.environ.get("CARGO", "cargo")) is None:
+        pytest.skip("there is no cargo: the licences were not looked at")
+    spec = importlib.util.spec_from_file_location("third_party", SOURCE)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    found = module.packages()
+    names = {one["name"] for one in found}
+    # What the module cannot be without is there; what is ours, builds or tests only is not.
+    assert {"pyo3", "uuid", "serde_json"} <= names and not names & {"katydid-geometry", "proptest", "pyo3-build-config"}
+    text = module.document(found)
+    for one in found:
+        assert "\n%s %s: " % (one["name"], one["version"]) in text, one["name"]
+        own = module.texts(one)
+        # Nothing but a name is no text.
+        assert not own or max(map(len, own.values())) > 500, one["name"]
+    # Names stand at the top, and each crate over a text.
+    for one in found:
+        assert text.count("%s %s" % (one["name"], one["version"])) >= 2, one["name"]

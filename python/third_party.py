@@ -1,0 +1,82 @@
+"""Writes THIRD-PARTY: the licences of all that is linked into the wheel, with their texts.
+
+    python third_party.py [FILE]
+
+Asks cargo, without the network, which crates the extension module is made of, and copies the texts that their archives
+have. A crate whose archive has no text is named with its authors. `make wheel` runs it.
+"""
+
+import json
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+#: How files of licences begin.
+WORDS = ("license", "licence", "copying", "copyright", "notice", "unlicense")
+
+
+def cargo(*words):
+    """What cargo prints."""
+    return subprocess.run([os.environ.get("CARGO", "cargo"), *words], cwd=ROOT, stdout=subprocess.PIPE, check=True,
+                          universal_newlines=True).stdout
+
+
+def linked():
+    """Names and versions of the crates of the extension module: neither what builds it nor what tests it."""
+    lines = cargo("tree", "--offline", "--locked", "-p", "katydid-python", "-e", "normal", "--prefix", "none",
+                  "--format", "{p}").splitlines()
+    words = [line.split() for line in lines if line.strip()]
+    return {(line[0], line[1].lstrip("v")) for line in words}
+
+
+def packages():
+    """The crates that are not of this workspace, sorted."""
+    known = json.loads(cargo("metadata", "--offline", "--locked", "--format-version", "1"))
+    wanted = linked()
+    found = [one for one in known["packages"] if (one["name"], one["version"]) in wanted and one["source"]]
+    return sorted(found, key=lambda one: (one["name"], one["version"]))
+
+
+def texts(package):
+    """The texts of a crate's archive, by the names of their files."""
+    folder = os.path.dirname(package["manifest_path"])
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        path = os.path.join(folder, name)
+        if name.lower().startswith(WORDS) and os.path.isfile(path) and not name.endswith((".rs", ".toml", ".html")):
+            with open(path, encoding="utf-8", errors="replace") as file:
+                found[name] = file.read().replace("\r\n", "\n").strip()
+    return found
+
+
+def document(found):
+    """The whole text: the crates with their licences, then each text once with the crates that have it."""
+    parts = ["Katydid's extension module is linked with the crates below. Their licences follow.", ""]
+    holders = {}
+    for one in found:
+        licence = one["license"] or "see its text"
+        own = texts(one)
+        note = "" if own else "; its archive has no text; by %s" % (", ".join(one["authors"]) or "its authors")
+        if not own and "Apache-2.0" in licence:
+            # The text is the same for all, so that the one of this project does.
+            with open(os.path.join(ROOT, "LICENSE-APACHE"), encoding="utf-8") as file:
+                own = {"LICENSE-APACHE": file.read().strip()}
+        parts.append("%s %s: %s%s" % (one["name"], one["version"], licence, note))
+        for text in own.values():
+            holders.setdefault(text, []).append("%s %s" % (one["name"], one["version"]))
+    for text, names in sorted(holders.items(), key=lambda pair: pair[1]):
+        parts += ["", "=" * 80, ", ".join(sorted(set(names))), "=" * 80, "", text]
+    return "\n".join(parts) + "\n"
+
+
+def main():
+    target = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "python", "katydid", "THIRD-PARTY")
+    found = packages()
+    with open(target, "w", encoding="utf-8") as file:
+        file.write(document(found))
+    print("%s: %d crates" % (target, len(found)))
+
+
+if __name__ == "__main__":
+    main()
