@@ -41,7 +41,7 @@ fn parts(value: Value, st: &State, program: &Program) -> Vec<Value> {
     }
     match first_captured(env, st) {
         Value::Ref(list) => match st.heap.get(list) {
-            Obj::Array(_, data, _) => data.clone(),
+            Obj::Array(_, data, _) => data.to_values(),
             _ => Vec::new(),
         },
         _ => Vec::new(),
