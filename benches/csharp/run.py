@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 """The C# interpreter beside Mono's JIT and CPython, on the five programs of this folder: `make bench-csharp`.
 
-The answers are compared before anything is timed. Seconds are the least of a few runs and include the start of each
-program, of which a line of its own tells the length. With --counts, callgrind counts the instructions of ours instead,
+The answers are compared before anything is timed. Seconds are of the processor, the least of a few runs, and include the
+start of each program, of which a line of its own tells the length. With --counts, callgrind counts the instructions of ours instead,
 which do not depend on what else the machine does. Needs the Debian packages mono-mcs and mono-runtime, and valgrind for
 --counts.
 """
 
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 
 FOLDER = pathlib.Path(__file__).parent
 NAMES = ["loops", "vectors", "nbody", "sieve", "text"]
@@ -26,9 +26,10 @@ def printed(command):
 def seconds(command, runs):
     best = float("inf")
     for _ in range(runs):
-        start = time.perf_counter()
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run(command, capture_output=True, check=True)
-        best = min(best, time.perf_counter() - start)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        best = min(best, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
     return best
 
 
@@ -54,7 +55,7 @@ def compared(ours, folder):
 
 def main():
     ours = sys.argv[1]
-    runs = 3
+    runs = 5
     if "--counts" in sys.argv:
         for name in NAMES:
             command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", ours, str(FOLDER / f"{name}.cs")]
