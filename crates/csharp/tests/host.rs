@@ -174,6 +174,14 @@ fn objects_of_the_host() {
 }
 
 #[test]
+fn members_of_dynamic_values_of_the_host() {
+    let body = "dynamic v = new Vec3(3, 4, 0), k = 2; Console.WriteLine(v.Length + \" \" + (v + v) + \" \" + v * k + \" \" + v * v); v.X = 0; v.Unitize(); Console.WriteLine(v);
+        dynamic p = new Path(); p.Add(v); p.Add(new Vec3(0, 0, 7)); Console.WriteLine(p.Count + \" \" + p[1].Z); foreach (var q in p) Console.Write(q.Length + \";\"); Vec3 back = p[0]; Console.WriteLine(back.Y);
+        try { p.Nope(); } catch (Exception e) { Console.WriteLine(e.GetType().Name); }";
+    assert_eq!(printed(body).unwrap(), "5 6,8,0 6,8,0 25\n0,1,0\n2 7\n1;7;1\nRuntimeBinderException\n");
+}
+
+#[test]
 fn a_member_that_the_host_does_not_have_is_named() {
     let failure = printed("Console.WriteLine(new Vec3(1, 2, 3).Missing());").unwrap_err();
     assert!(failure.contains("Vec3.Missing() is not supported"), "{failure}");

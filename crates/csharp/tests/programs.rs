@@ -73,6 +73,6 @@ fn programs_print_what_mono_prints() {
             }
         }
     }
-    assert!(count > 80, "{count} programs");
+    assert!(count > 280, "{count} programs");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

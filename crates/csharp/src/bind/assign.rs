@@ -291,7 +291,12 @@ impl Binder<'_> {
         }
         let ty = place.ty;
         let (number, held) = self.held(ty, pos);
-        let made = self.stepped(pos, by, held);
+        let made = if ty == Ty::DYNAMIC {
+            let one = make(self.sema.known.int, pos, Kind::Const(Const::Int(i128::from(by))));
+            self.binary_values(pos, BinaryOp::Add, held, one)
+        } else {
+            self.stepped(pos, by, held)
+        };
         make(ty, pos, Kind::Update(Box::new(place), number, Box::new(made), post))
     }
 

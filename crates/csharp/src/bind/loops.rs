@@ -90,6 +90,10 @@ impl Binder<'_> {
         if source.ty == Ty::DYNAMIC {
             let plain = self.sema.known.plain_enumerable;
             let source = self.convert(Item::Value(source), plain, pos);
+            // `var` is `dynamic` here (C# specification, 13.9.5.1).
+            let part = NamePart { pos, name: "dynamic".into(), args: Vec::new(), open: 0 };
+            let open = ast::TypeRef { pos, kind: TypeRefKind::Named(vec![part]) };
+            let ty = if matches!(ty.kind, TypeRefKind::Var) { &open } else { ty };
             self.foreach_enumerated(pos, source, ty, names, body, &mut stmts);
             return stmts;
         }

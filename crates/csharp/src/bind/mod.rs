@@ -1,5 +1,6 @@
 //! Syntax trees to bound trees: names to what they stand for, expressions to types, conversions made explicit.
 
+mod arguments;
 mod assign;
 mod assigned;
 mod assigned_set;

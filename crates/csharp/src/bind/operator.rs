@@ -217,7 +217,7 @@ impl Binder<'_> {
             Some(method) if to == self.sema.known.double => {
                 make(to, pos, Kind::Call(None, method, vec![(ast::Passing::Value, value)], false))
             }
-            _ if self.sema.is_value_type(to) && !self.sema.types.is_open(to) => {
+            _ if (self.sema.is_value_type(to) || !self.is_vb()) && !self.sema.types.is_open(to) => {
                 make(to, pos, Kind::Dynamic(DynamicOp::Convert(to), vec![value]))
             }
             _ => self.cast(pos, super::Item::Value(value), to),
@@ -257,6 +257,9 @@ impl Binder<'_> {
                     }
                     _ => None,
                 };
+            }
+            if matches!(op, Op::And | Op::Or) && self.sema.prim(xn.unwrap_or(x.ty)) == Some(Prim::Bool) {
+                return self.three_valued(pos, op, x, y);
             }
             return self.lifted(pos, op, x, y, xn, yn);
         }
@@ -351,6 +354,18 @@ impl Binder<'_> {
             (_, true) => y.ty,
             _ => ty,
         }
+    }
+
+    /// `&` and `|` of truth values that may be missing: one that decides is enough.
+    fn three_valued(&mut self, pos: Pos, op: Op, x: &Expr, y: &Expr) -> Option<Expr> {
+        let bool_ = self.sema.known.bool;
+        let ty = self.sema.nullable(bool_);
+        let method = self.function_of("__Nullable", if op == Op::And { "And" } else { "Or" })?;
+        if [x, y].iter().any(|e| self.sema.implicit(e.ty, ty).is_none()) {
+            return None;
+        }
+        let args = [x, y].map(|e| (Passing::Value, self.convert(Item::Value(e.clone()), ty, pos)));
+        Some(make(ty, pos, Kind::Call(None, method, args.into(), false)))
     }
 
     fn lifted(

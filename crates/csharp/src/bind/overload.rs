@@ -18,7 +18,7 @@ pub(super) struct Chosen {
 
 /// Where a parameter's value comes from.
 #[derive(Debug, Clone)]
-enum Source {
+pub(super) enum Source {
     Arg(usize),
     Default(Arc<ast::Expr>),
     Rest(Vec<usize>),
@@ -540,19 +540,8 @@ impl Binder<'_> {
             };
             converted.push((*passing, value));
         }
+        self.in_written_order(&best.sources, &mut converted);
         Chosen { method: best.method, args: converted, ret: best.ret, index: best.index }
-    }
-
-    fn default_value(&mut self, default: &ast::Expr, ty: Ty) -> Expr {
-        if matches!(default.kind, ast::ExprKind::Default(_)) {
-            // `default(T)`: the type parameter is that of the method.
-            return make(ty, default.pos, Kind::Default(ty));
-        }
-        let item = self.item(default);
-        if matches!(&item, Item::Value(v) if v.ty == Ty::NULL) && self.sema.is_param(ty) {
-            return make(ty, default.pos, Kind::Default(ty));
-        }
-        self.convert(item, ty, default.pos)
     }
 
     pub(super) fn resolve_indexer(

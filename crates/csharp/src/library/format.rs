@@ -11,18 +11,36 @@ pub(super) struct Digits {
     pub(super) point: i32,
 }
 
+/// No double has more significant digits.
+const EXACT: usize = 770;
+
 impl Digits {
-    /// So many significant digits of a finite number, correctly rounded.
+    /// So many significant digits of a finite number, halves rounded away from zero.
     pub(super) fn of_real(x: f64, precision: usize) -> Self {
         if x == 0.0 {
             return Self { negative: false, digits: Vec::new(), point: 0 };
         }
-        let text = format!("{:.*e}", precision.clamp(1, 770) - 1, x.abs());
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let digits = mantissa.bytes().filter(u8::is_ascii_digit).map(|b| b - b'0').collect();
-        let mut made = Self { negative: x < 0.0, digits, point: exponent.parse::<i32>().unwrap_or(0) + 1 };
+        let kept = precision.clamp(1, EXACT);
+        let mut made = Self::written(x, kept + 1);
+        if made.digits.get(kept) == Some(&5) {
+            // Only all digits say whether it is a half, or a little less and rounded already.
+            made = Self::written(x, EXACT);
+        }
+        let up = made.digits.get(kept).is_some_and(|digit| *digit >= 5);
+        made.digits.truncate(kept);
+        if up {
+            made.increment();
+        }
         made.trim();
         made
+    }
+
+    /// So many digits, with the zeros at the end.
+    fn written(x: f64, digits: usize) -> Self {
+        let text = format!("{:.*e}", digits - 1, x.abs());
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits = mantissa.bytes().filter(u8::is_ascii_digit).map(|b| b - b'0').collect();
+        Self { negative: x < 0.0, digits, point: exponent.parse::<i32>().unwrap_or(0) + 1 }
     }
 
     /// The digits of a whole number.

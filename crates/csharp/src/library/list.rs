@@ -105,7 +105,10 @@ pub(super) fn find(key: &str) -> Option<Native> {
             Ok(Value::Null)
         },
         "List.Insert(Int32,T)" => |cx| {
-            let i = index(cx, 1, 1)?;
+            let i = index(cx, 1, 1).map_err(|_| {
+                let message = "Index must be within the bounds of the List.\nParameter name: index";
+                Raise::new("ArgumentOutOfRangeException", message)
+            })?;
             grow(cx)?;
             let value = cx.arg(2);
             let (items, version) = items(cx)?;

@@ -227,19 +227,21 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "AnonymousObject.GetHashCode()" | "Library.StructHash(Object)" => {
             |cx| Ok(Value::I32(fields_hash(cx.arg(0), cx.st, 0)))
         }
-        "AnonymousObject.ToString()" => |cx| {
-            let handle = cx.handle(0)?;
-            let Obj::Inst(ty, fields) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
-            let (ty, fields) = (*ty, fields.clone());
-            let names: Vec<_> =
+        "AnonymousObject.__Names()" => |cx| {
+            let ty = cx.st.type_of(cx.arg(0), &cx.program.sema);
+            let fields =
                 cx.program.sema.def_of(ty).map(|d| cx.program.sema.def(d).fields.clone()).unwrap_or_default();
-            let mut parts = Vec::new();
-            for (name, value) in names.iter().zip(&fields) {
-                let name = cx.program.sema.field(*name).name.clone();
-                parts.push(format!("{name} = {}", text_of(*value, cx.st, &mut cx.program.sema)));
-            }
-            let text = format!("{{ {} }}", parts.join(", "));
-            Ok(cx.text(&text))
+            let names: Vec<_> = fields.iter().map(|f| cx.program.sema.field(*f).name.clone()).collect();
+            let values = names.iter().map(|name| cx.st.text(name)).collect();
+            let string = cx.program.sema.known.string;
+            cx.array(string, values)
+        },
+        "AnonymousObject.__Values()" => |cx| {
+            let handle = cx.handle(0)?;
+            let Obj::Inst(_, fields) = cx.st.heap.get(handle) else { return Ok(Value::Null) };
+            let values = fields.to_vec();
+            let object = cx.program.sema.known.object;
+            cx.array(object, values)
         },
         "Type.get_Name()" => |cx| {
             let ty = type_arg(cx, 0)?;

@@ -102,7 +102,8 @@ impl Sema {
         }
         if self.is_value_type(from) {
             let from = self.nullable_of(from).unwrap_or(from);
-            return self.is_subtype(from, to).then_some(Conversion::Box);
+            // Nothing is boxed to become another value: `T?` becomes `T` by a cast alone.
+            return (!self.is_value_type(to) && self.is_subtype(from, to)).then_some(Conversion::Box);
         }
         if self.is_param(from) {
             let bounds = self.interfaces(from);

@@ -349,6 +349,7 @@ namespace System.Collections.Generic
         public bool Contains(T x) { return items.ContainsKey(x); }
         public bool Remove(T x) { return items.Remove(x); }
         public void Clear() { items.Clear(); }
+        public SortedSet<T> GetViewBetween(T low, T high) { var view = new SortedSet<T>(); foreach (T x in this) if (Comparer<T>.Order(x, low) >= 0 && Comparer<T>.Order(x, high) <= 0) view.Add(x); return view; }
         public T Min { get { return items.Keys[0]; } }
         public T Max { get { return items.Keys[items.Count - 1]; } }
         public IEnumerator<T> GetEnumerator() { return items.Keys.GetEnumerator(); }

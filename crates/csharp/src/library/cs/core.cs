@@ -55,7 +55,15 @@ namespace System
     public delegate void EventHandler<T>(object sender, T e);
     public abstract class AnonymousObject
     {
-        public override extern string ToString();
+        public extern string[] __Names();
+        public extern object[] __Values();
+        public override string ToString()
+        {
+            string[] names = __Names();
+            object[] values = __Values();
+            for (int i = 0; i < names.Length; i++) names[i] += " = " + Library.Text(values[i]);
+            return names.Length == 0 ? "{ }" : "{ " + string.Join(", ", names) + " }";
+        }
         public override extern bool Equals(object other);
         public override extern int GetHashCode();
     }

@@ -1,6 +1,12 @@
 // Operators on values whose types are known when they run: whole numbers, numbers, texts, truth values.
 using System;
 
+public static class __Nullable
+{
+    public static bool? And(bool? a, bool? b) { if (a == false || b == false) return false; if (a == null || b == null) return null; return true; }
+    public static bool? Or(bool? a, bool? b) { if (a == true || b == true) return true; if (a == null || b == null) return null; return false; }
+}
+
 public static class __Dynamic
 {
     static bool Whole(object x) { return x is int || x is byte || x is short || x is char; }

@@ -91,6 +91,7 @@ namespace System.Linq
         public static Dictionary<K, T> ToDictionary<T, K>(this IEnumerable<T> s, Func<T, K> k) { var d = new Dictionary<K, T>(); foreach (T x in s) d.Add(k(x), x); return d; }
         public static Dictionary<K, V> ToDictionary<T, K, V>(this IEnumerable<T> s, Func<T, K> k, Func<T, V> v) { var d = new Dictionary<K, V>(); foreach (T x in s) d.Add(k(x), v(x)); return d; }
         public static Lookup<K, T> ToLookup<T, K>(this IEnumerable<T> s, Func<T, K> k) { var l = new Lookup<K, T>(); foreach (T x in s) l.Put(k(x), x); return l; }
+        public static Lookup<K, V> ToLookup<T, K, V>(this IEnumerable<T> s, Func<T, K> k, Func<T, V> v) { var l = new Lookup<K, V>(); foreach (T x in s) l.Put(k(x), v(x)); return l; }
         public static IEnumerable<IGrouping<K, T>> GroupBy<T, K>(this IEnumerable<T> s, Func<T, K> k) { foreach (var g in s.ToLookup(k)) yield return g; }
         public static IEnumerable<IGrouping<K, V>> GroupBy<T, K, V>(this IEnumerable<T> s, Func<T, K> k, Func<T, V> v) { var l = new Lookup<K, V>(); foreach (T x in s) l.Put(k(x), v(x)); foreach (var g in l) yield return g; }
         public static IEnumerable<R> GroupBy<T, K, R>(this IEnumerable<T> s, Func<T, K> k, Func<K, IEnumerable<T>, R> r) { foreach (var g in s.ToLookup(k)) yield return r(g.Key, g); }

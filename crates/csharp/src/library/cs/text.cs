@@ -209,7 +209,12 @@ namespace System
         public static extern int ToInt32(string s, int radix);
         public static int ToInt32(object o) { if (o == null) return 0; if (o is double) return ToInt32((double)o); if (o is bool) return ToInt32((bool)o); if (o is long) return ToInt32((long)o); if (o is string) return ToInt32((string)o); if (o is char) return (char)o; if (o is float) return ToInt32((double)(float)o); if (o is byte) return (byte)o; if (o is Enum) return Library.PlainHash(o); return (int)o; }
         public static long ToInt64(object o) { if (o == null) return 0; if (o is double) return checked((long)Math.Round((double)o)); if (o is string) return long.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
-        public static byte ToByte(object o) { return checked((byte)ToInt32(o)); }
+        public static byte ToByte(object o)
+        {
+            int n = ToInt32(o);
+            if (n < 0 || n > 255) throw new OverflowException("Value was either too large or too small for an unsigned byte.");
+            return (byte)n;
+        }
         public static double ToDouble(object o) { if (o == null) return 0; if (o is double) return (double)o; if (o is float) return (float)o; if (o is string) return double.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
         public static float ToSingle(object o) { return (float)ToDouble(o); }
         public static bool ToBoolean(object o) { if (o == null) return false; if (o is bool) return (bool)o; if (o is string) return bool.Parse((string)o); return ToDouble(o) != 0; }

@@ -1,0 +1,12 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class P
+{
+    static void Main()
+    {
+        int[] a = { 3, 1, 2 }; Array.Sort(a); Console.WriteLine(string.Join(",", a)); Array.Reverse(a); Console.WriteLine(a[0] + " " + a.Length + " " + a.Rank + Array.IndexOf(a, 2)); int[,] m = { { 1, 2, 3 }, { 4, 5, 6 } }; Console.WriteLine(m.GetLength(0) + " " + m.GetLength(1) + " " + m.Length + " " + m[1, 2] + m.Rank + m.GetUpperBound(1)); int sum = 0; foreach (int x in m) sum += x; Console.WriteLine(sum); int[][] j = new int[3][]; for (int i = 0; i < 3; i++) { j[i] = new int[i + 1]; j[i][i] = i; } Console.WriteLine(j[2][2] + j[1].Length); int[,,] c = new int[2, 2, 2]; c[1, 1, 1] = 8; c[0, 1, 0]++; Console.WriteLine(c[1, 1, 1] + c[0, 1, 0]); Array.Resize(ref a, 5); Console.WriteLine(string.Join(",", a)); int[] b = (int[])a.Clone(); b[0] = 99; Console.WriteLine(a[0]); Array.Copy(a, 0, b, 2, 2); Console.WriteLine(string.Join(",", b)); Array.Clear(b, 0, 2); Console.WriteLine(string.Join(",", b)); string[] s = new string[2]; Console.WriteLine(s[0] == null); Console.WriteLine(a.GetType() + " " + m.GetType() + " " + j.GetType() + typeof(string[,][])); var keys = new[] { 3, 1, 2 }; var vals = new[] { "c", "a", "b" }; Array.Sort(keys, vals); Console.WriteLine(string.Concat(vals)); Console.WriteLine(Array.Find(keys, x => x > 1) + Array.FindIndex(keys, x => x == 3) + string.Join(",", Array.ConvertAll(keys, x => x * 1.5)) + Array.Exists(keys, x => x == 9) + Array.BinarySearch(keys, 2)); var implied = new[] { 1, 2.5, 'a' }; Console.WriteLine(implied[2] + " " + implied.GetType()); byte[] by = { 1, 2 }; by[0] += 255; Console.WriteLine(by[0]); a.SetValue(42, 1); Console.WriteLine(a.GetValue(1)); Array arr = a; Console.WriteLine(arr.Length + " " + (arr is int[])); Console.WriteLine(((IList<int>)a).Count + ((IEnumerable<int>)a).Sum()); int idx = 0; int[] e = new int[3]; e[idx++] = idx; e[idx++] += idx + 5; Console.WriteLine(string.Join(",", e)); Console.WriteLine(a.Max() + new int[] { }.Length + new int[0].Sum()); int[] eq = { 1 }; Console.WriteLine(eq == new[] { 1 }); Console.WriteLine(eq.SequenceEqual(new[] { 1 })); bool[] flags = new bool[2]; flags[1] = !flags[0]; Console.WriteLine(flags[1]); char[] cs = { 'a', 'b' }; Console.WriteLine(cs); Console.WriteLine(string.Join("", cs)); double[] dd = new double[2]; Console.WriteLine(dd[0]); long[] ll = { 1, 2 }; foreach (var x in ll.Reverse()) Console.Write(x); Console.WriteLine(); uint ui = 1; Console.WriteLine(a[ui]);
+    }
+}

@@ -1,0 +1,6 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class P { static System.Collections.Generic.IEnumerable<int> F() { try { } catch { yield return 1; } } static void Main() { } }

@@ -1,0 +1,7 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class P { static int n; static int T(string s, int v) { Console.Write(s + " "); return v; } static int[] Arr(string s) { Console.Write(s + " "); return new int[5]; } static int X { get { Console.Write("get "); return n; } set { Console.Write("set" + value + " "); n = value; } } static P Make(string s) { Console.Write(s + " "); return new P(); } int f; static bool B(string s, bool v) { Console.Write(s + " "); return v; }
+ static void Main() { int r = T("a", 1) + T("b", 2) * T("c", 3); Console.WriteLine(r); Arr("arr")[T("i", 1)] = T("v", 5); Console.WriteLine(); X = X + T("x", 1); Console.WriteLine(); X += T("y", 2); Console.WriteLine(); X++; Console.WriteLine(); Make("m").f = T("z", 3); Console.WriteLine(); bool q = B("t", true) || B("u", true); q = B("v", false) && B("w", true); q = B("p", true) | B("q", true); Console.WriteLine(q); int i = 1; i = i++ + ++i; Console.WriteLine(i); i = 5; int j = i-- - --i; Console.WriteLine(j + " " + i); int k = 3; k += k++ * 2 + k; Console.WriteLine(k); int a = 1, b = 2; a = b = a + b; Console.WriteLine(a + b); Console.WriteLine(B("1", false) ? T("2", 1) : T("3", 2)); string s = null; Console.WriteLine((s ?? "d" + T("n", 1)) + (s?.Length.ToString() ?? "nul")); int[] z = { 1, 2, 3 }; int w = 0; z[w] = w = 2; Console.WriteLine(z[0] + " " + w); Console.WriteLine(T("l", 1) < T("m", 2) == B("o", true)); checked { Console.WriteLine(T("c", 1) - T("d", 1)); } } }

@@ -1,0 +1,7 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class P { static string F(int a, int b = 2, string c = "c", params int[] r) { return a + "," + b + "," + c + "," + r.Length; } static int Sum(params int[] x) { int s = 0; foreach (int i in x) s += i; return s; } static string O(object o = null, double d = 1.5, bool f = true, ConsoleColor k = ConsoleColor.Red) { return (o ?? "null") + " " + d + f; } static void Out(int a, out int b, ref int c) { b = a + 1; c += b; } static int N(int x, int y) { return x * 10 + y; } static int Order(string s, int v) { Console.Write(s); return v; } static T Def<T>(T x = default(T)) { return x; } static void Main() { Console.WriteLine(F(1)); Console.WriteLine(F(1, 5)); Console.WriteLine(F(1, c: "z")); Console.WriteLine(F(b: 9, a: 8)); Console.WriteLine(F(1, 2, "q", 7, 8, 9)); Console.WriteLine(F(1, 2, "q", new[] { 1 })); Console.WriteLine(Sum() + Sum(1) + Sum(1, 2, 3) + Sum(new int[] { 4, 5 })); Console.WriteLine(O()); Console.WriteLine(O(d: 2)); Console.WriteLine(O(1, f: false)); int b, c = 10; Out(1, out b, ref c); Console.WriteLine(b + " " + c); Out(c: ref c, a: 5, b: out b); Console.WriteLine(b + " " + c); Console.WriteLine(N(y: 1, x: 2)); Console.WriteLine(N(y: Order("first ", 1), x: Order("second ", 2))); Console.WriteLine(Def<int>() + (Def<string>() ?? "nul") + Def(3)); Out(2, out int d, ref c); Console.WriteLine(d); Out(3, out var e, ref c); Console.WriteLine(e); Out(3, out _, ref c); } }
+enum ConsoleColor { Red, Blue }

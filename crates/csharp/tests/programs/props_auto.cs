@@ -1,0 +1,7 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+class A { public int X { get; set; } = 5; public string N { get; } = "n"; public int Twice => X * 2; public List<int> L { get; private set; } = new List<int>(); public static int Count { get; set; } int back; public int Back { get { return back; } set { if (value < 0) throw new ArgumentException("neg"); back = value; } } public int WriteOnly { set { back = value * 10; } } public A() { Count++; N += "c"; } public virtual int V { get; protected set; } = 1; public int this[int i] => i * X; public bool Flag { get => back > 0; set => back = value ? 1 : 0; } } class B : A { public override int V { get { return base.V + 10; } protected set { base.V = value; } } public void SetV(int v) { V = v; } } abstract class C { public abstract string Name { get; } public string Hi() => "hi " + Name; } class D : C { public override string Name => "d"; }
+class P { static void Main() { var a = new A { X = 7, Back = 3 }; Console.WriteLine(a.X + a.N + a.Twice + a.L.Count + A.Count + a.Back + a[2]); a.X++; a.X += 2; a.Back -= 1; a.WriteOnly = 4; a.L.Add(1); Console.WriteLine(a.X + " " + a.Back + " " + a.L.Count + a.Flag); a.Flag = false; Console.WriteLine(a.Back); try { a.Back = -1; } catch (ArgumentException e) { Console.WriteLine(e.Message); } var b = new B(); b.SetV(5); Console.WriteLine(b.V + " " + ((A)b).V + A.Count); Console.WriteLine(new D().Hi()); var o = new A { L = { 1, 2 }, X = 2 }; Console.WriteLine(o.L.Count); } }
