@@ -265,6 +265,11 @@ TABLE = [
      "rs.UnlockObject(line()), rs.SelectObject(line()), rs.SelectObjects([line()]), rs.UnselectObject(line()), "
      "rs.UnselectAllObjects(), rs.Redraw(), rs.EnableRedraw(True) in (True, None)]",
      [False, 0, False, 0, False, False, False, 0, False, 0, None, True]),
+    # A parabola: half way along it is the mean of the middle point and the middle of the ends.
+    ("[list(p) for p in [rs.CurveMidPoint(rs.AddNurbsCurve([(0, 0, 0), (1, 2, 0), (2, 0, 0)], [0, 0, 1, 1], 2))]]", [[1.0, 1.0, 0.0]]),
+    ("rs.CurveLength(rs.AddNurbsCurve([(1, 0, 0), (1, 1, 0), (0, 1, 0)], [0, 0, 1, 1], 2, [1, 0.5 ** 0.5, 1]))", math.pi / 2),
+    ("[list(p) for p in rs.PointCloudPoints(rs.AddPointCloud([(0, 0, 0), (1, 2, 3)]))]", [[0.0, 0.0, 0.0], [1.0, 2.0, 3.0]]),
+    ("rs.coercegeometry(rs.AddTextDot('t', (1, 0, 0))).Text", "t"),
     ("[rs.DocumentName(), rs.DocumentPath(), rs.UnitAngleTolerance() > 0, rs.UnitRelativeTolerance()]",
      [None, None, True, 0.01]),
 ]
@@ -277,10 +282,7 @@ ASKING = ["GetBoolean('m', [('a', 'b', 'c')], [True])", "GetObject()", "GetObjec
 
 #: What the host has not yet, with the member that is named.
 MISSING = [
-    ("rs.AddNurbsCurve([(0, 0, 0), (1, 2, 0), (3, 0, 0)], [0, 0, 1, 1], 2)", "NurbsCurve"),
-    ("rs.AddPointCloud([(0, 0, 0)])", "PointCloud"), ("rs.PointCloudPoints(rs.AddPointCloud([(0, 0, 0)]))", "PointCloud"),
     ("rs.ExtrudeCurveTapered(circle(), 2, (0, 0, 1), (0, 0, 0), 5)", "CreateFromTaperedExtrude"),
-    ("rs.AddTextDot('t', (0, 0, 0))", "TextDot"),
     ("rs.BooleanUnion([box(), box()])", "Brep.CreateBooleanUnion"),
     ("rs.BooleanDifference(box(), box())", "Brep.CreateBooleanDifference"),
     ("rs.BooleanIntersection(box(), box())", "Brep.CreateBooleanIntersection"),

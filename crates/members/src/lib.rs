@@ -21,6 +21,7 @@ pub mod geometry;
 mod handles;
 mod host;
 mod shape;
+mod unfinished;
 mod value;
 pub mod wire;
 
@@ -28,4 +29,5 @@ pub use fault::{Cause, Fault};
 pub use handles::Handles;
 pub use host::{Call, Host, Registry, serve};
 pub use shape::{Geometry, Record, Shape};
+pub use unfinished::UnfinishedNurbs;
 pub use value::Value;

@@ -7,6 +7,7 @@ use katydid_geometry::subd::SubD;
 use katydid_geometry::{Brep, Curve, Mesh, Point3, Surface};
 use serde_json::Value as Json;
 
+use crate::unfinished::UnfinishedNurbs;
 use crate::value::Value;
 use crate::wire::{curve_type, encode_object, surface_type, type_name};
 use crate::{Fault, wire};
@@ -43,6 +44,8 @@ pub enum Shape {
     Other(Arc<Object>),
     /// An object of a class that holds nothing yet, such as a `PolyCurve` without segments.
     Empty(&'static str),
+    /// A NURBS curve whose points or knots are not all set yet.
+    Unfinished(Arc<UnfinishedNurbs>),
     /// One of the lists of an object, by the list's class and the object's number. A list that is handed over is its object.
     List(&'static str, u64),
     /// A result of several named values.
@@ -84,6 +87,7 @@ impl Shape {
             Self::SubD(_) => "SubD",
             Self::Other(object) => type_name(object),
             Self::Empty(class) | Self::List(class, _) => class,
+            Self::Unfinished(_) => "NurbsCurve",
             Self::Record(record) => record.class,
         };
         name.trim_start_matches("Rhino.Geometry.")
@@ -149,6 +153,9 @@ impl Shape {
                 Some(brep) => Object::Brep(Box::new(BrepObject::from((*brep?).clone()))),
                 None => return Err(Fault::failed("the face has no surface")),
             },
+            Self::Unfinished(_) => {
+                return Err(Fault::bad_request("is a NurbsCurve whose knots do not rise yet"));
+            }
             Self::Empty(_) | Self::List(..) | Self::Record(_) => {
                 return Err(Fault::bad_request(format!("is a {}, which no model holds", self.class())));
             }

@@ -495,3 +495,101 @@ fn wild_arguments_are_refused_in_words() {
         }
     }
 }
+
+/// RhinoCommon's way to write a curve: a constructor, then points, weights and knots one by one.
+#[test]
+fn a_nurbs_curve_is_written_number_by_number() {
+    let mut script = Script::new();
+    let new = [Value::Int(3), Value::Bool(true), Value::Int(3), Value::Int(3)];
+    let arc = script.call("NurbsCurve.new", &new);
+    for (i, (x, y)) in [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].into_iter().enumerate() {
+        let place = Value::Int(i64::try_from(i).unwrap());
+        let point = Value::Point(Point3::new(x, y, 0.0));
+        script.call("NurbsCurvePointList.SetPoint", &[arc.clone(), place, point]);
+    }
+    script
+        .call("NurbsCurvePointList.SetWeight", &[arc.clone(), Value::Int(1), Value::Number(0.5_f64.sqrt())]);
+    let (kind, why) = script.error("Curve.PointAt", &[arc.clone(), Value::Number(0.5)]);
+    assert_eq!(kind, "argument", "its knots are all 0: {why}");
+    for (i, knot) in [0.0, 0.0, 1.0, 1.0].into_iter().enumerate() {
+        let place = Value::Int(i64::try_from(i).unwrap());
+        script.call("NurbsCurveKnotList.set_Item", &[arc.clone(), place, Value::Number(knot)]);
+    }
+    // A quarter of the unit circle.
+    assert!((script.number("Curve.GetLength", &[arc.clone()]) - FRAC_PI_2).abs() < 1e-6);
+    let Value::Point(middle) = script.call("Curve.PointAt", &[arc.clone(), Value::Number(0.5)]) else {
+        panic!()
+    };
+    assert!(middle.distance_to(Point3::new(0.5_f64.sqrt(), 0.5_f64.sqrt(), 0.0)) < 1e-12);
+    assert_eq!(script.number("NurbsCurve.get_Order", &[arc.clone()]), 3.0);
+    let beyond = [arc, Value::Int(4), Value::Number(2.0)];
+    assert_eq!(script.error("NurbsCurveKnotList.set_Item", &beyond).0, "argument");
+    let few = [Value::Int(3), Value::Int(3)];
+    assert_eq!(script.error("NurbsCurve.new", &few).0, "argument", "degree 3 wants four points");
+}
+
+#[test]
+fn uniform_knots_are_those_of_open_nurbs() {
+    let mut script = Script::new();
+    let curve = script.call("NurbsCurve.new", &[Value::Int(3), Value::Int(6)]);
+    let spacing = [curve.clone(), Value::Number(0.5)];
+    assert_eq!(script.call("NurbsCurveKnotList.CreateUniformKnots", &spacing), Value::Bool(true));
+    let knots = script.call("NurbsCurveKnotList.ToArray", &[curve.clone()]);
+    assert_eq!(knots, Value::Numbers(vec![0.0, 0.0, 0.0, 0.5, 1.0, 1.5, 1.5, 1.5]));
+    script.call("NurbsCurveKnotList.CreatePeriodicKnots", &spacing);
+    let knots = script.call("NurbsCurveKnotList.ToArray", &[curve]);
+    assert_eq!(knots, Value::Numbers(vec![-1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5]));
+}
+
+#[test]
+fn trims_know_their_edge_their_face_and_their_kind() {
+    let mut script = Script::new();
+    let plane = Plane::XY;
+    let kinds = |script: &mut Script, brep: &Value| -> Vec<i64> {
+        let trims = script.call("Brep.get_Trims", std::slice::from_ref(brep)).items().unwrap();
+        trims
+            .iter()
+            .map(|trim| match script.call("BrepTrim.get_TrimType", std::slice::from_ref(trim)) {
+                Value::Enum(name, number) if name == "BrepTrimType" => number,
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    };
+    let side = Interval::new(0.0, 1.0);
+    let cube = Box3 { plane, x: side, y: side, z: side };
+    let cube = script.call("Brep.CreateFromBox", &[Value::Box(Box::new(cube))]);
+    // Six faces of four trims; each edge is shared.
+    assert_eq!(kinds(&mut script, &cube), vec![2; 24]);
+    // A sphere's one face: two trims along the seam, two at the poles, which have no edge.
+    let sphere = Sphere { plane, radius: 2.0 };
+    let sphere = script.call("Brep.CreateFromSphere", &[Value::Sphere(Box::new(sphere))]);
+    let mut found = kinds(&mut script, &sphere);
+    found.sort_unstable();
+    assert_eq!(found, vec![3, 3, 4, 4]);
+    let trims = script.call("Brep.get_Trims", &[sphere]).items().unwrap();
+    let edges =
+        trims.iter().filter(|trim| script.call("BrepTrim.get_Edge", &[(*trim).clone()]) != Value::Null);
+    assert_eq!(edges.count(), 2);
+}
+
+#[test]
+fn point_clouds_and_dots_are_made_asked_and_moved() {
+    let mut script = Script::new();
+    let points = vec![Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0)];
+    let cloud = script.call("PointCloud.new", &[Value::Points(points)]);
+    script.call("PointCloud.Add", &[cloud.clone(), Value::Point(Point3::new(0.0, 4.0, 0.0))]);
+    assert_eq!(script.number("PointCloud.get_Count", &[cloud.clone()]), 3.0);
+    let up = Value::Vector(Vector3::new(0.0, 0.0, 2.0));
+    assert_eq!(script.call("GeometryBase.Translate", &[cloud.clone(), up.clone()]), Value::Bool(true));
+    let near = [cloud.clone(), Value::Point(Point3::new(2.0, 0.0, 0.0))];
+    assert_eq!(script.number("PointCloud.ClosestPoint", &near), 1.0);
+    script.call("PointCloud.RemoveAt", &[cloud.clone(), Value::Int(0)]);
+    let left = vec![Point3::new(3.0, 0.0, 2.0), Point3::new(0.0, 4.0, 2.0)];
+    assert_eq!(script.call("PointCloud.GetPoints", &[cloud.clone()]), Value::Points(left));
+    assert_eq!(script.error("PointCloud.RemoveAt", &[cloud, Value::Int(2)]).0, "argument");
+    let dot = script.call("TextDot.new", &["a".into(), Value::Point(Point3::ORIGIN)]);
+    script.call("GeometryBase.Translate", &[dot.clone(), up]);
+    script.call("TextDot.set_Text", &[dot.clone(), "b".into()]);
+    assert_eq!(script.call("TextDot.get_Text", &[dot.clone()]), Value::from("b"));
+    assert_eq!(script.call("TextDot.get_Point", &[dot]), Value::Point(Point3::new(0.0, 0.0, 2.0)));
+}

@@ -6,11 +6,11 @@ use katydid_component::{
 use katydid_data::cast::{self, Rules};
 use katydid_data::{Column, Path, Tree, TreeBuilder};
 use katydid_definition::archive::Chunk;
+use katydid_definition::document::TypeHint;
 use katydid_members::{Fault, Registry, Value};
 use uuid::Uuid;
 
 use crate::from_script::Outward;
-use crate::hint::Hint;
 use crate::keeper::Keepers;
 use crate::to_script::Inward;
 
@@ -58,7 +58,7 @@ impl Registry for Components {
             return Err(Fault::failed(format!("{}: {}", component.name, error.text)));
         }
         let mut inward = Inward { rules: &self.rules, process: 0, lost: Vec::new() };
-        let hint = Hint::of(None);
+        let hint = TypeHint::of(None);
         let outputs = outcome.outputs.iter().map(|tree| {
             let branches = tree.branches().map(|branch| {
                 let items = branch.iter().map(|item| inward.value(item, hint)).collect();

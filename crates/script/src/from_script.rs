@@ -113,6 +113,6 @@ fn shape(shape: &Shape) -> Option<Data> {
         Shape::Mesh(mesh) => Data::Mesh(mesh.clone()),
         Shape::SubD(subd) => Data::from_object(Object::SubD(Box::new(SubDObject::from(&**subd))), &[])?,
         Shape::Other(object) => Data::from_object((**object).clone(), &[])?,
-        Shape::Empty(_) | Shape::List(..) | Shape::Record(_) => return None,
+        Shape::Empty(_) | Shape::Unfinished(_) | Shape::List(..) | Shape::Record(_) => return None,
     })
 }

@@ -14,7 +14,6 @@ mod csharp;
 pub mod environment;
 mod fence;
 mod from_script;
-mod hint;
 mod interpreter;
 mod keeper;
 mod needs;

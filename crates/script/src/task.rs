@@ -5,11 +5,10 @@ use std::path::Path as FilePath;
 use katydid_component::{Access, Matching, Ranges};
 use katydid_data::cast::Rules;
 use katydid_data::{Path, Tree};
-use katydid_definition::document::{Access as Asked, Port, ScriptLanguage};
+use katydid_definition::document::{Access as Asked, Port, ScriptLanguage, TypeHint};
 use katydid_members::Value;
 use katydid_solver::ScriptTask;
 
-use crate::hint::Hint;
 use crate::to_script::Inward;
 
 /// The name of the output that prints go to.
@@ -20,7 +19,7 @@ pub(crate) const OUT: &str = "out";
 pub(crate) struct Prepared {
     /// The message without its iterations.
     pub(crate) head: Vec<(&'static str, Value)>,
-    pub(crate) inputs: Vec<(Access, Hint, Tree)>,
+    pub(crate) inputs: Vec<(Access, TypeHint, Tree)>,
     pub(crate) rules: Rules,
     /// The branch sets: their paths, and how many iterations each has.
     pub(crate) sets: Vec<(Path, usize)>,
@@ -54,10 +53,10 @@ impl Prepared {
 
     /// The same, of a definition that lies somewhere.
     pub(crate) fn of(task: &ScriptTask<'_>, definition: Option<&FilePath>) -> Self {
-        let inputs: Vec<(Access, Hint, Tree)> = task
+        let inputs: Vec<(Access, TypeHint, Tree)> = task
             .inputs
             .iter()
-            .map(|(port, tree)| (access(port), Hint::of(port.type_hint), tree.clone()))
+            .map(|(port, tree)| (access(port), TypeHint::of(port.type_hint), tree.clone()))
             .collect();
         let trees: Vec<Tree> = inputs.iter().map(|(_, _, tree)| tree.clone()).collect();
         let accesses: Vec<Access> = inputs.iter().map(|(access, ..)| *access).collect();
@@ -120,7 +119,7 @@ impl Prepared {
 }
 
 /// A whole tree.
-fn whole(tree: &Tree, hint: Hint, inward: &mut Inward<'_>) -> Value {
+fn whole(tree: &Tree, hint: TypeHint, inward: &mut Inward<'_>) -> Value {
     let branches = tree.branches().map(|branch| {
         let items = branch.iter().map(|item| inward.value(item, hint)).collect();
         (branch.path().elements().to_vec(), items)
@@ -144,7 +143,7 @@ fn head(task: &ScriptTask<'_>, definition: Option<&FilePath>) -> Vec<(&'static s
         Value::map([
             ("name", text(variable(port))),
             ("access", text(access)),
-            ("hint", text(Hint::of(port.type_hint).name)),
+            ("hint", text(TypeHint::of(port.type_hint).name)),
             ("optional", Value::Bool(port.optional)),
             ("description", text(&port.description)),
         ])

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use katydid_3dm::Limits;
 use katydid_data::cast::{self, Rules};
 use katydid_data::{Content, Value as Data};
+use katydid_definition::document::TypeHint;
 use katydid_geometry::Brep;
 use katydid_members::{Shape, Value};
 
-use crate::hint::Hint;
 use crate::keeper::Kept;
 
 /// Turns data into values, and counts what could not be.
@@ -23,7 +23,7 @@ pub(crate) struct Inward<'a> {
 
 impl Inward<'_> {
     /// A value, or null for what is missing or cannot be handed over.
-    pub(crate) fn value(&mut self, item: Option<Data>, hint: Hint) -> Value {
+    pub(crate) fn value(&mut self, item: Option<Data>, hint: TypeHint) -> Value {
         let Some(item) = item else { return Value::Null };
         let cast = match hint.kind {
             Some(kind) => cast::value(&item, kind, self.rules),
@@ -49,7 +49,7 @@ impl Inward<'_> {
         }
     }
 
-    fn known(&mut self, item: &Data, hint: Hint) -> Option<Value> {
+    fn known(&mut self, item: &Data, hint: TypeHint) -> Option<Value> {
         Some(match item {
             Data::Boolean(flag) => Value::Bool(*flag),
             Data::Integer(whole) => Value::Int((*whole).into()),

@@ -20,6 +20,7 @@ mod inputs;
 mod modifiers;
 mod object;
 mod options;
+mod outside;
 mod recorder;
 mod refused;
 mod remote;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use katydid_component::{Account, Budget, Cancel, Limits, Message, registry};
+use katydid_component::{Account, Budget, Cancel, Limits, Message};
 use katydid_data::cast::Rules;
 use katydid_data::{Kind, Tree, Value};
 use katydid_definition::archive::{Chunk, ItemValue};
@@ -12,7 +12,8 @@ use katydid_definition::document::{Object, Port};
 use uuid::{Uuid, uuid};
 
 use crate::collect;
-use crate::object::{Turn, output};
+use crate::object::Turn;
+use crate::outside;
 use crate::report::{ObjectReport, Status};
 
 /// Hops: a component that asks a server for its results.
@@ -92,23 +93,7 @@ pub(crate) fn solve(
         Solved::default()
     });
     messages.extend(solved.messages);
-    let mut trees = solved.outputs.into_iter();
-    let outputs: Vec<Tree> = object
-        .outputs
-        .iter()
-        .enumerate()
-        .map(|(k, port)| {
-            let tree = trees.next().unwrap_or_default();
-            let tree = collect::cast_to(tree, kind(port), &rules, &mut messages);
-            output(object, k, tree, turn.options, &mut messages)
-        })
-        .collect();
-    let items = outputs.iter().map(Tree::item_count).sum();
-    if let Err(message) = budget.items(items) {
-        return Some(ObjectReport::idle(Status::Error, vec![message], object.outputs.len()));
-    }
-    let status = ObjectReport::status_of(&messages);
-    Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+    Some(outside::report(turn, object, solved.outputs, messages, budget))
 }
 
 /// What the inputs of a component make of what it asks.
@@ -140,15 +125,14 @@ fn steered<'a>(
         let collected = collect::port(object, port, None, wires, turn.options);
         messages.extend(collected.messages);
         let steering = Steering::of(port, settings);
-        let kind = steering.map_or_else(|| kind(port), Steering::kind);
+        let kind = steering.map_or_else(|| outside::kind(port), Steering::kind);
         let tree = collect::cast_to(collected.tree, kind, &turn.options.rules, messages);
         let Some(steering) = steering else {
             steered.inputs.push((port.name.as_str(), tree));
             continue;
         };
         if tree.is_empty() {
-            let text = format!("Input parameter {} failed to collect data", port.nickname);
-            messages.push(Message::warning(text));
+            messages.push(outside::no_data(port));
             return Err(Status::NoData);
         }
         match (steering, tree.column().get(0)) {
@@ -194,10 +178,4 @@ impl Steering {
             Self::Enabled => Kind::Boolean,
         }
     }
-}
-
-/// The type of a port: that of the parameter it is.
-fn kind(port: &Port) -> Kind {
-    let parameter = port.type_id.and_then(registry::by_guid);
-    parameter.and_then(|parameter| parameter.output(0)).map_or(Kind::Generic, |port| port.kind)
 }

@@ -3,13 +3,14 @@
 use std::fmt;
 use std::sync::Arc;
 
-use katydid_component::{Budget, Cancel, Limits, Message, registry};
+use katydid_component::{Budget, Cancel, Limits, Message};
 use katydid_data::cast::Rules;
 use katydid_data::{Column, Kind, Path, Tree, Value};
 use katydid_definition::document::{Object, Port, Script, ScriptLanguage};
 
 use crate::collect;
-use crate::object::{Turn, output};
+use crate::object::Turn;
+use crate::outside;
 use crate::report::{ObjectReport, Status};
 
 /// Runs scripts.
@@ -92,7 +93,10 @@ pub(crate) fn solve(
         if holds_text(&script, port, k) {
             match text(&collected.tree) {
                 Some(text) => script.text = text,
-                None => missing |= needs(port, &mut messages),
+                None => {
+                    messages.push(outside::no_data(port));
+                    missing = true;
+                }
             }
             continue;
         }
@@ -119,23 +123,7 @@ pub(crate) fn solve(
         }
     };
     messages.extend(done.messages);
-    let mut trees = done.outputs.into_iter();
-    let outputs: Vec<Tree> = object
-        .outputs
-        .iter()
-        .enumerate()
-        .map(|(k, port)| {
-            let tree = trees.next().unwrap_or_default();
-            let tree = collect::cast_to(tree, kind(port), &rules, &mut messages);
-            output(object, k, tree, turn.options, &mut messages)
-        })
-        .collect();
-    let items = outputs.iter().map(Tree::item_count).sum();
-    if let Err(message) = budget.items(items) {
-        return Some(ObjectReport::idle(Status::Error, vec![message], object.outputs.len()));
-    }
-    let status = ObjectReport::status_of(&messages);
-    Some(ObjectReport { outputs, ..ObjectReport::idle(status, messages, 0) })
+    Some(outside::report(turn, object, done.outputs, messages, budget))
 }
 
 /// Whether a report has objects in it that went with the process that held them.
@@ -167,15 +155,4 @@ fn text(tree: &Tree) -> Option<String> {
         _ => String::new(),
     };
     Some(tree.column().iter().map(line).collect::<Vec<_>>().join("\n"))
-}
-
-fn needs(port: &Port, messages: &mut Vec<Message>) -> bool {
-    messages.push(Message::warning(format!("Input parameter {} failed to collect data", port.nickname)));
-    true
-}
-
-/// The type of a port: that of the parameter it is.
-fn kind(port: &Port) -> Kind {
-    let parameter = port.type_id.and_then(registry::by_guid);
-    parameter.and_then(|parameter| parameter.output(0)).map_or(Kind::Generic, |port| port.kind)
 }

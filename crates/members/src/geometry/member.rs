@@ -19,9 +19,7 @@ pub struct MemberReply {
 /// The class that a class inherits members from.
 fn base_class(class: &str) -> Option<&'static str> {
     Some(match class {
-        "LineCurve" | "ArcCurve" | "PolylineCurve" | "NurbsCurve" | "PolyCurve" | "BrepEdge" | "BrepTrim" => {
-            "Curve"
-        }
+        "LineCurve" | "ArcCurve" | "PolylineCurve" | "NurbsCurve" | "PolyCurve" | "BrepEdge" => "Curve",
         "PlaneSurface" | "NurbsSurface" | "RevSurface" | "SumSurface" | "Extrusion" | "BrepFace" => "Surface",
         "Curve" | "Surface" | "Brep" | "Mesh" | "SubD" | "Point" | "PointCloud" | "TextDot" | "Hatch" => {
             "GeometryBase"

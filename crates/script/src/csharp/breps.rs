@@ -1,4 +1,4 @@
-//! What scripts ask of a Brep's trims, and faces that are taken out of it: the table has no members for them.
+//! Faces that are taken out of a Brep: those that are left keep their numbers, which no member of the table does.
 
 use std::sync::Arc;
 
@@ -6,15 +6,7 @@ use katydid_geometry::Brep;
 use katydid_members::{Fault, Shape, Value};
 
 /// The members of this file, as declarations name them.
-pub(super) const MEMBERS: [&str; 7] = [
-    "Brep.__ExtractFace",
-    "Brep.__FaceCount",
-    "Brep.__HasFace",
-    "Brep.__TrimCount",
-    "Brep.__TrimEdge",
-    "Brep.__TrimEnds",
-    "Brep.__TrimFace",
-];
+pub(super) const MEMBERS: [&str; 3] = ["Brep.__ExtractFace", "Brep.__FaceCount", "Brep.__HasFace"];
 
 /// Breps that faces were taken out of.
 pub(super) type Extracted = Vec<(Arc<Brep>, Numbers)>;
@@ -48,18 +40,8 @@ fn answer(member: &str, arguments: &[Value], extracted: &mut Extracted) -> Given
         Some(Value::Int(index)) => usize::try_from(*index).ok(),
         _ => None,
     };
-    let own = index.and_then(|index| brep.trims().get(index));
-    let beyond = || Fault::bad_request("the number of a trim lies beyond them");
-    let number = |place: Option<usize>| Value::Int(place.and_then(|i| i64::try_from(i).ok()).unwrap_or(-1));
     let value = match member {
-        "TrimCount" => number(Some(brep.trims().len())),
-        "TrimEdge" => number(own.ok_or_else(beyond)?.edge),
-        "TrimFace" => number({
-            let own = own.ok_or_else(beyond)?.in_loop;
-            own.and_then(|own| brep.loops().get(own)).and_then(|own| own.face)
-        }),
-        "TrimEnds" => ends(&brep, index.ok_or_else(beyond)?).ok_or_else(beyond)?,
-        "FaceCount" => number(Some(numbers(&brep, extracted).count)),
+        "FaceCount" => Value::Int(i64::try_from(numbers(&brep, extracted).count).unwrap_or(-1)),
         "HasFace" => {
             Value::Bool(index.is_some_and(|index| numbers(&brep, extracted).places.contains(&index)))
         }
@@ -90,10 +72,4 @@ fn extract(brep: &Arc<Brep>, index: Option<usize>, extracted: &mut Extracted) ->
     }
     extracted.push((rest.clone(), numbers));
     Ok((Shape::Brep(face).into(), Some(Shape::Brep(rest))))
-}
-
-/// Where a trim begins and ends in the parameters of its surface.
-fn ends(brep: &Brep, trim: usize) -> Option<Value> {
-    let domain = brep.trims().get(trim)?.part.domain;
-    Some(Value::Points(vec![brep.trim_point(trim, domain.start)?, brep.trim_point(trim, domain.end)?]))
 }

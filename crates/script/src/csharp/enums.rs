@@ -1,4 +1,4 @@
-//! Enumerations of RhinoCommon: those that Python's scripts have, from the same list, and some with numbers of their own.
+//! Enumerations of RhinoCommon: those that Python's scripts have, from the same list, and some more.
 
 use std::fmt::Write as _;
 use std::sync::LazyLock;
@@ -6,17 +6,14 @@ use std::sync::LazyLock;
 /// The list, in Python.
 const SOURCE: &str = include_str!("../../../../python/katydid/values/enums.py");
 
-/// What that list has not, or numbers otherwise than the published stubs of RhinoCommon 8.20, which count here.
-const MORE: [(&str, &[(&str, i64)]); 10] = [
-    ("CurveOrientation", &[("Undefined", 0), ("Clockwise", -1), ("CounterClockwise", 1)]),
-    ("PlaneFitResult", &[("Success", 0), ("Inconclusive", 1), ("Failure", -1)]),
+/// What that list has not.
+const MORE: [(&str, &[(&str, i64)]); 7] = [
     ("BlendType", &[("Chamfer", 0), ("Fillet", 1), ("Blend", 2)]),
     ("RailType", &[("DistanceFromEdge", 0), ("RollingBall", 1), ("DistanceBetweenRails", 2)]),
     ("NurbsCurveEndConditionType", &[("Nothing", 0), ("Position", 1), ("Tangency", 2), ("Curvature", 3)]),
     ("SweepMiter", &[("None", 0), ("Trimmed", 1), ("Untrimmed", 2)]),
     ("SweepFrame", &[("Freeform", 0), ("Roadlike", 1)]),
     ("SmoothingCoordinateSystem", &[("World", 0), ("CPlane", 1), ("Object", 2)]),
-    ("BrepLoopType", &[("Unknown", 0), ("Outer", 1), ("Inner", 2), ("Slit", 3)]),
     ("PointFaceRelation", &[("Exterior", 0), ("Interior", 1), ("Boundary", 2)]),
 ];
 

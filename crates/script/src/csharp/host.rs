@@ -34,12 +34,13 @@ static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
 });
 
 /// Properties that no member of the table is: of the document, and of results of named values.
-const RECORDS: [(&str, &[&str]); 4] = [
+const RECORDS: [(&str, &[&str]); 5] = [
     (
         "RhinoDoc",
         &["ModelAbsoluteTolerance", "ModelAngleToleranceRadians", "ModelAngleToleranceDegrees", "UnitNumber"],
     ),
     ("BrepLoop", &["LoopIndex", "Face", "To3dCurve"]),
+    ("BrepTrim", &["Brep", "TrimIndex", "Edge", "Face", "Loop", "Domain", "PointAtStart", "PointAtEnd"]),
     ("BrepVertex", &["VertexIndex", "Location", "EdgeIndices"]),
     (
         "SurfaceCurvature",

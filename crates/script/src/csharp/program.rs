@@ -7,12 +7,11 @@ use katydid_csharp::sema::{MethodId, Ty};
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
 use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Parts, Source};
-use katydid_definition::document::{Access, Object, Port, Script, ScriptLanguage};
+use katydid_definition::document::{Access, Object, Port, Script, ScriptLanguage, TypeHint};
 use katydid_members::Value;
 
 use super::convert::{fitted, from_csharp, list, to_csharp};
 use super::host::{ScriptHost, Turn};
-use crate::hint::Hint;
 use crate::task::{OUT, variable};
 
 const CLASS: &str = "Script_Instance";
@@ -94,7 +93,7 @@ pub(super) fn parameters(object: &Object, inputs: &[&Port], language: &ScriptLan
         *language == ScriptLanguage::VisualBasic || object.script().is_some_and(|script| is_loose(&script));
     let open = if is_open { "dynamic" } else { "object" };
     let inputs = inputs.iter().map(|port| {
-        let kind = type_name(Hint::of(port.type_hint).name).unwrap_or(open);
+        let kind = type_name(TypeHint::of(port.type_hint).name).unwrap_or(open);
         let kind = match port.access {
             Access::Item => kind.to_owned(),
             Access::List => format!("List<{kind}>"),

@@ -2,13 +2,12 @@
 
 use base64::{Engine, engine::general_purpose::STANDARD as BASE64};
 use katydid_definition::archive::Chunk;
-use katydid_definition::document::{Object, PortRef, Side, ids};
+use katydid_definition::document::{Object, PortRef, Side, TypeHint, ids};
 use uuid::{Uuid, uuid};
 
 use super::controls::{short, unfit};
 use crate::Refusal;
 use crate::protocol::AccessView;
-use crate::view::hints;
 
 /// The parameter type of an input of Grasshopper 1's script components.
 const SCRIPT_VARIABLE: Uuid = uuid!("84fa917c-1ed8-4db3-8be1-7bdc4a6495a2");
@@ -75,8 +74,8 @@ fn lines(code: &mut Chunk, text: &str) {
 
 /// Gives an input another type hint, by its name.
 pub(super) fn hint(object: &mut Object, at: PortRef, name: &str) -> Result<(), Refusal> {
-    let id = hints::id(object.component, name);
-    let Some(id) = id else { return Err(unfit(object, "its inputs have no hint of that name")) };
+    let found = TypeHint::offered_by(object.component).find(|(hint, _)| hint.is(name));
+    let Some((_, id)) = found else { return Err(unfit(object, "its inputs have no hint of that name")) };
     let chunk = input(object, at)?;
     chunk.set("TypeHintID", id);
     // It names the .NET class of the hint that was.

@@ -3,7 +3,9 @@
 use katydid_data::Value;
 use katydid_definition::archive;
 use katydid_definition::document::special::{Border, Graph, GraphMapper, ListMode, Rounding, Sketch};
-use katydid_definition::document::{Document, Object, Persistent, Script, Special, Stored, format_path, ids};
+use katydid_definition::document::{
+    Document, Object, Persistent, Script, Special, Stored, TypeHint, format_path, ids,
+};
 use katydid_solver::{Engine, Options};
 
 use crate::protocol::{
@@ -156,7 +158,7 @@ fn scripted(object: &Object, script: Script) -> Control {
         additional: is_in_parts.then(|| plain(script.additional)),
         using: is_in_parts.then(|| plain(script.using)),
         from_wire: script.from_wire,
-        hints: super::hints::names(object.component),
+        hints: TypeHint::offered_by(object.component).map(|(hint, _)| hint.name.to_owned()).collect(),
     }
 }
 

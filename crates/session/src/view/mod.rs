@@ -1,7 +1,6 @@
 //! The document as faces see it.
 
 mod control;
-pub(crate) mod hints;
 mod implied;
 mod object;
 pub(crate) mod picture;

@@ -2,10 +2,10 @@
 
 use katydid_component::{Component, registry};
 use katydid_data::Kind;
-use katydid_definition::document::{Access, Mapping, Object, Port, PortPlace, Side, WireDisplay};
+use katydid_definition::document::{Access, Mapping, Object, Port, PortPlace, Side, TypeHint, WireDisplay};
 
 use crate::protocol::{MappingView, PortView, WireView};
-use crate::view::{hints, size};
+use crate::view::size;
 
 /// The ports of one side.
 pub(super) fn ports(object: &Object, side: Side) -> Vec<PortView> {
@@ -66,7 +66,7 @@ fn view(
         kept: if side == Side::Input { kept(object, port) } else { 0 },
         principal: side == Side::Input && object.principal == Some(k),
         removable: is_removable(object, component, side, k, port),
-        hint: hints::name(port).map(str::to_owned),
+        hint: TypeHint::chosen(port.type_hint).map(|hint| hint.name.to_owned()),
     }
 }
 

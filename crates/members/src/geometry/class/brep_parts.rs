@@ -88,7 +88,7 @@ fn edges(table: &mut Endpoints) {
 }
 
 /// A whole Brep, shared.
-struct Whole(Arc<Brep>);
+pub(super) struct Whole(pub(super) Arc<Brep>);
 
 impl Whole {
     fn faces(&self) -> Vec<Shape> {
@@ -145,12 +145,12 @@ impl Read for Part {
     }
 }
 
-fn index(place: usize) -> Value {
+pub(super) fn index(place: usize) -> Value {
     i64::try_from(place).map_or(Value::Null, Value::Int)
 }
 
 /// A `BrepVertex`.
-fn vertex(brep: &Brep, place: usize) -> Record {
+pub(super) fn vertex(brep: &Brep, place: usize) -> Record {
     let own = brep.vertices().get(place);
     let edges = own.map(|own| own.edges.iter().map(|edge| index(*edge)).collect()).unwrap_or_default();
     let fields = vec![
@@ -171,7 +171,7 @@ fn kind(brep: &Brep, place: usize) -> Option<LoopKind> {
 }
 
 /// A `BrepLoop`, with its curve in space.
-fn loop_record(brep: &Arc<Brep>, place: usize) -> Outcome<Record> {
+pub(super) fn loop_record(brep: &Arc<Brep>, place: usize) -> Outcome<Record> {
     let number = match kind(brep, place) {
         Some(LoopKind::Outer) => 1,
         Some(LoopKind::Inner) => 2,

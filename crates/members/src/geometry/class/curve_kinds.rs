@@ -5,10 +5,11 @@ use katydid_geometry::{
     PolyCurve, PolylineCurve,
 };
 
+use super::beyond;
 use crate::geometry::answer::Outcome;
 use crate::geometry::argument::Count;
 use crate::geometry::table::Endpoints;
-use crate::shape::{Record, Shape};
+use crate::shape::Shape;
 use crate::{Fault, Value};
 
 type Index = Count<0, 10_000_000>;
@@ -75,24 +76,20 @@ fn polylines(table: &mut Endpoints) {
     table.member("PolylineCurve.new other", |polyline: PolylineCurve| Ok(Curve::from(polyline)));
     table.member("PolylineCurve.get_PointCount this", |p: PolylineCurve| Ok(p.points().len()));
     table.member("PolylineCurve.Point this index", |p: PolylineCurve, i: Index| {
-        p.points().get(i.0).copied().ok_or_else(|| beyond(i, p.points().len()))
+        p.points().get(i.0).copied().ok_or_else(|| beyond(i.0, p.points().len()))
     });
     table.member("PolylineCurve.Parameter this index", |p: PolylineCurve, i: Index| {
-        p.parameters().get(i.0).copied().ok_or_else(|| beyond(i, p.points().len()))
+        p.parameters().get(i.0).copied().ok_or_else(|| beyond(i.0, p.points().len()))
     });
     table.member("PolylineCurve.SetPoint &this index point", |p: PolylineCurve, i: Index, to: Point3| {
         let (mut points, parameters) = p.into_parts();
         let count = points.len();
-        *points.get_mut(i.0).ok_or_else(|| beyond(i, count))? = to;
+        *points.get_mut(i.0).ok_or_else(|| beyond(i.0, count))? = to;
         Ok(((), Curve::from(PolylineCurve::with_parameters(points, parameters)?)))
     });
     table
         .member("PolylineCurve.ToPolyline this", |p: PolylineCurve| Ok(Value::Polyline(p.points().to_vec())));
     table.member("PolylineCurve.ToArray this", |p: PolylineCurve| Ok(p.points().to_vec()));
-}
-
-fn beyond(Count(index): Index, count: usize) -> Fault {
-    Fault::bad_request(format!("index is {index}, of {count}"))
 }
 
 type Degree = Count<1, 11>;
@@ -128,8 +125,6 @@ fn nurbs(table: &mut Endpoints) {
             }))
         },
     );
-    control_point_list(table);
-    table.member("NurbsCurve.get_Knots this", |c: Curve| Ok(c.to_nurbs()?.knots().to_vec()));
     table.member("NurbsCurve.get_Order this", |c: Curve| Ok(c.to_nurbs()?.order()));
     table.member("NurbsCurve.get_IsRational this", |c: Curve| Ok(c.to_nurbs()?.is_rational()));
     table.member("NurbsCurve.get_HasBezierSpans this", |c: Curve| Ok(c.to_nurbs()?.has_bezier_spans()));
@@ -144,44 +139,6 @@ fn nurbs(table: &mut Endpoints) {
     table.member("NurbsCurve.MakePiecewiseBezier &this setEndWeightsToOne", |c: Curve, _: bool| {
         Ok((true, Curve::from(c.to_nurbs()?.with_bezier_spans()?)))
     });
-}
-
-fn control_point_list(table: &mut Endpoints) {
-    table.member("NurbsCurvePointList.get_Count this", |c: Curve| Ok(c.to_nurbs()?.point_count()));
-    table.member("NurbsCurvePointList.ToArray this", |c: Curve| {
-        let nurbs = c.to_nurbs()?;
-        Ok((0..nurbs.point_count()).filter_map(|i| control_point(&nurbs, i)).collect::<Vec<Record>>())
-    });
-    table.member("NurbsCurvePointList.get_Item this index", |c: Curve, i: Index| {
-        let nurbs = c.to_nurbs()?;
-        control_point(&nurbs, i.0).ok_or_else(|| beyond(i, nurbs.point_count()))
-    });
-    table.member("NurbsCurvePointList.GetPoint this index", |c: Curve, i: Index| {
-        let point = c.to_nurbs()?.control_point(i.0);
-        Ok((point.is_some(), point))
-    });
-    table.member("NurbsCurvePointList.GetWeight this index", |c: Curve, i: Index| {
-        let nurbs = c.to_nurbs()?;
-        nurbs.weight(i.0).ok_or_else(|| beyond(i, nurbs.point_count()))
-    });
-    table.member(
-        "NurbsCurvePointList.SetPoint &this index point",
-        |c: Curve, Count(i): Index, to: Point3| {
-            Ok((true, Curve::from(c.to_nurbs()?.with_control_point(i, to)?)))
-        },
-    );
-    table.member("NurbsCurvePointList.SetWeight &this index weight", |c: Curve, Count(i): Index, w: f64| {
-        Ok((true, Curve::from(c.to_nurbs()?.with_weight(i, w)?)))
-    });
-}
-
-/// A `ControlPoint`.
-fn control_point(nurbs: &NurbsCurve, place: usize) -> Option<Record> {
-    let fields = vec![
-        ("Location", Value::Point(nurbs.control_point(place)?)),
-        ("Weight", Value::Number(nurbs.weight(place)?)),
-    ];
-    Some(Record { class: "ControlPoint", fields })
 }
 
 fn control_points(points: &[Point3], degree: usize) -> Outcome<Curve> {
@@ -214,12 +171,12 @@ fn poly(table: &mut Endpoints) {
     table.member("PolyCurve.get_SegmentCount this", |own: Shape| Ok(segments(&own).len()));
     table.member("PolyCurve.SegmentCurve this index", |own: Shape, i: Index| {
         let segments = segments(&own);
-        segments.get(i.0).cloned().ok_or_else(|| beyond(i, segments.len()))
+        segments.get(i.0).cloned().ok_or_else(|| beyond(i.0, segments.len()))
     });
     table.member("PolyCurve.Explode this", |own: Shape| Ok(segments(&own)));
     table.member("PolyCurve.SegmentDomain this segmentIndex", |c: Curve, i: Index| match &c {
         Curve::Poly(poly) if i.0 < poly.segments().len() => Ok(poly.segment_domain(i.0)),
-        _ => Err(beyond(i, 0)),
+        _ => Err(beyond(i.0, 0)),
     });
     table.member("PolyCurve.get_HasGap this", |c: Curve| {
         Ok(matches!(&c, Curve::Poly(poly) if poly.largest_gap() > super::ZERO))

@@ -2,12 +2,15 @@
 
 mod brep;
 mod brep_parts;
+mod brep_trims;
 mod curve;
 mod curve_kinds;
 mod curve_recognised;
+mod marks;
 mod mesh;
 mod mesh_change;
 mod mesh_lists;
+mod nurbs_lists;
 mod object;
 mod surface;
 
@@ -32,8 +35,16 @@ pub(super) fn enter(table: &mut Endpoints) {
     surface::enter(table);
     brep::enter(table);
     brep_parts::enter(table);
+    brep_trims::enter(table);
+    marks::enter(table);
+    nurbs_lists::enter(table);
     mesh::enter(table);
     mesh_lists::enter(table);
+}
+
+/// An index that a list has not.
+fn beyond(index: usize, count: usize) -> Fault {
+    Fault::bad_request(format!("index is {index}, of {count}"))
 }
 
 /// A member of an enumeration of RhinoCommon.

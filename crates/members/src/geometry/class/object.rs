@@ -5,7 +5,7 @@ use std::sync::Arc;
 use katydid_geometry::subd::{SubD, SubDNet};
 use katydid_geometry::{Plane, Point3, Vector3, Xform};
 
-use super::Named;
+use super::{Named, marks};
 use crate::geometry::answer::{Answer, Outcome};
 use crate::geometry::table::Endpoints;
 use crate::shape::{Geometry, Shape};
@@ -93,6 +93,14 @@ fn moved(shape: &Shape, xform: &Xform) -> Outcome<(bool, Shape)> {
         Shape::Mesh(mesh) => Shape::Mesh(Arc::new(mesh.transformed(xform)?)),
         Shape::SubD(subd) => Shape::SubD(Arc::new(moved_subd(subd, xform)?)),
         Shape::Empty(class) => Shape::Empty(class),
+        Shape::Unfinished(curve) => {
+            let mut curve = (**curve).clone();
+            curve.points.iter_mut().for_each(|point| *point = xform.point(*point));
+            curve.shape()
+        }
+        Shape::Other(object) if marks::moves(object) => {
+            Shape::Other(Arc::new(marks::moved((**object).clone(), xform)))
+        }
         Shape::Other(_) | Shape::List(..) | Shape::Record(_) => match (shape.curve(), shape.brep()) {
             (Some(curve), _) => Shape::Curve(Arc::new(curve.transformed(xform)?)),
             (None, Some(brep)) => Shape::Brep(Arc::new(brep?.transformed(xform)?)),
@@ -116,7 +124,7 @@ fn is_valid(shape: &Shape) -> bool {
     match shape {
         Shape::Brep(brep) | Shape::Face(brep, _) | Shape::Edge(brep, _) => brep.is_valid(),
         Shape::Mesh(mesh) => mesh.check().is_ok() && !mesh.faces().is_empty(),
-        Shape::Empty(_) => false,
+        Shape::Empty(_) | Shape::Unfinished(_) => false,
         _ => true,
     }
 }

@@ -27,6 +27,8 @@
 //: NurbsCurve
   internal extern GeometryBase raw_get_Points();
   public Rhino.Geometry.Collections.NurbsCurvePointList Points { get { return new Rhino.Geometry.Collections.NurbsCurvePointList(this); } }
+  internal extern double[] raw_get_Knots();
+  public Rhino.Geometry.Collections.NurbsCurveKnotList Knots { get { return new Rhino.Geometry.Collections.NurbsCurveKnotList(this); } }
 //: PolylineCurve
   internal extern Point3d[] raw_ToPolyline();
   public Polyline ToPolyline() { return new Polyline(raw_ToPolyline()); }
@@ -42,11 +44,8 @@
   public Rhino.Geometry.Collections.BrepVertexList Vertices { get { return new Rhino.Geometry.Collections.BrepVertexList(this, raw_get_Vertices()); } }
   public Rhino.Geometry.Collections.BrepLoopList Loops { get { return new Rhino.Geometry.Collections.BrepLoopList(this, raw_get_Loops()); } }
   public Rhino.Geometry.Collections.BrepSurfaceList Surfaces { get { return new Rhino.Geometry.Collections.BrepSurfaceList(this, raw_get_Surfaces()); } }
-  public Rhino.Geometry.Collections.BrepTrimList Trims { get { return new Rhino.Geometry.Collections.BrepTrimList(this); } }
-  internal extern int __TrimCount();
-  internal extern int __TrimEdge(int i);
-  internal extern int __TrimFace(int i);
-  internal extern Point3d[] __TrimEnds(int i);
+  public Rhino.Geometry.Collections.BrepTrimList Trims { get { return new Rhino.Geometry.Collections.BrepTrimList(this, raw_get_Trims()); } }
+  internal extern BrepTrim[] raw_get_Trims();
   internal extern Brep __ExtractFace(int i);
   internal extern int __FaceCount();
   internal extern bool __HasFace(int i);

@@ -42,16 +42,16 @@ namespace Rhino.Geometry
         internal extern Curve raw_get_To3dCurve();
         public Curve To3dCurve() { return raw_get_To3dCurve(); }
     }
-    public class BrepTrim
+    [Native] public class BrepTrim
     {
-        Brep brep; int place;
-        internal BrepTrim(Brep brep, int place) { this.brep = brep; this.place = place; }
-        public Brep Brep { get { return brep; } }
-        public int TrimIndex { get { return place; } }
-        public BrepEdge Edge { get { int i = brep.__TrimEdge(place); return i < 0 ? null : brep.raw_Edge(i); } }
-        public BrepFace Face { get { int i = brep.__TrimFace(place); return i < 0 ? null : brep.raw_Face(i); } }
-        public Point3d PointAtStart { get { return brep.__TrimEnds(place)[0]; } }
-        public Point3d PointAtEnd { get { return brep.__TrimEnds(place)[1]; } }
+        public extern Brep Brep { get; }
+        public extern int TrimIndex { get; }
+        public extern BrepEdge Edge { get; }
+        public extern BrepFace Face { get; }
+        public extern BrepLoop Loop { get; }
+        public extern Interval Domain { get; }
+        public extern Point3d PointAtStart { get; }
+        public extern Point3d PointAtEnd { get; }
     }
     public class MeshingParameters
     {
@@ -117,11 +117,11 @@ namespace Rhino.Geometry.Collections
     }
     public class BrepTrimList : IEnumerable<BrepTrim>
     {
-        Brep brep;
-        internal BrepTrimList(Brep brep) { this.brep = brep; }
-        public int Count { get { return brep.__TrimCount(); } }
-        public BrepTrim this[int i] { get { if (i < 0 || i >= Count) throw new IndexOutOfRangeException(); return new BrepTrim(brep, i); } }
-        public IEnumerator<BrepTrim> GetEnumerator() { for (int i = 0; i < Count; i++) yield return this[i]; }
+        BrepTrim[] all;
+        internal BrepTrimList(Brep brep, BrepTrim[] all) { this.all = all; }
+        public int Count { get { return all.Length; } }
+        public BrepTrim this[int i] { get { return all[i]; } }
+        public IEnumerator<BrepTrim> GetEnumerator() { for (int i = 0; i < all.Length; i++) yield return all[i]; }
         IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
     }
 }
@@ -184,3 +184,12 @@ namespace Rhino.Geometry.Collections
 //: NurbsCurvePointList
   NurbsCurve owner;
   internal NurbsCurvePointList(NurbsCurve owner) { this.owner = owner; }
+//: NurbsCurveKnotList : IEnumerable<double>
+  NurbsCurve owner;
+  internal NurbsCurveKnotList(NurbsCurve owner) { this.owner = owner; }
+  internal extern double raw_get_Item(int index);
+  internal extern void raw_set_Item(int index, double value);
+  internal extern double[] raw_ToArray();
+  public double this[int i] { get { return raw_get_Item(i); } set { raw_set_Item(i, value); } }
+  public IEnumerator<double> GetEnumerator() { foreach (double knot in raw_ToArray()) yield return knot; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
