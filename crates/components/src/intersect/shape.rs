@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_geometry::region::Region;
-use katydid_geometry::{Curve, Plane};
+use katydid_geometry::{Curve, Interval, Plane};
 
 use super::{closed_curves, plane_of};
 
@@ -60,7 +60,30 @@ fn both(
     Ok(Some((a, b, plane)))
 }
 
+/// The curves of a list in groups: each by itself where none goes over another, so that the borders between cells that
+/// only touch stay; else all together.
+fn groups(curves: Vec<Curve>, plane: &Plane, tolerance: f64) -> Result<Vec<Vec<Curve>>, Message> {
+    if curves.len() > 1 {
+        let apart: f64 = curves.iter().map(|curve| curve.signed_area_in(plane).0.abs()).sum();
+        // Borders may lie the tolerance within one another.
+        let slack: f64 = curves.iter().map(Curve::length).sum::<f64>() * tolerance;
+        if apart > Region::union_of(&curves, plane, tolerance)?.area() + slack {
+            return Ok(vec![curves]);
+        }
+    }
+    Ok(curves.into_iter().map(|curve| vec![curve]).collect())
+}
+
+/// The rectangle around some curves in the coordinates of a plane.
+fn extent(curves: &[Curve], plane: &Plane) -> Option<[Interval; 2]> {
+    let boxes = curves.iter().map(|curve| curve.bounding_box_in(plane));
+    boxes.map(|b| [b.x, b.y]).reduce(|[x, y], [u, v]| [x.union(u), y.union(v)])
+}
+
 /// What the curves of one list enclose, without what those of another one enclose.
+///
+/// Where the first curves only touch one another, each is cut by itself and the borders between them stay.
+///
 ///
 /// Curves of every kind, projected into the plane; a piece of an arc stays an arc. Outlines run counter-clockwise about
 /// the normal of the plane; holes come after their outlines and run clockwise. Where nothing is left the result is empty.
@@ -85,10 +108,19 @@ fn region_difference(
     plane: Option<Plane>,
 ) -> Result<Vec<Shared<Curve>>, Message> {
     let Some((a, b, plane)) = both(context, &curves_a, &curves_b, plane)? else { return Ok(Vec::new()) };
-    borders(context, Region::difference_of(&a, &b, &plane, context.tolerance().absolute)?)
+    let tolerance = context.tolerance().absolute;
+    let mut out = Vec::new();
+    for a in groups(a, &plane, tolerance)? {
+        context.check()?;
+        out.extend(borders(context, Region::difference_of(&a, &b, &plane, tolerance)?)?);
+    }
+    Ok(out)
 }
 
 /// What the curves of two lists both enclose.
+///
+/// Where the curves of a list only touch one another, as cells do, each is cut by itself and the borders between them
+/// stay: cells and an outline give cells within the outline.
 ///
 /// Curves of every kind, projected into the plane; a piece of an arc stays an arc. Outlines run counter-clockwise about
 /// the normal of the plane; holes come after their outlines and run clockwise. Where nothing is common the result is
@@ -113,7 +145,28 @@ fn region_intersection(
     plane: Option<Plane>,
 ) -> Result<Vec<Shared<Curve>>, Message> {
     let Some((a, b, plane)) = both(context, &curves_a, &curves_b, plane)? else { return Ok(Vec::new()) };
-    borders(context, Region::intersection_of(&a, &b, &plane, context.tolerance().absolute)?)
+    let tolerance = context.tolerance().absolute;
+    let others: Vec<(Vec<Curve>, Option<[Interval; 2]>)> = groups(b, &plane, tolerance)?
+        .into_iter()
+        .map(|group| {
+            let extent = extent(&group, &plane);
+            (group, extent)
+        })
+        .collect();
+    let mut out = Vec::new();
+    for a in groups(a, &plane, tolerance)? {
+        let Some(own) = extent(&a, &plane) else { continue };
+        for (b, extent) in &others {
+            context.check()?;
+            let meets = |(x, y): (&Interval, &Interval)| {
+                x.min() <= y.max() + tolerance && y.min() <= x.max() + tolerance
+            };
+            if extent.is_some_and(|other| own.iter().zip(&other).all(meets)) {
+                out.extend(borders(context, Region::intersection_of(&a, b, &plane, tolerance)?)?);
+            }
+        }
+    }
+    Ok(out)
 }
 
 #[cfg(test)]
@@ -183,5 +236,12 @@ mod tests {
             4.0,
         );
         near(both("Region Intersection", vec![square(0.0)], vec![square(3.0)]), 0, 0.0);
+        // Cells that touch stay apart on both sides; curves that overlap count as one.
+        let cells = || vec![square(0.0), square(2.0), square(4.0)];
+        near(both("Region Intersection", cells(), vec![circle(3.0, 0.0, 10.0).into()]), 3, 12.0);
+        near(both("Region Intersection", vec![circle(3.0, 0.0, 10.0).into()], cells()), 3, 12.0);
+        near(both("Region Intersection", cells(), cells()), 3, 12.0);
+        near(both("Region Intersection", vec![square(0.0), square(1.0)], vec![square(0.5)]), 1, 4.0);
+        near(both("Region Difference", cells(), vec![square(1.0)]), 3, 8.0);
     }
 }
