@@ -419,7 +419,7 @@ async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
     }
     // Without the model there is nothing that the parameter could refer to.
     assert!(matches!(face.ask(Ask::DetachModel).await, Event::Done { .. }));
-    while face.results.get(&wall).is_none_or(|result| result.outputs[0].items != 0) {
+    while face.results.get(&wall).is_none_or(|result| result.lacks.is_empty()) {
         face.hear().await;
     }
     let mut last = studio.join(&id).await;

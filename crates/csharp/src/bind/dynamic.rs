@@ -119,6 +119,17 @@ impl Binder<'_> {
         if !is_read(x) && !is_read(y) {
             return None;
         }
+        // Beside a type with operators of its own, a text is the number that it says.
+        let is_own = |b: &Self, e: &Expr| b.sema.is_struct(e.ty) && b.sema.prim(e.ty).is_none();
+        let (text, number) = (known.string, known.double);
+        if x.ty == text && is_own(self, y) {
+            let x = self.dynamic_as(pos, x.clone(), number);
+            return Some(self.binary_values(pos, op, x, y.clone()));
+        }
+        if y.ty == text && is_own(self, x) {
+            let y = self.dynamic_as(pos, y.clone(), number);
+            return Some(self.binary_values(pos, op, x.clone(), y));
+        }
         let method = self.function_of("__VB", name)?;
         let args = [x, y].map(|e| (Passing::Value, self.convert(Item::Value(e.clone()), known.object, pos)));
         Some(make(known.object, pos, Kind::Call(None, method, args.into(), false)))
