@@ -52,7 +52,7 @@ test("a script in a nickname, a panel, a scribble, a label or a message stays te
   await isText(page);
 
   await page.goto(`${page.url()}&player`);
-  await expect(page.getByRole("complementary", { name: "Inputs" })).toContainText("Panel");
+  await expect(page.getByRole("complementary", { name: "Inputs" })).toContainText("Value of Sine");
   await isText(page);
 });
 
