@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -185,6 +185,10 @@ attack-sample: programs
 attack-server:
 	cargo build --release -p katydid
 	$(PYTHON) attack/server.py $(RELEASED)/katydid --minutes 60
+
+# Ten thousand random pairs of surfaces: no common curve may be missed. Minutes of work.
+test-branches:
+	cargo test --release -p katydid-geometry --lib -- --ignored --nocapture no_branch_of_many
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:

@@ -271,7 +271,7 @@ fn no_branch_of_height_fields_is_missed() {
 
 /// Run with `cargo test --release -p katydid-geometry --lib -- --ignored no_branch_of_many`.
 #[test]
-#[ignore = "minutes of work"]
+#[ignore = "minutes of work: make test-branches"]
 fn no_branch_of_many_height_fields_is_missed() {
     let [told, missed] = missed(10_000, 1000);
     println!("{told} told, {missed} missed");
