@@ -2,12 +2,12 @@
 //!
 //! A Bézier form costs as much as some six points; after that a point is p steps of Horner's scheme for Bernstein
 //! polynomials, v ← v (1 − s) + C(p, i) sⁱ bᵢ, which is exact at both ends of the span and as stable as de
-//! Casteljau's algorithm. Four parameters go through it side by side, so that the compiler puts two or four of them into
-//! one instruction; each has the bits that it has alone.
+//! Casteljau's algorithm. Several parameters go through it side by side (`lanes`); each has the bits that it has alone.
 
 use super::blossom::blossom;
 use super::evaluate::{de_boor, divided, find_span, jet};
-use super::{NurbsCurve, curve::Controls, curve::project};
+use super::lanes::{Coordinates, Homogeneous, Place, side_by_side};
+use super::{NurbsCurve, curve::Controls};
 use crate::bernstein::binomial;
 use crate::{Point3, Vector3};
 
@@ -18,18 +18,15 @@ const CHUNK: usize = 8192;
 /// Fewer parameters than this in one span are evaluated one by one.
 const SHORT_RUN: usize = 8;
 
-/// Parameters that go through Horner's scheme side by side.
-const LANES: usize = 4;
-
 /// The highest degree that has a Bézier form here.
 const MAX_RUN_DEGREE: usize = 5;
 
 /// A span's Bernstein coefficients, each times its binomial coefficient, and the map of the span onto 0…1.
 #[derive(Clone, Copy)]
-struct Span<const N: usize> {
-    points: [[f64; N]; MAX_RUN_DEGREE + 1],
-    low: f64,
-    width: f64,
+pub(super) struct Span<const N: usize> {
+    pub(super) points: [[f64; N]; MAX_RUN_DEGREE + 1],
+    pub(super) low: f64,
+    pub(super) width: f64,
 }
 
 impl<const N: usize> Span<N> {
@@ -63,7 +60,7 @@ impl<const N: usize> Span<N> {
 
     /// The value for fixed degree P.
     #[inline(always)]
-    fn at<const P: usize>(&self, s: f64) -> [f64; N] {
+    pub(super) fn at<const P: usize>(&self, s: f64) -> [f64; N] {
         let r = 1.0 - s;
         let mut v = self.points[0];
         let mut power = 1.0;
@@ -72,36 +69,6 @@ impl<const N: usize> Span<N> {
             v = std::array::from_fn(|c| v[c] * r + self.points[i][c] * power);
         }
         v
-    }
-
-    /// [`Span::at`] for several places, coordinate by coordinate: the same operations in the same order.
-    #[inline(always)]
-    fn at_lanes<const P: usize>(&self, s: &[f64; LANES]) -> [[f64; LANES]; N] {
-        let r = s.map(|s| 1.0 - s);
-        let mut v = self.points[0].map(|x| [x; LANES]);
-        let mut power = [1.0; LANES];
-        for i in 1..=P {
-            power = std::array::from_fn(|k| power[k] * s[k]);
-            v = std::array::from_fn(|c| {
-                std::array::from_fn(|k| v[c][k] * r[k] + self.points[i][c] * power[k])
-            });
-        }
-        v
-    }
-
-    /// The values at many parameters of this span.
-    #[inline(always)]
-    fn all<T, const P: usize>(&self, parameters: &[f64], out: &mut [T], finish: impl Fn([f64; N]) -> T) {
-        let scale = 1.0 / self.width;
-        let (lanes, others) = parameters.as_chunks::<LANES>();
-        let (places, last) = out.as_chunks_mut::<LANES>();
-        for (slots, t) in places.iter_mut().zip(lanes) {
-            let v = self.at_lanes::<P>(&t.map(|t| (t - self.low) * scale));
-            *slots = std::array::from_fn(|k| finish(std::array::from_fn(|c| v[c][k])));
-        }
-        for (slot, &t) in last.iter_mut().zip(others) {
-            *slot = finish(self.at::<P>((t - self.low) * scale));
-        }
     }
 }
 
@@ -118,34 +85,32 @@ fn run_length(parameters: &[f64], low: f64, high: f64) -> usize {
 
 /// Evaluates at many parameters into as many places.
 #[inline]
-fn many<const N: usize, T>(
+fn many<const N: usize, F: Place<N>>(
     degree: usize,
     knots: &[f64],
     points: &[[f64; N]],
     parameters: &[f64],
-    out: &mut [T],
-    finish: impl Fn([f64; N]) -> T + Copy,
+    out: &mut [Point3],
 ) {
     match degree {
-        1 => runs::<N, T, 1>(knots, points, parameters, out, finish),
-        2 => runs::<N, T, 2>(knots, points, parameters, out, finish),
-        3 => runs::<N, T, 3>(knots, points, parameters, out, finish),
-        4 => runs::<N, T, 4>(knots, points, parameters, out, finish),
-        5 => runs::<N, T, 5>(knots, points, parameters, out, finish),
+        1 => runs::<N, F, 1>(knots, points, parameters, out),
+        2 => runs::<N, F, 2>(knots, points, parameters, out),
+        3 => runs::<N, F, 3>(knots, points, parameters, out),
+        4 => runs::<N, F, 4>(knots, points, parameters, out),
+        5 => runs::<N, F, 5>(knots, points, parameters, out),
         _ => {
             for (&t, slot) in parameters.iter().zip(out) {
-                *slot = finish(de_boor(degree, knots, points, find_span(knots, degree, t), t));
+                *slot = F::point(de_boor(degree, knots, points, find_span(knots, degree, t), t));
             }
         }
     }
 }
 
-fn runs<const N: usize, T, const P: usize>(
+fn runs<const N: usize, F: Place<N>, const P: usize>(
     knots: &[f64],
     points: &[[f64; N]],
     mut parameters: &[f64],
-    mut out: &mut [T],
-    finish: impl Fn([f64; N]) -> T + Copy,
+    mut out: &mut [Point3],
 ) {
     while let Some(&t) = parameters.first() {
         let j = find_span(knots, P, t);
@@ -157,10 +122,10 @@ fn runs<const N: usize, T, const P: usize>(
         let Some((places, later)) = std::mem::take(&mut out).split_at_mut_checked(n) else { return };
         (parameters, out) = (rest, later);
         match Span::new(P, knots, points, j) {
-            Some(span) if n >= SHORT_RUN => span.all::<T, P>(these, places, finish),
+            Some(span) if n >= SHORT_RUN => side_by_side::<N, F, P>(&span, these, places),
             _ => {
                 for (slot, &t) in places.iter_mut().zip(these) {
-                    *slot = finish(de_boor(P, knots, points, j, t));
+                    *slot = F::point(de_boor(P, knots, points, j, t));
                 }
             }
         }
@@ -234,8 +199,8 @@ impl NurbsCurve {
     pub fn points_into(&self, parameters: &[f64], out: &mut [Point3]) {
         let (p, knots) = (self.degree, &self.knots);
         in_chunks(parameters, out, |t, out| match &self.controls {
-            Controls::Plain(c) => many(p, knots, c, t, out, Point3::from),
-            Controls::Rational(c) => many(p, knots, c, t, out, project),
+            Controls::Plain(c) => many::<3, Coordinates>(p, knots, c, t, out),
+            Controls::Rational(c) => many::<4, Homogeneous>(p, knots, c, t, out),
         });
     }
 
@@ -256,45 +221,5 @@ impl NurbsCurve {
                 many_jets(p, knots, c, t, out, |d: [_; K]| divided(&d).map(Vector3::from));
             }
         });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::LANES;
-    use crate::{NurbsCurve, Point3};
-
-    /// A curve of one span: whatever the number of parameters, they are one run.
-    fn arch(degree: usize, rational: bool) -> NurbsCurve {
-        let corner = |i: usize| [i as f64, (i as f64 * 1.7).sin(), 0.3 * i as f64];
-        let knots = [vec![0.0; degree], vec![1.0; degree]].concat();
-        let made = if rational {
-            let weighted = |i: usize| {
-                let (w, [x, y, z]) = (1.0 + 0.25 * i as f64, corner(i));
-                [x * w, y * w, z * w, w]
-            };
-            NurbsCurve::rational(degree, (0..=degree).map(weighted).collect(), knots)
-        } else {
-            NurbsCurve::new(degree, (0..=degree).map(|i| Point3::from(corner(i))).collect(), knots)
-        };
-        made.unwrap()
-    }
-
-    #[test]
-    fn a_point_has_the_same_bits_whoever_stands_beside_it() {
-        let all: Vec<f64> = (0..40).map(|i| f64::from(i) / 41.0).collect();
-        for degree in 1..=5 {
-            for rational in [false, true] {
-                let curve = arch(degree, rational);
-                // From 8 parameters on a run has a Bézier form; each shift puts a parameter into another lane.
-                let whole = curve.points_at(&all);
-                for shift in 0..2 * LANES {
-                    assert_eq!(curve.points_at(&all[shift..]), whole[shift..], "{degree} {rational} {shift}");
-                }
-                for (p, &t) in whole.iter().zip(&all) {
-                    assert!(p.distance_to(curve.point_at(t)) < 1e-14, "{degree} {rational} {t}");
-                }
-            }
-        }
     }
 }

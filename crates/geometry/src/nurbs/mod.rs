@@ -13,6 +13,7 @@ mod evaluate;
 mod fit;
 mod interpolate;
 mod knots;
+mod lanes;
 mod least_squares;
 mod moebius;
 mod periodic;
