@@ -50,6 +50,7 @@ pub mod field;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;
 mod hanging_chain;
+mod hash;
 pub mod intersect;
 mod interval;
 pub mod isoline;

@@ -1,15 +1,16 @@
 //! Union, difference and intersection of closed meshes, by the crate `manifold-rust`: the only place besides
 //! `shadow.rs` that knows it.
 
+mod star;
 mod united;
 
-use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use manifold_rust::manifold::Manifold;
 use manifold_rust::types::{BooleanEngine, Error as Status, MeshGL64, OpType};
 
 use super::{Mesh, MeshFace};
+use crate::hash::{Table, table};
 use crate::{Error, Point3, Result, patience};
 
 /// Coordinates beyond this are refused: their products leave the range of numbers.
@@ -26,8 +27,8 @@ const FARTHEST: f64 = 1e60;
 #[derive(Clone)]
 pub struct Solid {
     body: Manifold,
-    /// It comes from solids without self-intersections by the first algorithm, whose results are as its operands must
-    /// be: it is not searched again, which would take longer than the algorithm.
+    /// It does not go through itself, or comes from solids that do not by the first algorithm, whose results are as its
+    /// operands must be: it is not searched, which would take longer than the algorithm.
     proven: bool,
 }
 
@@ -78,7 +79,8 @@ impl Solid {
         if input.tri_verts.is_empty() {
             return Ok(Self::nothing());
         }
-        guarded(|| Manifold::from_mesh_gl64_robust(&input))
+        let made = guarded(|| Manifold::from_mesh_gl64_robust(&input))?;
+        Ok(Self { proven: star::is_star_shaped(&made.body), ..made })
     }
 
     /// What is in either.
@@ -160,7 +162,7 @@ impl Solid {
 
 /// Every directed edge must be walked as often one way as the other.
 fn check_closed(triangles: &[[u32; 3]]) -> Result<()> {
-    let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::with_capacity(2 * triangles.len());
+    let mut edges: Table<[u32; 2], [u32; 2]> = table(2 * triangles.len());
     for &[a, b, c] in triangles {
         for (i, j) in [(a, b), (b, c), (c, a)] {
             let walks = edges.entry([i.min(j), i.max(j)]).or_default();

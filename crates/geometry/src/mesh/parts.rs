@@ -1,9 +1,8 @@
 //! Meshes taken apart: some of the faces, without some vertices, the pieces that hang together.
 
-use std::collections::HashMap;
-
 use super::tree::MeshTree;
 use super::{Mesh, MeshFace};
+use crate::hash::{Table, table};
 use crate::{Containment, Result};
 
 /// The entries whose number is not `None`.
@@ -88,7 +87,7 @@ impl Mesh {
             }
             i
         }
-        let mut along: HashMap<(u32, u32), usize> = HashMap::with_capacity(2 * self.faces.len());
+        let mut along: Table<(u32, u32), usize> = table(2 * self.faces.len());
         for (f, face) in self.faces.iter().enumerate() {
             let indices = face.indices();
             for (&i, &j) in indices.iter().zip(indices.iter().cycle().skip(1)) {

@@ -1,8 +1,7 @@
 //! Edges of a mesh, and whether it is closed, manifold and oriented.
 
-use std::collections::HashMap;
-
 use super::Mesh;
+use crate::hash::{Table, table};
 use crate::{Error, Line, Result};
 
 /// An edge between two places of a mesh, whichever of the vertices there its faces use.
@@ -20,7 +19,7 @@ pub struct MeshEdge {
 impl Mesh {
     /// For every vertex the first vertex in exactly the same place: topology takes them as one.
     pub fn merged_indices(&self) -> Vec<u32> {
-        let mut first: HashMap<[u64; 3], u32> = HashMap::with_capacity(self.vertices().len());
+        let mut first: Table<[u64; 3], u32> = table(self.vertices().len());
         self.vertices()
             .iter()
             .zip(0_u32..)
@@ -35,7 +34,7 @@ impl Mesh {
     /// All edges, in the order in which the faces name them first.
     pub fn edges(&self) -> Vec<MeshEdge> {
         let merged = self.merged_indices();
-        let mut found: HashMap<(u32, u32), usize> = HashMap::new();
+        let mut found: Table<(u32, u32), usize> = table(2 * self.faces().len());
         let mut out: Vec<(MeshEdge, i64)> = Vec::new();
         for face in self.faces() {
             let indices = face.indices();
