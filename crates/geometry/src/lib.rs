@@ -120,7 +120,7 @@ pub use mesh::{
     Decimation, GuideKind, Healing, Mesh, MeshClash, MeshEdge, MeshFace, MeshHit, MeshPoint, MeshSections,
     MeshTree, QuadOptions, RemeshOptions, Remeshed, Smoothing, SurfaceMeshing,
 };
-pub use meshing::{BrepMesh, FaceMesh, MeshSettings};
+pub use meshing::{BrepMesh, FaceMesh, MeshPlan, MeshSettings};
 pub use moments::MassProperties;
 pub use nurbs::{
     Approximation, DeBoor, DeBoorStep, ExactCondition, KnotSpacing, LeastSquares, MAX_DEGREE, NurbsCurve,

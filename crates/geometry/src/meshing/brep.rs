@@ -25,18 +25,18 @@ const SNAP: f64 = 2e-6;
 const MOST_POINTS: usize = 50_000_000;
 
 /// A face with its cells.
-struct FacePlan<'a> {
+pub(super) struct FacePlan<'a> {
     place: usize,
     face: &'a Face,
     surface: &'a Surface,
-    grid: Grid,
+    pub(super) grid: Grid,
     /// The trims of all loops.
-    trims: Vec<TrimPlan>,
+    pub(super) trims: Vec<TrimPlan>,
 }
 
 /// A trim of a face.
-struct TrimPlan {
-    trim: usize,
+pub(super) struct TrimPlan {
+    pub(super) trim: usize,
     /// The direction that stays constant along it, and its value.
     aligned: Option<(usize, f64)>,
 }
@@ -68,20 +68,16 @@ impl Brep {
     /// # Errors
     /// As [`Brep::mesh`]; [`Error::Stopped`].
     pub fn mesh_unless(&self, settings: &MeshSettings, stop: &(dyn Fn() -> bool + Sync)) -> Result<BrepMesh> {
-        settings.check()?;
-        let size = self.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
-        let limits = settings.limits(size);
-        let job = Job { brep: self, limits, jagged: settings.jagged_seams, stop };
-        job.run()
+        self.mesh_plan(settings, stop)?.mesh()
     }
 }
 
 /// One meshing of one brep.
-struct Job<'a> {
-    brep: &'a Brep,
-    limits: Limits,
-    jagged: bool,
-    stop: &'a (dyn Fn() -> bool + Sync),
+pub(super) struct Job<'a> {
+    pub(super) brep: &'a Brep,
+    pub(super) limits: Limits,
+    pub(super) jagged: bool,
+    pub(super) stop: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl<'a> Job<'a> {
@@ -89,14 +85,17 @@ impl<'a> Job<'a> {
         if (self.stop)() { Err(Error::Stopped) } else { Ok(()) }
     }
 
-    fn run(&self) -> Result<BrepMesh> {
+    /// The cells of all faces.
+    pub(super) fn plans(&self) -> Result<Vec<FacePlan<'a>>> {
         let live: Vec<usize> = (0..self.brep.faces().len())
             .filter(|&k| self.brep.faces().get(k).is_some_and(|f| !f.deleted))
             .collect();
-        let plans: Vec<FacePlan<'a>> =
-            each(&live, |&place| self.plan(place)).into_iter().collect::<Result<_>>()?;
+        each(&live, |&place| self.plan(place)).into_iter().collect()
+    }
+
+    pub(super) fn run(&self, plans: &[FacePlan<'a>]) -> Result<BrepMesh> {
         self.check_edges()?;
-        let edges = self.edges(&plans);
+        let edges = self.edges(plans);
         let mut finer = vec![0_u32; edges.len()];
         let mut points: Vec<EdgePoints> = each(&edges, |edge| {
             self.check().map(|()| points_along(&edge.track, &edge.uses, &self.limits, 0))
@@ -106,7 +105,7 @@ impl<'a> Job<'a> {
         let mut attempt = 0;
         loop {
             let shared = Shared::new(self.brep, &edges, &points)?;
-            let filled: Vec<Filled> = each(&plans, |plan| {
+            let filled: Vec<Filled> = each(plans, |plan| {
                 self.check()?;
                 let outline = Outline::new(&shared.polygons(self.brep, plan));
                 fill(plan.surface, &plan.grid, &outline, &self.limits)
@@ -121,7 +120,7 @@ impl<'a> Job<'a> {
             again.sort_unstable();
             again.dedup();
             if again.is_empty() || attempt >= ATTEMPTS {
-                return Ok(self.gathered(&plans, shared, filled));
+                return Ok(self.gathered(plans, shared, filled));
             }
             for k in again {
                 let (Some(level), Some(edge)) = (finer.get_mut(k), edges.get(k)) else { continue };

@@ -13,6 +13,7 @@ mod need;
 mod net;
 mod outline;
 mod patch;
+mod plan;
 mod probes;
 mod result;
 mod ring;
@@ -21,5 +22,6 @@ mod side;
 mod surface;
 mod track;
 
+pub use plan::MeshPlan;
 pub use result::{BrepMesh, FaceMesh};
 pub use settings::MeshSettings;
