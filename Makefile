@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -142,9 +142,17 @@ bench: $(VENV)/installed
 	$(VENV)/bin/pip install -q numpy==2.3.4
 	$(VENV)/bin/python benches/compare.py
 
-# The kernel beside curvo and truck, on the inputs in ../shared: a table of ratios.
-bench-kernel:
-	cargo run --release -p katydid-kernel-bench --bin ratios
+# The kernel beside curvo and truck, and Open CASCADE through Python, on the inputs in ../shared: two tables of ratios.
+bench-kernel: $(VENV)-work/installed
+	cargo build --release -p katydid-kernel-bench --bin ratios
+	$(RELEASED)/ratios > $(RELEASED)/ratios.md
+	cat $(RELEASED)/ratios.md
+	$(VENV)-work/bin/python benches/occt_kernel.py ../shared/data/kernel-bench $(RELEASED)/ratios.md
+
+# What a second thread is worth to rows of few, costly items. Two processors must be free.
+bench-threads:
+	cargo build --release -p katydid
+	$(PYTHON) benches/work/threads.py $(RELEASED)/katydid
 
 # The C# interpreter beside Mono and CPython: a table of seconds and ratios. Needs the Debian packages mono-mcs and
 # mono-runtime.
