@@ -2,6 +2,7 @@
 
 mod analysis;
 mod depth;
+mod fit;
 mod light;
 mod of_surface;
 mod parts;
