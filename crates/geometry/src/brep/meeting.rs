@@ -1,12 +1,10 @@
 //! Breps with breps: the curves in which their faces meet.
 
-use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use super::{Brep, ClosestOnBrep};
-use crate::intersect::{
-    Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
-};
+use crate::intersect::{SurfaceContactKind, common, surface_plane};
+use crate::trace::thresholds::{FLAT_FACE, PARALLEL_FACES};
 use crate::{Curve, Error, Plane, Point3, Result, Surface, Tolerance, join_curves, patience};
 
 /// What two breps have in common.
@@ -28,10 +26,11 @@ impl Brep {
     /// The curves and points that the faces of two breps have in common, within `tolerance`.
     ///
     /// Flat faces cut others as planes do, with lines, circles and arcs as such
-    /// ([`surface_plane`](crate::intersect::surface_plane())); spheres, cylinders, cones and tori that have a closed form
-    /// meet in that ([`carrier_carrier`]), also where they touch; all other pairs meet in the branches of [`surface_surface`](crate::intersect::surface_surface()). The parts
-    /// within the trims of both faces are kept. Where flat faces lie upon each other, the curves of the faces beside them
-    /// are what is found.
+    /// ([`surface_plane`](crate::intersect::surface_plane())); all other pairs meet as
+    /// [`surface_with_surface`](crate::intersect::surface_with_surface()) tells, also where they touch: in closed form
+    /// where there is one. The parts within the trims of both faces are kept. Curved faces that lie upon each other have
+    /// the borders of the common area in common; where flat faces do, the curves of the faces beside them are what is
+    /// found.
     ///
     /// # Errors
     /// The tolerance is not above 0; a brep has no faces; a pair of faces is not supported; or the work was stopped.
@@ -41,7 +40,6 @@ impl Brep {
         let [first, second] = sides;
         let sides = [first?, second?];
         let mut out = BrepMeeting { curves: Vec::new(), points: Vec::new(), complete: true };
-        let mut carriers = Carriers::default();
         for a in sides[0].sheets() {
             for b in sides[1].sheets() {
                 patience::check()?;
@@ -49,7 +47,7 @@ impl Brep {
                     continue;
                 }
                 let faces = [(&sides[0], a.face), (&sides[1], b.face)];
-                let found = surfaces_of(faces, &mut carriers, tolerance)?;
+                let found = surfaces_of(faces, tolerance)?;
                 out.complete &= found.complete;
                 for curve in &found.curves {
                     for part in faces[0].0.curve_within(a.face, curve, limit)? {
@@ -74,53 +72,13 @@ impl Brep {
     }
 }
 
-/// What is equal to rounding, as a part of the size of the smaller surface: lengths and, in radians, directions. The axes of
-/// carriers that are told inside NURBS surfaces are off by some 1e-12.
-const EXACT: f64 = 1e-10;
-
-/// The carriers of faces, told once for each face that needs it.
-#[derive(Default)]
-struct Carriers([BTreeMap<usize, Option<Carrier>>; 2]);
-
-impl Carriers {
-    fn both(&mut self, keys: [usize; 2], surfaces: [&Surface; 2]) -> Option<[Carrier; 2]> {
-        let [a, b] = [0, 1].map(|s| {
-            let tell = || {
-                let size = surfaces[s].bounding_box().ok()?.diagonal().length();
-                Carrier::of(surfaces[s], EXACT * size)
-            };
-            *self.0[s].entry(keys[s]).or_insert_with(tell)
-        });
-        Some([a?, b?])
-    }
-}
-
-/// The closed form of two surfaces, as far as it lies near both; `None` when there is none.
-fn closed_form(surfaces: [&Surface; 2], carriers: &[Carrier; 2], limit: f64) -> Result<Option<BrepMeeting>> {
-    let [a, b] = [surfaces[0].bounding_box()?, surfaces[1].bounding_box()?];
-    let size = a.diagonal().length().min(b.diagonal().length());
-    let exact = Tolerance { absolute: EXACT * size, angle: EXACT };
-    let Some(met) = carrier_carrier(&carriers[0], &carriers[1], &exact) else { return Ok(None) };
-    // Which parts both have is a question of their trims.
-    let CarrierMeeting::Parts { curves, points } = met else { return Ok(None) };
-    let mut out = BrepMeeting { curves: Vec::new(), points, complete: true };
-    for curve in curves {
-        out.curves.extend(curve.conic.over(&a.inflated(limit))?);
-    }
-    Ok(Some(out))
-}
-
 /// The common curves and points of the surfaces of two faces.
-fn surfaces_of(
-    faces: [(&ClosestOnBrep, usize); 2],
-    carriers: &mut Carriers,
-    tolerance: &Tolerance,
-) -> Result<BrepMeeting> {
+fn surfaces_of(faces: [(&ClosestOnBrep, usize); 2], tolerance: &Tolerance) -> Result<BrepMeeting> {
     let surface = |(search, face): (&ClosestOnBrep, usize)| {
         search.brep().face_surface(face).cloned().ok_or(Error::degenerate("brep", "a face has no surface"))
     };
     let [a, b] = [surface(faces[0])?, surface(faces[1])?];
-    let flat = [&a, &b].map(|s| s.plane(1e-9 * s.bounding_box().map_or(0.0, |b| b.diagonal().length())));
+    let flat = [&a, &b].map(|s| s.plane(FLAT_FACE * s.bounding_box().map_or(0.0, |b| b.diagonal().length())));
     let mut out = BrepMeeting { curves: Vec::new(), points: Vec::new(), complete: true };
     let cut = |s: &Surface, plane: &Plane, out: &mut BrepMeeting| {
         let section = surface_plane(s, plane, tolerance)?;
@@ -129,27 +87,29 @@ fn surfaces_of(
         Ok::<_, Error>(())
     };
     match flat {
-        [Some(p), Some(q)] if p.z_axis.cross(q.z_axis).length() <= 1e-12 => {}
+        [Some(p), Some(q)] if p.z_axis.cross(q.z_axis).length() <= PARALLEL_FACES => {}
         [_, Some(plane)] => cut(&a, &plane, &mut out)?,
         [Some(plane), None] => cut(&b, &plane, &mut out)?,
         [None, None] => {
-            if let Some(both) = carriers.both([faces[0].1, faces[1].1], [&a, &b])
-                && let Some(met) = closed_form([&a, &b], &both, tolerance.absolute)?
-            {
-                return Ok(met);
-            }
-            let met = surface_surface(&a.to_nurbs()?, &b.to_nurbs()?, tolerance)?;
+            let (met, _) = common(&a, &b, tolerance)?;
             out.complete = met.complete
                 && met.contacts.iter().all(|c| match c.kind {
                     SurfaceContactKind::Point | SurfaceContactKind::Crossing => true,
                     SurfaceContactKind::Curve => c.curve.is_some(),
-                    _ => false,
+                    SurfaceContactKind::Overlap => !c.border.is_empty(),
+                    SurfaceContactKind::Undecided => false,
                 });
-            let touching = met.contacts.iter().filter_map(|c| c.curve.as_ref());
-            out.curves.extend(touching.map(|b| b.curve.clone()));
+            for contact in met.contacts {
+                match contact.kind {
+                    SurfaceContactKind::Point => out.points.push(contact.point),
+                    SurfaceContactKind::Curve | SurfaceContactKind::Overlap => {
+                        let own = contact.curve.into_iter().chain(contact.border.into_iter().flatten());
+                        out.curves.extend(own.map(|branch| branch.curve));
+                    }
+                    SurfaceContactKind::Crossing | SurfaceContactKind::Undecided => {}
+                }
+            }
             out.curves.extend(met.branches.into_iter().map(|b| b.curve));
-            let points = met.contacts.iter().filter(|c| c.kind == SurfaceContactKind::Point);
-            out.points.extend(points.map(|c| c.point));
         }
     }
     Ok(out)

@@ -1,6 +1,6 @@
 //! Cutting a surface along its kinks.
 
-use crate::trace::thresholds::STRAIGHT;
+use crate::trace::thresholds::{SAME_PLACE, STRAIGHT};
 use crate::{Direction, NurbsSurface, Result};
 
 /// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together.
@@ -13,17 +13,24 @@ pub(crate) fn smooth_pieces(nurbs: &NurbsSurface) -> Result<Vec<NurbsSurface>> {
         let kinks = kinks(nurbs, direction);
         let mut next = Vec::with_capacity(pieces.len());
         for piece in pieces {
-            let mut rest = piece;
-            for &t in &kinks {
-                let (before, after) = rest.split(direction, t)?;
-                next.push(before);
-                rest = after;
-            }
-            next.push(rest);
+            cut(piece, direction, &kinks, &mut next)?;
         }
         pieces = next;
     }
     Ok(pieces)
+}
+
+/// Cuts a surface at parameters in order: in the middle one first, so that each control point is copied few times.
+fn cut(surface: NurbsSurface, direction: Direction, at: &[f64], out: &mut Vec<NurbsSurface>) -> Result<()> {
+    crate::patience::check()?;
+    let (before, rest) = at.split_at(at.len() / 2);
+    let Some((&t, after)) = rest.split_first() else {
+        out.push(surface);
+        return Ok(());
+    };
+    let (first, second) = surface.split(direction, t)?;
+    cut(first, direction, before, out)?;
+    cut(second, direction, after, out)
 }
 
 /// The parameters inside the domain at which the surface has a kink.
@@ -31,6 +38,8 @@ fn kinks(nurbs: &NurbsSurface, direction: Direction) -> Vec<f64> {
     let degree = nurbs.degree(direction);
     let knots = nurbs.knots(direction);
     let domain = nurbs.domain(direction);
+    // Where a side collapses to a point its legs are rounding.
+    let no_leg = SAME_PLACE * nurbs.hull_box().diagonal().length();
     let mut out = Vec::new();
     let mut i = 0;
     while i < knots.len() {
@@ -40,7 +49,7 @@ fn kinks(nurbs: &NurbsSurface, direction: Direction) -> Vec<f64> {
         if multiplicity >= degree
             && t > domain.start
             && t < domain.end
-            && turns(nurbs, direction, i + multiplicity - degree)
+            && turns(nurbs, direction, i + multiplicity - degree, no_leg)
         {
             out.push(t);
         }
@@ -49,8 +58,8 @@ fn kinks(nurbs: &NurbsSurface, direction: Direction) -> Vec<f64> {
     out
 }
 
-/// Whether the legs of the net on both sides of a row of control points turn.
-fn turns(nurbs: &NurbsSurface, direction: Direction, row: usize) -> bool {
+/// Whether the legs of the net on both sides of a row of control points turn; those no longer than `no_leg` have no direction.
+fn turns(nurbs: &NurbsSurface, direction: Direction, row: usize, no_leg: f64) -> bool {
     let across = nurbs.count(direction.other());
     let at = |r: usize, k: usize| match direction {
         Direction::U => nurbs.control_point(r, k),
@@ -60,6 +69,7 @@ fn turns(nurbs: &NurbsSurface, direction: Direction, row: usize) -> bool {
     (0..across).any(|k| {
         let (Some(a), Some(b), Some(c)) = (at(before, k), at(row, k), at(row + 1, k)) else { return false };
         let (p, q) = (b - a, c - b);
-        p.dot(q) < 0.0 || p.cross(q).length() > STRAIGHT * p.length() * q.length()
+        let is_leg = p.length() > no_leg && q.length() > no_leg;
+        is_leg && (p.dot(q) < 0.0 || p.cross(q).length() > STRAIGHT * p.length() * q.length())
     })
 }

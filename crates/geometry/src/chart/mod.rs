@@ -35,21 +35,22 @@ impl Chart {
     /// Prepares a surface.
     ///
     /// # Errors
-    /// The surface has weights that are not above 0, for which control points bound nothing.
+    /// The surface has weights that are not above 0, for which control points bound nothing; or the work was stopped.
     pub(crate) fn new(nurbs: NurbsSurface) -> Result<Self> {
         if nurbs.weights().iter().any(|w| !(*w > 0.0)) {
             return Err(crate::Error::Unsupported(
                 "intersections of surfaces with weights that are not above 0",
             ));
         }
-        let patches = nurbs
-            .bezier_patches()?
-            .iter()
-            .map(|part| Patch {
+        let parts = nurbs.bezier_patches()?;
+        let mut patches = Vec::with_capacity(parts.len());
+        for part in &parts {
+            crate::patience::check()?;
+            patches.push(Patch {
                 ranges: Direction::BOTH.map(|d| [part.domain(d).start, part.domain(d).end]),
                 points: part.homogeneous_points(),
-            })
-            .collect();
+            });
+        }
         let size = nurbs.hull_box().diagonal().length();
         Ok(Self {
             domain: Direction::BOTH.map(|d| nurbs.domain(d)),
@@ -97,6 +98,27 @@ impl Chart {
             }
         }
         out
+    }
+
+    /// Whether it has a tangent plane anywhere: in each patch it is looked for at more places than the normal, a polynomial
+    /// times a factor, can have zeros along a line.
+    pub(crate) fn has_area(&self) -> bool {
+        self.patches.iter().any(|patch| {
+            let [n, m] = self.counts.map(|c| 2 * c);
+            let at = |k: usize, i: usize, of: usize| {
+                let [a, b] = patch.ranges[k];
+                a + (b - a) * (i as f64 + 0.5) / of as f64
+            };
+            (0..n).any(|i| {
+                (0..m).any(|j| {
+                    let [_, u, v] = self.jet([at(0, i, n), at(1, j, m)]);
+                    let widths = [0, 1].map(|k| patch.ranges[k][1] - patch.ranges[k][0]);
+                    let (u, v) = (u * widths[0], v * widths[1]);
+                    u.cross(v).length()
+                        > crate::trace::thresholds::NO_AREA * u.length().max(v.length()).powi(2)
+                })
+            })
+        })
     }
 
     /// The length of the diagonal of the surface's box.

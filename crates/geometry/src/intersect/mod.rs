@@ -39,6 +39,8 @@ pub use result::{ContactKind, Crossing, CurveIntersections, Overlap};
 pub use surface_kinds::curve_with_surface;
 pub(crate) use surface_kinds::curve_with_surface_within;
 pub use surface_plane::{SurfaceSection, surface_plane};
+pub(crate) use surface_surface::common;
 pub use surface_surface::{
-    SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, surface_surface,
+    BranchKind, SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, surface_self,
+    surface_surface, surface_with_surface,
 };

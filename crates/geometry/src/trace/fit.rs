@@ -47,15 +47,15 @@ const REFINEMENTS: usize = 4;
 ///
 /// # Errors
 /// A number is not finite.
-pub(crate) fn fitted_within(pair: &Pair<'_>, places: &[Place], shift: Vector3, limit: f64) -> Result<Fitted> {
-    let mut fit = fitted(pair, places, shift)?;
+pub(crate) fn fitted_within(pair: &Pair<'_>, places: &[Place], limit: f64) -> Result<Fitted> {
+    let mut fit = fitted(pair, places)?;
     let mut places = places.to_vec();
     for _ in 0..REFINEMENTS {
         if fit.deviation <= limit {
             break;
         }
         places = halved(pair, &places);
-        let finer = fitted(pair, &places, shift)?;
+        let finer = fitted(pair, &places)?;
         if finer.deviation < fit.deviation {
             fit = finer;
         }
@@ -87,7 +87,7 @@ fn halved(pair: &Pair<'_>, places: &[Place]) -> Vec<Place> {
 ///
 /// # Errors
 /// A number is not finite.
-pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place], shift: Vector3) -> Result<Fitted> {
+pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place]) -> Result<Fitted> {
     let places = &apart(places, SAME_PLACE * pair.size());
     let mut lengths = vec![0.0];
     for w in places.windows(2) {
@@ -96,10 +96,8 @@ pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place], shift: Vector3) -> Resul
         let stretch = if half > FLAT_ARC { half / half.sin() } else { 1.0 };
         lengths.push(lengths.last().copied().unwrap_or(0.0) + stretch * (w[1].point - w[0].point).length());
     }
-    let samples: Vec<Sample> = places
-        .iter()
-        .map(|p| Sample { point: (p.point + shift).to_point(), direction: Some(p.tangent) })
-        .collect();
+    let samples: Vec<Sample> =
+        places.iter().map(|p| Sample { point: p.point.to_point(), direction: Some(p.tangent) }).collect();
     let curve = match shape(&samples)? {
         // Two places alone lie on a line whatever is between them.
         Curve::Line(line) if places.iter().all(|p| is_along(p, line.line.direction())) => line.into(),
@@ -124,7 +122,7 @@ pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place], shift: Vector3) -> Resul
             let share = (j as f64 + 0.5) / TESTED as f64;
             let t = lengths[i - 1] + share * (lengths[i] - lengths[i - 1]);
             let whole = lengths.last().copied().unwrap_or(1.0);
-            let p = curve.point_at(curve.domain().at(t / whole)).to_vector() - shift;
+            let p = curve.point_at(curve.domain().at(t / whole)).to_vector();
             for (s, image) in parameters.iter().enumerate() {
                 let uv = image.point_at(t);
                 let on = pair.charts[s].jet([uv.x, uv.y])[0];

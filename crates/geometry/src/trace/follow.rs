@@ -1,7 +1,7 @@
 //! From a place of the common curve to its end.
 
 use super::proof::Box4;
-use super::thresholds::{BESIDE, RATE, REACH};
+use super::thresholds::{ABOVE_NOISE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST};
 use super::{Condition, Four, Pair, Place};
 use crate::{Result, Vector3, patience};
 
@@ -16,6 +16,21 @@ pub(crate) struct Limits {
     pub(crate) longest: f64,
     /// The most places of a curve.
     pub(crate) most: usize,
+}
+
+/// No curve has more places: what takes more is a loop of rounding.
+const MOST: usize = 50_000;
+
+impl Limits {
+    /// Those for curves within a distance, on surfaces of a size with a noise.
+    pub(crate) fn new(limit: f64, size: f64, noise: f64) -> Self {
+        Self {
+            tolerance: 0.5 * limit.min(COARSEST * size).max(ABOVE_NOISE * noise),
+            shortest: (SHORTEST * size).max(ABOVE_NOISE * noise),
+            longest: LONGEST * size,
+            most: MOST,
+        }
+    }
 }
 
 /// How a curve ends.

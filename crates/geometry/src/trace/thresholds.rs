@@ -6,7 +6,7 @@
 //! by parts of the size of the smaller surface. Directions are told apart by sines.
 
 /// Rounding of an evaluated point as a part of the size: sums over the control points of one patch.
-const ROUNDING_OF_SIZE: f64 = 1e-14;
+pub(crate) const ROUNDING_OF_SIZE: f64 = 1e-14;
 /// Rounding of an evaluated point as a part of its distance from the origin: two units in the last place.
 const ROUNDING_OF_PLACE: f64 = 4e-16;
 
@@ -82,3 +82,42 @@ pub(crate) const ONE_PLANE: f64 = 1e-2;
 pub(crate) const NO_BEND: f64 = 1e-4;
 /// Bends are compared with no less than this, times one over the size.
 pub(crate) const LEAST_BEND: f64 = 1e-3;
+
+/// What is equal to rounding where surfaces are told by kind, as a part of the size of the smaller surface: lengths and, in
+/// radians, directions. The axes of carriers that are told inside NURBS surfaces are off by some 1e-12.
+pub(crate) const EXACT: f64 = 1e-10;
+/// What is equal to rounding is no less than this many times the noise, far from the origin: a centre is told by second
+/// derivatives, which lose more digits than places.
+pub(crate) const EXACT_OF_NOISE: f64 = 64.0;
+/// A place within this many times [`EXACT`] of a surface is on it, and two as near to each other are one: where the ends of
+/// exact curves are told by two ways.
+pub(crate) const ON_CARRIER: f64 = 32.0;
+/// Images of exact curves keep within this part of the size, or a tenth of the tolerance, if that is less.
+pub(crate) const IMAGE: f64 = 1e-7;
+/// See [`IMAGE`].
+pub(crate) const IMAGE_OF_TOLERANCE: f64 = 0.1;
+/// How far a place lies inside a side, as parts of the domain, that tells what lies beside the side: less where the common
+/// area is narrow.
+pub(crate) const INWARD: [f64; 3] = [1e-2, 1e-4, 1e-6];
+/// Beside a pole the image of a curve is looked at this part of its domain away, where it has a direction.
+pub(crate) const BESIDE_POLE: f64 = 1e-6;
+/// Pairs of parts on the border of a known common area that are smaller than this part of the size belong to it.
+pub(crate) const AT_BORDER: f64 = 1.0 / 256.0;
+/// Faces that lie in a plane to this part of their size cut others as planes do.
+pub(crate) const FLAT_FACE: f64 = 1e-9;
+/// Planes of faces whose normals have no larger sine between them are parallel.
+pub(crate) const PARALLEL_FACES: f64 = 1e-12;
+/// Principal curvatures that differ by no more than this part of the larger are equal, and are 0 beside it: what tells which
+/// kind of carrier a surface may have before it is looked at closely.
+pub(crate) const SAME_BEND: f64 = 1e-4;
+
+/// The damping of the first step towards the nearest place, as a part of the squared lengths of the derivatives: half of the
+/// digits of a length.
+pub(crate) const NEAREST_DAMPING: f64 = 1e-3;
+/// Steps with more damping than this are too short to help.
+pub(crate) const MOST_DAMPING: f64 = 1e8;
+/// The damping that is tried first on the way to a tangent place, as a part of the largest of the normal equations' diagonal:
+/// above their rounding, below what slows a regular step.
+pub(crate) const TOUCH_DAMPING: f64 = 1e-12;
+/// A surface whose derivatives span no more than this part of the square of the larger has no area: half of the digits.
+pub(crate) const NO_AREA: f64 = 1e-8;

@@ -1,7 +1,8 @@
 //! The surface without ends on which a surface lies.
 
 use super::Axis;
-use crate::{Point3, Surface};
+use crate::trace::thresholds::SAME_BEND;
+use crate::{Direction, Point3, Surface, Vector3};
 
 /// A plane, sphere, cylinder, cone or torus without ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +62,43 @@ impl Carrier {
         Some(Self::Torus { axis: axis(&t.plane), major_radius: t.major_radius, minor_radius: t.minor_radius })
     }
 
+    /// As [`Self::of`], for a tolerance that leaves rounding only: the curvatures at a few places tell which kind alone it may
+    /// be.
+    pub(crate) fn exactly(surface: &Surface, tolerance: f64) -> Option<Self> {
+        if let Some(plane) = surface.plane(tolerance) {
+            return Some(Self::Plane(plane));
+        }
+        let shares = [0.21, 0.48, 0.83];
+        let [du, dv] = Direction::BOTH.map(|d| surface.domain(d));
+        let bends: Vec<[f64; 2]> = shares
+            .iter()
+            .flat_map(|x| shares.map(|y| (du.at(*x), dv.at(y))))
+            .filter_map(|(u, v)| Some(surface.curvature_at(u, v).ok()?.principal))
+            .collect();
+        let larger = |[a, b]: &[f64; 2]| a.abs().max(b.abs());
+        let same = |a: f64, b: f64, unit: f64| (a - b).abs() <= SAME_BEND * unit;
+        let axis = |p: &crate::Plane| Axis { origin: p.origin, direction: p.z_axis };
+        let first = bends.first()?;
+        if bends.iter().all(|k| same(k[0], k[1], larger(k)) && same(k[0], first[0], larger(first))) {
+            let s = surface.as_sphere(tolerance)?;
+            return Some(Self::Sphere { center: s.plane.origin, radius: s.radius });
+        }
+        if bends.iter().all(|k| k[0].abs().min(k[1].abs()) <= SAME_BEND * larger(k)) {
+            let round = |k: &[f64; 2]| same(larger(k), larger(first), larger(first));
+            if bends.iter().all(round) {
+                let c = surface.as_cylinder(tolerance)?;
+                return Some(Self::Cylinder { axis: axis(&c.plane), radius: c.radius });
+            }
+            let c = surface.as_cone(tolerance)?;
+            return Some(Self::Cone { axis: axis(&c.plane), half_angle: c.half_angle() });
+        }
+        if !first.iter().any(|tube| bends.iter().all(|k| k.iter().any(|x| same(*x, *tube, tube.abs())))) {
+            return None;
+        }
+        let t = surface.as_torus(tolerance)?;
+        Some(Self::Torus { axis: axis(&t.plane), major_radius: t.major_radius, minor_radius: t.minor_radius })
+    }
+
     /// The distance between a point and the surface.
     pub fn distance_to(&self, p: Point3) -> f64 {
         match self {
@@ -77,6 +115,27 @@ impl Carrier {
             Self::Torus { axis, major_radius, minor_radius } => {
                 let (height, way) = axis.split(p);
                 ((way.length() - major_radius).hypot(height) - minor_radius).abs()
+            }
+        }
+    }
+
+    /// The direction in which a point leaves the surface fastest, away from a centre, an axis or the middle of a tube; not of
+    /// unit length. 0 where there is none.
+    pub(crate) fn gradient(&self, p: Point3) -> Vector3 {
+        match self {
+            Self::Plane(plane) => plane.z_axis,
+            Self::Sphere { center, .. } => p - *center,
+            Self::Cylinder { axis, .. } => axis.split(p).1,
+            Self::Cone { axis, half_angle } => {
+                let (height, way) = axis.split(p);
+                let (sin, cos) = half_angle.sin_cos();
+                let out = way.unitized().unwrap_or(Vector3::ZERO);
+                out * cos - axis.direction * (sin * height.signum())
+            }
+            Self::Torus { axis, major_radius, .. } => {
+                let (height, way) = axis.split(p);
+                let out = way.unitized().unwrap_or(Vector3::ZERO);
+                way - out * *major_radius + axis.direction * height
             }
         }
     }

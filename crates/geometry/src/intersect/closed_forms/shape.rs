@@ -2,7 +2,8 @@
 
 use super::Axis;
 use crate::{
-    BoundingBox, Circle, Curve, Ellipse, Line, LineCurve, NurbsCurve, Plane, Point3, Result, intersect,
+    Arc, BoundingBox, Circle, Curve, Ellipse, Interval, Line, LineCurve, NurbsCurve, Plane, Point3, Result,
+    intersect,
 };
 
 /// A line or a conic, whole.
@@ -71,14 +72,9 @@ impl Conic {
             }
             Self::Circle(circle) => Ok(Some((*circle).into())),
             Self::Ellipse(ellipse) => Ok(Some(ellipse.to_nurbs()?.into())),
-            Self::Parabola { plane, focal } => {
+            Self::Parabola { plane, .. } => {
                 let [[s, t], _] = reach(plane, bounds);
-                if !(s < t) {
-                    return Ok(None);
-                }
-                // The tangents at both ends meet halfway in x, at y = s·t/(4 f).
-                let middle = plane.at(0.5 * (s + t), s * t / (4.0 * focal), 0.0);
-                quadratic([self.at(s), middle, self.at(t)], 1.0).map(Some)
+                if s < t { self.between(s, t).map(Some) } else { Ok(None) }
             }
             Self::Hyperbola { plane, a, b } => {
                 let [[_, far], [low, high]] = reach(plane, bounds);
@@ -87,15 +83,69 @@ impl Conic {
                 }
                 let widest = (far / a).acosh();
                 let (s, t) = ((low / b).asinh().max(-widest), (high / b).asinh().min(widest));
-                if !(s < t) {
-                    return Ok(None);
-                }
+                if s < t { self.between(s, t).map(Some) } else { Ok(None) }
+            }
+        }
+    }
+
+    /// The part between two parameters as in [`Self::at`], exactly; the second is the larger one, and on a circle or an
+    /// ellipse the larger by a whole turn at most.
+    ///
+    /// # Errors
+    /// The range is empty, or a number overflows.
+    pub fn between(&self, s: f64, t: f64) -> Result<Curve> {
+        match self {
+            Self::Line(axis) => Ok(LineCurve::new(Line::new(axis.at(s), axis.at(t))).into()),
+            Self::Circle(circle) => Ok(Arc::new(*circle, Interval::new(s, t))?.into()),
+            Self::Ellipse(Ellipse { plane, rx, ry }) => {
+                // The image of an arc of a unit circle.
+                let unit = Arc::new(Circle::new(Plane::XY, 1.0)?, Interval::new(s, t))?;
+                let arc = Curve::from(unit).to_nurbs()?;
+                let points = arc
+                    .homogeneous_points()
+                    .iter()
+                    .map(|[x, y, _, w]| {
+                        let p =
+                            plane.origin.to_vector() * *w + plane.x_axis * (rx * x) + plane.y_axis * (ry * y);
+                        [p.x, p.y, p.z, *w]
+                    })
+                    .collect();
+                Ok(NurbsCurve::rational(arc.degree(), points, arc.knots().to_vec())?.into())
+            }
+            Self::Parabola { plane, focal } => {
+                // The tangents at both ends meet halfway in x, at y = s·t/(4 f).
+                let middle = plane.at(0.5 * (s + t), s * t / (4.0 * focal), 0.0);
+                quadratic([self.at(s), middle, self.at(t)], 1.0)
+            }
+            Self::Hyperbola { plane, a, b } => {
                 // As for an arc of a circle, with hyperbolic functions (P&T, *The NURBS Book*, §7.6).
                 let (center, weight) = (0.5 * (s + t), (0.5 * (t - s)).cosh());
                 let middle = plane.at(a * center.cosh() / weight, b * center.sinh() / weight, 0.0);
-                quadratic([self.at(s), middle, self.at(t)], weight).map(Some)
+                quadratic([self.at(s), middle, self.at(t)], weight)
             }
         }
+    }
+
+    /// The parameter of a point of the curve, or of its foot along the axes of the curve's frame.
+    pub fn parameter(&self, p: Point3) -> f64 {
+        match self {
+            Self::Line(axis) => axis.split(p).0,
+            Self::Circle(circle) => {
+                let [x, y, _] = circle.plane.coordinates(p);
+                y.atan2(x)
+            }
+            Self::Ellipse(Ellipse { plane, rx, ry }) => {
+                let [x, y, _] = plane.coordinates(p);
+                (y / ry).atan2(x / rx)
+            }
+            Self::Parabola { plane, .. } => plane.coordinates(p)[0],
+            Self::Hyperbola { plane, b, .. } => (plane.coordinates(p)[1] / b).asinh(),
+        }
+    }
+
+    /// Whether it comes back to where it began.
+    pub fn is_closed(&self) -> bool {
+        matches!(self, Self::Circle(_) | Self::Ellipse(_))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::touch::{Bends, bends, touching};
 use super::{SurfaceContact, SurfaceContactKind};
 use crate::Point3;
-use crate::trace::thresholds::{CLUSTER, POINT};
+use crate::trace::thresholds::{CLUSTER, MOST_DAMPING, NEAREST_DAMPING, POINT};
 use crate::trace::{Box4, Four, Pair, on};
 
 /// The contacts that undecided boxes of parameters belong to.
@@ -81,6 +81,7 @@ fn contact(pair: &Pair<'_>, boxes: &[Box4], group: &[usize], tolerance: f64) -> 
         gap,
         ranges,
         curve: None,
+        border: Vec::new(),
     })
 }
 
@@ -105,11 +106,6 @@ fn spread(boxes: &[Box4], group: &[usize]) -> Vec<Four> {
     group.iter().step_by(step).filter_map(|i| boxes.get(*i)).map(|b| b.map(|[a, b]| 0.5 * (a + b))).collect()
 }
 
-/// The damping of the first step, as a part of the squared lengths of the derivatives.
-const FIRST_DAMPING: f64 = 1e-3;
-/// Steps with more damping than this are too short to help.
-const MOST_DAMPING: f64 = 1e8;
-
 /// The place near `x` where the way from one surface to the other is square to both, and the distance there: Gauss and
 /// Newton's method on the distance, with a damping term that keeps steps short where the surfaces are parallel.
 fn nearest(pair: &Pair<'_>, x: Four) -> (f64, Four) {
@@ -118,7 +114,7 @@ fn nearest(pair: &Pair<'_>, x: Four) -> (f64, Four) {
         (jets[0][0] - jets[1][0]).length()
     };
     let (mut x, mut best) = (x, distance(x));
-    let mut damping = FIRST_DAMPING;
+    let mut damping = NEAREST_DAMPING;
     for _ in 0..60 {
         let jets = pair.jets(x);
         let away = jets[0][0] - jets[1][0];

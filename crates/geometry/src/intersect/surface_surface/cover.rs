@@ -2,7 +2,7 @@
 
 use super::search::{Leaf, Search};
 use crate::trace::thresholds::{MET, ROOM};
-use crate::trace::{Condition, End, Followed, Four, Limits, Place, followed};
+use crate::trace::{Condition, End, Followed, Four, Limits, Pair, Place, followed};
 use crate::{Direction, Result, intersect, patience};
 
 /// The curves, as they are found.
@@ -63,11 +63,20 @@ impl Curves {
         if self.found.iter().any(|c| c.holds(x, start.point)) {
             return Ok(true);
         }
-        let curve = followed(&pair, start, &self.limits)?;
+        self.add_through(&pair, start)?;
+        Ok(true)
+    }
+
+    /// Follows the curve through a place.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(super) fn add_through(&mut self, pair: &Pair<'_>, start: Place) -> Result<()> {
+        let curve = followed(pair, start, &self.limits)?;
         if curve.places.len() > 1 {
             self.found.push(curve);
         }
-        Ok(true)
+        Ok(())
     }
 
     /// Goes through the leaves, and follows what runs through them and is not known.

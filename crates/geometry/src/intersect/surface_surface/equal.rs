@@ -33,6 +33,7 @@ pub(super) fn equal(pair: &Pair<'_>) -> Option<SurfaceContact> {
         gap: near.distance,
         ranges: std::array::from_fn(range),
         curve: None,
+        border: Vec::new(),
     })
 }
 

@@ -1,23 +1,53 @@
 //! Surface with surface.
 
+mod area;
 mod contacts;
 mod cover;
 mod equal;
+mod exact;
+mod images;
+mod itself;
+mod kinds;
+mod overlap;
 mod rows;
 mod search;
+mod sheet;
 mod tangent_curve;
 mod touch;
+
+pub use itself::surface_self;
+pub(crate) use kinds::common;
+pub use kinds::surface_with_surface;
 
 use cover::Curves;
 use search::Search;
 use tangent_curve::tangent_curve;
 
 use crate::chart::{Chart, smooth_pieces};
-use crate::trace::thresholds::{
-    ABOVE_NOISE, AT_CONTACT, AT_POLE, COARSEST, LONGEST, ON_CURVE, SAME_PLACE, SHORTEST, SMALLEST,
-};
+use crate::trace::thresholds::{AT_CONTACT, AT_POLE, MET, ON_CURVE, SAME_PLACE, SMALLEST};
 use crate::trace::{Limits, Pair, fitted, fitted_within};
-use crate::{Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Tolerance, Vector3, Xform};
+use crate::{
+    Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Surface, Tolerance, Vector3, Xform, patience,
+};
+
+/// What is known of a branch's curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BranchKind {
+    /// A straight line, by the closed form of both surfaces, as the kinds that follow.
+    Line,
+    /// A circle or an arc of one.
+    Circle,
+    /// An ellipse or a part of one, as a rational quadratic.
+    Ellipse,
+    /// A part of a parabola, as a quadratic.
+    Parabola,
+    /// A part of a branch of a hyperbola, as a rational quadratic.
+    Hyperbola,
+    /// A part of a side of one of the surfaces.
+    Side,
+    /// Followed: within the tolerance. Lines, arcs and circles to rounding come as such.
+    Followed,
+}
 
 /// A curve along which two surfaces pass through each other, or touch.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +62,8 @@ pub struct SurfaceBranch {
     pub deviation: f64,
     /// Whether it ends where it begins.
     pub closed: bool,
+    /// What is known of the curve.
+    pub kind: BranchKind,
 }
 
 /// How two surfaces touch where they do not pass through each other at an angle.
@@ -64,6 +96,15 @@ pub struct SurfaceContact {
     pub ranges: [[f64; 2]; 4],
     /// The curve along which they touch, when they do so from side to side or around.
     pub curve: Option<SurfaceBranch>,
+    /// The loops that bound a common area, each of curves that go on where the one before ends, with the area on their left
+    /// seen against the normal of the first surface. Sides at seams do not bound; none where both surfaces are closed.
+    pub border: Vec<Vec<SurfaceBranch>>,
+}
+
+impl SurfaceContact {
+    fn branches_mut(&mut self) -> impl Iterator<Item = &mut SurfaceBranch> {
+        self.curve.iter_mut().chain(self.border.iter_mut().flatten())
+    }
 }
 
 /// All that two surfaces have in common.
@@ -90,8 +131,12 @@ pub struct SurfaceMeeting {
 /// cones; marching as in N. Patrikalakis and T. Maekawa, *Shape Interrogation*, 5.8.)
 ///
 /// Where the surfaces touch, Newton's method on their tangent planes finds the place, and the difference of their second
-/// fundamental forms its kind; along a curve the way goes on where the difference is 0. Surfaces of equal control points and
-/// knots overlap as a whole.
+/// fundamental forms its kind; along a curve the way goes on where the difference is 0. Common areas are bounded by the parts of
+/// the sides of each surface that lie on the other one.
+///
+/// Planes, spheres, cylinders, cones and tori are told first, also inside NURBS surfaces: what has a closed form
+/// ([`carrier_carrier`](super::carrier_carrier())) is that, to rounding, as far as both surfaces reach. Closed conics are whole where
+/// both surfaces hold them, also through places where two of them cross, which are contacts; they end at poles.
 ///
 /// The result does not depend on the order of the surfaces but for the direction of branches, nor on the number of threads.
 ///
@@ -104,19 +149,39 @@ pub fn surface_surface(a: &NurbsSurface, b: &NurbsSurface, tolerance: &Tolerance
         let mut out = ordered(b, a, limit)?;
         for branch in &mut out.branches {
             branch.parameters.reverse();
-            branch.curve = branch.curve.reversed();
-            branch.parameters = [branch.parameters[0].reversed(), branch.parameters[1].reversed()];
+            turn(std::slice::from_mut(branch));
         }
         for contact in &mut out.contacts {
             contact.at.reverse();
             contact.ranges.rotate_left(2);
-            if let Some(curve) = &mut contact.curve {
-                curve.parameters.reverse();
+            for branch in contact.branches_mut() {
+                branch.parameters.reverse();
+            }
+            if face_each_other([a, b], contact.at) {
+                contact.border.iter_mut().for_each(|border| turn(border));
             }
         }
         return Ok(out);
     }
     ordered(a, b, limit)
+}
+
+/// Whether the normals of two surfaces at a common place are opposite.
+fn face_each_other(surfaces: [&NurbsSurface; 2], at: [[f64; 2]; 2]) -> bool {
+    let normal = |s: usize| {
+        let [_, u, v] = surfaces[s].partials_at(at[s][0], at[s][1], crate::Quadrant::NorthEast);
+        u.cross(v)
+    };
+    normal(0).dot(normal(1)) < 0.0
+}
+
+/// Walks a loop the other way.
+fn turn(border: &mut [SurfaceBranch]) {
+    border.reverse();
+    for branch in border {
+        branch.curve = branch.curve.reversed();
+        branch.parameters = [branch.parameters[0].reversed(), branch.parameters[1].reversed()];
+    }
 }
 
 /// Whether a surface comes before another by its control points: so that their order in a call does not matter.
@@ -126,7 +191,14 @@ fn comes_first(a: &NurbsSurface, b: &NurbsSurface) -> bool {
     order.unwrap_or_else(|| a.point_count().cmp(&b.point_count())).is_lt()
 }
 
+/// More pairs of pieces between kinks than this are not looked at.
+const MOST_PIECES: usize = 4_000_000;
+
 fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeeting> {
+    let kinds = [Surface::from(a.clone()), Surface::from(b.clone())];
+    if let Some(met) = exact::meeting([&kinds[0], &kinds[1]], limit)? {
+        return Ok(met);
+    }
     let mut out = SurfaceMeeting { branches: Vec::new(), contacts: Vec::new(), complete: true };
     let boxes = [a.hull_box(), b.hull_box()];
     let sizes = boxes.map(|x| x.diagonal().length());
@@ -140,30 +212,48 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     let whole = [Chart::new(a.transformed(&home)?)?, Chart::new(b.transformed(&home)?)?];
     let pair = Pair::new(&whole[0], &whole[1]);
     let size = pair.size();
-    if let Some(mut all) = equal::equal(&pair) {
-        all.point += shift;
-        out.contacts.push(all);
-        return Ok(out);
+    if whole.iter().any(|c| !c.has_area()) {
+        return Err(Error::degenerate("surface", "it has no area"));
     }
-    let limits = Limits {
-        tolerance: 0.5 * limit.min(COARSEST * size).max(ABOVE_NOISE * pair.noise),
-        shortest: (SHORTEST * size).max(ABOVE_NOISE * pair.noise),
-        longest: LONGEST * size,
-        most: 50_000,
-    };
-    let pieces = [smooth_pieces(whole[0].nurbs())?, smooth_pieces(whole[1].nurbs())?];
+    if let Some(mut all) = equal::equal(&pair) {
+        if let Some(found) = overlap::of_charts(&pair, limit)?
+            && let Some(area) = found.contacts.into_iter().find(|c| c.kind == SurfaceContactKind::Overlap)
+        {
+            all.border = area.border;
+        }
+        out.contacts.push(all);
+        return shifted(out, shift);
+    }
+    let limits = Limits::new(limit, size, pair.noise);
+    let reach = MET * pair.noise;
     let mut charts: [Vec<Chart>; 2] = [Vec::new(), Vec::new()];
-    for (own, pieces) in charts.iter_mut().zip(pieces) {
-        for piece in pieces {
-            own.push(Chart::new(piece)?);
+    for (s, own) in charts.iter_mut().enumerate() {
+        let other = whole[1 - s].nurbs().hull_box();
+        for piece in smooth_pieces(whole[s].nurbs())? {
+            patience::check()?;
+            if piece.hull_box().distance_to_box(&other) <= reach {
+                own.push(Chart::new(piece)?);
+            }
         }
     }
+    if charts[0].len().saturating_mul(charts[1].len()) > MOST_PIECES {
+        return Err(Error::Unsupported("surfaces of very many pieces between kinks"));
+    }
     let mut followed = Vec::new();
-    for first in &charts[0] {
-        for second in &charts[1] {
+    let boxes = [0, 1].map(|s| charts[s].iter().map(|c| c.nurbs().hull_box()).collect::<Vec<_>>());
+    for (first, around) in charts[0].iter().zip(&boxes[0]) {
+        for (second, other) in charts[1].iter().zip(&boxes[1]) {
+            patience::check()?;
+            if around.distance_to_box(other) > reach {
+                continue;
+            }
             let part = Pair { charts: [first, second], noise: pair.noise };
             let mut search = Search::new(part, SMALLEST * size)?;
-            let places = search.places()?;
+            let (places, common) = search.places(limit)?;
+            if let Some(common) = common {
+                out.complete &= common.complete;
+                out.contacts.extend(common.contacts);
+            }
             if places.leaves.is_empty() && places.undecided.is_empty() {
                 continue;
             }
@@ -172,7 +262,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
             curves.add_from_leaves(&mut search, places.leaves)?;
             out.complete &= curves.complete;
             let mut contacts = contacts::contacts(&part, &places.undecided, limit);
-            follow_tangents(&part, &mut contacts, &out.contacts, &limits, shift)?;
+            follow_tangents(&part, &mut contacts, &out.contacts, &limits)?;
             for stuck in curves.stuck() {
                 let known = contacts.iter().any(|c| {
                     c.kind != SurfaceContactKind::Undecided
@@ -188,22 +278,35 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
         }
     }
     for row in rows::joined(&pair, followed) {
-        let fit = fitted_within(&pair, &row.places, shift, limit)?;
+        let fit = fitted_within(&pair, &row.places, limit)?;
         out.branches.push(SurfaceBranch {
             curve: fit.curve,
             parameters: fit.parameters,
             deviation: fit.deviation,
             closed: row.closed,
+            kind: BranchKind::Followed,
         });
     }
     let poles: Vec<Point3> = whole.iter().flat_map(Chart::poles).collect();
     contacts::drop_poles(&mut out.contacts, &poles, AT_POLE * size);
     contacts::drop_doubles(&mut out.contacts, SAME_PLACE * size);
-    for contact in &mut out.contacts {
+    for contact in &out.contacts {
         out.complete &= contact.kind != SurfaceContactKind::Undecided;
+    }
+    shifted(out, shift)
+}
+
+/// The same in another place.
+fn shifted(mut met: SurfaceMeeting, shift: Vector3) -> Result<SurfaceMeeting> {
+    let back = Xform::translation(shift);
+    for contact in &mut met.contacts {
         contact.point += shift;
     }
-    Ok(out)
+    let own = met.contacts.iter_mut().flat_map(SurfaceContact::branches_mut);
+    for branch in met.branches.iter_mut().chain(own) {
+        branch.curve = branch.curve.transformed(&back)?;
+    }
+    Ok(met)
 }
 
 /// Gives contacts along curves their curves, and drops what lies on the curve of another one.
@@ -212,29 +315,29 @@ fn follow_tangents(
     contacts: &mut Vec<SurfaceContact>,
     before: &[SurfaceContact],
     limits: &Limits,
-    shift: Vector3,
 ) -> Result<()> {
     let (mut along, rest): (Vec<_>, Vec<_>) =
         contacts.drain(..).partition(|c| c.kind == SurfaceContactKind::Curve);
     let mut kept: Vec<SurfaceContact> = Vec::new();
     for mut contact in along.drain(..) {
-        if is_known(&kept, &contact, pair.size(), shift)? || is_known(before, &contact, pair.size(), shift)? {
+        if is_known(&kept, &contact, pair.size())? || is_known(before, &contact, pair.size())? {
             continue;
         }
         let [[a, b], [c, d]] = contact.at;
         if let Some(found) = tangent_curve(pair, [a, b, c, d], limits)? {
-            let fit = fitted(pair, &found.places, shift)?;
+            let fit = fitted(pair, &found.places)?;
             contact.curve = Some(SurfaceBranch {
                 curve: fit.curve,
                 parameters: fit.parameters,
                 deviation: fit.deviation,
                 closed: found.closed,
+                kind: BranchKind::Followed,
             });
         }
         kept.push(contact);
     }
     for contact in rest {
-        if contact.kind != SurfaceContactKind::Undecided || !is_known(&kept, &contact, pair.size(), shift)? {
+        if contact.kind != SurfaceContactKind::Undecided || !is_known(&kept, &contact, pair.size())? {
             kept.push(contact);
         }
     }
@@ -243,9 +346,9 @@ fn follow_tangents(
 }
 
 /// Whether the place of a contact lies on a curve that was followed.
-fn is_known(kept: &[SurfaceContact], contact: &SurfaceContact, size: f64, shift: Vector3) -> Result<bool> {
+fn is_known(kept: &[SurfaceContact], contact: &SurfaceContact, size: f64) -> Result<bool> {
     for branch in kept.iter().filter_map(|k| k.curve.as_ref()) {
-        if branch.curve.closest_point_within(contact.point + shift, ON_CURVE * size)?.is_some() {
+        if branch.curve.closest_point_within(contact.point, ON_CURVE * size)?.is_some() {
             return Ok(true);
         }
     }
@@ -253,6 +356,10 @@ fn is_known(kept: &[SurfaceContact], contact: &SurfaceContact, size: f64, shift:
 }
 
 #[cfg(test)]
+mod exact_tests;
+#[cfg(test)]
 mod families;
+#[cfg(test)]
+mod limits_tests;
 #[cfg(test)]
 mod tests;

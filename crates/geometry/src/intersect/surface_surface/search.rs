@@ -2,7 +2,9 @@
 
 use super::super::judge::separated;
 use super::super::patch_tree::{PatchNode, PatchTree};
-use crate::trace::thresholds::{MET, TINY};
+use super::area::{Area, Lies};
+use super::overlap::{self, Overlaps};
+use crate::trace::thresholds::{AT_BORDER, MET, TINY};
 use crate::trace::{Box4, Pair};
 use crate::{Result, Vector3, patience};
 
@@ -27,6 +29,8 @@ pub(super) struct Places {
 const MOST_UNDECIDED: usize = 8_000;
 /// What is small for that, as a part of the size.
 const SMALL: f64 = 1.0 / 64.0;
+/// With more undecided pairs than this common areas are looked for.
+const MANY_UNDECIDED: usize = 300;
 /// Along a curve the number of pairs doubles in two divisions, over an area it grows fourfold.
 const GROWS: f64 = 1.5;
 /// More pairs than this of one size are not looked at.
@@ -38,20 +42,30 @@ pub(super) struct Search<'a> {
     trees: [PatchTree; 2],
     /// Parts that are smaller are not divided to prove something.
     smallest: f64,
+    /// An area that is known to be common.
+    area: Option<Area>,
 }
 
 impl<'a> Search<'a> {
     pub(super) fn new(pair: Pair<'a>, smallest: f64) -> Result<Self> {
         let [a, b] = pair.charts;
-        Ok(Self { pair, trees: [PatchTree::new(a.nurbs())?, PatchTree::new(b.nurbs())?], smallest })
+        Ok(Self {
+            pair,
+            trees: [PatchTree::new(a.nurbs())?, PatchTree::new(b.nurbs())?],
+            smallest,
+            area: None,
+        })
     }
 
-    /// Divides all pairs of one size together, the larger part first.
+    /// Divides all pairs of one size together, the larger part first. Where many cannot be told, common areas are looked for,
+    /// with images of their borders within the tolerance `limit`; what lies in one is not divided any more.
     ///
     /// # Errors
     /// The work was stopped, or there are too many pairs.
-    pub(super) fn places(&mut self) -> Result<Places> {
+    pub(super) fn places(&mut self, limit: f64) -> Result<(Places, Option<Overlaps>)> {
         let mut out = Places::default();
+        let mut common = None;
+        let mut looked = false;
         let mut level = vec![[self.trees[0].root, self.trees[1].root]];
         let mut counts = [usize::MAX; 2];
         while !level.is_empty() {
@@ -72,6 +86,12 @@ impl<'a> Search<'a> {
                     None => undecided.push(nodes),
                 }
             }
+            if undecided.len() > MANY_UNDECIDED && !looked {
+                looked = true;
+                common = overlap::of_charts(&self.pair, limit)?;
+                self.area = common.as_ref().and_then(|found| Area::new(&self.pair, found));
+            }
+            undecided.retain(|n| !self.is_common(*n));
             let fine = |n: &[u32; 2]| self.is_smallest(*n);
             let limit = (SMALL * self.pair.size()).powi(2);
             let small = |n: &[u32; 2]| {
@@ -92,7 +112,20 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        Ok(out)
+        Ok((out, common))
+    }
+
+    /// Whether what a pair of parts has in common belongs to the known area: one of them lies in it, or both are small and on
+    /// its border.
+    fn is_common(&self, nodes: [u32; 2]) -> bool {
+        let Some(area) = &self.area else { return false };
+        if (0..2).any(|s| self.node(nodes, s).patch().is_none()) {
+            return false;
+        }
+        let lies = area.lies(&self.bounds(nodes));
+        let limit = (AT_BORDER * self.pair.size()).powi(2);
+        lies.contains(&Lies::Inside)
+            || (lies == [Lies::Across; 2] && (0..2).all(|s| self.node(nodes, s).size_squared() < limit))
     }
 
     fn node(&self, nodes: [u32; 2], s: usize) -> &PatchNode {
@@ -150,10 +183,7 @@ impl<'a> Search<'a> {
         if a.patch().is_none() || b.patch().is_none() {
             return false;
         }
-        let hulls = [(0, a), (1, b)].map(|(s, node)| -> Vec<Vector3> {
-            let points = self.trees[s].points(node);
-            points.iter().map(|p| Vector3::new(p[0] / p[3], p[1] / p[3], p[2] / p[3])).collect()
-        });
+        let hulls = [(0, a), (1, b)].map(|(s, node)| hull(self.trees[s].points(node)));
         let [m, n] = [0, 1].map(|s| corner_normal(&hulls[s], self.trees[s].counts));
         let along = m.cross(n);
         [m, n, along, m.cross(along), n.cross(along)]
@@ -194,8 +224,13 @@ impl<'a> Search<'a> {
     }
 }
 
+/// Control points in space.
+pub(super) fn hull(points: &[[f64; 4]]) -> Vec<Vector3> {
+    points.iter().map(|p| Vector3::new(p[0] / p[3], p[1] / p[3], p[2] / p[3])).collect()
+}
+
 /// The normal of a part by its corners.
-fn corner_normal(points: &[Vector3], counts: [usize; 2]) -> Vector3 {
+pub(super) fn corner_normal(points: &[Vector3], counts: [usize; 2]) -> Vector3 {
     let [n, m] = counts;
     let at = |i: usize, j: usize| points.get(i * m + j).copied().unwrap_or(Vector3::ZERO);
     (at(n - 1, m - 1) - at(0, 0)).cross(at(0, m - 1) - at(n - 1, 0)).unitized().unwrap_or(Vector3::ZERO)

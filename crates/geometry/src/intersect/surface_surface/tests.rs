@@ -109,6 +109,35 @@ fn contacts_have_names() {
     assert!(touch.contacts[0].point.distance_to(Point3::ORIGIN) < 1e-12);
 }
 
+/// A floor under a bowl, a saddle and a valley sinks through the place where it touches them, in 200 steps.
+#[test]
+fn a_floor_sinks_through_each_contact() {
+    for (a, b, before, kind, after) in [
+        (1.0, 2.0, [1, 0], SurfaceContactKind::Point, [0, 0]),
+        (1.0, -1.5, [0, 2], SurfaceContactKind::Crossing, [0, 2]),
+        (1.0, 0.0, [0, 2], SurfaceContactKind::Curve, [0, 0]),
+    ] {
+        for step in 0..=200 {
+            let c = 1e-3 * f64::from(step - 100);
+            let met = meet(&graph(a, b, c), &floor());
+            let kinds: Vec<_> = met.contacts.iter().map(|c| c.kind).collect();
+            match step {
+                100 => assert_eq!((kinds, met.complete), (vec![kind], true), "{a} {b}"),
+                _ => {
+                    let want = if step < 100 { before } else { after };
+                    assert_eq!((counts(&met), kinds, met.complete), (want, vec![], true), "{a} {b} {c}");
+                }
+            }
+        }
+        // Nearer than a loop of a thousandth there is a name for it, if not the right curves.
+        for c in [1e-7, 1e-9, 1e-11, 1e-13].into_iter().flat_map(|c| [-c, c]) {
+            let met = meet(&graph(a, b, c), &floor());
+            let right = counts(&met) == if c < 0.0 { before } else { after } && met.contacts.is_empty();
+            assert!(right || !met.contacts.is_empty(), "{a} {b} {c} {:?}", counts(&met));
+        }
+    }
+}
+
 #[test]
 fn tangent_points_are_exact() {
     for (radius, way) in [(1.0, Vector3::new(1.0, 2.0, 2.0)), (0.3, Vector3::new(-2.0, 1.0, 0.5))] {

@@ -2,13 +2,11 @@
 
 use crate::Vector3;
 use crate::chart::Chart;
-use crate::trace::thresholds::{FOUND, LEAST_BEND, NO_BEND, ONE_PLANE};
+use crate::trace::thresholds::{FOUND, LEAST_BEND, NO_BEND, ONE_PLANE, TOUCH_DAMPING};
 use crate::trace::{Condition, Four, Pair, on, solved};
 
 /// Newton's method on a regular place is done in far fewer steps.
 const MOST_STEPS: usize = 40;
-/// The damping that is tried first, as a part of the largest of the normal equations' diagonal.
-const FIRST_DAMPING: f64 = 1e-12;
 
 /// A condition with its derivatives by the four parameters, in units of length, of shares of the domains.
 type Row = ([f64; 4], f64);
@@ -52,11 +50,11 @@ pub(super) fn touching(pair: &Pair<'_>, x: Four, condition: Option<Condition>) -
         }
         if left < rest {
             (x, rest, damping) = (next, left, damping * 0.1);
-            if damping < FIRST_DAMPING {
+            if damping < TOUCH_DAMPING {
                 damping = 0.0;
             }
         } else {
-            damping = (damping * 10.0).max(FIRST_DAMPING);
+            damping = (damping * 10.0).max(TOUCH_DAMPING);
             if damping > 1.0 {
                 return None;
             }
