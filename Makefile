@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -170,6 +170,10 @@ $(VENV)-work/installed: benches/work/requirements.txt
 	$(PYTHON) -m venv $(VENV)-work
 	$(VENV)-work/bin/pip install -q -r benches/work/requirements.txt
 	touch $@
+
+# Solids cut by solids, beside the answers of other kernels and closed forms.
+booleans:
+	cargo run --release -p katydid-geometry --example booleans -- ../shared/data/oracle/boolean_dev.json
 
 # The kernel beside the answers of other kernels.
 oracle:

@@ -37,6 +37,9 @@ pub enum Error {
     /// Nobody waits for the answer any more: `go_on` said no, or [`Patience`](crate::Patience) is over.
     #[error("the work was stopped")]
     Stopped,
+    /// A boolean gave no result: the kind of case, the faces and the place.
+    #[error("boolean refused: {0}")]
+    Refused(Box<crate::brep::Refusal>),
     /// A case the kernel does not handle yet, by name.
     #[error("not supported: {0}")]
     Unsupported(&'static str),

@@ -15,6 +15,11 @@ impl Brep {
         live.filter_map(|face| self.bounds_of(face)).reduce(|a, b| a.union(&b))
     }
 
+    /// A box around the part of a face's surface that its outer loop reaches, a little widened.
+    pub(super) fn bounds_of_face(&self, face: usize) -> Option<BoundingBox> {
+        self.bounds_of(self.faces().get(face)?)
+    }
+
     fn bounds_of(&self, face: &Face) -> Option<BoundingBox> {
         let parts = self.parts();
         let surface = parts.face_surface(face)?;

@@ -50,6 +50,28 @@ impl Brep {
         })
     }
 
+    /// The same with every surface in its NURBS form, which is exact; trims go along with its parameters.
+    ///
+    /// # Errors
+    /// A number overflows.
+    pub fn with_nurbs_surfaces(&self) -> Result<Self> {
+        let mut parts = self.parts().clone();
+        let mut maps = Vec::with_capacity(parts.surfaces.len());
+        for surface in &mut parts.surfaces {
+            crate::patience::check()?;
+            maps.push(match surface {
+                Some(surface) => {
+                    let map = ParameterMaps::to_nurbs(surface);
+                    *surface = surface.to_nurbs()?.into();
+                    Some(map)
+                }
+                None => None,
+            });
+        }
+        self.move_trims(&mut parts, &maps)?;
+        Self::from_parts(parts)
+    }
+
     /// Gives the trims of surfaces whose parameters moved curves of their own.
     fn move_trims(&self, parts: &mut Parts, maps: &[Option<ParameterMaps>]) -> Result<()> {
         for (place, trim) in self.trims().iter().enumerate() {

@@ -8,6 +8,7 @@
 //! boundary. Files hold many that are not.
 
 mod assemble;
+mod boolean;
 mod bounds;
 mod build;
 mod cap;
@@ -52,6 +53,7 @@ mod unjoin;
 mod validity;
 mod vertex;
 
+pub use boolean::{FaceName, Fuse, Made, Refusal, RefusalClass};
 pub(crate) use build::with_ends;
 pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;

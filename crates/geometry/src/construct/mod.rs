@@ -4,6 +4,7 @@
 //! other conics stay exact wherever the construction allows it.
 
 mod baseball;
+mod box_slits;
 mod developable;
 mod edge_surface;
 mod extrude;
@@ -19,6 +20,7 @@ mod tapered;
 mod walls;
 
 pub use baseball::baseball_sphere;
+pub use box_slits::{SlitBox, box_slits};
 pub use developable::{DevelopableLoft, DevelopableOptions, developable_loft};
 pub use edge_surface::{edge_surface, four_point_surface};
 pub use extrude::{

@@ -1,0 +1,199 @@
+//! Which regions lie upon each other, and on which side of which operand every region is.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::operands::Operands;
+use super::pieces::Pieces;
+use super::refusal::RefusalClass;
+use super::regions::Region;
+use crate::{BoundingBox, BoxIndex, Containment, Result, patience};
+
+/// Where the two sides of a region lie.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Sides {
+    /// For every operand: whether just behind the region, on the side of its own operand, is inside.
+    pub(super) behind: Vec<bool>,
+    /// The same just before it.
+    pub(super) before: Vec<bool>,
+}
+
+/// A region and all others that lie upon it.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// The region that stands for all, that of the first operand.
+    pub(super) region: usize,
+    pub(super) sides: Sides,
+}
+
+/// All regions, those upon each other as one, with what is on their sides.
+pub(super) fn sheets(all: &Operands, pieces: &Pieces, regions: &[Region]) -> Result<Vec<Sheet>> {
+    let groups = coincident(all, regions)?;
+    let inside = memberships(all, pieces, regions, &groups)?;
+    let mut out = Vec::with_capacity(groups.len());
+    for (group, inside) in groups.into_iter().zip(inside) {
+        let mut sides = Sides { behind: inside.clone(), before: inside };
+        let mut set = |solid: usize, same: bool| {
+            if let (Some(b), Some(f)) = (sides.behind.get_mut(solid), sides.before.get_mut(solid)) {
+                (*b, *f) = (same, !same);
+            }
+        };
+        set(solid_of(all, regions, group.region), true);
+        group.twins.iter().for_each(|(r, same)| set(solid_of(all, regions, *r), *same));
+        out.push(Sheet { region: group.region, sides });
+    }
+    Ok(out)
+}
+
+struct Group {
+    region: usize,
+    twins: Vec<(usize, bool)>,
+}
+
+impl Group {
+    fn holds(&self, all: &Operands, regions: &[Region], solid: usize) -> bool {
+        solid_of(all, regions, self.region) == solid
+            || self.twins.iter().any(|(r, _)| solid_of(all, regions, *r) == solid)
+    }
+}
+
+fn solid_of(all: &Operands, regions: &[Region], region: usize) -> usize {
+    regions.get(region).and_then(|r| all.faces.get(r.face)).map_or(0, |f| f.solid)
+}
+
+/// Regions with one rim, of which a point of one lies in the other, are one.
+fn coincident(all: &Operands, regions: &[Region]) -> Result<Vec<Group>> {
+    let mut by_rim: HashMap<&[usize], Vec<usize>> = HashMap::new();
+    let mut groups: Vec<Group> = Vec::new();
+    for (place, region) in regions.iter().enumerate() {
+        let mut twin = None;
+        let known = by_rim.entry(&region.rim).or_default();
+        for &g in known.iter() {
+            let Some(group) = groups.get(g) else { continue };
+            if group.holds(all, regions, solid_of(all, regions, place)) {
+                continue;
+            }
+            if let Some(other) = regions.get(group.region)
+                && let Some(same) = upon(all, region, other)?
+            {
+                twin = Some((g, same));
+                break;
+            }
+        }
+        match twin {
+            Some((g, same)) => {
+                if let Some(group) = groups.get_mut(g) {
+                    group.twins.push((place, same));
+                }
+            }
+            None => {
+                known.push(groups.len());
+                groups.push(Group { region: place, twins: Vec::new() });
+            }
+        }
+    }
+    Ok(groups)
+}
+
+/// Whether a region with the rim of another lies upon it; then, whether both look the same way.
+fn upon(all: &Operands, region: &Region, other: &Region) -> Result<Option<bool>> {
+    let (Some(sample), Some(face)) = (region.samples.first(), all.faces.get(other.face)) else {
+        return Ok(None);
+    };
+    let uv = face.parameters(sample.point)?;
+    if face.surface.point_at(uv[0], uv[1]).distance_to(sample.point) > 2.0 * all.limit || !other.covers(uv) {
+        return Ok(None);
+    }
+    Ok(face.normal(uv).map(|n| n.dot(sample.normal) > 0.0))
+}
+
+/// For every group and operand whether it lies inside; what lies on the operand is set by the caller. Only faces whose
+/// boxes meet that of the operand are asked.
+fn memberships(
+    all: &Operands,
+    pieces: &Pieces,
+    regions: &[Region],
+    groups: &[Group],
+) -> Result<Vec<Vec<bool>>> {
+    let mut out = vec![vec![false; all.solids.len()]; groups.len()];
+    let mut by_face: Vec<Vec<usize>> = vec![Vec::new(); all.faces.len()];
+    for (g, group) in groups.iter().enumerate() {
+        let face = regions.get(group.region).and_then(|r| by_face.get_mut(r.face));
+        face.into_iter().for_each(|list| list.push(g));
+    }
+    let boxes: Vec<BoundingBox> = all.faces.iter().map(|f| f.bounds).collect();
+    let index = BoxIndex::new(&boxes);
+    for (solid, own) in all.solids.iter().enumerate().filter(|(_, s)| s.closed) {
+        let faces = index.near(&own.bounds, all.limit).into_iter();
+        let near = faces.filter_map(|f| by_face.get(f)).flatten().copied();
+        let asked: Vec<usize> =
+            near.filter(|g| groups.get(*g).is_some_and(|group| !group.holds(all, regions, solid))).collect();
+        // What hangs together across pieces that are not on the operand's boundary is on one side of it.
+        let mut sets: Vec<usize> = (0..asked.len()).collect();
+        let mut at_piece: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+        for (k, g) in asked.iter().enumerate() {
+            let Some(region) = groups.get(*g).and_then(|g| regions.get(g.region)) else { continue };
+            let member = all.faces.get(region.face).map_or(0, |f| f.solid);
+            for (piece, _) in region.pieces() {
+                if pieces.list.get(piece).is_some_and(|p| p.solids.contains(&solid)) {
+                    continue;
+                }
+                let other = *at_piece.entry((member, piece)).or_insert(k);
+                let (a, b) = (root(&mut sets, k), root(&mut sets, other));
+                sets[a.max(b)] = a.min(b);
+            }
+        }
+        let mut known: BTreeMap<usize, bool> = BTreeMap::new();
+        for (k, g) in asked.iter().enumerate() {
+            patience::check()?;
+            let set = root(&mut sets, k);
+            let inside = match known.get(&set) {
+                Some(inside) => *inside,
+                None => {
+                    let region = groups.get(*g).and_then(|g| regions.get(g.region));
+                    let inside = region.map_or(Ok(false), |r| is_inside(all, r, solid))?;
+                    known.insert(set, inside);
+                    inside
+                }
+            };
+            if let Some(own) = out.get_mut(*g).and_then(|o| o.get_mut(solid)) {
+                *own = inside;
+            }
+        }
+    }
+    Ok(out)
+}
+
+fn root(sets: &mut [usize], mut k: usize) -> usize {
+    while sets[k] != k {
+        sets[k] = sets[sets[k]];
+        k = sets[k];
+    }
+    k
+}
+
+/// Whether a region lies inside an operand on whose boundary it is not: all its points that tell agree.
+fn is_inside(all: &Operands, region: &Region, solid: usize) -> Result<bool> {
+    let Some(own) = all.solids.get(solid) else { return Ok(false) };
+    let mut verdict: Option<bool> = None;
+    let place = region.samples.first().map(|s| s.point);
+    let undecided = || Err(all.refuse(RefusalClass::UndecidedPoint, &[region.face], place));
+    for sample in &region.samples {
+        let found = if own.bounds.distance_to(sample.point) > all.limit {
+            Ok(Containment::Outside)
+        } else {
+            own.search()?.contains(sample.point, all.limit)
+        };
+        let inside = match found {
+            Ok(Containment::Inside) => true,
+            Ok(Containment::Outside) => false,
+            Ok(Containment::On) => continue,
+            Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
+            Err(_) => continue,
+        };
+        if verdict.is_some_and(|v| v != inside) {
+            return undecided();
+        }
+        verdict = Some(inside);
+    }
+    verdict.map_or_else(undecided, Ok)
+}

@@ -1,0 +1,214 @@
+//! One table of the pieces into which vertices cut edges and sections: what lies upon each other is one piece.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::interferences::edge_stops;
+use super::operands::{Operands, Place, near};
+use super::sections::{SectionPiece, index_of};
+use super::thresholds::{PLACES, SAME_CURVE};
+use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, patience};
+
+/// A stretch of a curve between two vertices, with none between them.
+#[derive(Debug)]
+pub(super) struct Piece {
+    pub(super) curve: Curve,
+    pub(super) ends: [usize; 2],
+    pub(super) bounds: BoundingBox,
+    /// The operands on whose boundary it lies.
+    pub(super) solids: BTreeSet<usize>,
+}
+
+/// A piece as a part of an edge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OfEdge {
+    pub(super) piece: usize,
+    /// Whether it runs against the edge.
+    pub(super) reversed: bool,
+    /// The range of the edge.
+    pub(super) range: Interval,
+}
+
+/// All pieces, where they are on edges, and which of them are drawn on faces.
+#[derive(Debug)]
+pub(super) struct Pieces {
+    pub(super) list: Vec<Piece>,
+    by_ends: HashMap<[usize; 2], Vec<usize>>,
+    /// The pieces of every edge, in its order.
+    pub(super) of_edge: Vec<Vec<OfEdge>>,
+    /// The pieces that are drawn on every face, besides its border, in order.
+    pub(super) on_face: Vec<BTreeSet<usize>>,
+    limit: f64,
+}
+
+impl Pieces {
+    /// Cuts all edges at the vertices on them, adds the pieces of sections, and draws on every face the edges of other
+    /// operands that lie in it.
+    pub(super) fn new(all: &Operands, sections: Vec<SectionPiece>, pairs: &[(usize, usize)]) -> Result<Self> {
+        let mut out = Self {
+            list: Vec::new(),
+            by_ends: HashMap::new(),
+            of_edge: vec![Vec::new(); all.edges.len()],
+            on_face: vec![BTreeSet::new(); all.faces.len()],
+            limit: all.limit,
+        };
+        let index = index_of(all);
+        for place in 0..all.edges.len() {
+            patience::check()?;
+            out.cut_edge(all, &index, place)?;
+        }
+        let borders = out.borders(all);
+        for section in sections {
+            let (piece, _) = out.at(section.curve, section.ends)?;
+            for face in section.faces {
+                if let (Some(own), Some(border)) = (all.faces.get(face), borders.get(face)) {
+                    out.list.get_mut(piece).into_iter().for_each(|p| {
+                        p.solids.insert(own.solid);
+                    });
+                    if !border.contains(&piece) {
+                        out.on_face.get_mut(face).into_iter().for_each(|list| {
+                            list.insert(piece);
+                        });
+                    }
+                }
+            }
+        }
+        out.draw_edges(all, pairs, &borders)?;
+        Ok(out)
+    }
+
+    /// The pieces along the borders of faces.
+    fn borders(&self, all: &Operands) -> Vec<BTreeSet<usize>> {
+        let of_edge = |e: &usize| self.of_edge.get(*e).map_or(&[] as &[OfEdge], Vec::as_slice);
+        all.faces.iter().map(|f| f.border.iter().flat_map(of_edge).map(|p| p.piece).collect()).collect()
+    }
+
+    fn cut_edge(&mut self, all: &Operands, index: &BoxIndex, place: usize) -> Result<()> {
+        let Some(edge) = all.edges.get(place) else { return Ok(()) };
+        let stops = edge_stops(all, index, edge)?;
+        let mut parts = Vec::with_capacity(stops.len());
+        for pair in stops.windows(2) {
+            let [(s, a), (t, b)] = [pair[0], pair[1]];
+            let range = Interval::new(s, t);
+            if !range.is_increasing() || (a == b && stops.len() > 2) {
+                continue;
+            }
+            let curve = if stops.len() == 2 { edge.curve.clone() } else { edge.curve.trimmed(range)? };
+            if a == b && curve.bounding_box().diagonal().length() <= 2.0 * self.limit {
+                continue;
+            }
+            let (piece, reversed) = self.at(curve, [a, b])?;
+            self.list.get_mut(piece).into_iter().for_each(|p| {
+                p.solids.insert(edge.solid);
+            });
+            parts.push(OfEdge { piece, reversed, range });
+        }
+        if let Some(own) = self.of_edge.get_mut(place) {
+            *own = parts;
+        }
+        Ok(())
+    }
+
+    /// The piece along a curve between two vertices, and whether it runs against it: a known one, or a new one.
+    fn at(&mut self, curve: Curve, ends: [usize; 2]) -> Result<(usize, bool)> {
+        let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let known = self.by_ends.get(&key).cloned().unwrap_or_default();
+        for place in known {
+            let Some(piece) = self.list.get(place) else { continue };
+            if let Some(reversed) = self.same(piece, &curve, ends)? {
+                return Ok((place, reversed));
+            }
+        }
+        let place = self.list.len();
+        let bounds = curve.bounding_box();
+        self.list.push(Piece { curve, ends, bounds, solids: BTreeSet::new() });
+        self.by_ends.entry(key).or_default().push(place);
+        Ok((place, false))
+    }
+
+    /// Whether a curve with the same ends runs along a piece; then, whether backwards.
+    fn same(&self, piece: &Piece, curve: &Curve, ends: [usize; 2]) -> Result<Option<bool>> {
+        let domain = curve.domain();
+        let reach = SAME_CURVE * self.limit;
+        let mut at = [0.0; 2];
+        for (t, share) in at.iter_mut().zip([0.5, 0.29]) {
+            let Some(found) = near(&piece.curve, curve.point_at(domain.at(share)), reach)? else {
+                return Ok(None);
+            };
+            *t = found;
+        }
+        let reversed = if ends[0] == ends[1] {
+            // By the directions at a common place.
+            let [_, d] = curve.jet_at::<2>(domain.middle(), false);
+            let [_, e] = piece.curve.jet_at::<2>(at[0], false);
+            d.dot(e) < 0.0
+        } else {
+            piece.ends != ends
+        };
+        Ok(Some(reversed))
+    }
+
+    /// Draws edges on the faces of other operands in which they lie.
+    fn draw_edges(
+        &mut self,
+        all: &Operands,
+        pairs: &[(usize, usize)],
+        borders: &[BTreeSet<usize>],
+    ) -> Result<()> {
+        let mut asked: BTreeSet<(usize, usize)> = BTreeSet::new();
+        for &(a, b) in pairs {
+            for (own, other) in [(a, b), (b, a)] {
+                patience::check()?;
+                let (Some(border), Some(taken)) = (borders.get(own), borders.get(other)) else { continue };
+                let Some(face) = all.faces.get(other) else { continue };
+                for &piece in border {
+                    let Some(p) = self.list.get(piece) else { continue };
+                    if p.bounds.distance_to_box(&face.bounds) > all.limit || !asked.insert((piece, other)) {
+                        continue;
+                    }
+                    if taken.contains(&piece) {
+                        continue;
+                    }
+                    if lies_inside(all, face, &p.curve)? {
+                        self.list.get_mut(piece).into_iter().for_each(|p| {
+                            p.solids.insert(face.solid);
+                        });
+                        self.on_face.get_mut(other).into_iter().for_each(|list| {
+                            list.insert(piece);
+                        });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// How often each piece of some list occurs an odd number of times, in order: the boundary of what pieces go round.
+    pub(super) fn odd(pieces: impl IntoIterator<Item = usize>) -> Vec<usize> {
+        let mut counts: BTreeMap<usize, bool> = BTreeMap::new();
+        for piece in pieces {
+            let odd = counts.entry(piece).or_default();
+            *odd = !*odd;
+        }
+        counts.into_iter().filter(|(_, odd)| *odd).map(|(piece, _)| piece).collect()
+    }
+
+    /// The middle of a piece.
+    pub(super) fn middle(&self, piece: usize) -> Option<Point3> {
+        let own = self.list.get(piece)?;
+        Some(own.curve.point_at(own.curve.domain().middle()))
+    }
+}
+
+/// Whether a curve without a vertex between its ends lies in a face, and not along its border.
+fn lies_inside(all: &Operands, face: &super::operands::Face, curve: &Curve) -> Result<bool> {
+    let domain = curve.domain();
+    let mut inside = false;
+    for share in PLACES {
+        match all.place(face, curve.point_at(domain.at(share)), 2.0 * all.limit)? {
+            Place::Inside(_) => inside = true,
+            Place::Outside => return Ok(false),
+            Place::Border => {}
+        }
+    }
+    Ok(inside)
+}

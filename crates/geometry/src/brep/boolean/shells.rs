@@ -1,0 +1,433 @@
+//! Shells of chosen regions: sewn along the pieces that they share, never by distance.
+
+use std::collections::BTreeMap;
+
+use super::arrangement::Track;
+use super::operands::Operands;
+use super::pieces::Pieces;
+use super::refusal::RefusalClass;
+use super::regions::Region;
+use super::thresholds::{EDGE_OFF_FACE, RADIAL_APART, RADIAL_AT, RADIAL_STEP};
+use super::{FaceName, Made};
+use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
+use crate::{Brep, Containment, Point3, Result, Vector3, patience};
+
+/// A region of the result, and whether it is turned over.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Chosen {
+    pub(super) region: usize,
+    pub(super) flipped: bool,
+}
+
+/// A use of a piece by a chosen region: which, the place among its steps, and whether the region runs along the piece
+/// backwards as seen from before its face.
+#[derive(Debug, Clone, Copy)]
+struct Use {
+    chosen: usize,
+    step: (usize, usize),
+    backwards: bool,
+}
+
+/// Sets of chosen regions that hang together.
+struct Sets(Vec<usize>);
+
+impl Sets {
+    fn new(count: usize) -> Self {
+        Self((0..count).collect())
+    }
+
+    fn root(&mut self, mut k: usize) -> usize {
+        while self.0[k] != k {
+            self.0[k] = self.0[self.0[k]];
+            k = self.0[k];
+        }
+        k
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+
+    /// The members of every set, in order.
+    fn lists(&mut self) -> Vec<Vec<usize>> {
+        let mut out: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for k in 0..self.0.len() {
+            let root = self.root(k);
+            out.entry(root).or_default().push(k);
+        }
+        out.into_values().collect()
+    }
+}
+
+/// What shells are made of.
+pub(super) struct Shells<'a> {
+    pub(super) all: &'a Operands,
+    pub(super) pieces: &'a Pieces,
+    pub(super) regions: &'a [Region],
+    pub(super) chosen: &'a [Chosen],
+}
+
+/// The edge that each step of each chosen region runs along: a piece, and which of several edges along it.
+type Mates = BTreeMap<(usize, usize, usize), (usize, usize)>;
+
+impl Shells<'_> {
+    /// The solids that the chosen regions bound, with the faces that theirs came from.
+    pub(super) fn solids(&self) -> Result<Vec<Made>> {
+        let (mates, mut sets) = self.mated()?;
+        let shells = sets.lists();
+        if let [only] = shells.as_slice() {
+            let (made, inward) = self.built(only, &mates)?;
+            if inward || !made.brep.is_solid() {
+                return Err(self.refuse(RefusalClass::Unclosed, only.first().copied()));
+            }
+            return Ok(vec![made]);
+        }
+        let solids = self.nested(shells, &mates, false)?;
+        Ok(solids.into_iter().map(|s| s.1).collect())
+    }
+
+    /// The bounded cells between the chosen regions, of which each stands for both of its sides in turn: what is behind it,
+    /// then, turned over, what is before it. For each the place of one of its chosen regions.
+    pub(super) fn volumes(&self) -> Result<Vec<(usize, Made)>> {
+        let mut kept: Vec<bool> = vec![true; self.chosen.len() / 2];
+        loop {
+            let mut sets = Sets::new(self.chosen.len());
+            let mut mates = Mates::new();
+            for (piece, list) in self.uses() {
+                patience::check()?;
+                // The uses of regions that are not turned, each of which stands for both sides.
+                let list: Vec<Use> = list
+                    .into_iter()
+                    .filter(|u| u.chosen % 2 == 0 && kept.get(u.chosen / 2) == Some(&true))
+                    .collect();
+                let order = if list.len() > 2 { self.radial(piece, &list)? } else { list };
+                let next = order.iter().cycle().skip(1);
+                for (k, (a, b)) in order.iter().zip(next).enumerate() {
+                    // The side of the first that looks to larger angles, and that of the second to smaller ones.
+                    let sides = [a.chosen + usize::from(!a.backwards), b.chosen + usize::from(b.backwards)];
+                    for (own, side) in [a, b].into_iter().zip(sides) {
+                        mates.insert((side, own.step.0, own.step.1), (piece, k));
+                    }
+                    sets.join(sides[0], sides[1]);
+                }
+            }
+            let dangling: Vec<usize> =
+                (0..kept.len()).filter(|k| kept[*k] && sets.root(2 * k) == sets.root(2 * k + 1)).collect();
+            if dangling.is_empty() {
+                let shells = sets.lists().into_iter().filter(|s| s.first().is_some_and(|f| kept[f / 2]));
+                return self.nested(shells.collect(), &mates, true);
+            }
+            dangling.into_iter().for_each(|k| kept[k] = false);
+        }
+    }
+
+    /// The faces that the chosen regions make, open or not, apart where they are cut.
+    pub(super) fn faces(&self, cut: impl Fn(usize) -> bool) -> Result<Vec<(usize, Made)>> {
+        let (mates, mut sets) = self.joined(cut);
+        let lists = sets.lists().into_iter();
+        lists.map(|shell| Ok((shell.first().copied().unwrap_or(0), self.built(&shell, &mates)?.0))).collect()
+    }
+
+    /// Closed shells as solids with their cavities. What looks inward and lies in no solid is refused, or, where shells
+    /// are all sides of space, the outside.
+    fn nested(&self, shells: Vec<Vec<usize>>, mates: &Mates, outside: bool) -> Result<Vec<(usize, Made)>> {
+        let mut outer: Vec<(Vec<usize>, Made, f64)> = Vec::new();
+        let mut cavities: Vec<Vec<usize>> = Vec::new();
+        for shell in shells {
+            patience::check()?;
+            let (made, inward) = self.built(&shell, mates)?;
+            if !made.brep.is_solid() {
+                return Err(self.refuse(RefusalClass::Unclosed, shell.first().copied()));
+            }
+            if inward {
+                cavities.push(shell);
+            } else {
+                let size = made.brep.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
+                outer.push((shell, made, size));
+            }
+        }
+        self.place_cavities(outer, cavities, mates, outside)
+    }
+
+    /// Every cavity becomes a shell of the smallest solid around it.
+    fn place_cavities(
+        &self,
+        outer: Vec<(Vec<usize>, Made, f64)>,
+        cavities: Vec<Vec<usize>>,
+        mates: &Mates,
+        outside: bool,
+    ) -> Result<Vec<(usize, Made)>> {
+        let mut inner: Vec<Vec<usize>> = vec![Vec::new(); outer.len()];
+        for cavity in cavities {
+            let first = cavity.first().copied();
+            let mut best: Option<(f64, usize)> = None;
+            for (k, (_, made, size)) in outer.iter().enumerate() {
+                if best.is_none_or(|b| *size < b.0) && self.holds(&made.brep, &cavity)? {
+                    best = Some((*size, k));
+                }
+            }
+            match best.and_then(|b| inner.get_mut(b.1)) {
+                Some(own) => own.extend(cavity),
+                None if outside => {}
+                None => return Err(self.refuse(RefusalClass::Unclosed, first)),
+            }
+        }
+        let mut out = Vec::with_capacity(outer.len());
+        for ((mut shell, made, _), inner) in outer.into_iter().zip(inner) {
+            let first = shell.first().copied().unwrap_or(0);
+            if inner.is_empty() {
+                out.push((first, made));
+                continue;
+            }
+            shell.extend(inner);
+            let (made, inward) = self.built(&shell, mates)?;
+            if inward || !made.brep.is_solid() {
+                return Err(self.refuse(RefusalClass::Unclosed, shell.first().copied()));
+            }
+            out.push((first, made));
+        }
+        Ok(out)
+    }
+
+    /// Whether a solid holds a shell: a point of it that is not on the solid's boundary tells.
+    fn holds(&self, solid: &Brep, shell: &[usize]) -> Result<bool> {
+        for sample in shell.iter().filter_map(|c| self.region(*c)).flat_map(|r| &r.samples) {
+            match solid.contains(sample.point, self.all.limit) {
+                Ok(Containment::Inside) => return Ok(true),
+                Ok(Containment::Outside) => return Ok(false),
+                Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
+                Ok(Containment::On) | Err(_) => {}
+            }
+        }
+        Err(self.refuse(RefusalClass::UndecidedPoint, shell.first().copied()))
+    }
+
+    fn region(&self, chosen: usize) -> Option<&Region> {
+        self.regions.get(self.chosen.get(chosen)?.region)
+    }
+
+    fn refuse(&self, class: RefusalClass, chosen: Option<usize>) -> crate::Error {
+        let region = chosen.and_then(|c| self.region(c));
+        let place = region.and_then(|r| r.samples.first()).map(|s| s.point);
+        let face: Vec<usize> = region.map(|r| r.face).into_iter().collect();
+        self.all.refuse(class, &face, place)
+    }
+
+    /// The uses of every piece.
+    fn uses(&self) -> BTreeMap<usize, Vec<Use>> {
+        let mut uses: BTreeMap<usize, Vec<Use>> = BTreeMap::new();
+        for (place, chosen) in self.chosen.iter().enumerate() {
+            let Some(region) = self.regions.get(chosen.region) else { continue };
+            let turned = self.all.faces.get(region.face).is_some_and(|f| f.reversed) != chosen.flipped;
+            for (l, chain) in region.loops.iter().enumerate() {
+                for (s, step) in chain.iter().enumerate() {
+                    if let Track::Piece(piece, reversed) = step.track {
+                        let backwards = reversed != turned;
+                        uses.entry(piece).or_default().push(Use { chosen: place, step: (l, s), backwards });
+                    }
+                }
+            }
+        }
+        uses
+    }
+
+    /// Which uses of pieces share an edge, and which regions hang together: by pairs with material between them.
+    fn mated(&self) -> Result<(Mates, Sets)> {
+        let mut sets = Sets::new(self.chosen.len());
+        let mut mates = Mates::new();
+        for (piece, list) in self.uses() {
+            patience::check()?;
+            let pairs = match list.as_slice() {
+                [a, b] if a.backwards != b.backwards => vec![[*a, *b]],
+                [] | [_] | [_, _] => return Err(self.refuse_at(piece, &list)),
+                _ => self.wedges(piece, &list)?,
+            };
+            for (k, pair) in pairs.iter().enumerate() {
+                for own in pair {
+                    mates.insert((own.chosen, own.step.0, own.step.1), (piece, k));
+                }
+                sets.join(pair[0].chosen, pair[1].chosen);
+            }
+        }
+        Ok((mates, sets))
+    }
+
+    /// As [`Self::mated`] for faces that need not close: faces at a piece hang together unless it is where they are cut.
+    fn joined(&self, cut: impl Fn(usize) -> bool) -> (Mates, Sets) {
+        let mut sets = Sets::new(self.chosen.len());
+        let mut mates = Mates::new();
+        for (piece, list) in self.uses() {
+            let Some(first) = list.first() else { continue };
+            let apart = cut(piece);
+            // The seam of a face is one edge, whatever cuts it.
+            for (k, own) in list.iter().enumerate() {
+                let edge =
+                    if apart { list.iter().position(|u| u.chosen == own.chosen).unwrap_or(k) } else { 0 };
+                mates.insert((own.chosen, own.step.0, own.step.1), (piece, edge));
+                if !apart {
+                    sets.join(first.chosen, own.chosen);
+                }
+            }
+        }
+        (mates, sets)
+    }
+
+    fn refuse_at(&self, piece: usize, uses: &[Use]) -> crate::Error {
+        let faces: Vec<usize> = uses.iter().filter_map(|u| self.region(u.chosen)).map(|r| r.face).collect();
+        self.all.refuse(RefusalClass::Unclosed, &faces, self.pieces.middle(piece))
+    }
+
+    /// More than two faces at a piece, in pairs with material between them: wedges of material go from a backward to a
+    /// forward face.
+    fn wedges(&self, piece: usize, uses: &[Use]) -> Result<Vec<[Use; 2]>> {
+        let refused = || self.refuse_at(piece, uses);
+        if uses.len() % 2 == 1 {
+            return Err(refused());
+        }
+        let mut order = self.radial(piece, uses)?;
+        let start = order.iter().position(|u| u.backwards).ok_or_else(refused)?;
+        order.rotate_left(start);
+        let mut out = Vec::with_capacity(order.len() / 2);
+        for pair in order.chunks_exact(2) {
+            let [a, b] = [pair[0], pair[1]];
+            if !a.backwards || b.backwards {
+                return Err(refused());
+            }
+            out.push([a, b]);
+        }
+        Ok(out)
+    }
+
+    /// The uses of a piece in the order of the angles at which their faces leave it, counter-clockwise about it. A face
+    /// that runs forwards has its inside at normal × axis: its normal looks to larger angles.
+    fn radial(&self, piece: usize, uses: &[Use]) -> Result<Vec<Use>> {
+        let refused = || self.refuse_at(piece, uses);
+        let own = self.pieces.list.get(piece).ok_or_else(refused)?;
+        let t = own.curve.domain().at(RADIAL_AT);
+        let p = own.curve.point_at(t);
+        let axis = own.curve.tangent_at(t).ok_or_else(refused)?;
+        let x = axis.perpendicular().and_then(Vector3::unitized).ok_or_else(refused)?;
+        let y = axis.cross(x);
+        let reach = uses.iter().filter_map(|u| self.reach(u)).fold(own.bounds.diagonal().length(), f64::min);
+        let mut keyed: Vec<(f64, Use)> = Vec::with_capacity(uses.len());
+        for own in uses {
+            let way = self.leaving(own, p, axis, RADIAL_STEP * reach).ok_or_else(refused)?;
+            keyed.push((way.dot(y).atan2(way.dot(x)), *own));
+        }
+        keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Faces that leave together are not in an order that can be relied on.
+        let next = keyed.iter().cycle().skip(1);
+        let close = keyed.iter().zip(next).any(|(a, b)| {
+            let apart = (b.0 - a.0).rem_euclid(std::f64::consts::TAU);
+            apart.min(std::f64::consts::TAU - apart) < RADIAL_APART
+        });
+        if close {
+            return Err(refused());
+        }
+        Ok(keyed.into_iter().map(|k| k.1).collect())
+    }
+
+    /// About how wide the region of a use is.
+    fn reach(&self, own: &Use) -> Option<f64> {
+        let region = self.region(own.chosen)?;
+        Some(self.all.faces.get(region.face)?.bounds.diagonal().length())
+    }
+
+    /// The direction in which the region of a use leaves a point of its piece, by a place a little inside.
+    fn leaving(&self, own: &Use, p: Point3, axis: Vector3, step: f64) -> Option<Vector3> {
+        let region = self.region(own.chosen)?;
+        let face = self.all.faces.get(region.face)?;
+        let flat = &region.loops.get(own.step.0)?.get(own.step.1)?.curve;
+        // The place of the point on the step: its image is nearest there.
+        let domain = flat.domain();
+        let off = |t: f64| {
+            let uv = flat.point_at(t);
+            face.surface.point_at(uv.x, uv.y).distance_to(p)
+        };
+        let count = 200;
+        let best = (1..count).min_by(|a, b| {
+            off(domain.at(f64::from(*a) / f64::from(count)))
+                .total_cmp(&off(domain.at(f64::from(*b) / f64::from(count))))
+        })?;
+        let (mut low, mut high) = (
+            domain.at(f64::from(best - 1) / f64::from(count)),
+            domain.at(f64::from(best + 1) / f64::from(count)),
+        );
+        for _ in 0..60 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if off(a) < off(b) { high = b } else { low = a }
+        }
+        let [uv, _] = flat.jet_at::<2>(0.5 * (low + high), false);
+        let d = face.surface.derivatives(uv.x, uv.y, 1, face.surface.inner_quadrant(uv.x, uv.y));
+        let (by_u, by_v) = (d.get(1, 0), d.get(0, 1));
+        let normal = by_u.cross(by_v).unitized()?;
+        // The face lies to the left of its trims.
+        let [_, slope] = flat.jet_at::<2>(0.5 * (low + high), false);
+        let along = (by_u * slope.x + by_v * slope.y).unitized()?;
+        let inward = normal.cross(along);
+        let rate = crate::chart::Chart::lifted(&[d.point().to_vector(), by_u, by_v], inward * step)?;
+        let q = face.surface.point_at(uv.x + rate[0], uv.y + rate[1]);
+        let way = q - p;
+        Some(way - axis * way.dot(axis))
+    }
+
+    /// The materials and colours of the faces that a brep's faces are parts of.
+    fn with_colours(&self, mut brep: Brep, names: &[FaceName]) -> Brep {
+        for (own, name) in brep.parts.faces.iter_mut().zip(names) {
+            if let Some(old) = self.all.solids.get(name.operand).and_then(|s| s.brep().faces().get(name.face))
+            {
+                own.material_channel = old.material_channel;
+                own.colour = old.colour;
+            }
+        }
+        brep
+    }
+
+    /// A brep of some chosen regions; whether their normals point to the inside of what they close.
+    fn built(&self, shell: &[usize], mates: &Mates) -> Result<(Made, bool)> {
+        let mut builder = Builder::new();
+        let mut vertices: BTreeMap<usize, NewVertex> = BTreeMap::new();
+        let mut edges: BTreeMap<(usize, usize), NewEdge> = BTreeMap::new();
+        let mut names = Vec::with_capacity(shell.len());
+        let mut wanted = false;
+        for (k, &place) in shell.iter().enumerate() {
+            let (Some(chosen), Some(region)) = (self.chosen.get(place), self.region(place)) else { continue };
+            let Some(face) = self.all.faces.get(region.face) else { continue };
+            let turned = face.reversed != chosen.flipped;
+            if k == 0 {
+                wanted = turned;
+            }
+            names.push(FaceName { operand: face.solid, face: face.place });
+            let new = builder.face(face.surface.clone(), turned);
+            for (l, chain) in region.loops.iter().enumerate() {
+                let mut paths = Vec::with_capacity(chain.len());
+                for (s, step) in chain.iter().enumerate() {
+                    let mut vertex = |v: usize| {
+                        *vertices.entry(v).or_insert_with(|| builder.vertex(self.all.vertices.point(v)))
+                    };
+                    let along = match step.track {
+                        Track::Point(v) => Along::Point(vertex(v)),
+                        Track::Piece(piece, reversed) => {
+                            let key = mates.get(&(place, l, s)).copied().unwrap_or((piece, 0));
+                            let Some(own) = self.pieces.list.get(piece) else { continue };
+                            let ends = own.ends.map(&mut vertex);
+                            let edge =
+                                *edges.entry(key).or_insert_with(|| builder.edge(own.curve.clone(), ends));
+                            Along::Edge(edge, reversed)
+                        }
+                    };
+                    paths.push(Path { curve: step.curve.clone(), along });
+                }
+                let kind = if l == 0 { LoopKind::Outer } else { LoopKind::Inner };
+                builder.bound(new, kind, paths)?;
+            }
+        }
+        let brep = builder.finish(EDGE_OFF_FACE * self.all.limit).map_err(|e| match e {
+            crate::Error::Stopped => e,
+            _ => self.refuse(RefusalClass::Unsound, shell.first().copied()),
+        })?;
+        let inward = brep.faces().first().is_some_and(|f| f.reversed != wanted);
+        Ok((Made { brep: self.with_colours(brep, &names), names }, inward))
+    }
+}

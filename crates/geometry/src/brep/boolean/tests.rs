@@ -1,0 +1,96 @@
+#![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::PI;
+
+use super::Made;
+use crate::{BoundingBox, Box3, Brep, Interval, Plane, Point3, Sphere, Tolerance, Vector3, construct};
+
+fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
+    let bounds = BoundingBox { min: Point3::from(min), max: Point3::from(max) };
+    construct::box_brep(&Box3::from(bounds)).unwrap()
+}
+
+fn tube(center: [f64; 3], radius: f64, height: f64) -> Brep {
+    let plane = Plane::XY.with_origin(Point3::from(center));
+    let shape = crate::Cylinder::new(plane, radius, Interval::new(0.0, height)).unwrap();
+    construct::cylinder(&shape, [true; 2]).unwrap()
+}
+
+fn ball(center: [f64; 3], radius: f64) -> Brep {
+    construct::sphere(&Sphere::around(Point3::from(center), radius).unwrap()).unwrap()
+}
+
+fn tolerance() -> Tolerance {
+    Tolerance { absolute: 1e-6, ..Tolerance::default() }
+}
+
+fn volume(made: &[Made]) -> f64 {
+    made.iter().map(|m| m.brep.volume_properties(1e-9, || true).unwrap().amount).sum()
+}
+
+fn area(made: &[Made]) -> f64 {
+    made.iter().map(|m| m.brep.area_properties(1e-9, || true).unwrap().amount).sum()
+}
+
+fn all_of(a: &Brep, b: &Brep) -> [f64; 4] {
+    let (a, b) = ([a.clone()], [b.clone()]);
+    let t = tolerance();
+    [
+        volume(&Brep::union(&[a[0].clone(), b[0].clone()], &t).unwrap()),
+        volume(&Brep::intersection(&a, &b, &t).unwrap()),
+        volume(&Brep::difference(&a, &b, &t).unwrap()),
+        volume(&Brep::difference(&b, &a, &t).unwrap()),
+    ]
+}
+
+fn near(found: [f64; 4], want: [f64; 4]) {
+    for (f, w) in found.iter().zip(want) {
+        assert!((f - w).abs() <= 1e-7 * want[0], "{found:?} {want:?}");
+    }
+}
+
+#[test]
+fn boxes_overlap() {
+    let found = all_of(&cuboid([0.0; 3], [2.0; 3]), &cuboid([1.0; 3], [3.0; 3]));
+    near(found, [15.0, 1.0, 7.0, 7.0]);
+}
+
+#[test]
+fn boxes_share_a_face_an_edge_and_a_corner() {
+    let a = cuboid([0.0; 3], [1.0; 3]);
+    near(all_of(&a, &cuboid([1.0, 0.0, 0.0], [2.0, 1.0, 1.0])), [2.0, 0.0, 1.0, 1.0]);
+    near(all_of(&a, &cuboid([1.0, 1.0, 0.0], [2.0, 2.0, 1.0])), [2.0, 0.0, 1.0, 1.0]);
+    near(all_of(&a, &cuboid([1.0, 1.0, 1.0], [2.0, 2.0, 2.0])), [2.0, 0.0, 1.0, 1.0]);
+    near(all_of(&a, &a), [1.0, 1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_hole_through_a_box() {
+    let a = cuboid([-2.0, -2.0, 0.0], [2.0, 2.0, 1.0]);
+    let hole = PI;
+    near(all_of(&a, &tube([0.0, 0.0, -1.0], 1.0, 3.0)), [16.0 + 2.0 * hole, hole, 16.0 - hole, 2.0 * hole]);
+    let cut = Brep::difference(&[a], &[tube([0.0, 0.0, -1.0], 1.0, 3.0)], &tolerance()).unwrap();
+    assert_eq!(cut.len(), 1);
+    assert_eq!(cut[0].brep.faces().len(), 7);
+    assert!((area(&cut) - (48.0 - 2.0 * PI + 2.0 * PI)).abs() < 1e-6);
+}
+
+#[test]
+fn a_cavity() {
+    let cut = Brep::difference(&[cuboid([-2.0; 3], [2.0; 3])], &[ball([0.0; 3], 1.0)], &tolerance()).unwrap();
+    assert_eq!(cut.len(), 1);
+    assert!((volume(&cut) - (64.0 - 4.0 / 3.0 * PI)).abs() < 1e-6);
+    assert_eq!(cut[0].names.iter().filter(|n| n.operand == 1).count(), 1);
+}
+
+#[test]
+fn balls_overlap() {
+    // A lens of two caps of height 1/2 of unit balls: 2·π h² (3 − h)/3.
+    let lens = 2.0 * PI * 0.25 * 2.5 / 3.0;
+    let ball_volume = 4.0 / 3.0 * PI;
+    let want = [2.0 * ball_volume - lens, lens, ball_volume - lens, ball_volume - lens];
+    for center in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.8, 0.0], [0.48, 0.6, 0.64]] {
+        near(all_of(&ball([0.0; 3], 1.0), &ball(center, 1.0)), want);
+    }
+    let _ = Vector3::X;
+}

@@ -1,0 +1,63 @@
+//! One table of vertices for all operands: points within the tolerance of each other are one.
+
+use std::collections::HashMap;
+
+use crate::Point3;
+
+/// Points by the cells of a grid as wide as the tolerance.
+#[derive(Debug)]
+pub(super) struct Vertices {
+    points: Vec<Point3>,
+    cells: HashMap<[i64; 3], Vec<usize>>,
+    near: f64,
+}
+
+impl Vertices {
+    /// An empty table; points nearer than `near` are one.
+    pub(super) fn new(near: f64) -> Self {
+        Self { points: Vec::new(), cells: HashMap::new(), near }
+    }
+
+    /// The vertex at a point: the nearest known one within the tolerance, else a new one.
+    pub(super) fn at(&mut self, p: Point3) -> usize {
+        if let Some(known) = self.known(p) {
+            return known;
+        }
+        let place = self.points.len();
+        self.points.push(p);
+        self.cells.entry(self.cell(p)).or_default().push(place);
+        place
+    }
+
+    /// The known vertex nearest to a point, within the tolerance.
+    pub(super) fn known(&self, p: Point3) -> Option<usize> {
+        let [x, y, z] = self.cell(p);
+        let mut best: Option<(f64, usize)> = None;
+        for k in 0..27_i64 {
+            let cell = [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1];
+            for &place in self.cells.get(&cell).map_or(&[] as &[usize], Vec::as_slice) {
+                let distance = self.point(place).distance_to(p);
+                if distance <= self.near && best.is_none_or(|b| (distance, place) < b) {
+                    best = Some((distance, place));
+                }
+            }
+        }
+        best.map(|b| b.1)
+    }
+
+    /// Where a vertex is.
+    pub(super) fn point(&self, place: usize) -> Point3 {
+        self.points.get(place).copied().unwrap_or(Point3::ORIGIN)
+    }
+
+    /// All points, by the places of their vertices.
+    pub(super) fn points(&self) -> &[Point3] {
+        &self.points
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "far away points share the last cell")]
+    fn cell(&self, p: Point3) -> [i64; 3] {
+        // Coordinates are finite; saturation far away only makes searches slower.
+        [p.x, p.y, p.z].map(|x| ((x / self.near).floor() as i64).clamp(-(1 << 60), 1 << 60))
+    }
+}
