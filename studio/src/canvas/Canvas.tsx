@@ -4,6 +4,7 @@ import "./canvas.css";
 import "./nodes.css";
 import "./notes.css";
 import "./faces.css";
+import "./moments.css";
 import "./fields.css";
 import "./boxes.css";
 import "./more.css";
