@@ -98,7 +98,7 @@ test("a panel keeps the file that it streams to, and what it shows is saved here
   await page.mouse.click(x, y, { button: "right" });
   await page.getByRole("menuitemcheckbox", { name: "Stream to a file …" }).click();
   await page.getByLabel("File", { exact: true }).fill("out/widths.txt");
-  await page.getByRole("button", { name: "OK" }).click();
+  await page.getByRole("button", { name: "OK", exact: true }).click();
   await expect(page.locator(".panel-stream")).toHaveText("⤓ widths.txt");
   await expect(page.locator(".panel-stream")).toHaveAttribute("title", "Streams to out/widths.txt");
   await page.mouse.click(x, y, { button: "right" });

@@ -53,7 +53,7 @@ export function PanelNode({ object, panel, size }: { object: ObjectView; panel: 
           {panel.text}
         </div>
       )}
-      {panel.stream === null ? null : <Stream file={panel.stream} />}
+      {panel.stream ? <Stream file={panel.stream} /> : null}
       <Corner object={object} />
     </Frame>
   );
