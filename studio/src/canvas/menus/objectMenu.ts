@@ -100,7 +100,8 @@ export function objectMenu(object: ObjectView): Item[] {
 function wiresInto(ids: readonly string[]): Item | undefined {
   const { objects } = documentStore.getState();
   const wired = [...leaves(ids, objects)].flatMap((id) => objects.get(id)?.inputs.filter(({ sources }) => sources.length > 0) ?? []);
-  return wired.length === 0 ? undefined : wireDisplays(wired);
+  const label = ids.length > 1 ? "canvas.menu.wiresOfAll" : "canvas.menu.wires";
+  return wired.length === 0 ? undefined : wireDisplays(wired, label);
 }
 
 /** The menus of its ports, for hands that cannot point at them. */

@@ -116,7 +116,7 @@ function wireDisplay(port: PortView): Item {
 }
 
 /** How the wires into inputs are drawn, of all of them at once: one step for Undo. */
-export function wireDisplays(ports: readonly PortView[]): Item {
+export function wireDisplays(ports: readonly PortView[], label: Key = "canvas.menu.wires"): Item {
   const items = (["normal", "faint", "hidden"] as const).map(
     (wire: WireView): Item => ({
       is: "do",
@@ -128,7 +128,7 @@ export function wireDisplays(ports: readonly PortView[]): Item {
       },
     }),
   );
-  return { is: "more", label: t("canvas.menu.wires"), items };
+  return { is: "more", label: t(label), items };
 }
 
 /** Each wire by the name of its other end; pointing at an entry shows the wire. */

@@ -185,6 +185,7 @@ export const canvas = {
   "canvas.menu.outputs": "Outputs",
   "canvas.menu.connect": "Connect …",
   "canvas.menu.wires": "Wire display",
+  "canvas.menu.wiresOfAll": "Wires into all that is selected",
   "canvas.menu.disconnect": "Disconnect",
   "canvas.menu.disconnectAll": "Disconnect all",
   "canvas.menu.lost": "Something that is not here",
