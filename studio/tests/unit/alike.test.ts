@@ -19,6 +19,12 @@ test("ports of one name go along, and the only one that there is", () => {
   expect(alike(b, at(b.outputs, 1), a, "output")?.name).toBe("Circle");
 });
 
+test("an input that does not take what the first one takes does not go along", () => {
+  const [a, flat] = [circle(), component("Area", "Area", [0, 0], ["Geometry: Geometry"], ["Area: Number", "Centroid: Point"])];
+  expect(alike(a, at(a.inputs, 2), flat, "input")).toBeUndefined();
+  expect(alike(a, at(a.inputs, 0), flat, "input")?.name).toBe("Geometry");
+});
+
 test("ports of one place go along where a component stands twice and its ports were named anew", () => {
   const [a, b] = [circle(), circle()];
   at(b.inputs, 2).name = "R";
