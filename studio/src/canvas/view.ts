@@ -55,26 +55,8 @@ export function look(to: Lens, smoothly = false): void {
 /** The grid's squares on the canvas; from afar each holds several. */
 const SQUARE = 120;
 
-/** After so many milliseconds without a move the canvas is still again. */
-const STILL_AFTER = 200;
-let lastZoom = 1;
-let settling: ReturnType<typeof setTimeout> | undefined;
-
-/**
- * While the canvas is only moved, what was drawn of it is a layer that is put elsewhere, and just what comes into sight is
- * drawn. At rest it is none: a layer keeps the letters of the zoom at which it was made.
- */
-function move(zoom: number): void {
-  const isMoved = zoom === lastZoom;
-  lastZoom = zoom;
-  clearTimeout(settling);
-  pane?.classList.toggle("moving", isMoved);
-  if (isMoved) settling = setTimeout(() => pane?.classList.remove("moving"), STILL_AFTER);
-}
-
 /** Called when the lens has changed. */
 export function takeLens({ x, y, zoom }: Lens): void {
-  move(zoom);
   const square = SQUARE * zoom * 2 ** Math.max(0, Math.ceil(Math.log2(60 / (SQUARE * zoom))));
   const ground = pane?.querySelector<HTMLElement>(".react-flow");
   if (ground) {
