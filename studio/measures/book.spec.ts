@@ -2,7 +2,7 @@ import { existsSync } from "node:fs";
 
 import { test, type CDPSession, type Page } from "@playwright/test";
 
-import { watch } from "./watch";
+import { share, watch } from "./watch";
 
 const BOOK = process.env.KATYDID_BOOK ?? "../../shared/data/gh/the-book/TheEssentialMathematics_3rdEdition.gh";
 
@@ -63,6 +63,7 @@ async function drag(page: Page, cdp: CDPSession): Promise<void> {
 async function move(page: Page, cdp: CDPSession, what: string, [x, y]: [number, number], button: "left" | "right"): Promise<void> {
   await page.mouse.move(x, y);
   const before = await metrics(cdp);
+  await page.evaluate(() => window.frameTimes.start());
   await page.mouse.down({ button });
   for (let k = 0; k < 40; k++) {
     const away = k < 20 ? k : 40 - k;
@@ -71,10 +72,16 @@ async function move(page: Page, cdp: CDPSession, what: string, [x, y]: [number, 
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   }
   await page.mouse.up({ button });
+  const frames = await page.evaluate(() => window.frameTimes.stop());
   const after = await metrics(cdp);
   const each = (name: string) => (((after[name]! - before[name]!) * 1000) / 40).toFixed(1);
   const count = await page.evaluate(() => document.querySelectorAll(".react-flow__node").length);
-  console.log(`${what}: ${count} nodes, main thread ${each("TaskDuration")} ms a frame, script ${each("ScriptDuration")} ms`);
+  const [half, most] = [share(frames, 0.5), share(frames, 0.95)].map((value) => value.toFixed(1));
+  const late = frames.filter((length) => length > 33).length;
+  console.log(
+    `${what}: ${count} nodes, main thread ${each("TaskDuration")} ms a frame, script ${each("ScriptDuration")} ms;`,
+    `a frame takes ${half} ms, 95th percentile ${most} ms, ${late} of ${frames.length} over 33 ms`,
+  );
 }
 
 async function metrics(cdp: CDPSession): Promise<Record<string, number>> {

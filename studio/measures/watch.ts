@@ -24,6 +24,8 @@ export interface Watched {
 declare global {
   interface Window {
     watched: Watched;
+    /** Notes how long each frame takes, from one to the next, between start and stop. */
+    frameTimes: { start(): void; stop(): number[] };
   }
 }
 
@@ -34,6 +36,25 @@ export async function watch(page: Page): Promise<void> {
       isWhole: () => watched.drawn > watched.previews && watched.solved > watched.input,
     };
     window.watched = watched;
+    let frames: number[] | undefined;
+    let last = 0;
+    const frame = (now: number) => {
+      if (!frames) return;
+      if (last > 0) frames.push(now - last);
+      last = now;
+      requestAnimationFrame(frame);
+    };
+    window.frameTimes = {
+      start() {
+        [frames, last] = [[], 0];
+        requestAnimationFrame(frame);
+      },
+      stop() {
+        const found = frames ?? [];
+        frames = undefined;
+        return found;
+      },
+    };
     // Browsers tell of a pointer that rests when what is under it moves: only what a hand did counts.
     let place = "";
     const note = (event: Event) => {

@@ -136,7 +136,7 @@ pub(crate) struct DefinitionArgs {
     #[arg(long, requires = "model")]
     pub(crate) lenient: bool,
 
-    /// Set a slider, panel, toggle, value list, Get input or RH_IN group by nickname or id; a JSON array sets a list
+    /// Set a slider, panel, toggle, value list, calendar, clock, Get input or RH_IN group by nickname or id; a JSON array sets a list
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) set: Vec<(String, String)>,
 
@@ -175,6 +175,10 @@ pub(crate) struct RunArgs {
     /// In .3dm files, write geometry that repeats at other places as a block and references to it
     #[arg(long)]
     pub(crate) blocks: bool,
+
+    /// Write what panels stream to files, into this folder: only the names of the files that a definition gives count
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) panels: Option<PathBuf>,
 
     /// Print the results as one JSON object: items as a panel shows them, or with =values in full precision
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "texts", require_equals = true)]

@@ -1,10 +1,12 @@
 //! `katydid run`.
 
+use std::collections::HashSet;
+use std::io::BufWriter;
 use std::path::Path;
 
 use katydid_component::Level;
 use katydid_exchange::Format;
-use katydid_session::{BakeOptions, Items, Session, bake};
+use katydid_session::{BakeOptions, Items, OutputFile, Session, bake, panel_streams, write_panel};
 use katydid_solver::Status;
 
 use crate::args::{JsonForm, RunArgs};
@@ -41,6 +43,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
         save(&session, args, path)?;
     }
+    write_panels(&session, args.panels.as_deref())?;
     match args.json {
         Some(form) => {
             let items = if form == JsonForm::Values { Items::Values } else { Items::Texts };
@@ -101,6 +104,37 @@ fn summarise(session: &Session, args: &RunArgs) {
             say(&format!("{:>10.3} ms  {} ({})", time.as_secs_f64() * 1e3, object.title(), object.name));
         }
     }
+}
+
+/// Writes what panels stream into the folder that was given; without one says that nothing is written.
+fn write_panels(session: &Session, folder: Option<&Path>) -> Result<(), String> {
+    let streams = panel_streams(session.document());
+    let Some(folder) = folder else {
+        if !streams.is_empty() {
+            let count = streams.len();
+            note(&format!("{count} panels stream to files, which is done with --panels FOLDER"));
+        }
+        return Ok(());
+    };
+    let mut written = HashSet::new();
+    for stream in streams {
+        let title = session.document().objects.get(stream.object).map_or("Panel", |object| object.title());
+        let Some(name) = stream.file else {
+            return Err(format!("{title}: the path that it streams to has no name of a file"));
+        };
+        let path = folder.join(&name);
+        // Some systems do not tell large letters from small ones.
+        if !written.insert(name.to_lowercase()) {
+            return Err(format!("{title}: another panel streams to {} too", path.display()));
+        }
+        let failed = |error: std::io::Error| format!("{}: {error}", path.display());
+        let mut file = BufWriter::new(OutputFile::create(&path).map_err(failed)?);
+        let lines = write_panel(session.engine(), stream.object, &mut file).map_err(failed)?;
+        let file = file.into_inner().map_err(|error| failed(error.into_error()))?;
+        file.finish().map_err(failed)?;
+        note(&format!("{GREEN}{lines}{GREEN:#} lines of {title} written to {}", path.display()));
+    }
+    Ok(())
 }
 
 fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {

@@ -111,3 +111,46 @@ fn a_file_that_is_not_there_is_exit_code_2() {
     assert!(said(&output).contains("there is no such file"));
     assert_eq!(katydid(&["run"]).status.code(), Some(2));
 }
+
+/// Only where a folder is given, only into that folder, and under the name of the file alone.
+#[test]
+fn panels_are_streamed_where_it_is_allowed() {
+    let folder = tempfile::tempdir().unwrap();
+    let (definition, out) = (folder.path().join("a.kd"), folder.path().join("out"));
+    std::fs::create_dir(&out).unwrap();
+    let path = r"..\\..\\elsewhere\\numbers.txt";
+    let lines = format!(
+        "katydid 1\nn = Series(1, 0.5, 3)\nshown = Panel(n, stream = \"{path}\")\nday = Calendar(\"2025-05-28\")\nlate = Clock(\"23:05:09\")\n\
+         times = Panel(Merge(day, late), stream = \"times.txt\")\n"
+    );
+    std::fs::write(&definition, &lines).unwrap();
+    let without = katydid(&["run", text(&definition)]);
+    assert_eq!(without.status.code(), Some(0), "{}", said(&without));
+    assert!(said(&without).contains("2 panels stream to files"), "{}", said(&without));
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 0);
+    let with = katydid(&["run", text(&definition), "--panels", text(&out)]);
+    assert_eq!(with.status.code(), Some(0), "{}", said(&with));
+    assert_eq!(std::fs::read_to_string(out.join("numbers.txt")).unwrap(), "1\n1.5\n2\n");
+    let times = "2025-05-28 00:00:00\n0001-01-01 23:05:09\n";
+    assert_eq!(std::fs::read_to_string(out.join("times.txt")).unwrap(), times);
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 2);
+    let set =
+        ["run", text(&definition), "--panels", text(&out), "--set", "day=2024-02-29", "--set", "late=07:30"];
+    assert_eq!(katydid(&set).status.code(), Some(0));
+    let times = "2024-02-29 00:00:00\n0001-01-01 07:30:00\n";
+    assert_eq!(std::fs::read_to_string(out.join("times.txt")).unwrap(), times);
+    let wrong = katydid(&["run", text(&definition), "--set", "day=2023-02-29"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(said(&wrong).contains("a day is written 2025-05-28"), "{}", said(&wrong));
+
+    // One name for two files, no name, no folder.
+    std::fs::write(&definition, lines.replace("times.txt", "NUMBERS.TXT")).unwrap();
+    let twice = katydid(&["run", text(&definition), "--panels", text(&out)]);
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(said(&twice).contains("another panel streams to"), "{}", said(&twice));
+    std::fs::write(&definition, lines.replace("times.txt", "..")).unwrap();
+    let nameless = katydid(&["run", text(&definition), "--panels", text(&out)]);
+    assert!(said(&nameless).contains("has no name of a file"), "{}", said(&nameless));
+    let nowhere = katydid(&["run", text(&definition), "--panels", text(&out.join("none"))]);
+    assert_eq!(nowhere.status.code(), Some(2));
+}

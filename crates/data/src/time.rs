@@ -26,7 +26,36 @@ fn civil_from_days(days: i64) -> (i64, u32, u32) {
 /// The ticks of 1970-01-01, .NET's own constant.
 const UNIX_EPOCH: i64 = 621_355_968_000_000_000;
 
+/// The years that .NET's dates have.
+const YEARS: std::ops::RangeInclusive<i32> = 1..=9999;
+
 impl DateTime {
+    /// The ticks of a second.
+    pub const SECOND: i64 = 10_000_000;
+    /// The ticks of a day.
+    pub const DAY: i64 = 86_400 * Self::SECOND;
+
+    /// The start of a day of the Gregorian calendar; `None` for a day that the month does not have, and outside the years
+    /// 1 to 9999.
+    pub fn on([year, month, day]: [i32; 3]) -> Option<Self> {
+        if !YEARS.contains(&year) {
+            return None;
+        }
+        let days = Self::day(year.into(), month.into(), day.into())?;
+        Some(Self { ticks: days * Self::DAY })
+    }
+
+    /// Its year, month (1 to 12) and day by the Gregorian calendar.
+    pub fn date(self) -> [i32; 3] {
+        let (year, month, day) = civil_from_days(self.ticks.div_euclid(Self::DAY));
+        [year, i64::from(month), i64::from(day)].map(|part| i32::try_from(part).unwrap_or(i32::MAX))
+    }
+
+    /// The ticks since midnight.
+    pub fn time_of_day(self) -> i64 {
+        self.ticks.rem_euclid(Self::DAY)
+    }
+
     /// The moment some time after 1970-01-01 00:00 UTC, as clocks of machines count; `None` beyond the year 9999.
     pub fn since_1970(elapsed: std::time::Duration) -> Option<Self> {
         const LAST: i64 = 3_155_378_975_999_999_999;
@@ -58,6 +87,30 @@ impl fmt::Display for DateTime {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn days_are_dates() {
+        // .NET's own constants for 1970-01-01 and for the last day that it has.
+        assert_eq!(DateTime::on([1970, 1, 1]), Some(DateTime { ticks: UNIX_EPOCH }));
+        let last = DateTime { ticks: 3_155_378_975_999_999_999 };
+        assert_eq!(last.date(), [9999, 12, 31]);
+        assert_eq!(last.time_of_day(), DateTime::DAY - 1);
+        assert_eq!(DateTime::on([2024, 2, 29]).map(DateTime::date), Some([2024, 2, 29]));
+        for none in [
+            [2023, 2, 29],
+            [0, 1, 1],
+            [10_000, 1, 1],
+            [2024, 13, 1],
+            [2024, 0, 1],
+            [2024, 1, 0],
+            [2024, 4, 31],
+        ] {
+            assert_eq!(DateTime::on(none), None, "{none:?}");
+        }
+        for extreme in [i64::MIN, i64::MAX] {
+            let _ = (DateTime { ticks: extreme }.date(), DateTime { ticks: extreme }.time_of_day());
+        }
+    }
 
     #[test]
     fn ticks_are_dates() {

@@ -219,6 +219,8 @@ fn special_objects_are_all_read() {
         ids::VALUE_LIST,
         ids::MD_SLIDER,
         ids::CONTROL_KNOB,
+        ids::CALENDAR,
+        ids::CLOCK,
         ids::GENE_POOL,
         ids::GRAPH_MAPPER,
         ids::GRADIENT,

@@ -168,6 +168,49 @@ fn values_are_kept_and_taken_out() {
     assert!(again.problems().iter().all(|p| !p.contains("announces")));
 }
 
+/// As Rhino 8 writes a Calendar: a tick after midnight, and the month that is shown as decimals.
+#[test]
+fn calendars_and_clocks_keep_what_files_have() {
+    const STORED: i64 = 638_839_872_000_000_001;
+    let kept = [("SourceCount", 0.into()), ("LocalDate", ItemValue::Date(STORED))];
+    let mut calendar = container(ids::CALENDAR, &kept);
+    let mut attributes = Chunk::new("Attributes");
+    for (name, value) in [("DisplayMonth", "5"), ("DisplayYear", "2025")] {
+        attributes.set(name, value.parse::<Decimal>().unwrap());
+    }
+    calendar.container_mut().set_child(attributes);
+    let read = |object: &Object| match object.special() {
+        Some(Special::Calendar(calendar)) => (calendar.day.date(), calendar.shown),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(read(&calendar), ([2025, 5, 28], [2025, 5]));
+    calendar.set_calendar([2024, 2, 29]).unwrap();
+    assert_eq!(read(&calendar), ([2024, 2, 29], [2024, 2]));
+    let c = calendar.container();
+    // 19,782 days after 1970-01-01, by the calendar; the tick stays.
+    assert_eq!(c.date("LocalDate"), Some(621_355_968_000_000_000 + 19_782 * 864_000_000_000 + 1));
+    assert_eq!(c.child("Attributes").unwrap().decimal("DisplayMonth").unwrap().to_string(), "2");
+    for none in [[2023, 2, 29], [0, 1, 1], [10_000, 1, 1], [i32::MIN, i32::MAX, i32::MIN]] {
+        assert!(calendar.set_calendar(none).is_err(), "{none:?}");
+    }
+    assert!(calendar.set_clock(0).is_err() && calendar.set_dial(1.0).is_err());
+
+    // A name that is stored is kept, and so is the day.
+    let kept = [("SourceCount", 0.into()), ("At", ItemValue::Date(STORED))];
+    let mut clock = container(ids::CLOCK, &kept);
+    clock.set_clock(12 * 36_000_000_000).unwrap();
+    assert_eq!(clock.container().date("At"), Some(STORED - 1 + 12 * 36_000_000_000));
+    assert!(clock.container().date("LocalTime").is_none());
+    for none in [-1, 864_000_000_000, i64::MAX, i64::MIN] {
+        assert!(clock.set_clock(none).is_err(), "{none}");
+    }
+    assert!(clock.set_calendar([2024, 1, 1]).is_err());
+    let mut fresh = container(ids::CLOCK, &[("SourceCount", 0.into())]);
+    assert_eq!(fresh.special(), None);
+    fresh.set_clock(1).unwrap();
+    assert!(matches!(fresh.special(), Some(Special::Clock(clock)) if clock.time.ticks == 1));
+}
+
 #[test]
 fn dials_and_lists_are_turned() {
     let mut knob = container(ids::CONTROL_KNOB, &[("SourceCount", 0.into())]);
@@ -183,6 +226,7 @@ fn dials_and_lists_are_turned() {
     assert_eq!(dial.decimal("Value").unwrap().to_string(), "0.1");
     assert!(knob.set_dial(f64::INFINITY).is_err());
     assert!(knob.set_gene(0, 1.0).is_err() && knob.set_md_slider([0.0; 3]).is_err());
+    assert!(knob.set_calendar([2025, 1, 1]).is_err() && knob.set_clock(0).is_err());
 
     let mut pool = container(ids::GENE_POOL, &[("SourceCount", 0.into())]);
     let mut genes = Chunk::new("GeneData");

@@ -169,6 +169,15 @@ pub fn assign(object: &mut Object, value: &str) -> Result<(), InputError> {
                 }
             }
         }
+        Some(Special::Calendar(_)) => {
+            let day =
+                cast::parse_time(value).ok_or_else(|| refuse("a day is written 2025-05-28".to_owned()))?;
+            object.set_calendar(day.date()).map_err(plain)
+        }
+        Some(Special::Clock(_)) => {
+            let time = cast::parse_time(value).ok_or_else(|| refuse("a time is written 14:05".to_owned()))?;
+            object.set_clock(time.time_of_day()).map_err(plain)
+        }
         Some(Special::Contextual(_)) | None if object.is_floating() => {
             let kind = katydid_component::registry::by_guid(object.component)
                 .and_then(|c| c.inputs.first())

@@ -37,6 +37,7 @@ mod results;
 mod scripts;
 mod session;
 mod solution;
+mod streams;
 mod view;
 
 pub use bake::{BakeOptions, Baked, bake};
@@ -53,3 +54,4 @@ pub use results::{Digits, result_view, rows, structure};
 pub use scripts::{imports, scripts};
 pub use session::Session;
 pub use solution::{Reports, Solution};
+pub use streams::{PanelStream, panel_streams, write_panel};

@@ -44,7 +44,33 @@ async function bake(): Promise<void> {
   }
 }
 
+/** The panel that is selected, alone. The inside of a cluster is no document of its own: nothing is saved from there. */
+function lonePanel(): string | undefined {
+  const [one, ...others] = chosen();
+  const isLone = others.length === 0 && one?.control?.is === "panel" && documentStore.getState().within.length === 0;
+  return isLone ? one.id : undefined;
+}
+
+/** Has the browser keep what a panel shows, as a file of lines. */
+async function savePanel(): Promise<void> {
+  const [document, panel] = [place(location.search).document, lonePanel()];
+  if (!document || panel === undefined) return;
+  try {
+    await exportAs(document, "txt", [panel]);
+  } catch (error) {
+    lineStore.setState({ complaint: error instanceof Error ? error.message : String(error) });
+  }
+}
+
 register(
+  {
+    id: "object.savePanel",
+    label: "canvas.panel.save",
+    group: "object",
+    scope: "canvas",
+    isEnabled: () => lonePanel() !== undefined,
+    run: savePanel,
+  },
   {
     id: "object.preview",
     label: "canvas.action.preview",

@@ -14,7 +14,7 @@ export interface Start {
 
 export type Opening = { path: string } | { gallery: string } | { new: true };
 export type DownloadFormat = "gh" | "ghx" | "kd";
-export type ExportFormat = "3dm" | "step" | "glb" | "obj" | "stl" | "svg" | "png";
+export type ExportFormat = "3dm" | "step" | "glb" | "obj" | "stl" | "svg" | "png" | "txt";
 
 /** The files that can be dropped on the page, by the ends of their names. */
 export const DEFINITIONS = [".gh", ".ghx", ".kd"];

@@ -4,17 +4,19 @@ import "./canvas.css";
 import "./nodes.css";
 import "./notes.css";
 import "./faces.css";
+import "./moments.css";
 import "./fields.css";
 import "./boxes.css";
 import "./more.css";
 import "./colours.css";
 
-import { ReactFlow, ReactFlowProvider, useReactFlow, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
+import { ReactFlow, ReactFlowProvider, useReactFlow, useStore as useFlowStore, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
 import { useEffect, useRef, useState, type PointerEvent, type ReactNode } from "react";
 import { useStore } from "zustand";
 
 import "../actions/canvas";
 import { paste } from "../actions/canvasEdit";
+import type { Lens } from "../core/geometry";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -255,7 +257,34 @@ function useFirstLook(): boolean {
     });
     return () => cancelAnimationFrame(request);
   }, [here, within, looked]);
+  useRefit(looked === within);
   return looked === within;
+}
+
+/**
+ * Until a hand looks elsewhere or changes something all is kept in the window, however large that becomes: a phone is
+ * turned, a pane is drawn wider, a line of news comes above.
+ */
+function useRefit(seen: boolean): void {
+  const width = useFlowStore((flow) => flow.width);
+  const height = useFlowStore((flow) => flow.height);
+  const left = useRef<(Lens & { revision: number }) | undefined>(undefined);
+  useEffect(() => {
+    if (!seen) {
+      left.current = undefined;
+      return;
+    }
+    const { revision } = documentStore.getState();
+    const now = lens();
+    const before = left.current;
+    const isMoved = before && (before.x !== now.x || before.y !== now.y || before.zoom !== now.zoom);
+    if (isMoved || (before && before.revision !== revision)) return;
+    if (before) {
+      zoomExtents(undefined, false);
+      takeLens(lens());
+    }
+    left.current = { ...lens(), revision };
+  }, [seen, width, height]);
 }
 
 /** What is said to screen readers while something is done. */

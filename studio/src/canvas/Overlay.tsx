@@ -1,5 +1,6 @@
 import { ViewportPortal } from "@xyflow/react";
 
+import type { Grip } from "../core/hit";
 import { wirePath } from "../core/wires";
 import { useCanvas } from "./hooks";
 
@@ -27,11 +28,13 @@ function Window() {
 function Elastic() {
   const wire = useCanvas((canvas) => canvas.wire);
   if (!wire) return null;
-  const [a, b] = wire.grip.side === "output" ? [wire.grip.at, wire.to] : [wire.to, wire.grip.at];
   const [x, y] = wire.to;
+  const path = ({ side, at }: Grip) => (side === "output" ? wirePath(at, wire.to) : wirePath(wire.to, at));
   return (
     <g className={`elastic ${wire.how} ${wire.end ? "held" : ""}`}>
-      <path d={wirePath(a, b)} />
+      {[wire.grip, ...wire.more].map((grip) => (
+        <path key={grip.port} d={path(grip)} />
+      ))}
       <circle cx={x} cy={y} r={wire.end ? 6 : 3} />
       {wire.how === "replace" ? null : (
         <text x={x + 10} y={y - 8}>

@@ -1,11 +1,12 @@
 /** The edits that gestures, menus and controls of the canvas ask for. */
 
+import { inOrder } from "../core/alike";
 import { holds, type Point } from "../core/geometry";
 import { leaves } from "../core/groups";
 import type { Grip } from "../core/hit";
-import type { Placing } from "../core/initial";
 import { latest, type Latest } from "../core/latest";
 import { NO_SHIFTS } from "../core/places";
+import { present, type Placing } from "../core/initial";
 import { withRecent } from "../core/ribbon";
 import type { Control } from "../core/protocol/Control";
 import type { Edit } from "../core/protocol/Edit";
@@ -38,7 +39,8 @@ export function selectedMembers(): string[] {
 /** Places a component, selects it, and goes there; it is brought into view where it is out of it. */
 export async function place(what: Pick<Placing, "component" | "with">, at: Point): Promise<string | undefined> {
   const id = crypto.randomUUID();
-  const done = await edit({ do: "place", id, component: what.component, at: [...at], with: what.with });
+  const start = what.with ?? present(what.component, new Date());
+  const done = await edit({ do: "place", id, component: what.component, at: [...at], with: start });
   if (done?.event !== "done") return undefined;
   keep({ recent: withRecent(canvasStore.getState().recent, what.component, MOST_RECENT) });
   select([id]);
@@ -48,10 +50,43 @@ export async function place(what: Pick<Placing, "component" | "with">, at: Point
   return id;
 }
 
-/** Places a component and draws a wire between it and a grip. */
-export async function placeWired(component: string, at: Point, from: Grip): Promise<string | undefined> {
+/** Places a component and draws a wire between it and a grip, and from the same port of it to the others. */
+export async function placeWired(component: string, at: Point, from: Grip, more: readonly Grip[] = []): Promise<string | undefined> {
   const start: Initial = { is: "wire", port: from.port };
-  return await place({ component, with: start }, at);
+  const id = await place({ component, with: start }, at);
+  if (id === undefined || more.length === 0) return id;
+  const gesture = newGesture();
+  const { objects } = documentStore.getState();
+  const sourcesOf = (port: string) => objects.get(from.object)?.inputs.find((one) => one.id === port)?.sources ?? [];
+  const made = objects.get(id);
+  const end =
+    from.side === "output"
+      ? made?.inputs.find(({ sources }) => sources.includes(from.port))
+      : made?.outputs.find((output) => sourcesOf(from.port).includes(output.id));
+  for (const grip of end ? inOrder(more) : []) {
+    await edit({ do: "connect", ...ends(grip, end?.id ?? ""), how: from.side === "output" ? "add" : "replace" }, gesture);
+  }
+  return id;
+}
+
+/** The ends of a wire between a grip and a port of the other side. */
+function ends(grip: Grip, port: string): { from: string; to: string } {
+  return grip.side === "output" ? { from: grip.port, to: port } : { from: port, to: grip.port };
+}
+
+/**
+ * Draws wires between several grips and one: one step for Undo. An input that reads several outputs has them from top to
+ * bottom, and where wires replace those before, all of the new ones stay.
+ */
+export async function joinAll(from: readonly Grip[], to: Grip, how: Wiring): Promise<void> {
+  const gesture = newGesture();
+  let revision = 0;
+  for (const [k, grip] of inOrder(from).entries()) {
+    const each = how === "remove" ? how : how === "add" || (grip.side === "output" && k > 0) ? "add" : "replace";
+    const done = await edit({ do: "connect", ...ends(grip, to.port), how: each }, gesture);
+    if (done?.event === "done") revision = Math.max(revision, done.revision);
+  }
+  if (revision > 0) await mirrored(revision);
 }
 
 /** Waits until the mirror shows what an edit made, so that nothing jumps back in between. */

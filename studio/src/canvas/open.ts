@@ -42,10 +42,10 @@ function freeBelow(x: number, y: number, taken: readonly Rect[]): number {
 }
 
 /** Opens the search box: at a pixel, or where the keyboard is. What was found goes there. */
-export function openSearch(pixel?: Point, from?: Grip): void {
+export function openSearch(pixel?: Point, from?: Grip, more: readonly Grip[] = []): void {
   const where = pixel ?? keyboardPlace();
   const at = canvasPoint(where);
-  canvasStore.setState({ search: { pixel: where, at, from }, menu: undefined, tip: undefined });
+  canvasStore.setState({ search: { pixel: where, at, from, more }, menu: undefined, tip: undefined });
 }
 
 export function openEditor(object: string, is: EditorAt["is"], more: Partial<EditorAt> = {}): void {

@@ -24,6 +24,8 @@ export interface SearchAt {
   at: Point;
   /** The wire that was let go in the void. */
   from: Grip | undefined;
+  /** The grips that were drawn together with it. */
+  more: readonly Grip[];
 }
 
 export interface TipAt {
@@ -36,7 +38,7 @@ export interface TipAt {
 /** A box about one object that is open. */
 export interface EditorAt {
   object: string;
-  is: "control" | "nickname" | "formula" | "expression" | "values";
+  is: "control" | "nickname" | "formula" | "expression" | "values" | "stream";
   /** The port that an expression or values are for. */
   port?: string;
   /** An index in the control, such as a gradient's grip. */

@@ -90,6 +90,8 @@ export const IDS = {
   panel: "59e0b89a-e487-49f8-bab8-b5bab16be14c",
   slider: "57da07bd-ecab-415d-9d86-af36d7073abc",
   scribble: "7f5c6c55-f846-4a08-9c9a-cfdc285cc6fe",
+  calendar: "ab898d46-b8b3-4ed5-b28f-4f8047920262",
+  clock: "f8a94819-1e2b-4d67-9100-9e983ac493cc",
   point: "fbac3e32-f100-4292-8692-77240a42fd1a",
   viewer: "72a29b54-2e48-474b-a400-d2124c4edf79",
   quickGraph: "2b69bf71-4e69-43aa-b7be-4f6ce7e45bef",

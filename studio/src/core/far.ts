@@ -5,6 +5,7 @@ import { meets } from "./geometry";
 import { depths, isGroup, type Objects } from "./groups";
 import { isStarved, lookOf, type Look } from "./look";
 import { frameOf, strungOf, type Outputs, type Shifts } from "./places";
+import { dayText, timeText } from "./dates";
 import { numberText } from "./numbers";
 import type { Control } from "./protocol/Control";
 import type { ObjectView } from "./protocol/ObjectView";
@@ -158,6 +159,10 @@ function valueOf(control: Control): string | undefined {
     case "knob":
     case "digits":
       return numberText(control.value);
+    case "calendar":
+      return dayText(control.date);
+    case "clock":
+      return timeText(control.seconds);
     case "valueList":
       return control.items.find(({ selected }) => selected)?.name;
     default:

@@ -60,6 +60,16 @@ export function taker(inputs: readonly CataloguePort[], value: string): number {
   return suited >= 0 ? suited : inputs.length > 0 ? 0 : -1;
 }
 
+/** What new calendars and clocks are set to: the present of whoever places them. Others begin as the session has them. */
+export function present(component: string, now: Date): Initial | null {
+  if (component === IDS.calendar) {
+    const [year, month] = [now.getFullYear(), now.getMonth() + 1];
+    return { is: "control", control: { is: "calendar", date: [year, month, now.getDate()], shown: [year, month] } };
+  }
+  if (component !== IDS.clock) return null;
+  return { is: "control", control: { is: "clock", seconds: now.getHours() * 3600 + now.getMinutes() * 60 } };
+}
+
 function values(input: number, text: string): Initial {
   return { is: "values", values: [[input, text]] };
 }
@@ -75,6 +85,7 @@ function panel(text: string) {
     specialCodes: false,
     alignment: 0,
     colour: [255, 250, 90, 255] as [number, number, number, number],
+    stream: null,
   };
 }
 

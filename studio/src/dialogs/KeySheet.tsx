@@ -9,6 +9,7 @@ const GROUPS: Action["group"][] = ["file", "edit", "canvas", "object", "view", "
 const GESTURES = [
   "double",
   "wire",
+  "several",
   "void",
   "relay",
   "window",

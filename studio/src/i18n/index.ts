@@ -15,4 +15,7 @@ export function t(key: Key, values: Record<string, string | number> = {}): strin
   });
 }
 
+/** The language of the texts, for what the browser writes itself: days and months. */
+export const language = "en-GB";
+
 export type { Key };

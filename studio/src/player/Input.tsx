@@ -1,6 +1,7 @@
 import { useRef } from "react";
 
 import { fromHex, toHex } from "../core/colour";
+import { dayOf, dayText, secondsOf, timeText } from "../core/dates";
 import type { Control } from "../core/protocol/Control";
 import type { Setting } from "../core/protocol/Setting";
 import { t } from "../i18n";
@@ -116,6 +117,36 @@ function face(control: Control, name: string, set: (to: Setting) => void, hold: 
             type="color"
             value={toHex(control.colour)}
             onChange={(event) => set({ is: "colour", colour: fromHex(event.target.value, control.colour[3]) })}
+          />
+        </label>
+      );
+    case "calendar":
+      return (
+        <label>
+          <span>{name}</span>
+          <input
+            type="date"
+            required
+            value={dayText(control.date)}
+            onChange={(event) => {
+              const date = dayOf(event.target.value);
+              if (date) set({ is: "date", date });
+            }}
+          />
+        </label>
+      );
+    case "clock":
+      return (
+        <label>
+          <span>{name}</span>
+          <input
+            type="time"
+            required
+            value={timeText(control.seconds)}
+            onChange={(event) => {
+              const seconds = secondsOf(event.target.value);
+              if (seconds !== undefined) set({ is: "time", seconds });
+            }}
           />
         </label>
       );

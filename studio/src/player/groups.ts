@@ -5,7 +5,7 @@ import type { ObjectView } from "../core/protocol/ObjectView";
 import type { PlayerInput } from "../core/protocol/PlayerInput";
 import { t } from "../i18n";
 
-const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "panel"];
+const KINDS = ["slider", "toggle", "button", "valueList", "swatch", "knob", "calendar", "clock", "panel"];
 
 /** A control of the player, as it is called there and what is said of it. */
 export interface ShownInput {

@@ -17,6 +17,10 @@ export function settingOf(control: Control): Setting | undefined {
       return { is: "choose", chosen: control.items.flatMap((item, index) => (item.selected ? [index] : [])) };
     case "swatch":
       return { is: "colour", colour: control.colour };
+    case "calendar":
+      return { is: "date", date: control.date };
+    case "clock":
+      return { is: "time", seconds: control.seconds };
     case "panel":
       return { is: "text", text: control.text };
     default:

@@ -79,7 +79,7 @@ export function component(
 }
 
 /** Controls into which no wire can be led. */
-const SET_BY_HAND = new Set<Control["is"]>(["slider", "toggle", "button", "valueList", "mdSlider", "knob", "digits", "genes"]);
+const SET_BY_HAND = new Set<Control["is"]>(["slider", "toggle", "button", "valueList", "mdSlider", "knob", "digits", "calendar", "clock", "genes"]);
 
 /** A control with one output. */
 export function control(name: string, bounds: [number, number, number, number], control: Control, more: Partial<ObjectView> = {}): ObjectView {

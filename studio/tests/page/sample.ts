@@ -12,7 +12,7 @@ export function slider(value: number, min = 0, max = 10, rounding: "float" | "in
 
 export function panel(text: string): Control {
   const look = { multiline: true, paths: true, indices: true, wrap: true, specialCodes: false };
-  return { is: "panel", text, ...look, alignment: 0, colour: [255, 250, 90, 255] };
+  return { is: "panel", text, ...look, alignment: 0, colour: [255, 250, 90, 255], stream: null };
 }
 
 export function group(label: string, members: ObjectView[], colour: [number, number, number, number] = [170, 135, 255, 150]): ObjectView {

@@ -17,5 +17,7 @@ export function takeSetting(control: Control, to: Setting): Control {
   if (to.is === "gene" && control.is === "genes") {
     return { ...control, values: control.values.map((value, k) => (k === to.index ? to.value : value)) };
   }
+  if (to.is === "date" && control.is === "calendar") return { ...control, date: to.date, shown: [to.date[0], to.date[1]] };
+  if (to.is === "time" && control.is === "clock") return { ...control, seconds: to.seconds };
   return control;
 }

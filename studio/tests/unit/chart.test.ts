@@ -16,7 +16,9 @@ class Hand {
   readonly world: World = {
     isSelected: (id) => this.selected.has(id),
     gripNear: (at, fits) => this.grips.find((grip) => Math.hypot(grip.at[0] - at[0], grip.at[1] - at[1]) < 10 && fits(grip)),
+    companions: (grip) => (this.selected.has(grip.object) ? this.along : []),
   };
+  along: Grip[] = [];
 
   take(gesture: Gesture): this {
     const [state, effects] = step(this.state, gesture, this.world);
@@ -143,7 +145,7 @@ describe("wires", () => {
   test.each<[Partial<Keys>, string]>([[{}, "replace"], [{ shift: true }, "add"], [{ ctrl: true }, "remove"]])(
     "with %j go to a grip of the other side",
     (keys, how) => {
-      expect(start(keys).move([98, 2]).up([98, 2]).last("join")).toEqual({ do: "join", from, to, how });
+      expect(start(keys).move([98, 2]).up([98, 2]).last("join")).toEqual({ do: "join", from, more: [], to, how });
     },
   );
 
@@ -212,5 +214,47 @@ describe("Alt on the empty canvas", () => {
     expect(hand.last("spread")).toEqual({ do: "spread", from: [10, 10], to: [70, 12], drop: true });
     const undone = new Hand().with({ alt: true }).down([10, 10]).move([60, 12]).take({ on: "cancel" });
     expect(undone.done.at(-1)).toBe("undrag");
+  });
+});
+
+describe("several objects are wired at once", () => {
+  const selected = () => {
+    const hand = new Hand();
+    hand.selected = new Set(["a", "b", "c"]);
+    hand.along = [grip("b.out", "output", [0, 20], "b"), grip("c.out", "output", [0, 40], "c")];
+    hand.grips = [grip("in", "input", [100, 0], "d"), grip("b.in", "input", [100, 50], "b")];
+    return hand;
+  };
+  const start: Target = { is: "grip", grip: grip("a.out", "output", [0, 0], "a") };
+
+  test.each([
+    ["replace", {}],
+    ["add", { shift: true }],
+    ["remove", { ctrl: true }],
+  ] as const)("what is selected goes along: %s", (how, keys) => {
+    const hand = selected().with(keys).down([0, 0], start).move([60, 0]);
+    expect(hand.last("wire")?.wire?.more).toHaveLength(2);
+    hand.up([100, 0]);
+    const join = hand.last("join");
+    expect([join?.how, join?.to.port, join?.more.map(({ port }) => port)]).toEqual([how, "in", ["b.out", "c.out"]]);
+  });
+
+  test("to another of the selected goes one wire, and all wires of a grip are taken elsewhere alone", () => {
+    const one = selected().down([0, 0], start).move([60, 50]).up([100, 50]).last("join");
+    expect([one?.to.port, one?.more]).toEqual(["b.in", []]);
+    const hand = selected();
+    hand.grips.push(grip("e.out", "output", [100, 90], "e"));
+    const moved = hand.with({ shift: true, ctrl: true }).down([0, 0], start).move([60, 90]).up([100, 90]).last("join");
+    expect([moved?.how, moved?.more]).toEqual(["move", []]);
+  });
+
+  test("let go in the void they all wait for what is found", () => {
+    expect(selected().down([0, 0], start).move([60, 300]).up([60, 300]).last("release")?.more).toHaveLength(2);
+  });
+
+  test("from what is not selected goes one wire", () => {
+    const hand = selected();
+    hand.selected.delete("a");
+    expect(hand.down([0, 0], start).move([60, 0]).up([100, 0]).last("join")?.more).toEqual([]);
   });
 });

@@ -28,7 +28,7 @@ test("rows are moved and switched, and published as they stand", () => {
 });
 
 test("a control that nobody named is called by the input that it is for", () => {
-  const panel: ObjectView["control"] = { is: "panel", text: "25", multiline: false, paths: false, indices: false, wrap: false, specialCodes: false, alignment: 0, colour: [0, 0, 0, 0] };
+  const panel: ObjectView["control"] = { is: "panel", text: "25", multiline: false, paths: false, indices: false, wrap: false, specialCodes: false, alignment: 0, colour: [0, 0, 0, 0], stream: null };
   const unnamed = (id: string, k: number) => object(id, { name: "Panel", nickname: "Panel", control: panel, bounds: [0, k, 9, 9], inputs: [port(id)], outputs: [port(id)] });
   const divide = object("d", { name: "Divide Curve", nickname: "Divide", inputs: [{ ...port("n", ["p"]), name: "Count" }] });
   const width = object("w", { name: "Number", nickname: "Width", kind: "parameter", inputs: [port("w", ["q"])], outputs: [port("w")] });

@@ -31,6 +31,10 @@ pub const MD_SLIDER: Uuid = uuid!("318dacd7-9073-4ede-b043-a0c132eb77e0");
 pub const CONTROL_KNOB: Uuid = uuid!("bcac2747-348b-4edd-ae1f-77a782cebbdd");
 /// Digit Scroller.
 pub const DIGIT_SCROLLER: Uuid = uuid!("33bcf975-a0b2-4b54-99fd-585c893b9e88");
+/// Calendar.
+pub const CALENDAR: Uuid = uuid!("ab898d46-b8b3-4ed5-b28f-4f8047920262");
+/// Clock.
+pub const CLOCK: Uuid = uuid!("f8a94819-1e2b-4d67-9100-9e983ac493cc");
 /// Gene Pool.
 pub const GENE_POOL: Uuid = uuid!("21553c44-ea62-475e-a8bb-62b2a3ee5ca5");
 /// Graph Mapper.

@@ -1,5 +1,7 @@
 //! Objects with settings of their own: how these stand among the arguments.
 
+use katydid_data::DateTime;
+use katydid_data::cast::parse_time;
 use uuid::Uuid;
 
 use super::ast::{Argument, Lit, LitKind, Target, Values};
@@ -36,6 +38,17 @@ pub(super) fn take<'a>(
             container.set("SwatchColor", swatch.unwrap_or(Colour::new(255, 255, 255, 255)));
         }
         ids::VALUE_LIST => value_list(&mut own, container),
+        ids::CALENDAR => {
+            let day = own.take(|lit| parse_time(&text_of(lit)?)).unwrap_or_else(first_day);
+            // Grasshopper's own calendars hold a tick after midnight.
+            let midnight = day.ticks - day.time_of_day();
+            container.set("LocalDate", ItemValue::Date(midnight + 1));
+        }
+        ids::CLOCK => {
+            let time =
+                own.take(|lit| parse_time(&text_of(lit)?)).map_or(DateTime::DAY / 2, DateTime::time_of_day);
+            container.set("LocalTime", ItemValue::Date(time));
+        }
         ids::EXPRESSION => {
             if let Some(text) = own.take(text_of) {
                 container.set("Expression", text);
@@ -49,6 +62,11 @@ pub(super) fn take<'a>(
         _ => {}
     }
     own.rest
+}
+
+/// The day of a calendar whose author gives none.
+fn first_day() -> DateTime {
+    DateTime::on([2000, 1, 1]).unwrap_or_default()
 }
 
 /// The arguments of an object that are not taken yet.
@@ -182,7 +200,11 @@ fn panel(own: &mut Own<'_, '_>, container: &mut Chunk) {
     chunk.set("DrawPaths", true);
     chunk.set("Multiline", !own.boolean("lines").unwrap_or(false));
     chunk.set("SpecialCodes", false);
-    chunk.set("Stream", false);
+    let stream = own.text("stream").filter(|path| !path.trim().is_empty());
+    chunk.set("Stream", stream.is_some());
+    if let Some(path) = stream {
+        chunk.set("StreamPath", path);
+    }
     chunk.set("Wrap", true);
     container.set_child(chunk);
 }
@@ -250,12 +272,20 @@ pub(super) fn print(object: &Object) -> Vec<String> {
         ids::BOOLEAN_TOGGLE_2 => c.bool("SwitchValue").map(|on| on.to_string()).into_iter().collect(),
         ids::COLOUR_SWATCH => c.colour("SwatchColor").map(colour_form).into_iter().collect(),
         ids::VALUE_LIST => print_value_list(c),
+        ids::CALENDAR => c.date("LocalDate").map(|ticks| quoted(DateTime { ticks }, 0)).into_iter().collect(),
+        ids::CLOCK => c.date("LocalTime").map(|ticks| quoted(DateTime { ticks }, 1)).into_iter().collect(),
         ids::EXPRESSION => c.str("Expression").map(|text| string_form(text, 0)).into_iter().collect(),
         ids::SCRIBBLE => print_scribble(c),
         ids::GEOMETRY_PIPELINE => pipeline::print(c),
         ids::TRIGGER | ids::DATA_RECORDER | ids::DATA_DAM => timing::print(object.component, c),
         _ => Vec::new(),
     }
+}
+
+/// A part of a moment in quotes: 0 the day, 1 the time.
+fn quoted(moment: DateTime, part: usize) -> String {
+    let text = moment.to_string();
+    text::quote(text.split(' ').nth(part).unwrap_or_default(), '"')
 }
 
 /// Whether plain values among the arguments are settings, so that the port's own must not stand there.
@@ -267,6 +297,8 @@ pub(super) fn has_settings(component: Uuid) -> bool {
         ids::BOOLEAN_TOGGLE_2,
         ids::COLOUR_SWATCH,
         ids::VALUE_LIST,
+        ids::CALENDAR,
+        ids::CLOCK,
         ids::SCRIBBLE,
     ]
     .contains(&component)
@@ -318,6 +350,11 @@ fn print_panel(c: &Chunk) -> Vec<String> {
     }
     if let Some(colour) = chunk.colour("Colour").filter(|colour| *colour != PANEL_COLOUR) {
         arguments.push(format!("colour = {}", colour_form(colour)));
+    }
+    if chunk.bool("Stream") == Some(true)
+        && let Some(path) = chunk.str("StreamPath").filter(|path| !path.trim().is_empty())
+    {
+        arguments.push(format!("stream = {}", text::quote(path, '"')));
     }
     arguments
 }

@@ -8,7 +8,7 @@ use katydid_definition::document::special::{
 use uuid::{Uuid, uuid};
 
 use super::capsule::{body, grips, middle, titled, window};
-use super::{Placed, charts, theme};
+use super::{Placed, charts, moments, theme};
 use crate::drawing::{Anchor, Item, Label, Path, Shape, blend};
 use crate::font;
 use crate::project::gradient;
@@ -32,6 +32,8 @@ pub(super) fn draw(one: &Placed<'_>, special: &Special) -> Option<Vec<Item>> {
             &format!("{}{}{}", scroller.prefix, text::number(scroller.value), scroller.suffix),
             false,
         ),
+        Special::Calendar(calendar) => moments::calendar(one, calendar),
+        Special::Clock(clock) => moments::clock(one, clock),
         Special::GenePool(pool) => bars(one, &pool.values, [pool.min, pool.max]),
         Special::GraphMapper(mapper) => graph(one, mapper),
         _ => return None,

@@ -53,6 +53,8 @@ fn has_inputs(object: &Object) -> bool {
                 | Special::MdSlider(_)
                 | Special::Knob(_)
                 | Special::DigitScroller(_)
+                | Special::Calendar(_)
+                | Special::Clock(_)
                 | Special::GenePool(_)
         )
     )

@@ -5,6 +5,7 @@ mod capsule;
 mod charts;
 mod controls;
 mod frame;
+mod moments;
 mod notes;
 mod panel;
 mod sign;

@@ -1,8 +1,9 @@
 //! What a definition makes, as files of other programs.
 
+use katydid_definition::document::ids;
 use katydid_exchange::Format;
 use katydid_picture::{HiddenLines, Options, View};
-use katydid_session::{BakeOptions, bake};
+use katydid_session::{BakeOptions, bake, write_panel};
 use katydid_solver::Engine;
 use uuid::Uuid;
 
@@ -43,6 +44,7 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
             let (bytes, _) = baked.model.write_what_fits(70).map_err(|error| error.to_string())?;
             Ok((bytes, "model/vnd.3dm"))
         }
+        "txt" => Ok((panel(engine, wishes)?, "text/plain; charset=utf-8")),
         "png" => Ok((drawing(engine, wishes)?.to_png().map_err(|error| error.to_string())?, "image/png")),
         "svg" => Ok((drawing(engine, wishes)?.to_svg().into_bytes(), "image/svg+xml")),
         other => {
@@ -57,6 +59,20 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
             Ok((bytes, content_type(format)))
         }
     }
+}
+
+/// What one panel shows, as it is streamed to a file.
+fn panel(engine: &Engine, wishes: &Wishes) -> Result<Vec<u8>, String> {
+    let chosen = wishes.baking()?.objects.unwrap_or_default();
+    if chosen.len() != 1 {
+        return Err("one panel is written at a time".to_owned());
+    }
+    let mut objects = engine.document().objects.iter();
+    let index = objects.position(|object| chosen.contains(&object.id) && object.component == ids::PANEL);
+    let mut bytes = Vec::new();
+    write_panel(engine, index.ok_or("it is no panel of this document")?, &mut bytes)
+        .map_err(|error| error.to_string())?;
+    Ok(bytes)
 }
 
 pub(crate) fn content_type(format: Format) -> &'static str {

@@ -1,5 +1,6 @@
 //! Sliders, panels, lists and all else that has a face of its own.
 
+use katydid_data::DateTime;
 use katydid_definition::archive::{Chunk, Colour as Argb, ItemValue};
 use katydid_definition::document::{Object, Special, ids, parse_path};
 
@@ -59,6 +60,8 @@ pub(super) fn set(draft: &mut Draft<'_>, id: uuid::Uuid, to: &Setting) -> Result
             finite(&[*value])?;
             object.set_gene(usize::try_from(*index).unwrap_or(usize::MAX), *value)?;
         }
+        Setting::Date { date } => object.set_calendar(*date)?,
+        Setting::Time { seconds } => set_clock(object, *seconds)?,
     }
     if *object == before {
         *object = before;
@@ -108,7 +111,17 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             slider(object, [*value, *min, *max], *rounding, *digits, expression.as_deref())?;
         }
         (
-            Control::Panel { text, multiline, paths, indices, wrap, special_codes, alignment, colour },
+            Control::Panel {
+                text,
+                multiline,
+                paths,
+                indices,
+                wrap,
+                special_codes,
+                alignment,
+                colour,
+                stream,
+            },
             Some(Special::Panel(panel)),
         ) => {
             if *text != panel.text {
@@ -122,6 +135,7 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
                 PanelChange::SpecialCodes { on: *special_codes },
                 PanelChange::Alignment { alignment: *alignment },
                 PanelChange::Colour { colour: *colour },
+                PanelChange::Stream { file: stream.clone() },
             ] {
                 panel::property(object, &change)?;
             }
@@ -162,6 +176,8 @@ pub(super) fn shape(object: &mut Object, control: &Control) -> Result<(), Refusa
             scroller.set("Suffix", short(suffix)?);
             turn(object, *value)?;
         }
+        (Control::Calendar { date, .. }, Some(Special::Calendar(_))) => object.set_calendar(*date)?,
+        (Control::Clock { seconds }, Some(Special::Clock(_))) => set_clock(object, *seconds)?,
         (Control::Genes { values, decimals, min, max }, Some(Special::GenePool(_))) => {
             lists::genes(object, values, *decimals, *min, *max)?;
         }
@@ -245,6 +261,14 @@ fn turn(object: &mut Object, value: f64) -> Result<(), Refusal> {
     if stands != Some(value) {
         object.set_dial(value)?;
     }
+    Ok(())
+}
+
+/// Sets a clock to so many seconds since midnight, to the tick.
+fn set_clock(object: &mut Object, seconds: f64) -> Result<(), Refusal> {
+    finite(&[seconds])?;
+    // Beyond what a day has the conversion saturates, and is refused.
+    object.set_clock((seconds * DateTime::SECOND as f64).round() as i64)?;
     Ok(())
 }
 

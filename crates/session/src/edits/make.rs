@@ -1,6 +1,7 @@
 //! New objects, as Grasshopper writes them.
 
 use katydid_component::{Component, registry};
+use katydid_data::DateTime;
 use katydid_definition::archive::{Chunk, Colour, Decimal, ItemValue};
 use katydid_definition::document::{NewPort, Object, Side, ids};
 use katydid_definition::kd::{self, Catalogue, Facts, PortFacts};
@@ -271,6 +272,16 @@ fn begin(object: &mut Object) {
             scroller.set("Value", decimal(0.0, 6));
             container.set_child(scroller);
         }
+        // The hand that places one sets it to the present.
+        ids::CALENDAR => {
+            let day = DateTime::on([2000, 1, 1]).unwrap_or_default();
+            container.set("LocalDate", ItemValue::Date(day.ticks + 1));
+            let mut attributes = Chunk::new("Attributes");
+            attributes.set("DisplayMonth", decimal(1.0, 0));
+            attributes.set("DisplayYear", decimal(2000.0, 0));
+            container.set_child(attributes);
+        }
+        ids::CLOCK => container.set("LocalTime", ItemValue::Date(DateTime::DAY / 2)),
         ids::GENE_POOL => {
             let mut pool = Chunk::new("GeneData");
             pool.set("Count", 10);

@@ -22,6 +22,9 @@ pub enum Control {
         /// 0 left, 1 centre, 2 right.
         alignment: i32,
         colour: Colour,
+        /// The file that what it shows is written to, by `katydid run` alone; none where it is not.
+        #[serde(default)]
+        stream: Option<String>,
     },
     /// Boolean Toggle.
     Toggle { on: bool },
@@ -37,6 +40,10 @@ pub enum Control {
     Knob { value: f64, min: f64, max: f64, limited: bool, range: f64, decimals: i32 },
     /// Digit Scroller.
     Digits { value: f64, digits: i32, radix: i32, prefix: String, suffix: String },
+    /// Calendar: year, month (1 to 12) and day, and the year and month that it shows.
+    Calendar { date: [i32; 3], shown: [i32; 2] },
+    /// Clock: seconds since midnight, from 0 to less than 86,400.
+    Clock { seconds: f64 },
     /// Gene Pool.
     Genes { values: Vec<f64>, decimals: i32, min: f64, max: f64 },
     /// Graph Mapper: its ranges, its function, and that function drawn as points of the unit square.
@@ -98,6 +105,10 @@ pub enum Setting {
     Place { value: [f64; 3] },
     /// Of a Gene Pool: one of its numbers.
     Gene { index: u32, value: f64 },
+    /// Of a Calendar: year, month (1 to 12) and day.
+    Date { date: [i32; 3] },
+    /// Of a Clock: seconds since midnight, from 0 to less than 86,400.
+    Time { seconds: f64 },
 }
 
 /// Which numbers a slider takes.

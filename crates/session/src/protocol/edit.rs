@@ -228,6 +228,8 @@ pub enum PanelChange {
     Alignment { alignment: i32 },
     /// The colour of the paper.
     Colour { colour: Colour },
+    /// The file that what it shows is written to, by `katydid run` alone; none stops that.
+    Stream { file: Option<String> },
 }
 
 /// A change of a group.

@@ -1,6 +1,6 @@
 //! The faces of controls, as the file has them.
 
-use katydid_data::Value;
+use katydid_data::{DateTime, Value};
 use katydid_definition::archive;
 use katydid_definition::document::special::{Border, Graph, GraphMapper, ListMode, Rounding, Sketch};
 use katydid_definition::document::{
@@ -50,6 +50,7 @@ pub(crate) fn control(object: &Object) -> Option<Control> {
             special_codes: panel.special_codes,
             alignment: panel.alignment,
             colour: colour(panel.colour.unwrap_or(PAPER)),
+            stream: panel.stream_path,
         },
         Special::Toggle(on) => Control::Toggle { on },
         Special::Button(button) => Control::Button { normal: button.normal, pressed: button.pressed },
@@ -89,6 +90,10 @@ pub(crate) fn control(object: &Object) -> Option<Control> {
             prefix: scroller.prefix,
             suffix: scroller.suffix,
         },
+        Special::Calendar(calendar) => Control::Calendar { date: calendar.day.date(), shown: calendar.shown },
+        Special::Clock(clock) => {
+            Control::Clock { seconds: clock.time.time_of_day() as f64 / DateTime::SECOND as f64 }
+        }
         Special::GenePool(pool) => {
             Control::Genes { values: pool.values, decimals: pool.decimals, min: pool.min, max: pool.max }
         }

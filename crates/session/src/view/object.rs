@@ -58,6 +58,8 @@ fn is_control(object: &Object) -> bool {
             | ids::MD_SLIDER
             | ids::CONTROL_KNOB
             | ids::DIGIT_SCROLLER
+            | ids::CALENDAR
+            | ids::CLOCK
             | ids::GENE_POOL
             | ids::GRAPH_MAPPER
             | ids::GRADIENT

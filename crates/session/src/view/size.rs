@@ -96,6 +96,9 @@ pub(crate) fn natural(object: &Object) -> [f32; 2] {
         Some(Special::MdSlider(_)) => [200.0, 200.0],
         Some(Special::Knob(_)) => [128.0, 148.0],
         Some(Special::DigitScroller(_)) => [250.0, ROW],
+        // As files have it.
+        Some(Special::Calendar(_)) => [214.0, 262.0],
+        Some(Special::Clock(_)) => [160.0, 184.0],
         Some(Special::GenePool(pool)) => {
             let rows = u16::try_from(pool.values.len().clamp(1, 20)).map_or(1.0, f32::from);
             [146.0, rows * 20.0 + 32.0]
@@ -181,6 +184,8 @@ pub(crate) fn shows(object: &Object, side: Side) -> bool {
             | ids::MD_SLIDER
             | ids::CONTROL_KNOB
             | ids::DIGIT_SCROLLER
+            | ids::CALENDAR
+            | ids::CLOCK
             | ids::GENE_POOL
             | ids::COLOUR_PICKER
             | ids::CLUSTER_INPUT

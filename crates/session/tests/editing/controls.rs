@@ -90,6 +90,8 @@ fn controls_take_what_suits_them() {
         ("MD Slider", Setting::Place { value: [0.25, 0.5, 0.0] }),
         ("Gene Pool", Setting::Gene { index: 3, value: 7.0 }),
         ("Colour Swatch", Setting::Colour { colour: [1, 2, 3, 255] }),
+        ("Calendar", Setting::Date { date: [2024, 2, 29] }),
+        ("Clock", Setting::Time { seconds: 50_700.0 }),
     ] {
         let id = studio.place(name, [0.0, 0.0]);
         let edit = Edit::Set { object: id, to };
@@ -99,6 +101,77 @@ fn controls_take_what_suits_them() {
         let control = view.control.unwrap();
         assert!(studio.make(Edit::Reshape { object: id, control }).is_empty(), "{name}");
     }
+}
+
+#[test]
+fn days_and_times_are_picked() {
+    let mut studio = Studio::empty();
+    let calendar = studio.place("Calendar", [0.0, 0.0]);
+    // As large as in a file of Rhino 8.
+    assert_eq!(studio.object(calendar).bounds.map(|[_, _, w, h]| [w, h]), Some([214.0, 262.0]));
+    let pick = |date| Edit::Set { object: calendar, to: Setting::Date { date } };
+    studio.make(pick([2025, 5, 28]));
+    assert_eq!(studio.texts(calendar), ["2025-05-28 00:00:00"]);
+    let control = |studio: &Studio, id: Uuid| {
+        let state = studio.editor.state(&[]).unwrap();
+        state.objects.into_iter().find(|view| view.id == id).and_then(|view| view.control).unwrap()
+    };
+    let shown = Control::Calendar { date: [2025, 5, 28], shown: [2025, 5] };
+    assert_eq!(control(&studio, calendar), shown);
+    for none in
+        [[2025, 2, 29], [0, 1, 1], [10_000, 1, 1], [2025, 13, 1], [2025, 4, 31], [i32::MIN; 3], [i32::MAX; 3]]
+    {
+        assert!(studio.try_do(&pick(none)).is_err(), "{none:?}");
+    }
+    assert_eq!(control(&studio, calendar), shown);
+
+    let clock = studio.place("Clock", [0.0, 0.0]);
+    let turn = |seconds| Edit::Set { object: clock, to: Setting::Time { seconds } };
+    studio.make(turn(50_700.0));
+    assert_eq!(studio.texts(clock), ["0001-01-01 14:05:00"]);
+    for none in [-1.0, 86_400.0, 1e300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(studio.try_do(&turn(none)).is_err(), "{none}");
+    }
+    assert_eq!(control(&studio, clock), Control::Clock { seconds: 50_700.0 });
+    assert!(studio.try_do(&Edit::Set { object: clock, to: Setting::Date { date: [2025, 1, 1] } }).is_err());
+    assert!(studio.try_do(&Edit::Set { object: calendar, to: Setting::Time { seconds: 1.0 } }).is_err());
+    for id in [calendar, clock] {
+        let state = studio.editor.state(&[]).unwrap();
+        let view = state.objects.iter().find(|view| view.id == id).unwrap();
+        assert!(view.kind == ObjectKindView::Control && view.inputs.is_empty() && view.outputs.len() == 1);
+    }
+
+    // Both come back from every form of file as they are.
+    let archive = Document::read(&studio.editor.document().to_gh().unwrap(), &Limits::default()).unwrap();
+    assert_eq!(archive.objects.iter().map(|object| object.special()).collect::<Vec<_>>(), {
+        studio.editor.document().objects.iter().map(|object| object.special()).collect::<Vec<_>>()
+    });
+}
+
+#[test]
+fn panels_keep_the_file_that_they_stream_to() {
+    let mut studio = Studio::empty();
+    let panel = studio.place("Panel", [0.0, 0.0]);
+    let stream = |file: Option<&str>| Edit::ChangePanel {
+        object: panel,
+        change: PanelChange::Stream { file: file.map(str::to_owned) },
+    };
+    studio.make(stream(Some(" C:\\data\\widths.txt ")));
+    let properties =
+        |studio: &Studio| studio.object(panel).container().child("PanelProperties").unwrap().clone();
+    assert_eq!(properties(&studio).bool("Stream"), Some(true));
+    assert_eq!(properties(&studio).str("StreamPath"), Some("C:\\data\\widths.txt"));
+    let streams = katydid_session::panel_streams(studio.editor.document());
+    assert_eq!(streams.iter().map(|one| one.file.as_deref()).collect::<Vec<_>>(), [Some("widths.txt")]);
+    assert!(studio.make(stream(Some("C:\\data\\widths.txt"))).is_empty());
+    for broken in ["a\0b".to_owned(), "a".repeat(5000)] {
+        assert!(studio.try_do(&stream(Some(&broken))).is_err());
+    }
+    // The path stays where it is only switched off.
+    studio.make(stream(None));
+    assert_eq!(properties(&studio).bool("Stream"), Some(false));
+    assert_eq!(properties(&studio).str("StreamPath"), Some("C:\\data\\widths.txt"));
+    assert!(katydid_session::panel_streams(studio.editor.document()).is_empty());
 }
 
 /// What a face is told of any control can be sent back, and changes nothing.

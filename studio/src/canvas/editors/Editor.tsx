@@ -7,7 +7,8 @@ import { useCanvas, useObject } from "../hooks";
 import { besideObject, closeBoxes } from "../open";
 import type { EditorAt } from "../store";
 import { GradientEditor } from "./GradientEditor";
-import { GroupEditor, NicknameEditor, PaperEditor } from "./NameEditors";
+import { CalendarEditor, ClockEditor } from "./MomentEditors";
+import { GroupEditor, NicknameEditor, PaperEditor, StreamEditor } from "./NameEditors";
 import { GraphEditor } from "./GraphEditor";
 import { DigitsEditor, DomainsEditor, GenesEditor, KnobEditor } from "./NumberEditors";
 import { ExpressionEditor, FormulaEditor, ValuesEditor } from "./PortEditors";
@@ -36,6 +37,7 @@ function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
   if (at.is === "expression" && at.port) return <ExpressionEditor object={object} port={at.port} />;
   if (at.is === "values" && at.port) return <ValuesEditor object={object} port={at.port} />;
   const { control } = object;
+  if (at.is === "stream" && control?.is === "panel") return <StreamEditor object={object} panel={control} />;
   switch (control?.is) {
     case "slider":
       return <SliderEditor object={object} slider={control} />;
@@ -49,6 +51,10 @@ function editorOf(at: EditorAt, object: ObjectView): ReactNode | undefined {
       return <KnobEditor object={object} knob={control} />;
     case "digits":
       return <DigitsEditor object={object} digits={control} />;
+    case "calendar":
+      return <CalendarEditor object={object} calendar={control} />;
+    case "clock":
+      return <ClockEditor object={object} clock={control} />;
     case "mdSlider":
       return <DomainsEditor object={object} control={control} />;
     case "graph":

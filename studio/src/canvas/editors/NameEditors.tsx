@@ -45,3 +45,15 @@ export function PaperEditor({ object, panel }: { object: ObjectView; panel: Extr
     </Form>
   );
 }
+
+/** The file that a panel is written to when the definition is run; an empty name ends that. */
+export function StreamEditor({ object, panel }: { object: ObjectView; panel: Extract<Control, { is: "panel" }> }) {
+  const [file, setFile] = useState(panel.stream ?? "");
+  const take = () => void edit({ do: "changePanel", object: object.id, change: { is: "stream", file: file.trim() || null } });
+  return (
+    <Form title={t("canvas.panel.stream")} onTake={take}>
+      <TextLine label={t("canvas.panel.file")} value={file} take={setFile} />
+      <p className="form-note">{t("canvas.panel.streamed")}</p>
+    </Form>
+  );
+}

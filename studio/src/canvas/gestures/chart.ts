@@ -45,11 +45,14 @@ export type State =
   | { is: "dragging"; start: Point }
   /** Alt on the empty canvas: all that lies farther on gives way. */
   | { is: "spreading"; from: Point }
-  | { is: "wiring"; grip: Grip };
+  /** `more` are the grips of other selected objects that go along. */
+  | { is: "wiring"; grip: Grip; more: readonly Grip[] };
 
 /** An elastic wire, from a grip to the pointer or to the grip that it would take hold of. */
 export interface Elastic {
   grip: Grip;
+  /** Grips of other selected objects from which wires go to the same end. */
+  more: readonly Grip[];
   to: Point;
   end: Grip | undefined;
   how: Wiring;
@@ -65,8 +68,8 @@ export type Effect =
   | { do: "spread"; from: Point; to: Point; drop: boolean }
   | { do: "undrag" }
   | { do: "wire"; wire: Elastic | undefined }
-  | { do: "join"; from: Grip; to: Grip; how: Wiring }
-  | { do: "release"; grip: Grip; at: Point; pixel: Point }
+  | { do: "join"; from: Grip; more: readonly Grip[]; to: Grip; how: Wiring }
+  | { do: "release"; grip: Grip; more: readonly Grip[]; at: Point; pixel: Point }
   | { do: "menu"; target: Target; at: Point; pixel: Point }
   | { do: "radial"; target: Target; pixel: Point }
   | { do: "pick"; target: Target; keys: Keys };
@@ -75,6 +78,8 @@ export interface World {
   isSelected(id: string): boolean;
   /** The nearest grip that a wire can take hold of. */
   gripNear(at: Point, fits: (grip: Grip) => boolean): Grip | undefined;
+  /** The grips of other selected objects that go along with one of a selected object. */
+  companions(grip: Grip): readonly Grip[];
 }
 
 export const IDLE: State = { is: "idle" };
@@ -122,7 +127,8 @@ function down(gesture: Extract<Gesture, { on: "down" }>, world: World): Outcome 
   if (gesture.button === "right") return [{ is: "rightPressed", target, start }, []];
   if (gesture.button === "middle") return [{ is: "middlePressed", target, start }, []];
   if (target.is === "grip") {
-    return [{ is: "wiring", grip: target.grip }, [elastic(target.grip, gesture, world)]];
+    const more = world.companions(target.grip);
+    return [{ is: "wiring", grip: target.grip, more }, [elastic(target.grip, more, gesture, world)]];
   }
   const wasSelected = target.is === "object" && world.isSelected(target.id);
   const pressed: State = { is: "pressed", target, start, wasSelected };
@@ -165,7 +171,7 @@ function moved(state: State, pointer: Pointer, world: World): Outcome {
     case "spreading":
       return [state, [{ do: "spread", from: state.from, to: pointer.at, drop: false }]];
     case "wiring":
-      return [state, [elastic(state.grip, pointer, world)]];
+      return [state, [elastic(state.grip, state.more, pointer, world)]];
   }
 }
 
@@ -202,10 +208,11 @@ function up(state: State, gesture: Extract<Gesture, { on: "up" }>, world: World)
       const how = wiring(keys);
       const end = world.gripNear(at, (grip) => joins(state.grip, grip, how));
       const clear: Effect = { do: "wire", wire: undefined };
-      if (end) return [IDLE, [clear, { do: "join", from: state.grip, to: end, how }]];
+      const more = along(state.more, end, how, world);
+      if (end) return [IDLE, [clear, { do: "join", from: state.grip, more, to: end, how }]];
       const open = gesture.target.is === "void" || (gesture.target.is === "object" && gesture.target.group);
       const far = distance(at, state.grip.at) > 2 * STRAY;
-      const release: Effect = { do: "release", grip: state.grip, at, pixel };
+      const release: Effect = { do: "release", grip: state.grip, more, at, pixel };
       return [IDLE, open && far && how !== "remove" && how !== "move" ? [clear, release] : [clear]];
     }
   }
@@ -231,8 +238,16 @@ function frame(start: Pointer, pointer: Pointer): { rect: Rect; crossing: boolea
   return { rect: between(start.at, pointer.at), crossing: pointer.at[0] < start.at[0] };
 }
 
-function elastic(grip: Grip, pointer: Pointer, world: World): Effect {
+function elastic(grip: Grip, more: readonly Grip[], pointer: Pointer, world: World): Effect {
   const how = wiring(pointer.keys);
   const end = world.gripNear(pointer.at, (other) => joins(grip, other, how));
-  return { do: "wire", wire: { grip, to: end?.at ?? pointer.at, end, how } };
+  return { do: "wire", wire: { grip, more: along(more, end, how, world), to: end?.at ?? pointer.at, end, how } };
+}
+
+/**
+ * The grips that go along to an end. None do to another selected object, which is meant as one of them, and none where
+ * all wires of a grip are taken elsewhere.
+ */
+function along(more: readonly Grip[], end: Grip | undefined, how: Wiring, world: World): readonly Grip[] {
+  return how === "move" || (end && world.isSelected(end.object)) ? [] : more;
 }

@@ -9,7 +9,7 @@ import { picked, windowed, type Keys } from "../../core/selection";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { documentStore } from "../../state/document";
 import { select, uiStore } from "../../state/ui";
-import { duplicate, joinGrips, moveBy, moveEach, selection } from "../edits";
+import { duplicate, joinAll, joinGrips, moveBy, moveEach, selection } from "../edits";
 import { openRadial, openSearch } from "../open";
 import { canvasStore } from "../store";
 import { lens, panBy } from "../view";
@@ -47,10 +47,12 @@ export function carryOut(effect: Effect): void {
       canvasStore.setState({ wire: effect.wire });
       return;
     case "join":
-      void joinGrips(effect.from, effect.to, effect.how);
+      void (effect.more.length === 0
+        ? joinGrips(effect.from, effect.to, effect.how)
+        : joinAll([effect.from, ...effect.more], effect.to, effect.how));
       return;
     case "release":
-      openSearch(effect.pixel, effect.grip);
+      openSearch(effect.pixel, effect.grip, effect.more);
       return;
     case "menu":
       pickForMenu(effect.target);

@@ -1,7 +1,8 @@
 /** What the chart of gestures may ask about the canvas, and what lies below a point or an element. */
 
+import { alike } from "../../core/alike";
 import type { Point } from "../../core/geometry";
-import { isGroup } from "../../core/groups";
+import { isGroup, leaves } from "../../core/groups";
 import { GRIP_REACH, gripAt, topmost, wireAt, WIRE_REACH, type Grip, type Strung } from "../../core/hit";
 import { frameOf, gripsOf, strungOf } from "../../core/places";
 import type { ObjectView } from "../../core/protocol/ObjectView";
@@ -37,7 +38,24 @@ function wires(): Iterable<Strung> {
 export const world: World = {
   isSelected: (id) => uiStore.getState().selection.has(id),
   gripNear: (at, fits) => gripAt(at, allGrips(), GRIP_REACH / Math.min(lens().zoom, 1), fits),
+  companions,
 };
+
+/** The grips of the other selected objects that are wired together with one of them. */
+function companions(grip: Grip): Grip[] {
+  const { selection } = uiStore.getState();
+  if (selection.size < 2 || !selection.has(grip.object)) return [];
+  const { objects } = documentStore.getState();
+  const of = objects.get(grip.object);
+  const port = (grip.side === "input" ? of?.inputs : of?.outputs)?.find(({ id }) => id === grip.port);
+  if (!of || !port) return [];
+  return [...leaves(selection, objects)].flatMap((id) => {
+    const other = id === grip.object ? undefined : objects.get(id);
+    const its = other && alike(of, port, other, grip.side);
+    const found = its && gripOf(its.id, grip.side);
+    return found ? [found] : [];
+  });
+}
 
 /** The port whose name lies below the pointer: menus and tips of a port open there too. */
 export function namedAt(element: Element | null): Target | undefined {

@@ -5,12 +5,14 @@ import type { Control } from "../../core/protocol/Control";
 import type { GroupChange } from "../../core/protocol/GroupChange";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
+import { documentStore } from "../../state/document";
 import { edit } from "../../state/session";
 import { remove, selection, unwire } from "../edits";
 import { openEditor, openSearch } from "../open";
 import { canvasStore, keep } from "../store";
 import { LINE, menu, type Item } from "./items";
 import { registered } from "./objectMenu";
+import { wireDisplays } from "./portMenu";
 
 export function canvasMenu(pixel: Point): Item[] {
   const { scheme } = canvasStore.getState();
@@ -106,7 +108,11 @@ export function groupMenu(object: ObjectView, group: Extract<Control, { is: "gro
 
 export function wireMenu(from: string, to: string, at: Point): Item[] {
   const place: [number, number] = [at[0], at[1]];
+  const { objects, inputs } = documentStore.getState();
+  const held = inputs.get(to);
+  const input = held && objects.get(held.object)?.inputs[held.index];
   return [
+    ...(input ? [wireDisplays([input])] : []),
     { is: "do", label: t("canvas.menu.unwire"), run: () => unwire(from, to) },
     {
       is: "do",

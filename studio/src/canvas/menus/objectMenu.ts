@@ -6,6 +6,7 @@ import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PanelChange } from "../../core/protocol/PanelChange";
 import { graphChoices } from "../../core/graph";
+import { leaves } from "../../core/groups";
 import { showScript } from "../../dialogs/store";
 import { t, type Key } from "../../i18n";
 import { edit } from "../../state/session";
@@ -16,7 +17,7 @@ import { documentStore } from "../../state/document";
 import { isViewer, openEditor, turnViewer } from "../open";
 import { canvasStore } from "../store";
 import { LINE, menu, type Item } from "./items";
-import { portItems, portMenu } from "./portMenu";
+import { portItems, portMenu, wireDisplays } from "./portMenu";
 
 /** What the menu is about: the whole selection when the object is in it. */
 function concerned(object: ObjectView): string[] {
@@ -62,6 +63,7 @@ export function objectMenu(object: ObjectView): Item[] {
     LINE,
     !isPort && ports(object, "input"),
     !isPort && ports(object, "output"),
+    (!isPort || ids.length > 1) && wiresInto(ids),
     LINE,
     object.kind === "cluster" && {
       is: "do",
@@ -92,6 +94,14 @@ export function objectMenu(object: ObjectView): Item[] {
     registered("object.bake"),
     registered("help.component"),
   );
+}
+
+/** How all wires into these objects are drawn; nothing where none come in. */
+function wiresInto(ids: readonly string[]): Item | undefined {
+  const { objects } = documentStore.getState();
+  const wired = [...leaves(ids, objects)].flatMap((id) => objects.get(id)?.inputs.filter(({ sources }) => sources.length > 0) ?? []);
+  const label = ids.length > 1 ? "canvas.menu.wiresOfAll" : "canvas.menu.wires";
+  return wired.length === 0 ? undefined : wireDisplays(wired, label);
 }
 
 /** The menus of its ports, for hands that cannot point at them. */
@@ -197,6 +207,8 @@ function panelItems(object: ObjectView, panel: PanelControl): Item[] {
     ...switches,
     { is: "more", label: t("canvas.panel.alignment"), items: sides },
     { is: "do", label: t("canvas.menu.paper"), run: () => openEditor(object.id, "control") },
+    { is: "do", label: t("canvas.panel.stream"), on: panel.stream !== null, run: () => openEditor(object.id, "stream") },
+    ...menu(registered("object.savePanel")),
   ];
 }
 

@@ -9,7 +9,7 @@ import { t, type Key } from "../../i18n";
 import { SETTABLE } from "../../core/drawing";
 import { documentStore } from "../../state/document";
 import { beginPick, isSettable } from "../../state/pickJob";
-import { edit } from "../../state/session";
+import { edit, newGesture } from "../../state/session";
 import { changePort, removePort, unwire } from "../edits";
 import { gripOf } from "../gestures/world";
 import { openEditor } from "../open";
@@ -112,15 +112,23 @@ function connect(port: PortView, side: "input" | "output"): void {
 }
 
 function wireDisplay(port: PortView): Item {
+  return wireDisplays([port]);
+}
+
+/** How the wires into inputs are drawn, of all of them at once: one step for Undo. */
+export function wireDisplays(ports: readonly PortView[], label: Key = "canvas.menu.wires"): Item {
   const items = (["normal", "faint", "hidden"] as const).map(
     (wire: WireView): Item => ({
       is: "do",
       label: t(`canvas.wire.${wire}`),
-      on: port.wire === wire,
-      run: () => changePort(port.id, { is: "wire", wire }),
+      on: ports.every((port) => port.wire === wire),
+      run: () => {
+        const gesture = newGesture();
+        for (const { id } of ports) void edit({ do: "changePort", port: id, change: { is: "wire", wire } }, gesture);
+      },
     }),
   );
-  return { is: "more", label: t("canvas.menu.wires"), items };
+  return { is: "more", label: t(label), items };
 }
 
 /** Each wire by the name of its other end; pointing at an entry shows the wire. */

@@ -7,6 +7,7 @@ import { Frame } from "./Frame";
 import type { Shown } from "./ofObject";
 import { GradientFace } from "./GradientFace";
 import { GraphFace } from "./GraphFace";
+import { CalendarFace, ClockFace } from "./MomentFaces";
 import { PanelNode } from "./PanelNode";
 import { SliderFace } from "./SliderFace";
 import { ValueListFace } from "./ValueListFace";
@@ -49,6 +50,10 @@ function face(object: ObjectView, [width, height]: readonly [number, number]): R
       return <KnobFace object={object} knob={control} size={[width, height]} />;
     case "digits":
       return <DigitsFace object={object} digits={control} width={width} />;
+    case "calendar":
+      return <CalendarFace object={object} calendar={control} size={[width, height]} />;
+    case "clock":
+      return <ClockFace object={object} clock={control} size={[width, height]} />;
     case "genes":
       return <GenesFace object={object} genes={control} size={[width, height]} />;
     case "graph":

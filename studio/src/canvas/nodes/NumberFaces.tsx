@@ -1,4 +1,4 @@
-import { useEffect, useState, type KeyboardEvent, type PointerEvent } from "react";
+import type { KeyboardEvent, PointerEvent } from "react";
 
 import { clamp } from "../../core/geometry";
 import { digitsText, numberText } from "../../core/numbers";
@@ -9,16 +9,10 @@ import { t } from "../../i18n";
 import { follow } from "../drag";
 import { liveSetting, set } from "../edits";
 import { lens } from "../view";
+import { useLive } from "./live";
 import { titleRoom, Title } from "./SmallFaces";
 
 type Of<K extends Control["is"]> = Extract<Control, { is: K }>;
-
-/** A value that follows the pointer until the session has answered. */
-function useLive<T>(value: T): [T, (next: T | undefined) => void] {
-  const [live, setLive] = useState<T | undefined>(undefined);
-  useEffect(() => setLive(undefined), [value]);
-  return [live ?? value, setLive];
-}
 
 /** An MD Slider: a grip in a square. */
 export function MdSliderFace(props: { object: ObjectView; control: Of<"mdSlider">; size: readonly [number, number] }) {

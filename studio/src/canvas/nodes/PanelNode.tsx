@@ -53,8 +53,19 @@ export function PanelNode({ object, panel, size }: { object: ObjectView; panel: 
           {panel.text}
         </div>
       )}
+      {panel.stream ? <Stream file={panel.stream} /> : null}
       <Corner object={object} />
     </Frame>
+  );
+}
+
+/** Where what the panel shows is written to: the name of the file, without its folders. */
+function Stream({ file }: { file: string }) {
+  const name = file.split(/[\\/]/).at(-1) || file;
+  return (
+    <span className="panel-stream" title={t("canvas.panel.streams", { file })}>
+      ⤓ {name}
+    </span>
   );
 }
 

@@ -1,16 +1,27 @@
 import type { NodeProps } from "@xyflow/react";
 import { memo, useRef, type ComponentType } from "react";
 
+import { Boundary } from "../../app/Boundary";
 import type { Point } from "../../core/geometry";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { CanvasNode } from "../flow";
 import { useObject } from "../hooks";
+import { Frame } from "./Frame";
 
 /** What is drawn of an object, and where. */
 export interface Shown {
   object: ObjectView;
   size: readonly [number, number];
   at: Point;
+}
+
+/** An object whose face cannot be drawn: its name in a box, which is selected and moved like any other. */
+function Plain({ object, size: [width, height] }: Pick<Shown, "object" | "size">) {
+  return (
+    <Frame object={object} kind="capsule parameter" style={{ width, height }}>
+      <span className="title">{object.nickname.trim() || object.name}</span>
+    </Frame>
+  );
 }
 
 /**
@@ -23,6 +34,12 @@ export function ofObject(Drawn: ComponentType<Shown>) {
     // An object that is gone is drawn once more before its node goes.
     const last = useRef(now);
     if (now) last.current = now;
-    return last.current ? <Drawn object={last.current} size={data.size} at={[positionAbsoluteX, positionAbsoluteY]} /> : null;
+    const object = last.current;
+    if (!object) return null;
+    return (
+      <Boundary of={object} fallback={<Plain object={object} size={data.size} />}>
+        <Drawn object={object} size={data.size} at={[positionAbsoluteX, positionAbsoluteY]} />
+      </Boundary>
+    );
   });
 }

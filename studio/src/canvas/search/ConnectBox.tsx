@@ -86,6 +86,6 @@ function candidates(from: Grip): Candidate[] {
 
 /** Shows the wire that would be drawn. */
 function highlight(from: Grip, to: Grip | undefined): void {
-  const wire = to && { grip: from, to: to.at, end: to, how: "replace" as const };
+  const wire = to && { grip: from, more: [], to: to.at, end: to, how: "replace" as const };
   canvasStore.setState({ wire });
 }

@@ -64,7 +64,7 @@ function picks(catalogue: Catalogue, at: SearchAt, wanted: Wanted | undefined, q
       icon: <Icon component={entry.guid} name={entry.name} size={20} />,
       hint: [entry.tab, entry.panel].filter(Boolean).join(" › "),
       run() {
-        if (at.from) void placeWired(entry.guid, at.at, at.from);
+        if (at.from) void placeWired(entry.guid, at.at, at.from, at.more);
         else void place({ component: entry.guid, with: null }, at.at);
       },
     }),

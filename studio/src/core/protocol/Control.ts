@@ -14,7 +14,11 @@ export type Control = { "is": "slider", value: number, min: number, max: number,
 /**
  * 0 left, 1 centre, 2 right.
  */
-alignment: number, colour: [number, number, number, number], } | { "is": "toggle", on: boolean, } | { "is": "button", normal: string, pressed: string, } | { "is": "valueList", mode: ListModeView, items: Array<ListItemView>, } | { "is": "swatch", colour: [number, number, number, number], } | { "is": "mdSlider", value: [number, number, number], domains: [[number, number], [number, number], [number, number]], } | { "is": "knob", value: number, min: number, max: number, limited: boolean, range: number, decimals: number, } | { "is": "digits", value: number, digits: number, radix: number, prefix: string, suffix: string, } | { "is": "genes", values: Array<number>, decimals: number, min: number, max: number, } | { "is": "graph", x: [number, number], y: [number, number], graph: GraphView, drawn: Array<[number, number]>, } | { "is": "gradient", grips: Array<GripView>, linear: boolean, } | { "is": "image", file: string, hash: string | null, } | { "is": "formula", text: string, } | { "is": "script", language: string, text: string, 
+alignment: number, colour: [number, number, number, number], 
+/**
+ * The file that what it shows is written to, by `katydid run` alone; none where it is not.
+ */
+stream: string | null, } | { "is": "toggle", on: boolean, } | { "is": "button", normal: string, pressed: string, } | { "is": "valueList", mode: ListModeView, items: Array<ListItemView>, } | { "is": "swatch", colour: [number, number, number, number], } | { "is": "mdSlider", value: [number, number, number], domains: [[number, number], [number, number], [number, number]], } | { "is": "knob", value: number, min: number, max: number, limited: boolean, range: number, decimals: number, } | { "is": "digits", value: number, digits: number, radix: number, prefix: string, suffix: string, } | { "is": "calendar", date: [number, number, number], shown: [number, number], } | { "is": "clock", seconds: number, } | { "is": "genes", values: Array<number>, decimals: number, min: number, max: number, } | { "is": "graph", x: [number, number], y: [number, number], graph: GraphView, drawn: Array<[number, number]>, } | { "is": "gradient", grips: Array<GripView>, linear: boolean, } | { "is": "image", file: string, hash: string | null, } | { "is": "formula", text: string, } | { "is": "script", language: string, text: string, 
 /**
  * Further members of its class; none where its component keeps none.
  */

@@ -3,4 +3,4 @@
 /**
  * A change of how a panel looks.
  */
-export type PanelChange = { "is": "multiline", on: boolean, } | { "is": "paths", on: boolean, } | { "is": "indices", on: boolean, } | { "is": "wrap", on: boolean, } | { "is": "specialCodes", on: boolean, } | { "is": "alignment", alignment: number, } | { "is": "colour", colour: [number, number, number, number], };
+export type PanelChange = { "is": "multiline", on: boolean, } | { "is": "paths", on: boolean, } | { "is": "indices", on: boolean, } | { "is": "wrap", on: boolean, } | { "is": "specialCodes", on: boolean, } | { "is": "alignment", alignment: number, } | { "is": "colour", colour: [number, number, number, number], } | { "is": "stream", file: string | null, };

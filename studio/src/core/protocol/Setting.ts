@@ -4,4 +4,4 @@
  * A new value of a control, as it is dragged or typed. Anything else about a control is an
  * [`Edit::Reshape`](super::Edit::Reshape).
  */
-export type Setting = { "is": "number", value: number, } | { "is": "text", text: string, } | { "is": "switch", on: boolean, } | { "is": "press", down: boolean, } | { "is": "choose", chosen: Array<number>, } | { "is": "colour", colour: [number, number, number, number], } | { "is": "place", value: [number, number, number], } | { "is": "gene", index: number, value: number, };
+export type Setting = { "is": "number", value: number, } | { "is": "text", text: string, } | { "is": "switch", on: boolean, } | { "is": "press", down: boolean, } | { "is": "choose", chosen: Array<number>, } | { "is": "colour", colour: [number, number, number, number], } | { "is": "place", value: [number, number, number], } | { "is": "gene", index: number, value: number, } | { "is": "date", date: [number, number, number], } | { "is": "time", seconds: number, };

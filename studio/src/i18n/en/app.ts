@@ -1,4 +1,7 @@
 export const app = {
+  "broken.title": "This page could not be drawn",
+  "broken.what": "The definition is kept as it is, with all that was changed.",
+  "broken.again": "Load the page again",
   "app.title": "Katydid",
   "about.title": "About Katydid",
   "about.what":

@@ -102,6 +102,8 @@ export const canvasMore = {
   "gesture.double.what": "Search, and place what is found",
   "gesture.wire": "Drag from grip to grip",
   "gesture.wire.what": "A wire; Shift adds, Ctrl removes, Ctrl+Shift takes all of a grip",
+  "gesture.several": "Drag from a grip of one of several selected objects",
+  "gesture.several.what": "A wire from each of them, with the same keys",
   "gesture.void": "Let a wire go in the void",
   "gesture.void.what": "Search for what takes it",
   "gesture.relay": "Double-click on a wire",

@@ -7,6 +7,7 @@ mod contextual;
 mod dials;
 mod graph_mapper;
 mod image_sampler;
+mod moments;
 mod panel;
 mod slider;
 mod toggles;
@@ -20,6 +21,7 @@ pub use contextual::Contextual;
 pub use dials::{DigitScroller, GenePool, Knob, MdSlider};
 pub use graph_mapper::{Graph, GraphMapper};
 pub use image_sampler::{ImageSampler, Wrap};
+pub use moments::{Calendar, Clock};
 pub use panel::Panel;
 pub use slider::{Rounding, Slider};
 pub use toggles::Button;
@@ -51,6 +53,10 @@ pub enum Special {
     Knob(Knob),
     /// Digit Scroller.
     DigitScroller(DigitScroller),
+    /// Calendar.
+    Calendar(Calendar),
+    /// Clock.
+    Clock(Clock),
     /// Gene Pool.
     GenePool(GenePool),
     /// Graph Mapper.
@@ -97,6 +103,8 @@ impl Object {
             ids::MD_SLIDER => Special::MdSlider(MdSlider::read(c)?),
             ids::CONTROL_KNOB => Special::Knob(Knob::read(c)?),
             ids::DIGIT_SCROLLER => Special::DigitScroller(DigitScroller::read(c)?),
+            ids::CALENDAR => Special::Calendar(Calendar::read(c)?),
+            ids::CLOCK => Special::Clock(Clock::read(c)?),
             ids::GENE_POOL => Special::GenePool(GenePool::read(c)?),
             ids::GRAPH_MAPPER => Special::GraphMapper(GraphMapper::read(c)?),
             ids::GRADIENT => Special::Gradient(Gradient::read(c)?),
