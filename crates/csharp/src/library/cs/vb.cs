@@ -38,7 +38,7 @@ public class __VBError
         if (e is DivideByZeroException) return 11;
         if (e is OverflowException) return 6;
         if (e is NullReferenceException) return 91;
-        if (e is Microsoft.CSharp.RuntimeBinder.RuntimeBinderException) return e.Message.Contains("null reference") ? 91 : 438;
+        if (e is RuntimeBinderException) return e.Message.Contains("null reference") ? 91 : 438;
         if (e is InvalidCastException || e is FormatException) return 13;
         return 5;
     }
