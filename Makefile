@@ -158,7 +158,8 @@ bench-threads:
 # mono-runtime.
 bench-csharp:
 	cargo build --release -p katydid-csharp --example run
-	$(PYTHON) benches/csharp/run.py $(RELEASED)/examples/run
+	cargo build --release -p katydid
+	$(PYTHON) benches/csharp/run.py $(RELEASED)/examples/run $(RELEASED)/katydid
 
 # Whole definitions beside NumPy, shapely, Open CASCADE and others: a table of seconds, exponents, ratios and memory. It
 # takes ten minutes, and installs more than a gigabyte.

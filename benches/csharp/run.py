@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""The C# interpreter beside Mono's JIT and CPython, on the five programs of this folder: `make bench-csharp`.
+"""The C# interpreter beside Mono's JIT and CPython, on the six programs of this folder: `make bench-csharp`.
+
+The last of them, `members`, runs in a script component with Rhino.Geometry, by the whole program: Mono and CPython, which
+cannot run RhinoCommon, run it with structs and classes of their own.
 
 The answers are compared before anything is timed. Seconds are of the processor, the least of a few runs, and include the
 start of each program, of which a line of its own tells the length. With --counts, callgrind counts the instructions of ours instead,
@@ -16,6 +19,10 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).parent
 NAMES = ["loops", "vectors", "nbody", "sieve", "text"]
+# A component of Grasshopper 1 for C#, with its source in three parts.
+COMPONENT = "a9a8ebd2-fff5-4c44-a8f5-739736d129ba"
+# How far two answers may be apart: RhinoCommon's own formulas round otherwise in the last digits.
+NEAR = 1e-9
 EMPTY = "class P { static void Main() { } }\n"
 
 
@@ -39,6 +46,33 @@ def assembled(source, folder):
     return program
 
 
+def component(name, source, folder):
+    """A definition with one script component that runs the marked lines of a program."""
+    lines = source.read_text().split("// BEGIN", 1)[1].split("// END", 1)[0] if source else "static double Run(int n) { return 0; }"
+    indented = "".join(f"        {line}\n" for line in lines.strip("\n").splitlines())
+    text = (f"katydid 1\ns = Script @{COMPONENT}(x = 1) variable -> A {{\n    ScriptSource = \"A = Run(1000000).ToString(\\\"R\\\");\"\n"
+            f"    AdditionalSource = \"\"\"\n{indented}        \"\"\"\n}}\n")
+    place = pathlib.Path(folder) / f"{name}.kd"
+    place.write_text(text)
+    return place
+
+
+def members(katydid, folder):
+    """Commands of the program over RhinoCommon's members, and those of the start alone."""
+    source = FOLDER / "members.cs"
+    ours = [katydid, "run", str(component("members", source, folder)), "--json"]
+    own = [ours, ["mono", str(assembled(source, folder))], [sys.executable, str(FOLDER / "members.py")]]
+    answer = float(printed(own[1]))
+    if any(abs(float(printed(command)) - answer) > NEAR * answer for command in own[1:]):
+        sys.exit("members: the answers differ")
+    found = [float(number) for number in re.findall(r"-?\d+\.\d+(?:[eE][+-]?\d+)?", printed(ours))]
+    if not any(abs(number - answer) <= NEAR * answer for number in found):
+        sys.exit(f"members: {answer} is not among {found}")
+    start = [katydid, "run", str(component("nothing", None, folder)), "--json"]
+    return [("start of the whole program", [start, own[1][:1] + [str(pathlib.Path(folder) / "empty.exe")], [sys.executable, "-c", ""]]),
+            ("members", own)]
+
+
 def compared(ours, folder):
     """Commands of all programs; ends where two answers differ."""
     commands = []
@@ -55,6 +89,7 @@ def compared(ours, folder):
 
 def main():
     ours = sys.argv[1]
+    katydid = next((word for word in sys.argv[2:] if not word.startswith("--")), None)
     runs = 5
     if "--counts" in sys.argv:
         for name in NAMES:
@@ -71,7 +106,8 @@ def main():
         nothing = pathlib.Path(folder) / "empty.py"
         nothing.write_text("")
         starts = [[ours, str(empty)], ["mono", str(assembled(empty, folder))], [sys.executable, str(nothing)]]
-        for name, own in [("start alone", starts), *commands]:
+        more = members(katydid, folder) if katydid else []
+        for name, own in [("start alone", starts), *commands, *more]:
             a, b, c = (seconds(command, runs) for command in own)
             print(f"| {name} | {a:.3f} s | {b:.3f} s | {c:.3f} s | {a / b:.1f} × | {a / c:.2f} × |", flush=True)
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::decimal::Decimal;
 use crate::sema::{FieldId, MethodId, Prim, Ty};
 use crate::source::Pos;
 use crate::syntax::ast::{Name, Passing};
@@ -19,8 +20,8 @@ pub enum Const {
     Float(f32),
     /// `double`
     Double(f64),
-    /// `decimal`, as written.
-    Decimal(Name),
+    /// `decimal`
+    Decimal(Decimal),
     /// A text.
     Str(Arc<[u16]>),
 }
@@ -38,6 +39,8 @@ pub(crate) struct Local {
     pub ty: Ty,
     /// How a parameter is handed over.
     pub passing: Passing,
+    /// Whether it is a reference to a variable, declared in the function itself.
+    pub is_reference: bool,
     /// How many lambdas stand around its declaration.
     pub depth: u32,
     /// Whether a lambda uses it that is not around its declaration.
@@ -208,6 +211,12 @@ pub(crate) enum Kind {
     Coalesce(Box<Expr>, Box<Expr>),
     /// `a?.b`: the second with `Held` as `a` when it is not null.
     Conditional(Box<Expr>, u32, Box<Expr>),
+    /// A reference to a variable.
+    Ref(Box<Expr>),
+    /// The variable behind a reference that a call gives.
+    Deref(Box<Expr>),
+    /// A variable becomes a reference to another one.
+    Bind(LocalId, Box<Expr>),
     /// A new object as `Held`, what is done with it, and it is the result.
     Initialise(Box<Expr>, u32, Vec<Expr>),
     /// Whether a value is of a type.

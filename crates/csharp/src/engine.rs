@@ -328,7 +328,7 @@ impl Engine {
     pub fn list(&mut self, element: Ty, items: Vec<Value>) -> Value {
         let def = self.program.sema.library("System.Collections.Generic", "List", 1);
         let ty = def.map_or(Ty::ERROR, |def| self.program.sema.named(def, &[element]));
-        Value::Ref(self.state.heap.add(Obj::List(ty, items, 0)))
+        Value::Ref(self.state.heap.add(Obj::List(ty, items.into(), 0)))
     }
 
     /// The machine, to make and look at values.
@@ -388,6 +388,7 @@ impl Program {
             // Functions with type parameters in functions become methods while others are bound.
             let mut next = 0;
             while let Some(method) = self.sema.def(def).methods.get(next).copied() {
+                crate::bind::check_defaults(&mut self.sema, method);
                 self.body(method);
                 next += 1;
             }
@@ -398,6 +399,7 @@ impl Program {
                 }
             }
         }
+        self.sema.check_noted();
     }
 
     /// Asks the host for its members.

@@ -18,6 +18,7 @@
 
 mod bind;
 mod bound;
+mod decimal;
 mod diagnostic;
 mod emit;
 mod engine;

@@ -7,6 +7,7 @@ use crate::bind;
 use crate::bound::{self, MethodRef};
 use crate::sema::{Body, DefId, Kind, MAX_TYPE_DEPTH, MAX_TYPES, MethodId, Sema, Ty};
 use crate::syntax::ast::{Name, TypeKind};
+use crate::vm::heap::ZERO;
 use crate::vm::op::{Function, Op};
 use crate::vm::value::{Handle, Value};
 
@@ -242,7 +243,8 @@ impl Program {
                 Prim::I64 => Value::I64(0),
                 Prim::U64 => Value::U64(0),
                 Prim::F32 => Value::F32(0.0),
-                Prim::F64 | Prim::Decimal => Value::F64(0.0),
+                Prim::F64 => Value::F64(0.0),
+                Prim::Decimal => Value::Ref(ZERO),
             });
         }
         if self.sema.is_struct(ty) { Start::Struct(ty) } else { Start::Value(Value::Null) }

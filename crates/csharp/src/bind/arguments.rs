@@ -3,7 +3,7 @@
 use super::overload::Source;
 use super::{Binder, Item, make};
 use crate::bound::{Arg, Expr, Kind};
-use crate::sema::Ty;
+use crate::sema::{MethodId, Sema, Ty};
 use crate::syntax::ast::{self, Passing};
 
 impl Binder<'_> {
@@ -47,5 +47,82 @@ impl Binder<'_> {
             return make(ty, default.pos, Kind::Default(ty));
         }
         self.convert(item, ty, default.pos)
+    }
+}
+
+/// Whether the values that parameters have when they are left out are constants of their types (C# specification,
+/// 15.6.2): they are looked at where they are declared.
+pub(crate) fn check_defaults(sema: &mut Sema, id: MethodId) {
+    let info = sema.method(id).clone();
+    if sema.vb || info.params.iter().all(|p| p.default.is_none()) || info.name.starts_with("set_") {
+        return;
+    }
+    let mut binder = Binder::new(sema, info.owner, true, &info.type_params);
+    for (i, param) in info.params.iter().enumerate() {
+        let Some(default) = &param.default else { continue };
+        let pos = default.pos;
+        match param.passing {
+            _ if param.rest => {
+                binder.fault(pos, 1751, "Cannot specify a default value for a parameter array");
+            }
+            _ if i == 0 && info.extends => {
+                binder.fault(pos, 1743, "Cannot specify a default value for the 'this' parameter");
+            }
+            Passing::Ref | Passing::Out => {
+                let word = if param.passing == Passing::Ref { "ref" } else { "out" };
+                binder.fault(pos, 1741, format!("Cannot specify a default value for the '{word}' parameter"));
+            }
+            _ => binder.check_default(default, param.ty, &param.name),
+        }
+    }
+}
+
+/// Whether a value is known before anything runs.
+fn is_constant(e: &Expr) -> bool {
+    match &e.kind {
+        Kind::Const(_) | Kind::Default(_) | Kind::Error => true,
+        Kind::Convert(_, inner) => is_constant(inner),
+        Kind::New(_, args) => args.is_empty(),
+        _ => false,
+    }
+}
+
+impl Binder<'_> {
+    fn check_default(&mut self, default: &ast::Expr, ty: Ty, name: &str) {
+        let pos = default.pos;
+        let item = match self.item(default) {
+            Item::Default(_) => return,
+            Item::Value(value) if value.ty == Ty::ERROR => return,
+            item => item,
+        };
+        let value = match &item {
+            Item::Value(value) => value.clone(),
+            _ => make(Ty::NONE, pos, Kind::This),
+        };
+        let made_struct = !matches!(value.kind, Kind::New(..)) || self.sema.is_value_type(value.ty);
+        if !is_constant(&value) || !made_struct {
+            let message = format!("Default parameter value for '{name}' must be a compile-time constant");
+            self.fault(pos, 1736, message);
+            return;
+        }
+        if ty == Ty::ERROR || self.sema.is_param(ty) {
+            return;
+        }
+        if !self.converts(&item, ty) {
+            let (from, to) = (self.show(value.ty), self.show(ty));
+            let message = format!(
+                "A value of type '{from}' cannot be used as a default parameter because there are no standard conversions to type '{to}'"
+            );
+            self.fault(pos, 1750, message);
+            return;
+        }
+        let is_null = value.ty == Ty::NULL || matches!(value.kind, Kind::Default(_));
+        if !is_null && ty != self.sema.known.string && (self.sema.is_reference(ty) || ty == Ty::DYNAMIC) {
+            let shown = self.show(ty);
+            let message = format!(
+                "'{name}' is of type '{shown}'. A default parameter value of a reference type other than string can only be initialized with null"
+            );
+            self.fault(pos, 1763, message);
+        }
     }
 }

@@ -104,7 +104,7 @@ impl Binder<'_> {
                 }
                 true
             }
-            Kind::Element(..) | Kind::Held(_) => true,
+            Kind::Element(..) | Kind::Held(_) | Kind::Deref(_) => true,
             Kind::This if self.sema.is_value_type(self.this) => true,
             Kind::Field(receiver, field) => {
                 let info = self.sema.field(field.id);
@@ -208,7 +208,7 @@ impl Binder<'_> {
     pub(super) fn variable(&mut self, passing: Passing, place: Expr) -> Expr {
         let fits = matches!(
             place.kind,
-            Kind::Local(_) | Kind::Element(..) | Kind::Field(..) | Kind::Error | Kind::This
+            Kind::Local(_) | Kind::Element(..) | Kind::Field(..) | Kind::Deref(_) | Kind::Error | Kind::This
         );
         if !fits {
             let pos = place.pos;
@@ -341,7 +341,7 @@ impl Binder<'_> {
         let one = match wide {
             Prim::F64 => Const::Double(1.0),
             Prim::F32 => Const::Float(1.0),
-            Prim::Decimal => Const::Decimal("1".into()),
+            Prim::Decimal => Const::Decimal(crate::decimal::of_whole(1)),
             _ => Const::Int(1),
         };
         let one = make(number, pos, Kind::Const(one));

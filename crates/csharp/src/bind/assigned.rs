@@ -3,7 +3,7 @@
 //! The bound tree is gone through once, forwards. What is assigned where a loop begins is what is assigned before it: a
 //! jump back can only come from below and brings no less.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::assigned_set::Assigned;
 use crate::bound::{Arg, Body, Expr, FieldRef, Kind, Label, LocalId, Stmt, StmtKind};
@@ -24,8 +24,10 @@ pub(super) fn unassigned(sema: &Sema, body: &Body) -> Vec<Fault> {
         faults: Vec::new(),
         in_lambda: false,
         around: Around::default(),
-        placed: HashSet::new(),
+        placed: HashMap::new(),
         jumps: Vec::new(),
+        blocks: vec![0],
+        made: 0,
     };
     for param in &body.params {
         if flow.passing(*param) == Passing::Out {
@@ -36,7 +38,11 @@ pub(super) fn unassigned(sema: &Sema, body: &Body) -> Vec<Fault> {
     if !flow.now.is_dead() {
         flow.leave(body.stmt.pos);
     }
-    if let Some((pos, _)) = flow.jumps.iter().find(|(_, label)| !flow.placed.contains(label)) {
+    // A label is seen in its own block and in those within it.
+    let unseen = |(_, label, around): &&(Pos, Label, Vec<u32>)| {
+        flow.placed.get(label).is_none_or(|block| !around.contains(block))
+    };
+    if let Some((pos, ..)) = flow.jumps.iter().find(unseen) {
         let message = "No such label within the scope of the goto statement";
         flow.faults.push(Fault::new(*pos, 159, message));
     }
@@ -69,9 +75,12 @@ struct Flow<'a> {
     faults: Vec<Fault>,
     in_lambda: bool,
     around: Around,
-    /// Labels that stand somewhere, and the jumps.
-    placed: HashSet<Label>,
-    jumps: Vec<(Pos, Label)>,
+    /// The blocks that labels stand in, and the jumps with the blocks around them.
+    placed: HashMap<Label, u32>,
+    jumps: Vec<(Pos, Label, Vec<u32>)>,
+    /// The blocks around what is looked at, the innermost last, and how many there were so far.
+    blocks: Vec<u32>,
+    made: u32,
 }
 
 impl Flow<'_> {
@@ -162,14 +171,14 @@ impl Flow<'_> {
     }
 
     fn goto(&mut self, pos: Pos, label: Label) {
-        self.jumps.push((pos, label));
+        self.jumps.push((pos, label, self.blocks.clone()));
         let now = self.now.clone();
         self.labels.entry(label).and_modify(|before| before.meet(&now)).or_insert(now);
         self.now.die();
     }
 
     fn arrive(&mut self, label: Label) {
-        self.placed.insert(label);
+        self.placed.insert(label, self.blocks.last().copied().unwrap_or(0));
         if let Some(from) = self.labels.get(&label) {
             self.now.meet(from);
         }
@@ -196,7 +205,13 @@ impl Flow<'_> {
 
     fn stmt(&mut self, stmt: &Stmt) {
         match &stmt.kind {
-            StmtKind::Block(_, list) | StmtKind::Several(list) => list.iter().for_each(|s| self.stmt(s)),
+            StmtKind::Block(_, list) => {
+                self.made += 1;
+                self.blocks.push(self.made);
+                list.iter().for_each(|s| self.stmt(s));
+                self.blocks.pop();
+            }
+            StmtKind::Several(list) => list.iter().for_each(|s| self.stmt(s)),
             StmtKind::Expr(e) => match declared(stmt, e) {
                 Some(local) => self.declare(local),
                 None => self.expr(e),
@@ -404,6 +419,7 @@ impl Flow<'_> {
                 self.expr(b);
                 self.now = before;
             }
+            Kind::Bind(_, place) | Kind::Ref(place) | Kind::Deref(place) => self.expr(place),
             Kind::Throw(value) => {
                 self.expr(value);
                 self.now.die();

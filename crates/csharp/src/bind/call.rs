@@ -93,7 +93,9 @@ impl Binder<'_> {
                 return self.wrong(pos);
             };
             let Some(function) = group.receiver else { return self.wrong(pos) };
-            return make(chosen.ret, pos, Kind::Invoke(Box::new(function), chosen.args));
+            let id = chosen.method.id;
+            let call = make(chosen.ret, pos, Kind::Invoke(Box::new(function), chosen.args));
+            return self.behind(id, call);
         }
         let candidates = std::mem::take(&mut group.candidates);
         if let Some(receiver) = &group.receiver
@@ -155,7 +157,8 @@ impl Binder<'_> {
                     return self.error(group.pos, 176, format!("Member '{shown}' cannot be accessed with an instance reference; qualify it with a type name instead"));
                 }
             }
-            return make(chosen.ret, pos, Kind::Call(None, chosen.method, chosen.args, false));
+            let call = make(chosen.ret, pos, Kind::Call(None, chosen.method, chosen.args, false));
+            return self.behind(id, call);
         }
         let Some(receiver) = group.receiver else {
             let shown = self.sema.show_method(id);
@@ -173,11 +176,10 @@ impl Binder<'_> {
             let shown = self.sema.show_method(id);
             return self.error(group.pos, 205, format!("Cannot call an abstract base member: '{shown}'"));
         }
-        make(
-            chosen.ret,
-            pos,
-            Kind::Call(Some(Box::new(receiver)), chosen.method, chosen.args, is_virtual && !group.base),
-        )
+        let is_virtual = is_virtual && !group.base;
+        let kind = Kind::Call(Some(Box::new(receiver)), chosen.method, chosen.args, is_virtual);
+        let call = make(chosen.ret, pos, kind);
+        self.behind(id, call)
     }
 
     /// A struct that may not be changed is copied before a method of it runs (C# specification, 12.8.7.2).
@@ -256,7 +258,9 @@ impl Binder<'_> {
             let types = group.type_args.clone();
             self.speculate(|b| b.choose(pos, &fits, &types, &all_args, all_items, "")).flatten()?
         };
-        Some(make(chosen.ret, pos, Kind::Call(None, chosen.method, chosen.args, false)))
+        let id = chosen.method.id;
+        let call = make(chosen.ret, pos, Kind::Call(None, chosen.method, chosen.args, false));
+        Some(self.behind(id, call))
     }
 
     /// Whether the receiver could be the first argument, whatever the type arguments.

@@ -2,6 +2,7 @@
 
 use super::Binder;
 use crate::bound::{Const, Expr, Kind, Op};
+use crate::decimal::{self, Answer, DOUBLE_DIGITS, FLOAT_DIGITS};
 use crate::sema::Prim;
 use crate::source::Pos;
 
@@ -29,19 +30,32 @@ impl Binder<'_> {
                 return match to {
                     Prim::F64 => Some(Const::Double(*n as f64)),
                     Prim::F32 => Some(Const::Float(*n as f32)),
-                    Prim::Decimal => Some(Const::Decimal(n.to_string().into())),
+                    Prim::Decimal => Some(Const::Decimal(decimal::of_whole(*n))),
                     Prim::Bool => None,
                     _ => Some(Const::Int(wrap(*n, to))),
                 };
             }
             Const::Double(x) => *x,
             Const::Float(x) => f64::from(*x),
+            Const::Decimal(x) => {
+                return match to {
+                    Prim::F64 => Some(Const::Double(decimal::to_real(*x))),
+                    Prim::F32 => Some(Const::Float(decimal::to_real(*x) as f32)),
+                    Prim::Decimal => Some(Const::Decimal(*x)),
+                    Prim::Bool => None,
+                    _ => decimal::to_whole(*x, to).map(Const::Int),
+                };
+            }
             _ => return None,
         };
         match to {
             Prim::F64 => Some(Const::Double(real)),
             Prim::F32 => Some(Const::Float(real as f32)),
-            Prim::Decimal | Prim::Bool => None,
+            Prim::Decimal => {
+                let digits = if matches!(constant, Const::Float(_)) { FLOAT_DIGITS } else { DOUBLE_DIGITS };
+                decimal::of_real(real, digits).ok().map(Const::Decimal)
+            }
+            Prim::Bool => None,
             _ => {
                 let (least, most) = to.range();
                 let whole = real.trunc();
@@ -62,6 +76,18 @@ impl Binder<'_> {
                 Op::Mul => Some(Const::Float(x * y)),
                 Op::Div => Some(Const::Float(x / y)),
                 _ => fold_real(op, f64::from(*x), f64::from(*y)).filter(|c| matches!(c, Const::Bool(_))),
+            },
+            (Const::Decimal(x), Const::Decimal(y)) => match decimal::binary(op, *x, *y) {
+                Ok(Answer::Number(x)) => Some(Const::Decimal(x)),
+                Ok(Answer::Truth(is)) => Some(Const::Bool(is)),
+                Err(decimal::Fault::ByZero) => {
+                    self.fault(pos, 20, "Division by constant zero");
+                    None
+                }
+                Err(decimal::Fault::Overflow) => {
+                    self.fault(pos, 220, "The operation overflows at compile time in checked mode");
+                    None
+                }
             },
             (Const::Bool(x), Const::Bool(y)) => Some(Const::Bool(match op {
                 Op::And => x & y,

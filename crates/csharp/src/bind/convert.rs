@@ -118,6 +118,13 @@ impl Binder<'_> {
     }
 
     fn no_conversion(&mut self, pos: Pos, from: Ty, to: Ty) -> Expr {
+        if from == Ty::NULL && self.sema.is_param(to) {
+            let to = self.show(to);
+            let message = format!(
+                "Cannot convert null to type parameter '{to}' because it could be a non-nullable value type. Consider using 'default({to})' instead."
+            );
+            return self.error(pos, 403, message);
+        }
         if from == Ty::NULL {
             let to = self.show(to);
             return self.error(

@@ -405,6 +405,7 @@ fn declare_anonymous(sema: &mut Sema, names: &[Name], pos: Pos) -> DefId {
             })
             .collect(),
         ret: Ty::VOID,
+        by_ref: false,
         type_params: Vec::new(),
         is_static: false,
         is_virtual: false,

@@ -75,7 +75,7 @@ impl Binder<'_> {
     /// A delegate that calls those of an array one after another.
     fn joined(&mut self, pos: Pos, list: LocalId, ty: Ty, takes: &[(Passing, Ty)], gives: Ty) -> Expr {
         let base = self.scopes.len();
-        self.functions.push(Function { returns: Returns::Type(gives), yields: None, base });
+        self.functions.push(Function { returns: Returns::Type(gives), yields: None, by_ref: false, base });
         let ((params, body), locals) = self.in_scope(|b| {
             let params: Vec<_> = takes.iter().map(|(passing, ty)| b.new_local("", *ty, *passing)).collect();
             let int = b.sema.known.int;

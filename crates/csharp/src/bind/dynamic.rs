@@ -19,7 +19,7 @@ pub(crate) fn bind_dynamic(
     let faults = sema.faults.len();
     let mut binder = Binder::new(sema, def, true, &[]);
     let object = binder.sema.known.object;
-    binder.functions.push(Function { returns: Returns::Type(object), yields: None, base: 0 });
+    binder.functions.push(Function { returns: Returns::Type(object), yields: None, by_ref: false, base: 0 });
     let mut params = Vec::new();
     for (i, ty) in types.iter().enumerate() {
         let name = operand_name(i);

@@ -87,6 +87,11 @@ impl Binder<'_> {
             }
             ExprKind::Default(None) => return Item::Default(pos),
             ExprKind::New(None, args, init) => return Item::New(pos, Arc::new((args.clone(), init.clone()))),
+            ExprKind::Ref(_) => {
+                let message =
+                    "A reference to a variable stands only behind 'return', '=>' or the '=' of a reference";
+                return Item::Value(self.error(pos, 1525, message));
+            }
             ExprKind::Throw(inner) => return Item::Throw(self.throw_value(inner)),
             ExprKind::Tuple(parts) => return self.tuple_item(pos, parts),
             ExprKind::Choice(c, a, b) => return self.choice(e, c, a, b),
@@ -189,7 +194,13 @@ impl Binder<'_> {
             Lit::Str(units) => (known.string, Const::Str(units.clone())),
             Lit::Double(x) => (known.double, Const::Double(*x)),
             Lit::Float(x) => (known.float, Const::Float(*x)),
-            Lit::Decimal(text) => (known.decimal, Const::Decimal(text.clone())),
+            Lit::Decimal(text) => match crate::decimal::read(text, true) {
+                Ok(x) => (known.decimal, Const::Decimal(x)),
+                Err(_) => {
+                    let message = "Floating-point constant is outside the range of type 'decimal'";
+                    return self.error(pos, 594, message);
+                }
+            },
             Lit::Int(value, suffix) => {
                 let small = *value <= i32::MAX as u64;
                 let ty = match suffix {
@@ -337,6 +348,13 @@ impl Binder<'_> {
         {
             let (from, to) = (self.show(value.ty), self.show(ty));
             return self.error(pos, 39, format!("Cannot convert type '{from}' to '{to}' via a reference conversion, boxing conversion, unboxing conversion, wrapping conversion, or null type conversion"));
+        }
+        if self.sema.is_param(ty) && !self.sema.is_reference(ty) {
+            let shown = self.show(ty);
+            let message = format!(
+                "The type parameter '{shown}' cannot be used with the 'as' operator because it does not have a class type constraint nor a 'class' constraint"
+            );
+            return self.error(pos, 413, message);
         }
         make(ty, pos, Kind::As(Box::new(value), ty))
     }

@@ -74,7 +74,8 @@ impl Binder<'_> {
         yields: Option<Ty>,
     ) -> (Lambda, Returns) {
         let base = self.scopes.len();
-        self.functions.push(Function { returns, yields, base });
+        let by_ref = std::mem::take(&mut self.next_by_ref);
+        self.functions.push(Function { returns, yields, by_ref, base });
         let outer_jumps = std::mem::take(&mut self.jumps);
         let ((params, body), locals) = self.in_scope(|b| {
             let params = b.lambda_params(source, takes);
@@ -141,6 +142,13 @@ impl Binder<'_> {
     /// `=> value`
     fn lambda_value(&mut self, e: &ast::Expr) -> Stmt {
         let pos = e.pos;
+        let gives = match self.functions.last().map(|f| &f.returns) {
+            Some(Returns::Type(ty)) => *ty,
+            _ => Ty::VOID,
+        };
+        if let Some(kind) = self.returned_reference(pos, e, gives) {
+            return Stmt { pos, kind };
+        }
         let item = self.item(e);
         let kind = match self.functions.last_mut().map(|f| &mut f.returns) {
             Some(Returns::Infer(types, untyped)) => {
@@ -224,7 +232,7 @@ impl Binder<'_> {
                 }
             };
             let base = b.scopes.len();
-            b.functions.push(Function { returns: Returns::Type(gives), yields: None, base });
+            b.functions.push(Function { returns: Returns::Type(gives), yields: None, by_ref: false, base });
             let ((params, body), locals) = b.in_scope(|b| b.group_call(pos, group, &takes, gives, to));
             b.functions.pop();
             let origin = match called(&body) {

@@ -71,6 +71,7 @@ impl Binder<'_> {
             }))),
         };
         let takes: Vec<_> = info.params.iter().map(|p| (p.passing, p.ty)).collect();
+        self.next_by_ref = info.by_ref;
         let lambda = self.function_value(pos, &source, &takes, info.ret, written.iterator);
         let place = self.local(function.local, pos);
         let ty = place.ty;

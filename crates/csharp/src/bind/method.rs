@@ -27,7 +27,12 @@ pub(crate) fn bind_method(sema: &mut Sema, id: MethodId) -> Option<bound::Body> 
     let mut binder = Binder::new(sema, info.owner, info.is_static, &info.type_params);
     binder.constructor = is_constructor;
     let yields = if info.iterator { binder.element_of_iterator(pos, info.ret) } else { None };
-    binder.functions.push(Function { returns: Returns::Type(info.ret), yields, base: 0 });
+    binder.functions.push(Function {
+        returns: Returns::Type(info.ret),
+        yields,
+        by_ref: info.by_ref,
+        base: 0,
+    });
     if let Some(name) = info.name.strip_prefix(LIFTED) {
         binder.enter(&name.into(), Entry::Lifted(id));
     }
@@ -74,7 +79,12 @@ pub(crate) fn bind_static_init(sema: &mut Sema, def: DefId) -> Option<bound::Bod
     }
     let mut binder = Binder::new(sema, def, true, &[]);
     binder.constructor = true;
-    binder.functions.push(Function { returns: Returns::Type(Ty::VOID), yields: None, base: 0 });
+    binder.functions.push(Function {
+        returns: Returns::Type(Ty::VOID),
+        yields: None,
+        by_ref: false,
+        base: 0,
+    });
     let mut stmts = Vec::new();
     binder.field_values(&info.statics, None, &mut stmts);
     if let Some(crate::sema::Member::Method(id)) = cctor
@@ -109,7 +119,12 @@ pub(crate) fn constant_of(sema: &mut Sema, id: FieldId) -> Const {
     let value = match (&field.value, field.previous) {
         (Some(e), _) => {
             let mut binder = Binder::new(sema, field.owner, true, &[]);
-            binder.functions.push(Function { returns: Returns::Type(Ty::VOID), yields: None, base: 0 });
+            binder.functions.push(Function {
+                returns: Returns::Type(Ty::VOID),
+                yields: None,
+                by_ref: false,
+                base: 0,
+            });
             let ty = if is_enum {
                 binder.sema.def(field.owner).base.unwrap_or(binder.sema.known.int)
             } else {
@@ -184,6 +199,9 @@ impl Binder<'_> {
     /// `=> value`
     fn arrow(&mut self, e: &ast::Expr, ret: Ty) -> Stmt {
         let pos = e.pos;
+        if let Some(kind) = self.returned_reference(pos, e, ret) {
+            return Stmt { pos, kind };
+        }
         let item = self.item(e);
         if let Item::Throw(value) = item {
             return Stmt { pos, kind: StmtKind::Expr(value) };

@@ -22,6 +22,8 @@ mod name;
 mod operator;
 mod overload;
 mod pattern;
+mod reference;
+mod refusal;
 mod scope;
 mod statement;
 mod switch;
@@ -36,6 +38,7 @@ use crate::sema::{DefId, MethodId, NameScope, ParamId, Sema, Ty};
 use crate::source::Pos;
 use crate::syntax::ast::{self, LambdaParam, Name};
 
+pub(crate) use arguments::check_defaults;
 pub(crate) use constant::wrap;
 pub(crate) use dynamic::bind_dynamic;
 pub(crate) use method::{bind_method, bind_static_init, constant_of};
@@ -122,6 +125,8 @@ struct Function {
     returns: Returns,
     /// What an iterator gives.
     yields: Option<Ty>,
+    /// Whether `return` gives a reference to a variable.
+    by_ref: bool,
     /// Scopes that existed before it.
     base: usize,
 }
@@ -163,6 +168,10 @@ pub(crate) struct Binder<'a> {
     captures_this: bool,
     /// Variables of `foreach`, `using` and the like, which cannot be set.
     readonly_locals: Vec<crate::bound::LocalId>,
+    /// References to variables that end with the function.
+    short_lived: Vec<crate::bound::LocalId>,
+    /// Whether the function that is bound next gives a reference.
+    next_by_ref: bool,
     work: u32,
     nesting: u32,
     /// In the constructor, where readonly fields may be set.
@@ -203,6 +212,8 @@ impl<'a> Binder<'a> {
             unchecked: false,
             captures_this: false,
             readonly_locals: Vec::new(),
+            short_lived: Vec::new(),
+            next_by_ref: false,
             work: 0,
             nesting: 0,
             constructor: false,

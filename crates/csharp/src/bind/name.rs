@@ -192,7 +192,12 @@ impl Binder<'_> {
         let is_virtual =
             virtual_ && [getter, setter].into_iter().flatten().any(|m| self.sema.method(m).is_virtual);
         let receiver = if prop.is_static { None } else { receiver.map(Box::new) };
-        make(ty, pos, Kind::Prop(receiver, args, reference(getter), reference(setter), is_virtual))
+        let made =
+            make(ty, pos, Kind::Prop(receiver, args, reference(getter), reference(setter), is_virtual));
+        match getter {
+            Some(getter) => self.behind(getter, made),
+            None => made,
+        }
     }
 
     /// Whether what is declared may be used here; a fault when not.

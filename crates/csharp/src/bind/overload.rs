@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::refusal::Refusal;
 use super::{Binder, Item, make};
 use crate::bound::{Arg, Expr, Kind, MethodRef};
 use crate::sema::{MethodId, PropId, Substitution, Ty};
@@ -34,16 +35,6 @@ struct Applicable {
     expanded: bool,
     defaults: bool,
     generic: bool,
-}
-
-/// Why a candidate does not take the arguments.
-enum Refusal {
-    Count,
-    Missing(String),
-    Name(String),
-    Infer,
-    Type(usize, Ty),
-    Passing(usize, Passing),
 }
 
 impl Binder<'_> {
@@ -111,7 +102,10 @@ impl Binder<'_> {
                         (None, _)
                             | (
                                 Some((_, Refusal::Count | Refusal::Missing(_))),
-                                Refusal::Type(..) | Refusal::Infer | Refusal::Passing(..)
+                                Refusal::Type(..)
+                                    | Refusal::Infer
+                                    | Refusal::Passing(..)
+                                    | Refusal::Bound(..)
                             )
                     );
                     if better {
@@ -129,99 +123,6 @@ impl Binder<'_> {
             _ => self.best(pos, fits, args, &items)?,
         };
         Some(self.finish(best, args, items))
-    }
-
-    fn refuse(
-        &mut self,
-        pos: Pos,
-        candidates: &[(Ty, MethodId)],
-        refused: Option<(MethodId, Refusal)>,
-        args: &[ast::Arg],
-        items: &[Item],
-        name: &str,
-    ) {
-        let count = args.len();
-        let Some((id, why)) = refused else {
-            self.fault(pos, 1501, format!("No overload for method '{name}' takes {count} arguments"));
-            return;
-        };
-        let constructor = &*self.sema.method(id).name == ".ctor";
-        match why {
-            Refusal::Count | Refusal::Missing(_) if candidates.len() > 1 => {
-                if constructor {
-                    self.fault(
-                        pos,
-                        1729,
-                        format!("'{name}' does not contain a constructor that takes {count} arguments"),
-                    );
-                } else {
-                    self.fault(pos, 1501, format!("No overload for method '{name}' takes {count} arguments"));
-                }
-            }
-            Refusal::Count if constructor => self.fault(
-                pos,
-                1729,
-                format!("'{name}' does not contain a constructor that takes {count} arguments"),
-            ),
-            Refusal::Count => {
-                self.fault(pos, 1501, format!("No overload for method '{name}' takes {count} arguments"))
-            }
-            Refusal::Missing(param) => {
-                let shown = self.sema.show_method(id);
-                self.fault(pos, 7036, format!("There is no argument given that corresponds to the required formal parameter '{param}' of '{shown}'"));
-            }
-            Refusal::Name(param) => self.fault(
-                pos,
-                1739,
-                format!("The best overload for '{name}' does not have a parameter named '{param}'"),
-            ),
-            Refusal::Infer => {
-                let shown = self.sema.show_method(id);
-                self.fault(pos, 411, format!("The type arguments for method '{shown}' cannot be inferred from the usage. Try specifying the type arguments explicitly."));
-            }
-            Refusal::Passing(i, passing) => {
-                let word = match passing {
-                    Passing::Ref => "ref",
-                    Passing::Out => "out",
-                    Passing::In | Passing::Value => "in",
-                };
-                let at = args.get(i).map_or(pos, |a| a.value.pos);
-                if passing == Passing::Value {
-                    self.fault(
-                        at,
-                        1615,
-                        format!("Argument {} should not be passed with the 'ref' or 'out' keyword", i + 1),
-                    );
-                } else {
-                    self.fault(
-                        at,
-                        1620,
-                        format!("Argument {} must be passed with the '{word}' keyword", i + 1),
-                    );
-                }
-            }
-            Refusal::Type(i, ty) => self.refuse_type(pos, i, ty, args, items),
-        }
-    }
-
-    fn refuse_type(&mut self, pos: Pos, i: usize, ty: Ty, args: &[ast::Arg], items: &[Item]) {
-        let at = args.get(i).map_or(pos, |a| a.value.pos);
-        let to = self.show(ty);
-        match items.get(i) {
-            Some(Item::Value(value)) => {
-                let from = self.show(value.ty);
-                self.fault(at, 1503, format!("Argument {}: cannot convert from '{from}' to '{to}'", i + 1));
-            }
-            Some(item @ (Item::Lambda(..) | Item::Methods(_))) => {
-                let item = item.clone();
-                let faults = self.sema.faults.len();
-                self.convert(item, ty, at);
-                if self.sema.faults.len() == faults {
-                    self.fault(at, 1503, format!("Argument {}: cannot convert to '{to}'", i + 1));
-                }
-            }
-            _ => self.fault(at, 1503, format!("Argument {}: cannot convert to '{to}'", i + 1)),
-        }
     }
 
     fn applicable(
@@ -314,8 +215,8 @@ impl Binder<'_> {
             };
             own = Substitution::of(&info.type_params, &method_args);
             by.0.extend(own.0.clone());
-            if !self.meets_bounds(&info.type_params, &by) {
-                return Err(Refusal::Infer);
+            if let Some((code, message)) = self.unmet_bound(id, &info.type_params, &by) {
+                return Err(Refusal::Bound(code, message));
             }
         } else if !type_args.is_empty() {
             return Err(Refusal::Count);
@@ -358,16 +259,17 @@ impl Binder<'_> {
         }
     }
 
-    fn meets_bounds(&mut self, params: &[crate::sema::ParamId], by: &Substitution) -> bool {
-        params.iter().all(|param| {
-            let Some(ty) = by.get(*param) else { return true };
-            let info = self.sema.param(*param).clone();
-            let kind = (!info.structure || self.sema.is_value_type(ty))
-                && (!info.class || self.sema.is_reference(ty));
-            kind && info.bounds.iter().all(|bound| {
-                let bound = self.sema.types.substitute(*bound, by);
-                self.sema.implicit_standard(ty, bound).is_some()
-            })
+    /// Why the type arguments of a method do not meet its constraints.
+    fn unmet_bound(
+        &mut self,
+        id: MethodId,
+        params: &[crate::sema::ParamId],
+        by: &Substitution,
+    ) -> Option<(u16, String)> {
+        let whole = self.sema.show_method(id);
+        params.iter().find_map(|param| {
+            let ty = by.get(*param)?;
+            self.sema.unmet(*param, ty, by, &whole)
         })
     }
 
@@ -498,6 +400,11 @@ impl Binder<'_> {
                         (false, true) => Ordering::Less,
                         _ => Ordering::Equal,
                     }
+                }
+                // VB takes a number without a word about it as a `Double`.
+                (Some(p), Some(q)) if self.is_vb() => {
+                    let decimal = |p| p == crate::sema::Prim::Decimal;
+                    decimal(q).cmp(&decimal(p))
                 }
                 _ => Ordering::Equal,
             },

@@ -15,7 +15,14 @@ impl Binder<'_> {
     pub(super) fn new_local(&mut self, name: &str, ty: Ty, passing: Passing) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
         let depth = self.depth();
-        self.locals.push(Local { name: name.into(), ty, passing, depth, captured: false });
+        self.locals.push(Local {
+            name: name.into(),
+            ty,
+            passing,
+            depth,
+            captured: false,
+            is_reference: false,
+        });
         if let Some(scope) = self.scopes.last_mut() {
             scope.locals.push(id);
         }
@@ -76,7 +83,10 @@ impl Binder<'_> {
         let ty = local.ty;
         if local.depth < depth {
             local.captured = true;
-            if local.passing != Passing::Value {
+            if local.is_reference {
+                let name = local.name.clone();
+                self.fault(pos, 8175, format!("Cannot use ref local '{name}' inside an anonymous method, lambda expression, or query expression"));
+            } else if local.passing != Passing::Value {
                 let name = local.name.clone();
                 self.fault(pos, 1628, format!("Cannot use ref, out, or in parameter '{name}' inside an anonymous method, lambda expression, query expression, or local function"));
             }

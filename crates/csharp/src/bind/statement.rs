@@ -78,6 +78,7 @@ impl Binder<'_> {
             Written::Empty | Written::Function(_) => StmtKind::Several(Vec::new()),
             Written::Block(block) => self.block(block).kind,
             Written::Local { ty, variables, constant, .. } => self.local_variables(ty, variables, *constant),
+            Written::Reference(ty, variables, fixed) => self.references(ty.as_ref(), variables, *fixed),
             Written::Expr(e) => {
                 let value = self.value(e);
                 StmtKind::Expr(value)
@@ -239,6 +240,9 @@ impl Binder<'_> {
 
     /// The first value of a variable or field with a type.
     pub(super) fn initial(&mut self, e: &ast::Expr, ty: Ty) -> Expr {
+        if let Some(wrong) = self.value_from_reference(e) {
+            return wrong;
+        }
         if let ExprKind::ArrayInit(values) = &e.kind {
             return self.array_of(e.pos, ty, values, &[]);
         }
@@ -247,6 +251,9 @@ impl Binder<'_> {
     }
 
     fn inferred(&mut self, e: &ast::Expr) -> Expr {
+        if let Some(wrong) = self.value_from_reference(e) {
+            return wrong;
+        }
         if matches!(e.kind, ExprKind::ArrayInit(_)) {
             return self.error(
                 e.pos,
@@ -322,6 +329,9 @@ impl Binder<'_> {
                     let _ = self.value(e);
                     self.fault(pos, 127, "Since this function returns void, a return keyword must not be followed by an object expression");
                     return StmtKind::Return(None);
+                }
+                if let Some(kind) = self.returned_reference(pos, e, ty) {
+                    return kind;
                 }
                 StmtKind::Return(Some(self.initial(e, ty)))
             }

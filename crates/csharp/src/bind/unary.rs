@@ -83,10 +83,7 @@ impl Binder<'_> {
                     Kind::Const(Const::Int(n)) => Some(Const::Int(super::constant::wrap(-n, wide))),
                     Kind::Const(Const::Double(x)) => Some(Const::Double(-x)),
                     Kind::Const(Const::Float(x)) => Some(Const::Float(-x)),
-                    Kind::Const(Const::Decimal(t)) => Some(Const::Decimal(match t.strip_prefix('-') {
-                        Some(rest) => rest.into(),
-                        None => format!("-{t}").into(),
-                    })),
+                    Kind::Const(Const::Decimal(x)) => Some(Const::Decimal(crate::decimal::negated(*x))),
                     _ => None,
                 };
                 match folded {

@@ -125,7 +125,7 @@ impl Emitter<'_> {
 
     /// Which method is called is known for a struct, whatever it implements; the methods of `T?` see to a missing value
     /// themselves.
-    fn settle(&mut self, receiver: Ty, method: &mut MethodRef, is_virtual: &mut bool) {
+    pub(super) fn settle(&mut self, receiver: Ty, method: &mut MethodRef, is_virtual: &mut bool) {
         if *is_virtual
             && self.program.sema.is_value_type(receiver)
             && let Some(found) = self.program.sema.find_override(receiver, method)

@@ -19,6 +19,7 @@ pub(super) fn sets_locals(e: &Expr) -> bool {
         Kind::Assign(..)
         | Kind::Update(..)
         | Kind::Deconstruct(..)
+        | Kind::Bind(..)
         | Kind::Block(..)
         | Kind::Initialise(..) => true,
         Kind::Field(o, _) => o.as_deref().is_some_and(sets_locals),
@@ -50,6 +51,8 @@ pub(super) fn sets_locals(e: &Expr) -> bool {
         | Kind::Is(a, _)
         | Kind::As(a, _)
         | Kind::Throw(a)
+        | Kind::Ref(a)
+        | Kind::Deref(a)
         | Kind::Length(a) => sets_locals(a),
     }
 }

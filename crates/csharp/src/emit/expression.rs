@@ -11,7 +11,18 @@ use crate::vm::value::Value;
 impl Emitter<'_> {
     /// Evaluates; into a register when one is given, else wherever it is.
     pub(super) fn expr(&mut self, e: &Expr, want: Option<Reg>) -> Emitted<Reg> {
+        if let Some(parts) = self.parts_of(e) {
+            let d = self.target(want)?;
+            self.build(d, parts);
+            return Ok(d);
+        }
         match &e.kind {
+            Kind::Field(Some(of), field) if self.parts_of(of).is_some() => {
+                let owner = self.ty(field.owner);
+                if let Some(part) = self.part_of(of, owner, field.id) {
+                    return Ok(self.moved(part, want));
+                }
+            }
             Kind::Local(id) => {
                 if let Some((env, index)) = self.captured(*id)? {
                     let d = self.target(want)?;
@@ -107,6 +118,7 @@ impl Emitter<'_> {
             Kind::Convert(_, inner) => {
                 Self::is_place(inner) || matches!(e.kind, Kind::Convert(Conv::Cast | Conv::FromNullable, _))
             }
+            Kind::Deref(_) => true,
             Kind::Choice(_, a, b) | Kind::Coalesce(a, b) => Self::is_place(a) || Self::is_place(b),
             Kind::Conditional(_, _, b) | Kind::Block(_, b) => Self::is_place(b),
             Kind::Deconstruct(_, _, steps) => steps.last().is_some_and(Self::is_place),
@@ -119,7 +131,8 @@ impl Emitter<'_> {
     pub(super) fn copied(&mut self, e: &Expr, want: Option<Reg>) -> Emitted<Reg> {
         let ty = self.ty(e.ty);
         let inner = self.program.sema.nullable_of(ty).unwrap_or(ty);
-        if self.program.sema.is_struct(inner) && Self::is_place(e) {
+        // What is put together of its parts is new.
+        if self.program.sema.is_struct(inner) && Self::is_place(e) && self.parts_of(e).is_none() {
             let a = self.expr(e, None)?;
             let d = self.target(want)?;
             self.op(Op::Copy { d, a });
@@ -185,6 +198,11 @@ impl Emitter<'_> {
                 let a = self.expr(inner, None)?;
                 self.op(Op::IsNull { d, a });
                 self.negate_unless(*is, d);
+                Ok(())
+            }
+            Kind::Negate(Prim::Decimal, _, inner) => {
+                let a = self.expr(inner, None)?;
+                self.op(Op::DecimalNeg { d, a });
                 Ok(())
             }
             Kind::Negate(prim, checked, inner) => {
@@ -299,6 +317,19 @@ impl Emitter<'_> {
                 self.op(Op::TypeOf { d, ty });
                 Ok(())
             }
+            Kind::Ref(place) => self.reference(d, place),
+            Kind::Deref(inner) => {
+                let a = self.expr(inner, None)?;
+                self.pos = e.pos;
+                self.op(Op::LoadRef { d, a });
+                Ok(())
+            }
+            Kind::Bind(local, place) => {
+                let Some(reg) = self.regs.get(local).copied() else {
+                    return Err(Refused(e.pos, "A variable is used outside its block".to_owned()));
+                };
+                self.reference(reg, place)
+            }
             Kind::Throw(inner) => {
                 let a = self.expr(inner, None)?;
                 self.op(Op::Throw { a });
@@ -378,8 +409,11 @@ impl Emitter<'_> {
             self.op(Op::Const { d, k });
             return Ok(());
         }
-        if let Const::Decimal(_) = value {
-            self.unsupported(d, "The type 'decimal'");
+        if let Const::Decimal(x) = value {
+            // Two constants in a row, never shared with others.
+            let k = self.f.consts.len() as u32;
+            self.f.consts.extend(crate::decimal::halves(*x).map(Value::U64));
+            self.op(Op::DecimalConst { d, k });
             return Ok(());
         }
         let prim = self.program.sema.underlying(ty);
@@ -416,7 +450,9 @@ impl Emitter<'_> {
     ) -> Emitted<()> {
         let pos = self.pos;
         if prim == Prim::Decimal {
-            self.unsupported(d, "The type 'decimal'");
+            let (a, b) = self.operands(a, b)?;
+            self.pos = pos;
+            self.op(Op::Decimals { op, d, a, b });
             return Ok(());
         }
         if prim == Prim::I32
@@ -486,11 +522,12 @@ impl Emitter<'_> {
         match conv {
             Conv::Same => self.op(Op::Move { d, a }),
             Conv::Number(from, to, checked) => {
-                if *from == Prim::Decimal || *to == Prim::Decimal {
-                    self.unsupported(d, "The type 'decimal'");
-                } else {
-                    self.op(Op::Convert { from: *from, to: *to, checked: *checked, d, a });
-                }
+                self.op(match (*from, *to) {
+                    (Prim::Decimal, Prim::Decimal) => Op::Move { d, a },
+                    (Prim::Decimal, to) => Op::DecimalTo { to, d, a },
+                    (_, Prim::Decimal) => Op::DecimalOf { d, a },
+                    (from, to) => Op::Convert { from, to, checked: *checked, d, a },
+                });
             }
             Conv::ToEnum => {
                 let ty = self.ty(to);
@@ -563,6 +600,7 @@ pub(crate) fn number(n: i128, prim: Prim) -> Value {
         Prim::I64 => Value::I64(n as i64),
         Prim::U64 => Value::U64(n as u64),
         Prim::F32 => Value::F32(n as f32),
+        // Decimals are objects: no caller asks for one here.
         Prim::F64 | Prim::Decimal => Value::F64(n as f64),
     }
 }

@@ -41,7 +41,8 @@ impl Emitter<'_> {
 
     /// Emits a loop: what it needs is known when it is done, so it is set behind it, and the beginning jumps there.
     pub(super) fn with_hoisted(&mut self, emit: impl FnOnce(&mut Self) -> Emitted<()>) -> Emitted<()> {
-        if self.hoisted.is_some() {
+        // A jump into a loop would pass by what is set before it.
+        if self.hoisted.is_some() || self.reserved {
             return emit(self);
         }
         let first = self.allocs(MOST)?;

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use super::quiet::{Quiet, sets_field, statements};
 use super::{Emitted, Emitter};
-use crate::bound::{Arg, Body, Expr, MethodRef, StmtKind};
-use crate::sema::Substitution;
+use crate::bound::{Arg, Body, Expr, Kind, MethodRef, StmtKind};
+use crate::sema::{Substitution, Ty};
 use crate::source::Pos;
 use crate::syntax::ast::Passing;
 use crate::vm::op::{Op, Reg};
@@ -14,6 +14,21 @@ use crate::vm::op::{Op, Reg};
 const DEPTH: u32 = 5;
 /// From how many operations on a function takes no more of them in.
 const LONG: usize = 10_000;
+
+/// A struct that was made and is only looked at: its fields stand in registers in a row.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Parts {
+    first: Reg,
+    count: u16,
+    ty: Ty,
+}
+
+/// What stands for a parameter.
+#[derive(Debug, Clone, Copy)]
+enum Operand {
+    Whole(Reg),
+    Parts(Parts),
+}
 
 impl Emitter<'_> {
     /// A call in place; false where it must be a call.
@@ -29,6 +44,10 @@ impl Emitter<'_> {
         let body = match quiet {
             Quiet::Getter(field) => {
                 let Some(receiver) = receiver else { return Ok(false) };
+                if let Some(part) = self.part_of(receiver, method.owner, field) {
+                    self.op(Op::Move { d, a: part });
+                    return Ok(true);
+                }
                 let o = self.in_place(receiver)?;
                 self.pos = e.pos;
                 self.getter(d, o, method, field);
@@ -39,6 +58,19 @@ impl Emitter<'_> {
         };
         let list = statements(&body).unwrap_or_default();
         let Some(StmtKind::Return(Some(value))) = list.first().map(|s| &s.kind) else { return Ok(false) };
+        let (this, regs) = self.given(receiver, method, args, e)?;
+        self.within(&body, method, this, &regs, |emitter| emitter.copied(value, Some(d)).map(|_| ()))?;
+        Ok(true)
+    }
+
+    /// The object and the arguments of a call in place.
+    fn given(
+        &mut self,
+        receiver: Option<&Expr>,
+        method: &MethodRef,
+        args: &[Arg],
+        e: &Expr,
+    ) -> Emitted<(Option<Operand>, Vec<Operand>)> {
         let this = match receiver {
             Some(receiver) => Some(self.operand(receiver, args.iter().map(|(_, e)| e))?),
             None => None,
@@ -48,26 +80,37 @@ impl Emitter<'_> {
         if let Some(receiver) = receiver {
             let ty = self.ty(receiver.ty);
             if !self.program.sema.is_value_type(ty)
-                && !matches!(receiver.kind, crate::bound::Kind::This)
-                && let Some(a) = this
+                && !matches!(receiver.kind, Kind::This)
+                && let Some(Operand::Whole(a)) = this
             {
                 self.op(Op::NullCheck { a });
             }
         } else if let Some(i) = self.program.static_init(method.owner) {
             self.op(Op::Init { i });
         }
-        self.within(&body, method, this, &regs, |emitter| emitter.copied(value, Some(d)).map(|_| ()))?;
-        Ok(true)
+        Ok((this, regs))
     }
 
     /// A new struct whose constructor sets each field, from its fields at once; false where it must be a call.
     pub(super) fn inline_new(&mut self, d: Reg, method: &MethodRef, args: &[Arg], pos: Pos) -> Emitted<bool> {
+        let Some(parts) = self.new_parts(method, args)? else { return Ok(false) };
+        self.pos = pos;
+        self.build(d, parts);
+        Ok(true)
+    }
+
+    pub(super) fn build(&mut self, d: Reg, parts: Parts) {
+        self.op(Op::Build { d, first: parts.first, n: parts.count, ty: parts.ty });
+    }
+
+    /// The fields of a new struct; none where its constructor must be called.
+    fn new_parts(&mut self, method: &MethodRef, args: &[Arg]) -> Emitted<Option<Parts>> {
         if method.id.0 == u32::MAX {
-            return Ok(false);
+            return Ok(None);
         }
-        let Some(Quiet::Fields(body)) = self.may_inline(method, args) else { return Ok(false) };
+        let Some(Quiet::Fields(body)) = self.may_inline(method, args) else { return Ok(None) };
         if self.program.static_init(method.owner).is_some() {
-            return Ok(false);
+            return Ok(None);
         }
         let regs = self.operand_list(args)?;
         let list = statements(&body).unwrap_or_default();
@@ -82,9 +125,59 @@ impl Emitter<'_> {
             }
             Ok(())
         })?;
-        self.pos = pos;
-        self.op(Op::Build { d, first, n: list.len() as u16, ty });
-        Ok(true)
+        Ok(Some(Parts { first, count: list.len() as u16, ty }))
+    }
+
+    /// The struct behind a parameter, or the object itself, where its fields stand in registers.
+    pub(super) fn parts_of(&self, e: &Expr) -> Option<Parts> {
+        match &e.kind {
+            Kind::Local(id) => self.parts.get(id).copied(),
+            Kind::This => self.this_parts,
+            _ => None,
+        }
+    }
+
+    /// The register of a field of such a struct.
+    pub(super) fn part_of(&mut self, of: &Expr, owner: Ty, field: crate::sema::FieldId) -> Option<Reg> {
+        let parts = self.parts_of(of)?;
+        Some(parts.first + self.program.field_index(owner, field))
+    }
+
+    /// A struct that an expression makes, in its parts where it can be; none where nothing was emitted.
+    fn parted(&mut self, e: &Expr) -> Emitted<Option<Operand>> {
+        match &e.kind {
+            Kind::Local(_) | Kind::This => Ok(self.parts_of(e).map(Operand::Parts)),
+            Kind::New(method, args) => {
+                let method = self.method_ref(method);
+                Ok(self.new_parts(&method, args)?.map(Operand::Parts))
+            }
+            Kind::Call(receiver, method, args, is_virtual) => {
+                let (mut method, mut is_virtual) = (self.method_ref(method), *is_virtual);
+                if let Some(receiver) = receiver {
+                    let ty = self.ty(receiver.ty);
+                    self.settle(ty, &mut method, &mut is_virtual);
+                }
+                if is_virtual {
+                    return Ok(None);
+                }
+                let Some(Quiet::Value(body)) = self.may_inline(&method, args) else { return Ok(None) };
+                let list = statements(&body).unwrap_or_default();
+                let Some(StmtKind::Return(Some(value))) = list.first().map(|s| &s.kind) else {
+                    return Ok(None);
+                };
+                let (this, regs) = self.given(receiver.as_deref(), &method, args, e)?;
+                let made =
+                    self.within(&body, &method, this, &regs, |emitter| match emitter.parted(value)? {
+                        Some(made) => Ok(made),
+                        None => {
+                            let d = emitter.alloc()?;
+                            emitter.copied(value, Some(d)).map(Operand::Whole)
+                        }
+                    })?;
+                Ok(Some(made))
+            }
+            _ => Ok(None),
+        }
     }
 
     fn may_inline(&mut self, method: &MethodRef, args: &[Arg]) -> Option<Quiet> {
@@ -121,15 +214,21 @@ impl Emitter<'_> {
     }
 
     /// An operand that others are evaluated after.
-    fn operand<'e>(&mut self, e: &Expr, rest: impl Iterator<Item = &'e Expr>) -> Emitted<Reg> {
+    fn operand<'e>(&mut self, e: &Expr, rest: impl Iterator<Item = &'e Expr>) -> Emitted<Operand> {
+        let ty = self.ty(e.ty);
+        if self.program.sema.is_struct(ty)
+            && let Some(made) = self.parted(e)?
+        {
+            return Ok(made);
+        }
         if self.rest_is_quiet(rest) {
-            return self.in_place(e);
+            return self.in_place(e).map(Operand::Whole);
         }
         let d = self.alloc()?;
-        self.copied(e, Some(d))
+        self.copied(e, Some(d)).map(Operand::Whole)
     }
 
-    fn operand_list(&mut self, args: &[Arg]) -> Emitted<Vec<Reg>> {
+    fn operand_list(&mut self, args: &[Arg]) -> Emitted<Vec<Operand>> {
         let mut regs = Vec::new();
         for (i, (_, arg)) in args.iter().enumerate() {
             regs.push(self.operand(arg, args[i + 1..].iter().map(|(_, e)| e))?);
@@ -137,31 +236,48 @@ impl Emitter<'_> {
         Ok(regs)
     }
 
-    /// Emits inside the body of another method, its parameters in these registers.
-    fn within(
+    /// Emits inside the body of another method, its object and its parameters as they were given.
+    fn within<T>(
         &mut self,
         body: &std::sync::Arc<Body>,
         method: &MethodRef,
-        this: Option<Reg>,
-        regs: &[Reg],
-        emit: impl FnOnce(&mut Self) -> Emitted<()>,
-    ) -> Emitted<()> {
+        this: Option<Operand>,
+        given: &[Operand],
+        emit: impl FnOnce(&mut Self) -> Emitted<T>,
+    ) -> Emitted<T> {
         let mut by = self.program.sema.substitution(method.owner);
         let params = self.program.sema.method(method.id).type_params.clone();
         by.0.extend(Substitution::of(&params, &method.args).0);
-        let own: HashMap<_, _> = body.params.iter().copied().zip(regs.iter().copied()).collect();
+        let (mut regs, mut parts) = (HashMap::new(), HashMap::new());
+        for (param, operand) in body.params.iter().zip(given) {
+            match operand {
+                Operand::Whole(reg) => {
+                    regs.insert(*param, *reg);
+                }
+                Operand::Parts(own) => {
+                    parts.insert(*param, *own);
+                }
+            }
+        }
+        let (whole, this_parts) = match this {
+            Some(Operand::Whole(reg)) => (Some(reg), None),
+            Some(Operand::Parts(own)) => (None, Some(own)),
+            None => (None, None),
+        };
         let outer = (
             std::mem::replace(&mut self.body, body.clone()),
             std::mem::replace(&mut self.by, by),
-            std::mem::replace(&mut self.regs, own),
+            std::mem::replace(&mut self.regs, regs),
+            std::mem::replace(&mut self.parts, parts),
             std::mem::take(&mut self.envs),
-            std::mem::replace(&mut self.this, this),
+            std::mem::replace(&mut self.this, whole),
+            std::mem::replace(&mut self.this_parts, this_parts),
             self.pos,
         );
         self.inlined += 1;
         let done = emit(self);
         self.inlined -= 1;
-        (self.body, self.by, self.regs, self.envs, self.this, self.pos) = outer;
+        (self.body, self.by, self.regs, self.parts, self.envs, self.this, self.this_parts, self.pos) = outer;
         done
     }
 }

@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub(crate) use expression::number;
 pub(crate) use quiet::Quiet;
 
-use crate::bound::{Body, Label, LocalId, Stmt};
+use crate::bound::{Body, Label, LocalId, Stmt, StmtKind};
 use crate::program::{Key, Program, Start};
 use crate::sema::{DefId, Substitution, Ty};
 use crate::source::Pos;
@@ -77,12 +77,17 @@ struct Emitter<'p> {
     /// Exceptions of the `catch` that is being compiled.
     caught: Vec<Reg>,
     this: Option<Reg>,
+    /// Parameters of a method in place that are structs in their parts, and its object where it is one.
+    parts: HashMap<LocalId, inline::Parts>,
+    this_parts: Option<inline::Parts>,
     in_lambda: bool,
     texts: HashMap<Arc<[u16]>, u32>,
     /// The constants of the outermost loop.
     hoisted: Option<hoist::Hoisted>,
     /// How many methods stand in one another without a call.
     inlined: u32,
+    /// Whether all variables have registers before anything runs.
+    reserved: bool,
     pos: Pos,
 }
 
@@ -253,10 +258,13 @@ impl<'p> Emitter<'p> {
             guards: Vec::new(),
             caught: Vec::new(),
             this: None,
+            parts: HashMap::new(),
+            this_parts: None,
             in_lambda: false,
             texts: HashMap::new(),
             hoisted: None,
             inlined: 0,
+            reserved: false,
             pos: 0,
         }
     }
@@ -286,9 +294,33 @@ impl<'p> Emitter<'p> {
             self.envs.push(Env { locals: Vec::new(), has_this: true, reg: Some(d) });
         }
         self.labels_of(&body.stmt, 0);
+        if self.program.sema.vb && has_jumps(&body.stmt) {
+            self.reserve(&body.stmt)?;
+        }
         self.stmt(&body.stmt)?;
         self.op(Op::ReturnVoid);
         self.close()
+    }
+
+    /// In VB a jump may enter a block: all variables have registers of their own and begin with their default values.
+    fn reserve(&mut self, stmt: &Stmt) -> Emitted<()> {
+        self.reserved = true;
+        if let StmtKind::Block(locals, _) = &stmt.kind {
+            let body = self.body.clone();
+            for local in locals {
+                let Some(info) = body.locals.get(local.0 as usize).filter(|l| !l.captured) else { continue };
+                if self.fixed.contains(local) {
+                    continue;
+                }
+                let d = self.alloc()?;
+                self.regs.insert(*local, d);
+                let ty = self.ty(info.ty);
+                self.default_into(d, ty);
+            }
+        }
+        let mut inner = Vec::new();
+        each_inner(stmt, &mut |s| inner.push(s));
+        inner.into_iter().try_for_each(|s| self.reserve(s))
     }
 
     /// The type of iterators over elements of a type.
@@ -458,6 +490,11 @@ impl<'p> Emitter<'p> {
         if let Some(this) = self.this {
             return Ok(this);
         }
+        if let Some(parts) = self.this_parts {
+            let d = self.alloc()?;
+            self.build(d, parts);
+            return Ok(d);
+        }
         let Some(at) = self.envs.iter().position(|env| env.has_this) else {
             return self.null();
         };
@@ -495,4 +532,33 @@ impl<'p> Emitter<'p> {
             self.f.handlers.push(Handler { from, to, target: target.0, reg, finally });
         }
     }
+}
+
+/// The statements that stand directly in one.
+fn each_inner<'s>(stmt: &'s Stmt, take: &mut dyn FnMut(&'s Stmt)) {
+    match &stmt.kind {
+        StmtKind::Block(_, list) | StmtKind::Several(list) => list.iter().for_each(take),
+        StmtKind::If(_, yes, no) => {
+            take(yes);
+            if let Some(no) = no {
+                take(no);
+            }
+        }
+        StmtKind::Loop(_, body, ..) | StmtKind::DoLoop(body, ..) => take(body),
+        StmtKind::Try(body, catches, finally) => {
+            take(body);
+            catches.iter().for_each(|catch| take(&catch.body));
+            if let Some(finally) = finally {
+                take(finally);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Whether a jump to a label stands in a statement.
+fn has_jumps(stmt: &Stmt) -> bool {
+    let mut found = matches!(stmt.kind, StmtKind::Goto(_));
+    each_inner(stmt, &mut |inner| found = found || has_jumps(inner));
+    found
 }

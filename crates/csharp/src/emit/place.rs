@@ -108,6 +108,7 @@ impl Emitter<'_> {
                 }
             },
             Kind::This => Place::This(self.this()?),
+            Kind::Deref(inner) => Place::Reference(self.fresh(inner)?),
             Kind::Field(None, field) => Place::Static(self.static_field(*field)),
             Kind::Field(Some(receiver), field) => {
                 let o = self.steady(receiver)?;
@@ -372,7 +373,13 @@ impl Emitter<'_> {
             Place::Register(a) => self.op(Op::RefLocal { d, a }),
             Place::Reference(a) | Place::This(a) => self.op(Op::Move { d, a }),
             Place::Field(o, i) => self.op(Op::RefField { d, o, i }),
-            Place::Static(s) => self.op(Op::RefStatic { d, s }),
+            Place::Static(s) => {
+                if let Kind::Field(None, field) = e.kind {
+                    self.op(Op::LoadStatic { d, s });
+                    self.struct_there(d, field, s);
+                }
+                self.op(Op::RefStatic { d, s });
+            }
             Place::Element(a, i) => self.op(Op::RefElem { d, a, i }),
             Place::Elements(a, first) => self.op(Op::RefElems { d, a, first }),
             Place::Property(..) => {

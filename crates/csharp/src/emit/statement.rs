@@ -183,7 +183,8 @@ impl Emitter<'_> {
             .filter(|l| body.locals.get(l.0 as usize).is_some_and(|l| l.captured))
             .collect();
         for local in locals {
-            if !self.fixed.contains(local) && !shared.contains(local) {
+            let has_one = self.reserved && self.regs.contains_key(local);
+            if !self.fixed.contains(local) && !shared.contains(local) && !has_one {
                 let reg = self.alloc()?;
                 self.regs.insert(*local, reg);
             }

@@ -1,6 +1,7 @@
 //! Numbers as texts in .NET's standard and custom formats, in the invariant culture, as the Framework writes them:
 //! at most 15 significant digits unless more are asked for, and no sign on zero.
 
+use crate::decimal::Decimal;
 use crate::vm::Raise;
 
 /// A number by its decimal digits: 0.d1d2d3… × 10^point.
@@ -41,6 +42,18 @@ impl Digits {
         let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         let digits = mantissa.bytes().filter(u8::is_ascii_digit).map(|b| b - b'0').collect();
         Self { negative: x < 0.0, digits, point: exponent.parse::<i32>().unwrap_or(0) + 1 }
+    }
+
+    /// The digits of a decimal, without the zeros behind them.
+    fn of_decimal(x: Decimal) -> Self {
+        let digits: Vec<u8> = x.mantissa().unsigned_abs().to_string().bytes().map(|b| b - b'0').collect();
+        let point = digits.len() as i32 - x.scale() as i32;
+        let mut made = Self { negative: x.is_sign_negative(), digits, point };
+        if x.is_zero() {
+            made.digits.clear();
+        }
+        made.trim();
+        made
     }
 
     /// The digits of a whole number.
@@ -114,7 +127,7 @@ impl Digits {
 }
 
 fn bad_format() -> Raise {
-    Raise::new("FormatException", "Input string was not in a correct format.")
+    Raise::new("FormatException", "Format specifier was invalid.")
 }
 
 /// What a number is, for the formats that only some take.
@@ -123,12 +136,13 @@ pub(super) enum Number {
     Whole(i128, u32),
     Double(f64),
     Float(f32),
+    Decimal(Decimal),
 }
 
 impl Number {
     fn special(self) -> Option<&'static str> {
         let x = match self {
-            Self::Whole(..) => return None,
+            Self::Whole(..) | Self::Decimal(_) => return None,
             Self::Double(x) => x,
             Self::Float(x) => f64::from(x),
         };
@@ -143,11 +157,14 @@ impl Number {
         }
     }
 
-    fn digits(self, precision: usize) -> Digits {
+    /// The significant digits that formats begin with, from which they round once more: 15 of a `double` and 7 of a
+    /// `float`; 17 and 9, by which each can be told from its neighbours, where more are asked for.
+    fn digits(self, asked: usize) -> Digits {
         match self {
             Self::Whole(n, _) => Digits::of_whole(n),
-            Self::Double(x) => Digits::of_real(x, precision),
-            Self::Float(x) => Digits::of_real(x.into(), precision.min(9)),
+            Self::Double(x) => Digits::of_real(x, if asked > 15 { 17 } else { 15 }),
+            Self::Float(x) => Digits::of_real(x.into(), if asked > 7 { 9 } else { 7 }),
+            Self::Decimal(x) => Digits::of_decimal(x),
         }
     }
 
@@ -156,6 +173,7 @@ impl Number {
             Self::Whole(..) => 40,
             Self::Double(_) => 15,
             Self::Float(_) => 7,
+            Self::Decimal(_) => 29,
         }
     }
 }
@@ -167,6 +185,12 @@ pub(super) fn plain(number: Number) -> String {
     }
     if let Number::Whole(n, _) = number {
         return n.to_string();
+    }
+    if let Number::Decimal(x) = number {
+        // The scale is kept: `1.50` stays as it is, and there is no exponent.
+        let d = Digits::of_decimal(x);
+        let sign = if d.negative && !d.is_zero() { "-" } else { "" };
+        return format!("{sign}{}", d.fixed(x.scale() as i32));
     }
     general(number.digits(number.default_precision()), number.default_precision() as i32, 'E', true)
 }
@@ -228,7 +252,7 @@ fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Re
     match letter.to_ascii_uppercase() {
         'F' | 'N' | 'P' | 'C' => {
             let decimals = precision.unwrap_or(2);
-            let mut d = number.digits(15);
+            let mut d = number.digits(0);
             if letter.eq_ignore_ascii_case(&'P') && !d.is_zero() {
                 d.point += 2;
             }
@@ -250,7 +274,7 @@ fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Re
         }
         'E' => {
             let decimals = precision.unwrap_or(6);
-            let mut d = number.digits(if decimals >= 15 { decimals + 1 } else { 15 });
+            let mut d = number.digits(decimals + 1);
             let exponent_before = d.point;
             if !d.is_zero() {
                 d.round(decimals as i32 + 1 - exponent_before);
@@ -268,12 +292,18 @@ fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Re
         }
         'G' => {
             let given = precision.filter(|p| *p > 0);
-            if let (Number::Whole(n, _), None) = (number, given) {
-                return Ok(n.to_string());
+            // `G` alone keeps the scale of a decimal; `G0` does not.
+            let bare = match number {
+                Number::Whole(..) => given.is_none(),
+                Number::Decimal(_) => precision.is_none(),
+                _ => false,
+            };
+            if bare {
+                return Ok(plain(number));
             }
             let precision = given.unwrap_or(number.default_precision());
             let mut d = number.digits(precision.max(1));
-            if let Number::Whole(..) = number {
+            if !d.is_zero() {
                 let point = d.point;
                 d.round(precision as i32 - point);
             }
@@ -281,7 +311,7 @@ fn standard_format(number: Number, letter: char, precision: Option<usize>) -> Re
             Ok(general(d, precision as i32, letter, true))
         }
         'R' => Ok(match number {
-            Number::Whole(..) => return Err(bad_format()),
+            Number::Whole(..) | Number::Decimal(_) => return Err(bad_format()),
             Number::Double(x) => {
                 let short = Digits::of_real(x, 15);
                 let text = general(short, 15, 'E', true);
@@ -355,7 +385,7 @@ fn section(format: &str, d: &Digits) -> (String, bool) {
 }
 
 fn custom(number: Number, format: &str) -> String {
-    let mut d = number.digits(15);
+    let mut d = number.digits(0);
     let (mut body, mut own_sign) = section(format, &d);
     let mut shape = Shape::read(&body);
     let mut scaled = d.clone();

@@ -5,6 +5,7 @@ use smallvec::SmallVec;
 use super::{Cx, Native};
 use crate::program::Start;
 use crate::vm::Raise;
+use crate::vm::elements::Elements;
 use crate::vm::heap::Obj;
 use crate::vm::value::Value;
 
@@ -18,7 +19,7 @@ fn range() -> Raise {
     )
 }
 
-fn items<'c>(cx: &'c mut Cx<'_>) -> Result<(&'c mut Vec<Value>, &'c mut u32), Raise> {
+fn items<'c>(cx: &'c mut Cx<'_>) -> Result<(&'c mut Elements, &'c mut u32), Raise> {
     let handle = cx.handle(0)?;
     match cx.st.heap.get_mut(handle) {
         Some(Obj::List(_, items, version)) => Ok((items, version)),
@@ -34,10 +35,10 @@ fn index(cx: &mut Cx<'_>, place: usize, beyond: usize) -> Result<usize, Raise> {
     if i < 0 || i as usize >= items.len() + beyond { Err(range()) } else { Ok(i as usize) }
 }
 
-fn grow(cx: &mut Cx<'_>) -> Result<(), Raise> {
+fn grow(cx: &mut Cx<'_>, next: Value) -> Result<(), Raise> {
     let (items, _) = items(cx)?;
     if items.len() == items.capacity() {
-        let more = items.capacity().max(4) * 16;
+        let more = items.bytes_to_grow(next);
         cx.st.reserve(more)?;
         cx.st.heap.bytes += more;
     }
@@ -63,24 +64,24 @@ pub(super) fn find(key: &str) -> Option<Native> {
     Some(match key {
         "List.new()" | "List.new(Int32)" => |cx| {
             let ty = cx.ty;
-            Ok(Value::Ref(cx.st.heap.add(Obj::List(ty, Vec::new(), 0))))
+            Ok(Value::Ref(cx.st.heap.add(Obj::List(ty, Vec::new().into(), 0))))
         },
         "List.get_Count()" => |cx| Ok(Value::I32(items(cx)?.0.len() as i32)),
         "List.get_Item(Int32)" => |cx| {
             let i = cx.int(1);
-            items(cx)?.0.get(i as usize).copied().ok_or_else(range)
+            items(cx)?.0.get(i as usize).ok_or_else(range)
         },
         "List.set_Item(Int32)" => |cx| {
             let i = index(cx, 1, 0)?;
             let value = cx.arg(2);
             let (items, version) = items(cx)?;
-            items[i] = value;
+            items.set(i, value);
             *version += 1;
             Ok(Value::Null)
         },
         "List.Add(T)" => |cx| {
-            grow(cx)?;
             let value = cx.arg(1);
+            grow(cx, value)?;
             let (items, version) = items(cx)?;
             items.push(value);
             *version += 1;
@@ -109,8 +110,8 @@ pub(super) fn find(key: &str) -> Option<Native> {
                 let message = "Index must be within the bounds of the List.\nParameter name: index";
                 Raise::new("ArgumentOutOfRangeException", message)
             })?;
-            grow(cx)?;
             let value = cx.arg(2);
+            grow(cx, value)?;
             let (items, version) = items(cx)?;
             items.insert(i, value);
             *version += 1;
@@ -121,7 +122,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "List.RemoveAt(Int32)" => |cx| {
             let i = index(cx, 1, 0)?;
             let (items, version) = items(cx)?;
-            items.remove(i);
+            items.remove(i..i + 1);
             *version += 1;
             let work = (items.len() - i) / 64;
             cx.st.spend(work)?;
@@ -130,36 +131,36 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "List.RemoveRange(Int32,Int32)" => |cx| {
             let (from, to) = span(cx)?;
             let (items, version) = items(cx)?;
-            items.drain(from..to);
+            items.remove(from..to);
             *version += 1;
             Ok(Value::Null)
         },
         "List.GetRange(Int32,Int32)" => |cx| {
             let (from, to) = span(cx)?;
-            let made = items(cx)?.0[from..to].to_vec();
-            cx.st.reserve(made.len() * 16)?;
+            let made = items(cx)?.0.part(from..to).ok_or_else(range)?;
+            cx.st.reserve(made.bytes())?;
             let ty = cx.ty;
-            let copies = copied(cx, made);
+            let copies = copied_elements(cx, made);
             Ok(Value::Ref(cx.st.heap.add(Obj::List(ty, copies, 0))))
         },
         "List.Reverse(Int32,Int32)" => |cx| {
             let (from, to) = span(cx)?;
             let (items, version) = items(cx)?;
-            items[from..to].reverse();
+            items.reverse(from..to);
             *version += 1;
             Ok(Value::Null)
         },
         "List.ToArray()" => |cx| {
             let made = items(cx)?.0.clone();
             let element = cx.program.sema.args_of(cx.ty).first().copied().unwrap_or(crate::sema::Ty::ERROR);
-            let copies = copied(cx, made);
-            cx.array(element, copies)
+            let copies = copied_elements(cx, made);
+            cx.array_of(element, copies)
         },
         "List.__Take(T[])" => |cx| {
             let handle = cx.handle(1)?;
             let data = match cx.st.heap.get(handle) {
-                Obj::Array(_, data, _) => data.to_values(),
-                _ => Vec::new(),
+                Obj::Array(_, data, _) => data.clone(),
+                _ => Vec::new().into(),
             };
             let (items, version) = items(cx)?;
             *items = data;
@@ -285,6 +286,14 @@ pub(super) fn copied(cx: &mut Cx<'_>, mut values: Vec<Value>) -> Vec<Value> {
         }
     }
     values
+}
+
+/// Elements for another collection.
+fn copied_elements(cx: &mut Cx<'_>, elements: Elements) -> Elements {
+    match elements {
+        Elements::Values(values) => copied(cx, values).into(),
+        plain => plain,
+    }
 }
 
 /// What an element of a type begins with.

@@ -3,6 +3,7 @@
 mod array;
 mod clock;
 mod culture;
+mod decimal;
 mod delegate;
 mod format;
 mod list;
@@ -25,6 +26,7 @@ pub(crate) use object::text_of;
 pub(crate) const SOURCES: &[(&str, &str)] = &[
     ("core.cs", include_str!("cs/core.cs")),
     ("numbers.cs", include_str!("cs/numbers.cs")),
+    ("decimal.cs", include_str!("cs/decimal.cs")),
     ("text.cs", include_str!("cs/text.cs")),
     ("collections.cs", include_str!("cs/collections.cs")),
     ("linq.cs", include_str!("cs/linq.cs")),
@@ -46,6 +48,7 @@ pub(crate) type Native = fn(&mut Cx<'_>) -> Result<Value, Raise>;
 pub(crate) fn find(key: &str) -> Option<Native> {
     math::find(key)
         .or_else(|| number::find(key))
+        .or_else(|| decimal::find(key))
         .or_else(|| string::find(key))
         .or_else(|| list::find(key))
         .or_else(|| array::find(key))

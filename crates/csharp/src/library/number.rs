@@ -4,11 +4,18 @@ use super::format::{Number, formatted, plain};
 use super::{Cx, Native};
 use crate::emit::number as value_of;
 use crate::sema::Prim;
-use crate::vm::Raise;
 use crate::vm::value::Value;
+use crate::vm::{Raise, State};
 
 /// A number as formats take it.
-pub(super) fn number_of(value: Value) -> Option<Number> {
+pub(super) fn number_of(value: Value, st: &State) -> Option<Number> {
+    Some(match value {
+        Value::Ref(_) => Number::Decimal(st.heap.decimal(value)?),
+        other => return plain_number(other),
+    })
+}
+
+fn plain_number(value: Value) -> Option<Number> {
     Some(match value {
         Value::F64(x) => Number::Double(x),
         Value::F32(x) => Number::Float(x),
@@ -26,7 +33,7 @@ pub(super) fn number_of(value: Value) -> Option<Number> {
 
 /// The text of a number.
 pub(super) fn text(value: Value) -> Option<String> {
-    number_of(value).map(plain)
+    plain_number(value).map(plain)
 }
 
 const NAMES: &[(&str, Prim)] = &[
@@ -51,11 +58,11 @@ pub(super) fn find(key: &str) -> Option<Native> {
     }
     Some(match member {
         "ToString()" => |cx| {
-            let shown = text(cx.arg(0)).unwrap_or_default();
+            let shown = number_of(cx.arg(0), cx.st).map(plain).unwrap_or_default();
             Ok(cx.text(&shown))
         },
         "ToString(String)" => |cx| {
-            let Some(number) = number_of(cx.arg(0)) else { return Ok(Value::Null) };
+            let Some(number) = number_of(cx.arg(0), cx.st) else { return Ok(Value::Null) };
             let shown = formatted(number, &cx.string(1))?;
             Ok(cx.text(&shown))
         },

@@ -18,6 +18,7 @@ pub(crate) fn text_of(value: Value, st: &State, sema: &mut Sema) -> String {
         Value::Enum(ty, n) => enum_text(sema, ty, n),
         Value::Ref(handle) => match st.heap.get(handle) {
             Obj::Str(units) => String::from_utf16_lossy(units),
+            Obj::Decimal(x) => super::format::plain(super::format::Number::Decimal(*x)),
             Obj::Builder(units) => String::from_utf16_lossy(units),
             Obj::Type(ty) => sema.full_name(*ty),
             _ => {
@@ -96,6 +97,7 @@ pub(super) fn hash(value: Value, st: &State) -> i32 {
         Value::Ref(handle) => match st.heap.get(handle) {
             Obj::Str(units) => units.iter().fold(5381_i32, |h, u| h.wrapping_mul(33) ^ i32::from(*u)),
             Obj::Type(ty) => ty.0 as i32,
+            Obj::Decimal(x) => crate::decimal::hash(*x),
             Obj::Delegate(..) => 1,
             _ => handle.0 as i32,
         },
@@ -115,6 +117,7 @@ fn equal(a: Value, b: Value, st: &State, program: &Program, depth: u32) -> bool 
             match (st.heap.get(x), st.heap.get(y)) {
                 (Obj::Str(s), Obj::Str(t)) => s == t,
                 (Obj::Type(s), Obj::Type(t)) => s == t,
+                (Obj::Decimal(s), Obj::Decimal(t)) => s == t,
                 (Obj::Delegate(..), Obj::Delegate(..)) => super::delegate::same(a, b, st, program),
                 (Obj::Inst(s, fields), Obj::Inst(t, others)) => {
                     s == t
@@ -148,7 +151,7 @@ fn fields_hash(value: Value, st: &State, depth: u32) -> i32 {
 fn is_plain(value: Value, st: &State) -> bool {
     match value {
         Value::Null => false,
-        Value::Ref(handle) => matches!(st.heap.get(handle), Obj::Str(_)),
+        Value::Ref(handle) => matches!(st.heap.get(handle), Obj::Str(_) | Obj::Decimal(_)),
         _ => true,
     }
 }
@@ -323,6 +326,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
                 (Some(a), Some(b)) => culture::compare(a, b, false),
                 _ => match (a, b) {
                     (Value::Bool(a), Value::Bool(b)) => a.cmp(&b),
+                    (Value::Ref(_), Value::Ref(_)) => cx.st.heap.decimal(a).cmp(&cx.st.heap.decimal(b)),
                     _ if a.whole().is_some() => a.whole().cmp(&b.whole()),
                     _ => {
                         let (a, b) = (a.real().unwrap_or(0.0), b.real().unwrap_or(0.0));
@@ -335,7 +339,7 @@ pub(super) fn find(key: &str) -> Option<Native> {
         "Library.Plain(Object,String)" => |cx| {
             let value = cx.arg(0);
             let format = cx.string(1);
-            let text = match (number::number_of(value), value) {
+            let text = match (number::number_of(value, cx.st), value) {
                 (Some(number), _) => formatted(number, &format)?,
                 (None, Value::Enum(_, n)) if matches!(&*format, "D" | "d") => n.to_string(),
                 _ => text_of(value, cx.st, &mut cx.program.sema),

@@ -113,7 +113,11 @@ impl Sema {
     fn check_base(&mut self, id: DefId, base: Ty, pos: u32) {
         let Some(def) = self.def_of(base) else { return };
         let (mine, theirs) = (self.show_def(id), self.show(base));
-        if self.def(def).is_sealed || self.def(def).is_static {
+        let special = [self.known.enumeration, self.known.value_type, self.known.delegate, self.known.array];
+        if special.contains(&base) {
+            let at = self.def(id).pos;
+            self.fault(at, 644, format!("'{mine}' cannot derive from special class '{theirs}'"));
+        } else if self.def(def).is_sealed || self.def(def).is_static {
             self.fault(pos, 509, format!("'{mine}': cannot derive from sealed type '{theirs}'"));
         } else if self.def(def).native {
             self.fault(pos, 0, format!("A class derived from '{theirs}' is not supported"));

@@ -19,7 +19,7 @@ impl Sema {
         self.check_rules(id);
         let chain = self.def(id).methods.clone();
         for method in chain {
-            if self.method(method).is_override {
+            if self.method(method).is_override && !self.method(method).is_static {
                 self.check_override(id, method);
             }
             let (abstract_, pos) = (self.method(method).is_abstract, self.method(method).pos);
@@ -143,6 +143,36 @@ impl Sema {
         self.types.substitute(ret, &by)
     }
 
+    /// Whether a type has a static method with the name and parameters of another.
+    fn has_static(&self, id: DefId, method: MethodId) -> bool {
+        let wanted = self.method(method);
+        let list = self.def(id).members.get(&wanted.name);
+        list.into_iter().flatten().any(|member| match member {
+            Member::Method(own) => {
+                let own = self.method(*own);
+                let same = own.params.iter().map(|p| p.ty).eq(wanted.params.iter().map(|p| p.ty));
+                own.is_static && same
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a method cannot stand for one of an interface: a static one, or one that is not public.
+    fn hides_from_interface(&self, method: MethodId) -> bool {
+        let info = self.method(method);
+        let own = self.def(info.owner);
+        // `internal` is as good as public for everything else: there is one assembly.
+        let internal = match &info.body {
+            Body::Written(method) => method.modifiers.has("internal"),
+            Body::Accessor(property, _) => property.modifiers.has("internal"),
+            _ => false,
+        };
+        own.kind != TypeKind::Interface
+            && !own.library
+            && info.explicit.is_none()
+            && (info.is_static || internal || info.access != super::Access::Public)
+    }
+
     fn check_implemented(&mut self, id: DefId) {
         let def = self.def(id);
         if !matches!(def.kind, TypeKind::Class | TypeKind::Struct) {
@@ -166,6 +196,10 @@ impl Sema {
                     .collect();
                 let called = crate::bound::MethodRef { id: method, owner: interface, args };
                 match self.find_override(open, &called) {
+                    None if !is_abstract && self.has_static(id, method) => {
+                        let shown = self.show_method(method);
+                        self.fault(pos, 736, format!("'{owner}' does not implement instance interface member '{shown}'. The one of the class cannot implement it because it is static."));
+                    }
                     None if !is_abstract => {
                         let shown = self.show_method(method);
                         self.fault(
@@ -173,6 +207,13 @@ impl Sema {
                             535,
                             format!("'{owner}' does not implement interface member '{shown}'"),
                         );
+                    }
+                    Some(found) if self.hides_from_interface(found.id) => {
+                        let info = self.method(found.id);
+                        let (code, what) =
+                            if info.is_static { (736, "is static") } else { (737, "is not public") };
+                        let (shown, best) = (self.show_method(method), self.show_method(found.id));
+                        self.fault(pos, code, format!("'{owner}' does not implement interface member '{shown}'. '{best}' cannot implement it because it {what}."));
                     }
                     Some(found) => {
                         let (wanted, given) = (self.result_of(&called), self.result_of(&found));

@@ -86,7 +86,9 @@ impl Sema {
             return None;
         }
         if let (Some(a), Some(b)) = (self.prim(from), self.prim(to)) {
-            return widens(a, b).then_some(Conversion::Numeric(a, b));
+            // In VB a decimal widens to the real numbers.
+            let in_vb = self.vb && a == Prim::Decimal && matches!(b, Prim::F32 | Prim::F64);
+            return (widens(a, b) || in_vb).then_some(Conversion::Numeric(a, b));
         }
         if let Some(inner) = self.nullable_of(to) {
             if let Some(source) = self.nullable_of(from) {

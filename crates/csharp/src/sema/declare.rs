@@ -37,6 +37,9 @@ impl Sema {
                 self.check_members(def);
             }
         }
+        if library {
+            self.noted.clear();
+        }
     }
 
     fn declare_names(
@@ -225,6 +228,7 @@ impl Sema {
             owner: id,
             params: Vec::new(),
             ret: Ty::VOID,
+            by_ref: false,
             type_params: Vec::new(),
             is_static: false,
             is_virtual: false,
@@ -341,6 +345,7 @@ impl Sema {
             extends: written.params.first().is_some_and(|p| p.extends),
             params,
             ret,
+            by_ref: words.has("ref"),
             type_params,
             is_static: words.has("static"),
             is_virtual: words.has("virtual") || words.has("abstract") || words.has("override") || interface,
@@ -374,6 +379,7 @@ impl Sema {
             owner,
             params: list,
             ret,
+            by_ref: written.modifiers.has("ref"),
             type_params: Vec::new(),
             is_static: true,
             is_virtual: false,
@@ -466,6 +472,7 @@ impl Sema {
                 owner,
                 params,
                 ret: if set || subscribes { Ty::VOID } else { ty },
+                by_ref: !set && words.has("ref"),
                 type_params: Vec::new(),
                 is_static,
                 is_virtual: words.has("virtual")

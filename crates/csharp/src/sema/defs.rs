@@ -242,6 +242,8 @@ pub struct MethodDef {
     pub params: Vec<ParamDef>,
     /// What it gives.
     pub ret: Ty,
+    /// Whether it gives a reference to a variable.
+    pub by_ref: bool,
     /// Type parameters.
     pub type_params: Vec<ParamId>,
     /// `static`

@@ -2,6 +2,7 @@
 
 mod bases;
 mod check;
+mod constraints;
 mod convert;
 mod declare;
 mod defs;
@@ -59,6 +60,8 @@ pub struct Sema {
     pub faults: Vec<Fault>,
     /// Whether the program was written in VB: names are found in any case, and more.
     pub vb: bool,
+    /// Types with arguments that the program has written, and where: their arguments are looked at in the end.
+    noted: Vec<(crate::source::Pos, Ty)>,
 }
 
 /// Types that the language knows.

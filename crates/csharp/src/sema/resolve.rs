@@ -6,6 +6,9 @@ use super::{DefId, Kind, Member, ParamId, Sema, Ty, UsingScope};
 use crate::source::Pos;
 use crate::syntax::ast::{Name, NamePart, TypeRef, TypeRefKind};
 
+/// More type arguments than any type of the library has.
+const MOST_ARGUMENTS: usize = 8;
+
 /// From where a name is looked up.
 #[derive(Debug, Clone)]
 pub struct NameScope {
@@ -91,7 +94,9 @@ impl Sema {
             at = match found {
                 Some(found) => Some(found),
                 None => {
-                    self.no_such_type(part, parts.get(i.wrapping_sub(1)), at.as_ref());
+                    if !self.other_arity(part, at.as_ref(), scope) {
+                        self.no_such_type(part, parts.get(i.wrapping_sub(1)), at.as_ref());
+                    }
                     return Ty::ERROR;
                 }
             };
@@ -104,6 +109,30 @@ impl Sema {
             }
             None => Ty::ERROR,
         }
+    }
+
+    /// A type of that name with another number of arguments: that is said.
+    fn other_arity(&mut self, part: &NamePart, at: Option<&Resolved>, scope: &NameScope) -> bool {
+        let given = part.args.len() + usize::from(part.open);
+        for arity in (0..=MOST_ARGUMENTS).filter(|n| *n != given) {
+            let open = u8::try_from(arity).unwrap_or(0);
+            let other = NamePart { pos: part.pos, name: part.name.clone(), args: Vec::new(), open };
+            let found = match at {
+                None => self.lookup(&other, scope),
+                Some(left) => self.lookup_in(left, &other, scope),
+            };
+            let Some(Resolved::Type(ty)) = found else { continue };
+            let shown = self.show(ty);
+            if arity == 0 {
+                let message = format!("The non-generic type '{shown}' cannot be used with type arguments");
+                self.fault(part.pos, 308, message);
+            } else {
+                let message = format!("Using the generic type '{shown}' requires {arity} type arguments");
+                self.fault(part.pos, 305, message);
+            }
+            return true;
+        }
+        false
     }
 
     fn no_such_type(&mut self, part: &NamePart, before: Option<&NamePart>, at: Option<&Resolved>) {
@@ -211,7 +240,9 @@ impl Sema {
             && let Some(def) = list.iter().copied().find(|def| self.def(*def).params.len() == arity)
         {
             let args: Vec<_> = part.args.iter().map(|arg| self.resolve(arg, scope)).collect();
-            return Some(Resolved::Type(self.with_args(def, args)));
+            let ty = self.with_args(def, args);
+            self.note(part.pos, ty, scope);
+            return Some(Resolved::Type(ty));
         }
         if self.vb
             && let Some(name) = self.type_in_any_case(namespace, &part.name)
@@ -260,7 +291,9 @@ impl Sema {
             if let Some(inner) = nested {
                 let mut args = self.args_of(ty);
                 args.extend(part.args.iter().map(|arg| self.resolve(arg, scope)).collect::<Vec<_>>());
-                return Some(self.with_args(inner, args));
+                let ty = self.with_args(inner, args);
+                self.note(part.pos, ty, scope);
+                return Some(ty);
             }
             at = self.base_of(ty);
             steps += 1;

@@ -18,8 +18,20 @@ impl Sema {
         self.check_operators(id);
         self.check_names(id);
         self.check_layout(id);
+        self.check_constraints(id);
         for method in self.def(id).methods.clone() {
             self.check_parameters(method);
+            let info = self.method(method);
+            if info.is_static
+                && (info.is_virtual || info.is_abstract || info.is_override)
+                && self.def(id).kind != TypeKind::Interface
+            {
+                let (pos, shown) = (info.pos, self.show_method(method));
+                let message =
+                    format!("A static member '{shown}' cannot be marked as override, virtual, or abstract");
+                self.fault(pos, 112, message);
+                continue;
+            }
             let info = self.method(method);
             let has_body = matches!(info.body, Body::Written(_) | Body::Accessor(..));
             if info.is_abstract && has_body && self.def(id).kind == TypeKind::Class {

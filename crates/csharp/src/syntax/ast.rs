@@ -283,6 +283,8 @@ pub enum ExprKind {
     Tuple(Vec<(Option<Name>, Expr)>),
     /// `int x` or `var x` as an argument or in a deconstruction; `var (x, y)`.
     Declare(TypeRef, Designation),
+    /// `ref a`, where a reference to a variable is made.
+    Ref(Box<Expr>),
     /// `throw a` as an expression.
     Throw(Box<Expr>),
     /// `a switch { ... }`
@@ -389,6 +391,8 @@ pub enum StmtKind {
     Block(Block),
     /// Variables: whether constant, and whether disposed of at the end of the block.
     Local { ty: TypeRef, variables: Vec<Variable>, constant: bool, using: bool },
+    /// `ref T a = ref b`; whether nothing is set through it. No type where `var` is written.
+    Reference(Option<TypeRef>, Vec<Variable>, bool),
     /// A function in a function.
     Function(Arc<Method>),
     /// An expression.

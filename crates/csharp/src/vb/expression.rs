@@ -231,6 +231,7 @@ impl Writer {
             "cint" if in_parentheses => format!("__VB.Int({})", self.one()?),
             "clng" if in_parentheses => format!("Convert.ToInt64({})", self.one()?),
             "cdbl" if in_parentheses => format!("__VB.Dbl({})", self.one()?),
+            "cdec" if in_parentheses => format!("Convert.ToDecimal({})", self.one()?),
             "csng" if in_parentheses => format!("Convert.ToSingle({})", self.one()?),
             "cstr" if in_parentheses => format!("__VB.Str({})", self.one()?),
             "cobj" if in_parentheses => format!("((object){})", self.one()?),

@@ -47,6 +47,9 @@ const CONSTANTS: &[&str] =
 /// How a name is written that nothing in the script declares; `called` says whether parentheses follow.
 pub(super) fn library_name(name: &str, called: bool) -> Option<String> {
     let list = if called { FUNCTIONS } else { CONSTANTS };
+    if !called && name.eq_ignore_ascii_case("err") {
+        return Some("__VBError.Err".to_owned());
+    }
     let found = list.iter().find(|own| own.eq_ignore_ascii_case(name));
     if called && name.eq_ignore_ascii_case("int") {
         return Some("__VB.Floor".to_owned());

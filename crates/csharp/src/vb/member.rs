@@ -128,6 +128,7 @@ impl Writer {
             self.put(line, &format!("{access} {class}({list}){chain} {{"));
             self.blocks.push(Block::Sub);
             self.scopes.push(Vec::new());
+            self.begin_handling(line);
             return Ok(());
         }
         let result = match (is_function, self.take("as")) {
@@ -143,6 +144,7 @@ impl Writer {
             self.blocks.push(Block::Sub);
         }
         self.scopes.push(Vec::new());
+        self.begin_handling(line);
         Ok(())
     }
 

@@ -9,6 +9,7 @@ mod member;
 mod property;
 mod statement;
 mod token;
+mod unstructured;
 
 use std::collections::HashMap;
 
@@ -20,7 +21,9 @@ pub(crate) type Wrong = (usize, String);
 /// The body of a component's `RunScript` as C#; `known` are the names that stand already: parameters and members.
 pub(crate) fn body(text: &str, known: &[String]) -> Result<String, Wrong> {
     let mut writer = Writer::new(text, known)?;
+    writer.begin_handling(1);
     writer.statements()?;
+    writer.end_handling("return;");
     Ok(writer.finish())
 }
 
@@ -108,6 +111,8 @@ struct Writer {
     depth: usize,
     /// How many `If` of one line are open: there `Else` ends a statement.
     inline: usize,
+    /// What `On Error` and jumps need in the function that is being written.
+    handling: unstructured::Handling,
 }
 
 /// An open block.
@@ -153,6 +158,7 @@ impl Writer {
             made: 0,
             depth: 0,
             inline: 0,
+            handling: unstructured::Handling::default(),
         })
     }
 

@@ -1,11 +1,11 @@
 //! Statements of VB as C#.
 
 use super::token::Kind;
+use super::unstructured::label;
 use super::{Block, Writer, Wrong};
 
 /// What is not rewritten, by its first word.
-const MISSING: [&str; 8] =
-    ["on", "goto", "resume", "raiseevent", "addhandler", "removehandler", "synclock", "static"];
+const MISSING: [&str; 5] = ["raiseevent", "addhandler", "removehandler", "synclock", "static"];
 
 /// What assigns, with how C# writes it.
 const ASSIGNS: [(&str, &str); 8] =
@@ -38,16 +38,38 @@ impl Writer {
         self.refuse_missing()?;
         let first = match self.peek().map(|token| token.kind.clone()) {
             Some(Kind::Word(word)) => word.to_lowercase(),
+            Some(Kind::Label(name)) => {
+                self.at += 1;
+                self.put(line, &format!("{}: ;", label(&name)));
+                return Ok(());
+            }
             _ => String::new(),
         };
-        match first.as_str() {
+        if self.handles() { self.guarded_statement(line, &first) } else { self.plain_statement(line, &first) }
+    }
+
+    /// A statement by its first word.
+    pub(super) fn plain_statement(&mut self, line: usize, first: &str) -> Result<(), Wrong> {
+        match first {
+            "on" => self.on_error(line),
+            "resume" => self.resume(line),
+            "goto" => {
+                self.at += 1;
+                let to = self.label_name()?;
+                self.put(line, &format!("goto {to};"));
+                Ok(())
+            }
             "dim" | "const" => {
                 self.at += 1;
                 for (text, name) in self.variables()? {
                     if let Some(scope) = self.scopes.last_mut() {
-                        scope.push(name);
+                        scope.push(name.clone());
                     }
-                    self.put(line, &format!("{text};"));
+                    if self.handles() {
+                        self.guarded_variable(line, &text, &name);
+                    } else {
+                        self.put(line, &format!("{text};"));
+                    }
                 }
                 Ok(())
             }
@@ -173,22 +195,21 @@ impl Writer {
             "exit" => {
                 self.at += 1;
                 let what = self.word()?.to_lowercase();
-                self.put(
-                    line,
-                    match what.as_str() {
-                        "sub" => "return;",
-                        "property" if !self.blocks.contains(&Block::Accessor(true)) => "return;",
-                        "function" | "property" => "return __result;",
-                        "for" | "while" | "do" | "select" => self.leave(line, &what)?,
-                        _ => return Err((line, format!("'Exit {what}' is not supported in VB"))),
-                    },
-                );
+                let jump = match what.as_str() {
+                    "sub" => "return;".to_owned(),
+                    "property" if !self.blocks.contains(&Block::Accessor(true)) => "return;".to_owned(),
+                    "function" | "property" => "return __result;".to_owned(),
+                    "for" | "while" | "do" | "select" => self.leave(line, &what)?,
+                    _ => return Err((line, format!("'Exit {what}' is not supported in VB"))),
+                };
+                self.put(line, &jump);
                 Ok(())
             }
             "continue" => {
                 self.at += 1;
-                self.word()?;
-                self.put(line, "continue;");
+                let what = self.word()?.to_lowercase();
+                let jump = self.go_on(line, &what)?;
+                self.put(line, &jump);
                 Ok(())
             }
             "end" => self.end(line),
@@ -222,6 +243,7 @@ impl Writer {
     fn begin_if(&mut self, line: usize) -> Result<(), Wrong> {
         self.at += 1;
         let test = self.test()?;
+        let test = if self.handles() { self.guarded_test(line, &test) } else { test };
         if self.at_end() {
             self.open(line, Block::If, &format!("if ({test}) {{"));
             return Ok(());
@@ -348,10 +370,19 @@ impl Writer {
                 self.blocks.pop();
                 self.scopes.pop();
                 self.put(line, if begun { "} }" } else { "}" });
+                if let Some(name) = self.handling.left(self.blocks.len()) {
+                    self.put(line, &format!("{name}: ;"));
+                }
                 Ok(())
             }
-            ("sub", _) => self.close(line, &Block::Sub, "}"),
+            ("sub", _) => {
+                if self.blocks.last() == Some(&Block::Sub) {
+                    self.end_handling("return;");
+                }
+                self.close(line, &Block::Sub, "}")
+            }
             ("function", Some(Block::Function(_))) => {
+                self.end_handling("return __result;");
                 self.blocks.pop();
                 self.scopes.pop();
                 self.put(line, "return __result; }");
@@ -388,23 +419,6 @@ impl Writer {
         }
     }
 
-    /// `Exit For` and the like, where that is the innermost loop.
-    fn leave(&self, line: usize, what: &str) -> Result<&'static str, Wrong> {
-        let innermost = self.blocks.iter().rev().find_map(|block| match block {
-            Block::For => Some("for"),
-            Block::While => Some("while"),
-            Block::Do => Some("do"),
-            _ => None,
-        });
-        match innermost {
-            Some(own) if own == what => Ok("break;"),
-            _ => Err((
-                line,
-                format!("'Exit {what}' of a loop that is not the innermost is not supported in VB"),
-            )),
-        }
-    }
-
     pub(super) fn open(&mut self, line: usize, block: Block, text: &str) {
         self.blocks.push(block);
         self.scopes.push(Vec::new());
@@ -423,9 +437,15 @@ impl Writer {
         if self.blocks.last() != Some(block) {
             return Err((line, format!("this ends a {block:?} that is not open")));
         }
+        if let Some(name) = self.handling.going_on(self.blocks.len() - 1) {
+            self.put(line, &format!("{name}: ;"));
+        }
         self.blocks.pop();
         self.scopes.pop();
         self.put(line, text);
+        if let Some(name) = self.handling.left(self.blocks.len()) {
+            self.put(line, &format!("{name}: ;"));
+        }
         Ok(())
     }
 

@@ -77,6 +77,45 @@ fn programs_print_what_vb_says() {
             "Function Twice(x As Integer) As Integer\n Twice = x * 2\nEnd Function\nSub Bump(ByRef n As Integer)\n n += 10\nEnd Sub",
             "8 11",
         ),
+        // On Error: what fails is left out, and `Err` tells of it.
+        (
+            "On Error Resume Next\nDim a() As Integer = {1, 2}\nDim x As Integer = 5\nx = a(7)\nConsole.Write(x & \" \" & Err.Number & \" \")\nErr.Clear()\nConsole.Write(Err.Number)\nDim y As Integer = a(9)\nConsole.WriteLine(\" \" & y & \" \" & Err.Description)",
+            "",
+            "5 9 0 0 Index was outside the bounds of the array.",
+        ),
+        (
+            "Console.WriteLine(Half(0) & Half(2))",
+            "Function Half(n As Integer) As String\n On Error GoTo Wrong\n Dim q As Integer = 10 \\ n\n Return \"q\" & q\nWrong:\n Return \"e\" & Err.Number & \" \"\nEnd Function",
+            "e11 q5",
+        ),
+        (
+            "On Error GoTo 10\nDim s = \"\"\nFor i As Integer = 0 To 3\n Dim q As Integer = 12 \\ (i - 1)\n s &= q & \",\"\nNext\nConsole.WriteLine(s)\nExit Sub\n10: s &= \"!\"\nResume Next",
+            "",
+            "-12,!0,12,6,",
+        ),
+        (
+            "Dim n As Integer = 0\nOn Error GoTo Mend\nConsole.WriteLine(8 \\ n)\nReturn\nMend:\n n = 4\n Resume",
+            "",
+            "2",
+        ),
+        (
+            "On Error Resume Next\nDim o As Object = Nothing\nIf o.Length > 3 Then\n Console.Write(\"in \")\nEnd If\nConsole.Write(Err.Number & \" \")\nErr.Raise(513, \"me\", \"own\")\nConsole.WriteLine(Err.Number & Err.Source & Err.Description)\nOn Error GoTo 0\nTry\n Throw New Exception(\"bad\")\nCatch ex As Exception\n Console.WriteLine(ex.Message)\nEnd Try",
+            "",
+            "in 91 513meown bad",
+        ),
+        ("Dim i As Integer = 0\nAgain:\ni += 1\nIf i < 4 Then GoTo Again\nConsole.WriteLine(i)", "", "4"),
+        // Loops that are not the innermost.
+        (
+            "For i As Integer = 0 To 3\n Dim j As Integer = 0\n While j < 9\n  j += 1\n  If j = 2 Then Continue For\n  If i = 2 Then Exit For\n  Console.Write(i & j & \" \")\n End While\nNext\nConsole.WriteLine(\"end\")",
+            "",
+            "01 11 end",
+        ),
+        (
+            "Dim n As Integer = 0\nDo\n n += 1\n If n < 3 Then Continue Do\n Console.Write(n)\nLoop While n < 5",
+            "",
+            "345",
+        ),
+        ("Dim d As Decimal = 1.10D\nConsole.WriteLine(d * 2 & \" \" & CDec(\"0.50\") + 1D)", "", "2.20 1.50"),
         ("count += 1\nConsole.WriteLine(Count)", "Dim count As Integer = 4", "5"),
         ("Console.WriteLine({1, 2, 3}.Select(Function(x) x * x).Sum()) ' a comment\nREM another", "", "14"),
         ("Dim t As String = \"say \"\"hi\"\"\" & _\n \"!\"\nConsole.WriteLine(t)", "", "say \"hi\"!"),
@@ -171,10 +210,10 @@ fn programs_print_what_vb_says() {
 
 #[test]
 fn what_is_not_there_is_said_by_name_and_line() {
-    let failure = printed("Dim a = 1\nOn Error Resume Next", "").unwrap_err();
-    assert_eq!(failure, "script(2,1): error: 'on' is not supported in VB");
-    let failure = printed("Dim a = 1\nFor i = 0 To 1\n Do\n Exit For\n Loop\nNext", "").unwrap_err();
-    assert!(failure.starts_with("script(4,") && failure.contains("Exit for"), "{failure}");
+    let failure = printed("Dim a = 1\nStatic b = 2", "").unwrap_err();
+    assert_eq!(failure, "script(2,1): error: 'static' is not supported in VB");
+    let failure = printed("Dim a = 1\nFor i = 0 To 1\n Do\n Exit While\n Loop\nNext", "").unwrap_err();
+    assert!(failure.starts_with("script(4,") && failure.contains("Exit while"), "{failure}");
     let failure = printed("Dim a = 1\nDim b As Integer = a.Foo", "").unwrap_err();
     assert!(failure.starts_with("script(2,") && failure.contains("Foo"), "{failure}");
 }

@@ -12,6 +12,8 @@ pub(super) enum Kind {
     Text(String),
     Char(char),
     Op(&'static str),
+    /// A label at the beginning of a line, in small letters.
+    Label(String),
     /// The end of a statement.
     End,
 }
@@ -65,6 +67,13 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Wrong> {
 /// The tokens of one line; whether the statement goes on in the next.
 fn of_line(line: &str, number: usize, all: &mut Vec<Token>) -> Result<bool, Wrong> {
     let mut rest = line;
+    if all.last().is_none_or(|token| token.kind == Kind::End)
+        && let Some((name, behind)) = label(line)
+    {
+        all.push(Token { kind: Kind::Label(name), line: number });
+        all.push(Token { kind: Kind::End, line: number });
+        rest = behind;
+    }
     loop {
         rest = rest.trim_start();
         let Some(first) = rest.chars().next() else { return Ok(false) };
@@ -78,6 +87,20 @@ fn of_line(line: &str, number: usize, all: &mut Vec<Token>) -> Result<bool, Wron
         rest = rest.get(length..).unwrap_or_default();
         all.push(Token { kind, line: number });
     }
+}
+
+/// Words that may stand alone before a colon without being a label.
+const NO_LABELS: [&str; 13] =
+    ["else", "try", "finally", "do", "loop", "next", "wend", "return", "get", "set", "stop", "catch", "end"];
+
+/// `name:` or `10:` at the beginning of a line, and what stands behind it.
+fn label(line: &str) -> Option<(String, &str)> {
+    let text = line.trim_start();
+    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_')?;
+    let (name, behind) = text.split_at(end);
+    let behind = behind.trim_start().strip_prefix(':').filter(|rest| !rest.starts_with('='))?;
+    let is_label = !name.is_empty() && !NO_LABELS.iter().any(|word| word.eq_ignore_ascii_case(name));
+    is_label.then(|| (name.to_lowercase(), behind))
 }
 
 fn is_remark(rest: &str) -> bool {

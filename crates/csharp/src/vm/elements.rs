@@ -54,6 +54,9 @@ macro_rules! both {
     };
 }
 
+/// The elements that a vector makes room for at first.
+const FIRST_ROOM: usize = 4;
+
 impl Elements {
     /// Bytes of each element where the first is this one.
     pub fn width(first: Value) -> usize {
@@ -137,6 +140,70 @@ impl Elements {
         *slot = value;
         *self = Self::Values(values);
         true
+    }
+
+    /// Adds an element behind the last. The first one says of which kind they are.
+    #[inline]
+    pub fn push(&mut self, value: Value) {
+        match (&mut *self, value) {
+            (Self::Bool(list), Value::Bool(x)) => list.push(x),
+            (Self::U8(list), Value::U8(x)) => list.push(x),
+            (Self::Char(list), Value::Char(x)) => list.push(x),
+            (Self::I32(list), Value::I32(x)) => list.push(x),
+            (Self::I64(list), Value::I64(x)) => list.push(x),
+            (Self::F32(list), Value::F32(x)) => list.push(x),
+            (Self::F64(list), Value::F64(x)) => list.push(x),
+            (Self::Values(list), x) if !list.is_empty() => list.push(x),
+            (_, x) => self.push_other(x),
+        }
+    }
+
+    /// Adds the first element, or one of another kind than the rest.
+    #[cold]
+    fn push_other(&mut self, value: Value) {
+        if self.is_empty() {
+            *self = Self::repeated(value, 1);
+            return;
+        }
+        let mut values = self.to_values();
+        values.push(value);
+        *self = Self::Values(values);
+    }
+
+    /// Puts an element before another; false where there is no such place.
+    pub fn insert(&mut self, at: usize, value: Value) -> bool {
+        if at > self.len() {
+            return false;
+        }
+        self.push(value);
+        each!(self, list => list[at..].rotate_right(1));
+        true
+    }
+
+    /// Takes some away; false where they are not all there.
+    pub fn remove(&mut self, range: Range<usize>) -> bool {
+        let fits = range.start <= range.end && range.end <= self.len();
+        if fits {
+            each!(self, list => drop(list.drain(range)));
+        }
+        fits
+    }
+
+    /// Takes all away.
+    pub fn clear(&mut self) {
+        each!(self, list => list.clear());
+    }
+
+    /// How many have room without more bytes.
+    pub fn capacity(&self) -> usize {
+        each!(self, list => list.capacity())
+    }
+
+    /// The bytes that the next element needs when there is no room for it: vectors double.
+    pub fn bytes_to_grow(&self, next: Value) -> usize {
+        let width =
+            if self.is_empty() { Self::width(next) } else { each!(self, list => size_of_first(list)) };
+        self.capacity().max(FIRST_ROOM).saturating_mul(width)
     }
 
     /// All in order.
@@ -237,6 +304,22 @@ mod tests {
             assert_eq!(own.to_values(), [value, Value::Null, value]);
         }
         assert_eq!(Elements::from(vec![Value::I32(1), Value::Null]).to_values().len(), 2);
+    }
+
+    #[test]
+    fn elements_are_added_and_taken_away() {
+        for value in KINDS {
+            let mut own = Elements::from(Vec::new());
+            (0..3).for_each(|_| own.push(value));
+            assert!(!matches!(own, Elements::Values(_)));
+            assert!(own.insert(1, value) && !own.insert(5, value));
+            assert!(own.remove(0..2) && !own.remove(1..3));
+            own.push(Value::Null);
+            assert_eq!(own.to_values(), [value, value, Value::Null]);
+            own.clear();
+            own.push(value);
+            assert_eq!(own.to_values(), [value]);
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use smallvec::SmallVec;
 
 use super::elements::Elements;
 use super::value::{Handle, Value};
+use crate::decimal::Decimal;
 use crate::sema::Ty;
 
 /// Fields; few stand in the object itself.
@@ -24,7 +25,9 @@ pub enum Obj {
     /// An array, with its lengths where it has several dimensions.
     Array(Ty, Elements, Option<Box<[u32]>>),
     /// A list and how often it changed.
-    List(Ty, Vec<Value>, u32),
+    List(Ty, Elements, u32),
+    /// A `decimal`, which never changes: nobody copies it.
+    Decimal(Decimal),
     /// A text that is being built.
     Builder(Vec<u16>),
     /// A delegate: its type, the function and its captured variables.
@@ -87,6 +90,9 @@ pub struct Heap {
     pub pins: Vec<Handle>,
 }
 
+/// The decimal 0, with which variables begin: the first object of every heap.
+pub(crate) const ZERO: Handle = Handle(0);
+
 const NO_FREE: u32 = u32::MAX;
 const OBJECT: usize = std::mem::size_of::<Obj>() + 1;
 const FIRST_COLLECTION: usize = 8 << 20;
@@ -95,13 +101,13 @@ impl Heap {
     /// An empty heap.
     pub fn new(limit: usize) -> Self {
         Self {
-            objects: Vec::new(),
-            marks: Vec::new(),
+            objects: vec![Obj::Decimal(Decimal::ZERO)],
+            marks: vec![false],
             free: NO_FREE,
             bytes: 0,
             due: FIRST_COLLECTION,
             limit,
-            pins: Vec::new(),
+            pins: vec![ZERO],
         }
     }
 
@@ -111,7 +117,7 @@ impl Heap {
                 Obj::Str(s) => s.len() * 2,
                 Obj::Inst(_, fields) if fields.spilled() => fields.len() * 16,
                 Obj::Array(_, data, _) => data.bytes(),
-                Obj::List(_, data, _) => data.capacity() * 16,
+                Obj::List(_, data, _) => data.bytes(),
                 Obj::Builder(b) => b.capacity() * 2,
                 Obj::Gen(g) => (g.regs.len() + g.start.len()) * 16 + 96,
                 Obj::Host(..) => 256,
@@ -152,6 +158,22 @@ impl Heap {
         self.objects.get_mut(handle.0 as usize)
     }
 
+    /// A decimal.
+    pub(crate) fn decimal(&self, value: Value) -> Option<Decimal> {
+        match value {
+            Value::Ref(handle) => match self.get(handle) {
+                Obj::Decimal(x) => Some(*x),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// A decimal as the nearest `double`; none for anything else.
+    pub fn real_of_decimal(&self, value: Value) -> Option<f64> {
+        self.decimal(value).map(crate::decimal::to_real)
+    }
+
     /// A text.
     pub fn text(&mut self, units: &[u16]) -> Value {
         Value::Ref(self.add(Obj::Str(units.into())))
@@ -186,8 +208,9 @@ impl Heap {
             }
             match &self.objects[handle.0 as usize] {
                 Obj::Inst(_, fields) => fields.iter().for_each(|v| reach(v, &mut todo)),
-                Obj::Array(_, data, _) => data.references().iter().for_each(|v| reach(v, &mut todo)),
-                Obj::List(_, data, _) => data.iter().for_each(|v| reach(v, &mut todo)),
+                Obj::Array(_, data, _) | Obj::List(_, data, _) => {
+                    data.references().iter().for_each(|v| reach(v, &mut todo))
+                }
                 Obj::Delegate(_, _, env) => reach(env, &mut todo),
                 Obj::Gen(g) => {
                     g.regs.iter().chain(&g.start).for_each(|v| reach(v, &mut todo));

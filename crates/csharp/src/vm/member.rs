@@ -5,9 +5,6 @@ use super::machine::{null_reference, out_of_range};
 use super::state::{Raise, State};
 use super::value::Value;
 
-/// The room that a new list begins with.
-const FIRST_ITEMS: usize = 4;
-
 fn list_range() -> Raise {
     Raise::new(
         "ArgumentOutOfRangeException",
@@ -38,7 +35,7 @@ impl State {
     pub(super) fn item(&self, list: Value, i: Value) -> Result<Value, Raise> {
         let Value::Ref(handle) = list else { return Err(null_reference()) };
         let Obj::List(_, items, _) = self.heap.get(handle) else { return Err(null_reference()) };
-        index(i).and_then(|i| items.get(i)).copied().ok_or_else(list_range)
+        index(i).and_then(|i| items.get(i)).ok_or_else(list_range)
     }
 
     #[inline]
@@ -47,8 +44,9 @@ impl State {
         let Some(Obj::List(_, items, version)) = self.heap.get_mut(handle) else {
             return Err(null_reference());
         };
-        let slot = index(i).and_then(|i| items.get_mut(i)).ok_or_else(list_range)?;
-        *slot = value;
+        if !index(i).is_some_and(|i| items.set(i, value)) {
+            return Err(list_range());
+        }
         *version = version.wrapping_add(1);
         Ok(())
     }
@@ -64,7 +62,7 @@ impl State {
             *version = version.wrapping_add(1);
             return Ok(());
         }
-        let more = items.capacity().max(FIRST_ITEMS) * size_of::<Value>();
+        let more = items.bytes_to_grow(value);
         self.reserve(more)?;
         self.heap.bytes += more;
         if let Some(Obj::List(_, items, version)) = self.heap.get_mut(handle) {

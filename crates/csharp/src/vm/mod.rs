@@ -3,6 +3,7 @@
 mod arith;
 mod array;
 mod call;
+mod decimal;
 mod dynamic;
 pub mod elements;
 pub mod heap;
@@ -19,5 +20,6 @@ mod unwind;
 pub mod value;
 
 pub(crate) use array::copy;
+pub(crate) use decimal::overflow as decimal_overflow;
 pub(crate) use start::run;
 pub use state::{Limits, Raise, State, Stop};

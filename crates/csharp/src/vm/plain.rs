@@ -7,6 +7,7 @@ use super::machine::{null_reference, out_of_range};
 use super::op::Op;
 use super::state::{Raise, State, Stop};
 use super::value::Value;
+use crate::decimal;
 use crate::library;
 use crate::program::Program;
 use crate::sema::{Prim, Ty};
@@ -59,6 +60,30 @@ pub(super) fn plain(
                 (_, value) => arith::convert(from, to, checked, value)?,
             }
         }
+        Op::DecimalConst { d, k } => {
+            st.tidy(program, fi, base)?;
+            let consts = &program.funcs[fi].consts;
+            let half = |k: u32| match consts.get(k as usize) {
+                Some(Value::U64(bits)) => *bits,
+                _ => 0,
+            };
+            let made = Obj::Decimal(decimal::of_halves(half(k), half(k + 1)));
+            r!(d) = Value::Ref(st.heap.add(made));
+        }
+        Op::Decimals { op, d, a, b } => {
+            st.tidy(program, fi, base)?;
+            r!(d) = st.decimals(op, r!(a), r!(b))?;
+        }
+        Op::DecimalNeg { d, a } => {
+            st.tidy(program, fi, base)?;
+            let x = st.heap.decimal(r!(a)).unwrap_or_default();
+            r!(d) = Value::Ref(st.heap.add(Obj::Decimal(decimal::negated(x))));
+        }
+        Op::DecimalOf { d, a } => {
+            st.tidy(program, fi, base)?;
+            r!(d) = st.decimal_of(r!(a))?;
+        }
+        Op::DecimalTo { to, d, a } => r!(d) = st.decimal_to(r!(a), to)?,
         Op::ToEnum { d, a, ty } => r!(d) = Value::Enum(ty, r!(a).whole().unwrap_or(0) as i64),
         Op::FromEnum { d, a, prim } => {
             let n = r!(a).whole().unwrap_or(0);

@@ -149,6 +149,7 @@ impl State {
             Value::Enum(ty, _) => ty,
             Value::Ref(handle) => match self.heap.get(handle) {
                 Obj::Str(_) => sema.known.string,
+                Obj::Decimal(_) => prim(Prim::Decimal),
                 Obj::Inst(ty, _)
                 | Obj::Array(ty, ..)
                 | Obj::List(ty, ..)

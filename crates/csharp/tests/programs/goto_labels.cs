@@ -1,12 +1,18 @@
+// Jumps out of loops, backwards, out of try, within switch, to labels of blocks around.
 using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
-
 class P
 {
+    static int Find(int[,] a, int x) { int i = 0; for (i = 0; i < 3; i++) for (int j = 0; j < 3; j++) if (a[i, j] == x) goto found; return -1; found: return i; }
     static void Main()
     {
-        int i = 0; again: i++; if (i < 3) goto again; Console.WriteLine(i); for (int a = 0; a < 3; a++) { for (int b = 0; b < 3; b++) { if (a * b == 2) goto done; Console.Write(a * b + " "); } } done: Console.WriteLine("done"); int k = 2; switch (k) { case 1: Console.WriteLine(1); goto default; case 2: k = 5; goto case 1; default: Console.WriteLine("def" + k); break; } int n = 0; do { n++; if (n == 2) continue; if (n > 4) break; Console.Write(n); } while (n < 10); Console.WriteLine(); while (true) { if (n-- < 0) break; if (n % 2 == 0) continue; Console.Write(n); } Console.WriteLine(); for (int a = 0, b = 10; a < b; a += 3, b--) Console.Write(a + ":" + b + " "); Console.WriteLine(); for (; ; ) { break; } foreach (char c in "xyz") { if (c == 'y') continue; Console.Write(c); } Console.WriteLine(); { int q = 1; { int r = q + 1; Console.WriteLine(r); } } if (n > 0) ; else Console.WriteLine("neg");
+        int n = 0; again: n++; if (n < 3) goto again; Console.WriteLine(n);
+        Console.WriteLine(Find(new int[,] { { 1, 2, 3 }, { 4, 5, 6 }, { 7, 8, 9 } }, 8) + " " + Find(new int[3, 3], 1));
+        try { for (int i = 0; ; i++) { try { if (i == 2) goto end; Console.Write(i); } finally { Console.Write("f"); } } } finally { Console.WriteLine("F"); } 
+        end: Console.WriteLine("end");
+        for (int k = 0; k < 4; k++)
+            switch (k) { case 0: Console.Write("zero "); goto case 2; case 1: Console.Write("one "); goto default; case 2: Console.Write("two "); break; default: Console.Write("other "); if (k == 3) goto done; break; }
+        done: Console.WriteLine();
+        { int q = 1; inner: if (q < 4) { q *= 2; goto inner; } Console.WriteLine(q); }
+        string s = "b"; switch (s) { case "a": Console.WriteLine("A"); break; case "b": goto case "a"; }
     }
 }

@@ -61,7 +61,7 @@ fn named(m: &mut impl Machine, namespace: &str, name: &str) -> Option<Ty> {
 pub(super) fn list(m: &mut impl Machine, element: Ty, items: Vec<Net>) -> Option<Net> {
     let def = m.sema().library("System.Collections.Generic", "List", 1)?;
     let ty = m.sema().named(def, &[element]);
-    Some(Net::Ref(m.state().heap.add(Obj::List(ty, items, 0))))
+    Some(Net::Ref(m.state().heap.add(Obj::List(ty, items.into(), 0))))
 }
 
 fn array(m: &mut impl Machine, element: Ty, items: Vec<Net>) -> Net {
@@ -214,7 +214,7 @@ fn read(m: &mut impl Machine, value: Net, depth: usize) -> Result<Value, String>
         array_or_list @ (Obj::Array(_, _, None) | Obj::List(..)) => {
             let items = match array_or_list {
                 Obj::Array(_, items, _) => items.to_values(),
-                Obj::List(_, items, _) => items.clone(),
+                Obj::List(_, items, _) => items.to_values(),
                 _ => Vec::new(),
             };
             let items = items.into_iter().map(|item| read(m, item, depth)).collect::<Result<_, _>>()?;
@@ -225,6 +225,10 @@ fn read(m: &mut impl Machine, value: Net, depth: usize) -> Result<Value, String>
             None => (*ty, Vec::new()),
         },
         Obj::Inst(ty, fields) => (*ty, fields.to_vec()),
+        Obj::Decimal(_) => {
+            let real = m.state().heap.real_of_decimal(value);
+            return Ok(real.map_or(Value::Null, Value::Number));
+        }
         other => return Err(kind_of(other).to_owned()),
     };
     let name = m.sema().full_name(ty);

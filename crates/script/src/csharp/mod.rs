@@ -4,6 +4,7 @@ mod breps;
 mod convert;
 mod declare;
 mod enums;
+mod foreign;
 mod host;
 mod member;
 mod program;

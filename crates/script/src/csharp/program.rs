@@ -6,11 +6,12 @@ use katydid_component::Message;
 use katydid_csharp::sema::{MethodId, Ty};
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
-use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Parts, Source};
+use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Location, Parts, Source};
 use katydid_definition::document::{Access, Object, Port, Script, ScriptLanguage, TypeHint};
 use katydid_members::Value;
 
 use super::convert::{fitted, from_csharp, list, to_csharp};
+use super::foreign::python_line;
 use super::host::{ScriptHost, Turn};
 use crate::task::{OUT, variable};
 
@@ -39,8 +40,25 @@ pub(super) struct Program {
     pub(super) source: (Script, String),
 }
 
-/// Reads and checks a script.
+/// Reads and checks a script. Where it cannot be read since it is Python, nothing else is said.
 fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Result<Engine, Vec<Diagnostic>> {
+    let language = if script.language == ScriptLanguage::VisualBasic { "VB" } else { "C#" };
+    compiled_as_written(script, parameters, turn).map_err(|faults| match python_line(&script.text) {
+        Some(line) => {
+            let message = format!(
+                "This text looks like Python, and this component runs {language}: give the text to a Python component"
+            );
+            vec![Diagnostic { at: Location { part: "script".into(), line, column: 1 }, code: 0, message }]
+        }
+        None => faults,
+    })
+}
+
+fn compiled_as_written(
+    script: &Script,
+    parameters: &str,
+    turn: &Arc<Mutex<Turn>>,
+) -> Result<Engine, Vec<Diagnostic>> {
     let host = Box::new(ScriptHost::new(turn.clone()));
     if script.language == ScriptLanguage::VisualBasic {
         let source = Source::Basic(Parts {
@@ -301,7 +319,11 @@ impl Program {
             let component = field(heap, self.object, 0);
             match field(heap, component, place) {
                 Net::Ref(handle) => match heap.get_mut(handle) {
-                    Some(Obj::List(_, items, _)) => std::mem::take(items),
+                    Some(Obj::List(_, items, _)) => {
+                        let values = items.to_values();
+                        items.clear();
+                        values
+                    }
                     _ => Vec::new(),
                 },
                 _ => Vec::new(),

@@ -409,7 +409,7 @@ namespace System.Globalization
         public CultureInfo() { }
         public CultureInfo(string name) { }
     }
-    [System.Flags] public enum NumberStyles { None = 0, Integer = 7, Float = 167, Number = 111, Any = 511, HexNumber = 515, AllowDecimalPoint = 32 }
+    [System.Flags] public enum NumberStyles { None = 0, Integer = 7, Float = 167, Number = 111, Any = 511, HexNumber = 515, AllowDecimalPoint = 32, AllowExponent = 128, AllowThousands = 64, AllowLeadingSign = 4, AllowLeadingWhite = 1, AllowTrailingWhite = 2 }
 }
 namespace System.Collections
 {

@@ -192,6 +192,18 @@ namespace System.Linq
         public static float? Sum<T>(this IEnumerable<T> s, Func<T, float?> f) { return s.Select(f).Sum(); }
         public static float? Average(this IEnumerable<float?> s) { double t = 0; long n = 0; foreach (float? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return (float)((double)t / n); }
         public static float? Average<T>(this IEnumerable<T> s, Func<T, float?> f) { return s.Select(f).Average(); }
+        public static decimal Sum(this IEnumerable<decimal> s) { decimal t = 0; foreach (decimal x in s) t += x; return t; }
+        public static decimal Sum<T>(this IEnumerable<T> s, Func<T, decimal> f) { return s.Select(f).Sum(); }
+        public static decimal Average(this IEnumerable<decimal> s) { decimal t = 0; long n = 0; foreach (decimal x in s) { t += x; n++; } if (n == 0) throw None(); return t / n; }
+        public static decimal Average<T>(this IEnumerable<T> s, Func<T, decimal> f) { return s.Select(f).Average(); }
+        public static decimal? Sum(this IEnumerable<decimal?> s) { decimal t = 0; foreach (decimal? x in s) if (x != null) t += x.Value; return t; }
+        public static decimal? Sum<T>(this IEnumerable<T> s, Func<T, decimal?> f) { return s.Select(f).Sum(); }
+        public static decimal? Average(this IEnumerable<decimal?> s) { decimal t = 0; long n = 0; foreach (decimal? x in s) if (x != null) { t += x.Value; n++; } if (n == 0) return null; return t / n; }
+        public static decimal? Average<T>(this IEnumerable<T> s, Func<T, decimal?> f) { return s.Select(f).Average(); }
+        public static decimal Max(this IEnumerable<decimal> s) { bool any = false; decimal m = 0; foreach (decimal x in s) { if (!any || x > m) m = x; any = true; } if (!any) throw None(); return m; }
+        public static decimal Max<T>(this IEnumerable<T> s, Func<T, decimal> f) { return s.Select(f).Max(); }
+        public static decimal Min(this IEnumerable<decimal> s) { bool any = false; decimal m = 0; foreach (decimal x in s) { if (!any || x < m) m = x; any = true; } if (!any) throw None(); return m; }
+        public static decimal Min<T>(this IEnumerable<T> s, Func<T, decimal> f) { return s.Select(f).Min(); }
         public static T Max<T>(this IEnumerable<T> s) { bool any = false; T m = default(T); foreach (T x in s) { if ((object)x == null) continue; if (!any || Comparer<T>.Order(x, m) > 0) m = x; any = true; } if (!any && (object)default(T) != null) throw None(); return m; }
         public static R Max<T, R>(this IEnumerable<T> s, Func<T, R> f) { return s.Select(f).Max(); }
         public static T Min<T>(this IEnumerable<T> s) { bool any = false; T m = default(T); foreach (T x in s) { if ((object)x == null) continue; if (!any || Comparer<T>.Order(x, m) < 0) m = x; any = true; } if (!any && (object)default(T) != null) throw None(); return m; }

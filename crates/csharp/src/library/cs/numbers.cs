@@ -199,7 +199,6 @@ namespace System
         public static extern bool TryParse(string text, out double value);
         public static bool TryParse(string text, NumberStyles styles, IFormatProvider provider, out double value) { return TryParse(text, out value); }
     }
-    public struct Decimal { }
     public struct Char : IComparable<char>, IEquatable<char>, IComparable
     {
         public const char MinValue = '\0';
@@ -285,6 +284,17 @@ namespace System
         public static float Min(float a, float b) { return a < b || float.IsNaN(a) ? a : b; }
         public static double Max(double a, double b) { return a > b || double.IsNaN(a) ? a : b; }
         public static double Min(double a, double b) { return a < b || double.IsNaN(a) ? a : b; }
+        public static decimal Abs(decimal x) { return x < 0 ? -x : x; }
+        public static decimal Max(decimal a, decimal b) { return a >= b ? a : b; }
+        public static decimal Min(decimal a, decimal b) { return a <= b ? a : b; }
+        public static int Sign(decimal x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+        public static decimal Floor(decimal x) { return decimal.Floor(x); }
+        public static decimal Ceiling(decimal x) { return decimal.Ceiling(x); }
+        public static decimal Truncate(decimal x) { return decimal.Truncate(x); }
+        public static decimal Round(decimal x) { return decimal.Round(x); }
+        public static decimal Round(decimal x, int decimals) { return decimal.Round(x, decimals); }
+        public static decimal Round(decimal x, MidpointRounding mode) { return decimal.Round(x, mode); }
+        public static decimal Round(decimal x, int decimals, MidpointRounding mode) { return decimal.Round(x, decimals, mode); }
         public static int Sign(sbyte x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
         public static int Sign(short x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
         public static int Sign(int x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }

@@ -207,21 +207,39 @@ namespace System
         public static int ToInt32(char x) { return x; }
         public static int ToInt32(string s) { return s == null ? 0 : int.Parse(s); }
         public static extern int ToInt32(string s, int radix);
-        public static int ToInt32(object o) { if (o == null) return 0; if (o is double) return ToInt32((double)o); if (o is bool) return ToInt32((bool)o); if (o is long) return ToInt32((long)o); if (o is string) return ToInt32((string)o); if (o is char) return (char)o; if (o is float) return ToInt32((double)(float)o); if (o is byte) return (byte)o; if (o is Enum) return Library.PlainHash(o); return (int)o; }
-        public static long ToInt64(object o) { if (o == null) return 0; if (o is double) return checked((long)Math.Round((double)o)); if (o is string) return long.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
+        public static int ToInt32(uint x) { return checked((int)x); }
+        public static int ToInt32(ulong x) { return checked((int)x); }
+        public static int ToInt32(decimal x) { return (int)decimal.Round(x); }
+        public static int ToInt32(object o) { if (o == null) return 0; if (o is decimal) return ToInt32((decimal)o); if (o is double) return ToInt32((double)o); if (o is bool) return ToInt32((bool)o); if (o is long) return ToInt32((long)o); if (o is string) return ToInt32((string)o); if (o is char) return (char)o; if (o is float) return ToInt32((double)(float)o); if (o is byte) return (byte)o; if (o is Enum) return Library.PlainHash(o); return (int)o; }
+        public static long ToInt64(object o) { if (o == null) return 0; if (o is decimal) return (long)decimal.Round((decimal)o); if (o is double) return checked((long)Math.Round((double)o)); if (o is string) return long.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
         public static byte ToByte(object o)
         {
             int n = ToInt32(o);
             if (n < 0 || n > 255) throw new OverflowException("Value was either too large or too small for an unsigned byte.");
             return (byte)n;
         }
-        public static double ToDouble(object o) { if (o == null) return 0; if (o is double) return (double)o; if (o is float) return (float)o; if (o is string) return double.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
+        public static decimal ToDecimal(object o)
+        {
+            if (o == null) return 0;
+            if (o is decimal) return (decimal)o;
+            if (o is int) return (int)o;
+            if (o is double) return (decimal)(double)o;
+            if (o is float) return (decimal)(float)o;
+            if (o is string) return decimal.Parse((string)o);
+            if (o is bool) return (bool)o ? 1 : 0;
+            if (o is long) return (long)o;
+            if (o is ulong) return (ulong)o;
+            if (o is uint) return (uint)o;
+            if (o is DateTime || o is char) throw new InvalidCastException();
+            return ToInt32(o);
+        }
+        public static double ToDouble(object o) { if (o == null) return 0; if (o is decimal) return (double)(decimal)o; if (o is double) return (double)o; if (o is float) return (float)o; if (o is string) return double.Parse((string)o); if (o is long) return (long)o; return ToInt32(o); }
         public static float ToSingle(object o) { return (float)ToDouble(o); }
         public static bool ToBoolean(object o) { if (o == null) return false; if (o is bool) return (bool)o; if (o is string) return bool.Parse((string)o); return ToDouble(o) != 0; }
         public static char ToChar(int x) { return checked((char)x); }
         public static string ToString(object o) { return Library.Text(o); }
         public static extern string ToString(int x, int radix);
-        public static object ChangeType(object o, Type type) { if (type == typeof(int)) return ToInt32(o); if (type == typeof(double)) return ToDouble(o); if (type == typeof(string)) return ToString(o); if (type == typeof(bool)) return ToBoolean(o); throw new InvalidCastException(); }
+        public static object ChangeType(object o, Type type) { if (type == typeof(int)) return ToInt32(o); if (type == typeof(double)) return ToDouble(o); if (type == typeof(string)) return ToString(o); if (type == typeof(bool)) return ToBoolean(o); if (type == typeof(decimal)) return ToDecimal(o); throw new InvalidCastException(); }
     }
     public class Random
     {

@@ -3,8 +3,70 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 
+// What `Err` says of the last fault that `On Error` caught.
+public class __VBError
+{
+    public static readonly __VBError Err = new __VBError();
+    int number;
+    string description = "", source = "";
+    Exception exception;
+    public int Number { get { return number; } set { number = value; } }
+    public string Description { get { return description; } set { description = value ?? ""; } }
+    public string Source { get { return source; } set { source = value ?? ""; } }
+    public Exception GetException() { return exception; }
+    public void Clear() { number = 0; description = ""; source = ""; exception = null; }
+    public void Set(Exception e)
+    {
+        exception = e;
+        __VBRaised raised = e as __VBRaised;
+        number = raised != null ? raised.Number : NumberOf(e);
+        description = e.Message;
+        source = raised != null ? raised.From : "";
+    }
+    public void Resume(int active)
+    {
+        if (active == 0) throw new __VBRaised(20, "", "Resume without error.");
+        Clear();
+    }
+    public void Raise(int number) { throw new __VBRaised(number, "", Words(number)); }
+    public void Raise(int number, object source) { throw new __VBRaised(number, "" + source, Words(number)); }
+    public void Raise(int number, object source, object description) { throw new __VBRaised(number, "" + source, description == null ? Words(number) : "" + description); }
+    // The numbers that Visual Basic's run-time library gives to exceptions of .NET.
+    static int NumberOf(Exception e)
+    {
+        if (e is IndexOutOfRangeException) return 9;
+        if (e is DivideByZeroException) return 11;
+        if (e is OverflowException) return 6;
+        if (e is NullReferenceException) return 91;
+        if (e is RuntimeBinderException) return e.Message.Contains("null reference") ? 91 : 438;
+        if (e is InvalidCastException || e is FormatException) return 13;
+        return 5;
+    }
+    static string Words(int number)
+    {
+        switch (number)
+        {
+            case 5: return "Procedure call or argument is not valid.";
+            case 6: return "Overflow.";
+            case 7: return "Out of memory.";
+            case 9: return "Subscript out of range.";
+            case 11: return "Division by zero.";
+            case 13: return "Type mismatch.";
+            case 91: return "Object variable or With block variable not set.";
+            default: return "Application-defined or object-defined error.";
+        }
+    }
+}
+class __VBRaised : Exception
+{
+    public readonly int Number;
+    public readonly string From;
+    public __VBRaised(int number, string from, string message) : base(message) { Number = number; From = from; }
+}
 public static class __VB
 {
+    // The default value of a value's type; the value itself is not asked for.
+    public static T Default<T>(Func<T> value) { return default(T); }
     // CInt rounds half to even; True is -1.
     public static int Int(int x) { return x; }
     public static int Int(long x) { return checked((int)x); }

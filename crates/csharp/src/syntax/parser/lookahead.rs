@@ -63,6 +63,8 @@ impl Parser {
                 Tok::P(")" | "]" | "}") if depth == 0 => return false,
                 Tok::P(")" | "]" | "}") => depth -= 1,
                 Tok::P(";") | Tok::Eof => return false,
+                // The constraints of a method that gives `T?`.
+                Tok::Ident(word) if depth == 0 && &**word == "where" => return false,
                 Tok::P(":") if depth == 0 => return true,
                 _ => {}
             }

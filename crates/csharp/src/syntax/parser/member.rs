@@ -127,7 +127,7 @@ impl Parser {
     fn body(&mut self) -> Checked<(Option<FnBody>, bool)> {
         let outer = std::mem::replace(&mut self.yields, false);
         let body = if self.eat("=>") {
-            let value = self.expression()?;
+            let value = self.value_or_reference()?;
             self.expect(";")?;
             Some(FnBody::Expr(Box::new(value)))
         } else if self.is("{") {
@@ -365,7 +365,21 @@ impl Parser {
             let Some(param) = params.iter_mut().find(|param| param.name == name) else {
                 return Err(Fault::new(pos, 699, format!("The type parameter '{name}' is not declared")));
             };
+            if param.class || param.structure || param.creatable || !param.bounds.is_empty() {
+                let message =
+                    format!("A constraint clause has already been specified for type parameter '{name}'");
+                return Err(Fault::new(pos, 409, message));
+            }
             loop {
+                if param.creatable {
+                    let message = "The new() constraint must be the last constraint specified";
+                    return Err(Fault::new(self.pos(), 401, message));
+                }
+                let first = !param.class && !param.structure && param.bounds.is_empty();
+                if (self.is_kw("class") || self.is_kw("struct")) && !first {
+                    let message = "The 'class' or 'struct' constraint must be the first constraint specified";
+                    return Err(Fault::new(self.pos(), 449, message));
+                }
                 if self.eat_kw("class") {
                     param.class = true;
                 } else if self.eat_kw("struct") {

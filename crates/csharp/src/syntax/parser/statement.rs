@@ -94,7 +94,7 @@ impl Parser {
             }
             "return" | "throw" => {
                 self.advance();
-                let value = if self.is(";") { None } else { Some(self.expression()?) };
+                let value = if self.is(";") { None } else { Some(self.value_or_reference()?) };
                 self.expect(";")?;
                 if word == "return" { StmtKind::Return(value) } else { StmtKind::Throw(value) }
             }
@@ -120,10 +120,35 @@ impl Parser {
                 self.declaration_or_expression()?
             }
             "unsafe" | "fixed" => return self.unsupported("unsafe code"),
-            "ref" => return self.unsupported("A reference to a variable"),
+            "ref" => self.reference_statement()?,
             "else" => return Err(self.no_expression()),
             _ => return Ok(None),
         }))
+    }
+
+    /// `ref T a = ref b;`, or a function in a function that gives a reference.
+    fn reference_statement(&mut self) -> Checked<StmtKind> {
+        self.advance();
+        let fixed = self.eat_kw("readonly");
+        if let Some(mut function) = self.local_function()? {
+            function.modifiers = function.modifiers.with("ref");
+            return Ok(StmtKind::Function(Arc::new(function)));
+        }
+        let ty = self.type_ref()?;
+        let ty = if matches!(ty.kind, TypeRefKind::Var) { None } else { Some(ty) };
+        let variables = self.variables()?;
+        self.expect(";")?;
+        Ok(StmtKind::Reference(ty, variables, fixed))
+    }
+
+    /// A value, or `ref` and a variable.
+    pub(super) fn value_or_reference(&mut self) -> Checked<Expr> {
+        let pos = self.pos();
+        if !self.eat_kw("ref") {
+            return self.expression();
+        }
+        let place = self.expression()?;
+        Ok(Expr { pos, kind: ExprKind::Ref(Box::new(place)) })
     }
 
     fn condition(&mut self) -> Checked<Expr> {
@@ -300,7 +325,7 @@ impl Parser {
                 ));
             }
             let value = if self.eat("=") {
-                Some(if self.is("{") { self.array_initialiser()? } else { self.expression()? })
+                Some(if self.is("{") { self.array_initialiser()? } else { self.value_or_reference()? })
             } else {
                 None
             };

@@ -1,0 +1,1 @@
+class P { public static virtual void F() { } static void Main() { } }

@@ -1,0 +1,1 @@
+class P { public static override string ToString() { return ""; } static void Main() { } }

@@ -1,0 +1,1 @@
+using System.Collections.Generic; class P { static void Main() { List<int,int> x = null; } }

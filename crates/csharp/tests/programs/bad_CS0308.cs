@@ -1,0 +1,1 @@
+class B { } class P { static void Main() { B<int> x = null; } }

@@ -1,0 +1,1 @@
+class A<T> where T : new(), System.IDisposable { } class P { static void Main() { } }

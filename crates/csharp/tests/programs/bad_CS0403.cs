@@ -1,0 +1,1 @@
+class A<T> { T M() { return null; } } class P { static void Main() { } }

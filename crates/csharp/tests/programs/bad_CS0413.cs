@@ -1,0 +1,1 @@
+class A<T> { T M(object o) { return o as T; } } class P { static void Main() { } }

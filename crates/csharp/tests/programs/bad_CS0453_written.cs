@@ -1,0 +1,1 @@
+class P { static void Main() { System.Nullable<string> x = null; } }

@@ -1,0 +1,1 @@
+class E : System.Enum { } class P { static void Main() { } }

@@ -1,0 +1,1 @@
+class E : System.ValueType { } class P { static void Main() { } }

@@ -1,0 +1,1 @@
+class A<T> where T : string { } class P { static void Main() { } }

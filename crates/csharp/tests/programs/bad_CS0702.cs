@@ -1,0 +1,1 @@
+class A<T> where T : System.Array { } class P { static void Main() { } }

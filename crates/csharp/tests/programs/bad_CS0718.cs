@@ -1,0 +1,1 @@
+static class S { } class P { static void Main() { System.Collections.Generic.List<S> x = null; } }

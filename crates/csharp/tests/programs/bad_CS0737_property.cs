@@ -1,0 +1,1 @@
+interface I { int F { get; } } class A : I { internal int F { get { return 1; } } } class P { static void Main() { } }

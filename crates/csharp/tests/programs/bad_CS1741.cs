@@ -1,0 +1,1 @@
+class P { static void F(ref int x = 3) { } static void Main() { } }

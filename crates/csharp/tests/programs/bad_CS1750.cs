@@ -1,0 +1,1 @@
+class P { static void F(int x = "a") { } static void Main() { F(); } }

@@ -1,0 +1,1 @@
+class P { static void F(params int[] x = null) { } static void Main() { } }

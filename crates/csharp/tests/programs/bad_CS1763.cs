@@ -1,0 +1,1 @@
+class P { static void F(object x = "a") { } static void Main() { F(); } }
