@@ -66,11 +66,25 @@ class WorkerPipes(backend.Pipes):
                 raise KeyboardInterrupt("cancelled")
 
 
+#: The number of Linux's call that sets how many bytes a pipe holds, and how many we ask for.
+F_SETPIPE_SZ, PIPE_SIZE = 1031, 1 << 20
+
+
+def _widen(pipe):
+    """Lets a pipe hold a message of thousands of points, so that it does not pass in many small turns."""
+    try:
+        import fcntl
+        fcntl.fcntl(pipe, F_SETPIPE_SZ, PIPE_SIZE)
+    except (ImportError, OSError):
+        pass
+
+
 def take_pipes():
     """Our own ends of standard input and output; scripts get an empty input and no way to write to the host."""
     reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     for end in (reader, writer):
         os.set_inheritable(end.fileno(), False)
+        _widen(end.fileno())
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(nothing, 0)
     os.dup2(2, 1)

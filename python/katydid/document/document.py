@@ -75,6 +75,8 @@ class Document(DotNet):
         self.Views = Views()
         self.Layers = LayerTable([Layer()])
         self.Linetypes = NetList([Linetype()])
+        #: Guids by the name of their group, and texts by key.
+        self._groups, self._strings = {}, {}
         self._settle({})
 
     def _settle(self, settings):

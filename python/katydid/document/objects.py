@@ -7,6 +7,7 @@ from ..values.base import DotNet, not_supported
 from ..values.enums import ObjectType
 from ..values.netlist import NetList
 from ..geometry import HostObject
+from ..geometry.user_strings import NameValueCollection
 from .geometry_of import geometry_of, is_geometry
 
 _TYPES = {"Point": "Point", "PointCloud": "PointSet", "Brep": "Brep", "Mesh": "Mesh", "SubD": "SubD", "Hatch": "Hatch",
@@ -31,10 +32,20 @@ class Attributes(DotNet):
         return self._texts.get(key)
 
     def GetUserStrings(self):
-        return dict(self._texts)
+        return NameValueCollection(self._texts)
+
+    UserStringCount = property(lambda self: len(self._texts))
+
+    def DeleteUserString(self, key):
+        return self._texts.pop(key, None) is not None
+
+    def DeleteAllUserStrings(self):
+        self._texts.clear()
 
     def Duplicate(self):
-        return copy.copy(self)
+        made = copy.copy(self)
+        made._texts = dict(self._texts)
+        return made
 
 
 class DocumentObject(DotNet):

@@ -3,7 +3,8 @@
 import re
 
 from ..backend import current
-from ..values import Arc, Circle, Ellipse, Line, Polyline, Rectangle3d
+from ..values import (Arc, Circle, Cone, Cylinder, Ellipse, Line, Plane, Point3d, Polyline, Ray3d, Rectangle3d, Torus,
+                      Vector3d)
 from ..values.base import NotSupported, not_supported
 from ..values.enums import member as enum_member
 from ..values.netlist import NetList
@@ -36,13 +37,45 @@ def given(signature):
 
 def shaped(answer, signatures):
     """A list that stands for a result and its out values becomes a tuple; other lists get .NET's methods."""
+    if type(answer) is dict:
+        return solid_of(answer)
     if type(answer) is not list:
         return answer
+    answer = [solid_of(part) if type(part) is dict else part for part in answer]
     counts = {len(given(signature)) for signature in signatures}
     if len(answer) > 1 and len(answer) in counts:
         if 1 not in counts or _is_status(answer[0]):
             return tuple(NetList(part) if type(part) is list else part for part in answer)
     return NetList(answer)
+
+
+#: Structs that travel by their properties: the class, by its properties in the order of its constructor.
+_BY_PROPERTIES = {frozenset(names): (cls, names) for cls, names in (
+    (Cone, ("Plane", "Height", "Radius")), (Torus, ("Plane", "MajorRadius", "MinorRadius")),
+    (Ray3d, ("Position", "Direction")))}
+_CYLINDER = {"BasePlane", "Radius", "Height1", "Height2"}
+
+
+def part_of(value):
+    """A point or a plane of its properties; other values as they are."""
+    if type(value) is not dict:
+        return value
+    if {"Origin", "XAxis", "YAxis"} <= set(value):
+        axes = [Vector3d(*[value[name][one] for one in "XYZ"]) for name in ("XAxis", "YAxis")]
+        return Plane(part_of(value["Origin"]), *axes)
+    return Point3d(*[value[one] for one in "XYZ"]) if set("XYZ") <= set(value) else value
+
+
+def solid_of(answer):
+    """The struct of its properties; any other map as it is."""
+    found = _BY_PROPERTIES.get(frozenset(answer))
+    if found is not None:
+        return found[0](*[part_of(answer[name]) for name in found[1]])
+    if set(answer) == _CYLINDER:
+        made = Cylinder(Circle(part_of(answer["BasePlane"]), answer["Radius"]))
+        made.Height1, made.Height2 = answer["Height1"], answer["Height2"]
+        return made
+    return answer
 
 
 def _is_status(value):

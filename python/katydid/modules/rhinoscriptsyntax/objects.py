@@ -214,15 +214,6 @@ def BoundingBox_(objects, view_or_plane=None, in_world_coords=True):
     return corners
 
 
-def GetUserText(object_id, key=None, attached_to_geometry=False):
-    attributes = coercerhinoobject(object_id, True).Attributes
-    return attributes.GetUserString(key) if key else list(attributes.GetUserStrings())
-
-
-def SetUserText(object_id, key, value=None, attach_to_geometry=False):
-    return coercerhinoobject(object_id, True).Attributes.SetUserString(str(key), str(value))
-
-
 def SelectObject(object_id, redraw=True):
     """Nothing can be selected without a window."""
     return False

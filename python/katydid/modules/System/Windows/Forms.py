@@ -15,4 +15,45 @@ class MessageBox:
         return DialogResult.OK
 
 
+class _Item:
+    """What scripts add to a component's menu: there is no menu, so it is never shown."""
+
+    def __init__(self, *arguments, **keywords):
+        self.Text = str(arguments[0]) if arguments else ""
+        self.Checked = self.Enabled = True
+        self.Click = _Handlers()
+        self.DropDownItems = self.Items = _Items()
+
+
+class _Handlers:
+    """An event that nothing raises."""
+
+    def __iadd__(self, handler):
+        return self
+
+    __isub__ = __iadd__
+
+
+class _Items(list):
+    def Add(self, item, *rest):
+        self.append(item)
+        return item
+
+
+class ToolStripMenuItem(_Item):
+    pass
+
+
+class ToolStripSeparator(_Item):
+    pass
+
+
+class ToolStripDropDown(_Item):
+    pass
+
+
+class ToolStripDropDownMenu(_Item):
+    pass
+
+
 __getattr__ = _missing(__name__)
