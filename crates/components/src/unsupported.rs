@@ -11,7 +11,7 @@ const fn row(guid: Uuid, name: &'static str, reason: &'static str) -> Unsupporte
 
 katydid_component::parts::inventory::submit! { Unsupported::list(&LIST) }
 
-static LIST: [Unsupported; 18] = [
+static LIST: [Unsupported; 8] = [
     row(
         uuid!("410755b1-224a-4c1e-a407-bf32fb45ea7e"),
         "GhPython Script",
@@ -51,47 +51,5 @@ static LIST: [Unsupported; 18] = [
         uuid!("1e9e08fc-c31e-49eb-a36c-90de5e62e5f5"),
         "VB Script",
         "it runs in definitions that hold it; new ones are not made yet",
-    ),
-    row(
-        uuid!("b57bf805-046a-4360-ad76-51aeddfe9720"),
-        "Boundary Volume",
-        "solids are not cut by one another yet",
-    ),
-    row(uuid!("2d3b6ef3-5c26-4e2f-bcb3-8ffb9fb0f7c3"), "Box Slits", "solids are not cut by one another yet"),
-    row(
-        uuid!("fab11c30-2d9c-4d15-ab3c-2289f1ae5c21"),
-        "Solid Difference",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("5723c845-cafc-442d-a667-8c76532845e6"),
-        "Solid Intersection",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("10434a15-da85-4281-bb64-a2b3a995b9c6"),
-        "Solid Union",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("4bdc2eb0-24ed-4c90-a27b-a32db069eaef"),
-        "Split with Brep",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("5b742537-9bcb-4f06-9613-866da5bf845e"),
-        "Split with Breps",
-        "solids are not cut by one another yet",
-    ),
-    row(uuid!("f0b70e8e-7337-4ce4-a7bb-317fc971f918"), "Trim Solid", "solids are not cut by one another yet"),
-    row(
-        uuid!("3eba04bc-00e8-416d-b58f-a3dc8b3e22e2"),
-        "Trim with Brep",
-        "solids are not cut by one another yet",
-    ),
-    row(
-        uuid!("916e7ebc-524c-47ce-8936-e50a09a7b43c"),
-        "Trim with Breps",
-        "solids are not cut by one another yet",
     ),
 ];

@@ -70,7 +70,7 @@ fn laws(a: &Brep, b: &Brep) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
     fn volumes_add_up(a in any_solid(), b in any_solid()) {

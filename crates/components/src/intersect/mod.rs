@@ -10,8 +10,10 @@ mod physical;
 mod piercing;
 pub(crate) mod planes;
 mod region;
+mod region_breps;
 mod shape;
 mod slits;
+mod solids;
 mod split;
 mod view;
 

@@ -1,10 +1,10 @@
-//! Intersect / Shape: slits in flat pieces that cross.
+//! Intersect / Shape: slits in flat pieces and in boxes that cross.
 
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Tree, TreeBuilder, Value};
-use katydid_geometry::{Brep, Curve, region};
+use katydid_geometry::{Box3, Brep, Curve, construct, region};
 
 /// Cuts slits into flat pieces where they cross, so that they can be put together: ribs of a waffle, say.
 ///
@@ -67,6 +67,61 @@ fn region_slits(
         "Which piece is slit from which side is not documented: here the earlier one of the list is slit at the \
          upper side",
     ));
+    Ok((pieces.finish(), crossed.finish()))
+}
+
+/// Cuts slits into boxes where they cross, so that they can be put together.
+///
+/// Where two boxes cross, each is cut over half of the stretch that they share: the one that comes first in the list at
+/// the upper side (towards growing z, of a level stretch towards growing y, then x), the other one at the lower side. Boxes
+/// whose thinnest sides are parallel are not cut. Which box Grasshopper slits from which side is not documented.
+#[component(
+    "2d3b6ef3-5c26-4e2f-bcb3-8ffb9fb0f7c3",
+    name = "Box Slits",
+    nick = "Slits",
+    at = "Intersect/Shape"
+)]
+#[output("Breps", "B", "The boxes with their slits: a branch for each box.", kind = Brep)]
+#[output("Topology", "T", "For each box the places in the list of those that it crosses.", kind = Integer)]
+fn box_slits(
+    context: &Context<'_>,
+    /// The boxes. A null or a flat one keeps its place in the list.
+    #[port("Boxes", "B")]
+    boxes: List<Box3>,
+    /// How much room a slit leaves, from 0 on: half of it on every side.
+    #[port("Gap", "G", default = 0.0)]
+    gap: f64,
+) -> Result<(Tree, Tree), Message> {
+    let mut places = Vec::new();
+    let mut all = Vec::new();
+    for (place, own) in boxes.iter().enumerate() {
+        match own {
+            Some(own) if own.flat_side().is_none() => {
+                places.push(place);
+                all.push(own);
+            }
+            Some(_) => context.warn("A box is left out: it is flat"),
+            None => {}
+        }
+    }
+    let mut made = construct::box_slits(&all, gap, &context.tolerance())?.into_iter();
+    let (mut pieces, mut crossed) = (TreeBuilder::<Value>::new(), TreeBuilder::<Value>::new());
+    let path = context.path();
+    for place in 0..boxes.len() {
+        pieces.branch(path.child(place));
+        crossed.branch(path.child(place));
+        if !places.contains(&place) {
+            continue;
+        }
+        let Some(own) = made.next() else { continue };
+        for brep in own.breps {
+            pieces.push(Some(Value::from(brep)));
+        }
+        for other in own.others {
+            let other = places.get(other).and_then(|k| i32::try_from(*k).ok());
+            crossed.push(other.map(Value::from));
+        }
+    }
     Ok((pieces.finish(), crossed.finish()))
 }
 

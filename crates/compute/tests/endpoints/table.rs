@@ -82,7 +82,7 @@ fn pages_explain_paths() {
     let table = geometry::endpoints();
     let page = table.help("/rhino/geometry/curve/getlength").unwrap();
     assert!(page.contains("curve/getlength-curve_double") && page.contains("System.Double"));
-    assert!(table.help("brep/createbooleanunion").unwrap().contains("Not supported yet"));
+    assert!(table.help("brep/createshell").unwrap().contains("Not supported yet"));
     assert!(table.index().contains("href=\"/rhino/geometry/mesh/createfrombrep-brep\""));
     assert!(table.help("nothing/here").is_err());
 }

@@ -45,7 +45,7 @@ pub(crate) enum Shape {
     Curves(Vec<Curve>),
     Breps(Vec<Brep>),
     /// An edge of a brep.
-    EdgeOf(Box<Brep>, usize),
+    EdgeOf(usize),
 }
 
 /// All shapes of a case.
@@ -257,7 +257,7 @@ impl Shapes {
             Shape::Breps(own) => {
                 Shape::Breps(own.iter().map(|b| b.transformed(xform)).collect::<Result<_, _>>()?)
             }
-            Shape::EdgeOf(..) => return Err(Failure::NotBuilt("an edge moved".into())),
+            Shape::EdgeOf(_) => return Err(Failure::NotBuilt("an edge moved".into())),
         })
     }
 
@@ -393,7 +393,7 @@ impl Shapes {
                     for edge in 0..brep.edges().len() {
                         let Some(curve) = brep.edge_as_curve(edge)? else { continue };
                         let centre = curve.point_at(curve.domain().middle());
-                        offer(centre, curve.length(), Shape::EdgeOf(Box::new(brep.clone()), edge));
+                        offer(centre, curve.length(), Shape::EdgeOf(edge));
                     }
                 }
                 other => return Err(Failure::NotBuilt(format!("a part of type {other}"))),
@@ -440,7 +440,7 @@ impl Shapes {
         let mut radius = 0.0;
         for pair in list(&step["edges"])? {
             radius = number(&pair[0])?;
-            let Shape::EdgeOf(_, edge) = self.get(&pair[1])? else {
+            let Shape::EdgeOf(edge) = self.get(&pair[1])? else {
                 return Err(Failure::NotBuilt("a fillet along other things".into()));
             };
             edges.push((*edge, [radius; 2]));
@@ -475,6 +475,24 @@ impl Shapes {
         };
         let any = |inside: Option<&[bool]>| inside.is_some_and(|i| i.iter().any(|x| *x));
         let kind = text(&step["kind"])?;
+        if kind == "split" && !all.iter().take(count).all(Brep::is_solid) {
+            let mut parts = Vec::new();
+            for object in 0..count {
+                parts.extend(fuse.faces_of(object)?.into_iter().map(|(_, made)| made.brep));
+            }
+            return Ok(Shape::Breps(parts));
+        }
+        if step["construction"] == "builder" {
+            // Parts that the operands divide stay divided.
+            let wanted = |i: &Vec<bool>| match (kind, any(i.get(..count)), any(i.get(count..))) {
+                ("fuse", a, b) => a || b,
+                ("common", a, b) => a && b,
+                ("cut", a, b) => a && !b,
+                (_, a, b) => !a && b,
+            };
+            let kept = fuse.volumes()?.into_iter().filter(|(inside, _)| wanted(inside));
+            return Ok(Shape::Breps(kept.map(|(_, made)| made.brep).collect()));
+        }
         let made = match kind {
             "fuse" => fuse.solids(|i| any(Some(i)))?,
             "common" => fuse.solids(|i| any(i.get(..count)) && any(i.get(count..)))?,

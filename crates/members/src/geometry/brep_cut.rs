@@ -1,5 +1,6 @@
 //! Breps cut, parted along edges and joined along them.
 
+use katydid_geometry::brep::Fuse;
 use katydid_geometry::construct::baseball_sphere;
 use katydid_geometry::{Brep, Curve, Plane, Point3, Sphere};
 
@@ -66,7 +67,6 @@ pub(super) fn enter(table: &mut Endpoints) {
 
 type Index = Count<0, { i32::MAX as usize }>;
 
-/// What closes to solids without being cut; cutting shells by one another is another matter.
 /// The parts into which other Breps cut one; none where nothing was split.
 fn split_by(brep: &Brep, cutters: &[Brep], within: Within, waiting: &Waiting) -> Result<Vec<Brep>, Fault> {
     let tolerance = within.tolerance();
@@ -86,12 +86,18 @@ fn split_by(brep: &Brep, cutters: &[Brep], within: Within, waiting: &Waiting) ->
     Ok(if parts.len() > 1 { parts } else { Vec::new() })
 }
 
+/// The solids that Breps close to as they are, else those that they enclose when they are cut by one another.
 fn solids(breps: &[Brep], tolerance: Within) -> Outcome<Vec<Brep>> {
     let joined = Brep::join(breps, &tolerance.tolerance())?.breps;
     if joined.iter().all(Brep::is_solid) {
         Ok(joined)
     } else {
-        Err(Fault::not_supported("solids of surfaces that must be cut by one another first"))
+        let cells = Fuse::new(breps, &tolerance.tolerance())?.volumes()?;
+        let cells: Vec<Brep> = cells.into_iter().map(|(_, made)| made.brep).collect();
+        if cells.is_empty() {
+            return Err(Fault::failed("the Breps enclose no volume"));
+        }
+        Ok(Brep::union(&cells, &tolerance.tolerance())?.into_iter().map(|made| made.brep).collect())
     }
 }
 

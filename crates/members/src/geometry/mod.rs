@@ -7,6 +7,7 @@
 mod answer;
 mod argument;
 mod brep;
+mod brep_boolean;
 mod brep_cut;
 mod brep_face;
 mod brep_make;

@@ -99,6 +99,7 @@ impl Endpoints {
             table.enlist(Row::of(path, member(spelled), words));
         }
         super::brep::enter(&mut table);
+        super::brep_boolean::enter(&mut table);
         super::brep_cut::enter(&mut table);
         super::brep_face::enter(&mut table);
         super::brep_make::enter(&mut table);

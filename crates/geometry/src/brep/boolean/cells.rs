@@ -6,6 +6,7 @@ use super::operands::Operands;
 use super::pieces::Pieces;
 use super::refusal::RefusalClass;
 use super::regions::Region;
+use super::thresholds::ONE_PLANE;
 use crate::{BoundingBox, BoxIndex, Containment, Result, patience};
 
 /// Where the two sides of a region lie.
@@ -94,16 +95,25 @@ fn coincident(all: &Operands, regions: &[Region]) -> Result<Vec<Group>> {
     Ok(groups)
 }
 
-/// Whether a region with the rim of another lies upon it; then, whether both look the same way.
+/// Whether a region with the rim of another lies upon it, with all its points; then, whether both look the same way. Faces
+/// that only cross each other may have a point in common, but not all, and not with one tangent plane.
 fn upon(all: &Operands, region: &Region, other: &Region) -> Result<Option<bool>> {
-    let (Some(sample), Some(face)) = (region.samples.first(), all.faces.get(other.face)) else {
-        return Ok(None);
-    };
-    let uv = face.parameters(sample.point)?;
-    if face.surface.point_at(uv[0], uv[1]).distance_to(sample.point) > 2.0 * all.limit || !other.covers(uv) {
-        return Ok(None);
+    let Some(face) = all.faces.get(other.face) else { return Ok(None) };
+    let mut same: Option<bool> = None;
+    for sample in &region.samples {
+        let uv = face.parameters(sample.point)?;
+        if face.surface.point_at(uv[0], uv[1]).distance_to(sample.point) > 2.0 * all.limit
+            || !other.covers(uv)
+        {
+            return Ok(None);
+        }
+        let Some(turn) = face.normal(uv).map(|n| n.dot(sample.normal)) else { return Ok(None) };
+        if turn.abs() < ONE_PLANE || same.is_some_and(|s| s != (turn > 0.0)) {
+            return Ok(None);
+        }
+        same = Some(turn > 0.0);
     }
-    Ok(face.normal(uv).map(|n| n.dot(sample.normal) > 0.0))
+    Ok(same)
 }
 
 /// For every group and operand whether it lies inside; what lies on the operand is set by the caller. Only faces whose

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use super::operands::{Edge, Operands, Place};
 use super::refusal::RefusalClass;
-use super::thresholds::{MOST_PAIRS, PARALLEL, SAME_PARAMETER};
+use super::thresholds::{CAPTURE, MOST_PAIRS, PARALLEL, ROUNDING, SAME_PARAMETER};
 use crate::box_pairs::near_pairs;
 use crate::intersect::{curve_curve, curve_with_surface};
 use crate::{BoundingBox, Curve, Line, Point3, Result, patience};
@@ -72,8 +72,14 @@ pub(super) fn common_points(a: &Curve, b: &Curve, limit: f64, out: &mut Vec<Poin
     }
     let met = curve_curve(a, b, limit)?;
     out.extend(met.crossings.iter().map(|c| c.point));
+    let ends = [a.start(), a.end(), b.start(), b.end()];
     for overlap in &met.overlaps {
-        out.extend([overlap.a.start, overlap.a.end].map(|t| a.point_at(t)));
+        // Curves upon each other part at an end of one of them, which is a vertex. Others only touch, and keep within the
+        // tolerance over a stretch of about the root of it, in whose middle they do.
+        let known = |t: f64| ends.iter().any(|end| end.distance_to(a.point_at(t)) <= CAPTURE * limit);
+        if !known(overlap.a.start) && !known(overlap.a.end) {
+            out.push(a.point_at(overlap.a.middle()));
+        }
     }
     Ok(())
 }
@@ -123,9 +129,10 @@ fn pierce(all: &Operands, edge: usize, face: usize, out: &mut Vec<Point3>) -> Re
         let domain = own.curve.domain();
         let least = SAME_PARAMETER * domain.length();
         for overlap in &met.overlaps {
-            let ends = [overlap.t.start, overlap.t.end].into_iter();
-            let inner = ends.filter(|t| *t > domain.start + least && *t < domain.end - least);
-            found.extend(inner.map(|t| own.curve.point_at(t)));
+            // As for curves: what only touches does so in the middle of the stretch.
+            if overlap.t.start > domain.start + least && overlap.t.end < domain.end - least {
+                found.push(own.curve.point_at(overlap.t.middle()));
+            }
         }
     }
     for p in found {
@@ -160,7 +167,10 @@ pub(super) fn edge_stops(all: &Operands, index: &crate::BoxIndex, edge: &Edge) -
     let domain = edge.curve.domain();
     let mut out = vec![(domain.start, edge.ends[0])];
     let found = stops(all, index, &edge.curve, &edge.bounds, all.limit)?;
-    out.extend(found.into_iter().filter(|(_, v)| !edge.ends.contains(v)));
+    // A vertex beside an end is nearest to that end, and not between the ends.
+    let least = ROUNDING * domain.length();
+    let between = |t: f64| t > domain.start + least && t < domain.end - least;
+    out.extend(found.into_iter().filter(|(t, v)| between(*t) && !edge.ends.contains(v)));
     out.push((domain.end, edge.ends[1]));
     Ok(out)
 }

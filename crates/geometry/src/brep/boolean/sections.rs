@@ -242,7 +242,9 @@ pub(super) fn pieces(all: &mut Operands, sections: Vec<Section>) -> Result<Vec<S
             if !range.is_increasing() || (a == b && !(closed && found.len() == 2)) {
                 continue;
             }
-            if !inside_both(all, [fa, fb], &curve, range, reach)? {
+            // Two vertices off the end of the curve have their nearest place there.
+            let short = a != b && curve.point_at(s).distance_to(curve.point_at(t)) <= ROUNDING * fa.size;
+            if short || !inside_both(all, [fa, fb], &curve, range, reach)? {
                 continue;
             }
             let domain = curve.domain();

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Made;
-use crate::{BoundingBox, Box3, Brep, Interval, Plane, Point3, Sphere, Tolerance, Vector3, construct};
+use crate::{BoundingBox, Box3, Brep, Interval, Plane, Point3, Sphere, Tolerance, construct};
 
 fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
     let bounds = BoundingBox { min: Point3::from(min), max: Point3::from(max) };
@@ -92,5 +92,4 @@ fn balls_overlap() {
     for center in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.8, 0.0], [0.48, 0.6, 0.64]] {
         near(all_of(&ball([0.0; 3], 1.0), &ball(center, 1.0)), want);
     }
-    let _ = Vector3::X;
 }

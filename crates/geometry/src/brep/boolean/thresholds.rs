@@ -11,10 +11,14 @@ pub(super) const TRACED: f64 = 0.25;
 pub(super) const CAPTURE: f64 = 2.0;
 /// Two curves with the same ends are one when they come nearer to each other than so many tolerances.
 pub(super) const SAME_CURVE: f64 = 4.0;
-/// Images in the parameter plane are pulled within this part of the tolerance.
-pub(super) const PULLED: f64 = 0.25;
+/// The share of the way to the middle of a piece at which one sees on which side of a seam its end lies.
+pub(super) const BESIDE: f64 = 1e-3;
+/// Images in the parameter plane are pulled within these parts of the tolerance: the first that can be reached.
+pub(super) const PULLED: [f64; 3] = [0.25, 1.0, 4.0];
 /// Two unit directions whose product is shorter are parallel to rounding.
 pub(super) const PARALLEL: f64 = 1e-10;
+/// The cosine of the angle between normals of faces that lie upon each other: what the tolerance leaves open is far less.
+pub(super) const ONE_PLANE: f64 = 0.999;
 /// Parameters nearer than this part of a domain are one.
 pub(super) const SAME_PARAMETER: f64 = 1e-7;
 /// Two places of one vertex in the parameter plane are on different sides of a seam when they are farther apart than
