@@ -67,6 +67,8 @@ pub(crate) const TINY: f64 = 1e-4;
 pub(crate) const AT_POLE: f64 = 1e-3;
 /// A curve that ends no further from a contact than this part of the size ends in it.
 pub(crate) const AT_CONTACT: f64 = 1e-2;
+/// A curve runs into a contact when the cosine between its tangent and the way there is at least this.
+pub(crate) const INTO_CONTACT: f64 = 0.9;
 /// Around a tangent place where the surfaces bend apart in all directions, what is not decided reaches no further than this
 /// part of the domains, or of the size; in longer groups there may be more.
 pub(crate) const CLUSTER: f64 = 2e-2;

@@ -226,6 +226,9 @@ pub(super) fn pieces(all: &mut Operands, sections: Vec<Section>) -> Result<Vec<S
         let found = stops(all, &index, &curve, &bounds, reach)?;
         let (Some(fa), Some(fb)) = (all.faces.get(faces[0]), all.faces.get(faces[1])) else { continue };
         let closed = curve.is_closed();
+        if !closed {
+            refuse_loose_ends(all, faces, [fa, fb], &curve, &found, reach)?;
+        }
         if found.is_empty() {
             // A curve that meets no border lies inside both faces as a whole, or outside of one.
             if closed && inside_both(all, [fa, fb], &curve, curve.domain(), reach)? {
@@ -254,6 +257,33 @@ pub(super) fn pieces(all: &mut Operands, sections: Vec<Section>) -> Result<Vec<S
         }
     }
     Ok(out)
+}
+
+/// A section ends on the border of one of its faces, or in a vertex. One that ends inside both was not followed to its
+/// end: what it divides is not known.
+fn refuse_loose_ends(
+    all: &Operands,
+    places: [usize; 2],
+    faces: [&Face; 2],
+    curve: &Curve,
+    found: &[(f64, usize)],
+    reach: f64,
+) -> Result<()> {
+    let domain = curve.domain();
+    let [first, last] = match (found.first(), found.last()) {
+        (Some(first), Some(last)) => {
+            [Interval::new(domain.start, first.0), Interval::new(last.0, domain.end)]
+        }
+        _ => [domain, domain],
+    };
+    for range in [first, last] {
+        let end_to_end = curve.point_at(range.start).distance_to(curve.point_at(range.end));
+        if range.is_increasing() && end_to_end > reach && inside_both(all, faces, curve, range, reach)? {
+            let place = curve.point_at(range.middle());
+            return Err(all.refuse(RefusalClass::Unfinished, &places, Some(place)));
+        }
+    }
+    Ok(())
 }
 
 /// The points of all vertices in a tree of boxes.

@@ -93,3 +93,25 @@ fn balls_overlap() {
         near(all_of(&ball([0.0; 3], 1.0), &ball(center, 1.0)), want);
     }
 }
+
+#[test]
+fn rings_that_cross_at_right_angles() {
+    // Where the tubes cross both surfaces are tangent: four places, into each of which four curves run.
+    let ring = |normal: [f64; 3]| {
+        let plane = Plane::from_normal(Point3::ORIGIN, normal.into()).unwrap();
+        construct::torus(&crate::Torus::new(plane, 100.0, 20.0).unwrap()).unwrap()
+    };
+    let (a, b) = (ring([0.0, 0.0, 1.0]), ring([0.0, 1.0, 0.0]));
+    let t = Tolerance { absolute: 1e-3, ..Tolerance::default() };
+    // What is not decided is refused; an answer must keep the identity, and the tubes have something in common.
+    match Brep::union(&[a.clone(), b.clone()], &t) {
+        Err(crate::Error::Refused(_)) => {}
+        Err(other) => panic!("{other}"),
+        Ok(made) => {
+            let common = volume(&Brep::intersection(&[a], &[b], &t).unwrap());
+            let one = 2.0 * PI * PI * 100.0 * 400.0;
+            assert!((volume(&made) + common - 2.0 * one).abs() <= 1e-5 * one);
+            assert!(common > 0.1 * one);
+        }
+    }
+}

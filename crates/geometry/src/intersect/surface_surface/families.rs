@@ -277,3 +277,24 @@ fn no_branch_of_many_height_fields_is_missed() {
     println!("{told} told, {missed} missed");
     assert_eq!(missed, 0);
 }
+
+#[test]
+fn curves_end_in_the_places_where_they_cross() {
+    let ring = |normal: [f64; 3]| {
+        let plane = Plane::from_normal(Point3::ORIGIN, normal.into()).unwrap();
+        Torus::new(plane, 100.0, 20.0).unwrap().to_nurbs().unwrap()
+    };
+    let (a, b) = (ring([0.0, 0.0, 1.0]), ring([0.0, 1.0, 0.0]));
+    for absolute in [1e-3, 1e-6] {
+        let met = surface_surface(&a, &b, &Tolerance { absolute, ..Tolerance::default() }).unwrap();
+        assert!(met.complete);
+        assert_eq!((met.branches.len(), met.contacts.len()), (8, 4));
+        for branch in &met.branches {
+            assert!(branch.deviation <= absolute, "{}", branch.deviation);
+            for end in [branch.curve.start(), branch.curve.end()] {
+                let off = (end.x.abs() - 100.0).abs() - 20.0;
+                assert!(off.abs().max(end.y.abs()).max(end.z.abs()) <= 1e-8, "{end:?}");
+            }
+        }
+    }
+}

@@ -3,6 +3,7 @@
 mod area;
 mod contacts;
 mod cover;
+mod ends;
 mod equal;
 mod exact;
 mod images;
@@ -277,7 +278,9 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
             followed.append(&mut curves.found);
         }
     }
-    for row in rows::joined(&pair, followed) {
+    let mut rows = rows::joined(&pair, followed);
+    ends::led_in(&pair, &mut rows, &out.contacts);
+    for row in rows {
         let fit = fitted_within(&pair, &row.places, limit)?;
         out.branches.push(SurfaceBranch {
             curve: fit.curve,
