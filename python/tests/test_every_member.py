@@ -54,6 +54,8 @@ def samples(host):
     circle = host.call("ArcCurve.new", Circle(2))
     faces, edges = host.call("Brep.get_Faces", brep), host.call("Brep.get_Edges", brep)
     polyline = host.call("PolylineCurve.new", pts + pts[:1])
+    subd = host.call("SubD.CreateFromMesh", mesh)
+    parts = [host.call("SubD.get_" + name, subd)[0] for name in ("Vertices", "Edges", "Faces")]
     return {
         "number": 0.5, "whole": 1, "truth": True, "text": "a", "Enum": 0, "any": 1, "Point3d": Point3d(1, 0.5, 0),
         "Point2d": Point2d(0.5, 0.5), "Vector3d": Vector3d(0, 0, 1), "Plane": Plane.WorldXY, "Interval": Interval(0.1, 0.9),
@@ -65,7 +67,7 @@ def samples(host):
         "Brep": brep, "Mesh": mesh, "GeometryBase": circle, "BrepFace": faces[0], "BrepEdge": edges[0], "BrepPart": faces[0],
         "NurbsCurve": host.call("Curve.ToNurbsCurve", circle), "NurbsSurface": host.call("Surface.ToNurbsSurface", surface),
         "LineCurve": host.call("LineCurve.new", Line(0, 0, 0, 2, 0, 0)), "ArcCurve": circle, "PolylineCurve": polyline,
-        "PlaneSurface": surface, "Polyline": polyline, "SubD": host.call("SubD.CreateFromMesh", mesh),
+        "PlaneSurface": surface, "Polyline": polyline, "SubD": subd,
         "Point": host.call("Point.new", pts[1]), "MeshingParameters": {"GridMinCount": 4}, "Corners": codec.MeshFace(0, 1, 2, 3),
         "PolyCurve": poly, "IntersectionEvent": events[0], "MeshPoint": host.call("Mesh.ClosestMeshPoint", mesh, pts[1], 10.0),
         "AreaMassProperties": host.call("AreaMassProperties.Compute", surface),
@@ -73,7 +75,8 @@ def samples(host):
         "RevSurface": host.call("RevSurface.Create", line, Line(0, 0, 0, 0, 0, 1), 0.0, 1.5),
         "Ray3d": {"Position": Point3d(0.5, 0.6, -5), "Direction": Vector3d(0, 0, 1)},
         "ReduceMeshParameters": {"DesiredPolygonCount": 6}, "SubDCreationOptions": {},
-        "PointCloud": host.call("PointCloud.new", pts), "TextDot": host.call("TextDot.new", "a", pts[1]),
+        "PointCloud": host.call("PointCloud.new", pts), "Hatch": host.call("Hatch.Create", polyline, 1, 0.5, 2.0, 0.01)[0],
+        "SubDVertex": parts[0], "SubDEdge": parts[1], "SubDFace": parts[2], "TextDot": host.call("TextDot.new", "a", pts[1]),
         "second": host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1)),
         "grid": [Point3d(i, j, (i - j) % 2 / 4) for i in range(4) for j in range(4)],
         "corners": [Point3d(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))],

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use katydid_3dm::{
     Attributes, LineCap, LineJoin, Linetype, LinetypeSegment, Model, ModelObject as Archived, ObjectMode,
+    UserData,
 };
-use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Visibility, cast};
+use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Value, Visibility, cast};
 use uuid::Uuid;
 
 use super::pieces;
@@ -37,7 +38,12 @@ impl Blocks {
                 pieces::of(geometry, rules, model, self, &mut objects)?;
             }
             let attributes = attributes(model, object);
-            let member = |geometry| Archived { attributes: attributes.clone(), ..Archived::from(geometry) };
+            let user_data = object.geometry.as_ref().map(user_data).unwrap_or_default();
+            let member = |geometry| Archived {
+                attributes: attributes.clone(),
+                user_data: user_data.clone(),
+                ..Archived::from(geometry)
+            };
             members.extend(objects.into_iter().map(member));
         }
         let id = model.add_block(&block.name, members);
@@ -70,6 +76,16 @@ pub(super) fn attributes(model: &mut Model, object: &ModelObject) -> Attributes 
         user_strings: object.user_text.iter().map(text).collect(),
         ..Attributes::default()
     }
+}
+
+/// The texts that geometry carries itself, as its user data.
+pub(super) fn user_data(value: &Value) -> Vec<UserData> {
+    let texts = value.carried_texts();
+    if texts.is_empty() {
+        return Vec::new();
+    }
+    let texts: Vec<_> = texts.iter().map(|(key, text)| (key.to_string(), text.to_string())).collect();
+    UserData::of_user_strings(&texts).into_iter().collect()
 }
 
 /// The place of a layer in the model, which gets it with those that it lies in; none for a layer without a name.

@@ -201,8 +201,10 @@ impl Baking<'_> {
             attributes.groups.push(model.groups.len());
             model.groups.push(Group::new(format!("{title} {} {}", source.path, source.index)));
         }
+        let user_data = content::user_data(value);
         let with_attributes = |geometry: Archived| ModelObject {
             attributes: attributes.clone(),
+            user_data: user_data.clone(),
             ..ModelObject::from(geometry)
         };
         model.objects.extend(pieces.into_iter().map(with_attributes));
