@@ -196,7 +196,8 @@ fn texts_on_geometry_travel_with_it() {
     let texts = |object: &katydid_3dm::ModelObject| {
         object.user_data.iter().find_map(|data| data.strings().unwrap()).unwrap_or_default()
     };
-    let found = model.objects.iter().filter(|object| texts(object) == [("key".to_owned(), "text".to_owned())]);
+    let found =
+        model.objects.iter().filter(|object| texts(object) == [("key".to_owned(), "text".to_owned())]);
     assert!(found.count() >= 2);
 }
 
