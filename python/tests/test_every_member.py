@@ -23,7 +23,10 @@ BY_NAME = {"degree": 2, "order": 4, "pointCount": 5, "count": 4, "segmentCount":
            "tolerance": 0.01, "overlapTolerance": 0.01, "angleTolerance": 0.01, "angleToleranceRadians": 0.01, "t": 0.5, "u": 0.5,
            "v": 0.5, "t0": 0.1, "t1": 0.9, "around": 8, "vertical": 4, "xCount": 4, "yCount": 4, "zCount": 4, "numSamples": 5,
            "cvCount": 6, "pointsPerTurn": 10, "desiredPolygonCount": 6, "uPointCount": 4, "vPointCount": 4,
-           "endAngleRadians": 1.5, "numPoints": 5}
+           "endAngleRadians": 1.5, "numPoints": 5, "dimension": 3, "order0": 3, "order1": 3, "controlPointCount0": 4,
+           "controlPointCount1": 4}
+#: Indices of control points, which elsewhere are parameters of surfaces by the same names.
+INDICES = {"u", "v"}
 #: Points and vectors that have to differ from the others of a call.
 PLACES = {"contourEnd": Point3d(0, 0, 2), "corner1": Point3d(0, 0, 0), "corner2": Point3d(2, 0, 0), "corner3": Point3d(2, 2, 0),
           "corner4": Point3d(0, 2, 0), "radiusPoint": Point3d(3, 0, 0), "vectorB": Vector3d(1, 0, 0), "end": Point2d(1.5, 1)}
@@ -54,6 +57,8 @@ def samples(host):
     circle = host.call("ArcCurve.new", Circle(2))
     faces, edges = host.call("Brep.get_Faces", brep), host.call("Brep.get_Edges", brep)
     polyline = host.call("PolylineCurve.new", pts + pts[:1])
+    subd = host.call("SubD.CreateFromMesh", mesh)
+    parts = [host.call("SubD.get_" + name, subd)[0] for name in ("Vertices", "Edges", "Faces")]
     return {
         "number": 0.5, "whole": 1, "truth": True, "text": "a", "Enum": 0, "any": 1, "Point3d": Point3d(1, 0.5, 0),
         "Point2d": Point2d(0.5, 0.5), "Vector3d": Vector3d(0, 0, 1), "Plane": Plane.WorldXY, "Interval": Interval(0.1, 0.9),
@@ -65,7 +70,7 @@ def samples(host):
         "Brep": brep, "Mesh": mesh, "GeometryBase": circle, "BrepFace": faces[0], "BrepEdge": edges[0], "BrepPart": faces[0],
         "NurbsCurve": host.call("Curve.ToNurbsCurve", circle), "NurbsSurface": host.call("Surface.ToNurbsSurface", surface),
         "LineCurve": host.call("LineCurve.new", Line(0, 0, 0, 2, 0, 0)), "ArcCurve": circle, "PolylineCurve": polyline,
-        "PlaneSurface": surface, "Polyline": polyline, "SubD": host.call("SubD.CreateFromMesh", mesh),
+        "PlaneSurface": surface, "Polyline": polyline, "SubD": subd,
         "Point": host.call("Point.new", pts[1]), "MeshingParameters": {"GridMinCount": 4}, "Corners": codec.MeshFace(0, 1, 2, 3),
         "PolyCurve": poly, "IntersectionEvent": events[0], "MeshPoint": host.call("Mesh.ClosestMeshPoint", mesh, pts[1], 10.0),
         "AreaMassProperties": host.call("AreaMassProperties.Compute", surface),
@@ -73,7 +78,8 @@ def samples(host):
         "RevSurface": host.call("RevSurface.Create", line, Line(0, 0, 0, 0, 0, 1), 0.0, 1.5),
         "Ray3d": {"Position": Point3d(0.5, 0.6, -5), "Direction": Vector3d(0, 0, 1)},
         "ReduceMeshParameters": {"DesiredPolygonCount": 6}, "SubDCreationOptions": {},
-        "PointCloud": host.call("PointCloud.new", pts), "TextDot": host.call("TextDot.new", "a", pts[1]),
+        "PointCloud": host.call("PointCloud.new", pts), "Hatch": host.call("Hatch.Create", polyline, 1, 0.5, 2.0, 0.01)[0],
+        "SubDVertex": parts[0], "SubDEdge": parts[1], "SubDFace": parts[2], "TextDot": host.call("TextDot.new", "a", pts[1]),
         "second": host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1)),
         "grid": [Point3d(i, j, (i - j) % 2 / 4) for i in range(4) for j in range(4)],
         "corners": [Point3d(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))],
@@ -87,8 +93,11 @@ def value_of(made, text, name):
         return made["corners" if name == "corners" else "grid"]
     if text.endswith("[]"):
         one = value_of(made, text[:-2], name)
-        return None if one is None else [one]
+        # A colour for each point of the grid.
+        return None if one is None else [one] * (len(made["grid"]) if name == "colors" else 1)
     head = text.rpartition(".")[2]
+    if kind(text) == "whole" and name in INDICES:
+        return 1
     if kind(text) in ("number", "whole") and name in BY_NAME:
         return BY_NAME[name]
     if head in ENUMERATIONS or head in enums.BY_NAME:
@@ -151,4 +160,4 @@ def test_every_member_takes_what_its_signature_says(host):
                 wrong.append("%s gave %r" % (signature, answer[1]))
     print("%d called, %d gave an error of geometry, %d without a sample" % (called, failed, len(skipped)))
     assert not wrong, "%d of %d:\n%s" % (len(wrong), called, "\n".join(wrong))
-    assert called >= 771 and failed <= 57 and len(skipped) <= 2, (called, failed, skipped)
+    assert called >= 874 and failed <= 57 and len(skipped) <= 2, (called, failed, skipped)

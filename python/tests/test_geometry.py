@@ -247,3 +247,64 @@ p = c.Points[1]
 c.Points[0] = rg.Point3d(-1, 0, 0)
 a = repr([p.Location.X, p.Location.Y, p.Weight, c.PointAtStart.X])"""
     assert run(code) == "[1.0, 1.0, 2.0, -1.0]"
+
+
+TEXTS = """
+m = rg.Mesh.CreateFromPlane(rg.Plane.WorldXY, rg.Interval(0, 2), rg.Interval(0, 2), 1, 1)
+m.SetUserString("a", "1")
+m.SetUserString("b", "2")
+n = m.DuplicateMesh()
+m.DeleteUserString("a")
+"""
+
+CLOUD = """
+c = rg.PointCloud([rg.Point3d(1, 2, 3)])
+c.Add(rg.Point3d(4, 5, 6), System.Drawing.Color.FromArgb(7, 8, 9))
+"""
+
+
+@pytest.mark.parametrize("expression, value", [
+    # Texts that geometry carries
+    (TEXTS + "[m.GetUserString('a') is None, n.GetUserString('a') == '1', m.UserStringCount, n.UserStringCount]",
+     [True, True, 1, 2]),
+    (TEXTS + "[list(n.GetUserStrings().AllKeys) == ['a', 'b'], n.GetUserStrings()['b'] == '2', n.GetUserStrings()[0] == '1', "
+     "n.GetUserStrings()['x'] is None, dict(n.GetUserStrings()) == {'a': '1', 'b': '2'}, m.HasUserData]",
+     [True, True, True, True, True, True]),
+    (TEXTS + "n.Translate(1, 0, 0)\nn.DeleteAllUserStrings()\n[n.UserStringCount, n.HasUserData, n.IsDocumentControlled]",
+     [0, False, False]),
+    ("p = rg.Point(rg.Point3d(1, 2, 3))\np.SetUserString('k', 'v')\nq = p.Duplicate()\np.SetUserString('k', None)\n"
+     "[q.GetUserString('k') == 'v', p.UserStringCount, q.Location.Z, q.DeleteUserString('k'), q.UserStringCount]",
+     [True, 0, 3.0, True, 0]),
+    # A saddle: bilinear over the corners with z = u v
+    ("s = rg.NurbsSurface.Create(3, False, 2, 2, 2, 2)\n"
+     "for i in range(2):\n    for j in range(2): s.Points.SetPoint(i, j, i, j, i * j)\n"
+     "s.KnotsU[0], s.KnotsU[1] = 0, 1\ns.KnotsV.CreateUniformKnots(1.0)\n"
+     "[s.IsValid, s.PointAt(0.5, 0.5).Z, len(s.KnotsU), s.KnotsV[1], s.KnotsU.ClampedAtStart]", [True, 0.25, 2, 1.0, True]),
+    ("s = rg.NurbsSurface.CreateFromCorners(rg.Point3d(0, 0, 0), rg.Point3d(2, 0, 0), rg.Point3d(2, 2, 0), rg.Point3d(0, 2, 0))\n"
+     "s.Points.SetPoint(1, 1, rg.Point3d(2, 2, 4), 1.0)\np = s.Points.GetControlPoint(1, 1)\n"
+     "[s.Points.CountU, p.Location.Z, p.Weight, s.PointAt(*[s.Domain(k).Mid for k in (0, 1)]).Z, len(list(s.Points)), "
+     "s.Points.GetPoint(9, 9)[0]]", [2, 4.0, 1.0, 1.0, 4, False]),
+    # Point clouds
+    (CLOUD + "[len(c), c[0].X, c[-1].Location.Y, c[1].Color.G, c[0].Color.R, c.ContainsColors, c.ContainsNormals]",
+     [2, 1.0, 5.0, 8, 0, True, False]),
+    (CLOUD + "sum(item.Z for item in c)", 9.0),
+    (CLOUD + "d = rg.PointCloud([rg.Point3d(0, 0, 9)])\nc.Merge(d)\n[c.Count, len(list(c.GetColors())), c.RemoveRange([0, 1]), c.Count, c[0].Z]",
+     [3, 3, 2, 1, 9.0]),
+    # A cube as a SubD
+    ("s = rg.SubD.CreateFromMesh(rg.Mesh.CreateFromBox(rg.Box(rg.BoundingBox(0, 0, 0, 2, 2, 2)), 1, 1, 1))\n"
+     "[len(s.Vertices), s.Edges.Count, s.Faces.Count, sum(v.EdgeCount for v in s.Vertices), s.Faces.Find(1).VertexCount, "
+     "s.Vertices.First.Id, s.IsSolid]", [8, 12, 6, 24, 4, 1, True]),
+    ("s = rg.SubD.CreateFromMesh(rg.Mesh.CreateFromBox(rg.Box(rg.BoundingBox(0, 0, 0, 2, 2, 2)), 1, 1, 1))\n"
+     "e = s.Edges[0]\n[e.ControlNetLine.Length, e.FaceCount, e.VertexFrom.ControlNetPoint.DistanceTo(e.VertexTo.ControlNetPoint), "
+     "str(e.Tag) == 'Smooth', e.FaceAt(0).EdgeCount]", [2.0, 2, 2.0, True, 4]),
+    ("s = rg.SubD.CreateFromMesh(rg.Mesh.CreateFromBox(rg.Box(rg.BoundingBox(0, 0, 0, 2, 2, 2)), 1, 1, 1))\n"
+     "s.Edges.SetEdgeTags(range(12), rg.SubDEdgeTag.Crease)\nstr(s.Edges[3].Tag) == 'Crease'", True),
+    # Hatches
+    ("h = rg.Hatch.Create([rg.ArcCurve(rg.Circle(3)), rg.ArcCurve(rg.Circle(1))], 2, math.pi / 4, 2.0, 0.001)\n"
+     "[len(h), h[0].PatternIndex, h[0].PatternRotation, h[0].PatternScale, rg.AreaMassProperties.Compute(h[0]).Area, "
+     "len(h[0].Get3dCurves(True)), h[0].Get3dCurves(False)[0].GetLength()]", [1, 2, math.pi / 4, 2.0, 8 * math.pi, 1, TAU]),
+    ("h = rg.Hatch.Create(rg.Rectangle3d(rg.Plane.WorldXY, 2, 3).ToNurbsCurve(), 0, 0, 1)[0]\nh.PatternScale = 4\n"
+     "h.Translate(0, 0, 5)\n[h.PatternScale, h.Plane.OriginZ, h.ToBrep().GetArea(), h.BasePoint.Z]", [4.0, 5.0, 6.0, 5.0]),
+])
+def test_texts_grids_clouds_and_parts(run, expression, value):
+    check(run, "import System.Drawing\n" + expression, value)

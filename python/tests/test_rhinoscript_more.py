@@ -35,9 +35,22 @@ TABLE = [
      "rs.RemoveObjectFromAllGroups(o[1]), rs.ObjectGroups(o[1]), rs.ObjectGroups(o[2]), rs.RenameGroup('b', 'c'), "
      "rs.DeleteGroup('a'), rs.DeleteGroup('a'), rs.GroupNames()]",
      [True, 2, True, True, [], ["b"], "c", True, False, ["c"]]),
+    # Hatches: the area inside a circle without a circle within
+    ("h = rs.AddHatch(circle(2), 'Hatch2', 1.5, 30)\n[rs.IsHatch(h), rs.IsHatch(line()), rs.HatchPattern(h), rs.HatchScale(h), "
+     "rs.HatchRotation(h), rs.Area(h)]", [True, False, "Hatch2", 1.5, 30.0, 4 * PI]),
+    ("h = rs.AddHatches([circle(3), circle(1)])\n[len(h), rs.Area(h[0]), len(geo(h[0]).Get3dCurves(False)), "
+     "geo(h[0]).ToBrep().GetArea()]", [1, 8 * PI, 1, 8 * PI]),
+    ("h = rs.AddHatch(square())\n[rs.HatchPattern(h, 'Grid'), rs.HatchPattern(h), rs.HatchRotation(h, 90), rs.HatchRotation(h), "
+     "rs.HatchScale(h, 3), rs.HatchScale(h), geo(h).PatternIndex]", ["Solid", "Grid", 0.0, 90.0, 1.0, 3.0, 5]),
+    ("[rs.HatchPatternCount() == len(rs.HatchPatternNames()), rs.IsHatchPattern('solid'), rs.IsHatchPattern('x'), "
+     "rs.CurrentHatchPattern(), rs.AddHatch(line())]", [True, True, False, "Solid", None]),
+    ("h = rs.AddHatch(square(2))\nrs.MoveObject(h, (5, 0, 1))\nb = rs.BoundingBox(geo(h).ToBrep())\n[P(b[0]), P(b[6])]",
+     [[5, 0, 1], [7, 2, 1]]),
     # Texts by key
-    ("o = line()\n[rs.SetUserText(o, 'k', 'v'), rs.GetUserText(o, 'k'), rs.GetUserText(o), rs.SetUserText(o, 'k'), rs.GetUserText(o, 'k')]",
-     [True, "v", ["k"], True, None]),
+    ("o = line()\n[rs.SetUserText(o, 'k', 'v'), rs.GetUserText(o, 'k'), rs.GetUserText(o), rs.IsUserText(o), rs.SetUserText(o, 'k'), "
+     "rs.GetUserText(o, 'k'), rs.IsUserText(o)]", [True, "v", ["k"], 1, True, None, 0]),
+    ("o = line()\n[rs.SetUserText(o, 'k', 5, True), rs.GetUserText(o, 'k', True), rs.GetUserText(o, 'k'), rs.IsUserText(o), "
+     "geo(o).GetUserString('k')]", [True, "5", None, 2, "5"]),
     ("[rs.SetDocumentUserText('a', 1), rs.GetDocumentUserText('a'), rs.GetDocumentUserText(), rs.DocumentUserTextCount(), "
      "rs.IsDocumentUserText(), rs.SetDocumentUserText('a'), rs.GetDocumentUserText('a')]",
      [True, "1", ["a"], 1, True, True, None]),
@@ -102,6 +115,10 @@ TABLE = [
     ("[rs.SurfaceTorus(flat()), rs.SurfaceCone(flat()), rs.SurfaceCylinder(flat())]", [None, None, None]),
     ("[rs.IsSurfaceRational(ball()), rs.IsSurfaceRational(flat()), rs.IsSurfaceTrimmed(rs.AddPlanarSrf(circle())[0]), "
      "rs.IsSurfaceTrimmed(flat())]", [True, False, True, False]),
+    ("[rs.SurfaceKnots(flat()), rs.SurfaceKnotCount(flat()), rs.SurfaceWeights(flat())]",
+     [[[0.0, 4.0], [0.0, 2.0]], [2, 2], [1.0, 1.0, 1.0, 1.0]]),
+    ("[sorted(PP(rs.SurfaceEditPoints(flat()))), rs.SurfaceEditPoints(flat(), True)[3]]",
+     [[[0, 0, 0], [0, 2, 0], [4, 0, 0], [4, 2, 0]], [4.0, 2.0]]),
     ("PP(rs.SurfaceEvaluate(flat(), (1, 1), 1))", [[1, 1, 0], [1, 0, 0], [0, 1, 0]]),
     ("s = flat()\n[rs.ChangeSurfaceDegree(s, (3, 2)), rs.SurfaceDegree(s), rs.SurfaceArea(s)[0]]", [True, [3, 2], 8.0]),
     ("s = flat()\n[rs.ExtendSurface(s, (4, 1), 2), rs.SurfaceArea(s)[0]]", [True, 12.0]),
@@ -148,7 +165,9 @@ TABLE = [
     ("d = rs.AddTextDot('a', (1, 2, 3))\n[rs.IsTextDot(d), rs.IsTextDot(line()), rs.TextDotText(d, 'b'), rs.TextDotText(d), "
      "P(rs.TextDotPoint(d, (4, 5, 6))), P(rs.TextDotPoint(d)), rs.TextDotHeight(d) > 0, type(rs.TextDotFont(d)).__name__]",
      [True, False, "a", "b", [1, 2, 3], [4, 5, 6], True, "str"]),
-    ("rs.PointCloudCount(rs.AddPointCloud([(0, 0, 0), (1, 2, 3)]))", 2),
+    ("c = rs.AddPointCloud([(0, 0, 0), (1, 2, 3)])\n[rs.PointCloudCount(c), rs.PointCloudHasPointColors(c), "
+     "rs.PointCloudPointColors(c, [(1, 2, 3), (4, 5, 6)]), rs.PointCloudHasPointColors(c), rs.PointCloudPointColors(c)[1].G]",
+     [2, False, None, True, 5]),
 ]
 
 

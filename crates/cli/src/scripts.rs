@@ -23,6 +23,11 @@ pub(crate) struct ScriptArgs {
     #[arg(long)]
     pub(crate) allow_network: bool,
 
+    /// Let the scripts that run read the files in a folder and in the folders below it, but change none; may be given
+    /// several times
+    #[arg(long, value_name = "FOLDER", value_parser = readable_folder)]
+    pub(crate) script_read: Vec<PathBuf>,
+
     /// The Python to run scripts with; else that of KATYDID_PYTHON, a .venv or venv beside the definition, or python3
     #[arg(long, value_name = "PATH")]
     pub(crate) python: Option<PathBuf>,
@@ -65,6 +70,20 @@ fn bounds(megabytes: u64, network: bool) -> Bounds {
     Bounds { memory: megabytes.saturating_mul(1 << 20), network, ..Bounds::default() }
 }
 
+/// A folder that scripts may read, by its real path: links in it that lead elsewhere are not followed.
+fn readable_folder(text: &str) -> Result<PathBuf, String> {
+    let folder = if cfg!(windows) { std::path::absolute(text) } else { std::fs::canonicalize(text) };
+    let folder = folder.map_err(|error| error.to_string())?;
+    if !folder.is_dir() {
+        return Err("is no folder".to_owned());
+    }
+    // The process that runs scripts is told its folders as a search path.
+    if std::env::join_paths([&folder]).is_err() {
+        return Err("its path has a character that parts the folders of a search path".to_owned());
+    }
+    Ok(folder)
+}
+
 impl ScriptArgs {
     /// What runs the scripts of a file, or says of each why it does not.
     pub(crate) fn scripts(&self, file: &Path) -> Arc<dyn Scripts> {
@@ -87,7 +106,8 @@ impl ScriptArgs {
 
     /// What runs Python scripts once they are allowed; an environment beside the file is looked for.
     fn python(&self, file: Option<&Path>) -> PythonMaker {
-        let bounds = bounds(self.script_memory, self.allow_network);
+        let bounds =
+            Bounds { readable: self.script_read.clone(), ..bounds(self.script_memory, self.allow_network) };
         let definition = file.map(|file| std::path::absolute(file).unwrap_or_else(|_| file.to_owned()));
         PythonMaker { interpreter: find(self.python.as_deref(), file), bounds, definition }
     }

@@ -119,3 +119,77 @@ fn members_answer_over_the_standard_pipes() {
     let number = f64::from_le_bytes(output.stdout[17..25].try_into().unwrap());
     assert!((number - std::f64::consts::TAU).abs() < 1e-12, "{:?}", output.stdout);
 }
+
+/// A weather file of two hours: eight lines of heading, then hours with the dry bulb temperature in the seventh field.
+fn weather(folder: &Path) -> PathBuf {
+    let mut lines = vec!["LOCATION,Test,-,-,-,0,48.0,11.0,1.0,500.0".to_owned()];
+    lines.extend((0..7).map(|k| format!("HEADING {k}")));
+    lines.extend([20.5, 22.5].map(|t| format!("2026,6,21,12,60,source,{t},10.0")));
+    let path = folder.join("deep").join("test.epw");
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    fs::write(&path, lines.join("\n")).unwrap();
+    path
+}
+
+/// A folder that the command names is read, with what is below it; nothing is written in it, and nothing beside it is read.
+#[test]
+fn a_folder_that_is_named_is_read_and_not_written() {
+    let (folder, open) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let path = weather(open.path());
+    let mean = format!(
+        "a = sum(float(line.split(',')[6]) for line in open({:?}).read().splitlines()[8:]) / 2.0",
+        path.display().to_string()
+    );
+    let run = |code: &str, read: &[&str]| {
+        let file = definition(folder.path(), code);
+        let words: Vec<&str> = ["run", text(&file), "--json", "--allow-scripts"]
+            .into_iter()
+            .chain(read.iter().copied())
+            .collect();
+        let output = with_settings(folder.path(), &words);
+        (String::from_utf8_lossy(&output.stdout).into_owned(), said(&output))
+    };
+    let (printed, words) = run(&mean, &["--script-read", text(open.path())]);
+    assert!(printed.contains("\"21.5\""), "{printed} {words}");
+    // Without the permission, and with one for another folder.
+    let other = tempfile::tempdir().unwrap();
+    let refused: [&[&str]; 2] = [&[], &["--script-read", text(other.path())]];
+    for read in refused {
+        let (printed, words) = run(&mean, read);
+        assert!((printed + &words).contains("may not read the file"), "{words}");
+    }
+    let named = ["--script-read", text(open.path())];
+    let beside = folder.path().join("secret.txt");
+    fs::write(&beside, "secret").unwrap();
+    let cases = [
+        (format!("open({:?}, 'a').write('x')", path.display().to_string()), "may not write the file"),
+        (format!("import os\n        os.remove({:?})", path.display().to_string()), "may not"),
+        (format!("a = open({:?}).read()", beside.display().to_string()), "may not read the file"),
+        (
+            format!(
+                "a = open({:?} + '/../' + {:?}).read()",
+                open.path().display().to_string(),
+                beside.display().to_string()
+            ),
+            "may not read the file",
+        ),
+    ];
+    for (code, word) in &cases {
+        let (printed, words) = run(code, &named);
+        let all = printed + &words;
+        assert!(all.contains(word) && !all.contains("\"secret\""), "{code}: {all}");
+    }
+    assert_eq!(fs::read_to_string(&path).unwrap().lines().count(), 10);
+    #[cfg(unix)]
+    {
+        let link = open.path().join("link.txt");
+        std::os::unix::fs::symlink(&beside, &link).unwrap();
+        let (printed, words) = run(&format!("a = open({:?}).read()", link.display().to_string()), &named);
+        assert!((printed + &words).contains("may not read the file"), "a link leads out of the folder");
+    }
+    let file = definition(folder.path(), "a = 1");
+    let gone = folder.path().join("gone");
+    let output =
+        with_settings(folder.path(), &["run", text(&file), "--allow-scripts", "--script-read", text(&gone)]);
+    assert!(!output.status.success() && said(&output).contains("--script-read"), "{}", said(&output));
+}

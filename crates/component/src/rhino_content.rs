@@ -54,6 +54,7 @@ impl Tables {
             colour: attributes.colour.map(colour),
             groups: attributes.groups.iter().filter_map(group).collect(),
             user_text: Vec::new(),
+            geometry_text: Vec::new(),
         };
         for (key, text) in &attributes.user_strings {
             object.set_text(key, text.as_str());

@@ -225,6 +225,7 @@ fn content(content: &Content, style: &Style) -> String {
             name => format!("{} ({name})", content.type_name()),
         },
         (Content::Filter(filter), None) => filter.words(style),
+        (Content::Token(token), None) if let Some(text) = token.0.text() => text.to_owned(),
         (Content::Atom(atom), None) if !atom.element.is_empty() => format!("Atom ({})", atom.element),
         _ => content.type_name().to_owned(),
     }

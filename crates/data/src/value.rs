@@ -108,6 +108,17 @@ impl Value {
         }
     }
 
+    /// The texts that geometry carries itself; none for other values, and for geometry without any.
+    pub fn carried_texts(&self) -> &[(Shared<str>, Shared<str>)] {
+        match self {
+            Self::Content(content) => match &**content {
+                Content::Object(object) => &object.geometry_text,
+                _ => &[],
+            },
+            _ => &[],
+        }
+    }
+
     /// The transform, single or compound; `None` for a value of another type.
     pub fn as_transform(&self) -> Option<Xform> {
         match self {

@@ -3,14 +3,14 @@
 use std::collections::HashMap;
 
 use crate::Fault;
-use crate::shape::Shape;
+use crate::shape::{Geometry, Shape};
 
 /// The most objects that scripts may hold at once.
 const MOST: usize = 4_000_000;
 
 #[derive(Debug)]
 struct Held {
-    shape: Shape,
+    geometry: Geometry,
     /// How many lists of this object are held: `mesh.Vertices` outlives the script's `mesh`.
     lists: usize,
     /// Whether the script has let go of it.
@@ -30,28 +30,46 @@ impl Handles {
     /// # Errors
     /// Too much is held already.
     pub fn add(&mut self, shape: Shape) -> Result<u64, Fault> {
+        self.hold(shape.into())
+    }
+
+    /// A new number for geometry with the texts that it carries.
+    ///
+    /// # Errors
+    /// Too much is held already.
+    pub fn add_geometry(&mut self, geometry: &Geometry) -> Result<u64, Fault> {
+        self.hold(geometry.clone())
+    }
+
+    fn hold(&mut self, geometry: Geometry) -> Result<u64, Fault> {
         if self.held.len() >= MOST {
             return Err(Fault::too_large(format!("a script holds more than {MOST} objects")));
         }
-        if let Shape::List(_, of) = &shape
+        if let Shape::List(_, of) = &geometry.shape
             && let Some(owner) = self.held.get_mut(of)
         {
             owner.lists += 1;
         }
         self.last += 1;
-        self.held.insert(self.last, Held { shape, lists: 0, released: false });
+        let geometry = Geometry { id: self.last, ..geometry };
+        self.held.insert(self.last, Held { geometry, lists: 0, released: false });
         Ok(self.last)
     }
 
     /// What a number stands for.
     pub fn get(&self, id: u64) -> Option<&Shape> {
-        self.held.get(&id).map(|held| &held.shape)
+        self.held.get(&id).map(|held| &held.geometry.shape)
     }
 
-    /// Lets a number stand for something else.
-    pub fn set(&mut self, id: u64, shape: Shape) {
+    /// What a number stands for, with the texts that it carries.
+    pub fn geometry(&self, id: u64) -> Option<Geometry> {
+        self.held.get(&id).map(|held| held.geometry.clone())
+    }
+
+    /// Lets a number stand for something else. What it becomes keeps the texts, unless it brings its own.
+    pub fn set(&mut self, id: u64, changed: Geometry) {
         if let Some(held) = self.held.get_mut(&id) {
-            held.shape = shape;
+            held.geometry.become_changed(changed);
         }
     }
 
@@ -62,7 +80,7 @@ impl Handles {
             held.released = true;
             return;
         }
-        let gone = self.held.remove(&id).map(|held| held.shape);
+        let gone = self.held.remove(&id).map(|held| held.geometry.shape);
         if let Some(Shape::List(_, of)) = gone
             && let Some(owner) = self.held.get_mut(&of)
         {

@@ -94,8 +94,8 @@ impl Host {
     /// As [`Endpoints::call_member`](crate::geometry::Endpoints::call_member).
     pub fn call(&mut self, call: &Call) -> Result<Value, Fault> {
         let reply = endpoints().call_member(&call.member, &call.arguments, &self.waiting())?;
-        if let (Some(shape), Some(Value::Geometry(object))) = (reply.changed, call.arguments.first()) {
-            self.handles.set(object.id, shape);
+        if let (Some(changed), Some(Value::Geometry(object))) = (reply.changed, call.arguments.first()) {
+            self.handles.set(object.id, changed);
         }
         Ok(reply.value)
     }

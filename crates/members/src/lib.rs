@@ -22,12 +22,16 @@ mod handles;
 mod host;
 mod shape;
 mod unfinished;
+mod unfinished_surface;
+mod user_strings;
 mod value;
 pub mod wire;
 
 pub use fault::{Cause, Fault};
 pub use handles::Handles;
 pub use host::{Call, Host, Registry, serve};
-pub use shape::{Geometry, Record, Shape};
+pub use shape::{Geometry, Record, Shape, SubDPart};
 pub use unfinished::UnfinishedNurbs;
+pub use unfinished_surface::UnfinishedSurface;
+pub use user_strings::UserStrings;
 pub use value::Value;

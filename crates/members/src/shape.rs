@@ -8,6 +8,8 @@ use katydid_geometry::{Brep, Curve, Mesh, Point3, Surface};
 use serde_json::Value as Json;
 
 use crate::unfinished::UnfinishedNurbs;
+use crate::unfinished_surface::UnfinishedSurface;
+use crate::user_strings::UserStrings;
 use crate::value::Value;
 use crate::wire::{curve_type, encode_object, surface_type, type_name};
 use crate::{Fault, wire};
@@ -19,6 +21,25 @@ pub struct Geometry {
     pub id: u64,
     /// What it is.
     pub shape: Shape,
+    /// The texts that it carries.
+    pub strings: UserStrings,
+}
+
+impl Geometry {
+    /// Becomes what a member made of it. It keeps the texts, unless that brings its own.
+    pub fn become_changed(&mut self, changed: Self) {
+        self.shape = changed.shape;
+        if changed.strings.is_known() {
+            self.strings = changed.strings;
+        }
+    }
+}
+
+impl From<Shape> for Geometry {
+    /// That a script has not got yet, without texts.
+    fn from(shape: Shape) -> Self {
+        Self { id: 0, shape, strings: UserStrings::default() }
+    }
 }
 
 /// What a number stands for. Copies share it.
@@ -40,16 +61,63 @@ pub enum Shape {
     Mesh(Arc<Mesh>),
     /// A subdivision surface.
     SubD(Arc<SubD>),
+    /// A vertex, an edge or a face of a subdivision surface, by its place.
+    SubDPart(Arc<SubD>, SubDPart, usize),
     /// Any other object of a model.
     Other(Arc<Object>),
     /// An object of a class that holds nothing yet, such as a `PolyCurve` without segments.
     Empty(&'static str),
     /// A NURBS curve whose points or knots are not all set yet.
     Unfinished(Arc<UnfinishedNurbs>),
+    /// A NURBS surface whose points or knots are not all set yet.
+    UnfinishedSurface(Arc<UnfinishedSurface>),
     /// One of the lists of an object, by the list's class and the object's number. A list that is handed over is its object.
     List(&'static str, u64),
     /// A result of several named values.
     Record(Arc<Record>),
+}
+
+/// A kind of parts of a subdivision surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SubDPart {
+    /// A vertex of its control net.
+    Vertex,
+    /// An edge.
+    Edge,
+    /// A face.
+    Face,
+}
+
+impl SubDPart {
+    /// The class in RhinoCommon.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Vertex => "SubDVertex",
+            Self::Edge => "SubDEdge",
+            Self::Face => "SubDFace",
+        }
+    }
+
+    /// How many of them there are.
+    pub(crate) fn count(self, subd: &SubD) -> usize {
+        let net = subd.net();
+        match self {
+            Self::Vertex => net.vertices().len(),
+            Self::Edge => net.edges().len(),
+            Self::Face => net.faces().len(),
+        }
+    }
+
+    /// The number that openNURBS knows one by; 0 where there is none.
+    pub(crate) fn id(self, subd: &SubD, place: usize) -> usize {
+        let net = subd.net();
+        let id = match self {
+            Self::Vertex => net.vertices().get(place).map(|own| own.id),
+            Self::Edge => net.edges().get(place).map(|own| own.id),
+            Self::Face => net.faces().get(place).map(|own| own.id),
+        };
+        id.and_then(|id| usize::try_from(id).ok()).unwrap_or(0)
+    }
 }
 
 /// A result of several named values, such as `AreaMassProperties`.
@@ -88,6 +156,8 @@ impl Shape {
             Self::Other(object) => type_name(object),
             Self::Empty(class) | Self::List(class, _) => class,
             Self::Unfinished(_) => "NurbsCurve",
+            Self::UnfinishedSurface(_) => "NurbsSurface",
+            Self::SubDPart(_, part, _) => part.class(),
             Self::Record(record) => record.class,
         };
         name.trim_start_matches("Rhino.Geometry.")
@@ -156,7 +226,10 @@ impl Shape {
             Self::Unfinished(_) => {
                 return Err(Fault::bad_request("is a NurbsCurve whose knots do not rise yet"));
             }
-            Self::Empty(_) | Self::List(..) | Self::Record(_) => {
+            Self::UnfinishedSurface(_) => {
+                return Err(Fault::bad_request("is a NurbsSurface whose knots do not rise yet"));
+            }
+            Self::Empty(_) | Self::List(..) | Self::Record(_) | Self::SubDPart(..) => {
                 return Err(Fault::bad_request(format!("is a {}, which no model holds", self.class())));
             }
         })
@@ -177,6 +250,6 @@ impl Shape {
 
 impl From<Shape> for Value {
     fn from(shape: Shape) -> Self {
-        Self::Geometry(Geometry { id: 0, shape })
+        Self::Geometry(shape.into())
     }
 }

@@ -593,3 +593,122 @@ fn point_clouds_and_dots_are_made_asked_and_moved() {
     assert_eq!(script.call("TextDot.get_Text", &[dot.clone()]), Value::from("b"));
     assert_eq!(script.call("TextDot.get_Point", &[dot]), Value::Point(Point3::new(0.0, 0.0, 2.0)));
 }
+
+#[test]
+fn geometry_carries_texts_which_changes_keep_and_copies_share() {
+    let mut script = Script::new();
+    let line = script.call("LineCurve.new", &[point(0.0, 0.0, 0.0), point(3.0, 4.0, 0.0)]);
+    let (key, text) = (Value::from("key"), Value::from("text"));
+    assert_eq!(
+        script.call("LineCurve.SetUserString", &[line.clone(), key.clone(), text.clone()]),
+        Value::Bool(true)
+    );
+    let copy = script.call("LineCurve.Duplicate", &[line.clone()]);
+    let up = Value::Vector(Vector3::new(0.0, 0.0, 1.0));
+    script.call("LineCurve.Translate", &[line.clone(), up]);
+    assert_eq!(script.call("LineCurve.GetUserString", &[line.clone(), key.clone()]), text);
+    assert_eq!(script.call("LineCurve.DeleteUserString", &[line.clone(), key.clone()]), Value::Bool(true));
+    assert_eq!(script.call("LineCurve.GetUserString", &[line.clone(), key.clone()]), Value::Null);
+    assert_eq!(script.number("LineCurve.get_UserStringCount", &[copy.clone()]), 1.0);
+    // Null takes the key out; an empty key is none.
+    assert_eq!(
+        script.call("LineCurve.SetUserString", &[copy.clone(), key.clone(), Value::Null]),
+        Value::Bool(true)
+    );
+    assert_eq!(script.number("LineCurve.get_UserStringCount", &[copy.clone()]), 0.0);
+    assert_eq!(script.call("LineCurve.SetUserString", &[copy, Value::from(""), text]), Value::Bool(false));
+    // A struct carries none.
+    let (kind, _) =
+        script.error("Curve.SetUserString", &[circle(1.0), Value::from("key"), Value::from("text")]);
+    assert_eq!(kind, "argument");
+}
+
+/// A surface is set point by point: it is none until its knots rise.
+#[test]
+fn a_surface_is_written_point_by_point() {
+    let mut script = Script::new();
+    let int = Value::Int;
+    let made =
+        script.call("NurbsSurface.Create", &[int(3), Value::Bool(true), int(3), int(2), int(3), int(2)]);
+    assert_eq!(class(&made), "NurbsSurface");
+    assert_eq!(script.call("NurbsSurface.get_IsValid", &[made.clone()]), Value::Bool(false));
+    // A quarter of a cylinder of radius 2 and height 3: the middle weight is the cosine of 45°.
+    let w = std::f64::consts::FRAC_1_SQRT_2;
+    for (u, (x, y, weight)) in [(2.0, 0.0, 1.0), (2.0, 2.0, w), (0.0, 2.0, 1.0)].into_iter().enumerate() {
+        for v in 0..2 {
+            let u = i64::try_from(u).unwrap();
+            let at = point(x, y, if v == 0 { 0.0 } else { 3.0 });
+            let arguments = [made.clone(), int(u), int(v), at, Value::Number(weight)];
+            assert_eq!(script.call("NurbsSurfacePointList.SetPoint", &arguments), Value::Bool(true));
+        }
+    }
+    for direction in [0, 1] {
+        let arguments = [made.clone(), int(direction), Value::Number(1.0)];
+        assert_eq!(script.call("NurbsSurfaceKnotList.CreateUniformKnots", &arguments), Value::Bool(true));
+    }
+    assert_eq!(script.call("NurbsSurface.get_IsValid", &[made.clone()]), Value::Bool(true));
+    let half = [made.clone(), Value::Number(0.5), Value::Number(0.5)];
+    near(&script.call("NurbsSurface.PointAt", &half), Point3::new(2.0 * w, 2.0 * w, 1.5));
+    let weight = [made.clone(), int(1), int(0)];
+    close(script.number("NurbsSurfacePointList.GetWeight", &weight), w);
+    let beyond = [made.clone(), int(3), int(0)];
+    assert_eq!(script.error("NurbsSurfacePointList.GetWeight", &beyond).0, "argument");
+    let too_large = script.error(
+        "NurbsSurface.Create",
+        &[int(3), Value::Bool(false), int(2), int(2), int(90_000), int(90_000)],
+    );
+    assert_eq!(too_large.0, "memory");
+}
+
+/// A disk of radius 3 with a hole of radius 1, as a hatch.
+#[test]
+fn hatches_are_made_moved_and_measured() {
+    let mut script = Script::new();
+    let curves = Value::List(vec![circle(3.0), circle(1.0)]);
+    let numbers = [Value::Int(2), Value::Number(0.25), Value::Number(1.5), Value::Number(0.001)];
+    let mut arguments = vec![curves];
+    arguments.extend(numbers.iter().cloned());
+    let Value::List(mut made) = script.call("Hatch.Create", &arguments) else { panic!("a list") };
+    assert_eq!(made.len(), 1);
+    let hatch = made.pop().unwrap();
+    assert_eq!(class(&hatch), "Hatch");
+    close(script.number("Hatch.get_PatternRotation", &[hatch.clone()]), 0.25);
+    let brep = script.call("Hatch.ToBrep", &[hatch.clone()]);
+    assert!((script.number("Brep.GetArea", &[brep]) - 8.0 * PI).abs() < 1e-6);
+    let twice = Value::Transform(Box::new(Xform::scale(Point3::ORIGIN, 2.0)));
+    assert_eq!(script.call("Hatch.Transform", &[hatch.clone(), twice]), Value::Bool(true));
+    close(script.number("Hatch.get_PatternScale", &[hatch.clone()]), 3.0);
+    let outer = script.call("Hatch.Get3dCurves", &[hatch.clone(), Value::Bool(true)]);
+    let outer = outer.items().unwrap();
+    close(script.number("Curve.GetLength", &outer), 12.0 * PI);
+    let line = Value::Line(Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)));
+    let mut open = vec![line];
+    open.extend(numbers);
+    assert_eq!(script.call("Hatch.Create", &open).items().unwrap().len(), 0);
+}
+
+/// The control net of a cube: 8 vertices with three edges and three faces each.
+#[test]
+fn parts_of_a_subd_know_each_other() {
+    let mut script = Script::new();
+    let mesh = script.call("Mesh.CreateFromBox", &[cube(2.0), Value::Int(1), Value::Int(1), Value::Int(1)]);
+    let subd = script.call("SubD.CreateFromMesh", &[mesh]);
+    let vertices = script.call("SubD.get_Vertices", &[subd.clone()]).items().unwrap();
+    assert_eq!(vertices.len(), 8);
+    for vertex in &vertices {
+        assert_eq!(script.number("SubDVertex.get_EdgeCount", &[vertex.clone()]), 3.0);
+        assert_eq!(script.number("SubDVertex.get_FaceCount", &[vertex.clone()]), 3.0);
+    }
+    let edges = script.call("SubD.get_Edges", &[subd.clone()]).items().unwrap();
+    assert_eq!(edges.len(), 12);
+    let line = script.call("SubDEdge.get_ControlNetLine", &[edges[0].clone()]);
+    let Value::Line(line) = line else { panic!("a line") };
+    close(line.from.distance_to(line.to), 2.0);
+    let faces = script.call("SubD.get_Faces", &[subd.clone()]).items().unwrap();
+    let id = script.call("SubDFace.get_Id", &[faces[2].clone()]);
+    let found = script.call("SubDFaceList.Find", &[subd.clone(), id]);
+    let middle = script.call("SubDFace.get_ControlNetCenterPoint", &[found]);
+    let Value::Point(middle) = middle else { panic!("a point") };
+    close(middle.distance_to(Point3::new(1.0, 1.0, 1.0)), 1.0);
+    assert_eq!(script.call("SubD.get_IsSolid", &[subd]), Value::Bool(true));
+}

@@ -4,10 +4,11 @@
 use std::sync::Arc as Shared;
 use std::time::{Duration, Instant};
 
-use katydid_3dm::{Limits, Model, ModelObject, Object, RawObject};
+use katydid_3dm::{Hatch, Limits, Model, ModelObject, Object, RawObject};
 use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
-use katydid_geometry::{Brep, Curve, MeshSettings, Plane, Point3};
+use katydid_geometry::{Brep, Curve, MeshSettings, Plane, Point3, Xform};
 
+use crate::display::hatches;
 use crate::{Facets, Form, Place, leader, tessellated};
 
 /// Edges stray from their curves by this part of their size at most.
@@ -42,13 +43,28 @@ pub(crate) fn of(raw: &RawObject) -> Result<Vec<Form>, String> {
     {
         return Ok(forms);
     }
+    let filling = match &object {
+        Object::Hatch(hatch) => filling(hatch),
+        _ => Vec::new(),
+    };
     let model = Model { objects: vec![ModelObject::from(object)], ..Model::default() };
     let exchanged = Exchanged::from_model(&model);
     if exchanged.things.is_empty() {
         let why = exchanged.left_out.first().map(|left| format!(": {left}")).unwrap_or_default();
         return Err(format!("a {class} is kept whole, but cannot be drawn yet{why}"));
     }
-    Ok(exchanged.things.into_iter().flat_map(|thing| forms(thing.shape)).collect())
+    Ok(exchanged.things.into_iter().flat_map(|thing| forms(thing.shape)).chain(filling).collect())
+}
+
+/// The lines of a hatch's pattern, drawn as the Pattern Hatch component draws them: what a pattern looks like stands in
+/// the model, and only its number is kept with the hatch.
+fn filling(hatch: &Hatch) -> Vec<Form> {
+    let to_world = Xform::plane_to_world(&hatch.plane.frame);
+    let boundaries =
+        hatch.loops.iter().filter_map(|own| own.curve.to_curve().ok()?.transformed(&to_world).ok());
+    let boundaries: Vec<Shared<Curve>> = boundaries.map(Shared::new).collect();
+    let lines = hatches::lines(&boundaries, hatch.pattern, hatch.scale, hatch.rotation);
+    lines.into_iter().map(|ends| Form::Lines(ends.to_vec())).collect()
 }
 
 fn forms(shape: Shape) -> Vec<Form> {

@@ -1,5 +1,7 @@
 //! The components that scripts run: `ghpythonlib.components`, made from the registry.
 
+use std::collections::HashMap;
+
 use katydid_component::{
     Access, Account, Budget, Call, Cancel, Component, Deadline, Level, Limits, Port, registry,
 };
@@ -28,8 +30,8 @@ impl Registry for Components {
 
     fn run(&self, name: &str, inputs: &[Value], limits: &Limits, cancel: &Cancel) -> Result<Value, Fault> {
         let component = found(name).ok_or_else(|| Fault::not_supported(format!("the component {name}")))?;
-        let keepers = Keepers::new(0);
-        let mut outward = Outward { keepers: &keepers, lost: Vec::new() };
+        let (keepers, texts) = (Keepers::new(0), HashMap::new());
+        let mut outward = Outward { keepers: &keepers, texts: &texts, lost: Vec::new() };
         let (mut trees, mut names) = (Vec::new(), Vec::new());
         for k in 0..inputs.len().max(fixed(component.inputs)) {
             let Some(port) = component.input(k) else {

@@ -225,7 +225,7 @@ impl Running {
         if reply.was_cancelled {
             return Err(Failure::Alive(why_stopped(job)));
         }
-        let mut outward = Outward { keepers: &self.keepers, lost: Vec::new() };
+        let mut outward = Outward { keepers: &self.keepers, texts: &reply.texts, lost: Vec::new() };
         let outputs = outputs::trees(&job.prepared, &reply, &mut outward);
         lost.extend(outward.lost);
         let warnings = lost.into_iter().map(Message::warning);

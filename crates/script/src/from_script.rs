@@ -1,18 +1,24 @@
 //! Values of a script as data of a definition.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_3dm::{Object, SubDObject};
-use katydid_data::{DateTime, Domain2, Path, Token, Value as Data};
+use katydid_data::{DateTime, Domain2, ModelObject, Path, Token, Value as Data};
 use katydid_geometry::{BoundingBox, Box3, Curve, MeshFace, Plane, PolylineCurve, Surface};
-use katydid_members::{Shape, Value};
+use katydid_members::{Geometry, Shape, Value};
 
-use crate::keeper::Keepers;
+use crate::keeper::{Keepers, Shown};
+
+/// The kind of a value of tag error that stands for an object of a C# script, by its text.
+pub(crate) const SHOWN: &str = "shown";
 
 /// Turns values into data, and counts what could not be.
 #[derive(Debug)]
 pub(crate) struct Outward<'a> {
     pub(crate) keepers: &'a Keepers,
+    /// How the script's language writes objects of its own, by their numbers.
+    pub(crate) texts: &'a HashMap<u64, String>,
     /// What could not be taken over, each once.
     pub(crate) lost: Vec<String>,
 }
@@ -69,11 +75,22 @@ impl Outward<'_> {
             Value::Face(corners) => Data::MeshFace(face(*corners)?),
             Value::Path(path) => Data::Path(Path::from(path.as_slice())),
             Value::Map(_) => domain2(value)?,
-            Value::Token(number) => Token(self.keepers.kept(*number)).into(),
-            Value::Geometry(geometry) => shape(&geometry.shape)?,
+            Value::Token(number) => {
+                let text = self.texts.get(number).map(String::as_str);
+                Token(self.keepers.kept(*number, text)).into()
+            }
+            Value::Error(kind, text) if kind == SHOWN => Token(Arc::new(Shown(text.clone()))).into(),
+            Value::Geometry(geometry) => carrying(shape(&geometry.shape)?, geometry),
             _ => return None,
         })
     }
+}
+
+/// Geometry with the texts that it carries.
+fn carrying(data: Data, geometry: &Geometry) -> Data {
+    let pairs = geometry.strings.pairs().iter();
+    let texts = pairs.map(|(key, text)| (key.as_str().into(), text.as_str().into())).collect();
+    ModelObject::carrying(data, texts)
 }
 
 fn curve(curve: impl Into<Curve>) -> Data {
@@ -113,6 +130,11 @@ fn shape(shape: &Shape) -> Option<Data> {
         Shape::Mesh(mesh) => Data::Mesh(mesh.clone()),
         Shape::SubD(subd) => Data::from_object(Object::SubD(Box::new(SubDObject::from(&**subd))), &[])?,
         Shape::Other(object) => Data::from_object((**object).clone(), &[])?,
-        Shape::Empty(_) | Shape::Unfinished(_) | Shape::List(..) | Shape::Record(_) => return None,
+        Shape::Empty(_)
+        | Shape::Unfinished(_)
+        | Shape::UnfinishedSurface(_)
+        | Shape::SubDPart(..)
+        | Shape::List(..)
+        | Shape::Record(_) => return None,
     })
 }

@@ -43,7 +43,7 @@ def inside(path, roots, real=os.path.realpath, join=os.path.join):
         full = real(os.fsdecode(path))
     except (TypeError, ValueError):
         return False
-    return any(full == root or full.startswith(root + os.sep) for root in roots)
+    return any(full == root or full.startswith(root.rstrip(os.sep) + os.sep) for root in roots)
 
 
 def refuse(what):

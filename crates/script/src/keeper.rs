@@ -34,8 +34,9 @@ impl Keepers {
     }
 
     /// A token for an object; the process may let go of it when the token's last copy is gone.
-    pub(crate) fn kept(&self, number: u64) -> Arc<dyn Keeper> {
-        Arc::new(Kept { process: self.process, number, gone: self.gone.clone(), lost: self.lost.clone() })
+    pub(crate) fn kept(&self, number: u64, text: Option<&str>) -> Arc<dyn Keeper> {
+        let (gone, lost) = (self.gone.clone(), self.lost.clone());
+        Arc::new(Kept { process: self.process, number, text: text.map(Into::into), gone, lost })
     }
 
     /// The objects that nobody holds any more, once.
@@ -49,6 +50,8 @@ impl Keepers {
 pub(crate) struct Kept {
     process: u64,
     number: u64,
+    /// What `str` gave when it came.
+    text: Option<Box<str>>,
     gone: Arc<Mutex<Vec<u64>>>,
     lost: Arc<AtomicBool>,
 }
@@ -66,6 +69,32 @@ impl Keeper for Kept {
 
     fn is_lost(&self) -> bool {
         self.lost.load(Ordering::Acquire)
+    }
+
+    fn text(&self) -> Option<&str> {
+        self.text.as_deref()
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
+/// An object of a script that lives no longer than the run: its text is what is left for panels.
+#[derive(Debug)]
+pub(crate) struct Shown(pub(crate) String);
+
+impl Keeper for Shown {
+    fn number(&self) -> u64 {
+        0
+    }
+
+    fn is_lost(&self) -> bool {
+        false
+    }
+
+    fn text(&self) -> Option<&str> {
+        Some(&self.0)
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use katydid_data::{Path, Tree, TreeBuilder, Value as Data};
+use katydid_data::{Item, Path, Tree, TreeBuilder, Value as Data};
+use katydid_geometry::{Point3, Vector3};
 use katydid_members::Value;
 
 use crate::from_script::Outward;
@@ -27,6 +28,9 @@ fn iterations(prepared: &Prepared) -> impl Iterator<Item = (&Path, usize)> {
 }
 
 fn tree(prepared: &Prepared, reply: &Reply, place: usize, outward: &mut Outward<'_>) -> Tree {
+    if let Some(tree) = plain(prepared, reply, place) {
+        return tree;
+    }
     let mut branches: Vec<(Path, Vec<Option<Data>>)> = Vec::new();
     for ((path, k), row) in iterations(prepared).zip(&reply.iterations) {
         match row.get(place).unwrap_or(&Value::Null) {
@@ -53,6 +57,19 @@ fn tree(prepared: &Prepared, reply: &Reply, place: usize, outward: &mut Outward<
         }
     }
     built(branches)
+}
+
+/// The one list of a script that ran once, where all its items are numbers, points or vectors: its column as it is.
+fn plain(prepared: &Prepared, reply: &Reply, place: usize) -> Option<Tree> {
+    let [row] = reply.iterations.as_slice() else { return None };
+    let (path, _) = iterations(prepared).next()?;
+    let column = match row.get(place)? {
+        Value::Numbers(items) => f64::column(items.clone(), None),
+        Value::Points(items) => Point3::column(items.clone(), None),
+        Value::Vectors(items) => Vector3::column(items.clone(), None),
+        _ => return None,
+    };
+    Some(Tree::branch_at(if prepared.grows { path.child(0) } else { path.clone() }, column))
 }
 
 /// What was printed, a line an item.

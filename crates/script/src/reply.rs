@@ -1,5 +1,7 @@
 //! What a process answers to a run.
 
+use std::collections::HashMap;
+
 use katydid_component::{Level, Message};
 use katydid_members::Value;
 
@@ -10,6 +12,8 @@ pub(crate) struct Reply {
     pub(crate) iterations: Vec<Vec<Value>>,
     /// What was printed, by iteration.
     pub(crate) prints: Vec<String>,
+    /// How the script's language writes the objects of its own that are among the values, by their numbers.
+    pub(crate) texts: HashMap<u64, String>,
     /// What the script said, and what went wrong in it.
     pub(crate) messages: Vec<Message>,
     /// Whether it was interrupted.
@@ -36,8 +40,24 @@ impl Reply {
         let error = answer.get("error").and_then(Value::as_text);
         let was_cancelled = error == Some("cancelled");
         messages.extend(error.filter(|_| !was_cancelled).map(Message::error));
-        Some(Self { iterations: rows.collect(), prints: prints.collect(), messages, was_cancelled })
+        Some(Self {
+            iterations: rows.collect(),
+            prints: prints.collect(),
+            texts: texts(answer.get("texts")),
+            messages,
+            was_cancelled,
+        })
     }
+}
+
+/// Texts by number.
+fn texts(map: Option<&Value>) -> HashMap<u64, String> {
+    let Some(Value::Map(pairs)) = map else { return HashMap::new() };
+    let pair = |(number, text): &(Value, Value)| match (number, text) {
+        (Value::Int(number), Value::Text(text)) => Some((u64::try_from(*number).ok()?, text.clone())),
+        _ => None,
+    };
+    pairs.iter().filter_map(pair).collect()
 }
 
 /// `[level, text, line]`; a line below 0 is none.

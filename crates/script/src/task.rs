@@ -1,10 +1,11 @@
 //! A script component's turn as a message: its code, its ports, and the values of every iteration.
 
+use std::ops::Range;
 use std::path::Path as FilePath;
 
 use katydid_component::{Access, Matching, Ranges};
 use katydid_data::cast::Rules;
-use katydid_data::{Path, Tree};
+use katydid_data::{Column, Items, Kind, Path, Tree};
 use katydid_definition::document::{Access as Asked, Port, ScriptLanguage, TypeHint};
 use katydid_members::Value;
 use katydid_solver::ScriptTask;
@@ -97,9 +98,10 @@ impl Prepared {
                         inward.value(item.flatten(), *hint)
                     }
                     Access::List if tree.is_empty() => Value::List(Vec::new()),
-                    Access::List => Value::list(
-                        range.clone().map(|i| inward.value(tree.column().get(i), *hint)).collect(),
-                    ),
+                    Access::List => plain(tree.column(), range, *hint).unwrap_or_else(|| {
+                        let items = range.clone().map(|i| inward.value(tree.column().get(i), *hint));
+                        Value::list(items.collect())
+                    }),
                     _ => whole(tree, *hint, inward),
                 });
                 iterations.push(Value::List(row.collect()));
@@ -115,6 +117,25 @@ impl Prepared {
             self.head.iter().map(|(key, value)| (text(key), value.clone())).collect();
         pairs.push((text("iterations"), Value::List(iterations)));
         Value::Map(pairs)
+    }
+}
+
+/// A part of a column that a script gets as it is: numbers, points and vectors without nulls, which their hint does not
+/// change. Lists of thousands are handed over without a look at each item.
+fn plain(column: &Column, range: &Range<usize>, hint: TypeHint) -> Option<Value> {
+    if range.len() < 2 || column.null_mask().is_some() || hint.is("GeometryBase") {
+        return None;
+    }
+    let fits = |kind: Kind| hint.kind.is_none_or(|asked| asked == kind);
+    match column.items() {
+        Items::Numbers(items) if fits(Kind::Number) => {
+            Some(Value::Numbers(items.get(range.clone())?.to_vec()))
+        }
+        Items::Points(items) if fits(Kind::Point) => Some(Value::Points(items.get(range.clone())?.to_vec())),
+        Items::Vectors(items) if fits(Kind::Vector) => {
+            Some(Value::Vectors(items.get(range.clone())?.to_vec()))
+        }
+        _ => None,
     }
 }
 

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use katydid_3dm::Limits;
 use katydid_data::cast::{self, Rules};
-use katydid_data::{Content, Value as Data};
+use katydid_data::{Content, ModelObject, Value as Data};
 use katydid_definition::document::TypeHint;
 use katydid_geometry::Brep;
 use katydid_members::{Shape, Value};
 
-use crate::keeper::Kept;
+use crate::keeper::{Kept, Shown};
 
 /// Turns data into values, and counts what could not be.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl Inward<'_> {
             return Value::Null;
         };
         match self.known(&cast, hint) {
-            Some(value) => value,
+            Some(value) => with_strings(value, &item),
             None => {
                 self.lose(format!("{} is not supported as data of a script", item.kind()));
                 Value::Null
@@ -91,7 +91,13 @@ impl Inward<'_> {
                 Some(brep) => Shape::Brep(brep.ok()?).into(),
                 None => Shape::Other(Arc::new(raw.parse(&Limits::default()).ok()?)).into(),
             },
-            Data::Content(content) => self.content(content)?,
+            // Of an object of a model a script gets the geometry.
+            Data::Content(content) => match &**content {
+                Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
+                    self.known(geometry, hint)?
+                }
+                content => self.content(content)?,
+            },
             _ => return None,
         })
     }
@@ -99,6 +105,10 @@ impl Inward<'_> {
     fn content(&mut self, content: &Content) -> Option<Value> {
         match content {
             Content::Token(token) => {
+                if token.0.as_any().is::<Shown>() {
+                    self.lose("An object of a C# script is not supported as data of another script".into());
+                    return Some(Value::Null);
+                }
                 let kept = token.0.as_any().downcast_ref::<Kept>()?;
                 if kept.process() == self.process {
                     return Some(Value::Token(token.0.number()));
@@ -109,6 +119,19 @@ impl Inward<'_> {
             _ => None,
         }
     }
+}
+
+/// Geometry with the texts that it carries, or that stand in its user data.
+fn with_strings(value: Value, item: &Data) -> Value {
+    let Value::Geometry(mut geometry) = value else { return value };
+    let texts: Vec<(String, String)> = match item {
+        Data::Kept(raw) => raw.user_data.iter().find_map(|data| data.strings().ok()?).unwrap_or_default(),
+        item => item.carried_texts().iter().map(|(key, text)| (key.to_string(), text.to_string())).collect(),
+    };
+    if !texts.is_empty() {
+        geometry.strings = texts.into_iter().collect();
+    }
+    Value::Geometry(geometry)
 }
 
 fn face_value(face: &katydid_geometry::MeshFace) -> Value {

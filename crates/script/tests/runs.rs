@@ -157,3 +157,69 @@ fn messages_of_a_script_are_the_components() {
     session.solve();
     assert_eq!(messages(&session, "talker"), ["warning: look here"]);
 }
+
+/// Texts on geometry go through parameters and transforms, from script to script, and into the file of the model.
+#[test]
+fn texts_on_geometry_travel_with_it() {
+    let code = "import Rhino.Geometry as rg\n\
+                m = rg.Mesh.CreateFromPlane(rg.Plane.WorldXY, rg.Interval(0, 2), rg.Interval(0, 2), 1, 1)\n\
+                m.SetUserString('key', 'text')\na = m\n\
+                p = rg.Point(rg.Point3d(1, 2, 3))\np.SetUserString('of', 'point')\nb = p\nc = m.Duplicate().UserStringCount";
+    let made = gh_python("made", "x = s", "out, a, b, c", code, "");
+    let asked = gh_python(
+        "asked",
+        "x = moved.geometry, y = mesh",
+        "out, a, b, c",
+        "a = x.GetUserString('key')\nb = y.GetUserStrings()['key']\nc = x.UserStringCount + y.UserStringCount",
+        "",
+    );
+    let mut session = session(&format!(
+        "s = Series(1, 1, 1)\n{made}\nmesh = Mesh(made.a)\nmoved = Move(made.a, \"0,0,5\")\narea = `Mesh Area`(made.a)\n\
+         {asked}\nshown = Panel(made.a)"
+    ));
+    session.solve();
+    for name in ["made", "asked"] {
+        assert_eq!(messages(&session, name), Vec::<String>::new(), "{name}");
+    }
+    let text = |name: &str, output: usize| values(&session, name, output).into_iter().next().flatten();
+    assert_eq!(text("asked", 1), Some(Value::Text("text".into())));
+    assert_eq!(text("asked", 2), Some(Value::Text("text".into())));
+    assert_eq!(numbers(&session, "asked", 3)[0].1, [2.0]);
+    assert_eq!(numbers(&session, "made", 3)[0].1, [1.0]);
+    let Some(point) = text("made", 2) else { panic!("no point") };
+    assert_eq!(point.carried_texts(), [("of".into(), "point".into())]);
+    assert!(text("mesh", 0).is_some_and(|mesh| mesh.carried_texts().len() == 1));
+    // In the model, read again: beside each mesh, and not among its attributes.
+    let baked = katydid_session::bake(session.engine(), katydid_session::BakeOptions::default());
+    let bytes = baked.model.write(80).unwrap();
+    let model = katydid_3dm::Model::read(&bytes, &katydid_3dm::Limits::default()).unwrap();
+    let texts = |object: &katydid_3dm::ModelObject| {
+        object.user_data.iter().find_map(|data| data.strings().unwrap()).unwrap_or_default()
+    };
+    let found =
+        model.objects.iter().filter(|object| texts(object) == [("key".to_owned(), "text".to_owned())]);
+    assert!(found.count() >= 2);
+}
+
+/// A panel shows what `str` gives for an object of a script's own class.
+#[test]
+fn panels_show_objects_by_their_text() {
+    let code = "class Part(object):\n    def __init__(self, n): self.n = n\n    def __str__(self): return 'part %d' % self.n\n\
+                class Bad(object):\n    def __str__(self): raise ValueError()\n\
+                class Net(object):\n    def ToString(self): return 'as .NET'\n\
+                a = [Part(1), Part(2)]\nb = [[1, 'two', None]]\nc = Bad()\nd = Net()";
+    let script = gh_python("made", "x = s", "out, a, b, c, d", code, "");
+    let mut session = session(&format!(
+        "s = Series(1, 1, 1)\n{script}\npa = Panel(made.a)\npb = Panel(made.b)\npc = Panel(made.c)\npd = Panel(made.d)"
+    ));
+    session.solve();
+    assert_eq!(messages(&session, "made"), Vec::<String>::new());
+    let shown = |name: &str| -> Vec<String> {
+        let style = katydid_data::text::Style::default();
+        values(&session, name, 0).iter().flatten().map(|v| katydid_data::text::value(v, &style)).collect()
+    };
+    assert_eq!(shown("pa"), ["part 1", "part 2"]);
+    assert_eq!(shown("pb"), ["[1, 'two', None]"]);
+    assert_eq!(shown("pc"), ["Bad"]);
+    assert_eq!(shown("pd"), ["as .NET"]);
+}

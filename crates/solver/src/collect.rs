@@ -1,7 +1,9 @@
 //! The data of an input: what its wires bring, or what it keeps itself, cast to its type.
 
+use std::sync::Arc as Shared;
+
 use katydid_component::{Message, ModelLack, Port as Declared, stored};
-use katydid_data::{Column, Kind, Tree, Value, cast};
+use katydid_data::{Column, Kind, ModelObject, Tree, Value, cast};
 use katydid_definition::document::{Object, Port, Side};
 
 use crate::{Options, modifiers};
@@ -63,16 +65,48 @@ fn fit(
     messages: &mut Vec<Message>,
 ) -> Tree {
     let kind = declared.map_or(Kind::Generic, |d| d.kind);
+    let carried = if object.is_floating() { carried_texts(&tree) } else { Vec::new() };
     let tree = cast_to(tree, kind, rules, messages);
+    let tree = if carried.is_empty() { tree } else { carrying(tree, carried) };
     let tree =
         if object.is_floating() { tree } else { modifiers::apply(tree, port, Side::Input, rules, messages) };
     // An expression may give another type than the port's.
-    let tree = cast_to(tree, kind, rules, messages);
+    let tree = if object.is_floating() { tree } else { cast_to(tree, kind, rules, messages) };
     match kind {
         Kind::Surface if !object.is_floating() => one_surface(tree, messages),
         Kind::Brep if !object.is_floating() => breps(tree, messages),
         _ => tree,
     }
+}
+
+/// The texts that the items of a tree carry, by their places; empty where no item carries any.
+fn carried_texts(tree: &Tree) -> Vec<(usize, Texts)> {
+    let column = tree.column();
+    if !matches!(column.kind(), Kind::Generic | Kind::Content) {
+        return Vec::new();
+    }
+    let items = column.iter().enumerate();
+    items
+        .filter_map(|(place, item)| Some((place, item?.carried_texts().to_vec())))
+        .filter(|(_, texts)| !texts.is_empty())
+        .collect()
+}
+
+/// Keys and texts.
+type Texts = Vec<(Shared<str>, Shared<str>)>;
+
+/// The tree with items that carry texts again: a parameter gives geometry on with what it carries.
+fn carrying(tree: Tree, carried: Vec<(usize, Texts)>) -> Tree {
+    let mut items: Vec<Option<Value>> = tree.column().iter().collect();
+    for (place, texts) in carried {
+        if let Some(item) = items.get_mut(place) {
+            *item = item.take().map(|value| match value.kind().is_geometry() {
+                true => ModelObject::carrying(value, texts),
+                false => value,
+            });
+        }
+    }
+    tree.with_column(Column::of_options(items))
 }
 
 /// Components that ask for a surface compute with that of a brep's only face, trimmed or not; a face that is turned over

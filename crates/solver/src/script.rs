@@ -81,7 +81,12 @@ pub(crate) fn solve(
     budget: &Budget,
 ) -> Option<ObjectReport> {
     let scripts = turn.options.scripts.as_ref()?;
-    let mut script = object.script().filter(|script| scripts.runs(&script.language))?;
+    let mut script = object.script()?;
+    // A component of any language takes that which the text names that comes over the wire.
+    let is_open = script.from_wire && matches!(script.language, ScriptLanguage::Other(_));
+    if !is_open && !scripts.runs(&script.language) {
+        return None;
+    }
     let rules = turn.options.rules;
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());
@@ -92,7 +97,12 @@ pub(crate) fn solve(
         messages.extend(collected.messages);
         if holds_text(&script, port, k) {
             match text(&collected.tree) {
-                Some(text) => script.text = text,
+                Some(text) => {
+                    if let Some(named) = ScriptLanguage::named_in(&text).filter(|_| is_open) {
+                        script.language = named;
+                    }
+                    script.text = text;
+                }
                 None => {
                     messages.push(outside::no_data(port));
                     missing = true;
@@ -104,6 +114,9 @@ pub(crate) fn solve(
     }
     if missing {
         return Some(ObjectReport::idle(Status::NoData, messages, object.outputs.len()));
+    }
+    if !scripts.runs(&script.language) {
+        return None;
     }
     let limits = Limits { time: turn.deadline.left(), ..turn.options.limits };
     let cancel = &turn.options.cancel;

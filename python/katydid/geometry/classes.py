@@ -2,6 +2,7 @@
 
 from ..backend import current
 from .host_object import HostClass, HostObject
+from .user_strings import NameValueCollection
 
 
 class GeometryBase(HostObject):
@@ -19,7 +20,18 @@ class GeometryBase(HostObject):
 
     @property
     def HasUserData(self):
-        return False
+        return self.UserStringCount > 0
+
+    def GetUserStrings(self):
+        return NameValueCollection(current().call("GeometryBase.GetUserStrings", self))
+
+    #: No object belongs to the document of a model.
+    IsDocumentControlled = property(lambda self: False)
+
+    def IsValidWithLog(self, *place_holders):
+        """(valid, why not)."""
+        valid = self.IsValid
+        return valid, "" if valid else "the %s is not valid" % type(self).__name__
 
     @property
     def Disposed(self):
@@ -108,14 +120,39 @@ class Mesh(GeometryBase):
         return GeometryBase._lower(self)
 
 
+class PointCloud(GeometryBase):
+    """Points with their normals and colours; an index gives a point with all that is said of it."""
+
+    __slots__ = ()
+
+    def __len__(self):
+        return self.Count
+
+    def __bool__(self):
+        return True
+
+    def __getitem__(self, index):
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        return current().call("PointCloud.get_Item", self, index + len(self) if index < 0 else index)
+
+    get_Item = __getitem__
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    GetEnumerator = __iter__
+
+
 _BASES = {
     "LineCurve": Curve, "ArcCurve": Curve, "PolylineCurve": Curve, "NurbsCurve": Curve, "PolyCurve": Curve,
     "CurveProxy": Curve, "PlaneSurface": Surface, "NurbsSurface": Surface, "RevSurface": Surface,
     "SumSurface": Surface, "Extrusion": Surface, "SurfaceProxy": Surface, "SubD": GeometryBase,
-    "PointCloud": GeometryBase, "Point": GeometryBase, "Hatch": GeometryBase, "TextDot": GeometryBase,
+    "Point": GeometryBase, "Hatch": GeometryBase, "TextDot": GeometryBase,
     "Light": GeometryBase, "InstanceReferenceGeometry": GeometryBase, "AnnotationBase": GeometryBase,
     "Point3dGrid": GeometryBase, "MorphControl": GeometryBase, "BrepVertex": HostObject, "BrepLoop": HostObject,
-    "BrepTrim": HostObject,
+    "BrepTrim": HostObject, "SubDVertex": HostObject, "SubDEdge": HostObject, "SubDFace": HostObject,
+    "ControlPoint": HostObject, "PointCloudItem": HostObject,
     "MeshingParameters": HostObject, "AreaMassProperties": HostObject, "VolumeMassProperties": HostObject,
     "LengthMassProperties": HostObject, "BezierCurve": HostObject, "BezierSurface": HostObject,
     "SurfaceCurvature": HostObject, "MeshPoint": HostObject, "Matrix": HostObject, "ConicSection": HostObject,
@@ -125,7 +162,8 @@ _BASES = {
 }
 
 #: By the name in RhinoCommon.
-CLASSES = {"GeometryBase": GeometryBase, "Curve": Curve, "Surface": Surface, "Brep": Brep, "Mesh": Mesh}
+CLASSES = {"GeometryBase": GeometryBase, "Curve": Curve, "Surface": Surface, "Brep": Brep, "Mesh": Mesh,
+           "PointCloud": PointCloud}
 
 
 def _make(name, base):

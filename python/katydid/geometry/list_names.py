@@ -12,6 +12,7 @@ LISTS = {
     "Brep": {"Faces": "BrepFaceList", "Edges": "BrepEdgeList", "Vertices": "BrepVertexList", "Trims": "BrepTrimList",
              "Loops": "BrepLoopList", "Surfaces": "BrepSurfaceList", "Curves3D": "BrepCurveList",
              "Curves2D": "BrepCurveList"},
+    "SubD": {"Vertices": "SubDVertexList", "Edges": "SubDEdgeList", "Faces": "SubDFaceList"},
 }
 
 

@@ -262,6 +262,64 @@ class KnotList(HostList):
         return sum(knot == knots[index] for knot in knots)
 
 
+class SurfacePointList(HostList):
+    """surface.Points: a grid, v running fastest."""
+
+    __slots__ = ()
+
+    def SetPoint(self, u, v, *point):
+        """By a point, a point and a weight, or three or four numbers."""
+        if len(point) == 1 and isinstance(point[0], Point4d):
+            # Homogeneous: the point in space is divided by its weight.
+            own = point[0]
+            point = (Point3d(own.X / own.W, own.Y / own.W, own.Z / own.W), own.W)
+        place = Point3d(*point[:3]) if len(point) >= 3 else to_point(point[0])
+        weight = (float(point[-1]),) if len(point) in (2, 4) else ()
+        done = invoke(self._name, "SetPoint", [self._name], (self, u, v, place) + weight)
+        self._stale()
+        return done
+
+    def SetControlPoint(self, u, v, point):
+        return self.SetPoint(u, v, point.Location, point.Weight)
+
+
+class SurfaceKnotList(KnotList):
+    """surface.KnotsU or surface.KnotsV: what the host is asked names the direction."""
+
+    __slots__ = ()
+
+    @property
+    def _direction(self):
+        return 0 if self._property == "KnotsU" else 1
+
+    def _read(self):
+        return current().call("NurbsSurfaceKnotList.ToArray", self._owner, self._direction)
+
+    def _change(self, member, *arguments):
+        done = invoke(self._name, member, [self._name], (self, self._direction) + arguments)
+        self._stale()
+        return done
+
+    def __setitem__(self, index, value):
+        self._change("set_Item", int(index), float(value))
+
+    def CreateUniformKnots(self, spacing):
+        return self._change("CreateUniformKnots", float(spacing))
+
+    def CreatePeriodicKnots(self, spacing):
+        return self._change("CreatePeriodicKnots", float(spacing))
+
+    @property
+    def ClampedAtStart(self):
+        degree = getattr(self._owner, "OrderU" if self._direction == 0 else "OrderV") - 1
+        return self.KnotMultiplicity(0) >= degree
+
+    @property
+    def ClampedAtEnd(self):
+        degree = getattr(self._owner, "OrderU" if self._direction == 0 else "OrderV") - 1
+        return self.KnotMultiplicity(len(self) - 1) >= degree
+
+
 class BrepList(HostList):
     """Parts of a Brep, by its own members where the list's are not there."""
 
@@ -277,7 +335,8 @@ class BrepList(HostList):
 _CLASSES = {"MeshVertexList": VertexList, "MeshFaceList": FaceList, "MeshVertexNormalList": NormalList,
             "MeshVertexColorList": ColorList,
             "MeshFaceNormalList": NormalList, "BrepFaceList": BrepList, "NurbsCurvePointList": ControlPointList,
-            "NurbsCurveKnotList": KnotList, "NurbsSurfaceKnotList": KnotList}
+            "NurbsCurveKnotList": KnotList, "NurbsSurfaceKnotList": SurfaceKnotList,
+            "NurbsSurfacePointList": SurfacePointList}
 
 
 def list_of(owner, name, prop):

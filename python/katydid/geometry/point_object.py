@@ -4,17 +4,19 @@ from ..values.box import BoundingBox
 from ..values.plane import to_point
 from ..values.point import Point3d
 from .classes import CLASSES, GeometryBase
+from .user_strings import NameValueCollection
 
 
 class Point(GeometryBase):
     """A point object; `Location` is its Point3d."""
 
-    __slots__ = ("_location",)
+    __slots__ = ("_location", "_texts")
 
     def __init__(self, location=None):
         object.__setattr__(self, "_number", 0)
         object.__setattr__(self, "_kind", "Point")
         object.__setattr__(self, "_location", Point3d() if location is None else to_point(location))
+        object.__setattr__(self, "_texts", {})
 
     @classmethod
     def _of(cls, number, kind):
@@ -23,6 +25,7 @@ class Point(GeometryBase):
         object.__setattr__(made, "_kind", kind)
         # Asked for when it is read.
         object.__setattr__(made, "_location", None)
+        object.__setattr__(made, "_texts", None)
         return made
 
     def _get_location(self):
@@ -45,10 +48,58 @@ class Point(GeometryBase):
         object.__setattr__(self, name, value)
 
     def _lower(self):
-        return self.Location
+        """Its location; with texts a point object of the host, which carries them."""
+        from .. import codec
+        from ..backend import current
+        if self._number and self._location is None and self._texts is None:
+            # As the host gave it: nobody has asked for anything.
+            return codec.Reference(self._number, self._kind)
+        if not self._strings():
+            return self.Location
+        made = current().call("Point.new", self.Location)
+        for key, text in self._texts.items():
+            current().call("GeometryBase.SetUserString", made, key, text)
+        # The host forgets one that nobody holds: it goes into this object, in the place of the one before.
+        if self._number:
+            current().release(self._number)
+        object.__setattr__(self, "_number", made._number)
+        object.__setattr__(made, "_number", 0)
+        return codec.Reference(self._number, "Point")
 
     def _twin(self):
-        return Point(self.Location)
+        made = Point(self.Location)
+        made._strings().update(self._strings())
+        return made
+
+    def _strings(self):
+        if self._texts is None:
+            from .. import codec
+            from ..backend import current
+            found = current().call("GeometryBase.GetUserStrings", codec.Reference(self._number, self._kind))
+            object.__setattr__(self, "_texts", dict(found))
+        return self._texts
+
+    def SetUserString(self, key, value):
+        if not key:
+            return False
+        if value is None:
+            return self.DeleteUserString(key)
+        self._strings()[str(key)] = str(value)
+        return True
+
+    def GetUserString(self, key):
+        return self._strings().get(key)
+
+    def GetUserStrings(self):
+        return NameValueCollection(self._strings())
+
+    UserStringCount = property(lambda self: len(self._strings()))
+
+    def DeleteUserString(self, key):
+        return self._strings().pop(key, None) is not None
+
+    def DeleteAllUserStrings(self):
+        self._strings().clear()
 
     IsValid = property(lambda self: self.Location.IsValid)
 

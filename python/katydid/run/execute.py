@@ -111,7 +111,8 @@ def run(message, objects):
     `outputs` (each with `name`, inputs with `access`, `hint`, `optional`, `description`), `iterations` (a list of values
     for each, by input), `doc` (`tolerance`, `angle_tolerance`, `units`, and where they are known `path` and `name`).
     The answer: `iterations` (values by output), `out` (what each printed), `messages` ([level, text, line or -1]), `error`
-    ("cancelled", what kept the worker from running it, or None) and `seconds`. A script's own exception is a message.
+    ("cancelled", what kept the worker from running it, or None), `texts` (how Python writes the objects of its own that are
+    among the values, by their tokens; where there are any) and `seconds`. A script's own exception is a message.
     """
     began = time.perf_counter()
     iterations = message.get("iterations") or []
@@ -138,6 +139,9 @@ def run(message, objects):
             values = job.iteration(row, names, result["messages"])
             result["iterations"].append(values)
             result["out"].append(collector.take())
+        texts = objects.texts()
+        if texts:
+            result["texts"] = texts
     except KeyboardInterrupt:
         result["error"] = "cancelled"
     except Exception as error:

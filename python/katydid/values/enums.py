@@ -81,6 +81,8 @@ BrepLoopType = make("BrepLoopType", Unknown=0, Outer=1, Inner=2, Slit=3)
 BrepTrimType = make("BrepTrimType", Unknown=0, Boundary=1, Mated=2, Seam=3, Singular=4, CurveOnSurface=5,
                     PointOnSurface=6, Slit=7)
 IsoStatus = make("IsoStatus", **{"None": 0, "X": 1, "Y": 2, "West": 3, "South": 4, "East": 5, "North": 6})
+SubDVertexTag = make("SubDVertexTag", Unset=0, Smooth=1, Crease=2, Corner=3, Dart=4)
+SubDEdgeTag = make("SubDEdgeTag", Unset=0, Smooth=1, Crease=2, SmoothX=4)
 RegionContainment = make("RegionContainment", Disjoint=0, MutualIntersection=1, AInsideB=2, BInsideA=3)
 PlaneFitResult = make("PlaneFitResult", Success=0, Inconclusive=1, Failure=-1)
 TransformSimilarityType = make("TransformSimilarityType", OrientationReversing=-1, NotSimilarity=0,

@@ -2,8 +2,8 @@
 and wind rose. What they give is compared with ladybug-core, called here.
 
 The scripts come from the package that the test's environment has installed; the definition and the weather file are made
-by the test. Nothing of Ladybug's is part of the project. Scripts read no files beside the definition (docs/security.md), so
-that the weather file comes in as text, and the component that would open it says so.
+by the test. Nothing of Ladybug's is part of the project. Scripts read no files unless a folder is named
+(docs/security.md): the weather file comes in as text, and the component that opens it says that it may not, or reads it.
 """
 
 import base64
@@ -157,3 +157,24 @@ def test_a_weather_file_is_not_read_by_a_script(weather):
     run = subprocess.run([program(), "run", path, "--allow-scripts", "--python", sys.executable],
                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=600)
     assert run.returncode == 1 and "a script may not read the file" in run.stderr
+
+
+def test_a_weather_file_in_a_named_folder_is_read(weather):
+    """LB Import EPW opens it; its location and its wind are those that ladybug-core reads."""
+    from ladybug.epw import EPW
+    folder = os.path.dirname(weather)
+    path = os.path.join(folder, "named.kd")
+    reads = "wind = `GhPython Script` @%s(data = epw.wind_speed, place = epw.location) variable -> out, speed, city {\n" \
+            "    CodeInput = %s\n}" % (corpus.GHPYTHON, json.dumps("speed = list(data.values)\ncity = place.city"))
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("katydid 1\nfile = Panel(%s)\n%s\n%s\nplace = Panel(wind.city)\nspeed = Number(wind.speed)\n"
+                   "shown = Panel(epw.location)\n"
+                   % (json.dumps(weather), component("LB Import EPW", "epw", {"_epw_file": "file"}), reads))
+    run = subprocess.run([program(), "run", path, "--allow-scripts", "--script-read", folder, "--python", sys.executable,
+                          "--json=values"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=600)
+    assert run.returncode == 0, run.stderr
+    results, epw = json.loads(run.stdout), EPW(weather)
+    assert items(results, "place") == ["Test"]
+    assert close(items(results, "speed"), list(epw.wind_speed.values))
+    # A panel shows the location as Python writes it.
+    assert "\n".join(items(results, "shown")) == str(epw.location)

@@ -64,6 +64,10 @@ fn content(value: &Value, content: &Content, kind: Kind, rules: &Rules) -> Optio
         (_, Kind::Generic | Kind::Text) => by_table(),
         (_, Kind::Content) => Some(value.clone()),
         (Content::Object(object), Kind::Guid) => object.id.map(Value::Guid),
+        // Texts that geometry carries itself go where it goes.
+        (Content::Object(object), Kind::Geometry) if !object.geometry_text.is_empty() => {
+            object.geometry.is_some().then(|| value.clone())
+        }
         // The geometry of an object is never an object, so that this goes no deeper.
         (Content::Object(object), _) => self::value(object.geometry.as_ref()?, kind, rules),
         (Content::Instance(_), Kind::Geometry) => Some(value.clone()),

@@ -24,6 +24,8 @@ pub struct ModelObject {
     pub groups: Vec<Shared<str>>,
     /// Pairs of a key and a text, in their order. No key is twice.
     pub user_text: Vec<(Shared<str>, Shared<str>)>,
+    /// The same of the geometry itself, which scripts set (`SetUserString`) and which stay with it when it is moved.
+    pub geometry_text: Vec<(Shared<str>, Shared<str>)>,
 }
 
 /// How an object takes part in a model.
@@ -62,6 +64,22 @@ impl ModelObject {
             },
             _ => Self { geometry: Some(geometry), ..Self::default() },
         }
+    }
+
+    /// Geometry that carries texts of its own; without any it is that geometry. Texts that it carried already are
+    /// replaced, and attributes are left behind.
+    pub fn carrying(geometry: Value, texts: Vec<(Shared<str>, Shared<str>)>) -> Value {
+        let geometry = match &geometry {
+            Value::Content(content) => match &**content {
+                Content::Object(Self { geometry: Some(inner), .. }) => inner.clone(),
+                _ => geometry,
+            },
+            _ => geometry,
+        };
+        if texts.is_empty() {
+            return geometry;
+        }
+        Value::from(Self { geometry: Some(geometry), geometry_text: texts, ..Self::default() })
     }
 
     /// The text under a key.

@@ -10,6 +10,11 @@ pub trait Keeper: fmt::Debug + Send + Sync {
     /// Whether the object is gone with its process.
     fn is_lost(&self) -> bool;
 
+    /// How its language writes it, for panels; none where that is not known.
+    fn text(&self) -> Option<&str> {
+        None
+    }
+
     /// As it, to ask which keeper it is.
     fn as_any(&self) -> &dyn std::any::Any;
 }

@@ -72,8 +72,8 @@ fn at_depth(value: &Value, xform: &Xform, depth: usize) -> Result<Value, Transfo
         }
         Value::Content(content) => match &**content {
             Content::Instance(instance) => Value::from(instance.transformed(xform)),
-            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
-                at_depth(geometry, xform, depth + 1)?
+            Content::Object(ModelObject { geometry: Some(geometry), geometry_text, .. }) => {
+                ModelObject::carrying(at_depth(geometry, xform, depth + 1)?, geometry_text.clone())
             }
             other => return Err(TransformError::Unsupported(other.type_name().to_string())),
         },
@@ -157,6 +157,15 @@ mod tests {
         let r = Rectangle { plane: Plane::XY, x: unit, y: unit };
         assert!(matches!(Value::from(r).transformed(&stretch).unwrap(), Value::Rectangle(_)));
         assert!(matches!(Value::from(r).transformed(&shear).unwrap(), Value::Curve(_)));
+    }
+
+    #[test]
+    fn geometry_takes_its_texts_along() {
+        let texts = vec![("key".into(), "text".into())];
+        let point = ModelObject::carrying(Value::Point(Point3::ORIGIN), texts.clone());
+        let moved = point.transformed(&Xform::translation(Vector3::X)).unwrap();
+        assert_eq!(moved, ModelObject::carrying(Value::Point(Point3::new(1.0, 0.0, 0.0)), texts));
+        assert_eq!(moved.carried_texts().len(), 1);
     }
 
     #[test]

@@ -41,6 +41,23 @@ pub enum ScriptLanguage {
     Other(String),
 }
 
+impl ScriptLanguage {
+    /// The language that the first line of a text names, as Rhino 8's editor writes it: `#! python 3`, `// #! csharp`. None
+    /// where it names none that is known.
+    pub fn named_in(text: &str) -> Option<Self> {
+        let line = text.trim_start_matches('\u{feff}').lines().find(|line| !line.trim().is_empty())?;
+        let named = line.trim().trim_start_matches(['/', '\'']).trim_start().strip_prefix("#!")?;
+        let mut words = named.split_ascii_whitespace();
+        let (name, version) = (words.next()?.to_ascii_lowercase(), words.next().unwrap_or_default());
+        match name.as_str() {
+            "python" | "python3" if !version.starts_with('2') => Some(Self::Python3),
+            "python" | "python2" | "ironpython" => Some(Self::IronPython),
+            "csharp" | "c#" => Some(Self::CSharp),
+            _ => None,
+        }
+    }
+}
+
 impl std::fmt::Display for ScriptLanguage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
@@ -59,6 +76,12 @@ impl Object {
         let container = self.container();
         if let Some(chunk) = container.child("Script") {
             return rhino_8(self.component, container, chunk);
+        }
+        if self.component == ids::RHINO_8_SCRIPT {
+            // Without a text of its own the language, too, is that of what comes over the wire.
+            let from_wire = container.bool("UsingScriptInputParam") == Some(true);
+            let language = ScriptLanguage::Other("*.*.*".to_owned());
+            return from_wire.then(|| plain(language, String::new(), true));
         }
         if self.component == ids::GH_PYTHON {
             let text = container.str("CodeInput").unwrap_or_default().to_owned();
@@ -111,4 +134,20 @@ fn rhino_8(component: Uuid, container: &Chunk, chunk: &Chunk) -> Option<Script> 
     let text = String::from_utf8(bytes).ok()?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text).to_owned();
     Some(plain(language, text, container.bool("UsingScriptInputParam").unwrap_or(false)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_line_names_a_language() {
+        let named = ScriptLanguage::named_in;
+        assert_eq!(named("\n#! python 3\n\na = 1"), Some(ScriptLanguage::Python3));
+        assert_eq!(named("#!python2"), Some(ScriptLanguage::IronPython));
+        assert_eq!(named("#! python 2.7\n"), Some(ScriptLanguage::IronPython));
+        assert_eq!(named("// #! csharp\nusing System;"), Some(ScriptLanguage::CSharp));
+        assert_eq!(named("a = 1\n#! python 3"), None);
+        assert_eq!(named(""), None);
+    }
 }

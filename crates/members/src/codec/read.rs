@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 use super::{DEEPEST, Error};
 use crate::Handles;
-use crate::shape::{Geometry, Shape};
+use crate::shape::Shape;
 use crate::value::Value;
 
 /// The value that bytes are; geometry by the numbers that the script holds.
@@ -207,12 +207,12 @@ impl<'a> Bytes<'a> {
     fn geometry(&mut self) -> Read<Value> {
         let id = self.id()?;
         let class = self.text()?;
-        let (id, shape) = match self.handles.get(id) {
-            Some(Shape::List(_, of)) => (*of, self.handles.get(*of)),
-            shape => (id, shape),
+        let id = match self.handles.get(id) {
+            Some(Shape::List(_, of)) => *of,
+            _ => id,
         };
-        match shape {
-            Some(shape) => Ok(Value::Geometry(Geometry { id, shape: shape.clone() })),
+        match self.handles.geometry(id) {
+            Some(geometry) => Ok(Value::Geometry(geometry)),
             None => Err(self.broken(format!("the {class} {id} is not held any more"))),
         }
     }

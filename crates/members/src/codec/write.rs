@@ -153,7 +153,7 @@ impl Out<'_> {
             }
             Value::Geometry(geometry) => {
                 let id = match geometry.id {
-                    0 => self.handles.add(geometry.shape.clone())?,
+                    0 => self.handles.add_geometry(geometry)?,
                     id => id,
                 };
                 self.bytes.extend(id.to_le_bytes());

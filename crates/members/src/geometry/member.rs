@@ -4,7 +4,7 @@ use super::argument::Waiting;
 use super::call::{Arguments, Given};
 use super::table::{Endpoints, Row, fitting};
 use super::{intersection, mass};
-use crate::shape::Shape;
+use crate::shape::{Geometry, Shape};
 use crate::{Fault, Value};
 
 /// What a member gave.
@@ -13,7 +13,7 @@ pub struct MemberReply {
     /// The result, with what RhinoCommon has in `out` parameters behind it.
     pub value: Value,
     /// What the object that the member belongs to has become, where it was changed.
-    pub changed: Option<Shape>,
+    pub changed: Option<Geometry>,
 }
 
 /// The class that a class inherits members from.
@@ -126,7 +126,7 @@ fn changed(value: Value) -> MemberReply {
     match value {
         Value::List(mut items) => {
             let changed = match items.pop() {
-                Some(Value::Geometry(geometry)) => Some(geometry.shape),
+                Some(Value::Geometry(geometry)) => Some(geometry),
                 _ => None,
             };
             let value = match items.len() {
@@ -136,7 +136,7 @@ fn changed(value: Value) -> MemberReply {
             };
             MemberReply { value, changed }
         }
-        Value::Geometry(geometry) => MemberReply { value: Value::Null, changed: Some(geometry.shape) },
+        Value::Geometry(geometry) => MemberReply { value: Value::Null, changed: Some(geometry) },
         value => MemberReply { value, changed: None },
     }
 }

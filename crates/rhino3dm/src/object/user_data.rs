@@ -8,6 +8,9 @@ use crate::chunk::{Context, Reader, Writer};
 use crate::version::Version;
 use crate::{Error, Limits, Result, class_ids, typecode};
 
+/// The archive version whose rules new user data follows; what writes an older archive gives it another form.
+const NEWEST: i32 = 80;
+
 /// One piece of user data; its body as it was.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UserData {
@@ -157,6 +160,14 @@ impl UserData {
             }
             Ok(Some(strings))
         })
+    }
+
+    /// User data that holds user strings, keys first, in the newest form.
+    ///
+    /// # Errors
+    /// There are more than 32 bits can count.
+    pub fn of_user_strings(strings: &[(String, String)]) -> Result<Self> {
+        Self::from_strings(strings, Version::for_writing(NEWEST)?)
     }
 
     /// User data that holds user strings, keys first.

@@ -64,30 +64,40 @@ impl Region {
 }
 
 fn pattern(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
-    let Some(region) = Region::new(&row.list(0)) else { return };
     let number = row.item::<i32>(1).unwrap_or(0);
     let scale = row.item::<f64>(2).unwrap_or(1.0);
     let angle = row.item::<f64>(3).unwrap_or(0.0);
+    for ends in lines(&row.list(0), number, scale, angle) {
+        painter.scene.add(Form::Lines(ends.to_vec()), Look { width: 0.7, ..painter.look });
+    }
+}
+
+/// The lines of a pattern inside closed curves, by the pattern's number, its scale and its turn in radians. Nothing where
+/// the curves bound no region, or where there would be more lines than anybody sees.
+pub(crate) fn lines(curves: &[Shared<Curve>], number: i32, scale: f64, angle: f64) -> Vec<[Point3; 2]> {
+    let mut found = Vec::new();
+    let Some(region) = Region::new(curves) else { return found };
     // 0 is a solid fill; the others are lines, every second one crossed.
     let step = if number == 0 { 0.1 } else { SPACING } * scale.abs();
     let turns: &[f64] = if number > 0 && number % 2 == 0 { &[0.25, 0.75] } else { &[0.25] };
     for turn in turns {
         let (sin, cos) = (angle + turn * std::f64::consts::PI).sin_cos();
         let (along, across) = ([cos, sin], [-sin, cos]);
-        let Some([low, high]) = region.reach(across) else { return };
+        let Some([low, high]) = region.reach(across) else { return found };
         if !(step > 0.0 && (high - low) / step <= MOST_LINES) {
-            return;
+            return Vec::new();
         }
         let mut k = (low / step).ceil();
         while k * step <= high {
             let from = across.map(|x| x * k * step);
             for [a, b] in clip::inside(&region.outlines, from, along) {
                 let at = |t: f64| region.at([from[0] + along[0] * t, from[1] + along[1] * t]);
-                painter.scene.add(Form::Lines(vec![at(a), at(b)]), Look { width: 0.7, ..painter.look });
+                found.push([at(a), at(b)]);
             }
             k += 1.0;
         }
     }
+    found
 }
 
 fn gradient(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {

@@ -1,7 +1,7 @@
 //! What components draw that give no data: each is found by its id.
 
 mod dimensions;
-mod hatches;
+pub(crate) mod hatches;
 mod preview;
 mod tags;
 mod vectors;

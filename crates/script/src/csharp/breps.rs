@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use katydid_geometry::Brep;
-use katydid_members::{Fault, Shape, Value};
+use katydid_members::{Fault, Geometry, Shape, Value};
 
 /// The members of this file, as declarations name them.
 pub(super) const MEMBERS: [&str; 3] = ["Brep.__ExtractFace", "Brep.__FaceCount", "Brep.__HasFace"];
@@ -22,7 +22,7 @@ pub(super) struct Numbers {
 const MOST: usize = 64;
 
 /// A result, and what the object becomes.
-type Given = Result<(Value, Option<Shape>), Fault>;
+type Given = Result<(Value, Option<Geometry>), Fault>;
 
 /// Calls a member of this file; none for the name of another.
 pub(super) fn call(name: &str, arguments: &[Value], extracted: &mut Extracted) -> Option<Given> {
@@ -71,5 +71,5 @@ fn extract(brep: &Arc<Brep>, index: Option<usize>, extracted: &mut Extracted) ->
         extracted.remove(0);
     }
     extracted.push((rest.clone(), numbers));
-    Ok((Shape::Brep(face).into(), Some(Shape::Brep(rest))))
+    Ok((Shape::Brep(face).into(), Some(Shape::Brep(rest).into())))
 }

@@ -4,7 +4,7 @@ use katydid_csharp::sema::{Prim, Sema, Ty};
 use katydid_csharp::vm::State;
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::{Cx, Engine, Value as Net};
-use katydid_members::{Shape, Value};
+use katydid_members::{Geometry, Shape, Value};
 
 use super::declare::namespace;
 use super::structs;
@@ -77,7 +77,8 @@ pub(super) fn to_csharp(m: &mut impl Machine, value: &Value) -> Option<Net> {
         Value::Int(whole) | Value::Enum(_, whole) => i32::try_from(*whole).map_or(Net::I64(*whole), Net::I32),
         Value::Number(x) => Net::F64(*x),
         Value::Text(text) => m.state().text(text),
-        Value::Geometry(geometry) => shape(m, &geometry.shape)?,
+        Value::Geometry(own) => geometry(m, own)?,
+        Value::Map(pairs) => pairs_of_texts(m, pairs)?,
         Value::Path(indices) => {
             let int = m.sema().known.int;
             let indices = indices.iter().map(|i| Net::I32(*i)).collect();
@@ -138,10 +139,18 @@ fn built(m: &mut impl Machine, namespace: &str, name: &str, fields: &[Value]) ->
     Some(m.made(ty, &fields))
 }
 
-fn shape(m: &mut impl Machine, shape: &Shape) -> Option<Net> {
-    let class = shape.class();
+/// A map of texts as its keys and texts in turn.
+fn pairs_of_texts(m: &mut impl Machine, pairs: &[(Value, Value)]) -> Option<Net> {
+    let texts = pairs.iter().flat_map(|(key, text)| [key, text]);
+    let texts = texts.map(|text| Some(m.state().text(text.as_text()?))).collect::<Option<Vec<_>>>()?;
+    let string = m.sema().known.string;
+    Some(array(m, string, texts))
+}
+
+fn geometry(m: &mut impl Machine, own: &Geometry) -> Option<Net> {
+    let class = own.shape.class();
     let ty = named(m, namespace(class), class).or_else(|| named(m, GEOMETRY, "GeometryBase"))?;
-    Some(Net::Ref(m.state().heap.add(Obj::Host(ty, Box::new(shape.clone())))))
+    Some(Net::Ref(m.state().heap.add(Obj::Host(ty, Box::new(Geometry { id: 0, ..own.clone() })))))
 }
 
 /// The type of an array's elements, by the first that is not null.
@@ -220,8 +229,8 @@ fn read(m: &mut impl Machine, value: Net, depth: usize) -> Result<Value, String>
             let items = items.into_iter().map(|item| read(m, item, depth)).collect::<Result<_, _>>()?;
             return Ok(Value::list(items));
         }
-        Obj::Host(ty, data) => match data.downcast_ref::<Shape>() {
-            Some(shape) => return Ok(shape.clone().into()),
+        Obj::Host(ty, data) => match data.downcast_ref::<Geometry>() {
+            Some(own) => return Ok(Value::Geometry(own.clone())),
             None => (*ty, Vec::new()),
         },
         Obj::Inst(ty, fields) => (*ty, fields.to_vec()),

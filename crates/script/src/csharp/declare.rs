@@ -40,7 +40,7 @@ fn base(class: &str) -> Option<&'static str> {
 }
 
 /// Classes that members speak of, though the table has no member of them.
-const BARE: [&str; 5] = ["GeometryBase", "Hatch", "PointCloud", "TextDot", "ControlPoint"];
+const BARE: [&str; 6] = ["GeometryBase", "Hatch", "PointCloud", "PointCloudItem", "TextDot", "ControlPoint"];
 
 /// The namespace of a class.
 pub(super) fn namespace(class: &str) -> &'static str {

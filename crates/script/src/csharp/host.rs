@@ -10,7 +10,7 @@ use katydid_csharp::{Cx, Host, Raise, Stop};
 use katydid_data::cast::Rules;
 use katydid_geometry::Patience;
 use katydid_members::geometry::{Waiting, change_in_place, changes_in_place, endpoints};
-use katydid_members::{Cause, Fault, Shape, Value};
+use katydid_members::{Cause, Fault, Geometry, Value};
 
 use super::breps::{self, Extracted};
 use super::convert::{from_csharp, to_csharp};
@@ -34,11 +34,13 @@ static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
 });
 
 /// Properties that no member of the table is: of the document, and of results of named values.
-const RECORDS: [(&str, &[&str]); 5] = [
+const RECORDS: [(&str, &[&str]); 7] = [
     (
         "RhinoDoc",
         &["ModelAbsoluteTolerance", "ModelAngleToleranceRadians", "ModelAngleToleranceDegrees", "UnitNumber"],
     ),
+    ("ControlPoint", &["Location", "Weight", "X", "Y", "Z"]),
+    ("PointCloudItem", &["Location", "X", "Y", "Z", "Normal", "Color", "PointValue", "Hidden", "Index"]),
     ("BrepLoop", &["LoopIndex", "Face", "To3dCurve"]),
     ("BrepTrim", &["Brep", "TrimIndex", "Edge", "Face", "Loop", "Domain", "PointAtStart", "PointAtEnd"]),
     ("BrepVertex", &["VertexIndex", "Location", "EdgeIndices"]),
@@ -137,10 +139,10 @@ impl Host for ScriptHost {
                 (reply.value, reply.changed)
             }
         };
-        if let Some(shape) = changed {
+        if let Some(changed) = changed {
             let object = owner(cx, cx.arg(0));
-            if let Some(own) = cx.host_data_mut::<Shape>(object) {
-                *own = shape;
+            if let Some(own) = cx.host_data_mut::<Geometry>(object) {
+                own.become_changed(changed);
             }
         }
         give(name, value, &outs, cx)
@@ -167,7 +169,7 @@ fn in_place(name: &str, cx: &mut Cx<'_>) -> Option<Net> {
         arguments.push(from_csharp(cx, value).ok()?);
     }
     let object = owner(cx, cx.arg(0));
-    let given = change_in_place(name, cx.host_data_mut::<Shape>(object)?, &arguments)?;
+    let given = change_in_place(name, &mut cx.host_data_mut::<Geometry>(object)?.shape, &arguments)?;
     to_csharp(cx, &given)
 }
 

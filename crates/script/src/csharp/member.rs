@@ -42,7 +42,12 @@ const KNOWN: [(&str, &str); 31] = [
 ];
 
 /// Results that RhinoCommon has a narrower type for.
-const RESULTS: [(&str, &str); 13] = [
+const RESULTS: [(&str, &str); 18] = [
+    ("NurbsCurvePointList.GetControlPoint", "ControlPoint"),
+    ("NurbsSurfacePointList.GetControlPoint", "ControlPoint"),
+    ("NurbsSurface.Create", "NurbsSurface"),
+    ("SubDEdge.get_Tag", "SubDEdgeTag"),
+    ("SubDVertex.get_Tag", "SubDVertexTag"),
     ("Brep.get_SolidOrientation", "BrepSolidOrientation"),
     ("BrepEdge.get_EndVertex", "BrepVertex"),
     ("BrepEdge.get_StartVertex", "BrepVertex"),

@@ -102,7 +102,7 @@ impl CSharp {
             self.programs.lock().unwrap_or_else(PoisonError::into_inner).insert(task.object.id, program);
         }
         let keepers = Keepers::new(0);
-        let mut outward = Outward { keepers: &keepers, lost: Vec::new() };
+        let mut outward = Outward { keepers: &keepers, texts: &reply.texts, lost: Vec::new() };
         let outputs = outputs::trees(&prepared, &reply, &mut outward);
         lost.extend(outward.lost);
         let warnings = lost.into_iter().map(katydid_component::Message::warning);

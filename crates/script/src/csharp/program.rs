@@ -13,9 +13,16 @@ use katydid_members::Value;
 use super::convert::{fitted, from_csharp, list, to_csharp};
 use super::foreign::python_line;
 use super::host::{ScriptHost, Turn};
+use crate::from_script::SHOWN;
 use crate::task::{OUT, variable};
 
 const CLASS: &str = "Script_Instance";
+/// The class of our own declarations that calls `ToString`, which a script may have written anew.
+const SHOWS: &str = "__Shown";
+
+/// The most characters of an object's text.
+const LONGEST_TEXT: usize = 10_000;
+
 /// What every component of Grasshopper 1 uses: scripts that name no more use LINQ and colours too.
 const USUAL: &str = "using System; using System.Collections; using System.Collections.Generic; using System.Linq; \
     using System.Drawing; using Rhino; using Rhino.Geometry; using Grasshopper; using Grasshopper.Kernel; using Grasshopper.Kernel.Data; \
@@ -242,13 +249,16 @@ impl Program {
         let mut called = Called { messages: self.said(), ..Called::default() };
         match outcome {
             Ok((_, outs)) => {
+                // Making the text of one may collect the others, which nothing else holds.
+                let pinned = self.engine.state().heap.pins.len();
+                let held = outs
+                    .iter()
+                    .filter_map(|out| if let Net::Ref(handle) = out { Some(*handle) } else { None });
+                self.engine.state().heap.pins.extend(held);
                 for value in outs {
-                    called.row.push(from_csharp(&mut self.engine, value).unwrap_or_else(|what| {
-                        let text = format!("{what} is not supported as a script's result");
-                        called.messages.push(Message::warning(text));
-                        Value::Null
-                    }));
+                    called.row.push(self.result(value));
                 }
+                self.engine.state().heap.pins.truncate(pinned);
             }
             Err(failure) => {
                 called.ended = failure.stop.is_some();
@@ -258,6 +268,37 @@ impl Program {
         let mut turn = self.turn.lock().unwrap_or_else(PoisonError::into_inner);
         called.printed = std::mem::take(&mut turn.printed);
         called
+    }
+
+    /// An output; an object that is none of ours is what its `ToString` gives.
+    fn result(&mut self, value: Net) -> Value {
+        if let Ok(value) = from_csharp(&mut self.engine, value) {
+            return value;
+        }
+        let items = match value {
+            Net::Ref(handle) => match self.engine.state().heap.get(handle) {
+                Obj::Array(_, items, None) => Some(items.to_values()),
+                Obj::List(_, items, _) => Some(items.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(items) = items else { return self.shown(value) };
+        // A list in a list is one object.
+        let each = items.into_iter().map(|item| match from_csharp(&mut self.engine, item) {
+            Ok(value) => value,
+            Err(_) => self.shown(item),
+        });
+        Value::List(each.collect())
+    }
+
+    /// An object by its text.
+    fn shown(&mut self, value: Net) -> Value {
+        let method = self.engine.method(SHOWS, "Of").zip(self.engine.type_named("", SHOWS));
+        let text = method.and_then(|(method, owner)| self.engine.call(method, owner, &[value]).ok());
+        let text = text.and_then(|text| self.engine.state().string(text));
+        let text = text.unwrap_or_else(|| self.engine.text_of(value));
+        Value::Error(SHOWN.to_owned(), text.chars().take(LONGEST_TEXT).collect())
     }
 
     /// A value as a parameter takes it.

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_3dm::{
-    Attributes, LineCap, LineJoin, Linetype, LinetypeSegment, Model, ModelObject as Archived, ObjectMode,
+    Attributes, Limits, LineCap, LineJoin, Linetype, LinetypeSegment, Model, ModelObject as Archived, Object,
+    ObjectMode, UserData,
 };
 use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Visibility, cast};
 use uuid::Uuid;
@@ -37,7 +38,8 @@ impl Blocks {
                 pieces::of(geometry, rules, model, self, &mut objects)?;
             }
             let attributes = attributes(model, object);
-            let member = |geometry| Archived { attributes: attributes.clone(), ..Archived::from(geometry) };
+            let texts = user_data(&object.geometry_text);
+            let member = |geometry| archived(geometry, &attributes, &texts);
             members.extend(objects.into_iter().map(member));
         }
         let id = model.add_block(&block.name, members);
@@ -70,6 +72,34 @@ pub(super) fn attributes(model: &mut Model, object: &ModelObject) -> Attributes 
         user_strings: object.user_text.iter().map(text).collect(),
         ..Attributes::default()
     }
+}
+
+/// The texts that geometry carries itself, as its user data.
+pub(super) fn user_data(texts: &[(Arc<str>, Arc<str>)]) -> Vec<UserData> {
+    if texts.is_empty() {
+        return Vec::new();
+    }
+    let texts: Vec<_> = texts.iter().map(|(key, text)| (key.to_string(), text.to_string())).collect();
+    UserData::of_user_strings(&texts).into_iter().collect()
+}
+
+/// An object of the model with the texts of its geometry.
+///
+/// What is kept as bytes has its user data in them; it is read, so that the texts can stand beside it.
+pub(super) fn archived(geometry: Object, attributes: &Attributes, texts: &[UserData]) -> Archived {
+    let mut user_data = texts.to_vec();
+    let geometry = match geometry {
+        Object::Kept(raw) if !texts.is_empty() => match raw.parse(&Limits::default()) {
+            Ok(known) if !matches!(known, Object::Kept(_)) => {
+                user_data
+                    .extend(raw.user_data.into_iter().filter(|own| !matches!(own.strings(), Ok(Some(_)))));
+                known
+            }
+            _ => Object::Kept(raw),
+        },
+        geometry => geometry,
+    };
+    Archived { attributes: attributes.clone(), user_data, ..Archived::from(geometry) }
 }
 
 /// The place of a layer in the model, which gets it with those that it lies in; none for a layer without a name.

@@ -7,7 +7,7 @@ mod valid;
 
 use std::collections::HashSet;
 
-use katydid_3dm::{Attributes, Group, Model, ModelObject, Object as Archived};
+use katydid_3dm::{Attributes, Group, Model, Object as Archived};
 use katydid_component::{Access, Matching, Ranges};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
 use katydid_definition::document::{Document, Object, Special, ids};
@@ -201,10 +201,8 @@ impl Baking<'_> {
             attributes.groups.push(model.groups.len());
             model.groups.push(Group::new(format!("{title} {} {}", source.path, source.index)));
         }
-        let with_attributes = |geometry: Archived| ModelObject {
-            attributes: attributes.clone(),
-            ..ModelObject::from(geometry)
-        };
+        let texts = content::user_data(value.carried_texts());
+        let with_attributes = |geometry: Archived| content::archived(geometry, &attributes, &texts);
         model.objects.extend(pieces.into_iter().map(with_attributes));
     }
 }

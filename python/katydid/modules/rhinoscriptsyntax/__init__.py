@@ -11,6 +11,7 @@ from .curves_ask import *  # noqa: F401,F403
 from .curves_change import *  # noqa: F401,F403
 from .curves_make import *  # noqa: F401,F403
 from .groups import *  # noqa: F401,F403
+from .hatches import *  # noqa: F401,F403
 from .meshes import *  # noqa: F401,F403
 from .object_state import *  # noqa: F401,F403
 from .objects import *  # noqa: F401,F403

@@ -200,3 +200,18 @@ def TextDotFont(object_id, fontface=None):
 
 def PointCloudCount(object_id):
     return coercegeometry(object_id, True).Count
+
+
+def PointCloudHasPointColors(object_id):
+    return bool(coercegeometry(object_id, True).ContainsColors)
+
+
+def PointCloudPointColors(object_id, colors=[]):
+    """The colours of the points, None without."""
+    cloud = coercegeometry(object_id, True)
+    before = list(cloud.GetColors()) if cloud.ContainsColors else None
+    if colors:
+        made = CLASSES["PointCloud"]()
+        made.AddRange(list(cloud.GetPoints()), [coercecolor(color, True) for color in colors])
+        _kept(object_id, made)
+    return before

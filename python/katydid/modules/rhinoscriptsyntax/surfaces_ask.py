@@ -89,8 +89,7 @@ def SurfacePoints(surface_id, return_all=True):
 
 def SurfacePointCount(surface_id):
     nurbs = coercesurface(surface_id, True).ToNurbsSurface()
-    return nurbs.CountU if hasattr(nurbs, "CountU") else nurbs.Points.CountU, \
-        nurbs.CountV if hasattr(nurbs, "CountV") else nurbs.Points.CountV
+    return nurbs.Points.CountU, nurbs.Points.CountV
 
 
 def _area(thing):

@@ -72,6 +72,34 @@ def SurfaceTorus(surface_id):
     return (found.Plane, found.MajorRadius, found.MinorRadius) if done else None
 
 
+def SurfaceKnots(surface_id):
+    """The knots along u, and those along v."""
+    nurbs = coercesurface(surface_id, True).ToNurbsSurface()
+    return list(nurbs.KnotsU), list(nurbs.KnotsV)
+
+
+def SurfaceKnotCount(surface_id):
+    return tuple(map(len, SurfaceKnots(surface_id)))
+
+
+def SurfaceWeights(object_id):
+    return [point.Weight for point in coercesurface(object_id, True).ToNurbsSurface().Points]
+
+
+def SurfaceEditPoints(surface_id, return_parameters=False, return_all=True):
+    """The points at the Greville parameters of the control points, or those parameters."""
+    surface = coercesurface(surface_id, True)
+    nurbs = surface.ToNurbsSurface()
+    points = nurbs.Points
+    count_u, count_v = points.CountU, points.CountV
+    rows = [range(count_u), range(count_v)]
+    if not return_all:
+        # Without the last ones where the surface is closed: they are the first ones again.
+        rows = [range(count - (1 if surface.IsClosed(along) else 0)) for along, count in enumerate((count_u, count_v))]
+    found = [points.GetGrevillePoint(i, j) for i in rows[0] for j in rows[1]]
+    return [(one.X, one.Y) for one in found] if return_parameters else [surface.PointAt(one.X, one.Y) for one in found]
+
+
 def SurfaceEvaluate(surface_id, parameter, derivative):
     """The point and the derivatives up to an order."""
     found = coercesurface(surface_id, True).Evaluate(float(parameter[0]), float(parameter[1]), int(derivative))

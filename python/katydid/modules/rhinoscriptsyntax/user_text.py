@@ -30,6 +30,12 @@ def SetUserText(object_id, key, value=None, attach_to_geometry=False):
     return holder.SetUserString(str(key), str(value))
 
 
+def IsUserText(object_id):
+    """0 without texts, 1 with some on the attributes, 2 with some on the geometry, 3 with both."""
+    attributes, geometry = _holder(object_id, False), _holder(object_id, True)
+    return (1 if list(attributes.GetUserStrings()) else 0) + (2 if list(geometry.GetUserStrings()) else 0)
+
+
 def _strings():
     return scriptcontext.doc._strings
 

@@ -116,8 +116,9 @@ fn deformed(
             _ => kept::deformed(context, value, object, morph, manner)?,
         },
         Value::Content(content) => match &**content {
-            Content::Object(ModelObject { geometry: Some(geometry), .. }) => {
-                deformed(context, geometry, morph, manner, depth + 1)?
+            Content::Object(ModelObject { geometry: Some(geometry), geometry_text, .. }) => {
+                let image = deformed(context, geometry, morph, manner, depth + 1)?;
+                ModelObject::carrying(image, geometry_text.clone())
             }
             // What is drawn by a block of its own is carried as a whole.
             Content::Instance(_) => {

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use katydid_3dm::{Object, PointCloud, TextDot};
+use katydid_3dm::{Limits, Object, PointCloud, TextDot};
+use katydid_data::Value as Data;
 use katydid_geometry::{Point3, Xform};
 
 use super::beyond;
@@ -92,18 +93,18 @@ fn shape(object: Object) -> Shape {
 }
 
 /// A cloud; the box that a file may hold of other points is not kept.
-fn cloud(own: PointCloud) -> Shape {
+pub(super) fn cloud(own: PointCloud) -> Shape {
     shape(Object::PointCloud(PointCloud { bounds: PointCloud::default().bounds, ..own }))
 }
 
 /// Whether [`moved`] moves an object.
 pub(super) fn moves(object: &Object) -> bool {
-    matches!(object, Object::PointCloud(_) | Object::TextDot(_))
+    matches!(object, Object::PointCloud(_) | Object::TextDot(_) | Object::Hatch(_))
 }
 
 /// A cloud or a dot moved; other objects as they are.
-pub(super) fn moved(object: Object, xform: &Xform) -> Object {
-    match object {
+pub(super) fn moved(object: Object, xform: &Xform) -> Result<Object, Fault> {
+    Ok(match object {
         Object::PointCloud(mut own) => {
             own.points.iter_mut().for_each(|point| *point = xform.point(*point));
             own.normals.iter_mut().for_each(|normal| *normal = xform.vector(*normal));
@@ -111,18 +112,28 @@ pub(super) fn moved(object: Object, xform: &Xform) -> Object {
             Object::PointCloud(own)
         }
         Object::TextDot(dot) => Object::TextDot(TextDot { point: xform.point(dot.point), ..dot }),
+        hatch @ Object::Hatch(_) => {
+            let none = || Fault::failed("the hatch has no image under the transform");
+            let data = Data::from_object(hatch, &[]).ok_or_else(none)?;
+            match data.transformed(xform).map_err(|error| Fault::bad_request(error.to_string()))? {
+                Data::Kept(raw) => {
+                    raw.parse(&Limits::default()).map_err(|error| Fault::failed(error.to_string()))?
+                }
+                _ => return Err(none()),
+            }
+        }
         other => other,
-    }
+    })
 }
 
 /// A point cloud.
-struct Cloud(PointCloud);
+pub(super) struct Cloud(pub(super) PointCloud);
 /// A text dot.
 struct Dot(TextDot);
 
 /// An object of a model, of one kind.
 macro_rules! read_object {
-    ($kind:ident, $variant:ident, $name:literal) => {
+    ($kind:ident, $variant:ident, $name:literal, $held:expr) => {
         impl Read for $kind {
             fn read(_: &serde_json::Value) -> Result<Self, Fault> {
                 Err(Fault::bad_request(concat!("is no ", $name)))
@@ -131,7 +142,10 @@ macro_rules! read_object {
             fn of_value(value: &Value) -> Result<Self, Fault> {
                 match value {
                     Value::Geometry(Geometry { shape: Shape::Other(object), .. }) => match &**object {
-                        Object::$variant(own) => Ok(Self(own.clone())),
+                        Object::$variant(own) => {
+                            let held: fn(&_) -> _ = $held;
+                            Ok(Self(held(own)))
+                        }
                         _ => Err(Fault::bad_request(concat!("is no ", $name))),
                     },
                     other => Err(Fault::bad_request(format!("is {}, no {}", other.noun(), $name))),
@@ -145,5 +159,6 @@ macro_rules! read_object {
     };
 }
 
-read_object!(Cloud, PointCloud, "PointCloud");
-read_object!(Dot, TextDot, "TextDot");
+read_object!(Cloud, PointCloud, "PointCloud", PointCloud::clone);
+read_object!(Dot, TextDot, "TextDot", TextDot::clone);
+pub(super) use read_object;

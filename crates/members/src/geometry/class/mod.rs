@@ -3,16 +3,21 @@
 mod brep;
 mod brep_parts;
 mod brep_trims;
+mod cloud_items;
 mod curve;
 mod curve_kinds;
 mod curve_recognised;
+mod hatch;
 mod marks;
 mod mesh;
 mod mesh_change;
 mod mesh_lists;
 mod nurbs_lists;
 mod object;
+mod subd_parts;
 mod surface;
+mod surface_lists;
+mod user_strings;
 
 use serde_json::Value as Json;
 
@@ -40,12 +45,40 @@ pub(super) fn enter(table: &mut Endpoints) {
     nurbs_lists::enter(table);
     mesh::enter(table);
     mesh_lists::enter(table);
+    cloud_items::enter(table);
+    hatch::enter(table);
+    subd_parts::enter(table);
+    surface_lists::enter(table);
+    user_strings::enter(table);
 }
 
 /// An index that a list has not.
 fn beyond(index: usize, count: usize) -> Fault {
     Fault::bad_request(format!("index is {index}, of {count}"))
 }
+
+/// Declares results that are geometry of one class: signatures name it.
+macro_rules! of_class {
+    ($($(#[$doc:meta])* $name:ident, $class:literal;)*) => {
+        $($(#[$doc])*
+        pub(super) struct $name(pub(super) $crate::Shape);
+
+        impl $crate::geometry::answer::Answer for $name {
+            fn name() -> String {
+                concat!("Rhino.Geometry.", $class).into()
+            }
+
+            fn json(self) -> Result<serde_json::Value, $crate::Fault> {
+                self.0.json()
+            }
+
+            fn value(self) -> Result<$crate::Value, $crate::Fault> {
+                self.0.value()
+            }
+        })*
+    };
+}
+use of_class;
 
 /// A member of an enumeration of RhinoCommon.
 struct Named(&'static str, i64);
@@ -87,7 +120,7 @@ impl Read for Held {
 }
 
 /// The lists of objects that scripts write in too: by the property, the class of the list.
-const LISTS: [(&str, &str); 7] = [
+const LISTS: [(&str, &str); 8] = [
     ("Mesh.get_Vertices this", "MeshVertexList"),
     ("Mesh.get_Faces this", "MeshFaceList"),
     ("Mesh.get_Normals this", "MeshVertexNormalList"),
@@ -95,6 +128,7 @@ const LISTS: [(&str, &str); 7] = [
     ("Mesh.get_VertexColors this", "MeshVertexColorList"),
     ("Mesh.get_TopologyEdges this", "MeshTopologyEdgeList"),
     ("NurbsCurve.get_Points this", "NurbsCurvePointList"),
+    ("NurbsSurface.get_Points this", "NurbsSurfacePointList"),
 ];
 
 /// The distance within which shapes are recognised where RhinoCommon asks for none: its `ZeroTolerance`.

@@ -103,17 +103,28 @@ fn knots(table: &mut Endpoints) {
 
 /// Evenly spaced knots with 0 as the start of the domain, as `ON_MakeClampedUniformKnotVector` and
 /// `ON_MakePeriodicUniformKnotVector` of openNURBS make them: clamped ones are repeated at both ends.
-fn uniform(Written(mut c): Written, spacing: f64, clamped: bool) -> Result<(bool, Shape), Fault> {
+pub(super) fn space(
+    knots: &mut [f64],
+    degree: usize,
+    points: usize,
+    spacing: f64,
+    clamped: bool,
+) -> Result<(), Fault> {
     if !(spacing.is_finite() && spacing > 0.0) {
         return Err(Fault::bad_request(format!("knotSpacing is {spacing}, which must be greater than 0")));
     }
-    let (first, last) = (c.degree - 1, c.points.len() - 1);
-    for (i, knot) in c.knots.iter_mut().enumerate() {
+    let (first, last) = (degree.saturating_sub(1), points.saturating_sub(1));
+    for (i, knot) in knots.iter_mut().enumerate() {
         let place = if clamped { i.clamp(first, last) } else { i };
         #[expect(clippy::cast_precision_loss, reason = "at most a million points")]
         let steps = place as f64 - first as f64;
         *knot = steps * spacing;
     }
+    Ok(())
+}
+
+fn uniform(Written(mut c): Written, spacing: f64, clamped: bool) -> Result<(bool, Shape), Fault> {
+    space(&mut c.knots, c.degree, c.points.len(), spacing, clamped)?;
     Ok((true, c.shape()))
 }
 
@@ -139,7 +150,17 @@ impl Read for Written {
 
 /// A `ControlPoint`.
 fn control_point(c: &UnfinishedNurbs, place: usize) -> Option<Record> {
-    let fields =
-        vec![("Location", Value::Point(*c.points.get(place)?)), ("Weight", Value::Number(c.weight(place)?))];
-    Some(Record { class: "ControlPoint", fields })
+    Some(control_point_record(*c.points.get(place)?, c.weight(place)?))
+}
+
+/// A `ControlPoint` of a place in space and a weight.
+pub(super) fn control_point_record(at: Point3, weight: f64) -> Record {
+    let fields = vec![
+        ("Location", Value::Point(at)),
+        ("Weight", Value::Number(weight)),
+        ("X", Value::Number(at.x)),
+        ("Y", Value::Number(at.y)),
+        ("Z", Value::Number(at.z)),
+    ];
+    Record { class: "ControlPoint", fields }
 }

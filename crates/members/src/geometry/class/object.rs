@@ -14,7 +14,8 @@ use crate::{Fault, Value};
 
 pub(super) fn enter(table: &mut Endpoints) {
     for signature in ["GeometryBase.Duplicate this", "GeometryBase.DuplicateShallow this"] {
-        table.member(signature, |shape: Shape| Ok(shape));
+        // What is handed over as a struct has no strings to keep.
+        table.member(signature, |own: Copied| Ok(own.0));
     }
     table.member("GeometryBase.Transform &this xform", |shape: Shape, xform: Xform| moved(&shape, &xform));
     table.member("GeometryBase.Translate &this translationVector", |shape: Shape, v: Vector3| {
@@ -81,6 +82,26 @@ impl Answer for Shape {
     }
 }
 
+/// Geometry with the texts that it carries.
+struct Copied(Geometry);
+
+impl Read for Copied {
+    fn read(json: &serde_json::Value) -> Result<Self, Fault> {
+        Shape::read(json).map(|shape| Self(shape.into()))
+    }
+
+    fn of_value(value: &Value) -> Result<Self, Fault> {
+        match value {
+            Value::Geometry(own) => Ok(Self(own.clone())),
+            other => Shape::of_value(other).map(|shape| Self(shape.into())),
+        }
+    }
+
+    fn type_name() -> String {
+        "GeometryBase".into()
+    }
+}
+
 /// Whether it could be moved, and what it becomes.
 fn moved(shape: &Shape, xform: &Xform) -> Outcome<(bool, Shape)> {
     let moved = match shape {
@@ -99,13 +120,20 @@ fn moved(shape: &Shape, xform: &Xform) -> Outcome<(bool, Shape)> {
             curve.shape()
         }
         Shape::Other(object) if marks::moves(object) => {
-            Shape::Other(Arc::new(marks::moved((**object).clone(), xform)))
+            Shape::Other(Arc::new(marks::moved((**object).clone(), xform)?))
         }
-        Shape::Other(_) | Shape::List(..) | Shape::Record(_) => match (shape.curve(), shape.brep()) {
-            (Some(curve), _) => Shape::Curve(Arc::new(curve.transformed(xform)?)),
-            (None, Some(brep)) => Shape::Brep(Arc::new(brep?.transformed(xform)?)),
-            (None, None) => return Err(Fault::not_supported(format!("{}.Transform", shape.class()))),
-        },
+        Shape::UnfinishedSurface(surface) => {
+            let mut surface = (**surface).clone();
+            surface.points.iter_mut().for_each(|point| *point = xform.point(*point));
+            surface.shape()
+        }
+        Shape::Other(_) | Shape::List(..) | Shape::Record(_) | Shape::SubDPart(..) => {
+            match (shape.curve(), shape.brep()) {
+                (Some(curve), _) => Shape::Curve(Arc::new(curve.transformed(xform)?)),
+                (None, Some(brep)) => Shape::Brep(Arc::new(brep?.transformed(xform)?)),
+                (None, None) => return Err(Fault::not_supported(format!("{}.Transform", shape.class()))),
+            }
+        }
     };
     Ok((true, moved))
 }
@@ -124,7 +152,7 @@ fn is_valid(shape: &Shape) -> bool {
     match shape {
         Shape::Brep(brep) | Shape::Face(brep, _) | Shape::Edge(brep, _) => brep.is_valid(),
         Shape::Mesh(mesh) => mesh.check().is_ok() && !mesh.faces().is_empty(),
-        Shape::Empty(_) | Shape::Unfinished(_) => false,
+        Shape::Empty(_) | Shape::Unfinished(_) | Shape::UnfinishedSurface(_) => false,
         _ => true,
     }
 }

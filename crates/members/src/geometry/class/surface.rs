@@ -111,11 +111,8 @@ fn kinds(table: &mut Endpoints) {
         Surface::Plane(own) => Ok(*own.plane()),
         _ => Err(Fault::bad_request("this is no PlaneSurface")),
     });
-    table.member("NurbsSurface.get_Points this", |s: Surface| Ok(s.to_nurbs()?.control_points()));
     table.member("NurbsSurface.get_CountU this", |s: Surface| Ok(s.to_nurbs()?.count(Direction::U)));
     table.member("NurbsSurface.get_CountV this", |s: Surface| Ok(s.to_nurbs()?.count(Direction::V)));
-    table.member("NurbsSurface.get_KnotsU this", |s: Surface| Ok(s.to_nurbs()?.knots(Direction::U).to_vec()));
-    table.member("NurbsSurface.get_KnotsV this", |s: Surface| Ok(s.to_nurbs()?.knots(Direction::V).to_vec()));
     table.member("NurbsSurface.get_OrderU this", |s: Surface| Ok(s.to_nurbs()?.order(Direction::U)));
     table.member("NurbsSurface.get_OrderV this", |s: Surface| Ok(s.to_nurbs()?.order(Direction::V)));
     table.member("NurbsSurface.get_IsRational this", |s: Surface| Ok(s.to_nurbs()?.is_rational()));

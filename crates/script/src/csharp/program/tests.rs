@@ -94,3 +94,16 @@ fn a_cancelled_solve_ends_an_endless_loop() {
     program.turn.lock().unwrap_or_else(PoisonError::into_inner).end = Some(std::time::Instant::now());
     assert!(program.call(&[]).ended);
 }
+
+/// Panels show what `ToString` gives, for an object and for those in a list.
+#[test]
+fn objects_of_own_classes_are_shown_by_their_text() {
+    let own = "class Part { int n; public Part(int n) { this.n = n; } public override string ToString() { return \"part \" + n; } }";
+    let body = "A = new Part(7); B = new List<object> { new Part(1), 2.5 };";
+    let mut program =
+        program(body, own, "ref object A, ref object B").unwrap_or_else(|faults| panic!("{faults:?}"));
+    let called = program.call(&[]);
+    assert!(called.messages.is_empty(), "{:?}", called.messages);
+    let shown = |text: &str| Value::Error(SHOWN.to_owned(), text.to_owned());
+    assert_eq!(called.row, [shown("part 7"), Value::List(vec![shown("part 1"), Value::Number(2.5)])]);
+}

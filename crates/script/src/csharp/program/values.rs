@@ -100,6 +100,34 @@ fn numbers_follow_their_formulas() {
             "Brep b = Brep.CreateFromBox(new BoundingBox(0, 0, 0, 1, 1, 1)); double sum = 0; for (int i = 0; i < b.Faces.Count; i++) sum += b.Faces.ExtractFace(i).GetArea(); A = sum;",
             6.0,
         ),
+        // Texts that geometry carries.
+        (
+            "Mesh m = new Mesh(); m.SetUserString(\"k\", \"v\"); m.SetUserString(\"l\", \"w\"); Mesh n = m.DuplicateMesh(); m.DeleteUserString(\"k\"); A = n.UserStringCount * 10 + m.UserStringCount + (n.GetUserString(\"k\") == \"v\" ? 100 : 0) + (n.GetUserStrings()[\"l\"] == \"w\" ? 1000 : 0) + (m.GetUserString(\"k\") == null ? 10000 : 0);",
+            11121.0,
+        ),
+        (
+            "Curve c = new LineCurve(new Line(0, 0, 0, 1, 0, 0)); c.SetUserString(\"k\", \"v\"); c.Translate(1, 0, 0); A = c.PointAtStart.X + c.UserStringCount + c.GetUserStrings().AllKeys.Length;",
+            3.0,
+        ),
+        // Hatches: a ring between circles of radius 2 and 1.
+        (
+            "Hatch[] h = Hatch.Create(new Curve[] { new ArcCurve(new Circle(2)), new ArcCurve(new Circle(1)) }, 1, 0.5, 2.0, 0.001); A = h.Length * 100 + AreaMassProperties.Compute(h[0]).Area / Math.PI + h[0].PatternScale * 10 + h[0].PatternRotation;",
+            123.5,
+        ),
+        // A bilinear surface by its points and knots: the middle of the square with one corner raised by 4.
+        (
+            "NurbsSurface s = NurbsSurface.Create(3, false, 2, 2, 2, 2); for (int i = 0; i < 2; i++) for (int j = 0; j < 2; j++) s.Points.SetPoint(i, j, i, j, i * j * 4.0); s.KnotsU.CreateUniformKnots(1.0); s.KnotsV[0] = 0; s.KnotsV[1] = 1; A = s.PointAt(0.5, 0.5).Z + s.Points.GetControlPoint(1, 1).Location.Z * 10 + s.KnotsU.Count * 100 + s.Points.CountV * 1000;",
+            2241.0,
+        ),
+        (
+            "PointCloud c = new PointCloud(); c.Add(new Point3d(1, 2, 3)); c.Add(new Point3d(4, 5, 6)); double sum = c[1].Y; foreach (PointCloudItem i in c) sum += i.X * 10; A = sum;",
+            55.0,
+        ),
+        // The SubD of a cube: 8 vertices with 3 edges each, 12 edges, 6 faces of 4 corners.
+        (
+            "SubD s = SubD.CreateFromMesh(Mesh.CreateFromBox(new Box(new BoundingBox(0, 0, 0, 2, 2, 2)), 1, 1, 1)); int n = 0; foreach (SubDVertex v in s.Vertices) n += v.EdgeCount; foreach (SubDFace f in s.Faces) n += f.VertexCount * 100; A = n + s.Edges.Count * 10000 + s.Faces.Find(1).ControlNetCenterNormal.Length;",
+            122425.0,
+        ),
     ];
     let mut wrong = Vec::new();
     for (body, expected) in cases {

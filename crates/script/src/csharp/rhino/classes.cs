@@ -6,6 +6,14 @@
   public override string ToString() { return "Rhino.Geometry." + GetType().Name; }
   public bool Rotate(double angle, Vector3d axis) { return Rotate(angle, axis, Point3d.Origin); }
   public void Dispose() { }
+  internal extern string[] raw_GetUserStrings();
+  public System.Collections.Specialized.NameValueCollection GetUserStrings()
+  {
+      System.Collections.Specialized.NameValueCollection made = new System.Collections.Specialized.NameValueCollection();
+      string[] all = raw_GetUserStrings();
+      for (int i = 0; all != null && i + 1 < all.Length; i += 2) made.Set(all[i], all[i + 1]);
+      return made;
+  }
 //: Curve
   internal extern bool raw_TryGetPolyline(out Point3d[] points);
   public bool TryGetPolyline(out Polyline polyline) { Point3d[] points; bool found = raw_TryGetPolyline(out points); polyline = found && points != null ? new Polyline(points) : null; return found; }
@@ -29,6 +37,40 @@
   public Rhino.Geometry.Collections.NurbsCurvePointList Points { get { return new Rhino.Geometry.Collections.NurbsCurvePointList(this); } }
   internal extern double[] raw_get_Knots();
   public Rhino.Geometry.Collections.NurbsCurveKnotList Knots { get { return new Rhino.Geometry.Collections.NurbsCurveKnotList(this); } }
+//: NurbsSurface
+  internal extern GeometryBase raw_get_Points();
+  public Rhino.Geometry.Collections.NurbsSurfacePointList Points { get { return new Rhino.Geometry.Collections.NurbsSurfacePointList(this); } }
+  internal extern double[] raw_get_KnotsU();
+  internal extern double[] raw_get_KnotsV();
+  public Rhino.Geometry.Collections.NurbsSurfaceKnotList KnotsU { get { return new Rhino.Geometry.Collections.NurbsSurfaceKnotList(this, 0); } }
+  public Rhino.Geometry.Collections.NurbsSurfaceKnotList KnotsV { get { return new Rhino.Geometry.Collections.NurbsSurfaceKnotList(this, 1); } }
+//: PointCloud
+  internal extern PointCloudItem raw_get_Item(int index);
+  public PointCloudItem this[int i] { get { return raw_get_Item(i); } }
+  public IEnumerator<PointCloudItem> GetEnumerator() { for (int i = 0; i < Count; i++) yield return raw_get_Item(i); }
+//: PointCloudItem
+  public extern Point3d Location { get; }
+  public extern double X { get; }
+  public extern double Y { get; }
+  public extern double Z { get; }
+  public extern Vector3d Normal { get; }
+  public extern System.Drawing.Color Color { get; }
+  public extern double PointValue { get; }
+  public extern bool Hidden { get; }
+  public extern int Index { get; }
+//: ControlPoint
+  public extern Point3d Location { get; }
+  public extern double Weight { get; }
+  public extern double X { get; }
+  public extern double Y { get; }
+  public extern double Z { get; }
+//: SubD
+  internal extern SubDVertex[] raw_get_Vertices();
+  internal extern SubDEdge[] raw_get_Edges();
+  internal extern SubDFace[] raw_get_Faces();
+  public Rhino.Geometry.Collections.SubDVertexList Vertices { get { return new Rhino.Geometry.Collections.SubDVertexList(this, raw_get_Vertices()); } }
+  public Rhino.Geometry.Collections.SubDEdgeList Edges { get { return new Rhino.Geometry.Collections.SubDEdgeList(this, raw_get_Edges()); } }
+  public Rhino.Geometry.Collections.SubDFaceList Faces { get { return new Rhino.Geometry.Collections.SubDFaceList(this, raw_get_Faces()); } }
 //: PolylineCurve
   internal extern Point3d[] raw_ToPolyline();
   public Polyline ToPolyline() { return new Polyline(raw_ToPolyline()); }

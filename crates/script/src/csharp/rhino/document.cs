@@ -1,3 +1,7 @@
+static class __Shown
+{
+    public static string Of(object value) { return value == null ? "" : value.ToString(); }
+}
 namespace Rhino
 {
     [Native] public class RhinoDoc

@@ -1,4 +1,22 @@
 namespace Rhino.DocObjects { }
+namespace System.Collections.Specialized
+{
+    // Texts by key, in the order in which they were set.
+    public class NameValueCollection : IEnumerable
+    {
+        List<string> keys = new List<string>();
+        List<string> texts = new List<string>();
+        public int Count { get { return keys.Count; } }
+        public string[] AllKeys { get { return keys.ToArray(); } }
+        public string this[string key] { get { return Get(key); } set { Set(key, value); } }
+        public string this[int i] { get { return texts[i]; } }
+        public string GetKey(int i) { return keys[i]; }
+        public string Get(int i) { return texts[i]; }
+        public string Get(string key) { int i = keys.IndexOf(key); return i < 0 ? null : texts[i]; }
+        public void Set(string key, string text) { int i = keys.IndexOf(key); if (i < 0) { keys.Add(key); texts.Add(text); } else texts[i] = text; }
+        public IEnumerator GetEnumerator() { for (int i = 0; i < keys.Count; i++) yield return keys[i]; }
+    }
+}
 namespace Rhino.Geometry.Intersect
 {
     public class CurveIntersections : IEnumerable<IntersectionEvent>
@@ -184,6 +202,45 @@ namespace Rhino.Geometry.Collections
 //: NurbsCurvePointList
   NurbsCurve owner;
   internal NurbsCurvePointList(NurbsCurve owner) { this.owner = owner; }
+//: NurbsSurfacePointList : IEnumerable<ControlPoint>
+  NurbsSurface owner;
+  internal NurbsSurfacePointList(NurbsSurface owner) { this.owner = owner; }
+  internal extern ControlPoint[] raw_ToArray();
+  public bool SetControlPoint(int u, int v, ControlPoint cp) { return SetPoint(u, v, cp.Location, cp.Weight); }
+  public IEnumerator<ControlPoint> GetEnumerator() { foreach (ControlPoint point in raw_ToArray()) yield return point; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+//: NurbsSurfaceKnotList : IEnumerable<double>
+  NurbsSurface owner; int direction;
+  internal NurbsSurfaceKnotList(NurbsSurface owner, int direction) { this.owner = owner; this.direction = direction; }
+  internal extern double raw_get_Item(int direction, int index);
+  internal extern void raw_set_Item(int direction, int index, double value);
+  internal extern double[] raw_ToArray(int direction);
+  internal extern bool raw_CreateUniformKnots(int direction, double knotSpacing);
+  internal extern bool raw_CreatePeriodicKnots(int direction, double knotSpacing);
+  public int Count { get { return raw_ToArray(direction).Length; } }
+  public double this[int i] { get { return raw_get_Item(direction, i); } set { raw_set_Item(direction, i, value); } }
+  public bool CreateUniformKnots(double knotSpacing) { return raw_CreateUniformKnots(direction, knotSpacing); }
+  public bool CreatePeriodicKnots(double knotSpacing) { return raw_CreatePeriodicKnots(direction, knotSpacing); }
+  public IEnumerator<double> GetEnumerator() { foreach (double knot in raw_ToArray(direction)) yield return knot; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+//: SubDVertexList : IEnumerable<SubDVertex>
+  SubD owner; SubDVertex[] all;
+  internal SubDVertexList(SubD owner, SubDVertex[] all) { this.owner = owner; this.all = all; }
+  public int Count { get { return all.Length; } }
+  public IEnumerator<SubDVertex> GetEnumerator() { for (int i = 0; i < all.Length; i++) yield return all[i]; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+//: SubDEdgeList : IEnumerable<SubDEdge>
+  SubD owner; SubDEdge[] all;
+  internal SubDEdgeList(SubD owner, SubDEdge[] all) { this.owner = owner; this.all = all; }
+  public int Count { get { return all.Length; } }
+  public IEnumerator<SubDEdge> GetEnumerator() { for (int i = 0; i < all.Length; i++) yield return all[i]; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+//: SubDFaceList : IEnumerable<SubDFace>
+  SubD owner; SubDFace[] all;
+  internal SubDFaceList(SubD owner, SubDFace[] all) { this.owner = owner; this.all = all; }
+  public int Count { get { return all.Length; } }
+  public IEnumerator<SubDFace> GetEnumerator() { for (int i = 0; i < all.Length; i++) yield return all[i]; }
+  IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
 //: NurbsCurveKnotList : IEnumerable<double>
   NurbsCurve owner;
   internal NurbsCurveKnotList(NurbsCurve owner) { this.owner = owner; }
