@@ -153,17 +153,6 @@ impl Budget {
         Patience::of(self.waiting.clone())
     }
 
-    /// The most bytes that the object may take: to tell beforehand what is far too much.
-    pub fn byte_limit(&self) -> u64 {
-        let limits = &self.waiting.limits;
-        limits.bytes.min(limits.solve_bytes)
-    }
-
-    /// Why the object got no memory on its way, if so: it is given up then.
-    pub fn refused(&self) -> Option<Message> {
-        self.waiting.refused.get().cloned()
-    }
-
     /// Takes `n` items, before they are made.
     ///
     /// # Errors

@@ -155,11 +155,6 @@ impl<'a> Context<'a> {
         self.call.budget.bytes(n)
     }
 
-    /// Why there was no memory for what was done, if so.
-    pub fn refused(&self) -> Option<Message> {
-        self.call.budget.refused()
-    }
-
     /// To be asked now and then in long loops.
     ///
     /// # Errors

@@ -8,11 +8,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use katydid_component::testing::Trial;
 use katydid_component::{Account, Budget, Call, Component, Limits, Port, registry};
 use katydid_data::{
-    BlockDefinition, BlockInstance, Column, Filter, MeshSettings, ModelLayer, ModelLinetype, ModelObject,
-    Path, Tree, TreeBuilder, Value, cast,
+    BlockDefinition, BlockInstance, Column, Filter, ModelLayer, ModelLinetype, ModelObject, Path, Tree,
+    TreeBuilder, Value, cast,
 };
 use katydid_definition::archive::Chunk;
 use katydid_geometry::{
@@ -319,30 +318,4 @@ fn no_component_breaks() {
     }
     println!("{runs} runs");
     assert!(broken.is_empty(), "{} components break:\n{}", broken.len(), broken.join("\n"));
-}
-
-/// Many meshes that do not fit are refused before the first is made, and so is a single one; each with a setting that would do.
-#[test]
-fn meshes_that_would_not_fit_are_refused_with_a_setting() {
-    assert!(katydid_components::link() > 100);
-    let ball: Surface = Sphere { plane: Plane::XY, radius: 5.0 }.into();
-    let limits = Limits::default().with_bytes(16 << 20);
-    let said = |count: usize, max_edge: f64| {
-        let fine = MeshSettings { max_edge, ..MeshSettings::SPEED };
-        Trial::of("Mesh Brep").list(vec![ball.clone(); count]).item(fine).limits(limits).run().messages
-    };
-    // Some 44,000 cells of 225 bytes each.
-    assert_eq!(said(1, 0.1), []);
-    for (count, max_edge) in [(40, 0.1), (1, 0.02), (1, 0.0001)] {
-        let messages = said(count, max_edge);
-        let text = messages.first().map_or("", |message| message.text.as_str());
-        assert!(
-            messages.len() == 1 && text.contains("a Max Edge of "),
-            "{count} at {max_edge}: {messages:?}"
-        );
-        let found: f64 =
-            text.split("a Max Edge of ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-        assert!(found > max_edge);
-        assert_eq!(said(count, found), [], "{text}");
-    }
 }

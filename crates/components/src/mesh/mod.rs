@@ -2,7 +2,6 @@
 
 mod analysis;
 mod depth;
-mod fit;
 mod light;
 mod of_surface;
 mod parts;

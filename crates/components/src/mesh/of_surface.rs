@@ -6,7 +6,7 @@ use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Kind, MeshSettings, Value, cast};
 use katydid_geometry::{Box3, Brep, Containment, Direction, Mesh, MeshFace, Side, Surface};
 
-use super::{count, fit, room, shared};
+use super::{count, room, shared};
 use crate::prepared;
 
 /// What becomes a mesh.
@@ -117,15 +117,7 @@ fn mesh_surface(
 /// A mesh of a Brep, surface or box, as fine as the settings say.
 ///
 /// The mesh of a solid is closed: faces have vertices in the same places along their edges. A mesh stays as it is.
-///
-/// What would not fit into memory is refused before it is made, with a setting that would do.
-#[component(
-    "60e7defa-8b21-4ee1-99aa-a9223d6134ff",
-    name = "Mesh Brep",
-    nick = "Mesh",
-    at = "Mesh/Util",
-    columns = fit::beyond_memory
-)]
+#[component("60e7defa-8b21-4ee1-99aa-a9223d6134ff", name = "Mesh Brep", nick = "Mesh", at = "Mesh/Util")]
 #[output("Mesh", "M", "The mesh.")]
 fn mesh_brep(
     context: &Context<'_>,
@@ -142,7 +134,16 @@ fn mesh_brep(
         Shape::Surface(surface) => Shared::new(Brep::from_surface((*surface).clone())?),
         Shape::Brep(brep) => brep,
     };
-    Ok(shared(fit::meshed(context, &brep, &settings)?))
+    if settings.max_edge > 0.0 {
+        let size = brep.bounds_of_faces().map_or(0.0, |b| b.diagonal().length());
+        let cells = (size / settings.max_edge).powi(2) * brep.faces().len() as f64;
+        room(context, cells as usize)?;
+    }
+    let made = brep.mesh_unless(&fineness(&settings), &context.stop());
+    context.check()?;
+    let made = made?;
+    room(context, made.triangle_count())?;
+    Ok(shared(made.to_mesh()?))
 }
 
 /// A box under the settings: its sides are plane.
@@ -160,7 +161,7 @@ fn boxed(context: &Context<'_>, shape: &Box3, settings: &MeshSettings) -> Result
 }
 
 /// The settings in the kernel's words.
-pub(super) fn fineness(settings: &MeshSettings) -> katydid_geometry::MeshSettings {
+fn fineness(settings: &MeshSettings) -> katydid_geometry::MeshSettings {
     let count = |n: i32| usize::try_from(n).unwrap_or(0);
     katydid_geometry::MeshSettings {
         max_distance: settings.tolerance,
