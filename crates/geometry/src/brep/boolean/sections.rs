@@ -302,7 +302,11 @@ fn rotated(
     reach: f64,
 ) -> Result<(Curve, Vec<(f64, usize)>)> {
     let Some(&(first, vertex)) = found.first() else { return Ok((curve.clone(), Vec::new())) };
-    let curve = curve.with_seam(first)?;
+    // A stop at the seam but for rounding needs no other seam: the piece before it would have no length.
+    let domain = curve.domain();
+    let least = ROUNDING * domain.length();
+    let at_seam = first - domain.start <= least || domain.end - first <= least;
+    let curve = if at_seam { curve.clone() } else { curve.with_seam(first)? };
     let domain = curve.domain();
     let mut out = vec![(domain.start, vertex)];
     let again = stops(all, index, &curve, &curve.bounding_box(), reach)?;
