@@ -79,12 +79,12 @@ fn without_a_python_a_message_says_what_to_install() {
 fn check_names_what_a_script_needs() {
     let folder = tempfile::tempdir().unwrap();
     let code = "import no_such_package\n        import Rhino.Geometry as rg\n        \
-                a = rg.Brep.CreateBooleanUnion([], 0.1)";
+                a = rg.Brep.CreateShell([], [], 0.1, 0.01)";
     let file = definition(folder.path(), code);
     let output = katydid(&["check", text(&file)]);
     let printed = String::from_utf8_lossy(&output.stdout);
     assert!(printed.contains("no_such_package, a module of Python"), "{printed}");
-    assert!(printed.contains("Brep.CreateBooleanUnion"), "{printed}");
+    assert!(printed.contains("Brep.CreateShell"), "{printed}");
     let good = definition(folder.path(), "import math, Rhino\n        a = math.sqrt(x)");
     let output = katydid(&["check", text(&good)]);
     let printed = String::from_utf8_lossy(&output.stdout);

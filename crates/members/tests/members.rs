@@ -430,7 +430,7 @@ fn what_is_wrong_is_said() {
     assert!(matches!(script.0.decode(&answer), Ok(Value::Error(..))));
     let fault: Fault = script
         .0
-        .call(&Call::new("Brep.CreateBooleanUnion", vec![Value::List(vec![]), Value::Number(0.1)]))
+        .call(&Call::new("Brep.CreateShell", vec![Value::List(vec![]), Value::Number(0.1)]))
         .unwrap_err();
     assert!(matches!(fault.cause, Cause::NotSupported(_)));
 }

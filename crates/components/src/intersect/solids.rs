@@ -182,10 +182,10 @@ mod tests {
     #[test]
     fn boxes_that_overlap() {
         let both = |name: &str| Trial::of(name).list([cuboid(0.0, 2.0)]).list([cuboid(1.0, 3.0)]);
-        assert_eq!(volumes(both("Solid Difference")), ["{0;0}: 7"]);
-        assert_eq!(volumes(both("Solid Intersection")), ["{0;0}: 1"]);
+        assert_eq!(volumes(both("Solid Difference")), ["{0}: 7"]);
+        assert_eq!(volumes(both("Solid Intersection")), ["{0}: 1"]);
         let union = Trial::of("Solid Union").list([cuboid(0.0, 2.0), cuboid(1.0, 3.0)]);
-        assert_eq!(volumes(union), ["{0;0}: 15"]);
+        assert_eq!(volumes(union), ["{0}: 15"]);
     }
 
     #[test]

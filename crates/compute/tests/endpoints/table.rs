@@ -40,8 +40,8 @@ fn a_path_without_types_is_the_overload_that_fits() {
 #[test]
 fn faults_name_what_is_wrong() {
     assert_eq!(refused("curve/nosuch-curve", json!([])).cause, Cause::NotFound);
-    let union = "brep/createbooleanunion-breparray_double";
-    assert_eq!(refused(union, json!([[], 0.01])).cause, Cause::NotSupported(union.into()));
+    let shell = "brep/createshell-brep_intarray_double_double";
+    assert_eq!(refused(shell, json!([cube_brep(), [0], 0.1, 0.01])).cause, Cause::NotSupported(shell.into()));
     let message = |path: &str, arguments: Json| refused(path, arguments).message;
     assert_eq!(message("curve/getlength-curve", json!([])), "this is missing");
     assert!(message("curve/getlength-curve", json!([cube_mesh()])).contains("Mesh"));

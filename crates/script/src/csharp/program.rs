@@ -278,7 +278,7 @@ impl Program {
         let items = match value {
             Net::Ref(handle) => match self.engine.state().heap.get(handle) {
                 Obj::Array(_, items, None) => Some(items.to_values()),
-                Obj::List(_, items, _) => Some(items.clone()),
+                Obj::List(_, items, _) => Some(items.to_values()),
                 _ => None,
             },
             _ => None,
