@@ -48,6 +48,7 @@ def samples(host):
     pts = [Point3d(0, 0, 0), Point3d(2, 0, 0), Point3d(2, 2, 0), Point3d(0, 2, 0)]
     surface = host.call("PlaneSurface.new", Plane.WorldXY, Interval(0, 2), Interval(0, 2))
     brep = host.call("Brep.CreateFromBox", Box(BoundingBox(0, 0, 0, 2, 2, 2)))
+    beside = host.call("Brep.CreateFromBox", Box(BoundingBox(1, 1, 1, 3, 3, 3)))
     mesh = host.call("Mesh.CreateFromBox", Box(BoundingBox(0, 0, 0, 2, 2, 2)), 2, 2, 2)
     line = host.call("LineCurve.new", Line(1, 0, 0, 1, 0, 3))
     poly = host.call("PolyCurve.new")
@@ -80,7 +81,7 @@ def samples(host):
         "ReduceMeshParameters": {"DesiredPolygonCount": 6}, "SubDCreationOptions": {},
         "PointCloud": host.call("PointCloud.new", pts), "Hatch": host.call("Hatch.Create", polyline, 1, 0.5, 2.0, 0.01)[0],
         "SubDVertex": parts[0], "SubDEdge": parts[1], "SubDFace": parts[2], "TextDot": host.call("TextDot.new", "a", pts[1]),
-        "second": host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1)),
+        "beside": beside, "second": host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1)),
         "grid": [Point3d(i, j, (i - j) % 2 / 4) for i in range(4) for j in range(4)],
         "corners": [Point3d(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))],
     }
@@ -104,6 +105,8 @@ def value_of(made, text, name):
         return 1
     if name in PLACES and type(PLACES[name]).__name__ == head:
         return PLACES[name]
+    if head == "Brep" and name in ("secondBrep", "secondSet"):
+        return made["beside"]
     if head == "Curve" and name in SECOND:
         return made["second"]
     if kind(text) == "text" or head == "Char":

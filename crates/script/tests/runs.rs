@@ -174,7 +174,7 @@ fn texts_on_geometry_travel_with_it() {
         "",
     );
     let mut session = session(&format!(
-        "s = Series(1, 1, 1)\n{made}\nmesh = Mesh(made.a)\nmoved = Move(made.a, \"0,0,5\")\narea = `Mesh Area`(made.a)\n\
+        "s = Series(1, 1, 1)\n{made}\nmesh = Mesh(made.a)\nmoved = Move(made.a, \"0,0,5\")\narea = Area(made.a)\n\
          {asked}\nshown = Panel(made.a)"
     ));
     session.solve();

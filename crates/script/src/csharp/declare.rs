@@ -120,7 +120,10 @@ fn write_class(
             continue;
         }
         // Overloads whose types C# cannot tell apart are one.
+        let bare = format!(" {}()", member.name);
         if let Some((key, line)) = member.written(members, types)
+            // What is written by hand is not declared a second time.
+            && !(line.contains(&bare) && by_hand.contains(&bare))
             && written.insert(key)
         {
             let _ = writeln!(text, "  {line}");

@@ -215,4 +215,4 @@ impl Filling {
 /// A hatch.
 struct Own(Hatch);
 
-read_object!(Own, Hatch, "Hatch", |own: &Box<Hatch>| Hatch::clone(own));
+read_object!(Own, Hatch, "Hatch", Hatch::clone);
