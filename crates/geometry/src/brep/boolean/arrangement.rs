@@ -419,7 +419,7 @@ impl<'a> Plan<'a> {
     /// A place on a half of an arc, by the share of its way, in comparable lengths from a node.
     fn along(&self, half: usize, share: f64) -> [f64; 2] {
         let Some(arc) = self.arcs.get(half / 2) else { return [0.0; 2] };
-        let share = if half % 2 == 0 { share } else { 1.0 - share };
+        let share = if half.is_multiple_of(2) { share } else { 1.0 - share };
         let p = arc.curve.point_at(arc.curve.domain().at(share));
         [p.x * self.scale[0], p.y * self.scale[1]]
     }
@@ -496,7 +496,7 @@ impl<'a> Plan<'a> {
 
     fn step(&self, half: usize) -> Option<Step> {
         let arc = self.arcs.get(half / 2)?;
-        if half % 2 == 0 {
+        if half.is_multiple_of(2) {
             return Some(Step { curve: arc.curve.clone(), track: arc.track });
         }
         let track = match arc.track {

@@ -134,7 +134,9 @@ impl Fuse {
         let found = self.shells(&chosen).volumes()?;
         let inside = |place: usize| {
             let sides = self.sheets.get(place / 2).map(|s| &s.sides);
-            sides.map_or_else(Vec::new, |s| if place % 2 == 0 { s.behind.clone() } else { s.before.clone() })
+            sides.map_or_else(Vec::new, |s| {
+                if place.is_multiple_of(2) { s.behind.clone() } else { s.before.clone() }
+            })
         };
         Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
     }

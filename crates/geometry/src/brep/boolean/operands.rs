@@ -264,7 +264,7 @@ impl Operands {
             })
             .collect();
         let form = match &surface {
-            Surface::Plane(flat) => Form::Plane(flat.clone()),
+            Surface::Plane(flat) => Form::Plane(*flat),
             other => Round::of(other).map_or(Form::Other, |round| Form::Round(Box::new(round))),
         };
         let around = border.iter().filter_map(|e| self.edges.get(*e)).map(|e| e.bounds);
