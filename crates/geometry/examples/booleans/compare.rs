@@ -67,14 +67,14 @@ fn compared(case: &Value) -> Result<Verdict, Failure> {
             let Some(want) = wanted(result, field)? else { continue };
             let scale = shapes.largest(field).max(want.abs());
             let found = parts.measure(field).map_err(Failure::Refused)?;
-            if !((found - want).abs() <= WITHIN * scale) {
+            if !near(found, want, WITHIN * scale) {
                 return Ok(Verdict::Wrong(format!("{id}: {field} {found} instead of {want}")));
             }
         }
         if let Some(value) = result["expected"]["length"]["value"].as_f64() {
             let want = result["occt"]["length"].as_f64().unwrap_or(value);
             if let Some(found) = parts.length()
-                && !((found - want).abs() <= WITHIN * want.abs())
+                && !near(found, want, WITHIN * want.abs())
             {
                 return Ok(Verdict::Wrong(format!("{id}: length {found} instead of {want}")));
             }
@@ -113,4 +113,9 @@ fn wanted(result: &Value, field: &str) -> Read<Option<f64>> {
 /// The name of a step, for messages.
 pub(crate) fn name(step: &Value) -> Read<&str> {
     text(&step["id"])
+}
+
+/// Whether two numbers differ by no more than `by`; what is not a number is near nothing.
+fn near(found: f64, want: f64, by: f64) -> bool {
+    (found - want).abs() <= by
 }
