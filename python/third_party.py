@@ -62,6 +62,10 @@ def document(found):
             # The text is the same for all, so that the one of this project does.
             with open(os.path.join(ROOT, "LICENSE-APACHE"), encoding="utf-8") as file:
                 own = {"LICENSE-APACHE": file.read().strip()}
+        if not own:
+            # Of the same authors under the same licence: the text of their other crate is the one.
+            kin = (texts(other) for other in found if (other["authors"], other["license"]) == (one["authors"], licence))
+            own = next((text for text in kin if text), {})
         parts.append("%s %s: %s%s" % (one["name"], one["version"], licence, note))
         for text in own.values():
             holders.setdefault(text, []).append("%s %s" % (one["name"], one["version"]))
