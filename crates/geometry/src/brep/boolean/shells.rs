@@ -163,8 +163,15 @@ impl Shells<'_> {
             let first = cavity.first().copied();
             let mut best: Option<(f64, usize)> = None;
             for (k, (_, made, size)) in outer.iter().enumerate() {
-                if best.is_none_or(|b| *size < b.0) && self.holds(&made.brep, &cavity)? {
-                    best = Some((*size, k));
+                if best.is_some_and(|b| *size >= b.0) {
+                    continue;
+                }
+                match self.holds(&made.brep, &cavity)? {
+                    Some(true) => best = Some((*size, k)),
+                    Some(false) => {}
+                    // The whole boundary of a solid, seen from the outside.
+                    None if outside => {}
+                    None => return Err(self.refuse(RefusalClass::UndecidedPoint, first)),
                 }
             }
             match best.and_then(|b| inner.get_mut(b.1)) {
@@ -190,17 +197,22 @@ impl Shells<'_> {
         Ok(out)
     }
 
-    /// Whether a solid holds a shell: a point of it that is not on the solid's boundary tells.
-    fn holds(&self, solid: &Brep, shell: &[usize]) -> Result<bool> {
+    /// Whether a solid holds a shell: a point of it that is not on the solid's boundary tells; none where all are on it.
+    fn holds(&self, solid: &Brep, shell: &[usize]) -> Result<Option<bool>> {
+        let mut unknown = false;
         for sample in shell.iter().filter_map(|c| self.region(*c)).flat_map(|r| &r.samples) {
             match solid.contains(sample.point, self.all.limit) {
-                Ok(Containment::Inside) => return Ok(true),
-                Ok(Containment::Outside) => return Ok(false),
+                Ok(Containment::Inside) => return Ok(Some(true)),
+                Ok(Containment::Outside) => return Ok(Some(false)),
                 Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
-                Ok(Containment::On) | Err(_) => {}
+                Ok(Containment::On) => {}
+                Err(_) => unknown = true,
             }
         }
-        Err(self.refuse(RefusalClass::UndecidedPoint, shell.first().copied()))
+        if unknown {
+            return Err(self.refuse(RefusalClass::UndecidedPoint, shell.first().copied()));
+        }
+        Ok(None)
     }
 
     fn region(&self, chosen: usize) -> Option<&Region> {

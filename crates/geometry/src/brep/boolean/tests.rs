@@ -115,3 +115,62 @@ fn rings_that_cross_at_right_angles() {
         }
     }
 }
+
+/// The volumes between open and closed breps, the least first.
+fn enclosed(breps: &[Brep]) -> Vec<f64> {
+    let fuse = super::Fuse::new(breps, &tolerance()).unwrap();
+    let mut found: Vec<f64> =
+        fuse.volumes().unwrap().iter().map(|(_, made)| volume(std::slice::from_ref(made))).collect();
+    found.sort_by(f64::total_cmp);
+    found
+}
+
+fn is_near(found: &[f64], wanted: &[f64]) -> bool {
+    found.len() == wanted.len() && found.iter().zip(wanted).all(|(f, w)| (f - w).abs() <= 1e-6 * w)
+}
+
+/// A flat sheet, 8 wide, around a point.
+fn sheet(center: [f64; 3], x: [f64; 3], y: [f64; 3]) -> Brep {
+    let plane = Plane::from_axes(center.into(), x.into(), y.into()).unwrap();
+    let side = Interval::new(-4.0, 4.0);
+    Brep::from_surface(crate::PlaneSurface::new(plane, side, side).unwrap().into()).unwrap()
+}
+
+#[test]
+fn sheets_enclose_a_solid() {
+    // A square room of 4 by 4 whose roof is 3 high in the middle and slopes along x.
+    let walls = [
+        sheet([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        sheet([0.0, 0.0, 3.0], [1.0, 0.0, 0.3], [0.0, 1.0, 0.0]),
+        sheet([-2.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+        sheet([2.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+        sheet([0.0, -2.0, 1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]),
+        sheet([0.0, 2.0, 1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]),
+    ];
+    let found = enclosed(&walls);
+    assert!(is_near(&found, &[48.0]), "{found:?}");
+    assert_eq!(enclosed(&walls[1..]), Vec::<f64>::new());
+}
+
+#[test]
+fn a_closed_brep_encloses_itself_and_one_within_another_leaves_the_rest() {
+    let (large, small) = (cuboid([0.0; 3], [4.0; 3]), cuboid([1.0; 3], [2.0; 3]));
+    let found = enclosed(std::slice::from_ref(&large));
+    assert!(is_near(&found, &[64.0]), "{found:?}");
+    let found = enclosed(&[large.clone(), small]);
+    assert!(is_near(&found, &[1.0, 63.0]), "{found:?}");
+    let found = enclosed(&[large, sheet([2.0, 2.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])]);
+    assert!(is_near(&found, &[16.0, 48.0]), "{found:?}");
+}
+
+#[test]
+fn a_tube_between_two_sheets() {
+    // A cylinder's area times the height of the roof above the middle.
+    let plane = Plane::XY.with_origin(Point3::new(0.0, 0.0, -3.0));
+    let shape = crate::Cylinder::new(plane, 2.0, Interval::new(0.0, 6.0)).unwrap();
+    let tube = construct::cylinder(&shape, [false; 2]).unwrap();
+    let low = sheet([0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let high = sheet([0.0, 0.0, 2.0], [1.0, 0.0, 0.3], [0.0, 1.0, 0.0]);
+    let found = enclosed(&[tube, low, high]);
+    assert!(is_near(&found, &[12.0 * PI]), "{found:?}");
+}
