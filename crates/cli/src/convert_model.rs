@@ -78,7 +78,7 @@ pub(crate) fn model_extensions() -> String {
 
 /// The endings of models that are read: drawings are only written.
 pub(crate) fn readable_extensions() -> String {
-    listed(|format| format != Format::Svg)
+    listed(Format::is_read)
 }
 
 fn listed(takes: impl Fn(Format) -> bool) -> String {

@@ -153,6 +153,11 @@ pub(crate) struct Cloud {
 }
 
 impl Cloud {
+    /// The place of the point nearest to a point, of equally near ones the first.
+    pub(crate) fn closest(&self, point: Point3) -> Option<usize> {
+        self.places.get(self.tree.closest(point)?).copied()
+    }
+
     /// The places of the points nearest to a point, at most `count`, the nearest first, of equally near ones the first.
     pub(crate) fn nearest(&self, point: Point3, count: usize) -> Vec<usize> {
         let found = self.tree.nearest(point, count, [0.0, f64::INFINITY], None);

@@ -24,36 +24,134 @@ pub enum Format {
     Svg,
 }
 
+/// What is known of a format. A format is added by a variant of [`Format`] and its row here.
+struct Row {
+    format: Format,
+    /// The ending of its files, without the dot and in lower case.
+    extension: &'static str,
+    /// Other endings by which its files are read.
+    also: &'static [&'static str],
+    /// Its media type, as registered with IANA where it is.
+    media_type: &'static str,
+    is_exact: bool,
+    write: fn(&Scene, &Options, &mut dyn Write) -> Result<Vec<LeftOut>>,
+    /// `None` if it is only written.
+    read: Option<Reader>,
+}
+
+/// Reads a file whose other files a function fetches.
+type Reader = fn(&[u8], &mut dyn FnMut(&str) -> Result<Vec<u8>>) -> Result<Scene>;
+
+/// The table of formats, in the order of [`Format::ALL`].
+const ROWS: [Row; 7] = [
+    Row {
+        format: Format::Obj,
+        extension: "obj",
+        also: &[],
+        media_type: "model/obj",
+        is_exact: false,
+        write: |scene, options, out| obj::write(scene, options, out),
+        read: Some(|bytes, fetch| obj::read(bytes, fetch)),
+    },
+    Row {
+        format: Format::Stl,
+        extension: "stl",
+        also: &[],
+        media_type: "model/stl",
+        is_exact: false,
+        write: |scene, options, out| stl::write(scene, options, out),
+        read: Some(|bytes, _| stl::read(bytes)),
+    },
+    Row {
+        format: Format::Ply,
+        extension: "ply",
+        also: &[],
+        media_type: "application/octet-stream",
+        is_exact: false,
+        write: |scene, options, out| ply::write(scene, options, out),
+        read: Some(|bytes, _| ply::read(bytes)),
+    },
+    Row {
+        format: Format::Glb,
+        extension: "glb",
+        also: &[],
+        media_type: "model/gltf-binary",
+        is_exact: false,
+        write: |scene, options, out| gltf::write_glb(scene, options, out),
+        read: Some(|bytes, fetch| gltf::read(bytes, fetch)),
+    },
+    Row {
+        format: Format::Gltf,
+        extension: "gltf",
+        also: &[],
+        media_type: "model/gltf+json",
+        is_exact: false,
+        write: |scene, options, out| gltf::write_gltf(scene, options, out),
+        read: Some(|bytes, fetch| gltf::read(bytes, fetch)),
+    },
+    Row {
+        format: Format::Step,
+        extension: "step",
+        also: &["stp", "p21"],
+        media_type: "model/step",
+        is_exact: true,
+        write: |scene, _, out| step::write(scene, out),
+        read: Some(|bytes, _| step::read(bytes)),
+    },
+    Row {
+        format: Format::Svg,
+        extension: "svg",
+        also: &[],
+        media_type: "image/svg+xml",
+        is_exact: false,
+        write: |scene, options, out| svg::write(scene, options, out),
+        read: None,
+    },
+];
+
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 7] =
-        [Self::Obj, Self::Stl, Self::Ply, Self::Glb, Self::Gltf, Self::Step, Self::Svg];
+    pub const ALL: [Self; ROWS.len()] = {
+        let mut all = [Self::Obj; ROWS.len()];
+        let mut i = 0;
+        while i < ROWS.len() {
+            // A row that stood in another place would be another format's.
+            assert!(ROWS[i].format as usize == i);
+            all[i] = ROWS[i].format;
+            i += 1;
+        }
+        all
+    };
+
+    const fn row(self) -> &'static Row {
+        &ROWS[self as usize]
+    }
 
     /// The extension of its files, without the dot and in lower case.
     pub const fn extension(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Stl => "stl",
-            Self::Ply => "ply",
-            Self::Glb => "glb",
-            Self::Gltf => "gltf",
-            Self::Step => "step",
-            Self::Svg => "svg",
-        }
+        self.row().extension
     }
 
     /// The format of files with that extension, without the dot and in lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
-        match extension {
-            "stp" | "p21" => Some(Self::Step),
-            _ => Self::ALL.into_iter().find(|format| format.extension() == extension),
-        }
+        let has = |row: &&Row| row.extension == extension || row.also.contains(&extension);
+        ROWS.iter().find(has).map(|row| row.format)
+    }
+
+    /// The media type of its files.
+    pub const fn media_type(self) -> &'static str {
+        self.row().media_type
+    }
+
+    /// Whether its files can be read; all can be written.
+    pub const fn is_read(self) -> bool {
+        self.row().read.is_some()
     }
 
     /// Whether the format holds surfaces and solids exactly: then [`Conversion::exact`](crate::Conversion::exact)
     /// should be set.
     pub const fn is_exact(self) -> bool {
-        matches!(self, Self::Step)
+        self.row().is_exact
     }
 }
 
@@ -84,15 +182,7 @@ pub fn write(scene: &Scene, format: Format, options: &Options, out: &mut dyn Wri
     let faceted = if format.is_exact() { None } else { scene.faceted(options.tolerance) };
     let scene = faceted.as_ref().unwrap_or(scene);
     let mut left_out = scene.left_out.clone();
-    let more = match format {
-        Format::Obj => obj::write(scene, options, out)?,
-        Format::Stl => stl::write(scene, options, out)?,
-        Format::Ply => ply::write(scene, options, out)?,
-        Format::Glb => gltf::write_glb(scene, options, out)?,
-        Format::Gltf => gltf::write_gltf(scene, options, out)?,
-        Format::Step => step::write(scene, out)?,
-        Format::Svg => svg::write(scene, options, out)?,
-    };
+    let more = (format.row().write)(scene, options, out)?;
     more.into_iter().for_each(|one| LeftOut::add(&mut left_out, one));
     out.flush()?;
     Ok(left_out)
@@ -132,12 +222,11 @@ pub fn read_with(
     format: Format,
     fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>>,
 ) -> Result<Scene> {
-    match format {
-        Format::Obj => obj::read(bytes, fetch),
-        Format::Stl => stl::read(bytes),
-        Format::Ply => ply::read(bytes),
-        Format::Glb | Format::Gltf => gltf::read(bytes, fetch),
-        Format::Step => step::read(bytes),
-        Format::Svg => Err(Error::Unsupported("SVG can be written, but not read".into())),
+    match format.row().read {
+        Some(read) => read(bytes, fetch),
+        None => {
+            let name = format.extension().to_uppercase();
+            Err(Error::Unsupported(format!("{name} can be written, but not read")))
+        }
     }
 }

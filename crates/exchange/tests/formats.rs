@@ -163,3 +163,25 @@ fn things_far_from_the_origin_keep_their_form() {
         assert!(a.distance_to(b) < 1e-7, "{a:?} {b:?}");
     }
 }
+
+/// The list for the studio, as TypeScript.
+fn studio_list() -> String {
+    let names: Vec<String> = Format::ALL.iter().map(|format| format!("{:?}", format.extension())).collect();
+    format!(
+        "// From the table of formats in crates/exchange/src/format.rs. `KATYDID_REFRESH_PAGES=1 cargo test -p katydid-exchange`\n\
+         // writes it.\n\n\
+         /** The formats that geometry is exported in, beside Rhino's own and pictures. */\n\
+         export const EXCHANGE_FORMATS = [{}] as const;\n",
+        names.join(", ")
+    )
+}
+
+#[test]
+fn the_studio_offers_every_format() {
+    let file =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studio/src/core/exchangeFormats.ts");
+    if std::env::var_os("KATYDID_REFRESH_PAGES").is_some() {
+        std::fs::write(&file, studio_list()).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(file).unwrap(), studio_list());
+}

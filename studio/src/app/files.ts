@@ -1,5 +1,6 @@
 /** Documents in and out over HTTP: opening, uploading, downloading. */
 
+import { EXCHANGE_FORMATS } from "../core/exchangeFormats";
 import { t } from "../i18n";
 
 /** What the start page offers. */
@@ -14,7 +15,10 @@ export interface Start {
 
 export type Opening = { path: string } | { gallery: string } | { new: true };
 export type DownloadFormat = "gh" | "ghx" | "kd";
-export type ExportFormat = "3dm" | "step" | "glb" | "obj" | "stl" | "svg" | "png" | "txt";
+
+/** The formats that what a definition makes is exported in. */
+export const MODEL_FORMATS = ["3dm", ...EXCHANGE_FORMATS, "png"] as const;
+export type ExportFormat = (typeof MODEL_FORMATS)[number] | "txt";
 
 /** The files that can be dropped on the page, by the ends of their names. */
 export const DEFINITIONS = [".gh", ".ghx", ".kd"];

@@ -1,11 +1,9 @@
 import { useState } from "react";
 
-import { exportAs, exportCanvas, place, type ExportFormat } from "../app";
+import { MODEL_FORMATS, exportAs, exportCanvas, place, type ExportFormat } from "../app";
 import { selectedMembers } from "../canvas/edits";
 import { t, type Key } from "../i18n";
 import { Dialog } from "./Dialog";
-
-const FORMATS: ExportFormat[] = ["3dm", "step", "glb", "obj", "stl", "svg", "png"];
 
 /** A picture shows what the viewport does. */
 const isPicture = (format: ExportFormat) => format === "png" || format === "svg";
@@ -30,7 +28,7 @@ export function Export() {
     <Dialog title={t("export.title")}>
       <table>
         <tbody>
-          {FORMATS.map((format) => (
+          {MODEL_FORMATS.map((format) => (
             <tr key={format}>
               <th scope="row">
                   <button

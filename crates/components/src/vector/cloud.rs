@@ -35,7 +35,7 @@ fn closest_point(
     cloud: List<Point3>,
 ) -> Result<(Point3, i32, f64), Message> {
     if let Some(tree) = prepared::cloud(context, &cloud, Some)?.filter(|_| point.is_finite()) {
-        let found = tree.nearest(point, 1).first().and_then(|&i| Some((i, cloud.get(i)?)));
+        let found = tree.closest(point).and_then(|i| Some((i, cloud.get(i)?)));
         let (i, q) = found.ok_or_else(|| Message::error("The cloud has no points"))?;
         return Ok((q, index(i), q.distance_to(point)));
     }
@@ -160,7 +160,7 @@ fn nearest(
             _ => None,
         };
         if let Some(tree) = prepared::cloud(context, geometry, of)? {
-            let found = tree.nearest(point, 1).first().and_then(|&i| points.get(i).copied());
+            let found = tree.closest(point).and_then(|i| points.get(i).copied());
             return Ok((found, found.map(|q| q.distance_to(point))));
         }
     }

@@ -5,7 +5,6 @@ use katydid_exchange::{Conversion, Format, Scene};
 
 use super::refusal::Refusal;
 use super::sent::Sent;
-use crate::files::content_type;
 
 /// A format of files that geometry can be had in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,11 +12,8 @@ pub(crate) enum Form {
     /// Rhino's own.
     Rhino,
     /// Another program's.
-    Exchange(Format, &'static str),
+    Exchange(Format),
 }
-
-/// Their names, as they are asked for.
-const NAMES: [&str; 8] = ["glb", "gltf", "obj", "ply", "step", "stl", "svg", "3dm"];
 
 impl Form {
     /// The format of that name; none for `json`.
@@ -26,13 +22,14 @@ impl Form {
         if name.is_empty() || name == "json" {
             return Ok(None);
         }
-        let known = NAMES.into_iter().find(|known| *known == name);
-        let form = known.and_then(|known| match known {
-            "3dm" => Some(Self::Rhino),
-            other => Some(Self::Exchange(Format::from_extension(other)?, other)),
-        });
-        let unknown = || Refusal::bad(format!("format is json or one of {}", NAMES.join(", ")));
-        form.map(Some).ok_or_else(unknown)
+        let exchange = Format::ALL.into_iter().find(|format| format.extension() == name).map(Self::Exchange);
+        let rhino = (name == "3dm").then_some(Self::Rhino);
+        let unknown = || {
+            let mut names: Vec<&str> = Format::ALL.into_iter().map(Format::extension).collect();
+            names.sort_unstable();
+            Refusal::bad(format!("format is json or one of {}, 3dm", names.join(", ")))
+        };
+        rhino.or(exchange).map(Some).ok_or_else(unknown)
     }
 
     /// A model in this format; Rhino's own in that version.
@@ -45,13 +42,13 @@ impl Form {
                 let (bytes, _) = model.write_what_fits(version).map_err(|error| failed(&error))?;
                 Ok(Sent::new("model/vnd.3dm", bytes).named("result.3dm"))
             }
-            Self::Exchange(format, extension) => {
+            Self::Exchange(format) => {
                 let conversion = Conversion { exact: format.is_exact(), ..Conversion::default() };
                 let scene = Scene::from_model_with(model, &conversion);
                 let mut bytes = Vec::new();
                 katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
                     .map_err(|error| failed(&error))?;
-                Ok(Sent::new(content_type(format), bytes).named(&format!("result.{extension}")))
+                Ok(Sent::new(format.media_type(), bytes).named(&format!("result.{}", format.extension())))
             }
         }
     }

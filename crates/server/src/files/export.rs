@@ -56,7 +56,7 @@ pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'sta
             let mut bytes = Vec::new();
             katydid_exchange::write(&scene, format, &Default::default(), &mut bytes)
                 .map_err(|error| error.to_string())?;
-            Ok((bytes, content_type(format)))
+            Ok((bytes, format.media_type()))
         }
     }
 }
@@ -73,18 +73,6 @@ fn panel(engine: &Engine, wishes: &Wishes) -> Result<Vec<u8>, String> {
     write_panel(engine, index.ok_or("it is no panel of this document")?, &mut bytes)
         .map_err(|error| error.to_string())?;
     Ok(bytes)
-}
-
-pub(crate) fn content_type(format: Format) -> &'static str {
-    match format {
-        Format::Obj => "model/obj",
-        Format::Stl => "model/stl",
-        Format::Glb => "model/gltf-binary",
-        Format::Gltf => "model/gltf+json",
-        Format::Step => "model/step",
-        Format::Svg => "image/svg+xml",
-        Format::Ply => "application/octet-stream",
-    }
 }
 
 fn drawing(engine: &Engine, wishes: &Wishes) -> Result<katydid_picture::Drawing, String> {

@@ -8,7 +8,7 @@ mod portraits;
 mod private;
 mod recent;
 
-pub(crate) use export::{Wishes, content_type, export};
+pub(crate) use export::{Wishes, export};
 pub(crate) use form::{Form, read, write};
 pub(crate) use gallery::Gallery;
 pub(crate) use plain::plain;
