@@ -7,7 +7,7 @@ use bytes::Bytes;
 
 use crate::lock::held;
 
-/// What was shown a moment ago is kept up to so many bytes: a face may be fetching it.
+/// What was shown a moment ago is kept up to so many bytes: a client may be fetching it.
 const LINGERING: usize = 128 << 20;
 
 /// How many bytes of a hash name geometry.
@@ -64,7 +64,7 @@ struct Shelves {
 }
 
 impl Geometries {
-    /// Puts geometry where faces find it, as long as somebody holds it. Equal bytes are kept once.
+    /// Puts geometry where clients find it, as long as somebody holds it. Equal bytes are kept once.
     pub(crate) fn keep(&self, hash: String, bytes: Vec<u8>) -> Arc<Geometry> {
         let mut shelves = held(&self.0);
         if let Some(known) = shelves.by_hash.get(&hash).and_then(Weak::upgrade) {

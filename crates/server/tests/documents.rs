@@ -24,52 +24,52 @@ shown = Panel(double)
 #[tokio::test(flavor = "multi_thread")]
 async fn a_slider_moves_the_model() {
     let studio = Studio::start().await;
-    let mut face = studio.with(SMALL).await;
-    assert_eq!(face.texts("shown"), ["4"]);
-    let ball = face.named("ball");
-    let first = face.drawn(ball).await.unwrap();
-    let event = face.set("r", 3.0).await;
+    let mut client = studio.with(SMALL).await;
+    assert_eq!(client.texts("shown"), ["4"]);
+    let ball = client.named("ball");
+    let first = client.drawn(ball).await.unwrap();
+    let event = client.set("r", 3.0).await;
     assert!(is_done(&event), "{event:?}");
-    let second = face.drawn(ball).await.unwrap();
+    let second = client.drawn(ball).await.unwrap();
     assert_ne!(first, second);
-    face.shows("shown", &["6"]).await;
-    let object = face.named("r");
+    client.shows("shown", &["6"]).await;
+    let object = client.named("r");
     assert!(matches!(
-        face.objects[&object].control,
+        client.objects[&object].control,
         Some(katydid_session::protocol::Control::Slider { value: 3.0, .. })
     ));
     let bytes = studio.get(&format!("/geometry/{second}")).await;
     assert_eq!(bytes.status, 200);
     assert_eq!(&bytes.body[..4], b"KTPV");
     assert!(bytes.head.contains("immutable"));
-    while face.frames.len() < 2 {
-        face.hear().await;
+    while client.frames.len() < 2 {
+        client.hear().await;
     }
-    assert!(face.frames.iter().any(|frame| frame[16..] == bytes.body), "small geometry comes by itself");
-    let event = face.ask(Ask::Undo).await;
+    assert!(client.frames.iter().any(|frame| frame[16..] == bytes.body), "small geometry comes by itself");
+    let event = client.ask(Ask::Undo).await;
     assert!(is_done(&event));
-    assert_eq!(face.drawn(ball).await.unwrap(), first, "the same data has the same hash");
-    face.shows("shown", &["4"]).await;
+    assert_eq!(client.drawn(ball).await.unwrap(), first, "the same data has the same hash");
+    client.shows("shown", &["4"]).await;
     studio.server.stop().await;
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn what_is_hidden_is_not_drawn_and_moving_draws_nothing() {
     let studio = Studio::start().await;
-    let mut face = studio.with(SMALL).await;
-    let ball = face.named("ball");
-    let hash = face.drawn(ball).await;
+    let mut client = studio.with(SMALL).await;
+    let ball = client.named("ball");
+    let hash = client.drawn(ball).await;
     assert!(hash.is_some());
     let hide = |on| Edit::Change { objects: vec![ball], change: ObjectChange::Hidden { on } };
-    face.edit(hide(true)).await;
-    assert_eq!(face.drawn(ball).await, None);
-    face.edit(hide(false)).await;
-    assert_eq!(face.drawn(ball).await, hash);
-    let solved = face.finished;
-    face.edit(Edit::Move { objects: vec![(ball, [500.0, 500.0])] }).await;
-    face.set("r", 2.5).await;
-    face.solved(solved + 1).await;
-    assert_eq!(face.objects[&ball].bounds[0], 500.0);
+    client.edit(hide(true)).await;
+    assert_eq!(client.drawn(ball).await, None);
+    client.edit(hide(false)).await;
+    assert_eq!(client.drawn(ball).await, hash);
+    let solved = client.finished;
+    client.edit(Edit::Move { objects: vec![(ball, [500.0, 500.0])] }).await;
+    client.set("r", 2.5).await;
+    client.solved(solved + 1).await;
+    assert_eq!(client.objects[&ball].bounds[0], 500.0);
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -97,15 +97,15 @@ async fn two_faces_see_the_same() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_document_is_saved_and_opened_again() {
     let studio = Studio::start().await;
-    let mut face = studio.with(SMALL).await;
-    face.set("r", 5.0).await;
-    assert!(face.state.as_ref().unwrap().document.changed);
-    assert!(refusal(&face.ask(Ask::Save { path: None }).await).contains("never saved"));
+    let mut client = studio.with(SMALL).await;
+    client.set("r", 5.0).await;
+    assert!(client.state.as_ref().unwrap().document.changed);
+    assert!(refusal(&client.ask(Ask::Save { path: None }).await).contains("never saved"));
     for form in ["gh", "ghx", "kd"] {
         let path = studio.folder.path().join(format!("saved.{form}"));
-        let event = face.ask(Ask::Save { path: Some(path.display().to_string()) }).await;
+        let event = client.ask(Ask::Save { path: Some(path.display().to_string()) }).await;
         assert!(is_done(&event), "{event:?}");
-        assert!(!face.state.as_ref().unwrap().document.changed);
+        assert!(!client.state.as_ref().unwrap().document.changed);
         let opened = studio.post_json("/api/open", &format!("{{\"path\":{path:?}}}")).await.json();
         let mut again = studio.join(opened["document"].as_str().unwrap()).await;
         again.solved(1).await;
@@ -118,7 +118,7 @@ async fn a_document_is_saved_and_opened_again() {
     for (path, why) in
         [("relative.gh", "folder"), ("/nowhere/at/all.gh", "no such"), ("/tmp/x.txt", ".kd"), ("", "name")]
     {
-        let event = face.ask(Ask::Save { path: Some(path.to_owned()) }).await;
+        let event = client.ask(Ask::Save { path: Some(path.to_owned()) }).await;
         assert!(refusal(&event).contains(why), "{path}: {event:?}");
     }
     let start = studio.get("/api/start").await.json();
@@ -131,8 +131,8 @@ async fn a_document_is_saved_and_opened_again() {
 async fn files_to_take_along() {
     let studio = Studio::start().await;
     let id = studio.upload(SMALL).await;
-    let mut face = studio.join(&id).await;
-    face.solved(1).await;
+    let mut client = studio.join(&id).await;
+    client.solved(1).await;
     for (form, begins) in [("ghx", &b"\xef\xbb\xbf<?xml"[..]), ("kd", b"katydid 1"), ("gh", b"")] {
         let answer = studio.get(&format!("/api/save?document={id}&format={form}")).await;
         assert_eq!(answer.status, 200);
@@ -169,9 +169,9 @@ async fn a_document_is_closed_when_nobody_shows_it() {
     let opened = studio.post_json("/api/open", r#"{"new":true}"#).await.json();
     let id = opened["document"].as_str().unwrap().to_owned();
     let question = format!("{{\"document\":\"{id}\"}}");
-    let face = studio.join(&id).await;
+    let client = studio.join(&id).await;
     assert_eq!(studio.post_json("/api/close", &question).await.status, 409, "a page shows it");
-    drop(face);
+    drop(client);
     let mut closed = 409;
     for _ in 0..100 {
         closed = studio.post_json("/api/close", &question).await.status;
@@ -192,9 +192,9 @@ async fn the_gallery_and_the_catalogue() {
     let gallery = start["gallery"].as_array().unwrap();
     assert!(gallery.len() >= 40 && gallery.iter().all(|one| one["title"].as_str().is_some()));
     let opened = studio.post_json("/api/open", r#"{"gallery":"V2"}"#).await.json();
-    let mut face = studio.join(opened["document"].as_str().unwrap()).await;
-    face.solved(1).await;
-    assert!(face.results.values().all(|result| result.status == "ok"), "the book runs without a warning");
+    let mut client = studio.join(opened["document"].as_str().unwrap()).await;
+    client.solved(1).await;
+    assert!(client.results.values().all(|result| result.status == "ok"), "the book runs without a warning");
     let all = studio.get("/api/components").await.json();
     let addition = all.as_array().unwrap().iter().find(|one| one["name"] == "Addition").unwrap().clone();
     assert!(all.as_array().unwrap().len() > 500 && addition["keywords"][0] == "+");
@@ -206,18 +206,19 @@ async fn the_gallery_and_the_catalogue() {
 #[tokio::test(flavor = "multi_thread")]
 async fn dragging_is_coarse_and_letting_go_is_fine() {
     let studio = Studio::start().await;
-    let mut face = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nball = Sphere(_, r)\n").await;
-    let ball = face.named("ball");
-    face.drawn(ball).await;
-    face.tell(Ask::Draft { on: true }).await;
-    let slider = face.named("r");
+    let mut client = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nball = Sphere(_, r)\n").await;
+    let ball = client.named("ball");
+    client.drawn(ball).await;
+    client.tell(Ask::Draft { on: true }).await;
+    let slider = client.named("r");
     for k in 0..20 {
         let to = Setting::Number { value: 3.0 + f64::from(k) / 10.0 };
-        face.tell(Ask::Edit { edit: Edit::Set { object: slider, to }, gesture: Some(1), within: vec![] })
+        client
+            .tell(Ask::Edit { edit: Edit::Set { object: slider, to }, gesture: Some(1), within: vec![] })
             .await;
     }
-    let coarse = face.drawn(ball).await;
-    assert!(is_done(&face.ask(Ask::Draft { on: false }).await));
+    let coarse = client.drawn(ball).await;
+    assert!(is_done(&client.ask(Ask::Draft { on: false }).await));
     let start = Instant::now();
     let mut last = coarse;
     // The last word is the fine one of the last value: that which a fresh document of that value shows.
@@ -228,62 +229,62 @@ async fn dragging_is_coarse_and_letting_go_is_fine() {
         |hash: Option<String>| async { studio.get(&format!("/geometry/{}", hash.unwrap())).await.body.len() };
     let fine = sizes(fine).await;
     while start.elapsed() < PATIENCE {
-        if let Ok(now) = tokio::time::timeout(Duration::from_millis(500), face.drawn(ball)).await {
+        if let Ok(now) = tokio::time::timeout(Duration::from_millis(500), client.drawn(ball)).await {
             last = now;
         } else {
             break;
         }
     }
     assert!(sizes(last).await.abs_diff(fine) < 64);
-    assert!(is_done(&face.ask(Ask::Undo).await));
-    let state = face.state.as_ref().unwrap();
+    assert!(is_done(&client.ask(Ask::Undo).await));
+    let state = client.state.as_ref().unwrap();
     assert!(!state.document.changed, "a drag is one step");
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn rows_of_outputs_and_inputs() {
     let studio = Studio::start().await;
-    let mut face = studio.with("katydid 1\nn = Series(1, 2, 5)\nsum = Mass Addition(n)\n").await;
-    let series = face.objects[&face.named("n")].clone();
-    let sum = face.objects[&face.named("sum")].clone();
+    let mut client = studio.with("katydid 1\nn = Series(1, 2, 5)\nsum = Mass Addition(n)\n").await;
+    let series = client.objects[&client.named("n")].clone();
+    let sum = client.objects[&client.named("sum")].clone();
     for port in [series.outputs[0].id, sum.inputs[0].id] {
-        match face.ask(Ask::Rows { port, from: 1, count: 3, exact: false, within: vec![] }).await {
+        match client.ask(Ask::Rows { port, from: 1, count: 3, exact: false, within: vec![] }).await {
             Event::Rows { page, .. } => assert_eq!((page.from, page.total, page.rows.len()), (1, 6, 3)),
             other => panic!("{other:?}"),
         }
     }
     let nobody = uuid::Uuid::from_u128(1);
-    let event = face.ask(Ask::Rows { port: nobody, from: 0, count: 1, exact: false, within: vec![] }).await;
+    let event = client.ask(Ask::Rows { port: nobody, from: 0, count: 1, exact: false, within: vec![] }).await;
     assert!(refusal(&event).contains("no data"));
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn curvature_is_looked_at_and_follows_a_slider() {
     let studio = Studio::start().await;
-    let mut face = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nring = Circle(_, r)\n").await;
-    let ring = face.named("ring");
-    face.drawn(ring).await;
+    let mut client = studio.with("katydid 1\nr = Number Slider(2.0, 0..10)\nring = Circle(_, r)\n").await;
+    let ring = client.named("ring");
+    client.drawn(ring).await;
     let comb = Some(CombView { teeth: 8, length: 0.2, surfaces: false });
     let analysis = AnalysisView { objects: Some(vec![ring]), comb, ..AnalysisView::default() };
-    assert!(is_done(&face.ask(Ask::Analyse { analysis: Some(analysis) }).await));
-    let first = analysed(&mut face).await;
+    assert!(is_done(&client.ask(Ask::Analyse { analysis: Some(analysis) }).await));
+    let first = analysed(&mut client).await;
     let (comb, hash) = (first.0.unwrap(), first.1[&ring].clone().unwrap());
     assert!((comb.sharpest - 0.5).abs() < 1e-12);
     // The geometry came before the event that names it, and says its hash.
-    let frame = face.frames.last().unwrap();
+    let frame = client.frames.last().unwrap();
     let named: String = frame[..16].iter().map(|byte| format!("{byte:02x}")).collect();
     assert_eq!(named, hash);
     assert_eq!(studio.get(&format!("/geometry/{hash}")).await.body, frame[16..]);
 
     let at = ProbePlace::Near { point: [9.0, 9.0, 0.0] };
     let place = Probe { object: ring, output: 0, path: "{0}".to_owned(), index: 0, at };
-    face.tell(Ask::Probe { round: 7, probes: vec![place] }).await;
-    assert!((radius(&mut face, 7).await - 2.0).abs() < 1e-12);
+    client.tell(Ask::Probe { round: 7, probes: vec![place] }).await;
+    assert!((radius(&mut client, 7).await - 2.0).abs() < 1e-12);
 
-    face.set("r", 4.0).await;
+    client.set("r", 4.0).await;
     let (mut radius_now, mut curvature_now) = (0.0, 0.0);
     while radius_now == 0.0 || curvature_now == 0.0 {
-        match face.hear().await {
+        match client.hear().await {
             Some(Event::Analysed { comb, .. }) => curvature_now = comb.unwrap().sharpest,
             Some(Event::Probed { round: 7, probes, .. }) => radius_now = radius_of(&probes),
             _ => {}
@@ -291,26 +292,26 @@ async fn curvature_is_looked_at_and_follows_a_slider() {
     }
     assert!((radius_now - 4.0).abs() < 1e-12 && (curvature_now - 0.25).abs() < 1e-12);
 
-    face.tell(Ask::Analyse { analysis: None }).await;
-    let (comb, objects) = analysed(&mut face).await;
+    client.tell(Ask::Analyse { analysis: None }).await;
+    let (comb, objects) = analysed(&mut client).await;
     assert!(comb.is_none() && objects[&ring].is_none(), "it is taken away");
     let many = AnalysisView { objects: Some(vec![ring; 10_001]), ..AnalysisView::default() };
-    assert!(!is_done(&face.ask(Ask::Analyse { analysis: Some(many) }).await));
+    assert!(!is_done(&client.ask(Ask::Analyse { analysis: Some(many) }).await));
 }
 
 type Drawn = std::collections::HashMap<uuid::Uuid, Option<String>>;
 
-async fn analysed(face: &mut common::Face) -> (Option<CombMeasure>, Drawn) {
+async fn analysed(client: &mut common::Client) -> (Option<CombMeasure>, Drawn) {
     loop {
-        if let Some(Event::Analysed { comb, objects, .. }) = face.hear().await {
+        if let Some(Event::Analysed { comb, objects, .. }) = client.hear().await {
             return (comb, objects.into_iter().collect());
         }
     }
 }
 
-async fn radius(face: &mut common::Face, wanted: u32) -> f64 {
+async fn radius(client: &mut common::Client, wanted: u32) -> f64 {
     loop {
-        match face.hear().await {
+        match client.hear().await {
             Some(Event::Probed { round, probes, .. }) if round == wanted => return radius_of(&probes),
             _ => {}
         }
@@ -327,14 +328,14 @@ fn radius_of(probes: &[Option<Probed>]) -> f64 {
 #[tokio::test(flavor = "multi_thread")]
 async fn exact_rows_are_kept_again_as_they_were() {
     let studio = Studio::start().await;
-    let mut face = studio.with("katydid 1\np = Point([(0, 0, 0)])\nq = Deconstruct(p)\n").await;
-    let point = face.objects[&face.named("p")].inputs[0].id;
+    let mut client = studio.with("katydid 1\np = Point([(0, 0, 0)])\nq = Deconstruct(p)\n").await;
+    let point = client.objects[&client.named("p")].inputs[0].id;
     let exact = "{0.1, 0.30000000000000004, -1e-17}";
     let values = Some(format!("{{0}}\n{exact}"));
-    assert!(is_done(&face.edit(Edit::Keep { port: point, values }).await));
-    face.solved(2).await;
+    assert!(is_done(&client.edit(Edit::Keep { port: point, values }).await));
+    client.solved(2).await;
     for (all, text) in [(true, exact), (false, "{0.1, 0.3, -0}")] {
-        match face.ask(Ask::Rows { port: point, from: 0, count: 9, exact: all, within: vec![] }).await {
+        match client.ask(Ask::Rows { port: point, from: 0, count: 9, exact: all, within: vec![] }).await {
             Event::Rows { page, .. } => match &page.rows[1] {
                 Row::Item { text: found, .. } => assert_eq!(found, text),
                 other => panic!("{other:?}"),
@@ -360,11 +361,11 @@ async fn who_joins_hears_that_edits_are_not_kept() {
     let second = start().await;
     // Whoever joins late hears it too: it waits for somebody.
     tokio::time::sleep(Duration::from_millis(300)).await;
-    let mut face = second.join(id).await;
+    let mut client = second.join(id).await;
     let since = Instant::now();
-    while !face.notices.iter().any(|notice| notice.contains("another Katydid")) {
-        assert!(since.elapsed() < PATIENCE, "{:?}", face.notices);
-        face.hear().await;
+    while !client.notices.iter().any(|notice| notice.contains("another Katydid")) {
+        assert!(since.elapsed() < PATIENCE, "{:?}", client.notices);
+        client.hear().await;
     }
     assert!(holder.notices.is_empty(), "{:?}", holder.notices);
 }
@@ -384,18 +385,18 @@ fn model() -> Vec<u8> {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
     let studio = Studio::start().await;
-    let mut face = studio.with("katydid 1\nwall = Curve()\n").await;
+    let mut client = studio.with("katydid 1\nwall = Curve()\n").await;
     let id = studio.get("/api/start").await.json()["open"][0]["id"].as_str().unwrap().to_owned();
-    let wall = *face.objects.keys().next().unwrap();
+    let wall = *client.objects.keys().next().unwrap();
     let pick = |object: u128| Edit::SetGeometry {
         port: wall,
         items: vec![GeometrySource::Model { object: uuid::Uuid::from_u128(object) }],
     };
-    assert!(matches!(face.edit(pick(0xa1)).await, Event::Refused { .. }), "there is no model yet");
+    assert!(matches!(client.edit(pick(0xa1)).await, Event::Refused { .. }), "there is no model yet");
     let sent = studio.ask("POST", &format!("/api/upload?name=house.3dm&document={id}"), "", &model()).await;
     assert_eq!(sent.status, 200);
     let view = loop {
-        if let Some(Event::Model { model: Some(view) }) = face.hear().await {
+        if let Some(Event::Model { model: Some(view) }) = client.hear().await {
             break view;
         }
     };
@@ -412,15 +413,15 @@ async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
             break;
         }
     }
-    assert!(matches!(face.edit(pick(0xff)).await, Event::Refused { .. }), "no such object");
-    assert!(matches!(face.edit(pick(0xa1)).await, Event::Done { .. }));
-    while face.results.get(&wall).is_none_or(|result| result.outputs[0].items != 1) {
-        face.hear().await;
+    assert!(matches!(client.edit(pick(0xff)).await, Event::Refused { .. }), "no such object");
+    assert!(matches!(client.edit(pick(0xa1)).await, Event::Done { .. }));
+    while client.results.get(&wall).is_none_or(|result| result.outputs[0].items != 1) {
+        client.hear().await;
     }
     // Without the model there is nothing that the parameter could refer to.
-    assert!(matches!(face.ask(Ask::DetachModel).await, Event::Done { .. }));
-    while face.results.get(&wall).is_none_or(|result| result.lacks.is_empty()) {
-        face.hear().await;
+    assert!(matches!(client.ask(Ask::DetachModel).await, Event::Done { .. }));
+    while client.results.get(&wall).is_none_or(|result| result.lacks.is_empty()) {
+        client.hear().await;
     }
     let mut last = studio.join(&id).await;
     loop {
@@ -435,8 +436,8 @@ async fn a_model_is_shown_by_layers_and_its_objects_are_picked() {
 async fn what_a_document_lacks_of_a_model_is_counted() {
     let studio = Studio::start().await;
     let ids = ["a1", "a2"].map(|end| format!("geometry(ref = @00000000-0000-0000-0000-0000000000{end})"));
-    let face = studio.with(&format!("katydid 1\nwalls = Curve([{}])\n", ids.join(", "))).await;
-    let lacks = &face.results.values().next().unwrap().lacks;
+    let client = studio.with(&format!("katydid 1\nwalls = Curve([{}])\n", ids.join(", "))).await;
+    let lacks = &client.results.values().next().unwrap().lacks;
     assert_eq!(lacks.len(), 1);
     assert_eq!((lacks[0].kind.as_str(), lacks[0].objects, lacks[0].has_model), ("Curve", 2, false));
 }
@@ -467,14 +468,14 @@ async fn definitions_have_pictures_before_they_are_opened() {
 async fn what_is_only_examined_is_not_solved_until_somebody_says_so() {
     let studio = Studio::start().await;
     let sent = studio.ask("POST", "/api/upload?name=test.kd&locked=true", "", SMALL.as_bytes()).await;
-    let mut face = studio.join(sent.json()["document"].as_str().unwrap()).await;
-    while face.state.is_none() {
-        face.hear().await;
+    let mut client = studio.join(sent.json()["document"].as_str().unwrap()).await;
+    while client.state.is_none() {
+        client.hear().await;
     }
-    assert!(face.state.as_ref().unwrap().document.locked);
+    assert!(client.state.as_ref().unwrap().document.locked);
     // An answer comes behind what was told before it: no result was.
-    assert!(is_done(&face.ask(Ask::Draft { on: false }).await));
-    assert!(face.results.is_empty());
-    assert!(is_done(&face.ask(Ask::Recompute).await));
-    face.shows("shown", &["4"]).await;
+    assert!(is_done(&client.ask(Ask::Draft { on: false }).await));
+    assert!(client.results.is_empty());
+    assert!(is_done(&client.ask(Ask::Recompute).await));
+    client.shows("shown", &["4"]).await;
 }

@@ -158,31 +158,31 @@ async fn requests_that_make_no_sense() {
 #[tokio::test(flavor = "multi_thread")]
 async fn frames_that_make_no_sense() {
     let studio = Studio::start().await;
-    let mut face = studio.with(EMPTY).await;
+    let mut client = studio.with(EMPTY).await;
     for text in
         ["", "null", "{", "{\"seq\":7,\"ask\":{\"ask\":\"fly\"}}", "{\"seq\":-1}", &"[".repeat(1_000_000)]
     {
-        face.send(Message::Text(text.into())).await;
+        client.send(Message::Text(text.into())).await;
         let reason = loop {
-            if let Some(Event::Refused { reason, .. }) = face.hear().await {
+            if let Some(Event::Refused { reason, .. }) = client.hear().await {
                 break reason;
             }
         };
         assert!(!reason.is_empty());
     }
-    face.send(Message::Text("{\"seq\":7,\"ask\":{\"ask\":\"fly\"}}".into())).await;
-    while !matches!(face.hear().await, Some(Event::Refused { seq: 7, .. })) {}
-    face.send(Message::Binary(vec![0; 100].into())).await;
-    while !face.notices.iter().any(|text| text.contains("only text")) {
-        face.hear().await;
+    client.send(Message::Text("{\"seq\":7,\"ask\":{\"ask\":\"fly\"}}".into())).await;
+    while !matches!(client.hear().await, Some(Event::Refused { seq: 7, .. })) {}
+    client.send(Message::Binary(vec![0; 100].into())).await;
+    while !client.notices.iter().any(|text| text.contains("only text")) {
+        client.hear().await;
     }
-    assert!(is_done(&face.set("r", 4.0).await));
+    assert!(is_done(&client.set("r", 4.0).await));
     // A frame beyond all measure ends this connection, and no other.
     let mut giant = studio.join(&studio.upload(EMPTY).await).await;
     giant.send(Message::Text(" ".repeat(10 << 20).into())).await;
     let big = "a".repeat(17 << 20);
     let _ = timeout(Duration::from_secs(20), giant.send_or_fail(Message::Text(big.into()))).await;
-    assert!(is_done(&face.set("r", 5.0).await));
+    assert!(is_done(&client.set("r", 5.0).await));
     // Bytes that are no frames at all.
     let mut stream = TcpStream::connect(studio.server.address()).await.unwrap();
     let id = studio.upload(EMPTY).await;
@@ -196,7 +196,7 @@ async fn frames_that_make_no_sense() {
     stream.write_all(&[0xff; 10_000]).await.unwrap();
     let mut rest = Vec::new();
     timeout(PATIENCE, stream.read_to_end(&mut rest)).await.expect("closed").ok();
-    assert!(is_done(&face.set("r", 6.0).await));
+    assert!(is_done(&client.set("r", 6.0).await));
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -246,44 +246,44 @@ async fn who_never_reads_answers_is_not_heard_for_ever() {
 async fn a_definition_without_end_can_be_cancelled() {
     let studio = Studio::start().await;
     let id = studio.upload(&endless()).await;
-    let mut face = studio.join(&id).await;
-    while face.results.len() < 3 {
-        face.hear().await;
+    let mut client = studio.join(&id).await;
+    while client.results.len() < 3 {
+        client.hear().await;
     }
     let start = Instant::now();
-    let event = face.ask(Ask::Cancel).await;
+    let event = client.ask(Ask::Cancel).await;
     assert!(is_done(&event));
     eprintln!("answered after {:?}", start.elapsed());
-    while face.finished == 0 {
-        face.hear().await;
+    while client.finished == 0 {
+        client.hear().await;
     }
-    assert!(face.cancelled);
+    assert!(client.cancelled);
     eprintln!("cancelled after {:?}", start.elapsed());
     // A change that makes it short: solved at once.
-    face.set("n", 10.0).await;
+    client.set("n", 10.0).await;
     let start = Instant::now();
-    while face.cancelled || face.finished < 2 {
+    while client.cancelled || client.finished < 2 {
         assert!(start.elapsed() < PATIENCE);
-        face.hear().await;
+        client.hear().await;
     }
-    assert!(face.results.values().all(|result| result.status == "ok"));
+    assert!(client.results.values().all(|result| result.status == "ok"));
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_newer_edit_gives_up_a_long_solve() {
     let studio = Studio::start().await;
     let id = studio.upload(&endless()).await;
-    let mut face = studio.join(&id).await;
-    while face.results.len() < 3 {
-        face.hear().await;
+    let mut client = studio.join(&id).await;
+    while client.results.len() < 3 {
+        client.hear().await;
     }
     let start = Instant::now();
-    assert!(is_done(&face.set("n", 5.0).await));
-    assert_eq!(face.finished, 0, "edits do not wait for the solve");
-    let last = face.named("e199");
-    while !(face.finished >= 1 && !face.cancelled && face.results.contains_key(&last)) {
+    assert!(is_done(&client.set("n", 5.0).await));
+    assert_eq!(client.finished, 0, "edits do not wait for the solve");
+    let last = client.named("e199");
+    while !(client.finished >= 1 && !client.cancelled && client.results.contains_key(&last)) {
         assert!(start.elapsed() < Duration::from_secs(8));
-        face.hear().await;
+        client.hear().await;
     }
     eprintln!("a short solve after a long one: {:?}", start.elapsed());
 }
@@ -296,14 +296,14 @@ async fn ten_thousand_objects() {
         text.push_str(&format!("p{k} = Construct Point(r, {k}, 0)\n"));
     }
     let start = Instant::now();
-    let mut face = studio.with(&text).await;
-    assert_eq!(face.objects.len(), 10_001);
+    let mut client = studio.with(&text).await;
+    assert_eq!(client.objects.len(), 10_001);
     eprintln!("10,000 objects: open and solved in {:?}", start.elapsed());
     let start = Instant::now();
-    face.set("r", 3.0).await;
+    client.set("r", 3.0).await;
     let answered = start.elapsed();
-    let point = face.named("p9999");
-    face.drawn(point).await;
+    let point = client.named("p9999");
+    client.drawn(point).await;
     eprintln!("10,000 objects: answered in {answered:?}, drawn in {:?}", start.elapsed());
 }
 
@@ -369,8 +369,8 @@ async fn who_can_be_reached_by_others_wants_a_token_and_gives_no_files() {
     let id = new["document"].as_str().unwrap();
     let url = format!("ws://{}/socket?document={id}", studio.host());
     assert!(matches!(tokio_tungstenite::connect_async(&url).await, Err(Error::Http(r)) if r.status() == 401));
-    let mut face = studio.join(&format!("{id}&token=open-sesame")).await;
-    let event = face.ask(Ask::Save { path: Some("/tmp/katydid-test.gh".to_owned()) }).await;
+    let mut client = studio.join(&format!("{id}&token=open-sesame")).await;
+    let event = client.ask(Ask::Save { path: Some("/tmp/katydid-test.gh".to_owned()) }).await;
     assert!(refusal(&event).contains("download"));
 }
 

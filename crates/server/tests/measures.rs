@@ -6,7 +6,7 @@ mod common;
 
 use std::time::Duration;
 
-use common::{Face, Studio};
+use common::{Client, Studio};
 use katydid_session::protocol::{Ask, Edit, Event, Setting};
 use tokio::time::Instant;
 use uuid::Uuid;
@@ -40,13 +40,13 @@ struct Change {
 }
 
 /// Sets a slider, and waits for the results and the geometry of it.
-async fn change(face: &mut Face, slider: Uuid, value: f64) -> Change {
+async fn change(client: &mut Client, slider: Uuid, value: f64) -> Change {
     let start = Instant::now();
     let edit = Edit::Set { object: slider, to: Setting::Number { value } };
-    face.tell(Ask::Edit { edit, gesture: Some(1), within: vec![] }).await;
+    client.tell(Ask::Edit { edit, gesture: Some(1), within: vec![] }).await;
     let (mut solved, mut drawn) = (None, None);
     loop {
-        match face.hear().await {
+        match client.hear().await {
             Some(Event::Results { finished: true, milliseconds: took, .. }) => {
                 solved = Some((took, milliseconds(start.elapsed())));
             }
@@ -64,16 +64,20 @@ async fn change(face: &mut Face, slider: Uuid, value: f64) -> Change {
 #[ignore = "a measurement"]
 async fn a_slider_of_three_hundred_objects() {
     let studio = Studio::start().await;
-    let mut face = studio.with(&three_hundred()).await;
-    let slider = face.named("r");
+    let mut client = studio.with(&three_hundred()).await;
+    let slider = client.named("r");
     for draft in [false, true] {
-        face.ask(Ask::Draft { on: draft }).await;
+        client.ask(Ask::Draft { on: draft }).await;
         tokio::time::sleep(Duration::from_millis(500)).await;
         let mut all = Vec::new();
         for k in 0..60 {
             all.push(
-                change(&mut face, slider, 20.0 + f64::from(k + 1) / 10.0 + 10.0 * f64::from(u8::from(draft)))
-                    .await,
+                change(
+                    &mut client,
+                    slider,
+                    20.0 + f64::from(k + 1) / 10.0 + 10.0 * f64::from(u8::from(draft)),
+                )
+                .await,
             );
         }
         let of = |part: f64, value: fn(&Change) -> f64| {
@@ -89,7 +93,7 @@ async fn a_slider_of_three_hundred_objects() {
         );
     }
     // As a hand drags: a change every 16 ms, whether the last is shown or not.
-    face.ask(Ask::Draft { on: true }).await;
+    client.ask(Ask::Draft { on: true }).await;
     let (start, mut shown) = (Instant::now(), 0);
     let mut next = tokio::time::interval(Duration::from_millis(16));
     let mut sent = 0_u32;
@@ -97,15 +101,15 @@ async fn a_slider_of_three_hundred_objects() {
         tokio::select! {
             _ = next.tick() => {
                 let edit = Edit::Set { object: slider, to: Setting::Number { value: 30.0 + f64::from(sent) / 10.0 } };
-                face.tell(Ask::Edit { edit, gesture: Some(2), within: vec![] }).await;
+                client.tell(Ask::Edit { edit, gesture: Some(2), within: vec![] }).await;
                 sent += 1;
             }
-            event = face.hear() => shown += usize::from(matches!(event, Some(Event::Preview { .. }))),
+            event = client.hear() => shown += usize::from(matches!(event, Some(Event::Preview { .. }))),
         }
     }
     let dragged = start.elapsed();
-    let last = face.named("f1");
-    let wanted = change(&mut face, slider, 77.0).await;
+    let last = client.named("f1");
+    let wanted = change(&mut client, slider, 77.0).await;
     println!(
         "dragged for {} ms with {sent} changes: {shown} frames; the last change shown after {} ms; {last}",
         milliseconds(dragged),
@@ -127,15 +131,15 @@ async fn a_mesh_of_a_million_triangles() {
     let studio = Studio::start().await;
     let text = "katydid 1\nh = Number Slider(1.0, 0..100)\nm = Mesh Plane(rectangle(plane((0, 0, 0)), 0..100, 0..100), 707, 707) hidden\n\
                 out = Move(m.Mesh, Vector XYZ(0, 0, h).Vector)\n";
-    let mut face = studio.with(text).await;
-    let (slider, out) = (face.named("h"), face.named("out"));
-    face.drawn(out).await;
+    let mut client = studio.with(text).await;
+    let (slider, out) = (client.named("h"), client.named("out"));
+    client.drawn(out).await;
     let (mut encode, mut fetch, mut bytes) = (Vec::new(), Vec::new(), 0);
     let before = memory();
     for k in 0..100 {
-        let made = change(&mut face, slider, 1.0 + f64::from(k + 1) / 10.0).await;
+        let made = change(&mut client, slider, 1.0 + f64::from(k + 1) / 10.0).await;
         encode.push(made.previews - made.solve);
-        let hash = face.hashes[&out].clone().unwrap();
+        let hash = client.hashes[&out].clone().unwrap();
         let start = Instant::now();
         bytes = studio.get(&format!("/geometry/{hash}")).await.body.len();
         fetch.push(milliseconds(start.elapsed()));
@@ -150,10 +154,10 @@ async fn a_mesh_of_a_million_triangles() {
         share(&mut encode, 0.95),
         share(&mut fetch, 0.5),
     );
-    face.ask(Ask::Draft { on: true }).await;
+    client.ask(Ask::Draft { on: true }).await;
     let mut coarse = Vec::new();
     for k in 0..10 {
-        let made = change(&mut face, slider, 50.0 + f64::from(k)).await;
+        let made = change(&mut client, slider, 50.0 + f64::from(k)).await;
         coarse.push(made.previews - made.solve);
     }
     println!("the same while dragging: {} ms", share(&mut coarse, 0.5));

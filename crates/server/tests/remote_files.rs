@@ -8,7 +8,7 @@ mod common;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
 
-use common::{Face, Studio, is_done, refusal};
+use common::{Client, Studio, is_done, refusal};
 use katydid_3dm::{Model, Object};
 use katydid_definition::archive::{Chunk, write_gh};
 use katydid_definition::document::{Persistent, Stored};
@@ -162,37 +162,37 @@ fn numbered(way: &str, k: usize) -> String {
 }
 
 /// Tries all ways in a document; gives those that give content.
-async fn tried(face: &mut Face, ways: &[String]) -> Vec<usize> {
+async fn tried(client: &mut Client, ways: &[String]) -> Vec<usize> {
     for (k, way) in ways.iter().enumerate() {
         let seed = Uuid::from_u128(k as u128 + 1);
-        let event = face.edit(Edit::Paste { text: numbered(way, k), at: None, seed }).await;
+        let event = client.edit(Edit::Paste { text: numbered(way, k), at: None, seed }).await;
         assert!(is_done(&event), "{way}: {event:?}");
     }
     // An undone and a repeated step, and everything once more.
-    face.ask(Ask::Undo).await;
-    face.ask(Ask::Redo).await;
-    assert!(is_done(&face.ask(Ask::Recompute).await));
-    settled(face).await;
-    (0..ways.len()).filter(|k| gives(face, &format!("shown {k}"))).collect()
+    client.ask(Ask::Undo).await;
+    client.ask(Ask::Redo).await;
+    assert!(is_done(&client.ask(Ask::Recompute).await));
+    settled(client).await;
+    (0..ways.len()).filter(|k| gives(client, &format!("shown {k}"))).collect()
 }
 
 /// Waits until the last of the document is solved.
-async fn settled(face: &mut Face) {
+async fn settled(client: &mut Client) {
     let end = Uuid::new_v4();
     let text = "katydid 1\nend = Panel(\"the end\")\n".to_owned();
-    let Event::Done { made, .. } = face.edit(Edit::Paste { text, at: None, seed: end }).await else {
+    let Event::Done { made, .. } = client.edit(Edit::Paste { text, at: None, seed: end }).await else {
         panic!("nothing is pasted");
     };
-    let before = face.finished;
-    while !face.results.contains_key(&made[0]) || face.finished == before {
-        face.hear().await;
+    let before = client.finished;
+    while !client.results.contains_key(&made[0]) || client.finished == before {
+        client.hear().await;
     }
 }
 
 /// Whether a panel shows data.
-fn gives(face: &Face, panel: &str) -> bool {
+fn gives(client: &Client, panel: &str) -> bool {
     let is_data = |text: &String| !text.is_empty() && !text.to_lowercase().contains("null");
-    face.texts(panel).iter().any(is_data)
+    client.texts(panel).iter().any(is_data)
 }
 
 fn shared(own: &Path, folders: Vec<PathBuf>) -> impl FnOnce(Config) -> Config {
@@ -216,10 +216,10 @@ async fn who_joins_reads_no_file_of_the_machine() {
 
     // Whoever opens it on the machine reads them: these are ways.
     let local = Studio::start_with(|config| Config { file: Some(own.clone()), ..config }).await;
-    let mut face = local.join(&first(&local)).await;
-    face.solved(1).await;
-    assert_eq!(face.texts("shown own"), [SECRET]);
-    let found = tried(&mut face, &ways).await;
+    let mut client = local.join(&first(&local)).await;
+    client.solved(1).await;
+    assert_eq!(client.texts("shown own"), [SECRET]);
+    let found = tried(&mut client, &ways).await;
     let missing: Vec<&String> =
         ways.iter().enumerate().filter(|(k, _)| !found.contains(k)).map(|(_, w)| w).collect();
     println!("{} of {} ways lead to a file for its owner, all but {missing:#?}", found.len(), ways.len());
@@ -227,15 +227,15 @@ async fn who_joins_reads_no_file_of_the_machine() {
 
     // Who joins reads none, neither by their own edits nor by what the owner's definition names.
     let studio = Studio::start_with(shared(&own, Vec::new())).await;
-    let mut face = studio.join(&first(&studio)).await;
-    face.solved(1).await;
-    assert!(!gives(&face, "shown own"));
-    let found = tried(&mut face, &ways).await;
+    let mut client = studio.join(&first(&studio)).await;
+    client.solved(1).await;
+    assert!(!gives(&client, "shown own"));
+    let found = tried(&mut client, &ways).await;
     assert_eq!(found, Vec::<usize>::new(), "{:?}", found.iter().map(|k| &ways[*k]).collect::<Vec<_>>());
-    assert!(!face.heard.contains(SECRET) && !face.heard.contains("4711.25"));
-    edited(&mut face, home).await;
-    asked(&studio, &mut face, home, &own).await;
-    assert!(!face.heard.contains(SECRET) && !face.heard.contains("4711.25"));
+    assert!(!client.heard.contains(SECRET) && !client.heard.contains("4711.25"));
+    edited(&mut client, home).await;
+    asked(&studio, &mut client, home, &own).await;
+    assert!(!client.heard.contains(SECRET) && !client.heard.contains("4711.25"));
 }
 
 /// An Image Gallery shows a file small to who opens it on the machine, and its name to who joins, by any path.
@@ -245,27 +245,27 @@ async fn galleries_show_who_joins_no_file() {
     let own = files(folder.path());
     let paths = paths(own.parent().unwrap(), "secret.png");
     let local = Studio::start_with(|config| Config { file: Some(own.clone()), ..config }).await;
-    let mut face = local.join(&first(&local)).await;
-    let found = pictured(&mut face, &paths).await;
+    let mut client = local.join(&first(&local)).await;
+    let found = pictured(&mut client, &paths).await;
     assert!(found.iter().filter(|found| **found).count() >= 10, "{found:?}");
     let studio = Studio::start_with(shared(&own, Vec::new())).await;
-    let mut face = studio.join(&first(&studio)).await;
-    assert_eq!(pictured(&mut face, &paths).await, vec![false; found.len()]);
+    let mut client = studio.join(&first(&studio)).await;
+    assert_eq!(pictured(&mut client, &paths).await, vec![false; found.len()]);
     let opened = Studio::start_with(shared(&own, vec![own.parent().unwrap().to_path_buf()])).await;
-    let mut face = opened.join(&first(&opened)).await;
-    assert!(pictured(&mut face, &paths[..2]).await.iter().all(|found| *found));
+    let mut client = opened.join(&first(&opened)).await;
+    assert!(pictured(&mut client, &paths[..2]).await.iter().all(|found| *found));
 }
 
 /// Of each path whether a gallery shows the picture there.
-async fn pictured(face: &mut Face, paths: &[String]) -> Vec<bool> {
+async fn pictured(client: &mut Client, paths: &[String]) -> Vec<bool> {
     let list: Vec<String> = paths.iter().map(|path| quoted(path)).collect();
     let text = format!("katydid 1\ngallery = Image Gallery([{}])\n", list.join(", "));
-    let made = face.edit(Edit::Paste { text, at: None, seed: Uuid::from_u128(9) }).await;
+    let made = client.edit(Edit::Paste { text, at: None, seed: Uuid::from_u128(9) }).await;
     assert!(is_done(&made), "{made:?}");
-    settled(face).await;
-    let gallery = face.named("gallery");
-    let port = face.objects[&gallery].outputs.first().map_or(gallery, |output| output.id);
-    match face.ask(Ask::Pictures { port, within: vec![] }).await {
+    settled(client).await;
+    let gallery = client.named("gallery");
+    let port = client.objects[&gallery].outputs.first().map_or(gallery, |output| output.id);
+    match client.ask(Ask::Pictures { port, within: vec![] }).await {
         Event::Pictures { pictures, .. } => pictures
             .iter()
             .map(|view| {
@@ -278,38 +278,38 @@ async fn pictured(face: &mut Face, paths: &[String]) -> Vec<bool> {
 }
 
 /// Turns the reader of the owner's definition to another file, by every edit that may do so.
-async fn edited(face: &mut Face, home: &Path) {
+async fn edited(client: &mut Client, home: &Path) {
     let path = home.join("secret.txt").display().to_string();
-    let (reader, shown) = (face.named("own"), face.named("shown own"));
-    let port = face.objects[&reader].inputs[0].id;
+    let (reader, shown) = (client.named("own"), client.named("shown own"));
+    let port = client.objects[&reader].inputs[0].id;
     let panel = Uuid::from_u128(1 << 64);
     let text = format!("katydid 1\nwired = Panel({})\n", quoted(&path));
-    let Event::Done { made, .. } = face.edit(Edit::Paste { text, at: None, seed: panel }).await else {
+    let Event::Done { made, .. } = client.edit(Edit::Paste { text, at: None, seed: panel }).await else {
         panic!("nothing is pasted");
     };
-    let from = face.objects[&made[0]].outputs.first().map_or(made[0], |output| output.id);
+    let from = client.objects[&made[0]].outputs.first().map_or(made[0], |output| output.id);
     let edits = [
         Edit::Keep { port, values: Some(path.clone()) },
         Edit::Connect { from, to: port, how: Connection::Replace },
         Edit::Disconnect { port },
         Edit::Extract { port, id: Uuid::from_u128(2 << 64) },
         Edit::Duplicate { objects: vec![reader, shown], by: [10.0, 10.0], seed: Uuid::from_u128(3 << 64) },
-        Edit::Internalise { port: face.objects[&shown].inputs.first().map_or(shown, |input| input.id) },
+        Edit::Internalise { port: client.objects[&shown].inputs.first().map_or(shown, |input| input.id) },
         Edit::MakeCluster { id: Uuid::from_u128(4 << 64), objects: vec![reader] },
         Edit::ExplodeCluster { cluster: Uuid::from_u128(4 << 64) },
     ];
     for edit in edits {
-        face.edit(edit).await;
-        settled(face).await;
+        client.edit(edit).await;
+        settled(client).await;
     }
     for ask in [Ask::Undo, Ask::Undo, Ask::Redo, Ask::Settle { keep: false }, Ask::Recompute] {
-        face.ask(ask).await;
+        client.ask(ask).await;
     }
-    settled(face).await;
+    settled(client).await;
 }
 
 /// Asks for files in every other way that there is.
-async fn asked(studio: &Studio, face: &mut Face, home: &Path, own: &Path) {
+async fn asked(studio: &Studio, client: &mut Client, home: &Path, own: &Path) {
     let path = home.join("secret.txt").display().to_string();
     let document = first(studio);
     let json = |value: &str| format!("{{\"path\":{}}}", quoted(value));
@@ -343,7 +343,7 @@ async fn asked(studio: &Studio, face: &mut Face, home: &Path, own: &Path) {
         bodies.push(studio.get(target).await.body);
     }
     for named in [path.clone(), home.join("stolen.kd").display().to_string(), "~/a.kd".to_owned()] {
-        assert!(refusal(&face.ask(Ask::Save { path: Some(named) }).await).contains("download"));
+        assert!(refusal(&client.ask(Ask::Save { path: Some(named) }).await).contains("download"));
     }
     assert!(!home.join("stolen.kd").exists());
     for body in bodies {
@@ -359,18 +359,18 @@ async fn paths_stay_at_home() {
     let place = folder.path().display().to_string();
     let studio = Studio::start_with(shared(&own, Vec::new())).await;
     assert!(!studio.server.url().contains(&place));
-    let mut face = studio.join(&first(&studio)).await;
-    face.solved(1).await;
-    let state = face.state.clone().unwrap();
+    let mut client = studio.join(&first(&studio)).await;
+    client.solved(1).await;
+    let state = client.state.clone().unwrap();
     assert_eq!((state.document.name.as_str(), state.document.path.as_deref()), ("own.kd", Some("own.kd")));
     // Saved where it is kept, and where that cannot be done.
-    assert!(is_done(&face.ask(Ask::Save { path: None }).await));
+    assert!(is_done(&client.ask(Ask::Save { path: None }).await));
     std::fs::remove_dir_all(own.parent().unwrap()).unwrap();
-    let refused = face.ask(Ask::Save { path: None }).await;
+    let refused = client.ask(Ask::Save { path: None }).await;
     assert!(refusal(&refused).starts_with("own.kd: "), "{refused:?}");
     let start = studio.get("/api/start").await;
     assert_eq!(start.json()["recent"].as_array().map(Vec::len), Some(0));
-    let told = face.heard.clone() + &String::from_utf8_lossy(&start.body);
+    let told = client.heard.clone() + &String::from_utf8_lossy(&start.body);
     assert!(!told.contains(&place), "{told}");
 }
 
@@ -390,9 +390,9 @@ async fn folders_that_the_owner_opens_are_read_and_no_others() {
             .chain(readers(own.parent().unwrap()))
             .collect();
     let studio = Studio::start_with(shared(&own, vec![open])).await;
-    let mut face = studio.join(&first(&studio)).await;
-    face.solved(1).await;
-    assert_eq!(tried(&mut face, &ways).await, [0, 1]);
-    assert_eq!((face.texts("shown 0"), gives(&face, "shown own")), (vec!["welcome".to_owned()], false));
-    assert!(!face.heard.contains(SECRET));
+    let mut client = studio.join(&first(&studio)).await;
+    client.solved(1).await;
+    assert_eq!(tried(&mut client, &ways).await, [0, 1]);
+    assert_eq!((client.texts("shown 0"), gives(&client, "shown own")), (vec!["welcome".to_owned()], false));
+    assert!(!client.heard.contains(SECRET));
 }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Face, Studio, is_done, refusal};
+use common::{Client, Studio, is_done, refusal};
 use katydid_server::ScriptConfig;
 use katydid_session::protocol::{Ask, Control, Edit, Event, ScriptPermission, Setting};
 
@@ -29,17 +29,17 @@ async fn studio() -> Studio {
     .await
 }
 
-fn permission(face: &Face) -> Option<ScriptPermission> {
-    face.state.as_ref().and_then(|state| state.document.scripts).map(|scripts| scripts.permission)
+fn permission(client: &Client) -> Option<ScriptPermission> {
+    client.state.as_ref().and_then(|state| state.document.scripts).map(|scripts| scripts.permission)
 }
 
-async fn until(face: &mut Face, wanted: ScriptPermission) {
-    while permission(face) != Some(wanted) {
-        face.hear().await.expect("it goes on");
+async fn until(client: &mut Client, wanted: ScriptPermission) {
+    while permission(client) != Some(wanted) {
+        client.hear().await.expect("it goes on");
     }
 }
 
-fn text(face: &Face, text: &str) -> Edit {
+fn text(client: &Client, text: &str) -> Edit {
     let control = Control::Script {
         language: String::new(),
         text: text.to_owned(),
@@ -48,7 +48,7 @@ fn text(face: &Face, text: &str) -> Edit {
         from_wire: false,
         hints: Vec::new(),
     };
-    Edit::Reshape { object: face.named("twice"), control }
+    Edit::Reshape { object: client.named("twice"), control }
 }
 
 const RUN: Ask = Ask::AllowScripts { run: true, keep: true };
@@ -56,18 +56,18 @@ const RUN: Ask = Ask::AllowScripts { run: true, keep: true };
 #[tokio::test]
 async fn it_is_asked_once_for_a_file() {
     let studio = studio().await;
-    let mut face = studio.with(DOUBLES).await;
-    assert_eq!(permission(&face), Some(ScriptPermission::Asked));
-    assert!(face.texts("shown").iter().all(|text| text != "42"));
-    let Event::Scripts { scripts, .. } = face.ask(Ask::Scripts).await else { panic!("no scripts") };
+    let mut client = studio.with(DOUBLES).await;
+    assert_eq!(permission(&client), Some(ScriptPermission::Asked));
+    assert!(client.texts("shown").iter().all(|text| text != "42"));
+    let Event::Scripts { scripts, .. } = client.ask(Ask::Scripts).await else { panic!("no scripts") };
     assert_eq!(scripts[0].imports, ["os"]);
     assert!(scripts[0].text.contains("a = x * 2"));
-    assert!(is_done(&face.ask(RUN).await));
-    face.shows("shown", &["42"]).await;
+    assert!(is_done(&client.ask(RUN).await));
+    client.shows("shown", &["42"]).await;
     // The owner writes on without being asked again.
-    let edit = text(&face, "a = x * 3");
-    assert!(is_done(&face.edit(edit).await));
-    face.shows("shown", &["63"]).await;
+    let edit = text(&client, "a = x * 3");
+    assert!(is_done(&client.edit(edit).await));
+    client.shows("shown", &["63"]).await;
     let mut again = studio.with(DOUBLES).await;
     again.shows("shown", &["42"]).await;
     let other = studio.with(&DOUBLES.replace("21", "22")).await;
@@ -110,31 +110,31 @@ async fn others_neither_answer_nor_bring_in_code() {
 #[tokio::test]
 async fn what_is_pasted_with_a_script_in_it_is_asked_about() {
     let studio = studio().await;
-    let mut face = studio.with(DOUBLES).await;
-    assert!(is_done(&face.ask(RUN).await));
-    face.shows("shown", &["42"]).await;
-    let objects = vec![face.named("twice")];
-    let Event::Copied { text, .. } = face.ask(Ask::Copy { objects, within: vec![] }).await else {
+    let mut client = studio.with(DOUBLES).await;
+    assert!(is_done(&client.ask(RUN).await));
+    client.shows("shown", &["42"]).await;
+    let objects = vec![client.named("twice")];
+    let Event::Copied { text, .. } = client.ask(Ask::Copy { objects, within: vec![] }).await else {
         panic!("nothing copied")
     };
     let paste = Edit::Paste { text, at: None, seed: uuid::Uuid::from_u128(7) };
-    assert!(is_done(&face.edit(paste).await));
-    until(&mut face, ScriptPermission::Asked).await;
-    let objects = vec![face.named("s")];
-    assert!(is_done(&face.ask(RUN).await));
-    until(&mut face, ScriptPermission::Given).await;
-    let Event::Copied { text, .. } = face.ask(Ask::Copy { objects, within: vec![] }).await else {
+    assert!(is_done(&client.edit(paste).await));
+    until(&mut client, ScriptPermission::Asked).await;
+    let objects = vec![client.named("s")];
+    assert!(is_done(&client.ask(RUN).await));
+    until(&mut client, ScriptPermission::Given).await;
+    let Event::Copied { text, .. } = client.ask(Ask::Copy { objects, within: vec![] }).await else {
         panic!("nothing copied")
     };
     let paste = Edit::Paste { text, at: None, seed: uuid::Uuid::from_u128(8) };
-    assert!(is_done(&face.edit(paste).await));
-    assert_eq!(permission(&face), Some(ScriptPermission::Given));
+    assert!(is_done(&client.edit(paste).await));
+    assert_eq!(permission(&client), Some(ScriptPermission::Given));
 }
 
 #[tokio::test]
 async fn without_a_place_for_scripts_nobody_is_asked() {
     let studio = Studio::start().await;
-    let mut face = studio.with(DOUBLES).await;
-    assert_eq!(permission(&face), None);
-    assert!(refusal(&face.ask(RUN).await).contains("not run here"));
+    let mut client = studio.with(DOUBLES).await;
+    assert_eq!(permission(&client), None);
+    assert!(refusal(&client.ask(RUN).await).contains("not run here"));
 }

@@ -10,7 +10,7 @@ use uuid::Uuid;
 pub struct Change {
     /// The number of the document's state after it. An edit of which nothing came leaves it as it was.
     pub revision: u64,
-    /// The step from the state before to the state after, for whoever follows the document: a solver, a journal, a face.
+    /// The step from the state before to the state after, for whoever follows the document: a solver, a journal, a client.
     pub difference: Arc<Difference>,
     /// The units and tolerances, where they are others now.
     pub rules: Option<Rules>,

@@ -14,7 +14,7 @@ pub struct SoftBall {
     pub strength: f64,
 }
 
-/// The field of many soft balls: the sum of theirs.
+/// The field of many metaballs: the sum of theirs.
 ///
 /// After G. Wyvill, C. McPheeters and B. Wyvill, *Data structure for soft objects*, 1986, whose field also ends at a
 /// radius; the power is that of later work by B. Wyvill. The field is twice differentiable.
@@ -53,7 +53,7 @@ impl SoftBalls {
     pub fn new(balls: &[SoftBall]) -> Result<Self> {
         for b in balls {
             if !(b.center.is_finite() && b.strength.is_finite()) {
-                return Err(Error::NotFinite("soft ball"));
+                return Err(Error::NotFinite("metaball"));
             }
             let square = b.radius * b.radius;
             if !(b.radius > 0.0
@@ -61,7 +61,7 @@ impl SoftBalls {
                 && b.bounds().as_flattened().iter().all(|x| x.is_finite()))
             {
                 let must = "finite and greater than 0";
-                return Err(Error::OutOfRange { what: "radius of a soft ball", value: b.radius, must });
+                return Err(Error::OutOfRange { what: "radius of a metaball", value: b.radius, must });
             }
         }
         let mut balls = balls.to_vec();

@@ -1,4 +1,4 @@
-//! Surfaces of equal height: of numbers on a grid in space, and of fields of soft balls.
+//! Surfaces of equal height: of numbers on a grid in space, and of fields of metaballs.
 //!
 //! Marching cubes (W. E. Lorensen, H. E. Cline, *Marching cubes*, 1987): each cell of the grid is crossed by patches
 //! whose corners lie on its edges. On every side of a cell the asymptotic decider says how corners are joined, and both

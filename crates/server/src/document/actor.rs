@@ -14,15 +14,15 @@ use katydid_solver::{ObjectReport, Options};
 use uuid::Uuid;
 
 use super::analyses::Finding;
+use super::clients::Clients;
 use super::drawn::Seen;
-use super::faces::Faces;
 use super::journal::Keeper;
 use super::model::Beside;
 use super::outbox::End;
 use super::scripts::Scripting;
 use super::solving::{Solving, Work};
 use super::worker::{Ended, Job, News, Worker};
-use super::{About, Command, FaceId, Inquiry, Shared, Source};
+use super::{About, ClientId, Command, Inquiry, Shared, Source};
 use crate::geometry::Geometry;
 
 /// Results are gathered for so long before they go out.
@@ -34,7 +34,7 @@ pub(super) type Reports = HashMap<Uuid, ObjectReport>;
 /// Owns a document.
 pub(super) struct Actor {
     pub(super) editor: Editor,
-    pub(super) faces: Faces,
+    pub(super) clients: Clients,
     pub(super) solving: Solving,
     pub(super) reports: Reports,
     pub(super) jobs: Sender<Job>,
@@ -42,23 +42,23 @@ pub(super) struct Actor {
     pub(super) keeper: Keeper,
     /// Where the document is kept.
     pub(super) path: Option<PathBuf>,
-    /// What objects show, as faces know it.
+    /// What objects show, as clients know it.
     pub(super) shown: HashMap<Uuid, Arc<Geometry>>,
-    /// What of objects could not be shown, as faces know it.
+    /// What of objects could not be shown, as clients know it.
     pub(super) left_out: HashMap<Uuid, Vec<String>>,
     /// The Rhino model beside it.
     pub(super) model: Beside,
-    /// What faces see of the form of curves and surfaces.
-    pub(super) analysed: HashMap<FaceId, Seen>,
-    /// Results that faces have yet to hear of.
+    /// What clients see of the form of curves and surfaces.
+    pub(super) analysed: HashMap<ClientId, Seen>,
+    /// Results that clients have yet to hear of.
     fresh: Vec<(Object, ObjectReport)>,
     gathering: Option<Instant>,
     progress: Progress,
     /// How the last solve ended.
     end: Option<End>,
-    /// The same, while faces have yet to hear of it.
+    /// The same, while clients have yet to hear of it.
     ending: Option<End>,
-    /// Whether faces got geometry of the solve that is ending: they draw it before they hear of results.
+    /// Whether clients got geometry of the solve that is ending: they draw it before they hear of results.
     is_drawn: bool,
     /// What waits for the results.
     inquiries: Vec<Inquiry>,
@@ -100,7 +100,7 @@ impl Actor {
         let _ = std::thread::Builder::new().name("solver".to_owned()).spawn(move || worker.run(&inbox));
         let mut actor = Self {
             editor,
-            faces: Faces::default(),
+            clients: Clients::default(),
             solving: Solving::default(),
             reports: Reports::new(),
             jobs,
@@ -157,7 +157,7 @@ impl Actor {
         }
         self.solving.tick();
         self.keeper.tick(&mut self.editor);
-        if self.faces.count() > 0
+        if self.clients.count() > 0
             && let Some(trouble) = self.keeper.trouble()
         {
             self.notice("warning", trouble);
@@ -167,7 +167,7 @@ impl Actor {
     fn close(&mut self) {
         self.solving.cancel();
         self.editor.flush();
-        self.faces.iter().for_each(|face| face.outbox.close());
+        self.clients.iter().for_each(|client| client.outbox.close());
         for (_, geometry) in self.shown.drain() {
             self.shared.geometries.release(geometry);
         }
@@ -177,11 +177,11 @@ impl Actor {
     fn take(&mut self, command: Command) {
         match command {
             Command::Join(id, outbox, standing) => {
-                self.faces.join(id, outbox, standing);
+                self.clients.join(id, outbox, standing);
                 self.show_all(id);
             }
             Command::Leave(id) => {
-                self.faces.leave(id);
+                self.clients.leave(id);
                 let _ = self.jobs.send(Job::Leave(id));
                 let seen = self.analysed.remove(&id).unwrap_or_default();
                 seen.objects.into_values().for_each(|geometry| self.shared.geometries.release(geometry));
@@ -200,7 +200,7 @@ impl Actor {
             }
             Command::With(inquiry) => self.inquire(inquiry),
             Command::Picture(name, answer) => {
-                let places = self.faces.places();
+                let places = self.clients.places();
                 let found = places.iter().find_map(|within| self.editor.picture(&name, within).ok()?);
                 let _ = answer.send(found);
             }
@@ -216,13 +216,13 @@ impl Actor {
     pub(super) fn detach_model(&mut self) {
         let _ = self.jobs.send(Job::Model(None));
         self.model.detach(&self.shared.geometries);
-        self.faces.iter().for_each(|face| self.model.tell(&face.outbox));
+        self.clients.iter().for_each(|client| self.model.tell(&client.outbox));
         self.want(Work::Solve);
     }
 
     fn about(&self) -> About {
         let name = self.editor.about().name.clone();
-        About { name, changed: self.editor.is_changed(), faces: self.faces.count() }
+        About { name, changed: self.editor.is_changed(), clients: self.clients.count() }
     }
 
     /// Asks for work; where edits wait for somebody to say so, for drawing alone.
@@ -242,7 +242,7 @@ impl Actor {
 
     /// Tells the worker whether something is dragged.
     pub(super) fn set_draft(&mut self) {
-        let drags = self.faces.drags();
+        let drags = self.clients.drags();
         let _ = self.jobs.send(Job::Draft(drags));
         if !drags {
             self.solving.want(Work::Draw, &self.jobs);
@@ -275,14 +275,14 @@ impl Actor {
             }
             News::Modelled(preview) => {
                 self.model.show(preview, &self.shared.geometries);
-                self.faces.iter().for_each(|face| self.model.tell(&face.outbox));
+                self.clients.iter().for_each(|client| self.model.tell(&client.outbox));
             }
-            News::Found(solution, face, Finding::Analysed(found)) => {
-                self.publish_analysis(solution, face, found);
+            News::Found(solution, client, Finding::Analysed(found)) => {
+                self.publish_analysis(solution, client, found);
             }
-            News::Found(solution, face, Finding::Probed(round, probes)) => {
-                if let Some(face) = self.faces.get(face) {
-                    face.outbox.probed(Event::Probed { solution, round, probes });
+            News::Found(solution, client, Finding::Probed(round, probes)) => {
+                if let Some(client) = self.clients.get(client) {
+                    client.outbox.probed(Event::Probed { solution, round, probes });
                 }
             }
             News::Idle => {
@@ -312,7 +312,7 @@ impl Actor {
         }
     }
 
-    /// Tells faces how a solve ended, if they have not heard of it.
+    /// Tells clients how a solve ended, if they have not heard of it.
     fn publish_end(&mut self) {
         if self.ending.is_some() {
             self.publish_results();
@@ -330,7 +330,7 @@ impl Actor {
         Style { units: rules.units, tolerance: rules.tolerance }
     }
 
-    /// Tells faces the results that are new, and how the solve ended when it has.
+    /// Tells clients the results that are new, and how the solve ended when it has.
     fn publish_results(&mut self) {
         self.gathering = None;
         let end = self.ending.take();
@@ -338,55 +338,55 @@ impl Actor {
         let (solution, style) = (self.progress.solution, self.style());
         let view = |(object, report): &(Object, ObjectReport)| result_view(object, report, &style);
         let outer: Vec<ResultView> = fresh.iter().map(view).collect();
-        for within in self.faces.places() {
+        for within in self.clients.places() {
             let is_fresh = |cluster: &Uuid| fresh.iter().any(|(object, _)| object.id == *cluster);
             let inner = within.first().is_some_and(is_fresh).then(|| self.views(&within, &style));
             let inner = inner.unwrap_or_default();
             let results = if within.is_empty() { &outer } else { &inner };
-            for (_, face) in self.faces.at(&within) {
+            for (_, client) in self.clients.at(&within) {
                 if end.is_none() {
                     let Progress { done, total, name, .. } = &self.progress;
                     let (done, total, name) = (*done, *total, name.clone());
-                    face.outbox.progress(Event::Solving { solution, done, total, name });
+                    client.outbox.progress(Event::Solving { solution, done, total, name });
                 }
-                face.outbox.results(solution, &within, results, end);
+                client.outbox.results(solution, &within, results, end);
             }
         }
     }
 
     /// Tells everybody something.
     pub(super) fn notice(&self, level: &str, text: String) {
-        for face in self.faces.iter() {
-            face.outbox.put(Event::Notice(Notice { level: level.to_owned(), text: text.clone() }));
+        for client in self.clients.iter() {
+            client.outbox.put(Event::Notice(Notice { level: level.to_owned(), text: text.clone() }));
         }
     }
 
-    /// Shows a face everything that it looks at.
-    pub(super) fn show_all(&mut self, id: FaceId) {
-        let Some(within) = self.faces.get(id).map(|face| face.within.clone()) else { return };
+    /// Shows a client everything that it looks at.
+    pub(super) fn show_all(&mut self, id: ClientId) {
+        let Some(within) = self.clients.get(id).map(|client| client.within.clone()) else { return };
         let state = self.editor.state(&within).or_else(|_| {
             // The cluster is gone: what is left is the document.
-            self.faces.get_mut(id).into_iter().for_each(|face| face.within.clear());
+            self.clients.get_mut(id).into_iter().for_each(|client| client.within.clear());
             self.editor.state(&[])
         });
-        let (Ok(state), Some(face)) = (state, self.faces.get(id)) else { return };
-        face.outbox.put(Event::Document(state));
+        let (Ok(state), Some(client)) = (state, self.clients.get(id)) else { return };
+        client.outbox.put(Event::Document(state));
         let style = self.style();
-        let views = self.views(&face.within, &style);
+        let views = self.views(&client.within, &style);
         let end = self.end.filter(|_| !self.progress.is_running);
-        face.outbox.results(self.progress.solution, &face.within, &views, end);
+        client.outbox.results(self.progress.solution, &client.within, &views, end);
         let shown: Vec<_> =
             self.shown.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
-        face.outbox.previews(self.progress.solution, false, &shown);
-        self.model.tell(&face.outbox);
+        client.outbox.previews(self.progress.solution, false, &shown);
+        self.model.tell(&client.outbox);
         if let Some(seen) = self.analysed.get(&id) {
             let objects: Vec<_> =
                 seen.objects.iter().map(|(id, geometry)| (*id, Some(Arc::clone(geometry)))).collect();
-            face.outbox.analysed(self.progress.solution, false, &objects, &seen.about);
+            client.outbox.analysed(self.progress.solution, false, &objects, &seen.about);
         }
     }
 
-    /// Lets everybody know of a change: the journal, the worker, the faces.
+    /// Lets everybody know of a change: the journal, the worker, the clients.
     pub(super) fn publish(&mut self, change: &Change) {
         if change.is_empty() {
             return;
@@ -398,11 +398,13 @@ impl Actor {
             self.reports.retain(|id, _| lookup.object(*id).is_some());
         }
         let mut lost = Vec::new();
-        for within in self.faces.places() {
+        for within in self.clients.places() {
             match self.editor.patch(change, &within) {
-                Some(event) => self.faces.at(&within).for_each(|(_, face)| face.outbox.put(event.clone())),
+                Some(event) => {
+                    self.clients.at(&within).for_each(|(_, client)| client.outbox.put(event.clone()))
+                }
                 None if self.editor.state(&within).is_err() => {
-                    lost.extend(self.faces.at(&within).map(|(id, _)| id));
+                    lost.extend(self.clients.at(&within).map(|(id, _)| id));
                 }
                 None => {}
             }
@@ -416,13 +418,13 @@ impl Actor {
         self.want(Work::Solve);
     }
 
-    /// Lets faces know of the document's own states: saved, locked, named.
+    /// Lets clients know of the document's own states: saved, locked, named.
     pub(super) fn publish_document(&self) {
         let Ok(state) = self.editor.state(&[]) else { return };
-        for face in self.faces.iter() {
-            face.outbox.put(Event::Patch {
+        for client in self.clients.iter() {
+            client.outbox.put(Event::Patch {
                 revision: state.revision,
-                within: face.within.clone(),
+                within: client.within.clone(),
                 put: Vec::new(),
                 removed: Vec::new(),
                 order: None,

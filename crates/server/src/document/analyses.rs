@@ -1,6 +1,6 @@
-//! What faces want to see of the form of curves and surfaces.
+//! What clients want to see of the form of curves and surfaces.
 //!
-//! The curves and surfaces of an object are collected once for all faces, and again when its data are others. What a face
+//! The curves and surfaces of an object are collected once for all clients, and again when its data are others. What a client
 //! looks at is drawn again where they, or what all of it has in common, have changed.
 
 use std::collections::{HashMap, HashSet};
@@ -12,9 +12,9 @@ use katydid_session::protocol::{AnalysisView, CombMeasure, Probe, Probed};
 use katydid_solver::{Engine, Inputs};
 use uuid::Uuid;
 
-use super::FaceId;
+use super::ClientId;
 
-/// An analysis for a face.
+/// An analysis for a client.
 #[derive(Debug)]
 pub(crate) struct Analysed {
     pub(crate) is_draft: bool,
@@ -31,7 +31,7 @@ pub(crate) struct About {
     pub(crate) left_out: Vec<String>,
 }
 
-/// What a face is to be told.
+/// What a client is to be told.
 #[derive(Debug)]
 pub(crate) enum Finding {
     Analysed(Analysed),
@@ -39,16 +39,16 @@ pub(crate) enum Finding {
     Probed(u32, Vec<Option<Probed>>),
 }
 
-/// What faces look at.
+/// What clients look at.
 #[derive(Debug, Default)]
 pub(super) struct Analyses {
-    faces: HashMap<FaceId, Asked>,
+    clients: HashMap<ClientId, Asked>,
     /// The curves and surfaces of objects, as far as they were looked at.
     subjects: HashMap<Uuid, Arc<Subjects>>,
     is_draft: bool,
 }
 
-/// What a face looks at.
+/// What a client looks at.
 #[derive(Debug, Default)]
 struct Asked {
     analysis: Option<AnalysisView>,
@@ -66,9 +66,9 @@ struct Asked {
 }
 
 impl Analyses {
-    /// What a face looks at from now on.
-    pub(super) fn analyse(&mut self, face: FaceId, analysis: Option<AnalysisView>) {
-        let asked = self.faces.entry(face).or_default();
+    /// What a client looks at from now on.
+    pub(super) fn analyse(&mut self, client: ClientId, analysis: Option<AnalysisView>) {
+        let asked = self.clients.entry(client).or_default();
         let look =
             |view: &Option<AnalysisView>| view.clone().map(|view| AnalysisView { objects: None, ..view });
         if look(&asked.analysis) != look(&analysis) {
@@ -78,16 +78,16 @@ impl Analyses {
         asked.is_due[0] = true;
     }
 
-    /// The places that a face asks about from now on.
-    pub(super) fn probe(&mut self, face: FaceId, round: u32, probes: Vec<Probe>) {
-        let asked = self.faces.entry(face).or_default();
+    /// The places that a client asks about from now on.
+    pub(super) fn probe(&mut self, client: ClientId, round: u32, probes: Vec<Probe>) {
+        let asked = self.clients.entry(client).or_default();
         (asked.round, asked.probes) = (round, probes);
         asked.is_due[1] = true;
     }
 
-    /// A face is gone.
-    pub(super) fn leave(&mut self, face: FaceId) {
-        self.faces.remove(&face);
+    /// A client is gone.
+    pub(super) fn leave(&mut self, client: ClientId) {
+        self.clients.remove(&client);
         self.tidy();
     }
 
@@ -109,7 +109,7 @@ impl Analyses {
     }
 
     fn all_due(&mut self) {
-        for asked in self.faces.values_mut() {
+        for asked in self.clients.values_mut() {
             asked.is_due = [asked.analysis.is_some() || !asked.drawn.is_empty(), !asked.probes.is_empty()];
         }
     }
@@ -118,18 +118,21 @@ impl Analyses {
     pub(super) fn set_draft(&mut self, is_draft: bool) {
         self.is_draft = is_draft;
         if !is_draft {
-            self.faces.values_mut().filter(|asked| asked.is_coarse).for_each(|asked| asked.is_due[0] = true);
+            self.clients
+                .values_mut()
+                .filter(|asked| asked.is_coarse)
+                .for_each(|asked| asked.is_due[0] = true);
         }
     }
 
-    /// Whether a face looks at colours of curvatures, or at stripes.
+    /// Whether a client looks at colours of curvatures, or at stripes.
     pub(super) fn has_colours(&self) -> bool {
-        self.faces.values().any(|asked| asked.analysis.as_ref().is_some_and(|view| view.colours))
+        self.clients.values().any(|asked| asked.analysis.as_ref().is_some_and(|view| view.colours))
     }
 
     /// Whether there is something to look at again.
     pub(super) fn is_due(&self) -> bool {
-        self.faces.values().any(|asked| asked.is_due.contains(&true))
+        self.clients.values().any(|asked| asked.is_due.contains(&true))
     }
 
     /// Looks at what is due; what `go_on` denies stays due.
@@ -137,16 +140,16 @@ impl Analyses {
         &mut self,
         engine: &Engine,
         go_on: impl Fn() -> bool + Sync,
-    ) -> Vec<(FaceId, Finding)> {
-        let Self { faces, subjects, is_draft } = self;
+    ) -> Vec<(ClientId, Finding)> {
+        let Self { clients, subjects, is_draft } = self;
         let mut collection = Collection::new(engine, subjects);
         let mut findings = Vec::new();
-        for (face, asked) in faces.iter_mut() {
+        for (client, asked) in clients.iter_mut() {
             if asked.is_due[0] && go_on() {
-                findings.extend(asked.look(&mut collection, *is_draft, &go_on).map(|found| (*face, found)));
+                findings.extend(asked.look(&mut collection, *is_draft, &go_on).map(|found| (*client, found)));
             }
             if asked.is_due[1] && go_on() {
-                findings.extend(asked.ask(&mut collection).map(|found| (*face, found)));
+                findings.extend(asked.ask(&mut collection).map(|found| (*client, found)));
             }
         }
         self.tidy();
@@ -155,7 +158,7 @@ impl Analyses {
 
     /// Forgets the curves and surfaces that nobody looks at.
     fn tidy(&mut self) {
-        if self.faces.values().all(|asked| asked.analysis.is_none() && asked.probes.is_empty()) {
+        if self.clients.values().all(|asked| asked.analysis.is_none() && asked.probes.is_empty()) {
             self.subjects.clear();
         }
     }

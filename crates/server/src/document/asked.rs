@@ -1,4 +1,4 @@
-//! What faces ask, and what becomes of it.
+//! What clients ask, and what becomes of it.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,12 +12,12 @@ use super::actor::Actor;
 use super::solving::Work;
 use super::thumbnails::pictures;
 use super::worker::Job;
-use super::{Download, FaceId};
+use super::{ClientId, Download};
 use crate::files::{self, Form};
 
-/// A face looks at so many objects at most, besides all that are shown.
+/// A client looks at so many objects at most, besides all that are shown.
 const MOST_LOOKED_AT: usize = 10_000;
-/// A face asks about so many places at most.
+/// A client asks about so many places at most.
 const MOST_PROBES: usize = 64;
 
 /// Which rows of which data.
@@ -39,8 +39,8 @@ enum Answer {
 }
 
 impl Actor {
-    /// Carries out what a face asks, and answers.
-    pub(super) fn asked(&mut self, id: FaceId, Request { seq, ask }: Request) {
+    /// Carries out what a client asks, and answers.
+    pub(super) fn asked(&mut self, id: ClientId, Request { seq, ask }: Request) {
         let answer = self.carry_out(id, seq, ask);
         let event = match answer {
             Ok(Answer::Done(made)) => Event::Done { seq, revision: self.editor.revision(), made },
@@ -48,12 +48,12 @@ impl Actor {
             Ok(Answer::Later) => return,
             Err(reason) => Event::Refused { seq, reason },
         };
-        if let Some(face) = self.faces.get(id) {
-            face.outbox.put(event);
+        if let Some(client) = self.clients.get(id) {
+            client.outbox.put(event);
         }
     }
 
-    fn carry_out(&mut self, id: FaceId, seq: u64, ask: Ask) -> Result<Answer, String> {
+    fn carry_out(&mut self, id: ClientId, seq: u64, ask: Ask) -> Result<Answer, String> {
         let told = |refusal: Refusal| refusal.to_string();
         let mut made = Vec::new();
         self.look_at_scripts(id, &ask);
@@ -97,7 +97,7 @@ impl Actor {
             }
             Ask::Enter { within } => {
                 self.editor.state(&within).map_err(told)?;
-                self.faces.get_mut(id).into_iter().for_each(|face| face.within.clone_from(&within));
+                self.clients.get_mut(id).into_iter().for_each(|client| client.within.clone_from(&within));
                 self.show_all(id);
             }
             Ask::Rows { port, from, count, exact, within } => {
@@ -122,7 +122,7 @@ impl Actor {
                 self.publish_document();
             }
             Ask::Draft { on } => {
-                self.faces.get_mut(id).into_iter().for_each(|face| face.drags = on);
+                self.clients.get_mut(id).into_iter().for_each(|client| client.drags = on);
                 self.set_draft();
             }
             Ask::Analyse { analysis } => {
@@ -148,7 +148,7 @@ impl Actor {
     /// to it.
     fn rows(
         &mut self,
-        id: FaceId,
+        id: ClientId,
         seq: u64,
         Wanted { port, from, count, digits }: Wanted,
         within: &[Uuid],
@@ -160,7 +160,7 @@ impl Actor {
             let page = solution.rows(port, within, [from, count], digits, &style).ok_or("it has no data")?;
             return Ok(Answer::Event(Box::new(Event::Rows { seq, page })));
         }
-        let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
+        let Some(outbox) = self.clients.get(id).map(|client| Arc::clone(&client.outbox)) else {
             return Ok(Answer::Later);
         };
         let inquiry = move |engine: &katydid_solver::Engine| {
@@ -181,9 +181,9 @@ impl Actor {
     }
 
     /// Small pictures of the data of a port, when the worker comes to it: it knows which files the document may read.
-    fn pictures(&mut self, id: FaceId, seq: u64, port: Uuid, within: Vec<Uuid>) -> Answer {
+    fn pictures(&mut self, id: ClientId, seq: u64, port: Uuid, within: Vec<Uuid>) -> Answer {
         let style = self.style();
-        let Some(outbox) = self.faces.get(id).map(|face| Arc::clone(&face.outbox)) else {
+        let Some(outbox) = self.clients.get(id).map(|client| Arc::clone(&client.outbox)) else {
             return Answer::Later;
         };
         let inquiry = move |engine: &katydid_solver::Engine| {

@@ -1,4 +1,4 @@
-//! What the worker drew, on its way to the faces.
+//! What the worker drew, on its way to the clients.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -6,12 +6,12 @@ use std::sync::Arc;
 use katydid_session::display::Preview;
 use uuid::Uuid;
 
-use super::FaceId;
+use super::ClientId;
 use super::actor::Actor;
 use super::analyses::{About, Analysed};
 use crate::geometry::Geometry;
 
-/// What a face sees of the form of curves and surfaces.
+/// What a client sees of the form of curves and surfaces.
 #[derive(Debug, Default)]
 pub(super) struct Seen {
     pub(super) objects: HashMap<Uuid, Arc<Geometry>>,
@@ -19,7 +19,7 @@ pub(super) struct Seen {
 }
 
 impl Actor {
-    /// Tells faces the geometry that is new. Whether there is any.
+    /// Tells clients the geometry that is new. Whether there is any.
     pub(super) fn publish_previews(&mut self, solution: u64, is_draft: bool, previews: Vec<Preview>) -> bool {
         let mut changes = Vec::new();
         for Preview { object, geometry, left_out } in previews {
@@ -38,13 +38,13 @@ impl Actor {
             }
             self.complain(object, left_out);
         }
-        self.faces.iter().for_each(|face| face.outbox.previews(solution, is_draft, &changes));
+        self.clients.iter().for_each(|client| client.outbox.previews(solution, is_draft, &changes));
         !changes.is_empty()
     }
 
-    /// Tells a face the analysis that it wanted to see.
-    pub(super) fn publish_analysis(&mut self, solution: u64, id: FaceId, found: Analysed) {
-        let Some(face) = self.faces.get(id) else { return };
+    /// Tells a client the analysis that it wanted to see.
+    pub(super) fn publish_analysis(&mut self, solution: u64, id: ClientId, found: Analysed) {
+        let Some(client) = self.clients.get(id) else { return };
         let seen = self.analysed.entry(id).or_default();
         let mut changes = Vec::new();
         for (object, geometry) in found.objects {
@@ -59,7 +59,7 @@ impl Actor {
             }
         }
         seen.about = found.about;
-        face.outbox.analysed(solution, found.is_draft, &changes, &seen.about);
+        client.outbox.analysed(solution, found.is_draft, &changes, &seen.about);
     }
 
     /// Says what cannot be shown, once.

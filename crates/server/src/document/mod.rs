@@ -1,15 +1,15 @@
 //! A document that is open: who owns it, who solves it, and who is told.
 //!
 //! [`actor`] is the thread that owns the editor; all that happens to a document passes it in turn. [`worker`] is the
-//! thread that owns the engine: it hears of changes and solves when it is told to. [`outbox`] is what one face has yet
+//! thread that owns the engine: it hears of changes and solves when it is told to. [`outbox`] is what one client has yet
 //! to hear.
 
 mod actor;
 mod analyses;
 mod asked;
-mod draughts;
+mod clients;
+mod drafts;
 mod drawn;
-mod faces;
 mod journal;
 mod model;
 mod outbox;
@@ -31,24 +31,24 @@ use crate::files::Form;
 use crate::geometry::Geometries;
 use katydid_session::protocol::Request;
 
-pub(crate) use faces::Standing;
+pub(crate) use clients::Standing;
 pub(crate) use journal::left_behind;
 pub(crate) use outbox::{Message, Outbox};
 pub(crate) use source::{Source, id_of};
 
-/// The number of a face among those of a document.
-pub(crate) type FaceId = u64;
+/// The number of a client among those of a document.
+pub(crate) type ClientId = u64;
 
 /// What a document is asked or told.
 pub(crate) enum Command {
-    /// A face wants to see it.
-    Join(FaceId, Arc<Outbox>, Standing),
-    /// A face is gone.
-    Leave(FaceId),
-    /// A face was too slow: it wants everything anew.
-    Refresh(FaceId),
-    /// A face asks.
-    Ask(FaceId, Box<Request>),
+    /// A client wants to see it.
+    Join(ClientId, Arc<Outbox>, Standing),
+    /// A client is gone.
+    Leave(ClientId),
+    /// A client was too slow: it wants everything anew.
+    Refresh(ClientId),
+    /// A client asks.
+    Ask(ClientId, Box<Request>),
     /// Its bytes in a form, and a name for the file.
     Bytes(Form, oneshot::Sender<Result<Download, String>>),
     /// A Rhino model that its parameters refer to.
@@ -87,8 +87,8 @@ pub(crate) struct Download {
 pub(crate) struct About {
     pub(crate) name: String,
     pub(crate) changed: bool,
-    /// How many faces show it.
-    pub(crate) faces: usize,
+    /// How many clients show it.
+    pub(crate) clients: usize,
 }
 
 /// A document that is open.

@@ -1,4 +1,4 @@
-//! The Rhino model beside a document, and what faces see of it.
+//! The Rhino model beside a document, and what clients see of it.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::geometry::{Geometries, Geometry};
 #[derive(Debug, Default)]
 pub(super) struct Beside {
     attached: Option<Attached>,
-    /// What faces see of it, once it is drawn.
+    /// What clients see of it, once it is drawn.
     view: Option<ModelView>,
     /// The geometry of its layers: held as long as they are shown.
     geometries: Vec<Arc<Geometry>>,
@@ -48,7 +48,7 @@ impl Beside {
         std::mem::replace(&mut self.geometries, now).into_iter().for_each(|before| all.release(before));
     }
 
-    /// Tells a face of it, or that there is none.
+    /// Tells a client of it, or that there is none.
     pub(super) fn tell(&self, outbox: &Outbox) {
         outbox.put(Event::Model { model: self.view.clone() });
     }

@@ -1,8 +1,8 @@
-//! What one face has yet to hear.
+//! What one client has yet to hear.
 //!
 //! Answers and patches go out in order. Results, geometry and progress are kept by object, the newest over the one
-//! before: a face that reads slowly misses what lies between, and memory does not grow. When too many patches wait, they
-//! are dropped, and the face gets the whole document instead.
+//! before: a client that reads slowly misses what lies between, and memory does not grow. When too many patches wait, they
+//! are dropped, and the client gets the whole document instead.
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
@@ -33,7 +33,7 @@ pub(crate) enum Message {
     Binary(Bytes),
 }
 
-/// What one face has yet to hear.
+/// What one client has yet to hear.
 #[derive(Debug, Default)]
 pub(crate) struct Outbox {
     waiting: Mutex<Waiting>,
@@ -100,7 +100,7 @@ pub(crate) struct Parcel {
     pub(crate) messages: Vec<Message>,
     /// How many answers are among them.
     pub(crate) answers: usize,
-    /// Whether the face must be given the whole document.
+    /// Whether the client must be given the whole document.
     pub(crate) is_late: bool,
     /// Whether nothing will come any more.
     pub(crate) is_closed: bool,

@@ -12,9 +12,9 @@ use katydid_script::{CSharp, PythonMaker, Trusted, find, fingerprint};
 use katydid_session::protocol::{Ask, Edit, ScriptPermission, ScriptsView, Setting};
 use katydid_solver::{Refused, ScriptMaker, Scripts};
 
-use super::FaceId;
+use super::ClientId;
 use super::actor::Actor;
-use super::faces::Standing;
+use super::clients::Standing;
 use super::solving::Work;
 use super::worker::Job;
 use crate::ScriptConfig;
@@ -68,7 +68,7 @@ impl Scripting {
         }
     }
 
-    /// What faces are told: nothing where there are no scripts that need a permission, or none
+    /// What clients are told: nothing where there are no scripts that need a permission, or none
     /// are run here.
     pub(super) fn view(&self, document: &Document) -> Option<ScriptsView> {
         self.config.as_ref()?;
@@ -135,11 +135,11 @@ fn is_paste(ask: &Ask) -> bool {
 
 impl Actor {
     /// Takes the permission back before what may bring in code is carried out.
-    pub(super) fn look_at_scripts(&mut self, face: FaceId, ask: &Ask) {
+    pub(super) fn look_at_scripts(&mut self, client: ClientId, ask: &Ask) {
         if self.scripting.permission != ScriptPermission::Given {
             return;
         }
-        let is_owner = self.faces.get(face).is_some_and(|face| face.standing == Standing::Owner);
+        let is_owner = self.clients.get(client).is_some_and(|client| client.standing == Standing::Owner);
         let is_doubtful = if is_owner { is_paste(ask) && brings_scripts(ask) } else { may_bring_code(ask) };
         if is_doubtful {
             self.scripting.fingerprint = None;
@@ -149,8 +149,8 @@ impl Actor {
     }
 
     /// Does as the owner says.
-    pub(super) fn allow_scripts(&mut self, face: FaceId, run: bool, keep: bool) -> Result<(), String> {
-        if self.faces.get(face).is_none_or(|face| face.standing != Standing::Owner) {
+    pub(super) fn allow_scripts(&mut self, client: ClientId, run: bool, keep: bool) -> Result<(), String> {
+        if self.clients.get(client).is_none_or(|client| client.standing != Standing::Owner) {
             return Err(
                 "only whoever is at the machine that runs Katydid can say whether scripts run".to_owned()
             );
@@ -176,7 +176,7 @@ impl Actor {
         self.want(Work::Solve);
     }
 
-    /// Tells faces of the scripts, when there are others than they know of.
+    /// Tells clients of the scripts, when there are others than they know of.
     pub(super) fn show_scripts(&mut self) {
         let view = self.scripting.view(self.editor.document());
         if self.editor.about().scripts != view {

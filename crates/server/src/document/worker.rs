@@ -18,8 +18,8 @@ use katydid_solver::{Engine, Finished, ObjectReport, Options, Scripts};
 use uuid::Uuid;
 
 use super::analyses::{Analyses, Finding};
-use super::draughts::Draughts;
-use super::{Command, FaceId, Inquiry};
+use super::drafts::Drafts;
+use super::{ClientId, Command, Inquiry};
 
 /// What the worker is told.
 pub(crate) enum Job {
@@ -35,12 +35,12 @@ pub(crate) enum Job {
     Forget,
     /// Whether things are being dragged.
     Draft(bool),
-    /// What a face wants to see of the form of curves and surfaces.
-    Analyse(FaceId, Option<AnalysisView>),
-    /// The places that a face asks about, and the number of its question.
-    Probe(FaceId, u32, Vec<Probe>),
-    /// A face is gone.
-    Leave(FaceId),
+    /// What a client wants to see of the form of curves and surfaces.
+    Analyse(ClientId, Option<AnalysisView>),
+    /// The places that a client asks about, and the number of its question.
+    Probe(ClientId, u32, Vec<Probe>),
+    /// A client is gone.
+    Leave(ClientId),
     /// Something to be done with the results.
     With(Inquiry),
     /// Solve and draw what is due, unless somebody cancels.
@@ -61,8 +61,8 @@ pub(crate) enum News {
     Drawn(u64, bool, Vec<Preview>),
     /// The Rhino model as it is shown.
     Modelled(ModelPreview),
-    /// What a face wanted to see.
-    Found(u64, FaceId, Finding),
+    /// What a client wanted to see.
+    Found(u64, ClientId, Finding),
     /// Nothing is left to do.
     Idle,
     /// Something failed that must not.
@@ -81,7 +81,7 @@ pub(crate) struct Ended {
 /// Owns the engine.
 pub(super) struct Worker {
     engine: Engine,
-    draughts: Draughts,
+    drafts: Drafts,
     /// Whether the Rhino model is yet to be shown.
     is_model_due: bool,
     analyses: Analyses,
@@ -93,13 +93,13 @@ pub(super) struct Worker {
 impl Worker {
     /// For a document as it is now.
     pub(super) fn new(document: Document, options: Options, news: Sender<Command>) -> Self {
-        let mut draughts = Draughts::default();
-        draughts.touch_all(&document);
+        let mut drafts = Drafts::default();
+        drafts.touch_all(&document);
         // Where no more threads are to be had, all documents share those that are there.
         let pool = rayon::ThreadPoolBuilder::new().thread_name(|_| "solver".to_owned()).build().ok();
         let analyses = Analyses::default();
         let is_model_due = options.model.is_some();
-        Self { engine: Engine::new(document, options), draughts, is_model_due, analyses, news, pool }
+        Self { engine: Engine::new(document, options), drafts, is_model_due, analyses, news, pool }
     }
 
     /// Works until nobody can tell it anything any more.
@@ -157,17 +157,17 @@ impl Worker {
             }
             Job::Forget => self.engine.forget(),
             Job::Draft(is_draft) => {
-                self.draughts.set_draft(is_draft);
+                self.drafts.set_draft(is_draft);
                 self.analyses.set_draft(is_draft);
             }
-            Job::Analyse(face, analysis) => {
-                self.analyses.analyse(face, analysis);
-                self.draughts.set_colours(self.analyses.has_colours());
+            Job::Analyse(client, analysis) => {
+                self.analyses.analyse(client, analysis);
+                self.drafts.set_colours(self.analyses.has_colours());
             }
-            Job::Probe(face, round, probes) => self.analyses.probe(face, round, probes),
-            Job::Leave(face) => {
-                self.analyses.leave(face);
-                self.draughts.set_colours(self.analyses.has_colours());
+            Job::Probe(client, round, probes) => self.analyses.probe(client, round, probes),
+            Job::Leave(client) => {
+                self.analyses.leave(client);
+                self.drafts.set_colours(self.analyses.has_colours());
             }
             Job::With(inquiry) => {
                 if catch_unwind(AssertUnwindSafe(|| inquiry(&self.engine))).is_err() {
@@ -184,11 +184,11 @@ impl Worker {
             // It cannot have missed a change; if it has, it begins anew.
             let options = self.engine.options().clone();
             self.engine = Engine::new(Document::clone(&change.after), options);
-            self.draughts.touch_all(&change.after);
+            self.drafts.touch_all(&change.after);
             self.analyses.touch_all();
         }
         self.analyses.touch(&touched);
-        self.draughts.touch(touched);
+        self.drafts.touch(touched);
     }
 
     fn solve(&mut self, solution: u64, cancel: &Cancel) {
@@ -196,7 +196,7 @@ impl Worker {
             let objects = &self.engine.document().objects;
             self.engine.dirty().iter().filter_map(|at| objects.get(*at)).map(|object| object.id).collect()
         };
-        self.draughts.touch(due.iter().copied());
+        self.drafts.touch(due.iter().copied());
         self.analyses.touch(&due);
         self.tell(News::Began(solution, due.len()));
         let news = self.news.clone();
@@ -220,14 +220,14 @@ impl Worker {
     }
 
     fn draw(&mut self, solution: u64, cancel: &Cancel) {
-        if !self.draughts.is_due() {
+        if !self.drafts.is_due() {
             return;
         }
         let go_on = || !cancel.is_cancelled();
-        let (pool, engine, draughts) = (&self.pool, &self.engine, &mut self.draughts);
-        let drawn = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || draughts.draw(engine, go_on))));
+        let (pool, engine, drafts) = (&self.pool, &self.engine, &mut self.drafts);
+        let drawn = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || drafts.draw(engine, go_on))));
         match drawn {
-            Ok(previews) => self.tell(News::Drawn(solution, self.draughts.is_draft(), previews)),
+            Ok(previews) => self.tell(News::Drawn(solution, self.drafts.is_draft(), previews)),
             Err(_) => self.tell(News::Failed("The geometry could not be drawn")),
         }
     }
@@ -256,7 +256,9 @@ impl Worker {
         let found = catch_unwind(AssertUnwindSafe(|| inside(pool.as_ref(), || analyses.look(engine, go_on))));
         match found {
             Ok(findings) => {
-                findings.into_iter().for_each(|(face, found)| self.tell(News::Found(solution, face, found)));
+                findings
+                    .into_iter()
+                    .for_each(|(client, found)| self.tell(News::Found(solution, client, found)));
             }
             Err(_) => self.tell(News::Failed("The analysis could not be made")),
         }

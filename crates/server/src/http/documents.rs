@@ -77,7 +77,7 @@ impl Documents {
     /// Closes one, unless somebody shows it; gives whether it was there.
     pub(crate) async fn close(&self, id: &str) -> Result<bool, &'static str> {
         let Some(handle) = self.get(id) else { return Ok(false) };
-        if handle.ask(Command::About).await.is_some_and(|about| about.faces > 0) {
+        if handle.ask(Command::About).await.is_some_and(|about| about.clients > 0) {
             return Err("somebody has it open: close that page first");
         }
         held(&self.open).remove(id);
@@ -89,7 +89,7 @@ impl Documents {
     pub(crate) async fn close_idle(&self) {
         for (id, handle) in self.all() {
             let about = handle.ask(Command::About).await;
-            if about.is_none_or(|about| about.faces == 0 && !about.changed) {
+            if about.is_none_or(|about| about.clients == 0 && !about.changed) {
                 held(&self.open).remove(&id);
                 let _ = handle.ask(Command::Close).await;
             }

@@ -1,4 +1,4 @@
-//! The socket between a face and a document.
+//! The socket between a client and a document.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -21,16 +21,16 @@ use tokio::time::{Instant, interval, timeout};
 
 use super::State;
 use super::answer::Refused;
-use crate::document::{Command, FaceId, Handle, Message, Outbox, Source, Standing, id_of, left_behind};
+use crate::document::{ClientId, Command, Handle, Message, Outbox, Source, Standing, id_of, left_behind};
 use crate::listen::Peer;
 
 /// A request has no more bytes: what is pasted is the largest.
 const LARGEST: usize = 16 << 20;
-/// So many requests of a face may wait for their answers; it is not heard until it has read some.
+/// So many requests of a client may wait for their answers; it is not heard until it has read some.
 const MOST_WAITING: usize = 64;
 /// Who does not take what is sent for so long is gone.
 const SEND_TIME: Duration = Duration::from_secs(30);
-/// How often a face is asked whether it is still there, and how long it may take to say so.
+/// How often a client is asked whether it is still there, and how long it may take to say so.
 const PING: Duration = Duration::from_secs(20);
 const SILENCE: Duration = Duration::from_secs(70);
 
@@ -96,29 +96,29 @@ async fn find(state: &Arc<State>, id: &str) -> Option<Handle> {
 
 async fn serve(socket: WebSocket, handle: Handle, standing: Standing) {
     static NEXT: AtomicU64 = AtomicU64::new(1);
-    let face: FaceId = NEXT.fetch_add(1, Ordering::Relaxed);
+    let client: ClientId = NEXT.fetch_add(1, Ordering::Relaxed);
     let outbox = Arc::new(Outbox::default());
     let room = Arc::new(Semaphore::new(MOST_WAITING));
     let (writer, reader) = socket.split();
-    if !handle.tell(Command::Join(face, Arc::clone(&outbox), standing)) {
+    if !handle.tell(Command::Join(client, Arc::clone(&outbox), standing)) {
         return;
     }
-    let writing = write(writer, Arc::clone(&outbox), Arc::clone(&room), &handle, face);
-    let reading = read(reader, &outbox, &room, &handle, face);
+    let writing = write(writer, Arc::clone(&outbox), Arc::clone(&room), &handle, client);
+    let reading = read(reader, &outbox, &room, &handle, client);
     tokio::select! {
         () = writing => {}
         () = reading => {}
     }
-    handle.tell(Command::Leave(face));
+    handle.tell(Command::Leave(client));
 }
 
-/// Hears a face until it goes.
+/// Hears a client until it goes.
 async fn read(
     mut reader: SplitStream<WebSocket>,
     outbox: &Outbox,
     room: &Semaphore,
     handle: &Handle,
-    face: FaceId,
+    client: ClientId,
 ) {
     let mut heard = Instant::now();
     loop {
@@ -144,7 +144,7 @@ async fn read(
         }
         match serde_json::from_str::<Request>(text.as_str()) {
             Ok(request) => {
-                if !handle.tell(Command::Ask(face, Box::new(request))) {
+                if !handle.tell(Command::Ask(client, Box::new(request))) {
                     return;
                 }
             }
@@ -162,13 +162,13 @@ fn seq(text: &str) -> u64 {
     serde_json::from_str::<Numbered>(text).map_or(0, |numbered| numbered.seq)
 }
 
-/// Tells a face what there is until it goes.
+/// Tells a client what there is until it goes.
 async fn write(
     mut writer: SplitSink<WebSocket, Frame>,
     outbox: Arc<Outbox>,
     room: Arc<Semaphore>,
     handle: &Handle,
-    face: FaceId,
+    client: ClientId,
 ) {
     let mut ping = interval(PING);
     ping.tick().await;
@@ -182,7 +182,7 @@ async fn write(
                 continue;
             }
         };
-        if parcel.is_late && !handle.tell(Command::Refresh(face)) {
+        if parcel.is_late && !handle.tell(Command::Refresh(client)) {
             return;
         }
         for message in parcel.messages {

@@ -1,4 +1,4 @@
-//! A server on a free port, and a face that talks to it as the page does.
+//! A server on a free port, and a client that talks to it as the page does.
 
 #![allow(dead_code, reason = "each test file uses a part of it")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail loudly")]
@@ -113,16 +113,16 @@ impl Studio {
         answer.json()["document"].as_str().unwrap().to_owned()
     }
 
-    pub(crate) async fn join(&self, document: &str) -> Face {
+    pub(crate) async fn join(&self, document: &str) -> Client {
         self.join_through(document, None).await
     }
 
     /// Joins as somebody at another machine does, whose words a proxy of this one passes on.
-    pub(crate) async fn join_from(&self, document: &str, address: &'static str) -> Face {
+    pub(crate) async fn join_from(&self, document: &str, address: &'static str) -> Client {
         self.join_through(document, Some(address)).await
     }
 
-    async fn join_through(&self, document: &str, address: Option<&'static str>) -> Face {
+    async fn join_through(&self, document: &str, address: Option<&'static str>) -> Client {
         let mut url = self.socket(document).into_client_request().unwrap();
         if let Some(address) = address {
             url.headers_mut().insert("x-forwarded-for", HeaderValue::from_static(address));
@@ -130,7 +130,7 @@ impl Studio {
         let config = WebSocketConfig::default().max_message_size(None).max_frame_size(None);
         let (socket, _) =
             tokio_tungstenite::connect_async_with_config(url, Some(config), false).await.unwrap();
-        Face {
+        Client {
             socket,
             seq: 0,
             state: None,
@@ -146,16 +146,16 @@ impl Studio {
         }
     }
 
-    /// A document and a face that has heard of its first solve.
-    pub(crate) async fn with(&self, text: &str) -> Face {
+    /// A document and a client that has heard of its first solve.
+    pub(crate) async fn with(&self, text: &str) -> Client {
         let id = self.upload(text).await;
-        let mut face = self.join(&id).await;
-        face.solved(1).await;
-        face
+        let mut client = self.join(&id).await;
+        client.solved(1).await;
+        client
     }
 }
 
-pub(crate) struct Face {
+pub(crate) struct Client {
     socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
     seq: u64,
     pub(crate) state: Option<DocumentState>,
@@ -173,7 +173,7 @@ pub(crate) struct Face {
     pub(crate) heard: String,
 }
 
-impl Face {
+impl Client {
     /// The next event or frame.
     pub(crate) async fn hear(&mut self) -> Option<Event> {
         let next = timeout(PATIENCE, self.socket.next()).await.expect("something in time");
@@ -329,7 +329,7 @@ pub(crate) fn refusal(event: &Event) -> &str {
     }
 }
 
-impl Face {
+impl Client {
     /// What a panel shows; nothing while it is not known.
     pub(crate) fn texts_or_nothing(&self, name: &str) -> Vec<String> {
         if self.objects.values().any(|object| object.nickname == name) {
@@ -340,7 +340,7 @@ impl Face {
     }
 }
 
-impl Face {
+impl Client {
     /// Sends what the server may refuse.
     pub(crate) async fn send_or_fail(&mut self, message: Message) {
         let _ = self.socket.send(message).await;

@@ -61,7 +61,7 @@ pub struct Editor {
     lost: Option<&'static str>,
 }
 
-/// What a face shows of a document besides the document.
+/// What a client shows of a document besides the document.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct About {
     /// The name that is shown.
@@ -324,7 +324,7 @@ impl Editor {
         if within.is_empty() { Ok(find(&self.document)) } else { Ok(find(&self.open(within)?)) }
     }
 
-    /// Everything a face needs to show the document, or the inside of the cluster that `within` leads to.
+    /// Everything a client needs to show the document, or the inside of the cluster that `within` leads to.
     ///
     /// # Errors
     /// When there is no such cluster, or nobody can look inside.
@@ -332,7 +332,7 @@ impl Editor {
         view::state(self, &self.open(within)?, within)
     }
 
-    /// What a face has to change to show the document, or the inside of the cluster that `within` leads to, after a
+    /// What a client has to change to show the document, or the inside of the cluster that `within` leads to, after a
     /// change; none when the change was elsewhere or the cluster is gone.
     pub fn patch(&self, change: &Change, within: &[Uuid]) -> Option<Event> {
         view::patch(self, change, within)

@@ -12,7 +12,7 @@ use crate::protocol::Restored;
 /// What was found in a journal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
-    /// How much it is, for faces.
+    /// How much it is, for clients.
     pub restored: Restored,
     /// What the journal belongs to.
     pub source: Source,

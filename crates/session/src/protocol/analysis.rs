@@ -1,8 +1,8 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-/// What of the form of curves and surfaces a face wants to see beside the model. It comes as
-/// [`Event::Analysed`](super::Event::Analysed) and is kept up to date until the face asks for something else.
+/// What of the form of curves and surfaces a client wants to see beside the model. It comes as
+/// [`Event::Analysed`](super::Event::Analysed) and is kept up to date until the client asks for something else.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]

@@ -3,12 +3,12 @@ use uuid::Uuid;
 
 use super::{Colour, CombMeasure, DocumentView, ModelView, ObjectView, Probed};
 
-/// What the session tells a face.
+/// What the session tells a client.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "event", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum Event {
-    /// Everything, when a face joins or asks for the inside of a cluster.
+    /// Everything, when a client joins or asks for the inside of a cluster.
     Document(DocumentState),
     /// What has changed since the revision before.
     Patch {
@@ -74,14 +74,14 @@ pub enum Event {
     /// What is at the places that [`Ask::Probe`](super::Ask::Probe) of that round named, in their order; none where there
     /// is no such curve or surface.
     Probed { solution: u64, round: u32, probes: Vec<Option<Probed>> },
-    /// The Rhino model beside the definition, when a face joins and when another is given; nothing where there is none,
+    /// The Rhino model beside the definition, when a client joins and when another is given; nothing where there is none,
     /// or it is not drawn yet. The geometry of its layers is found by its hash as that of `Preview`.
     Model { model: Option<ModelView> },
     /// Something that people should know.
     Notice(Notice),
 }
 
-/// A document as a face joins it.
+/// A document as a client joins it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]

@@ -1,12 +1,12 @@
-//! What a face of the studio and the session say to each other: plain data, in JSON.
+//! What a client, such as the studio's page, and the session say to each other: plain data, in JSON.
 //!
-//! A face sends [`Request`]s, each with a number of its own; the session answers each with an [`Event::Done`] or
-//! [`Event::Refused`] of that number, and tells all faces what has changed: the document ([`Event::Patch`]), the
+//! A client sends [`Request`]s, each with a number of its own; the session answers each with an [`Event::Done`] or
+//! [`Event::Refused`] of that number, and tells all clients what has changed: the document ([`Event::Patch`]), the
 //! results ([`Event::Results`]) and the geometry ([`Event::Preview`]). Objects and ports go by the ids that the file
 //! has for them. Edits say what shall be, not what is to be done with what is there: an edit that arrives twice does
 //! no more than one that arrives once.
 //!
-//! The types of the TypeScript face are made from these: `cargo test -p katydid-session --features typescript`.
+//! The types of the TypeScript client are made from these: `cargo test -p katydid-session --features typescript`.
 
 #![allow(missing_docs, reason = "the fields of a variant are told of in its own line")]
 

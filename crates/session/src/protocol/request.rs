@@ -3,12 +3,12 @@ use uuid::Uuid;
 
 use super::{AnalysisView, Edit, Probe};
 
-/// What a face asks of the session.
+/// What a client asks of the session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Request {
-    /// The face's own number of this request; answers name it.
+    /// The client's own number of this request; answers name it.
     pub seq: u64,
     /// What is asked.
     pub ask: Ask,
@@ -77,11 +77,11 @@ pub enum Ask {
     Settle { keep: bool },
     /// The preview as coarse as it may be while a slider is dragged, or as fine as the document says.
     Draft { on: bool },
-    /// What of the form of curves and surfaces this face wants to see; nothing ends it.
+    /// What of the form of curves and surfaces this client wants to see; nothing ends it.
     Analyse { analysis: Option<AnalysisView> },
-    /// The places whose curvature this face wants to know, instead of those before; they come as
+    /// The places whose curvature this client wants to know, instead of those before; they come as
     /// [`Event::Probed`](super::Event::Probed), again whenever it has changed.
-    /// `round` is the face's own number of the question, which answers name.
+    /// `round` is the client's own number of the question, which answers name.
     Probe { round: u32, probes: Vec<Probe> },
 }
 

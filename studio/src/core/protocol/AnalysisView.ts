@@ -3,8 +3,8 @@ import type { CombView } from "./CombView";
 import type { IsocurvesView } from "./IsocurvesView";
 
 /**
- * What of the form of curves and surfaces a face wants to see beside the model. It comes as
- * [`Event::Analysed`](super::Event::Analysed) and is kept up to date until the face asks for something else.
+ * What of the form of curves and surfaces a client wants to see beside the model. It comes as
+ * [`Event::Analysed`](super::Event::Analysed) and is kept up to date until the client asks for something else.
  */
 export type AnalysisView = { 
 /**

@@ -5,7 +5,7 @@ import type { Problem } from "./Problem";
 import type { Restored } from "./Restored";
 
 /**
- * A document as a face joins it.
+ * A document as a client joins it.
  */
 export type DocumentState = { 
 /**

@@ -12,7 +12,7 @@ import type { ResultView } from "./ResultView";
 import type { ScriptView } from "./ScriptView";
 
 /**
- * What the session tells a face.
+ * What the session tells a client.
  */
 export type Event = { "event": "document" } & DocumentState | { "event": "patch", revision: number, within: Array<string>, 
 /**

@@ -2,11 +2,11 @@
 import type { Ask } from "./Ask";
 
 /**
- * What a face asks of the session.
+ * What a client asks of the session.
  */
 export type Request = { 
 /**
- * The face's own number of this request; answers name it.
+ * The client's own number of this request; answers name it.
  */
 seq: number, 
 /**

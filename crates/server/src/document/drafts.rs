@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 /// What of the geometry is up to date.
 #[derive(Debug, Default)]
-pub(super) struct Draughts {
+pub(super) struct Drafts {
     /// The objects whose geometry is older than their data.
     stale: HashSet<Uuid>,
     /// The objects that were drawn more coarsely than the document asks for.
@@ -21,7 +21,7 @@ pub(super) struct Draughts {
     has_colours: bool,
 }
 
-impl Draughts {
+impl Drafts {
     /// These objects have other data, or are shown otherwise.
     pub(super) fn touch(&mut self, objects: impl IntoIterator<Item = Uuid>) {
         self.stale.extend(objects);

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use uuid::Uuid;
 
-use super::{FaceId, Outbox};
+use super::{ClientId, Outbox};
 
 /// Somebody who shows the document.
 #[derive(Debug)]
-pub(super) struct Face {
+pub(super) struct Client {
     pub(super) outbox: Arc<Outbox>,
     /// The clusters that lead to what it shows.
     pub(super) within: Vec<Uuid>,
@@ -29,26 +29,26 @@ pub(crate) enum Standing {
 
 /// All who show the document.
 #[derive(Debug, Default)]
-pub(super) struct Faces(HashMap<FaceId, Face>);
+pub(super) struct Clients(HashMap<ClientId, Client>);
 
-impl Faces {
-    pub(super) fn join(&mut self, id: FaceId, outbox: Arc<Outbox>, standing: Standing) {
-        self.0.insert(id, Face { outbox, within: Vec::new(), drags: false, standing });
+impl Clients {
+    pub(super) fn join(&mut self, id: ClientId, outbox: Arc<Outbox>, standing: Standing) {
+        self.0.insert(id, Client { outbox, within: Vec::new(), drags: false, standing });
     }
 
-    pub(super) fn leave(&mut self, id: FaceId) {
+    pub(super) fn leave(&mut self, id: ClientId) {
         self.0.remove(&id);
     }
 
-    pub(super) fn get(&self, id: FaceId) -> Option<&Face> {
+    pub(super) fn get(&self, id: ClientId) -> Option<&Client> {
         self.0.get(&id)
     }
 
-    pub(super) fn get_mut(&mut self, id: FaceId) -> Option<&mut Face> {
+    pub(super) fn get_mut(&mut self, id: ClientId) -> Option<&mut Client> {
         self.0.get_mut(&id)
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Face> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Client> {
         self.0.values()
     }
 
@@ -58,19 +58,19 @@ impl Faces {
 
     /// Whether something is dragged anywhere.
     pub(super) fn drags(&self) -> bool {
-        self.iter().any(|face| face.drags)
+        self.iter().any(|client| client.drags)
     }
 
     /// The parts of the document that are shown, each once.
     pub(super) fn places(&self) -> Vec<Vec<Uuid>> {
-        let mut places: Vec<Vec<Uuid>> = self.iter().map(|face| face.within.clone()).collect();
+        let mut places: Vec<Vec<Uuid>> = self.iter().map(|client| client.within.clone()).collect();
         places.sort();
         places.dedup();
         places
     }
 
     /// Those who show that part.
-    pub(super) fn at<'a>(&'a self, within: &'a [Uuid]) -> impl Iterator<Item = (FaceId, &'a Face)> {
-        self.0.iter().filter(move |(_, face)| face.within == within).map(|(id, face)| (*id, face))
+    pub(super) fn at<'a>(&'a self, within: &'a [Uuid]) -> impl Iterator<Item = (ClientId, &'a Client)> {
+        self.0.iter().filter(move |(_, client)| client.within == within).map(|(id, client)| (*id, client))
     }
 }
