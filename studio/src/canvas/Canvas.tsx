@@ -16,7 +16,7 @@ import { useStore } from "zustand";
 
 import "../actions/canvas";
 import { paste } from "../actions/canvasEdit";
-import type { Lens } from "../core/geometry";
+import { FARTHEST, type Lens } from "../core/geometry";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -206,7 +206,7 @@ function Flow() {
         onMove={(_, lens) => takeLens(lens)}
         onlyRenderVisibleElements
         proOptions={NO_LABEL}
-        minZoom={0.02}
+        minZoom={FARTHEST}
         maxZoom={5}
         panOnDrag={false}
         panOnScroll={false}

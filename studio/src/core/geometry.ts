@@ -74,8 +74,9 @@ export interface Lens {
   zoom: number;
 }
 
+/** The limits of the zoom. The farthest shows 40,000 units of a canvas in the 200 pixels that a phone leaves for it. */
 export const NEAREST = 5;
-export const FARTHEST = 0.02;
+export const FARTHEST = 0.005;
 
 /** The canvas point below a pixel of the window. */
 export function toCanvas(lens: Lens, [x, y]: Point): Point {

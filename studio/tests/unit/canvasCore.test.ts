@@ -45,6 +45,15 @@ describe("the window onto the canvas", () => {
       expect(after[1]).toBeCloseTo(before[1]);
     }
   });
+  test("what is as long as hundreds of windows is seen whole too", () => {
+    const rect: Rect = [-500, 20, 4000, 30_000];
+    const all = fitted(rect, [390, 215], 1, 16);
+    for (const corner of [[-500, 20], [3500, 30_020]] as const) {
+      const [x, y] = toWindow(all, corner);
+      expect(Math.min(x, y, 390 - x, 215 - y)).toBeGreaterThanOrEqual(16 - 1e-9);
+    }
+  });
+
   test("what is fitted is seen whole", () => {
     const rect: Rect = [-500, 300, 4000, 90];
     const all = fitted(rect, [800, 600]);
