@@ -1,6 +1,6 @@
 /** The window onto the canvas: where it looks, and how it is moved. */
 
-import { around, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
+import { around, firstLook, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
 import { FAR_BELOW } from "../core/far";
 import { frameOf } from "../core/places";
 import { documentStore } from "../state/document";
@@ -121,9 +121,25 @@ export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
     if (object) rects.push(frameOf(object, objects, canvasStore.getState().shifts, fullNames));
   }
   const all = around(rects);
+  const { size, margin } = roomOfPane();
+  if (all) look(fitted(all, size, ids ? 1.5 : 1, margin), smoothly);
+}
+
+/** Shows a document that has just come: whole, or the beginning of one that is too long for that. */
+export function lookFirst(): void {
+  const { objects } = documentStore.getState();
+  const { fullNames } = uiStore.getState();
+  const rects = [...objects.values()].map((object) => frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+  const { size, margin } = roomOfPane();
+  const first = firstLook(rects, size, margin);
+  if (first) look(first);
+}
+
+/** The part of the window that is free for what is shown whole, and what is left free around it. */
+function roomOfPane(): { size: Point; margin: number } {
   const [width, height] = paneSize();
   const margin = Math.min(Math.max(Math.min(width, height) * MARGIN, LEAST_MARGIN), MOST_MARGIN);
-  if (all) look(fitted(all, [width, Math.max(height - FOOT, 1)], ids ? 1.5 : 1, margin), smoothly);
+  return { size: [width, Math.max(height - FOOT, 1)], margin };
 }
 
 /** Moves the window only as far as is needed for an object to be seen. */
