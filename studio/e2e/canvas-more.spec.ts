@@ -162,6 +162,10 @@ test("a definition that is let go with Alt comes into this one; without, it is a
   await isAccessible(page, dialog);
   await dialog.getByRole("button", { name: /^Insert as a group/ }).click();
   await expect(page.locator("[data-group]")).toContainText("piece");
+  const there = await ids(page);
+  await letGo(page, text, [420, 90], false);
+  await dialog.getByRole("button", { name: /^Insert as a cluster/ }).click();
+  await expect(await newest(page, there)).toHaveClass(/cluster/);
 });
 
 test("a colour is picked with its opacity, and all of it is one step for Undo", async ({ page }) => {

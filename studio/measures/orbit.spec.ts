@@ -10,7 +10,9 @@ test("turning about the twisted tower with 60 floors", async ({ page }) => {
   await page.getByRole("spinbutton", { name: /floors/ }).fill("60");
   await expect.poll(() => page.evaluate(() => window.__studio?.viewport?.stats()?.triangles)).toBeGreaterThan(35_000);
   for (const mode of ["shaded", "ghosted", "rendered"]) {
-    await page.getByRole("button", { name: `Display: ${mode}` }).click();
+    await page.locator(".viewport-popover > button").first().click();
+    await page.getByRole("radiogroup").getByText(new RegExp(`^${mode}$`, "i")).click();
+    await page.keyboard.press("Escape");
     await page.waitForTimeout(1500);
     const found = await page.evaluate((turns) => {
       const hook = window.__studio!.viewport!;

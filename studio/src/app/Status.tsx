@@ -44,8 +44,13 @@ export function Status() {
           </button>
         </>
       )}
-      <button type="button" onClick={() => settingsStore.setState({ side: "problems" })}>
-        <span aria-hidden="true">✖ {errors} ⚠ {warnings}</span>
+      <button type="button" className="quiet problems" onClick={() => settingsStore.setState({ side: "problems" })}>
+        <span aria-hidden="true" className={errors > 0 ? "error" : undefined}>
+          ✖ {errors}
+        </span>
+        <span aria-hidden="true" className={warnings > 0 ? "warning" : undefined}>
+          ⚠ {warnings}
+        </span>
         <span className="unseen">{t("status.problems", { errors, warnings })}</span>
       </button>
       {model && (

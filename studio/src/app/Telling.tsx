@@ -25,9 +25,17 @@ export function Telling() {
   return nothing ? <ShowsNothing nothing={nothing} /> : null;
 }
 
-function Told({ children, label, run }: { children: ReactNode; label?: string; run?: () => void }) {
+interface ToldProps {
+  children: ReactNode;
+  label?: string;
+  run?: () => void;
+  /** Whether all is well, and nothing need be done. */
+  calm?: boolean;
+}
+
+function Told({ children, label, run, calm = false }: ToldProps) {
   return (
-    <div className="viewport-telling" role="status">
+    <div className={calm ? "viewport-telling calm" : "viewport-telling"} role="status">
       <p>{children}</p>
       {label && (
         <button type="button" onClick={run}>
@@ -81,6 +89,6 @@ function ShowsNothing({ nothing }: { nothing: Nothing }) {
         </Told>
       );
     case "numbers":
-      return <Told>{t("nothing.numbers")}</Told>;
+      return <Told calm>{t("nothing.numbers")}</Told>;
   }
 }

@@ -16,7 +16,7 @@ import { useStore } from "zustand";
 
 import "../actions/canvas";
 import { paste } from "../actions/canvasEdit";
-import type { Lens } from "../core/geometry";
+import { FARTHEST, type Lens } from "../core/geometry";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -42,7 +42,7 @@ import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
 import { tellEdits } from "./tell";
-import { lens, setFlow, setPane, takeLens, zoomExtents } from "./view";
+import { lens, lookFirst, setFlow, setPane, takeLens } from "./view";
 import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
 import { ZoomBox } from "./ZoomBox";
@@ -206,7 +206,7 @@ function Flow() {
         onMove={(_, lens) => takeLens(lens)}
         onlyRenderVisibleElements
         proOptions={NO_LABEL}
-        minZoom={0.02}
+        minZoom={FARTHEST}
         maxZoom={5}
         panOnDrag={false}
         panOnScroll={false}
@@ -242,7 +242,7 @@ function Flow() {
   );
 }
 
-/** A document that is shown for the first time is shown whole; so is the inside of a cluster. Gives whether it was. */
+/** A document that is shown for the first time is shown whole, or from its beginning; so is the inside of a cluster. Gives whether it was. */
 function useFirstLook(): boolean {
   const within = useStore(documentStore, (mirror) => mirror.within.join());
   const here = useStore(documentStore, (mirror) => mirror.document !== undefined);
@@ -251,7 +251,7 @@ function useFirstLook(): boolean {
     if (!here || looked === within) return undefined;
     // The window has its size only after the first drawing.
     const request = requestAnimationFrame(() => {
-      zoomExtents(undefined, false);
+      lookFirst();
       takeLens(lens());
       setLooked(within);
     });
@@ -280,7 +280,7 @@ function useRefit(seen: boolean): void {
     const isMoved = before && (before.x !== now.x || before.y !== now.y || before.zoom !== now.zoom);
     if (isMoved || (before && before.revision !== revision)) return;
     if (before) {
-      zoomExtents(undefined, false);
+      lookFirst();
       takeLens(lens());
     }
     left.current = { ...lens(), revision };

@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState, type RefObject } from "react";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState, type CSSProperties, type ReactNode, type RefObject, type WheelEvent } from "react";
 import { useStore } from "zustand";
 
 import { tabs, type CatalogueEntry } from "../core/catalogue";
@@ -20,6 +20,9 @@ const FRAME = 14;
 const LETTER = 6;
 const BESIDE = 26;
 
+/** The page of a phone, as the style sheets have it. */
+const NARROW = matchMedia("(max-width: 720px)");
+
 /** The component tabs: a click and then a click on the canvas places, or a drag does. */
 export function Ribbon() {
   const shown = useCanvas((canvas) => canvas.ribbon);
@@ -31,14 +34,18 @@ export function Ribbon() {
   const setChosen = (tab: string | undefined) => keep({ tab });
   const recent = useRecent();
   const bar = useRef<HTMLDivElement>(null);
-  const width = useWidth(bar, shown && all.length > 0);
+  // A phone has its height for the canvas: there the panels come with a press on their tab, and go when they are done with.
+  const [isRolled, setRolled] = useState(() => NARROW.matches);
+  const width = useWidth(bar, shown && all.length > 0 && !isRolled);
   const [open, setOpen] = useState<string | undefined>(undefined);
   const list = useRef<HTMLDivElement>(null);
+  const tabEnds = useEnds(list, all.length);
   const home = entries.find((entry) => entry.guid === pointed);
   useEffect(() => {
     if (!home) return;
     setChosen(home.tab);
     setOpen(home.panel);
+    setRolled(false);
   }, [home]);
   if (!shown || all.length === 0) return null;
   const tab = all.find((one) => one.name === chosen) ?? all[0];
@@ -55,7 +62,7 @@ export function Ribbon() {
   };
   return (
     <div className="ribbon">
-      <div role="tablist" ref={list} aria-label={t("canvas.ribbon")}>
+      <div role="tablist" ref={list} aria-label={t("canvas.ribbon")} {...tabEnds}>
         {all.map(({ name }) => (
           <button
             key={name}
@@ -63,9 +70,11 @@ export function Ribbon() {
             role="tab"
             aria-selected={name === tab?.name}
             tabIndex={name === tab?.name ? 0 : -1}
-            onClick={() => {
+            onClick={(event) => {
               setChosen(name);
               setOpen(undefined);
+              setRolled(NARROW.matches && name === tab?.name && !isRolled);
+              event.currentTarget.scrollIntoView({ block: "nearest", inline: "nearest" });
             }}
             onKeyDown={(event) => {
               if (event.key === "ArrowRight") step(1);
@@ -76,7 +85,7 @@ export function Ribbon() {
           </button>
         ))}
       </div>
-      <div role="tabpanel" aria-label={tab?.name} ref={bar}>
+      <div role="tabpanel" aria-label={tab?.name} hidden={isRolled} ref={bar} onWheel={(event) => roll(bar.current, event)}>
         {panels.map(({ name, entries: list }, k) => (
           <PanelOfEntries
             key={name}
@@ -85,6 +94,7 @@ export function Ribbon() {
             entries={list}
             open={open === name}
             onOpen={(on) => setOpen(on ? name : undefined)}
+            onDone={() => setRolled(NARROW.matches)}
             pointed={pointed}
           />
         ))}
@@ -98,6 +108,41 @@ function useRecent(): CatalogueEntry[] {
   const recent = useCanvas((canvas) => canvas.recent);
   const byId = useStore(catalogueStore, (catalogue) => catalogue.byId);
   return recent.flatMap((guid) => byId.get(guid) ?? []).slice(0, ROWS * 2);
+}
+
+/** How far a row fades out at an end beyond which it goes on, in pixels. */
+const FADE = 28;
+
+/** What a row needs that may be longer than its room: the wheel scrolls it, and it fades out where it goes on. */
+function useEnds(of: RefObject<HTMLElement | null>, content: unknown) {
+  const [ends, setEnds] = useState({ before: 0, after: 0 });
+  const look = () => {
+    const row = of.current;
+    if (!row) return;
+    const rest = row.scrollWidth - row.clientWidth - row.scrollLeft;
+    const [before, after] = [row.scrollLeft > 1 ? FADE : 0, rest > 1 ? FADE : 0];
+    setEnds((old) => (old.before === before && old.after === after ? old : { before, after }));
+  };
+  useEffect(() => {
+    const row = of.current;
+    if (!row) return undefined;
+    const watcher = new ResizeObserver(look);
+    watcher.observe(row);
+    look();
+    return () => watcher.disconnect();
+  }, [of, content]);
+  return {
+    className: ends.before + ends.after > 0 ? "goes-on" : undefined,
+    style: { "--before": `${ends.before}px`, "--after": `${ends.after}px` } as CSSProperties,
+    onScroll: look,
+    onWheel: (event: WheelEvent) => roll(of.current, event),
+  };
+}
+
+/** A wheel that turns up and down moves a row; a sheet that hangs from it scrolls for itself. */
+function roll(row: HTMLElement | null, event: WheelEvent): void {
+  const isInSheet = event.target instanceof Element && event.target.closest(".all") !== null;
+  if (row && event.deltaX === 0 && !isInSheet) row.scrollLeft += event.deltaY;
 }
 
 /** How wide an element is, now and when that changes. */
@@ -119,11 +164,17 @@ interface PanelProps {
   entries: readonly CatalogueEntry[];
   open: boolean;
   onOpen(open: boolean): void;
+  /** A component of it was chosen. */
+  onDone(): void;
   pointed: string | undefined;
 }
 
 /** A few of a panel's components, and all of them below when it is opened. */
-function PanelOfEntries({ name, columns, entries, open, onOpen, pointed }: PanelProps) {
+function PanelOfEntries({ name, columns, entries, open, onOpen, onDone, pointed }: PanelProps) {
+  const done = () => {
+    onOpen(false);
+    onDone();
+  };
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (!open) return undefined;
@@ -137,19 +188,39 @@ function PanelOfEntries({ name, columns, entries, open, onOpen, pointed }: Panel
     <div className="ribbon-panel" ref={box}>
       <div className="few" style={{ gridTemplateColumns: `repeat(${columns}, ${BUTTON - 2}px)` }}>
         {entries.slice(0, columns * ROWS).map((entry) => (
-          <Entry key={entry.guid} entry={entry} short onDone={() => onOpen(false)} pointed={pointed} />
+          <Entry key={entry.guid} entry={entry} short onDone={done} pointed={pointed} />
         ))}
       </div>
       <button type="button" className="more-of" aria-expanded={open} onClick={() => onOpen(!open)}>
         {name} <span aria-hidden="true">▾</span>
       </button>
       {open ? (
-        <div className="all">
+        <All below={box}>
           {entries.map((entry) => (
-            <Entry key={entry.guid} entry={entry} short={false} onDone={() => onOpen(false)} pointed={pointed} />
+            <Entry key={entry.guid} entry={entry} short={false} onDone={done} pointed={pointed} />
           ))}
-        </div>
+        </All>
       ) : null}
+    </div>
+  );
+}
+
+/** From a sheet to the edge of the page, in pixels. */
+const EDGE = 6;
+
+/** A sheet below a panel, moved to the left as far as it must for all of it to be on the page. */
+function All({ below, children }: { below: RefObject<HTMLElement | null>; children: ReactNode }) {
+  const sheet = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => {
+    const [element, panel] = [sheet.current, below.current?.getBoundingClientRect()];
+    if (!element || !panel) return;
+    const left = Math.max(EDGE, Math.min(panel.left, innerWidth - element.offsetWidth - EDGE));
+    Object.assign(element.style, { left: `${left}px`, top: `${panel.bottom}px` });
+    element.style.maxHeight = `${innerHeight - panel.bottom - EDGE}px`;
+  }, [below]);
+  return (
+    <div className="all" ref={sheet}>
+      {children}
     </div>
   );
 }

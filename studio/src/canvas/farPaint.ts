@@ -92,6 +92,14 @@ function paintWires(
   }
 }
 
+/** Boxes that are higher and wider than so many pixels have an edge; above the second, round corners too. */
+const EDGE_ABOVE = 6;
+const ROUND_ABOVE = 9;
+/** The corners of a capsule, in units of the canvas: as the near view has them. */
+const CORNER = 4;
+/** How much of the edge's colour lies on a box that is too small for an edge. */
+const SMALL_SHADE = 0.35;
+
 function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number, colours: FarColours): void {
   const [x, y, w, h] = box.rect;
   // Nothing but its words is seen of a scribble.
@@ -105,11 +113,28 @@ function paintBox(context: CanvasRenderingContext2D, box: FarBox, pixel: number,
     return;
   }
   context.fillStyle = box.selected ? colours.selected[box.look] : (box.colour ?? colours.look[box.look]);
+  const least = Math.min(w, h) / pixel;
+  if (least > ROUND_ABOVE) {
+    context.beginPath();
+    context.roundRect(x, y, w, h, Math.min(CORNER, h / 3, w / 3));
+    context.fill();
+    context.strokeStyle = colours.edge;
+    context.lineWidth = pixel;
+    context.stroke();
+    return;
+  }
   context.fillRect(x, y, w, h);
-  if (w > 6 * pixel && h > 6 * pixel) {
+  if (least > EDGE_ABOVE) {
     context.strokeStyle = colours.edge;
     context.lineWidth = pixel;
     context.strokeRect(x, y, w, h);
+  } else if (!box.colour && !box.selected) {
+    // An edge would fill it: a darker ground keeps it apart from the canvas.
+    const before = context.globalAlpha;
+    context.globalAlpha = before * SMALL_SHADE;
+    context.fillStyle = colours.edge;
+    context.fillRect(x, y, w, h);
+    context.globalAlpha = before;
   }
 }
 

@@ -1,10 +1,11 @@
 /** The window onto the canvas: where it looks, and how it is moved. */
 
-import { around, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
+import { around, firstLook, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
 import { FAR_BELOW } from "../core/far";
 import { frameOf } from "../core/places";
 import { documentStore } from "../state/document";
 import { uiStore } from "../state/ui";
+import { glide } from "./gliding";
 import { canvasStore } from "./store";
 
 /** Above this zoom (+) and (−) appear. */
@@ -82,11 +83,13 @@ export function windowPoint(at: Point): Point {
 }
 
 export function panBy([dx, dy]: Point): void {
+  glide();
   const { x, y, zoom } = lens();
   look({ x: x + dx, y: y + dy, zoom });
 }
 
 export function zoomAt(pixel: Point, factor: number): void {
+  glide();
   look(zoomed(lens(), pixel, factor));
 }
 
@@ -100,6 +103,13 @@ export function zoomTo(zoom: number): void {
   zoomBy(zoom / lens().zoom);
 }
 
+/** What the zoom box at the lower left takes of the window's height, in pixels. */
+const FOOT = 28;
+/** What is left free around what is shown whole: a part of the window's shorter side, and its limits in pixels. */
+const MARGIN = 0.06;
+const LEAST_MARGIN = 16;
+const MOST_MARGIN = 40;
+
 /** Shows these objects whole; all when none are given. */
 export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
   const { objects } = documentStore.getState();
@@ -111,7 +121,25 @@ export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
     if (object) rects.push(frameOf(object, objects, canvasStore.getState().shifts, fullNames));
   }
   const all = around(rects);
-  if (all) look(fitted(all, paneSize(), ids ? 1.5 : 1), smoothly);
+  const { size, margin } = roomOfPane();
+  if (all) look(fitted(all, size, ids ? 1.5 : 1, margin), smoothly);
+}
+
+/** Shows a document that has just come: whole, or the beginning of one that is too long for that. */
+export function lookFirst(): void {
+  const { objects } = documentStore.getState();
+  const { fullNames } = uiStore.getState();
+  const rects = [...objects.values()].map((object) => frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+  const { size, margin } = roomOfPane();
+  const first = firstLook(rects, size, margin);
+  if (first) look(first);
+}
+
+/** The part of the window that is free for what is shown whole, and what is left free around it. */
+function roomOfPane(): { size: Point; margin: number } {
+  const [width, height] = paneSize();
+  const margin = Math.min(Math.max(Math.min(width, height) * MARGIN, LEAST_MARGIN), MOST_MARGIN);
+  return { size: [width, Math.max(height - FOOT, 1)], margin };
 }
 
 /** Moves the window only as far as is needed for an object to be seen. */

@@ -33,13 +33,13 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
   const placed: PlacedLabel[] = [];
   const words = new Occupied(least);
   const put = (label: PlacedLabel | undefined, rect: Rect | undefined) => {
-    if (!label || !rect || words.meets(rect)) return false;
+    if (!label || !rect || words.meets(withGap(rect, least))) return false;
     words.add(rect);
     placed.push(label);
     return true;
   };
   for (const box of bySize([...list.groups, ...list.boxes.filter(({ kind }) => kind === "text")])) {
-    const heading = headingOf(box, least, zoom);
+    const heading = zoom < STRUCTURE_BELOW && isSign(box) ? undefined : headingOf(box, least, zoom);
     if (heading) put(heading, around(heading));
   }
   if (zoom < STRUCTURE_BELOW) return placed;
@@ -61,6 +61,17 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
     if (band && !taken.meets(around(band), box.rect)) put(band, around(band));
   }
   return placed;
+}
+
+/** Words beside each other do not read as one. */
+function withGap([x, y, w, h]: Rect, least: number): Rect {
+  const gap = least * 0.4;
+  return [x - gap, y, w + 2 * gap, h];
+}
+
+/** A letter or two, as `b` over a vector's input: they tell nothing where what they stand for cannot be seen. */
+function isSign(box: FarBox): boolean {
+  return (box.label?.text.length ?? 0) < 3;
 }
 
 /** What is larger counts more. */

@@ -74,8 +74,9 @@ export interface Lens {
   zoom: number;
 }
 
+/** The limits of the zoom. The farthest shows 40,000 units of a canvas in the 200 pixels that a phone leaves for it. */
 export const NEAREST = 5;
-export const FARTHEST = 0.02;
+export const FARTHEST = 0.005;
 
 /** The canvas point below a pixel of the window. */
 export function toCanvas(lens: Lens, [x, y]: Point): Point {
@@ -92,6 +93,42 @@ export function zoomed(lens: Lens, at: Point, factor: number): Lens {
   const zoom = clamp(lens.zoom * factor, FARTHEST, NEAREST);
   const scale = zoom / lens.zoom;
   return { x: at[0] - (at[0] - lens.x) * scale, y: at[1] - (at[1] - lens.y) * scale, zoom };
+}
+
+/** Farther away than this headings lie over each other; what is first seen of a long definition is nearer, within limits. */
+const TOO_FAR = 0.08;
+const FIRST_LOOK: readonly [least: number, most: number] = [0.15, 0.5];
+
+/**
+ * What is seen of a definition at first: all of it, or the beginning of one that is so long that nothing of it could be
+ * read, as wide as the window where that is near enough. Where that is too wide, it is where most of its beginning stands.
+ */
+export function firstLook(rects: readonly Rect[], [width, height]: Point, margin: number): Lens | undefined {
+  const all = around(rects);
+  if (!all) return undefined;
+  const whole = fitted(all, [width, height], 1, margin);
+  if (whole.zoom >= TOO_FAR) return whole;
+  const room: Point = [Math.max(width - 2 * margin, 1), Math.max(height - 2 * margin, 1)];
+  const zoom = clamp(Math.max(room[0] / Math.max(all[2], 1), room[1] / Math.max(all[3], 1)), ...FIRST_LOOK);
+  const [w, h] = [room[0] / zoom, room[1] / zoom];
+  const begins = rects.filter((rect) => rect[1] < all[1] + h);
+  const x = all[2] <= w ? all[0] - (w - all[2]) / 2 : crowded(begins.map((rect) => [rect[0], rect[0] + rect[2]]), w);
+  const y = all[3] <= h ? all[1] - (h - all[3]) / 2 : all[1];
+  return { x: margin - x * zoom, y: margin - y * zoom, zoom };
+}
+
+/** Where a stretch of a length begins that holds most of some spans whole; the first of several such. */
+function crowded(spans: readonly Point[], length: number): number {
+  const byStart = [...spans].sort((a, b) => a[0] - b[0]);
+  let best = { count: 0, from: byStart[0]?.[0] ?? 0 };
+  byStart.forEach(([from], k) => {
+    let count = 0;
+    for (let l = k; l < byStart.length && (byStart[l]?.[0] ?? 0) <= from + length; l++) {
+      if ((byStart[l]?.[1] ?? 0) <= from + length) count += 1;
+    }
+    if (count > best.count) best = { count, from };
+  });
+  return best.from;
 }
 
 /** The view that shows a rectangle whole, no larger than `most`. */

@@ -6,7 +6,7 @@ import { tabs } from "../../src/core/catalogue";
 import { fromHex, gradientCss, hex, inkOn } from "../../src/core/colours";
 import { farList } from "../../src/core/far";
 import { found } from "../../src/core/find";
-import { fitted, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
+import { firstLook, fitted, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
 import { draggable, withHandle } from "../../src/core/graph";
 import { blobPath, depths, groupFrame, hull, leaves } from "../../src/core/groups";
 import { gripAt, topmost, wireAt } from "../../src/core/hit";
@@ -45,6 +45,37 @@ describe("the window onto the canvas", () => {
       expect(after[1]).toBeCloseTo(before[1]);
     }
   });
+  test("what is as long as hundreds of windows is seen whole too", () => {
+    const rect: Rect = [-500, 20, 4000, 30_000];
+    const all = fitted(rect, [390, 215], 1, 16);
+    for (const corner of [[-500, 20], [3500, 30_020]] as const) {
+      const [x, y] = toWindow(all, corner);
+      expect(Math.min(x, y, 390 - x, 215 - y)).toBeGreaterThanOrEqual(16 - 1e-9);
+    }
+  });
+
+  describe("at first", () => {
+    const size: [number, number] = [740, 590];
+    test("all is seen of what can be read then", () => {
+      const short: Rect = [10, 20, 4000, 900];
+      expect(firstLook([short], size, 35)).toEqual(fitted(short, size, 1, 35));
+      expect(firstLook([], size, 35)).toBeUndefined();
+    });
+    test("a long column is seen from its top, in the middle", () => {
+      const column = Array.from({ length: 400 }, (_, k): Rect => [-50, 80 + 90 * k, 440, 60]);
+      const seen = firstLook(column, size, 35);
+      expect(seen?.zoom).toBe(0.5);
+      expect(seen && toWindow(seen, [170, 80])).toEqual([370, 35]);
+    });
+    test("of what is long and wide that part of the beginning is seen where most of it stands", () => {
+      const lonely: Rect = [0, 0, 60, 40];
+      const block = Array.from({ length: 900 }, (_, k): Rect => [9_000 + (k % 3) * 100, Math.floor(k / 3) * 100, 60, 40]);
+      const seen = firstLook([lonely, ...block], size, 35);
+      expect(seen?.zoom).toBeGreaterThanOrEqual(0.15);
+      expect(seen && toWindow(seen, [9_000, 0])).toEqual([expect.closeTo(35), 35]);
+    });
+  });
+
   test("what is fitted is seen whole", () => {
     const rect: Rect = [-500, 300, 4000, 90];
     const all = fitted(rect, [800, 600]);

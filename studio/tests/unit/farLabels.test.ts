@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { FarBox, FarList } from "../../src/core/far";
 import { placeLabels, STRUCTURE_BELOW } from "../../src/core/farLabels";
 import type { Rect } from "../../src/core/geometry";
+import { textWidth } from "../../src/core/text";
 
 function box(id: string, rect: Rect, text: string, change: Partial<FarBox> = {}): FarBox {
   const label = { text, size: 11, across: "centre" as const, bold: false, lines: "one" as const };
@@ -34,6 +35,18 @@ describe("words of the far view", () => {
     rects.forEach(([x = 0, y = 0, w = 0, h = 0], i) =>
       rects.slice(i + 1).forEach(([u = 0, v = 0, p = 0, q = 0]) => expect(x < u + p && u < x + w && y < v + q && v < y + h).toBe(false)),
     );
+  });
+  it("leave out letters that stand for something where it cannot be seen, and keep apart from each other", () => {
+    const group = (text: string, x: number) => box(text, [x, 0, 400, 300], text, { kind: "group" });
+    expect(words([], 0.1, [group("b", 0)])).toEqual([]);
+    expect(words([], 0.3, [group("b", 0)])[0]?.text).toBe("b");
+    // The second begins where the first ends: read together they would be one.
+    const first = box("g", [0, 0, 40, 300], "Towers", { kind: "group" });
+    const [placed] = placeLabels(list([], [first]), 0.1);
+    const wide = textWidth("Towers", placed?.size ?? 0);
+    const beside = (gap: number) => box("h", [(placed?.at[0] ?? 0) + wide + gap, 0, 39, 300], "Walls", { kind: "group" });
+    expect(words([], 0.1, [first, beside(-20)]).map(({ text }) => text)).toEqual(["Towers"]);
+    expect(words([], 0.1, [first, beside(200)])).toHaveLength(2);
   });
   it("say the value of a slider where there is no room for its name", () => {
     const slider = box("s", [0, 0, 120, 40], "Number Slider 12.5");

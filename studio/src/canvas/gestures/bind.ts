@@ -3,7 +3,7 @@
 import { NO_KEYS, type Keys } from "../../core/selection";
 import { wheelMeans } from "../../core/wheel";
 import { canvasStore } from "../store";
-import { canvasPoint, look, lens, paneSize, panBy, pixelOf, zoomAt } from "../view";
+import { canvasPoint, paneSize, panBy, pixelOf, zoomAt } from "../view";
 import { IDLE, step, type Button, type Gesture, type Pointer, type State } from "./chart";
 import { carryOut, forgetDrag } from "./effects";
 import { namedAt, targetAt, world } from "./world";
@@ -153,7 +153,7 @@ export function wheel(event: WheelEvent): void {
   canvasStore.setState({ tip: undefined });
   const meaning = wheelMeans(event, canvasStore.getState().scheme);
   if (meaning.is === "zoom") zoomAt(pixelOf(event), meaning.factor);
-  else look({ ...lens(), x: lens().x + meaning.by[0], y: lens().y + meaning.by[1] });
+  else panBy(meaning.by);
 }
 
 /** Whether a panel's text has still something to scroll to: then the wheel is the panel's. */
