@@ -241,7 +241,7 @@ fn the_language_of_the_generic_component_comes_with_the_text() {
             "#! csharp\nusing System;\npublic class Script_Instance : GH_ScriptInstance {\n  \
              private void RunScript(object x, ref object a) { a = Convert.ToInt32(x) + 4; } }",
         ),
-        component("none", "a = x"),
+        component("unnamed", "a = x"),
     ];
     let mut session = session_of_every_language(&format!("s = Series(20, 1, 1)\n{}", scripts.join("\n")));
     session.solve();
@@ -249,6 +249,6 @@ fn the_language_of_the_generic_component_comes_with_the_text() {
         assert_eq!(messages(&session, name), Vec::<String>::new(), "{name}");
         assert_eq!(numbers(&session, name, 1), [("{0;0}".to_owned(), vec![expected])], "{name}");
     }
-    let said = messages(&session, "none");
+    let said = messages(&session, "unnamed");
     assert!(said.len() == 1 && said[0].contains("#! python 3"), "{said:?}");
 }

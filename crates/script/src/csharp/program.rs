@@ -126,10 +126,9 @@ pub(super) struct Called {
 }
 
 /// The parameters of `RunScript` of a component in three parts.
-pub(super) fn parameters(object: &Object, inputs: &[&Port], language: &ScriptLanguage) -> String {
+pub(super) fn parameters(object: &Object, inputs: &[&Port], script: &Script) -> String {
     // A script of statements alone has no types for data without a hint, and VB finds members of objects when it runs.
-    let is_open =
-        *language == ScriptLanguage::VisualBasic || object.script().is_some_and(|script| is_loose(&script));
+    let is_open = script.language == ScriptLanguage::VisualBasic || is_loose(script);
     let open = if is_open { "dynamic" } else { "object" };
     let inputs = inputs.iter().map(|port| {
         let kind = type_name(TypeHint::of(port.type_hint).name).unwrap_or(open);
