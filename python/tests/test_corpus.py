@@ -18,7 +18,7 @@ needs_folder = pytest.mark.skipif(FOLDER is None, reason="KATYDID_TEST_DEFINITIO
 needs_program = pytest.mark.skipif(program() is None, reason="KATYDID names no program: nothing was run")
 
 #: Modules that a script may import and still need nothing but the API and the library.
-API = {"rhinoscriptsyntax", "Rhino", "ghpythonlib", "scriptcontext", "Grasshopper", "System", "clr", "GhPython", "GH_IO", "math",
+API = {"rhinoscriptsyntax", "Rhino", "ghpythonlib", "scriptcontext", "Grasshopper", "System", "clr", "GhPython", "math",
        "random", "copy", "json", "time", "itertools", "sys", "base64", "re", "copy_reg", "struct", "os", "decimal",
        "datetime", "collections", "functools", "__future__", "operator", "string", "inspect", "colorsys"}
 
