@@ -205,7 +205,7 @@ test-branches:
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in csharp_parse csharp_run gh_binary gh_xml document rhino3dm step obj stl ply gltf shp pdb expression geometry kd request preview; do \
+	cd fuzz && for t in csharp_parse csharp_run vb_run gh_binary gh_xml document rhino3dm step obj stl ply gltf shp pdb expression geometry kd request preview; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

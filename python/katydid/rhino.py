@@ -12,7 +12,8 @@ import sys
 from .values.base import not_supported
 
 #: The top-level names that are ours once installed.
-NAMES = ("Rhino", "System", "Grasshopper", "ghpythonlib", "rhinoscriptsyntax", "scriptcontext", "clr", "GhPython")
+NAMES = ("Rhino", "System", "Grasshopper", "ghpythonlib", "rhinoscriptsyntax", "scriptcontext", "clr", "GhPython",
+         "GH_IO")
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "modules")
 

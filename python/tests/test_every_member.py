@@ -4,6 +4,7 @@ one of geometry: never one of its arguments.
 Values are checked where a formula exists, in `test_geometry.py` and in `crates/members/tests`; here it is kinds.
 """
 
+import math
 import re
 
 import pytest
@@ -30,6 +31,53 @@ INDICES = {"u", "v"}
 #: Points and vectors that have to differ from the others of a call.
 PLACES = {"contourEnd": Point3d(0, 0, 2), "corner1": Point3d(0, 0, 0), "corner2": Point3d(2, 0, 0), "corner3": Point3d(2, 2, 0),
           "corner4": Point3d(0, 2, 0), "radiusPoint": Point3d(3, 0, 0), "vectorB": Vector3d(1, 0, 0), "end": Point2d(1.5, 1)}
+#: Values by member and parameter where those of its kind would not do: a closed curve has no ends to extend, and the like.
+#: Texts name a sample.
+FITTING = {
+    "Brep.CreateEdgeSurface": {"curves": "sides"},
+    "Brep.CreateFromLoft": {"curves": "rings", "start": Point3d.Unset, "end": Point3d.Unset, "closed": False, "StartTangent": False,
+                            "EndTangent": False},
+    "Brep.CreateFromLoftRebuild": {"curves": "rings", "start": Point3d.Unset, "end": Point3d.Unset, "closed": False,
+                                   "rebuildPointCount": 10},
+    "Brep.CreateFromLoftRefit": {"curves": "rings", "start": Point3d.Unset, "end": Point3d.Unset, "closed": False},
+    "Brep.CreateFromOffsetFace": {"bothSides": False, "createSolid": False},
+    "Brep.CreateFromSweep": {"rail": "upright", "rail1": "post", "rail2": "other post", "shape": "beam", "shapes": "steps",
+                             "closed": False, "startPoint": Point3d.Unset, "endPoint": Point3d.Unset, "start": Point3d.Unset,
+                             "end": Point3d.Unset, "roadlikeNormal": Vector3d(0, 1, 0), "blendType": 0, "rebuildType": 0, "rebuild": 0},
+    "Brep.CreateFromSweepSegmented": {"rail": "upright", "shape": "beam", "shapes": "steps", "closed": False,
+                                      "startPoint": Point3d.Unset, "endPoint": Point3d.Unset, "roadlikeNormal": Vector3d(0, 1, 0),
+                                      "blendType": 0, "rebuildType": 0},
+    "Brep.CreateOffsetBrep": {"solid": False, "extend": False},
+    "Brep.CreatePatch": {"tangency": False, "trim": False},
+    "Brep.CreateThickPipe": {"rail": "upright", "radius0": 0.2, "radius1": 0.4, "absoluteTolerance": 0.01,
+                             "railRadiiParameters": [0.0], "radii0": [0.2], "radii1": [0.4]},
+    "Curve.CreateFillet": {"curve0": "beam", "curve1": "other beam", "t0Base": 1.0, "t1Base": 1.0},
+    "Curve.CreateFilletCurves": {"curve0": "beam", "curve1": "other beam", "point0": Point3d(1, 0, 0), "point1": Point3d(0, 1, 0)},
+    "Curve.CreatePeriodicCurve": {"curve": "wave"},
+    "Curve.Extend": {"this": "beam", "t0": -1.0, "t1": 3.0, "domain": Interval(-1, 3), "geometry": "fences", "style": 0},
+    "Curve.ExtendByArc": {"this": "bow", "geometry": "fences"},
+    "Curve.ExtendByLine": {"this": "beam", "geometry": "fences"},
+    "Curve.Offset": {"loose": False, "endStyle": 0},
+    "Curve.Simplify": {"options": 63},
+    "Intersection.RayShoot": {"geometry": "surfaces"},
+    "Mesh.CreateFromCone": {"quadCaps": False},
+    "Mesh.CreateFromCylinder": {"quadCaps": False},
+    "Mesh.CreateFromFilteredFaceList": {"inclusion": [True, False] * 12},
+    "Mesh.Split": {"splitAtCoplanar": False, "createNgons": False},
+    "MeshVertexColorList.get_Item": {"this": "coloured"},
+    "MeshVertexList.SetVertex": {"indices": list(range(16))},
+    "NurbsCurve.MakeCompatible": {"simplifyMethod": 0, "numPoints": 0},
+    "NurbsSurface.CreateNetworkSurface": {"curves": "sides", "uCurves": "beams", "vCurves": "crossbeams"},
+    "NurbsSurface.CreateRailRevolvedSurface": {"profile": "spoke", "axis": Line(0, 0, 0, 0, 0, 1)},
+    "NurbsSurface.CreateThroughPoints": {"uClosed": False, "vClosed": False},
+    "PolyCurve.SegmentDomain": {"segmentIndex": 0},
+    "SubD.InterpolateSurfacePoints": {"surfacePoints": "corners of the SubD"},
+    "SubD.Offset": {"solidify": False},
+    "Surface.CreatePeriodicSurface": {"surface": "tube", "direction": 0},
+    "Surface.Extend": {"edge": 5},
+    "Surface.Pushup": {"curve2d": "beam within"},
+    "VolumeMassProperties.Compute": {"geometry": "solids", "surface": "ball"},
+}
 #: Names of a second curve.
 SECOND = {"curve1", "curveB", "crv1", "rail1", "rail2", "curve2"}
 #: Enumerations that stand in signatures alone.
@@ -60,6 +108,14 @@ def samples(host):
     polyline = host.call("PolylineCurve.new", pts + pts[:1])
     subd = host.call("SubD.CreateFromMesh", mesh)
     parts = [host.call("SubD.get_" + name, subd)[0] for name in ("Vertices", "Edges", "Faces")]
+    coloured = host.call("Mesh.CreateFromBox", Box(BoundingBox(0, 0, 0, 2, 2, 2)), 1, 1, 1)
+    host.call("MeshVertexColorList.SetColors", coloured, [Color.FromArgb(1, 2, 3)] * 24)
+
+    def straight(*ends):
+        return host.call("LineCurve.new", Line(*ends))
+
+    wave = host.call("Curve.CreateControlPointCurve", [Point3d(math.cos(i), math.sin(i), 0) for i in (0, 1, 2, 3, 4, 5, 0)], 3)
+    beam, crossbeam = straight(0, 0, 0, 2, 0, 0), straight(0, 0, 0, 0, 2, 0)
     return {
         "number": 0.5, "whole": 1, "truth": True, "text": "a", "Enum": 0, "any": 1, "Point3d": Point3d(1, 0.5, 0),
         "Point2d": Point2d(0.5, 0.5), "Vector3d": Vector3d(0, 0, 1), "Plane": Plane.WorldXY, "Interval": Interval(0.1, 0.9),
@@ -82,6 +138,17 @@ def samples(host):
         "PointCloud": host.call("PointCloud.new", pts), "Hatch": host.call("Hatch.Create", polyline, 1, 0.5, 2.0, 0.01)[0],
         "SubDVertex": parts[0], "SubDEdge": parts[1], "SubDFace": parts[2], "TextDot": host.call("TextDot.new", "a", pts[1]),
         "beside": beside, "second": host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1)),
+        "sides": [beam, straight(2, 0, 0, 2, 2, 0), straight(2, 2, 0, 0, 2, 0), straight(0, 2, 0, 0, 0, 0)],
+        "rings": [circle, host.call("ArcCurve.new", Circle(Plane(Point3d(0, 0, 2), Vector3d(0, 0, 1)), 1))],
+        "upright": straight(0, 0, 0, 0, 0, 3), "post": straight(2, 0, 0, 2, 0, 3), "other post": straight(0, 0, 0, 0, 0, 3),
+        "beam": beam, "beams": [beam, straight(0, 2, 0, 2, 2, 0)], "other beam": crossbeam,
+        "crossbeams": [crossbeam, straight(2, 0, 0, 2, 2, 0)], "beam within": straight(0.2, 0.2, 0, 1.5, 1, 0),
+        "steps": [beam, straight(0, 0, 3, 2, 0, 3)], "spoke": straight(0, 0, 2, 2, 0, 0), "wave": wave,
+        "fences": [straight(-1, -9, 0, -1, 9, 0)], "bow": host.call("ArcCurve.new", Arc(Plane.WorldXY, 2, 1.5)),
+        "surfaces": [surface], "solids": [brep], "coloured": coloured,
+        "corners of the SubD": [Point3d(i % 3, i // 3 % 3, i // 9) for i in range(26)],
+        "tube": host.call("Surface.CreateExtrusion", wave, Vector3d(0, 0, 2)),
+        "ball": host.call("RevSurface.CreateFromSphere", Sphere(pts[0], 1)),
         "grid": [Point3d(i, j, (i - j) % 2 / 4) for i in range(4) for j in range(4)],
         "corners": [Point3d(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))],
     }
@@ -136,6 +203,9 @@ def test_every_member_takes_what_its_signature_says(host):
             for text, name in parameters:
                 is_own = name == "this" or (member, name) == ("new", "other")
                 own = value_of(made, cls if is_own and cls in made else text, name)
+                fitting = FITTING.get(cls + "." + member, {}).get(name)
+                if fitting is not None:
+                    own = made[fitting] if isinstance(fitting, str) else fitting
                 # What a member changes is a copy: the others find the sample as it was.
                 if name == "this" and table.changes([cls], member) and hasattr(own, "number"):
                     own = host.call("GeometryBase.Duplicate" if table.has("GeometryBase", "Duplicate") else "Curve.Duplicate",
@@ -163,4 +233,5 @@ def test_every_member_takes_what_its_signature_says(host):
                 wrong.append("%s gave %r" % (signature, answer[1]))
     print("%d called, %d gave an error of geometry, %d without a sample" % (called, failed, len(skipped)))
     assert not wrong, "%d of %d:\n%s" % (len(wrong), called, "\n".join(wrong))
-    assert called >= 874 and failed <= 57 and len(skipped) <= 2, (called, failed, skipped)
+    # A patch that begins from a surface is not supported.
+    assert called >= 886 and failed <= 1 and len(skipped) <= 2, (called, failed, skipped)

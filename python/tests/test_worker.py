@@ -63,6 +63,12 @@ def test_an_error_names_the_line_and_the_kind(worker):
     assert "line 4, in script" in text and "line 2, in f" in text
 
 
+def test_an_error_of_memory_says_more_than_its_name(worker):
+    _, result = worker.run("raise MemoryError()")
+    first = errors(result)[0].splitlines()[0]
+    assert first.startswith("Runtime error (MemoryError): the") and first.endswith(("memory left", "(--script-memory)"))
+
+
 def test_a_module_that_is_missing_names_the_command(worker):
     _, result = worker.run("import yaml_that_nobody_has\na = 1")
     assert "to install it: katydid python add yaml_that_nobody_has" in errors(result)[0]
@@ -70,6 +76,13 @@ def test_a_module_that_is_missing_names_the_command(worker):
     assert 'to install it: katydid python add "some-package-nobody-has==1.2"' in errors(result)[0]
     _, result = worker.run("import Rhino.Nonsense\na = 1")
     assert "python add" not in errors(result)[0]
+
+
+def test_assemblies_that_scripts_import_and_do_not_use_are_there(worker):
+    code = "import clr\nclr.AddReference('GH_IO')\nimport GH_IO as io\na = 1"
+    assert worker.run(code)[0]["a"] == 1
+    _, result = worker.run(code + "\nb = io.Serialization")
+    assert "GH_IO.Serialization is not supported" in errors(result)[0]
 
 
 def test_a_syntax_error_names_the_line(worker):

@@ -1,6 +1,7 @@
 //! Bound trees: every name resolved, every conversion explicit. Nothing in them is C# alone.
 
-use std::sync::Arc;
+use std::collections::HashSet;
+use std::sync::{Arc, OnceLock};
 
 use crate::decimal::Decimal;
 use crate::sema::{FieldId, MethodId, Prim, Ty};
@@ -332,4 +333,16 @@ pub(crate) struct Body {
     pub captures_this: bool,
     /// Whether it is an iterator, and of what.
     pub iterator: Option<Ty>,
+    /// How its variables are used, once somebody asked.
+    pub uses: OnceLock<Uses>,
+}
+
+/// How the variables of a body are used.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Uses {
+    /// Those that must stand in one place: references to them are handed over, properties of theirs are set, or what
+    /// comes after an exception may look at them.
+    pub whole: HashSet<LocalId>,
+    /// Methods that are called on variables.
+    pub called: Vec<(LocalId, MethodId)>,
 }

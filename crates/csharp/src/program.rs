@@ -98,6 +98,8 @@ pub(crate) struct Program {
     pub(crate) bodies: HashMap<MethodId, Option<Arc<bound::Body>>>,
     /// Methods that only compute, of those that were asked for.
     pub(crate) quiet: HashMap<MethodId, Option<crate::emit::Quiet>>,
+    /// Methods of structs that are short enough to stand in place of their calls, as far as they were asked for.
+    pub(crate) steps: HashMap<MethodId, Option<Arc<bound::Body>>>,
     pub(crate) inits: HashMap<DefId, Option<Arc<bound::Body>>>,
     pub(crate) layouts: Vec<Option<Arc<Layout>>>,
     pub(crate) natives: Vec<NativeRef>,
@@ -131,6 +133,7 @@ impl Program {
             sources: Vec::new(),
             bodies: HashMap::new(),
             quiet: HashMap::new(),
+            steps: HashMap::new(),
             inits: HashMap::new(),
             layouts: Vec::new(),
             natives: Vec::new(),

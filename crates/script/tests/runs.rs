@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{gh_python, messages, numbers, session, session_of, values};
+use common::{gh_python, messages, numbers, session, session_of, session_of_every_language, values};
 use katydid_data::Value;
 
 #[test]
@@ -222,4 +222,33 @@ fn panels_show_objects_by_their_text() {
     assert_eq!(shown("pb"), ["[1, 'two', None]"]);
     assert_eq!(shown("pc"), ["Bad"]);
     assert_eq!(shown("pd"), ["as .NET"]);
+}
+
+#[test]
+fn the_language_of_the_generic_component_comes_with_the_text() {
+    let component = |name: &str, text: &str| {
+        let text = text.replace('\n', "\\n");
+        format!(
+            "{name}code = Panel(\"{text}\")\n{name} = Script @c9b2d725-6f87-4b07-af90-bd9aefef68eb(script = {name}code, x = s) \
+             variable -> out, a {{\n    UsingScriptInputParam = true\n}}"
+        )
+    };
+    let scripts = [
+        component("python", "#! python 3\na = x * 2 + 1"),
+        component("sharp", "// #! csharp\na = (int)x * 2 + 2;"),
+        component(
+            "whole",
+            "#! csharp\nusing System;\npublic class Script_Instance : GH_ScriptInstance {\n  \
+             private void RunScript(object x, ref object a) { a = Convert.ToInt32(x) + 4; } }",
+        ),
+        component("unnamed", "a = x"),
+    ];
+    let mut session = session_of_every_language(&format!("s = Series(20, 1, 1)\n{}", scripts.join("\n")));
+    session.solve();
+    for (name, expected) in [("python", 41.0), ("sharp", 42.0), ("whole", 24.0)] {
+        assert_eq!(messages(&session, name), Vec::<String>::new(), "{name}");
+        assert_eq!(numbers(&session, name, 1), [("{0;0}".to_owned(), vec![expected])], "{name}");
+    }
+    let said = messages(&session, "unnamed");
+    assert!(said.len() == 1 && said[0].contains("#! python 3"), "{said:?}");
 }

@@ -13,6 +13,10 @@ use crate::object::Turn;
 use crate::outside;
 use crate::report::{ObjectReport, Status};
 
+/// Said of a text whose language nobody can tell.
+const NO_LANGUAGE: &str = "The first line of the script's text names no language that runs here: begin it with \
+                           `#! python 3` or `// #! csharp`";
+
 /// Runs scripts.
 pub trait Scripts: fmt::Debug + Send + Sync {
     /// Whether scripts of a language are run at all.
@@ -116,6 +120,10 @@ pub(crate) fn solve(
         return Some(ObjectReport::idle(Status::NoData, messages, object.outputs.len()));
     }
     if !scripts.runs(&script.language) {
+        if matches!(script.language, ScriptLanguage::Other(_)) {
+            messages.push(Message::warning(NO_LANGUAGE));
+            return Some(unsupported(object, messages));
+        }
         return None;
     }
     let limits = Limits { time: turn.deadline.left(), ..turn.options.limits };
@@ -126,9 +134,7 @@ pub(crate) fn solve(
         Ok(done) => done,
         Err(Unrun::Unsupported(why)) => {
             messages.push(Message::warning(why));
-            let nulls = vec![Tree::branch_at(Path::zero(), Column::nulls(1)); object.outputs.len()];
-            let report = ObjectReport::idle(Status::Unsupported, messages, 0);
-            return Some(ObjectReport { outputs: nulls, ..report });
+            return Some(unsupported(object, messages));
         }
         Err(Unrun::Failed(message)) => {
             messages.push(message);
@@ -137,6 +143,13 @@ pub(crate) fn solve(
     };
     messages.extend(done.messages);
     Some(outside::report(turn, object, done.outputs, messages, budget))
+}
+
+/// What a component puts out that is not supported.
+fn unsupported(object: &Object, messages: Vec<Message>) -> ObjectReport {
+    let nulls = vec![Tree::branch_at(Path::zero(), Column::nulls(1)); object.outputs.len()];
+    let report = ObjectReport::idle(Status::Unsupported, messages, 0);
+    ObjectReport { outputs: nulls, ..report }
 }
 
 /// Whether a report has objects in it that went with the process that held them.

@@ -3,6 +3,11 @@
 import linecache
 import traceback
 
+try:
+    import resource
+except ImportError:  # pragma: no cover - systems without limits of processes
+    resource = None
+
 from ..rhino import NAMES as OURS
 
 #: The name under which scripts are compiled.
@@ -36,6 +41,8 @@ def describe(error, advise=None):
         return "Syntax error: %s%s" % (error.msg or text, " (%s)" % where if where else "")
     if kind == "HostError":
         kind = "Katydid"
+    if isinstance(error, MemoryError) and not text:
+        text = _too_much_memory()
     lines = ["Runtime error (%s): %s" % (kind, text)]
     if advise is not None and isinstance(error, ModuleNotFoundError) and error.name and \
             error.name.partition(".")[0] not in OURS:
@@ -50,6 +57,13 @@ def describe(error, advise=None):
             lines.append("  ..." if step is None else "  line %d, in %s" % (
                 step[0], "script" if step[1] == "<module>" else step[1]))
     return "\n".join(lines)
+
+
+def _too_much_memory():
+    """What Python itself says nothing of: the limit that was reached, in megabytes."""
+    most = resource.getrlimit(resource.RLIMIT_AS)[0] if resource else -1
+    limited = "the scripts of a definition may take %d MB together (--script-memory)" % (most >> 20)
+    return limited if 0 < most < 1 << 50 else "there is no memory left"
 
 
 def show_source(code):

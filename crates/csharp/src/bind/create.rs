@@ -95,7 +95,7 @@ impl Binder<'_> {
         }
     }
 
-    fn no_empty_constructor(&self, def: DefId) -> bool {
+    pub(super) fn no_empty_constructor(&self, def: DefId) -> bool {
         let list = self.sema.def(def).members.get(".ctor");
         !list.is_some_and(|l| {
             l.iter().any(|m| matches!(m, Member::Method(id) if self.sema.method(*id).params.is_empty()))

@@ -1,6 +1,7 @@
 //! Bodies of methods, constructors and fields.
 
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 use super::local_function::LIFTED;
 use super::{Binder, Entry, Function, Item, Returns, make};
@@ -176,7 +177,14 @@ impl Binder<'_> {
     ) -> bound::Body {
         let locals = self.scopes.pop().map(|s| s.locals).unwrap_or_default();
         let stmt = Stmt { pos, kind: StmtKind::Block(locals, stmts) };
-        bound::Body { locals: self.locals, params, stmt, captures_this: self.captures_this, iterator }
+        bound::Body {
+            locals: self.locals,
+            params,
+            stmt,
+            captures_this: self.captures_this,
+            iterator,
+            uses: OnceLock::new(),
+        }
     }
 
     pub(super) fn element_of_iterator(&mut self, pos: Pos, ret: Ty) -> Option<Ty> {
@@ -238,7 +246,13 @@ impl Binder<'_> {
         if chain.is_none_or(|(base, ..)| *base) {
             self.field_values(&info.fields, Some(()), stmts);
         }
-        if info.kind == TypeKind::Struct && chain.is_none() {
+        // Of a struct that has no such constructor of its own, `this()` gives every field its default value: so it begins.
+        let begins = match chain {
+            Some((false, _, args)) => args.is_empty() && self.no_empty_constructor(self.def),
+            Some(_) => false,
+            None => true,
+        };
+        if info.kind == TypeKind::Struct && begins {
             return;
         }
         let this = self.this(pos);

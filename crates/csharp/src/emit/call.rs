@@ -63,7 +63,8 @@ impl Emitter<'_> {
         }
         if !is_virtual
             && (self.intrinsic(d, receiver, &method, args, e)?
-                || self.inline_call(d, receiver, &method, args, e)?)
+                || self.inline_call(d, receiver, &method, args, e)?
+                || self.inline_steps(d, receiver, &method, args, e)?)
         {
             return Ok(());
         }
@@ -72,20 +73,48 @@ impl Emitter<'_> {
         let info = self.program.sema.method(method.id);
         let copies = !(matches!(info.body, crate::sema::Body::Extern(_))
             && self.program.sema.def(info.owner).kind == crate::syntax::ast::TypeKind::Struct);
+        // A struct in its parts is put together for the call, and taken apart again: the method may have changed it. Below
+        // the window of the call it is not lost.
+        let apart = match receiver.and_then(|receiver| self.parts_of(receiver)) {
+            Some(parts) => Some((parts, self.alloc()?)),
+            None => None,
+        };
         let base = self.allocs(count.max(1))?;
         let mut first = base;
         let mut receiver_ty = Ty::ERROR;
+        let mut late = false;
         if let Some(receiver) = receiver {
             receiver_ty = self.ty(receiver.ty);
-            self.receiver(base, receiver, &method)?;
+            late = self.is_struct_variable(receiver) && args.iter().any(|(_, arg)| self.sets_locals(arg));
+            if apart.is_none() && !late {
+                self.receiver(base, receiver, &method)?;
+            }
             first += 1;
         }
         self.arguments(first, args, copies)?;
+        match (apart, receiver) {
+            (Some((parts, whole)), _) => {
+                self.build(whole, parts);
+                self.op(Op::Move { d: base, a: whole });
+            }
+            (None, Some(receiver)) if late => self.receiver(base, receiver, &method)?,
+            _ => {}
+        }
         self.pos = pos;
         self.dispatch(base, receiver.is_some(), receiver_ty, &method, is_virtual, e)?;
         self.pos = pos;
+        if let Some((parts, whole)) = apart {
+            self.take_apart(parts, whole);
+        }
         self.result(d, base, &method);
         Ok(())
+    }
+
+    /// Whether the object of a call is a struct in a variable: the call is given its place, so what the arguments do to it
+    /// is seen.
+    pub(super) fn is_struct_variable(&mut self, receiver: &Expr) -> bool {
+        let ty = self.ty(receiver.ty);
+        matches!(receiver.kind, Kind::Local(_) | Kind::This) && self.program.sema.is_struct(ty)
     }
 
     /// The object that a method is called on: a struct in its place, unless it came from a property.

@@ -1,6 +1,5 @@
 //! Expressions.
 
-use super::effect::sets_locals;
 use super::{Emitted, Emitter, Refused};
 use crate::bind::wrap;
 use crate::bound::{Const, Conv, Expr, Kind, Op as BinOp};
@@ -106,7 +105,7 @@ impl Emitter<'_> {
 
     /// Two operands; the first is kept safe when the second sets variables.
     pub(super) fn operands(&mut self, a: &Expr, b: &Expr) -> Emitted<(Reg, Reg)> {
-        let first = if sets_locals(b) { self.fresh(a)? } else { self.expr(a, None)? };
+        let first = if self.sets_locals(b) { self.fresh(a)? } else { self.expr(a, None)? };
         let second = self.expr(b, None)?;
         Ok((first, second))
     }

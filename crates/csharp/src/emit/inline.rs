@@ -15,17 +15,17 @@ const DEPTH: u32 = 5;
 /// From how many operations on a function takes no more of them in.
 const LONG: usize = 10_000;
 
-/// A struct that was made and is only looked at: its fields stand in registers in a row.
+/// A struct whose fields stand in registers in a row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parts {
-    first: Reg,
-    count: u16,
-    ty: Ty,
+    pub(super) first: Reg,
+    pub(super) count: u16,
+    pub(super) ty: Ty,
 }
 
 /// What stands for a parameter.
 #[derive(Debug, Clone, Copy)]
-enum Operand {
+pub(super) enum Operand {
     Whole(Reg),
     Parts(Parts),
 }
@@ -71,11 +71,18 @@ impl Emitter<'_> {
         args: &[Arg],
         e: &Expr,
     ) -> Emitted<(Option<Operand>, Vec<Operand>)> {
-        let this = match receiver {
-            Some(receiver) => Some(self.operand(receiver, args.iter().map(|(_, e)| e))?),
-            None => None,
+        let is_variable = receiver.is_some_and(|receiver| self.is_struct_variable(receiver));
+        let (this, regs) = match receiver {
+            Some(receiver) if is_variable => {
+                let regs = self.operand_list(args)?;
+                (Some(self.operand(receiver, std::iter::empty())?), regs)
+            }
+            Some(receiver) => {
+                let this = self.operand(receiver, args.iter().map(|(_, e)| e))?;
+                (Some(this), self.operand_list(args)?)
+            }
+            None => (None, self.operand_list(args)?),
         };
-        let regs = self.operand_list(args)?;
         self.pos = e.pos;
         if let Some(receiver) = receiver {
             let ty = self.ty(receiver.ty);
@@ -93,7 +100,7 @@ impl Emitter<'_> {
 
     /// A new struct whose constructor sets each field, from its fields at once; false where it must be a call.
     pub(super) fn inline_new(&mut self, d: Reg, method: &MethodRef, args: &[Arg], pos: Pos) -> Emitted<bool> {
-        let Some(parts) = self.new_parts(method, args)? else { return Ok(false) };
+        let Some(parts) = self.new_parts(method, args, None)? else { return Ok(false) };
         self.pos = pos;
         self.build(d, parts);
         Ok(true)
@@ -104,7 +111,7 @@ impl Emitter<'_> {
     }
 
     /// The fields of a new struct; none where its constructor must be called.
-    fn new_parts(&mut self, method: &MethodRef, args: &[Arg]) -> Emitted<Option<Parts>> {
+    fn new_parts(&mut self, method: &MethodRef, args: &[Arg], want: Option<Reg>) -> Emitted<Option<Parts>> {
         if method.id.0 == u32::MAX {
             return Ok(None);
         }
@@ -116,7 +123,10 @@ impl Emitter<'_> {
         let list = statements(&body).unwrap_or_default();
         let ty = method.owner;
         self.program.layout(ty);
-        let first = self.allocs(list.len().max(1) as u32)?;
+        let first = match want {
+            Some(first) => first,
+            None => self.allocs(list.len().max(1) as u32)?,
+        };
         self.within(&body, method, None, &regs, |emitter| {
             for (field, value) in list.iter().filter_map(|stmt| sets_field(stmt)) {
                 let owner = emitter.ty(field.owner);
@@ -132,6 +142,7 @@ impl Emitter<'_> {
     pub(super) fn parts_of(&self, e: &Expr) -> Option<Parts> {
         match &e.kind {
             Kind::Local(id) => self.parts.get(id).copied(),
+            Kind::Held(number) => self.held_parts.get(number).copied(),
             Kind::This => self.this_parts,
             _ => None,
         }
@@ -143,13 +154,22 @@ impl Emitter<'_> {
         Some(parts.first + self.program.field_index(owner, field))
     }
 
-    /// A struct that an expression makes, in its parts where it can be; none where nothing was emitted.
-    fn parted(&mut self, e: &Expr) -> Emitted<Option<Operand>> {
+    /// The register that a field of a struct in its parts is.
+    pub(super) fn part_there(&mut self, e: &Expr) -> Option<Reg> {
+        let Kind::Field(Some(of), field) = &e.kind else { return None };
+        self.parts_of(of)?;
+        let owner = self.ty(field.owner);
+        self.part_of(of, owner, field.id)
+    }
+
+    /// A struct that an expression makes, in its parts where it can be; none where nothing was emitted. A new one goes into
+    /// the registers from `want` on, where they are given.
+    pub(super) fn parted(&mut self, e: &Expr, want: Option<Reg>) -> Emitted<Option<Operand>> {
         match &e.kind {
-            Kind::Local(_) | Kind::This => Ok(self.parts_of(e).map(Operand::Parts)),
+            Kind::Local(_) | Kind::This | Kind::Held(_) => Ok(self.parts_of(e).map(Operand::Parts)),
             Kind::New(method, args) => {
                 let method = self.method_ref(method);
-                Ok(self.new_parts(&method, args)?.map(Operand::Parts))
+                Ok(self.new_parts(&method, args, want)?.map(Operand::Parts))
             }
             Kind::Call(receiver, method, args, is_virtual) => {
                 let (mut method, mut is_virtual) = (self.method_ref(method), *is_virtual);
@@ -166,14 +186,15 @@ impl Emitter<'_> {
                     return Ok(None);
                 };
                 let (this, regs) = self.given(receiver.as_deref(), &method, args, e)?;
-                let made =
-                    self.within(&body, &method, this, &regs, |emitter| match emitter.parted(value)? {
+                let made = self.within(&body, &method, this, &regs, |emitter| {
+                    match emitter.parted(value, want)? {
                         Some(made) => Ok(made),
                         None => {
                             let d = emitter.alloc()?;
                             emitter.copied(value, Some(d)).map(Operand::Whole)
                         }
-                    })?;
+                    }
+                })?;
                 Ok(Some(made))
             }
             _ => Ok(None),
@@ -181,16 +202,15 @@ impl Emitter<'_> {
     }
 
     fn may_inline(&mut self, method: &MethodRef, args: &[Arg]) -> Option<Quiet> {
-        if self.inlined >= DEPTH
-            || self.f.code.len() > LONG
-            || args.iter().any(|(passing, _)| *passing != Passing::Value)
-        {
-            return None;
-        }
-        if self.program.too_many_types(method.owner) {
-            return None;
-        }
-        self.program.quiet(method.id)
+        if self.takes_more(method, args) { self.program.quiet(method.id) } else { None }
+    }
+
+    /// Whether a method may stand in place of its call here.
+    pub(super) fn takes_more(&self, method: &MethodRef, args: &[Arg]) -> bool {
+        self.inlined < DEPTH
+            && self.f.code.len() <= LONG
+            && args.iter().all(|(passing, _)| *passing == Passing::Value)
+            && !self.program.too_many_types(method.owner)
     }
 
     fn getter(&mut self, d: Reg, o: Reg, method: &MethodRef, field: crate::sema::FieldId) {
@@ -216,12 +236,21 @@ impl Emitter<'_> {
     /// An operand that others are evaluated after.
     fn operand<'e>(&mut self, e: &Expr, rest: impl Iterator<Item = &'e Expr>) -> Emitted<Operand> {
         let ty = self.ty(e.ty);
+        let is_quiet = self.rest_is_quiet(rest);
         if self.program.sema.is_struct(ty)
-            && let Some(made) = self.parted(e)?
+            && let Some(made) = self.parted(e, None)?
         {
-            return Ok(made);
+            // What comes after may change the variable that these are the parts of.
+            return match made {
+                Operand::Parts(parts) if !is_quiet => {
+                    let own = Parts { first: self.allocs(parts.count.into())?, ..parts };
+                    self.move_parts(own, parts);
+                    Ok(Operand::Parts(own))
+                }
+                made => Ok(made),
+            };
         }
-        if self.rest_is_quiet(rest) {
+        if is_quiet {
             return self.in_place(e).map(Operand::Whole);
         }
         let d = self.alloc()?;
@@ -237,7 +266,7 @@ impl Emitter<'_> {
     }
 
     /// Emits inside the body of another method, its object and its parameters as they were given.
-    fn within<T>(
+    pub(super) fn within<T>(
         &mut self,
         body: &std::sync::Arc<Body>,
         method: &MethodRef,
@@ -274,9 +303,17 @@ impl Emitter<'_> {
             std::mem::replace(&mut self.this_parts, this_parts),
             self.pos,
         );
+        let around = (
+            std::mem::replace(&mut self.fixed, body.params.clone()),
+            std::mem::take(&mut self.held),
+            std::mem::take(&mut self.held_parts),
+            std::mem::take(&mut self.reserved),
+            self.goes_on.take(),
+        );
         self.inlined += 1;
         let done = emit(self);
         self.inlined -= 1;
+        (self.fixed, self.held, self.held_parts, self.reserved, self.goes_on) = around;
         (self.body, self.by, self.regs, self.parts, self.envs, self.this, self.this_parts, self.pos) = outer;
         done
     }

@@ -70,7 +70,7 @@ impl Emitter<'_> {
                 Ok(true)
             }
             (Member::Add, Some(o), [(_, value)]) => {
-                let o = if super::effect::sets_locals(value) { self.fresh(o)? } else { self.expr(o, None)? };
+                let o = if self.sets_locals(value) { self.fresh(o)? } else { self.expr(o, None)? };
                 let v = self.copied(value, None)?;
                 self.pos = e.pos;
                 Ok(self.member_op(member, [o, v, 0]))

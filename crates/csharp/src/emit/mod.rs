@@ -10,7 +10,10 @@ mod intrinsic;
 mod lambda;
 mod place;
 mod quiet;
+mod split;
 mod statement;
+mod steps;
+mod uses;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -77,9 +80,12 @@ struct Emitter<'p> {
     /// Exceptions of the `catch` that is being compiled.
     caught: Vec<Reg>,
     this: Option<Reg>,
-    /// Parameters of a method in place that are structs in their parts, and its object where it is one.
+    /// Variables that are structs in their parts, and the object of a method in place where it is one.
     parts: HashMap<LocalId, inline::Parts>,
+    held_parts: HashMap<u32, inline::Parts>,
     this_parts: Option<inline::Parts>,
+    /// Where a method in place of its call puts its result, and where what follows it is.
+    goes_on: Option<(Reg, Mark)>,
     in_lambda: bool,
     texts: HashMap<Arc<[u16]>, u32>,
     /// The constants of the outermost loop.
@@ -259,7 +265,9 @@ impl<'p> Emitter<'p> {
             caught: Vec::new(),
             this: None,
             parts: HashMap::new(),
+            held_parts: HashMap::new(),
             this_parts: None,
+            goes_on: None,
             in_lambda: false,
             texts: HashMap::new(),
             hoisted: None,

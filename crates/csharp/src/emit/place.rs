@@ -1,6 +1,6 @@
 //! Variables, fields and elements: reading, setting, references.
 
-use super::effect::sets_locals;
+use super::inline::Parts;
 use super::{Emitted, Emitter, Refused};
 use crate::bound::{Arg, Expr, FieldRef, Kind, MethodRef};
 use crate::sema::Ty;
@@ -10,6 +10,8 @@ use crate::vm::op::{Op, Reg};
 /// A place with everything evaluated that says where it is.
 enum Place {
     Register(Reg),
+    /// A struct whose fields stand in registers.
+    Parts(Parts),
     Reference(Reg),
     Field(Reg, Reg),
     Static(u32),
@@ -82,12 +84,18 @@ impl Emitter<'_> {
 
     /// A part of a place: as it is in a variable where nothing that is evaluated after it sets variables.
     fn part(&mut self, e: &Expr, later: &[&Expr]) -> Emitted<Reg> {
-        if later.iter().any(|e| sets_locals(e)) { self.fresh(e) } else { self.expr(e, None) }
+        if later.iter().any(|e| self.sets_locals(e)) { self.fresh(e) } else { self.expr(e, None) }
     }
 
     /// Evaluates what says where a place is, before the value that goes there.
     fn place(&mut self, e: &Expr, value: Option<&Expr>) -> Emitted<Place> {
         self.pos = e.pos;
+        if let Some(parts) = self.parts_of(e) {
+            return Ok(Place::Parts(parts));
+        }
+        if let Some(part) = self.part_there(e) {
+            return Ok(Place::Register(part));
+        }
         Ok(match &e.kind {
             Kind::Local(id) => {
                 if let Some((env, index)) = self.captured(*id)? {
@@ -185,6 +193,7 @@ impl Emitter<'_> {
     fn load(&mut self, place: &Place, d: Reg) -> Emitted<()> {
         match place {
             Place::Register(a) | Place::This(a) => self.op(Op::Move { d, a: *a }),
+            Place::Parts(parts) => self.build(d, *parts),
             Place::Reference(a) => self.op(Op::LoadRef { d, a: *a }),
             Place::Field(o, i) => self.op(Op::LoadField { d, o: *o, i: *i }),
             Place::Static(s) => self.op(Op::LoadStatic { d, s: *s }),
@@ -206,6 +215,7 @@ impl Emitter<'_> {
     fn store(&mut self, place: &Place, v: Reg) -> Emitted<()> {
         match place {
             Place::Register(d) => self.op(Op::Move { d: *d, a: v }),
+            Place::Parts(parts) => self.take_apart(*parts, v),
             Place::This(d) => self.op(Op::StoreRef { a: *d, v }),
             Place::Reference(a) => self.op(Op::StoreRef { a: *a, v }),
             Place::Field(o, i) => self.op(Op::StoreField { o: *o, i: *i, v }),
@@ -246,13 +256,18 @@ impl Emitter<'_> {
 
     pub(super) fn assign_into(&mut self, d: Reg, place: &Expr, value: &Expr) -> Emitted<()> {
         let pos = self.pos;
+        if let Some(parts) = self.parts_of(place) {
+            self.assign_parts(parts, place, value)?;
+            self.build(d, parts);
+            return Ok(());
+        }
         if let Kind::Local(id) = place.kind
             && !self.is_reference_param(id)
             && self.captured(id)?.is_none()
             && let Some(reg) = self.regs.get(&id).copied()
         {
             // Straight into the variable.
-            if super::effect::sets_locals(value) || mentions(value, id) {
+            if self.sets_locals(value) || mentions(value, id) {
                 let v = self.copied(value, None)?;
                 self.op(Op::Move { d: reg, a: v });
             } else {
@@ -290,6 +305,16 @@ impl Emitter<'_> {
         post: bool,
     ) -> Emitted<()> {
         let pos = self.pos;
+        if let Some(parts) = self.parts_of(place) {
+            if post {
+                self.build(d, parts);
+            }
+            self.update_parts(parts, number, value)?;
+            if !post {
+                self.build(d, parts);
+            }
+            return Ok(());
+        }
         let place = self.place(place, Some(value))?;
         if let (Place::Register(reg), false) = (&place, post) {
             // `i += 1` in the variable's own register.
@@ -320,14 +345,16 @@ impl Emitter<'_> {
         match &e.kind {
             Kind::Update(place, number, value, _) => {
                 self.pos = e.pos;
-                if let Kind::Local(id) = place.kind
-                    && !self.is_reference_param(id)
-                    && self.captured(id)?.is_none()
-                    && let Some(reg) = self.regs.get(&id).copied()
+                if let Some(parts) = self.parts_of(place) {
+                    self.update_parts(parts, *number, value)?;
+                    self.next = kept;
+                    return Ok(());
+                }
+                if let Some(reg) = self.register_of(place)?
                     && matches!(value.kind, Kind::Binary(..))
                 {
                     self.held.insert(*number, reg);
-                    if super::effect::sets_locals(value) {
+                    if self.sets_locals(value) {
                         let v = self.expr(value, None)?;
                         self.op(Op::Move { d: reg, a: v });
                     } else {
@@ -341,7 +368,9 @@ impl Emitter<'_> {
             }
             Kind::Assign(place, value) => {
                 self.pos = e.pos;
-                if let Kind::Local(id) = place.kind
+                if let Some(parts) = self.parts_of(place) {
+                    self.assign_parts(parts, place, value)?;
+                } else if let Kind::Local(id) = place.kind
                     && !self.is_reference_param(id)
                     && self.captured(id)?.is_none()
                     && let Some(reg) = self.regs.get(&id).copied()
@@ -359,6 +388,19 @@ impl Emitter<'_> {
         Ok(())
     }
 
+    /// The register of a variable, or of a field of one that is in its parts.
+    fn register_of(&mut self, place: &Expr) -> Emitted<Option<Reg>> {
+        if let Some(part) = self.part_there(place) {
+            return Ok(Some(part));
+        }
+        match place.kind {
+            Kind::Local(id) if !self.is_reference_param(id) && self.captured(id)?.is_none() => {
+                Ok(self.regs.get(&id).copied())
+            }
+            _ => Ok(None),
+        }
+    }
+
     /// A reference to a variable, for `ref` and `out`.
     pub(super) fn reference(&mut self, d: Reg, e: &Expr) -> Emitted<()> {
         if let Kind::Field(Some(inner), field) = &e.kind {
@@ -370,6 +412,10 @@ impl Emitter<'_> {
         }
         let place = self.place(e, None)?;
         match place {
+            // Variables that references are handed over to stand in one place (`Uses::whole`).
+            Place::Parts(_) => {
+                return Err(Refused(e.pos, "A reference to this variable is not supported".to_owned()));
+            }
             Place::Register(a) => self.op(Op::RefLocal { d, a }),
             Place::Reference(a) | Place::This(a) => self.op(Op::Move { d, a }),
             Place::Field(o, i) => self.op(Op::RefField { d, o, i }),

@@ -20,7 +20,7 @@ pub(crate) enum Quiet {
 }
 
 /// The most nodes of an expression that is put in place of a call.
-const MOST_NODES: usize = 80;
+pub(super) const MOST_NODES: usize = 80;
 
 /// The statements of a body that has no variables beyond its parameters.
 pub(super) fn statements(body: &Body) -> Option<Vec<&Stmt>> {

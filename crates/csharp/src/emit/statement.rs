@@ -184,7 +184,7 @@ impl Emitter<'_> {
             .collect();
         for local in locals {
             let has_one = self.reserved && self.regs.contains_key(local);
-            if !self.fixed.contains(local) && !shared.contains(local) && !has_one {
+            if !self.fixed.contains(local) && !shared.contains(local) && !has_one && !self.split(*local)? {
                 let reg = self.alloc()?;
                 self.regs.insert(*local, reg);
             }
@@ -214,6 +214,14 @@ impl Emitter<'_> {
     }
 
     fn return_(&mut self, value: Option<&crate::bound::Expr>) -> Emitted<()> {
+        if let Some((d, end)) = self.goes_on {
+            // The method stands in place of its call.
+            if let Some(e) = value {
+                self.copied(e, Some(d))?;
+            }
+            self.jump(end);
+            return Ok(());
+        }
         let Some(e) = value else {
             self.leave(0)?;
             self.op(Op::ReturnVoid);

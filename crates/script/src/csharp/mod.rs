@@ -50,7 +50,7 @@ impl CSharp {
     /// The program of a component. It is taken out while it runs, so that nothing is locked meanwhile.
     fn program(&self, task: &ScriptTask<'_>) -> Result<Program, Vec<katydid_component::Message>> {
         let inputs: Vec<_> = task.inputs.iter().map(|(port, _)| *port).collect();
-        let parameters = program::parameters(task.object, &inputs, &task.script.language);
+        let parameters = program::parameters(task.object, &inputs, task.script);
         let kept = self.programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&task.object.id);
         match kept {
             Some(kept) if kept.source.0 == *task.script && kept.source.1 == parameters => Ok(kept),
@@ -129,7 +129,7 @@ impl ScriptMaker for CSharpMaker {
 /// What is wrong with a C# script before it runs, each with its place; what it needs that is not here is told by name.
 pub fn faults(object: &Object, script: &Script) -> Vec<String> {
     let inputs: Vec<_> = object.inputs.iter().collect();
-    let parameters = program::parameters(object, &inputs, &script.language);
+    let parameters = program::parameters(object, &inputs, script);
     program::faults(script, &parameters).iter().map(ToString::to_string).collect()
 }
 

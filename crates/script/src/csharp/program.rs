@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use katydid_component::Message;
 use katydid_csharp::sema::{MethodId, Ty};
+use katydid_csharp::vm::elements::Elements;
 use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
 use katydid_csharp::{Diagnostic, Engine, Failure, Limits, Location, Parts, Source};
@@ -49,6 +50,7 @@ pub(super) struct Program {
 
 /// Reads and checks a script. Where it cannot be read since it is Python, nothing else is said.
 fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Result<Engine, Vec<Diagnostic>> {
+    let script = &Script { text: without_language(&script.text), ..script.clone() };
     let language = if script.language == ScriptLanguage::VisualBasic { "VB" } else { "C#" };
     compiled_as_written(script, parameters, turn).map_err(|faults| match python_line(&script.text) {
         Some(line) => {
@@ -59,6 +61,18 @@ fn compiled(script: &Script, parameters: &str, turn: &Arc<Mutex<Turn>>) -> Resul
         }
         None => faults,
     })
+}
+
+/// A text without the line that names its language (`#! csharp`): a line that is empty stands in its place.
+fn without_language(text: &str) -> String {
+    let begin = text.len() - text.trim_start_matches('\u{feff}').trim_start().len();
+    match text.get(begin..) {
+        Some(rest) if rest.starts_with("#!") => {
+            let end = rest.find('\n').unwrap_or(rest.len());
+            format!("{}{}", text.get(..begin).unwrap_or_default(), rest.get(end..).unwrap_or_default())
+        }
+        _ => text.to_owned(),
+    }
 }
 
 fn compiled_as_written(
@@ -112,10 +126,9 @@ pub(super) struct Called {
 }
 
 /// The parameters of `RunScript` of a component in three parts.
-pub(super) fn parameters(object: &Object, inputs: &[&Port], language: &ScriptLanguage) -> String {
+pub(super) fn parameters(object: &Object, inputs: &[&Port], script: &Script) -> String {
     // A script of statements alone has no types for data without a hint, and VB finds members of objects when it runs.
-    let is_open =
-        *language == ScriptLanguage::VisualBasic || object.script().is_some_and(|script| is_loose(&script));
+    let is_open = script.language == ScriptLanguage::VisualBasic || is_loose(script);
     let open = if is_open { "dynamic" } else { "object" };
     let inputs = inputs.iter().map(|port| {
         let kind = type_name(TypeHint::of(port.type_hint).name).unwrap_or(open);
@@ -272,24 +285,27 @@ impl Program {
 
     /// An output; an object that is none of ours is what its `ToString` gives.
     fn result(&mut self, value: Net) -> Value {
-        if let Ok(value) = from_csharp(&mut self.engine, value) {
+        let references = self.elements(value).map(|items| items.references().to_vec()).unwrap_or_default();
+        let holds_lists = references.into_iter().any(|item| self.elements(item).is_some());
+        if !holds_lists && let Ok(value) = from_csharp(&mut self.engine, value) {
             return value;
         }
-        let items = match value {
-            Net::Ref(handle) => match self.engine.state().heap.get(handle) {
-                Obj::Array(_, items, None) => Some(items.to_values()),
-                Obj::List(_, items, _) => Some(items.to_values()),
-                _ => None,
-            },
-            _ => None,
-        };
-        let Some(items) = items else { return self.shown(value) };
+        let Some(items) = self.elements(value).map(Elements::to_values) else { return self.shown(value) };
         // A list in a list is one object.
-        let each = items.into_iter().map(|item| match from_csharp(&mut self.engine, item) {
-            Ok(value) => value,
-            Err(_) => self.shown(item),
+        let each = items.into_iter().map(|item| match self.elements(item).is_some() {
+            true => self.shown(item),
+            false => from_csharp(&mut self.engine, item).unwrap_or_else(|_| self.shown(item)),
         });
         Value::List(each.collect())
+    }
+
+    /// The elements of a list, or of an array of one dimension.
+    fn elements(&mut self, value: Net) -> Option<&Elements> {
+        let Net::Ref(handle) = value else { return None };
+        match self.engine.state().heap.get(handle) {
+            Obj::Array(_, items, None) | Obj::List(_, items, _) => Some(items),
+            _ => None,
+        }
     }
 
     /// An object by its text.

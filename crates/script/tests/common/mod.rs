@@ -7,13 +7,19 @@ use std::time::Duration;
 
 use katydid_component::{Cancel, Limits};
 use katydid_data::{Tree, Value};
-use katydid_script::{Bounds, Python, find};
+use katydid_script::{Bounds, CSharp, Python, find};
 use katydid_session::{Registry, Session};
 use katydid_solver::{ObjectReport, Options};
 
 /// A definition of the lines, to be solved with the machine's Python. Without one the test fails, and says so.
 pub(crate) fn session(lines: &str) -> Session {
     session_with(lines, Bounds::default(), Limits::default(), Cancel::default())
+}
+
+/// The same, where C# and VB run too.
+pub(crate) fn session_of_every_language(lines: &str) -> Session {
+    let scripts = CSharp::beside(python(Bounds::default()));
+    session_by(lines, Options { scripts: Some(Arc::new(scripts)), ..Options::default() })
 }
 
 /// The same, of a definition that lies somewhere.

@@ -40,6 +40,29 @@ fn points_and_vectors_follow_their_formulas() {
 }
 
 #[test]
+fn a_line_that_names_the_language_is_no_directive() {
+    let given = row("#! csharp\nA = x * 2;", "int x, ref object A", &[Value::Int(7)]);
+    assert_eq!(given, [Value::Int(14)]);
+    let whole = "\u{feff}\n#! csharp\nusing System;\npublic class Script_Instance : GH_ScriptInstance {
+        private void RunScript(int x, ref object A) { A = x + 1; } }";
+    assert_eq!(row(whole, "int x, ref object A", &[Value::Int(7)]), [Value::Int(8)]);
+    // Lines keep their numbers.
+    let faults = program("#! csharp\nA = nothing;", "", "ref object A").err().unwrap_or_default();
+    assert!(faults.iter().any(|fault| fault.text.contains("(2,5)")), "{faults:?}");
+}
+
+#[test]
+fn a_list_in_a_list_is_one_object_that_shows_its_name() {
+    let body = "A = new object[] { 1, new List<int> { 2 }, new double[] { 3.0 }, \"t\" };";
+    let given = row(body, "ref object A", &[]);
+    let [Value::List(items)] = given.as_slice() else { panic!("{given:?}") };
+    let shown: Vec<_> =
+        items.iter().map(|item| if let Value::Error(_, text) = item { text } else { "" }).collect();
+    assert_eq!(shown, ["", "System.Collections.Generic.List`1[System.Int32]", "System.Double[]", ""]);
+    assert_eq!((&items[0], &items[3]), (&Value::Int(1), &Value::from("t")));
+}
+
+#[test]
 fn curves_are_those_of_the_member_table() {
     let body = "Curve c = new LineCurve(new Line(new Point3d(0, 0, 0), new Point3d(8, 6, 0)));
         double t; bool found = c.ClosestPoint(new Point3d(4, 3, 5), out t);
