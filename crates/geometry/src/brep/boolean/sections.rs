@@ -3,11 +3,13 @@
 use super::interferences::{common_points, stops};
 use super::operands::{Face, Operands, Place};
 use super::refusal::RefusalClass;
-use super::thresholds::{CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
+use super::thresholds::{AT_CROSSING, CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
 use crate::intersect::{
     Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
 };
-use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, Surface, Tolerance, patience};
+use crate::{
+    BoundingBox, BoxIndex, Curve, Interval, Line, Point3, PolyCurve, Result, Surface, Tolerance, patience,
+};
 
 /// A curve that two faces' surfaces have in common.
 #[derive(Debug)]
@@ -41,7 +43,11 @@ pub(super) fn sections(all: &mut Operands, pairs: &[(usize, usize)]) -> Result<V
     for &(a, b) in pairs {
         patience::check()?;
         let (Some(fa), Some(fb)) = (all.faces.get(a), all.faces.get(b)) else { continue };
-        let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else { continue };
+        let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else {
+            let (place, distance) = gap(all, fa, fb)?;
+            all.upon.push(([a, b], place, distance));
+            continue;
+        };
         let mut crossings = Vec::new();
         for p in points {
             let reach = CAPTURE * all.limit;
@@ -172,8 +178,28 @@ fn traced(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2], tolerance: &To
     if !met.complete {
         return Err(all.refuse(RefusalClass::Unfinished, &places, None));
     }
-    curves.extend(met.branches.into_iter().map(|b| (b.curve, false)));
+    for branch in met.branches {
+        curves.push((led_in(branch.curve, &points, AT_CROSSING * all.limit)?, false));
+    }
     Ok(Meeting::Parts(curves, points))
+}
+
+/// A branch that ends a little before a place where branches cross is led there: the surfaces have one tangent plane in
+/// such a place, so that a straight way lies on both.
+fn led_in(curve: Curve, crossings: &[Point3], reach: f64) -> Result<Curve> {
+    let ends = [curve.start(), curve.end()];
+    let missing = ends.map(|end| {
+        let near = crossings.iter().copied().find(|p| p.distance_to(end) <= reach);
+        near.filter(|p| p.distance_to(end) > 0.0)
+    });
+    if missing == [None, None] {
+        return Ok(curve);
+    }
+    let mut parts: Vec<Curve> = Vec::with_capacity(3);
+    parts.extend(missing[0].map(|p| Line::new(p, ends[0]).into()));
+    parts.push(curve);
+    parts.extend(missing[1].map(|p| Line::new(ends[1], p).into()));
+    Ok(PolyCurve::new(parts)?.into())
 }
 
 /// Whether ranges of parameters are the whole domains of both surfaces.
@@ -204,6 +230,26 @@ fn coincident(all: &Operands, [a, b]: [&Face; 2], [ca, cb]: [&Carrier; 2]) -> Re
     let size = a.size.max(b.size);
     let near = Tolerance { absolute: limit, angle: limit / size };
     Ok(matches!(carrier_carrier(ca, cb, &near), Some(CarrierMeeting::Same)))
+}
+
+/// How far two faces upon each other are apart: the largest distance found between the border of one and the other, and
+/// where it is.
+fn gap(all: &Operands, a: &Face, b: &Face) -> Result<(Option<Point3>, f64)> {
+    let mut out = (None, 0.0);
+    for (own, other) in [(a, b), (b, a)] {
+        for edge in own.border.iter().filter_map(|e| all.edges.get(*e)) {
+            for share in PLACES {
+                let p = edge.curve.point_at(edge.curve.domain().at(share));
+                let uv = other.parameters(p)?;
+                let distance = other.surface.point_at(uv[0], uv[1]).distance_to(p);
+                // Where only the one of them is there is no gap.
+                if out.1 < distance && distance <= CAPTURE * all.limit {
+                    out = (Some(p), distance);
+                }
+            }
+        }
+    }
+    Ok(out)
 }
 
 /// Whether the whole border of a flat face lies within a distance of a plane.

@@ -9,12 +9,17 @@ pub(super) const ROUNDING: f64 = 1e-12;
 pub(super) const TRACED: f64 = 0.25;
 /// A vertex belongs to a curve that comes nearer to it than so many tolerances: one for the vertex and one for the curve.
 pub(super) const CAPTURE: f64 = 2.0;
+/// Branches that end nearer than so many tolerances to a place where branches cross end there: where two surfaces have one
+/// tangent plane they part by the square of the way, and branches are found only so far.
+pub(super) const AT_CROSSING: f64 = 64.0;
 /// Two curves with the same ends are one when they come nearer to each other than so many tolerances.
 pub(super) const SAME_CURVE: f64 = 4.0;
 /// The share of the way to the middle of a piece at which one sees on which side of a seam its end lies.
 pub(super) const BESIDE: f64 = 1e-3;
 /// Images in the parameter plane are pulled within these parts of the tolerance: the first that can be reached.
 pub(super) const PULLED: [f64; 3] = [0.25, 1.0, 4.0];
+/// So many times a curve is halved that cannot be pulled as a whole: its quickest bend is looked at 2⁷ times as finely.
+pub(super) const MOST_HALVINGS: usize = 7;
 /// Two unit directions whose product is shorter are parallel to rounding.
 pub(super) const PARALLEL: f64 = 1e-10;
 /// The cosine of the angle between normals of faces that lie upon each other: what the tolerance leaves open is far less.

@@ -1,0 +1,138 @@
+#![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::{DecisionKind, Fuse};
+use crate::{
+    Arc, BoundingBox, Box3, Brep, Circle, Curve, Cylinder, Interval, Line, Plane, Point3, Tolerance, Vector3,
+    Xform, construct, join_curves,
+};
+
+fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
+    let bounds = BoundingBox { min: Point3::from(min), max: Point3::from(max) };
+    construct::box_brep(&Box3::from(bounds)).unwrap()
+}
+
+fn tube(center: [f64; 3], radius: f64, height: f64) -> Brep {
+    let plane = Plane::XY.with_origin(Point3::from(center));
+    construct::cylinder(&Cylinder::new(plane, radius, Interval::new(0.0, height)).unwrap(), [true; 2])
+        .unwrap()
+}
+
+fn disc(center: [f64; 3], radius: f64) -> Brep {
+    let rim: Curve = Circle::new(Plane::XY.with_origin(Point3::from(center)), radius).unwrap().into();
+    Brep::planar_faces(&[rim], &Tolerance::default()).unwrap().breps.remove(0)
+}
+
+fn within(absolute: f64) -> Tolerance {
+    Tolerance { absolute, ..Tolerance::default() }
+}
+
+fn area(breps: &[Brep]) -> f64 {
+    breps.iter().map(|b| b.area_properties(1e-10, || true).unwrap().amount).sum()
+}
+
+#[test]
+fn a_thin_cylinder_that_touches_a_thick_one_from_inside() {
+    // Axes square to each other, 0.5 apart: the common curve crosses itself where the walls touch.
+    let thick = tube([0.0; 3], 1.0, 4.0);
+    let lying = Xform::rotation(FRAC_PI_2, Vector3::X, Point3::ORIGIN).unwrap();
+    let placed = Xform::translation(Vector3::new(0.5, 2.0, 2.0));
+    let thin = tube([0.0; 3], 0.5, 4.0).transformed(&lying).unwrap().transformed(&placed).unwrap();
+    let t = within(1e-6);
+    let [a, b] = [[thick], [thin]];
+    let volume = |made: Vec<super::Made>| -> f64 {
+        made.iter().map(|m| m.brep.volume_properties(1e-9, || true).unwrap().amount).sum()
+    };
+    let common = volume(Brep::intersection(&a, &b, &t).unwrap());
+    let left = volume(Brep::difference(&a, &b, &t).unwrap());
+    // At each y the part of the disc of radius ½ about x = ½ up to x = √(1 − y²).
+    let slice = |y: f64| {
+        let d = ((1.0 - y * y).sqrt() - 0.5) / 0.5;
+        0.25 * (PI - d.acos() + d * (1.0 - d * d).max(0.0).sqrt())
+    };
+    let count = 400_000;
+    let step = 2.0 / f64::from(count);
+    let want: f64 = (0..count).map(|k| slice(-1.0 + (f64::from(k) + 0.5) * step) * step).sum();
+    assert!((common - want).abs() < 1e-6, "{common} {want}");
+    assert!((left - (4.0 * PI - want)).abs() < 1e-6, "{left} {want}");
+}
+
+#[test]
+fn curves_on_two_operands() {
+    // The thin cylinder touches the thick one's wall along 10 units, and its wall cuts the thick one's lid.
+    let fuse =
+        Fuse::new(&[tube([0.0; 3], 10.0, 20.0), tube([5.0, 0.0, 10.0], 5.0, 20.0)], &within(1e-6)).unwrap();
+    let length: f64 = fuse.curves().iter().map(|c| c.curve.length()).sum();
+    assert!((length - 10.0 - 10.0 * PI).abs() < 1e-6, "{length}");
+    assert!(fuse.curves().iter().all(|c| c.operands == [0, 1]));
+}
+
+#[test]
+fn what_the_tolerance_decided_is_told() {
+    let boxes = |gap: f64| [cuboid([0.0; 3], [1.0; 3]), cuboid([1.0 + gap, 0.0, 0.0], [2.0, 1.0, 1.0])];
+    assert_eq!(Fuse::new(&boxes(0.0), &within(1e-6)).unwrap().report(), []);
+    let apart = Fuse::new(&boxes(5e-7), &within(1e-6)).unwrap();
+    assert_eq!(apart.solids(|i| i.contains(&true)).unwrap().len(), 1);
+    let report = apart.report();
+    for kind in [DecisionKind::Points, DecisionKind::Surfaces] {
+        let own = report.iter().find(|d| d.kind == kind).unwrap();
+        assert!((own.distance - 5e-7).abs() < 1e-12, "{own}");
+    }
+    // What is farther apart than the tolerance stays so.
+    let two = Fuse::new(&boxes(2e-6), &within(1e-6)).unwrap();
+    assert_eq!((two.solids(|i| i.contains(&true)).unwrap().len(), two.report().len()), (2, 0));
+}
+
+#[test]
+fn discs_that_overlap() {
+    let fuse = Fuse::new(&[disc([0.0; 3], 10.0), disc([10.0, 0.0, 0.0], 10.0)], &within(1e-6)).unwrap();
+    let lens = 200.0 * PI / 3.0 - 50.0 * 3.0_f64.sqrt();
+    let of = |wanted: [bool; 2]| {
+        let made = fuse.faces(|part| part.on == wanted).unwrap();
+        area(&made.into_iter().map(|m| m.brep).collect::<Vec<_>>())
+    };
+    assert!((of([true, true]) - lens).abs() < 1e-6);
+    assert!((of([true, false]) - (100.0 * PI - lens)).abs() < 1e-6);
+}
+
+#[test]
+fn a_slot_whose_round_ends_touch_the_edges_of_a_face() {
+    let arc = |z: f64, start: f64| -> Curve {
+        let plane = Plane::from_axes(Point3::new(7.0, 3.0, z), Vector3::X, Vector3::Z).unwrap();
+        Arc::new(Circle::new(plane, 1.0).unwrap(), Interval::new(start, start + PI)).unwrap().into()
+    };
+    let (top, low) = (arc(3.0, 0.0), arc(1.0, PI));
+    let sides = [Line::new(top.end(), low.start()), Line::new(low.end(), top.start())].map(Curve::from);
+    let [left, right] = sides;
+    let outline = join_curves(&[top, left, low, right], 1e-9, false);
+    let face = Brep::planar_faces(&outline, &within(1e-9)).unwrap().breps.remove(0);
+    let slot = construct::extrude_brep(&face, Vector3::new(0.0, -1.0, 0.0), &within(1e-9)).unwrap();
+    let block = cuboid([3.0, 3.0, 0.0], [8.0, 9.0, 5.0]);
+    let made = Brep::union(&[block, slot], &within(1e-6)).unwrap();
+    let breps: Vec<Brep> = made.into_iter().map(|m| m.brep).collect();
+    // The box and the side of the slot; its front stands for the part of the box that it covers.
+    let want = 170.0 + 2.0 * PI + 4.0;
+    assert!((area(&breps) - want).abs() < 1e-6, "{} {want}", area(&breps));
+}
+
+#[test]
+fn a_plane_near_the_apex_of_a_wide_cone() {
+    // A hyperbola that bends within a thousandth of its length.
+    let reach = 1000.0;
+    let side = Interval::new(-reach, reach);
+    let sheet = crate::PlaneSurface::new(
+        Plane::from_axes(Point3::new(0.0, 0.01, 0.0), Vector3::X, Vector3::Z).unwrap(),
+        side,
+        side,
+    );
+    let sheet = Brep::from_surface(sheet.unwrap().into()).unwrap();
+    let cone = construct::cone(&crate::Cone::new(Plane::XY, 500.0, 200.0).unwrap(), true).unwrap();
+    let fuse = Fuse::new(&[cone, sheet], &within(1e-4)).unwrap();
+    let volumes: Vec<f64> = (fuse.volumes().unwrap().iter())
+        .map(|(_, m)| m.brep.volume_properties(1e-9, || true).unwrap().amount)
+        .collect();
+    let whole = PI * 200.0 * 200.0 * 500.0 / 3.0;
+    assert_eq!(volumes.len(), 2);
+    assert!((volumes.iter().sum::<f64>() - whole).abs() < 1e-6 * whole, "{volumes:?} {whole}");
+}
