@@ -3,13 +3,11 @@
 use super::interferences::{common_points, stops};
 use super::operands::{Face, Operands, Place};
 use super::refusal::RefusalClass;
-use super::thresholds::{AT_CROSSING, CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
+use super::thresholds::{CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
 use crate::intersect::{
     Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
 };
-use crate::{
-    BoundingBox, BoxIndex, Curve, Interval, Line, Point3, PolyCurve, Result, Surface, Tolerance, patience,
-};
+use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, Surface, Tolerance, patience};
 
 /// A curve that two faces' surfaces have in common.
 #[derive(Debug)]
@@ -178,28 +176,8 @@ fn traced(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2], tolerance: &To
     if !met.complete {
         return Err(all.refuse(RefusalClass::Unfinished, &places, None));
     }
-    for branch in met.branches {
-        curves.push((led_in(branch.curve, &points, AT_CROSSING * all.limit)?, false));
-    }
+    curves.extend(met.branches.into_iter().map(|b| (b.curve, false)));
     Ok(Meeting::Parts(curves, points))
-}
-
-/// A branch that ends a little before a place where branches cross is led there: the surfaces have one tangent plane in
-/// such a place, so that a straight way lies on both.
-fn led_in(curve: Curve, crossings: &[Point3], reach: f64) -> Result<Curve> {
-    let ends = [curve.start(), curve.end()];
-    let missing = ends.map(|end| {
-        let near = crossings.iter().copied().find(|p| p.distance_to(end) <= reach);
-        near.filter(|p| p.distance_to(end) > 0.0)
-    });
-    if missing == [None, None] {
-        return Ok(curve);
-    }
-    let mut parts: Vec<Curve> = Vec::with_capacity(3);
-    parts.extend(missing[0].map(|p| Line::new(p, ends[0]).into()));
-    parts.push(curve);
-    parts.extend(missing[1].map(|p| Line::new(ends[1], p).into()));
-    Ok(PolyCurve::new(parts)?.into())
 }
 
 /// Whether ranges of parameters are the whole domains of both surfaces.
