@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans clean
+.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -175,6 +175,10 @@ $(VENV)-work/installed: benches/work/requirements.txt
 # Solids cut by solids, beside the answers of other kernels and closed forms.
 booleans:
 	cargo run --release -p katydid-geometry --example booleans -- ../shared/data/oracle/boolean_dev.json
+
+# Laws of booleans on 20,000 random pairs and as many triples: some hours.
+boolean-laws:
+	KATYDID_BOOLEAN_LAWS=20000 cargo test --release -p katydid-geometry --test boolean_laws
 
 # The kernel beside the answers of other kernels.
 oracle:

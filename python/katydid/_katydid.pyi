@@ -183,6 +183,29 @@ class Brep:
     def split(self, plane: PlaneLike, tolerance: float = 0.001) -> tuple[list[Brep], list[Brep]]:
         """The parts on both sides of a plane, first those that its normal points away from."""
 
+    def union(self, other: Brep | Sequence[Brep], tolerance: float = 0.001) -> list[Brep]:
+        """The solids that this one and another, or several, fill together; all must be closed. What is not decided is an
+        error that names the case, the faces and the place."""
+
+    def difference(self, other: Brep | Sequence[Brep], tolerance: float = 0.001) -> list[Brep]:
+        """What is left of this Brep outside of another, or of several: any number of Breps. An open one divides what it meets,
+        and what lies behind it is inside."""
+
+    def intersection(self, other: Brep | Sequence[Brep], tolerance: float = 0.001) -> list[Brep]:
+        """What this Brep has in common with another, or with any of several."""
+
+    def __or__(self, other: Brep | Sequence[Brep]) -> list[Brep]: ...
+
+    def __sub__(self, other: Brep | Sequence[Brep]) -> list[Brep]: ...
+
+    def __and__(self, other: Brep | Sequence[Brep]) -> list[Brep]: ...
+
+    def __ror__(self, other: Sequence[Brep]) -> list[Brep]: ...
+
+    def __rsub__(self, other: Sequence[Brep]) -> list[Brep]: ...
+
+    def __rand__(self, other: Sequence[Brep]) -> list[Brep]: ...
+
     @staticmethod
     def join(breps: Sequence[Brep], tolerance: float = 0.001) -> list[Brep]:
         """Breps joined along naked edges that run together within a tolerance."""

@@ -1,10 +1,12 @@
-//! Laws of booleans on random pairs of solids. A case may be refused, but no answer may break a law.
+//! Laws of booleans on random pairs and triples of solids. A case may be refused, but no answer may break a law.
+//!
+//! `KATYDID_BOOLEAN_LAWS=20000 cargo test --release -p katydid-geometry --test boolean_laws` looks at so many of each.
 
 #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
 
 use katydid_geometry::brep::Made;
 use katydid_geometry::{
-    Box3, Brep, Cylinder, Error, Interval, Plane, Point3, Sphere, Tolerance, Torus, Vector3, construct,
+    Box3, Brep, Cone, Cylinder, Error, Interval, Plane, Point3, Sphere, Tolerance, Torus, Vector3, construct,
 };
 use proptest::prelude::*;
 
@@ -22,14 +24,15 @@ fn solid(kind: u8, frame: [f64; 6], sizes: [f64; 3]) -> Brep {
         0 => construct::box_brep(&Box3 { plane, x: range(a), y: range(b), z: range(c) }).unwrap(),
         1 => construct::cylinder(&Cylinder::new(plane, 0.5 * a, range(b)).unwrap(), [true; 2]).unwrap(),
         2 => construct::sphere(&Sphere::new(plane, 0.6 * a).unwrap()).unwrap(),
-        _ => construct::torus(&Torus::new(plane, 0.6 * a, 0.25 * a).unwrap()).unwrap(),
+        3 => construct::torus(&Torus::new(plane, 0.6 * a, 0.25 * a).unwrap()).unwrap(),
+        _ => construct::cone(&Cone::new(plane, b, 0.5 * c).unwrap(), true).unwrap(),
     }
 }
 
 fn any_solid() -> impl Strategy<Value = Brep> {
     let frame = prop::array::uniform6(-1.0..1.0);
     let sizes = prop::array::uniform3(0.8..2.0);
-    (0_u8..4, frame, sizes).prop_map(|(kind, frame, sizes)| solid(kind, frame, sizes))
+    (0_u8..5, frame, sizes).prop_map(|(kind, frame, sizes)| solid(kind, frame, sizes))
 }
 
 fn tolerance() -> Tolerance {
@@ -44,37 +47,93 @@ fn volume(breps: &[Brep]) -> f64 {
     breps.iter().map(|b| b.volume_properties(1e-8, || true).unwrap().amount).sum()
 }
 
-/// The three sides of both laws, unless the kernel refuses one of the operations.
-fn laws(a: &Brep, b: &Brep) -> Result<(), TestCaseError> {
-    let t = tolerance();
+/// The results of some operations, unless the kernel refuses one of them.
+fn decided<T>(operations: impl FnOnce() -> Result<T, Error>) -> Result<Option<T>, TestCaseError> {
+    match operations() {
+        Ok(found) => Ok(Some(found)),
+        Err(Error::Refused(_)) => Ok(None),
+        Err(other) => Err(TestCaseError::fail(other.to_string())),
+    }
+}
+
+/// Whether two volumes are one, beside that of all operands.
+fn near(x: f64, y: f64, all: f64) -> bool {
+    (x - y).abs() <= 2e-5 * all
+}
+
+fn union(of: &[Brep]) -> Result<Vec<Brep>, Error> {
+    Brep::union(of, &tolerance()).map(breps)
+}
+
+fn difference(a: &[Brep], b: &[Brep]) -> Result<Vec<Brep>, Error> {
+    Brep::difference(a, b, &tolerance()).map(breps)
+}
+
+fn intersection(a: &[Brep], b: &[Brep]) -> Result<Vec<Brep>, Error> {
+    Brep::intersection(a, b, &tolerance()).map(breps)
+}
+
+fn pair_laws(a: &Brep, b: &Brep) -> Result<(), TestCaseError> {
     let [first, second] = [std::slice::from_ref(a), std::slice::from_ref(b)];
-    let operations = || -> Result<[f64; 4], Error> {
-        let union = breps(Brep::union(&[a.clone(), b.clone()], &t)?);
-        let common = breps(Brep::intersection(first, second, &t)?);
-        let left = breps(Brep::difference(first, second, &t)?);
-        let swapped = breps(Brep::union(&[b.clone(), a.clone()], &t)?);
-        Ok([volume(&union), volume(&common), volume(&left), volume(&swapped)])
-    };
-    let found = match operations() {
-        Ok(found) => found,
-        Err(Error::Refused(_)) => return Ok(()),
-        Err(other) => return Err(TestCaseError::fail(other.to_string())),
-    };
-    let [union, common, left, swapped] = found;
+    let found = decided(|| {
+        let both = union(&[a.clone(), b.clone()])?;
+        let swapped = union(&[b.clone(), a.clone()])?;
+        let [common, left] = [intersection(first, second)?, difference(first, second)?];
+        Ok([volume(&both), volume(&common), volume(&left), volume(&swapped)])
+    })?;
+    let Some([both, common, left, swapped]) = found else { return Ok(()) };
     let [va, vb] = [volume(first), volume(second)];
-    let near = |x: f64, y: f64| (x - y).abs() <= 2e-5 * (va + vb);
-    prop_assert!(near(va + vb, union + common), "V(A) + V(B) = V(A ∪ B) + V(A ∩ B): {va} {vb} {found:?}");
-    prop_assert!(near(va, left + common), "V(A) = V(A − B) + V(A ∩ B): {va} {vb} {found:?}");
-    prop_assert!(near(union, swapped), "A ∪ B = B ∪ A: {found:?}");
+    let all = va + vb;
+    prop_assert!(near(all, both + common, all), "V(A) + V(B) = V(A ∪ B) + V(A ∩ B): {va} {vb} {found:?}");
+    prop_assert!(near(va, left + common, all), "V(A) = V(A − B) + V(A ∩ B): {va} {vb} {found:?}");
+    prop_assert!(near(both, swapped, all), "A ∪ B = B ∪ A: {found:?}");
+    let again = decided(|| {
+        let left = difference(first, second)?;
+        if left.is_empty() { Ok(va) } else { Ok(volume(&difference(first, &left)?)) }
+    })?;
+    prop_assert!(again.is_none_or(|v| near(v, common, all)), "A − (A − B) = A ∩ B: {again:?} {common}");
     Ok(())
 }
 
+fn triple_laws(a: &Brep, b: &Brep, c: &Brep) -> Result<(), TestCaseError> {
+    let [x, y, z] = [a, b, c].map(std::slice::from_ref);
+    let all: f64 = [x, y, z].map(volume).iter().sum();
+    let found = decided(|| {
+        let at_once = difference(x, &[b.clone(), c.clone()])?;
+        let common = intersection(&difference(x, y)?, &difference(x, z)?)?;
+        Ok([volume(&at_once), volume(&common)])
+    })?;
+    prop_assert!(found.is_none_or(|[p, q]| near(p, q, all)), "A − (B ∪ C) = (A − B) ∩ (A − C): {found:?}");
+    let found = decided(|| {
+        let at_once = intersection(x, &union(&[b.clone(), c.clone()])?)?;
+        let mut parts = intersection(x, y)?;
+        parts.extend(intersection(x, z)?);
+        Ok([volume(&at_once), volume(&union(&parts)?)])
+    })?;
+    prop_assert!(found.is_none_or(|[p, q]| near(p, q, all)), "A ∩ (B ∪ C) = (A ∩ B) ∪ (A ∩ C): {found:?}");
+    Ok(())
+}
+
+/// How many random cases are looked at.
+fn cases(few: u32) -> u32 {
+    std::env::var("KATYDID_BOOLEAN_LAWS").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(8), ..ProptestConfig::default() })]
 
     #[test]
-    fn volumes_add_up(a in any_solid(), b in any_solid()) {
-        laws(&a, &b)?;
+    fn pairs(a in any_solid(), b in any_solid()) {
+        pair_laws(&a, &b)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: cases(3), ..ProptestConfig::default() })]
+
+    #[test]
+    fn triples(a in any_solid(), b in any_solid(), c in any_solid()) {
+        triple_laws(&a, &b, &c)?;
     }
 }
 
@@ -82,10 +141,9 @@ proptest! {
 fn taking_away_what_is_left_gives_what_is_common() {
     let a = solid(0, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], [2.0, 2.0, 2.0]);
     let b = solid(1, [0.6, 0.2, 0.1, 0.3, -0.2, 1.0], [1.2, 3.0, 1.0]);
-    let t = tolerance();
     let [one, two] = [[a], [b]];
-    let common = volume(&breps(Brep::intersection(&one, &two, &t).unwrap()));
-    let left = breps(Brep::difference(&one, &two, &t).unwrap());
-    let again = volume(&breps(Brep::difference(&one, &left, &t).unwrap()));
+    let common = volume(&intersection(&one, &two).unwrap());
+    let left = difference(&one, &two).unwrap();
+    let again = volume(&difference(&one, &left).unwrap());
     assert!(common > 0.1 && (common - again).abs() < 1e-5, "{common} {again}");
 }

@@ -188,3 +188,16 @@ def test_without_numpy_there_are_lists(tmp_path):
             "assert m.triangles == [[0, 1, 2]] and m.faces == [[0, 1, 2]]\nprint('well')"
             ) % os.path.dirname(os.path.dirname(k.__file__))
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "well\n"
+
+
+def test_solids_are_united_and_taken_from_each_other():
+    a = k.Box(None, (0, 2), (0, 2), (0, 2)).to_brep()
+    b = k.Box(None, (1, 3), (1, 3), (1, 3)).to_brep()
+    assert [s.volume for s in a | b] == pytest.approx([15])
+    assert [s.volume for s in a & b] == pytest.approx([1])
+    assert [s.volume for s in a - b] == pytest.approx([7])
+    hole = k.cylinder((1, 1, -1), 0.5, 4)
+    # The whole column in a, and a quarter of it in b above.
+    assert [s.volume for s in (a | b) - hole] == pytest.approx([15 - math.pi * 9 / 16], rel=1e-8)
+    assert [s.volume for s in a.difference([b, hole], tolerance=1e-6)][0] < 7
+    assert a - a == [] and a & k.sphere((9, 9, 9), 1) == []

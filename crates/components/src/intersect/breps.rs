@@ -3,7 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_geometry::brep::BrepMeeting;
+use katydid_geometry::brep::{BrepMeeting, Fuse};
 use katydid_geometry::{Brep, Curve, Point3};
 
 /// What two Breps have in common, with a warning where something may be missing.
@@ -41,8 +41,28 @@ fn brep_brep(
     Ok((found.curves.into_iter().map(Shared::new).collect(), found.points))
 }
 
-/// The parts into which curves on it cut a Brep.
-fn parts(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result<Vec<Shared<Brep>>, Message> {
+/// The parts into which others cut a Brep. Where the fuse of all of them is not decided, the curves in which they meet cut
+/// it.
+fn parts(
+    context: &Context<'_>,
+    brep: &Shared<Brep>,
+    cutters: &[Shared<Brep>],
+) -> Result<Vec<Shared<Brep>>, Message> {
+    let all: Vec<Brep> = std::iter::once(brep).chain(cutters).map(|b| Brep::clone(b)).collect();
+    let fused = Fuse::new(&all, &context.tolerance()).and_then(|fuse| fuse.faces_of(0));
+    context.check()?;
+    let parts: Vec<Brep> = match fused {
+        Ok(found) => found.into_iter().map(|(_, made)| made.brep).collect(),
+        Err(_) => along_curves(context, brep, cutters)?,
+    };
+    context.items(parts.len())?;
+    if parts.len() <= 1 {
+        return Ok(vec![Shared::clone(brep)]);
+    }
+    Ok(parts.into_iter().map(Shared::new).collect())
+}
+
+fn along_curves(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result<Vec<Brep>, Message> {
     let mut curves = Vec::new();
     for cutter in cutters {
         context.check()?;
@@ -50,9 +70,7 @@ fn parts(context: &Context<'_>, brep: &Brep, cutters: &[Shared<Brep>]) -> Result
     }
     let parts = brep.split_along(&curves, &context.tolerance(), || context.check().is_ok());
     context.check()?;
-    let parts = parts?;
-    context.items(parts.len())?;
-    Ok(parts.into_iter().map(Shared::new).collect())
+    Ok(parts?)
 }
 
 /// Cuts a Brep with another one.

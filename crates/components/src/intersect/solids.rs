@@ -19,6 +19,11 @@ fn solids(list: &List<'_, Shared<Brep>>, name: &str) -> Result<Vec<Brep>, Messag
     Ok(out)
 }
 
+/// The Breps of a list, without nulls.
+fn known(list: &List<'_, Shared<Brep>>) -> Vec<Brep> {
+    list.iter().flatten().map(|brep| Brep::clone(&brep)).collect()
+}
+
 fn made(context: &Context<'_>, all: Vec<Made>) -> Result<Vec<Shared<Brep>>, Message> {
     context.items(all.len())?;
     Ok(all.into_iter().map(|m| Shared::new(m.brep)).collect())
@@ -44,27 +49,28 @@ fn solid_union(
     made(context, Brep::union(&solids(&breps, "B")?, &context.tolerance())?)
 }
 
-/// Takes solids away from solids: what is inside one of the first and in none of the second.
+/// Takes Breps away from Breps: what is inside one of the first and in none of the second.
 ///
 /// Each of the first is cut by all of the second, and the parts come in the order of the first. One that no other meets
-/// comes back whole. A case that is not decided is an error.
+/// comes back whole. Breps may be open: one that is open divides what it meets, and what lies behind it, on the side away
+/// from its normals, is inside; the result is open where it was. A case that is not decided is an error.
 #[component(
     "fab11c30-2d9c-4d15-ab3c-2289f1ae5c21",
     name = "Solid Difference",
     nick = "SDiff",
     at = "Intersect/Shape"
 )]
-#[output("Result", "R", "The solids that are left.")]
+#[output("Result", "R", "The Breps that are left.")]
 fn solid_difference(
     context: &Context<'_>,
-    /// Closed Breps to cut; nulls are skipped.
+    /// Breps to cut; nulls are skipped.
     #[port("Breps A", "A")]
     a: List<'_, Shared<Brep>>,
-    /// Closed Breps to take away; nulls are skipped.
+    /// Breps to take away; nulls are skipped.
     #[port("Breps B", "B")]
     b: List<'_, Shared<Brep>>,
 ) -> Result<Vec<Shared<Brep>>, Message> {
-    let (a, b) = (solids(&a, "A")?, solids(&b, "B")?);
+    let (a, b) = (known(&a), known(&b));
     let mut out = Vec::new();
     for solid in a {
         context.check()?;
@@ -73,36 +79,38 @@ fn solid_difference(
     made(context, out)
 }
 
-/// The common parts of solids: what is inside one of the first and in one of the second.
+/// The common parts of Breps: what is inside one of the first and in one of the second.
 ///
-/// Solids that have nothing in common give nothing. A case that is not decided is an error.
+/// Breps that have nothing in common give nothing. They may be open: one that is open divides what it meets, and what lies
+/// behind it, on the side away from its normals, is inside. A case that is not decided is an error.
 #[component(
     "5723c845-cafc-442d-a667-8c76532845e6",
     name = "Solid Intersection",
     nick = "SInt",
     at = "Intersect/Shape"
 )]
-#[output("Result", "R", "The solids that both have in common.")]
+#[output("Result", "R", "The Breps that both have in common.")]
 fn solid_intersection(
     context: &Context<'_>,
-    /// Closed Breps; nulls are skipped.
+    /// Some Breps; nulls are skipped.
     #[port("Breps A", "A")]
     a: List<'_, Shared<Brep>>,
-    /// Closed Breps; nulls are skipped.
+    /// The others; nulls are skipped.
     #[port("Breps B", "B")]
     b: List<'_, Shared<Brep>>,
 ) -> Result<Vec<Shared<Brep>>, Message> {
-    let (a, b) = (solids(&a, "A")?, solids(&b, "B")?);
+    let (a, b) = (known(&a), known(&b));
     let found = Brep::intersection(&a, &b, &context.tolerance())?;
     if found.is_empty() && !a.is_empty() && !b.is_empty() {
-        context.warn("The solids have no part in common");
+        context.warn("The Breps have no part in common");
     }
     made(context, found)
 }
 
 /// Takes away the parts of a shape that lie inside solids.
 ///
-/// The shape may be open or closed; where it was cut it stays open. What touches a solid stays.
+/// The shape may be open or closed; where it was cut it stays open. What touches a solid stays. A cutter may be open: it
+/// takes away what lies behind it, on the side away from its normals, of what it cuts through.
 #[component(
     "f0b70e8e-7337-4ce4-a7bb-317fc971f918",
     name = "Trim Solid",
@@ -115,15 +123,13 @@ fn trim_solid(
     /// The Brep to trim.
     #[port("Shape", "S")]
     shape: Shared<Brep>,
-    /// Closed Breps; nulls are skipped.
+    /// The Breps to trim with; nulls are skipped.
     #[port("Cutters", "T")]
     cutters: List<'_, Shared<Brep>>,
 ) -> Result<Vec<Shared<Brep>>, Message> {
     let mut all = vec![Brep::clone(&shape)];
-    all.extend(solids(&cutters, "T")?);
-    let parts = Fuse::new(&all, &context.tolerance())?.faces_of(0)?;
-    let outside = parts.into_iter().filter(|(inside, _)| !inside.iter().skip(1).any(|x| *x));
-    made(context, outside.map(|(_, part)| part).collect())
+    all.extend(known(&cutters));
+    made(context, Fuse::new(&all, &context.tolerance())?.outside_of_others(0)?)
 }
 
 /// The solid that Breps enclose together.
@@ -167,7 +173,10 @@ fn boundary_volume(
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
-    use katydid_geometry::{BoundingBox, Box3, Interval, Plane, PlaneSurface, Point3, Sphere, Surface};
+    use katydid_geometry::{
+        BoundingBox, Box3, Brep, Circle, Curve, Interval, Plane, PlaneSurface, Point3, Sphere, Surface,
+        Tolerance,
+    };
 
     fn cuboid(min: f64, max: f64) -> Box3 {
         let [min, max] = [min, max].map(|x| Point3::new(x, x, x));
@@ -194,6 +203,65 @@ mod tests {
         let sheet: Surface = PlaneSurface::new(Plane::XY, side, side).unwrap().into();
         let made = Trial::of("Solid Union").list([sheet]).run();
         assert!(made.messages.iter().any(|m| m.text.contains("Brep 0 of B is not closed")), "{made:?}");
+    }
+
+    /// A floor that looks up, and one that looks down.
+    fn floors() -> [Surface; 2] {
+        let side = Interval::new(-2.0, 2.0);
+        let floor = |plane| PlaneSurface::new(plane, side, side).unwrap().into();
+        [floor(Plane::XY), floor(Plane::XY.flipped())]
+    }
+
+    fn measured(what: &str, trial: Trial) -> Vec<String> {
+        let made = trial.run().outputs.into_iter().next().unwrap();
+        Trial::of(what).tree(made).texts(0)
+    }
+
+    #[test]
+    fn a_floor_without_a_box() {
+        // A floor of 4 by 4 with a pit of 2 by 2 and 1 deep, or a room on it: the part of the box behind the floor.
+        for floor in floors() {
+            let pit = Trial::of("Solid Difference").list([floor]).list([cuboid(-1.0, 1.0)]);
+            assert_eq!(measured("Area", pit), ["{0}: 24"]);
+        }
+        let [up, down] = floors();
+        // What the box has below a floor that looks up, and above one that looks down: 2 by 2 by 1.
+        for floor in [up.clone(), down] {
+            let common = Trial::of("Solid Intersection").list([cuboid(-1.0, 1.0)]).list([floor]);
+            assert_eq!(measured("Volume", common), ["{0}: 4"]);
+        }
+        // A box without what is below the floor.
+        let rest = Trial::of("Solid Difference").list([cuboid(-1.0, 2.0)]).list([up]);
+        assert_eq!(measured("Volume", rest), ["{0}: 18"]);
+    }
+
+    #[test]
+    fn a_disc_without_a_disc_in_its_plane_is_a_ring() {
+        let disc = |radius: f64, plane: Plane| -> Brep {
+            let rim: Curve = Circle::new(plane, radius).unwrap().into();
+            Brep::planar_faces(&[rim], &Tolerance::default()).unwrap().breps.remove(0)
+        };
+        for plane in [Plane::XY, Plane::XY.flipped()] {
+            let ring = Trial::of("Solid Difference").list([disc(5.0, Plane::XY)]).list([disc(0.5, plane)]);
+            // 24.75 π
+            assert_eq!(measured("Area", ring), ["{0}: 77.754418"]);
+        }
+    }
+
+    #[test]
+    fn a_floor_that_ends_in_a_box_does_not_divide_it() {
+        let side = Interval::new(0.0, 2.0);
+        let floor: Surface = PlaneSurface::new(Plane::XY, side, side).unwrap().into();
+        let made = Trial::of("Solid Difference").list([floor]).list([cuboid(-1.0, 1.0)]).run();
+        assert!(!made.messages.is_empty() && made.outputs[0].item_count() == 0, "{made:?}");
+    }
+
+    #[test]
+    fn a_box_is_trimmed_by_a_floor() {
+        let [up, _] = floors();
+        // The upper half without its floor: 4 walls of 2 by 1 and a top of 2 by 2.
+        let above = Trial::of("Trim Solid").item(cuboid(-1.0, 1.0)).list([up]);
+        assert_eq!(measured("Area", above), ["{0;0}: 12"]);
     }
 
     #[test]

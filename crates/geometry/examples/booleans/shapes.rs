@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use katydid_geometry::brep::{Fuse, Made};
+use katydid_geometry::brep::{FilletBlend, FilletRail, Fuse, Made};
 use katydid_geometry::{
     Arc, Brep, Circle, Curve, Ellipse, Error, Interval, Line, Plane, PlaneSurface, Point3, Sphere, Surface,
     Tolerance, Xform, construct, join_curves,
@@ -13,6 +13,7 @@ use serde_json::Value;
 use crate::compare::name;
 use crate::read::{Read, frame, interval, list, names, number, numbers, point, text, vector};
 use crate::solids;
+use crate::variant::Variant;
 
 /// Why a step gave no shape.
 #[derive(Debug, Clone)]
@@ -51,6 +52,7 @@ pub(crate) enum Shape {
 /// All shapes of a case.
 #[derive(Default)]
 pub(crate) struct Shapes {
+    variant: Variant,
     made: BTreeMap<String, Shape>,
     measured: [f64; 2],
     fused: BTreeMap<String, Result<Fuse, Failure>>,
@@ -76,16 +78,42 @@ impl Parts<'_> {
         }
     }
 
+    /// How many different parts of a kind there are: what two solids share counts once.
     pub(crate) fn count(&self, what: &str) -> Option<usize> {
         let Shape::Breps(breps) = self.0 else { return None };
-        let sum = |f: &dyn Fn(&Brep) -> usize| Some(breps.iter().map(f).sum());
-        match what {
-            "face" => sum(&|b| b.faces().len()),
-            "edge" => sum(&|b| b.edges().len()),
-            "vertex" => sum(&|b| b.vertices().len()),
-            "solid" => sum(&|b| usize::from(b.is_solid())),
-            _ => None,
+        let near = 1e-6 * size_of(breps);
+        let mut places: Vec<[Point3; 2]> = Vec::new();
+        for brep in breps {
+            match what {
+                "vertex" => places.extend(brep.vertices().iter().map(|v| [v.point; 2])),
+                "edge" => {
+                    for edge in 0..brep.edges().len() {
+                        let curve = brep.edge_as_curve(edge).ok().flatten()?;
+                        let ends = curve.start().lerp(curve.end(), 0.5);
+                        places.push([curve.point_at(curve.domain().middle()), ends]);
+                    }
+                }
+                "face" => {
+                    for face in 0..brep.faces().len() {
+                        let m = brep.face_area(face, 1e-9).ok()?;
+                        places.push([m.centroid, Point3::new(m.amount.sqrt(), 0.0, 0.0)]);
+                    }
+                }
+                "solid" => {}
+                _ => return None,
+            }
         }
+        if what == "solid" {
+            return Some(breps.iter().filter(|b| b.is_solid()).count());
+        }
+        let mut known: Vec<[Point3; 2]> = Vec::new();
+        for place in places {
+            let same = |k: &[Point3; 2]| (0..2).all(|i| k[i].distance_to(place[i]) <= near);
+            if !known.iter().any(same) {
+                known.push(place);
+            }
+        }
+        Some(known.len())
     }
 }
 
@@ -109,11 +137,16 @@ fn size_of(breps: &[Brep]) -> f64 {
 /// The tolerance of a boolean, as a part of the size of the operands.
 const TOLERANCE: f64 = 1e-7;
 
-fn tolerance(breps: &[Brep]) -> Tolerance {
+pub(crate) fn tolerance(breps: &[Brep]) -> Tolerance {
     Tolerance { absolute: TOLERANCE * size_of(breps), ..Tolerance::default() }
 }
 
 impl Shapes {
+    /// No shapes yet; operands are varied before they meet.
+    pub(crate) fn new(variant: Variant) -> Self {
+        Self { variant, ..Self::default() }
+    }
+
     /// A result by the id of its step.
     pub(crate) fn result(&self, id: &str) -> Option<Parts<'_>> {
         self.made.get(id).map(Parts)
@@ -346,18 +379,24 @@ impl Shapes {
     }
 
     fn revolve(&self, step: &Value) -> Result<Shape, Failure> {
-        let Shape::Breps(faces) = self.get(&step["of"])? else {
-            return Err(Failure::NotBuilt("a revolution of other things".into()));
-        };
-        let [face] = faces.as_slice() else { return Err(Failure::NotBuilt("several faces turned".into())) };
+        let mut border = Vec::new();
+        match self.get(&step["of"])? {
+            Shape::Curves(curves) => border.extend(curves.iter().cloned()),
+            Shape::Breps(faces) => {
+                let [face] = faces.as_slice() else {
+                    return Err(Failure::NotBuilt("several faces turned".into()));
+                };
+                for edge in 0..face.edges().len() {
+                    border.extend(face.edge_as_curve(edge)?);
+                }
+            }
+            _ => return Err(Failure::NotBuilt("a revolution of other things".into())),
+        }
         let start = point(&step["point"])?;
         let axis = Line::new(start, start + vector(&step["dir"])?);
         let angle = number(&step["angle"])?.to_radians();
-        let t = Tolerance { absolute: 1e-9 * size_of(faces), ..Tolerance::default() };
-        let mut border = Vec::new();
-        for edge in 0..face.edges().len() {
-            border.extend(face.edge_as_curve(edge)?);
-        }
+        let size = border.iter().map(Curve::length).fold(0.0, f64::max);
+        let t = Tolerance { absolute: 1e-9 * size, ..Tolerance::default() };
         let [profile] =
             join_curves(&border, t.absolute, false).try_into().map_err(|_| "a face with holes".to_owned())?;
         let made = construct::revolve(&profile, axis, Interval::new(0.0, angle), &t)?;
@@ -437,16 +476,15 @@ impl Shapes {
         };
         let [brep] = own.as_slice() else { return Err(Failure::NotBuilt("several solids filleted".into())) };
         let mut edges = Vec::new();
-        let mut radius = 0.0;
         for pair in list(&step["edges"])? {
-            radius = number(&pair[0])?;
+            let radius = number(&pair[0])?;
             let Shape::EdgeOf(edge) = self.get(&pair[1])? else {
                 return Err(Failure::NotBuilt("a fillet along other things".into()));
             };
-            edges.push((*edge, [radius; 2]));
+            edges.push((*edge, radius));
         }
-        let _ = (brep, edges, radius);
-        Err(Failure::NotBuilt("a fillet".into()))
+        let t = Tolerance { absolute: 1e-9 * size_of(own), ..Tolerance::default() };
+        Ok(Shape::Breps(vec![brep.filleted(&edges, FilletBlend::Arc, FilletRail::RollingBall, &t)?]))
     }
 
     fn note(&mut self, breps: &[Brep]) {
@@ -465,7 +503,11 @@ impl Shapes {
         let key = format!("{} {}", step["objects"], step["tools"]);
         if !self.fused.contains_key(&key) {
             self.note(&all);
-            let made = Fuse::new(&all, &tolerance(&all)).map_err(Failure::from);
+            let mut varied = self.variant.operands(&all, count, TOLERANCE * size_of(&all))?;
+            if self.variant.swaps() {
+                varied.reverse();
+            }
+            let made = Fuse::new(&varied, &tolerance(&varied)).map_err(Failure::from);
             self.fused.insert(key.clone(), made);
         }
         let fuse = match self.fused.get(&key) {
@@ -473,40 +515,65 @@ impl Shapes {
             Some(Err(why)) => return Err(why.clone()),
             None => return Err(Failure::NotBuilt("a fuse that was lost".into())),
         };
-        let any = |inside: Option<&[bool]>| inside.is_some_and(|i| i.iter().any(|x| *x));
+        let swaps = self.variant.swaps();
+        let place = |k: usize| if swaps { all.len() - 1 - k } else { k };
+        let one_of = |inside: &[bool], mut of: std::ops::Range<usize>| {
+            of.any(|k| inside.get(place(k)).copied().unwrap_or(false))
+        };
         let kind = text(&step["kind"])?;
-        if kind == "split" && !all.iter().take(count).all(Brep::is_solid) {
-            let mut parts = Vec::new();
-            for object in 0..count {
-                parts.extend(fuse.faces_of(object)?.into_iter().map(|(_, made)| made.brep));
+        // Whether a point belongs to the result, by whether it is in an object and in a tool.
+        let wanted = |i: &[bool]| {
+            let (a, b) = (one_of(i, 0..count), one_of(i, count..all.len()));
+            match kind {
+                "fuse" | "general_fuse" => a || b,
+                "common" => a && b,
+                "cut" => a && !b,
+                "cut21" => !a && b,
+                _ => a,
             }
-            return Ok(Shape::Breps(parts));
-        }
-        if step["construction"] == "builder" {
+        };
+        let breps = match kind {
+            "section" => {
+                let of =
+                    |on: &[usize], of: std::ops::Range<usize>| on.iter().any(|k| of.contains(&place(*k)));
+                let common = fuse.curves().into_iter();
+                let both = common.filter(|c| of(&c.operands, 0..count) && of(&c.operands, count..all.len()));
+                let curves = both.map(|c| self.variant.back(c.curve, |c, x| c.transformed(x)));
+                return Ok(Shape::Curves(curves.collect::<Result<_, _>>()?));
+            }
+            "split" if !all.iter().take(count).all(Brep::is_solid) => {
+                let mut parts = Vec::new();
+                for object in 0..count {
+                    parts.extend(fuse.faces_of(place(object))?.into_iter().map(|(_, made)| made.brep));
+                }
+                parts
+            }
+            "fuse" | "common" | "cut" | "cut21"
+                if step["construction"] != "builder"
+                    || (kind == "fuse" && all.iter().all(Brep::is_solid)) =>
+            {
+                breps_of(fuse.solids(wanted)?)
+            }
             // Parts that the operands divide stay divided.
-            let wanted = |i: &Vec<bool>| match (kind, any(i.get(..count)), any(i.get(count..))) {
-                ("fuse", a, b) => a || b,
-                ("common", a, b) => a && b,
-                ("cut", a, b) => a && !b,
-                (_, a, b) => !a && b,
-            };
-            let kept = fuse.volumes()?.into_iter().filter(|(inside, _)| wanted(inside));
-            return Ok(Shape::Breps(kept.map(|(_, made)| made.brep).collect()));
-        }
-        let made = match kind {
-            "fuse" => fuse.solids(|i| any(Some(i)))?,
-            "common" => fuse.solids(|i| any(i.get(..count)) && any(i.get(count..)))?,
-            "cut" => fuse.solids(|i| any(i.get(..count)) && !any(i.get(count..)))?,
-            "cut21" => fuse.solids(|i| !any(i.get(..count)) && any(i.get(count..)))?,
             "split" | "general_fuse" => {
                 let kept = fuse.volumes()?.into_iter();
-                kept.filter(|(inside, _)| kind == "general_fuse" || any(inside.get(..count)))
-                    .map(|(_, made)| made)
+                kept.filter(|(inside, _)| kind == "general_fuse" || wanted(inside))
+                    .map(|(_, made)| made.brep)
                     .collect()
+            }
+            "fuse" | "common" | "cut" | "cut21" => {
+                let kept = fuse.volumes()?.into_iter().filter(|(inside, _)| wanted(inside));
+                kept.map(|(_, made)| made.brep).collect()
             }
             other => return Err(Failure::NotBuilt(format!("boolean {other}"))),
         };
-        Ok(Shape::Breps(breps_of(made)))
+        self.back(breps)
+    }
+
+    /// Results where they were before their operands were varied.
+    fn back(&self, breps: Vec<Brep>) -> Result<Shape, Failure> {
+        let own = breps.into_iter().map(|b| self.variant.back(b, |b, x| b.transformed(x)));
+        Ok(Shape::Breps(own.collect::<Result<_, _>>()?))
     }
 
     fn cells(&mut self, step: &Value) -> Result<Shape, Failure> {
@@ -518,68 +585,26 @@ impl Shapes {
             groups.insert(id, (all.len()..all.len() + own.len()).collect());
             all.extend(own);
         }
-        if !all.iter().all(Brep::is_solid) {
-            return Err(Failure::NotBuilt("cells of faces".into()));
-        }
         self.note(&all);
+        let all = self.variant.operands(&all, all.len(), TOLERANCE * size_of(&all))?;
         let fuse = Fuse::new(&all, &tolerance(&all))?;
-        let kinds: Vec<Vec<bool>> = fuse.cells()?.into_iter().map(|(kind, _)| kind).collect();
-        // For each kind of cell: whether it is kept, with its material.
-        let mut kept: Vec<Option<u64>> = vec![None; kinds.len()];
-        for line in list(&step["program"])? {
-            let which = |kind: &Vec<bool>| -> Read<bool> {
-                let lies = |id: &str| {
-                    groups.get(id).is_some_and(|g| g.iter().any(|k| kind.get(*k).copied().unwrap_or(false)))
-                };
-                Ok(names(&line["in"])?.into_iter().all(lies) && !names(&line["out"])?.into_iter().any(lies))
-            };
-            let material = line["material"].as_u64().unwrap_or(0);
-            let what = text(&line["do"])?;
-            for (kind, state) in kinds.iter().zip(&mut kept) {
-                match what {
-                    "remove_all" => *state = None,
-                    "add_all" => *state = Some(material),
-                    "add" if which(kind)? => *state = Some(material),
-                    "remove" if which(kind)? => *state = None,
-                    _ => {}
-                }
-            }
-        }
-        let mut made = Vec::new();
-        let mut merged: Vec<u64> = Vec::new();
-        for (kind, state) in kinds.iter().zip(&kept) {
-            match state {
-                None => {}
-                Some(0) => made.extend(fuse.solids(|inside| inside == kind)?),
-                Some(material) if merged.contains(material) => {}
-                Some(material) => {
-                    merged.push(*material);
-                    let same: Vec<&Vec<bool>> = kinds
-                        .iter()
-                        .zip(&kept)
-                        .filter(|(_, s)| **s == Some(*material))
-                        .map(|(k, _)| k)
-                        .collect();
-                    made.extend(fuse.solids(|inside| same.iter().any(|k| k.as_slice() == inside))?);
-                }
-            }
-        }
-        Ok(Shape::Breps(breps_of(made)))
+        self.back(crate::cells::kept(step, &fuse, &all, &groups)?)
     }
 
     fn make_volume(&mut self, step: &Value) -> Result<Shape, Failure> {
         let all = self.breps(&step["of"])?;
         self.note(&all);
+        let all = self.variant.operands(&all, all.len(), TOLERANCE * size_of(&all))?;
         // Faces are often far larger than what they enclose.
         let least = all.iter().filter_map(Brep::bounds_of_faces).map(|b| b.diagonal().length());
         let t =
             Tolerance { absolute: TOLERANCE * least.fold(f64::INFINITY, f64::min), ..Tolerance::default() };
         let made = Fuse::new(&all, &t)?.volumes()?;
-        Ok(Shape::Breps(made.into_iter().map(|(_, m)| m.brep).collect()))
+        self.back(made.into_iter().map(|(_, m)| m.brep).collect())
     }
 }
 
-fn breps_of(made: Vec<Made>) -> Vec<Brep> {
+pub(crate) fn breps_of(made: Vec<Made>) -> Vec<Brep> {
     made.into_iter().map(|m| m.brep).collect()
 }
 

@@ -53,7 +53,9 @@ mod unjoin;
 mod validity;
 mod vertex;
 
-pub use boolean::{FaceName, Fuse, Made, Refusal, RefusalClass};
+pub use boolean::{
+    CommonCurve, Decision, DecisionKind, FaceName, FacePart, Fuse, Made, Refusal, RefusalClass,
+};
 pub(crate) use build::with_ends;
 pub use build::{Along, Builder, NewEdge, NewFace, NewVertex, Path};
 pub use edge::Edge;

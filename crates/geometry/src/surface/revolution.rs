@@ -39,7 +39,36 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     }
 }
 
+/// The circle that a profile point runs round, and how it changes along the profile.
+pub(crate) struct Ring {
+    start: Vector3,
+    at: Arm,
+    rate: Arm,
+    speed: f64,
+}
+
+impl Ring {
+    /// The place, as a vector from the origin, and the derivatives by the angle's parameter and the profile's, at an angle
+    /// in radians.
+    pub(crate) fn at(&self, angle: f64) -> [Vector3; 3] {
+        let (sin, cos) = angle.sin_cos();
+        let Arm { foot, arm, turned } = &self.at;
+        let place = self.start + *foot + *arm * cos + *turned * sin;
+        let around = (*turned * cos - *arm * sin) * self.speed;
+        let Arm { foot, arm, turned } = &self.rate;
+        [place, around, *foot + *arm * cos + *turned * sin]
+    }
+}
+
 impl RevolutionSurface {
+    /// The circle of a parameter of the profile; at its joints with the derivative after it.
+    pub(crate) fn ring(&self, t: f64) -> Ring {
+        let [place, rate] = self.profile.jet_at::<2>(t, false);
+        let start = self.axis.from.to_vector();
+        let speed = self.angle.length() / self.angle_domain.length();
+        Ring { start, at: self.arm(place - start), rate: self.arm(rate), speed }
+    }
+
     /// The profile turned about an axis between two angles in radians, by the right-hand rule from the axis' start
     /// to its end; angle 0 is where the profile lies. The angle is the parameter u.
     ///

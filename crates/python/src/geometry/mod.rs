@@ -1,6 +1,7 @@
 //! Geometry as Python holds it: thin classes over the kernel's types, which are shared and never change.
 
 mod brep;
+mod brep_solid;
 mod construct;
 mod cuboid;
 mod curve;

@@ -7,10 +7,10 @@
 use super::operands::{Face, Operands};
 use super::pieces::{OfEdge, Pieces};
 use super::refusal::RefusalClass;
-use super::thresholds::{ACROSS_SEAM, BESIDE, HALVINGS, NEWTON, PULLED, SAME_PARAMETER, SAMPLES};
+use super::thresholds::{ACROSS_SEAM, HALVINGS, NEWTON, SAME_PARAMETER, SAMPLES};
 use crate::brep::build::with_ends;
 use crate::region::Outline;
-use crate::{Curve, Direction, Interval, Line, Plane, Point3, Result, Side, Tolerance, Vector3};
+use crate::{Curve, Direction, Interval, Line, Plane, Point3, Result, Side};
 
 /// What a piece of a loop runs along.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,7 +109,7 @@ fn border_steps(
 }
 
 /// The parameter at which the image of a trim is nearest to a point, from a guess: Newton's method on the tangent.
-fn trim_parameter(face: &Face, trim: &Curve, guess: f64, p: Point3) -> f64 {
+pub(super) fn trim_parameter(face: &Face, trim: &Curve, guess: f64, p: Point3) -> f64 {
     let domain = trim.domain();
     let off = |t: f64| {
         let uv = trim.point_at(t);
@@ -164,15 +164,15 @@ pub(super) fn regions(all: &Operands, pieces: &Pieces, place: usize) -> Result<V
 }
 
 /// An arrangement being made.
-struct Plan<'a> {
-    all: &'a Operands,
-    face: &'a Face,
+pub(super) struct Plan<'a> {
+    pub(super) all: &'a Operands,
+    pub(super) face: &'a Face,
     place: usize,
     nodes: Vec<Node>,
     arcs: Vec<Arc>,
-    domain: [Interval; 2],
+    pub(super) domain: [Interval; 2],
     /// What makes steps in both parameters comparable lengths.
-    scale: [f64; 2],
+    pub(super) scale: [f64; 2],
 }
 
 impl<'a> Plan<'a> {
@@ -184,12 +184,12 @@ impl<'a> Plan<'a> {
         Self { all, face, place, nodes: Vec::new(), arcs: Vec::new(), domain, scale }
     }
 
-    fn refuse(&self, p: Option<Point3>) -> crate::Error {
+    pub(super) fn refuse(&self, p: Option<Point3>) -> crate::Error {
         self.all.refuse(RefusalClass::UnclosedSplit, &[self.place], p)
     }
 
     /// Whether parameters lie on a side where the surface is a point.
-    fn pole(&self, uv: [f64; 2]) -> Option<Side> {
+    pub(super) fn pole(&self, uv: [f64; 2]) -> Option<Side> {
         Side::ALL.into_iter().find(|side| {
             let (along, at_end) = side.along();
             let k = along.other().index();
@@ -247,105 +247,6 @@ impl<'a> Plan<'a> {
         let flat = if off <= f64::EPSILON * 64.0 * size { flat } else { with_ends(&flat, want)? };
         self.arcs.push(Arc { curve: flat, track: Track::Piece(place, false), nodes, border: false });
         Ok(())
-    }
-
-    /// The image of a piece in the parameter plane, as near as it can be followed.
-    fn pulled(&self, curve: &Curve) -> Result<Curve> {
-        let mut last = Err(self.refuse(Some(curve.start())));
-        for share in PULLED {
-            let tolerance = Tolerance { absolute: share * self.all.limit, ..Tolerance::default() };
-            last = self.face.surface.parameter_curve(curve, &tolerance);
-            if last.is_err() {
-                last = self.followed(curve, tolerance.absolute);
-            }
-            if last.is_ok() || crate::patience::was_given_up() {
-                break;
-            }
-        }
-        last.map_err(|why| if why == crate::Error::Stopped { why } else { self.refuse(Some(curve.start())) })
-    }
-
-    /// The parameters of a place of a piece, on the turn and, where the surface is a point, in the direction of the
-    /// places beside it towards its middle.
-    fn parameters_along(&self, curve: &Curve, t: f64) -> Result<[f64; 2]> {
-        let mut uv = self.face.parameters(curve.point_at(t))?;
-        let at_pole = self.pole(uv);
-        let near_side = |k: usize| {
-            let domain = self.domain[k];
-            let near = SAME_PARAMETER * domain.length();
-            (uv[k] - domain.start).abs() <= near || (uv[k] - domain.end).abs() <= near
-        };
-        let closed = Direction::BOTH.map(|d| self.face.surface.is_closed(d));
-        if at_pole.is_none() && !(0..2).any(|k| closed[k] && near_side(k)) {
-            return Ok(uv);
-        }
-        let inner = self.face.parameters(curve.point_at(t + BESIDE * (curve.domain().middle() - t)))?;
-        for k in 0..2 {
-            if closed[k] {
-                let period = self.domain[k].length();
-                uv[k] += period * ((inner[k] - uv[k]) / period).round();
-            }
-        }
-        if let Some(side) = at_pole {
-            let k = side.along().0.index();
-            uv[k] = inner[k];
-        }
-        Ok(uv)
-    }
-
-    /// The image of a piece by its places, with the velocity of the surface's tangent plane: also where its ends lie on
-    /// sides of the surface but for rounding.
-    fn followed(&self, curve: &Curve, limit: f64) -> Result<Curve> {
-        let surface = &self.face.surface;
-        let middle = curve.domain().middle();
-        let formula = |t: f64, below: bool| -> Result<(Point3, Vector3)> {
-            let uv = self.parameters_along(curve, t)?;
-            let [_, velocity] = curve.jet_at::<2>(t, below);
-            let d = surface.derivatives(uv[0], uv[1], 1, surface.inner_quadrant(uv[0], uv[1]));
-            let jet = [d.point().to_vector(), d.get(1, 0), d.get(0, 1)];
-            let rate = match crate::chart::Chart::lifted(&jet, velocity).filter(|_| self.pole(uv).is_none()) {
-                Some(rate) => rate,
-                None => {
-                    let step = BESIDE * (middle - t);
-                    let beside = self.parameters_along(curve, t + step)?;
-                    [0, 1].map(|k: usize| (beside[k] - uv[k]) / step)
-                }
-            };
-            Ok((Point3::new(uv[0], uv[1], 0.0), Vector3::new(rate[0], rate[1], 0.0)))
-        };
-        let flat = limit / self.scale[0].max(self.scale[1]);
-        Ok(crate::brep::trimmed::followed(&curve.smooth_stretches(), flat, formula)?.into())
-    }
-
-    /// The curve on the turn of a closed surface on which its middle lies in the domain, its ends on sides exactly.
-    fn inside(&self, flat: &Curve) -> Result<Curve> {
-        let middle = flat.point_at(flat.domain().middle());
-        let mut shift = Vector3::ZERO;
-        for d in Direction::BOTH {
-            let k = d.index();
-            let t = if k == 0 { middle.x } else { middle.y };
-            let domain = self.domain[k];
-            if self.face.surface.is_closed(d) && !domain.contains(t) {
-                let by = domain.wrapped(t) - t;
-                if k == 0 { shift.x = by } else { shift.y = by }
-            }
-        }
-        let flat = if shift == Vector3::ZERO {
-            flat.clone()
-        } else {
-            flat.transformed(&crate::Xform::translation(shift))?
-        };
-        let snapped = |p: Point3| {
-            let on = |k: usize, t: f64| {
-                let domain = self.domain[k];
-                let near = SAME_PARAMETER * domain.length();
-                [domain.start, domain.end].into_iter().find(|side| (t - side).abs() <= near).unwrap_or(t)
-            };
-            Point3::new(on(0, p.x), on(1, p.y), 0.0)
-        };
-        let ends = [flat.start(), flat.end()];
-        let want = ends.map(snapped);
-        if want == ends { Ok(flat) } else { with_ends(&flat, want) }
     }
 
     /// Cuts the pieces along sides that are points at the nodes on them.

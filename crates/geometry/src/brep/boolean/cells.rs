@@ -19,7 +19,7 @@ pub(super) struct Sides {
 }
 
 /// A region and all others that lie upon it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Sheet {
     /// The region that stands for all, that of the first operand.
     pub(super) region: usize,

@@ -5,12 +5,12 @@
 
 use std::collections::BTreeSet;
 
-use super::operands::{Edge, Operands, Place};
+use super::operands::{Edge, Near, Operands, Place};
 use super::refusal::RefusalClass;
 use super::thresholds::{CAPTURE, MOST_PAIRS, PARALLEL, ROUNDING, SAME_PARAMETER};
 use crate::box_pairs::near_pairs;
 use crate::intersect::{curve_curve, curve_with_surface};
-use crate::{BoundingBox, Curve, Line, Point3, Result, patience};
+use crate::{BoundingBox, Curve, Interval, Line, Point3, Result, patience};
 
 /// The pairs of faces of different operands whose boxes meet, in order.
 pub(super) fn face_pairs(all: &Operands) -> Result<Vec<(usize, usize)>> {
@@ -73,15 +73,46 @@ pub(super) fn common_points(a: &Curve, b: &Curve, limit: f64, out: &mut Vec<Poin
     let met = curve_curve(a, b, limit)?;
     out.extend(met.crossings.iter().map(|c| c.point));
     let ends = [a.start(), a.end(), b.start(), b.end()];
+    let other = Near::of(b);
     for overlap in &met.overlaps {
         // Curves upon each other part at an end of one of them, which is a vertex. Others only touch, and keep within the
-        // tolerance over a stretch of about the root of it, in whose middle they do.
+        // tolerance over a stretch of about the root of it.
         let known = |t: f64| ends.iter().any(|end| end.distance_to(a.point_at(t)) <= CAPTURE * limit);
         if !known(overlap.a.start) && !known(overlap.a.end) {
-            out.push(a.point_at(overlap.a.middle()));
+            let t = nearest_in(overlap.a, |t| {
+                let p = a.point_at(t);
+                Ok(other
+                    .parameter(p, CAPTURE * limit)?
+                    .map_or(f64::INFINITY, |s| b.point_at(s).distance_to(p)))
+            })?;
+            out.push(a.point_at(t));
         }
     }
     Ok(())
+}
+
+/// Halvings by the golden section until a place of contact is known to rounding.
+const SECTIONS: usize = 48;
+
+/// The parameter in a range at which a distance that first falls and then grows is least.
+fn nearest_in(range: Interval, mut distance: impl FnMut(f64) -> Result<f64>) -> Result<f64> {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let [mut low, mut high] = [range.start, range.end];
+    let (mut s, mut t) = (high - golden * (high - low), low + golden * (high - low));
+    let (mut at_s, mut at_t) = (distance(s)?, distance(t)?);
+    for _ in 0..SECTIONS {
+        patience::check()?;
+        if at_s <= at_t {
+            (high, t, at_t) = (t, s, at_s);
+            s = high - golden * (high - low);
+            at_s = distance(s)?;
+        } else {
+            (low, s, at_s) = (s, t, at_t);
+            t = low + golden * (high - low);
+            at_t = distance(t)?;
+        }
+    }
+    Ok(0.5 * (low + high))
 }
 
 /// The common point of two segments that are not parallel; the ends of parallel ones are vertices already.
@@ -129,9 +160,14 @@ fn pierce(all: &Operands, edge: usize, face: usize, out: &mut Vec<Point3>) -> Re
         let domain = own.curve.domain();
         let least = SAME_PARAMETER * domain.length();
         for overlap in &met.overlaps {
-            // As for curves: what only touches does so in the middle of the stretch.
+            // As for curves: what only touches does so where it is nearest.
             if overlap.t.start > domain.start + least && overlap.t.end < domain.end - least {
-                found.push(own.curve.point_at(overlap.t.middle()));
+                let t = nearest_in(overlap.t, |t| {
+                    let p = own.curve.point_at(t);
+                    let uv = other.parameters(p)?;
+                    Ok(other.surface.point_at(uv[0], uv[1]).distance_to(p))
+                })?;
+                found.push(own.curve.point_at(t));
             }
         }
     }
@@ -152,9 +188,10 @@ pub(super) fn stops(
     reach: f64,
 ) -> Result<Vec<(f64, usize)>> {
     let mut out = Vec::new();
+    let search = Near::of(curve);
     for place in index.near(bounds, reach) {
         let p = all.vertices.point(place);
-        if let Some(t) = super::operands::near(curve, p, reach)? {
+        if let Some(t) = search.parameter(p, reach)? {
             out.push((t, place));
         }
     }

@@ -13,12 +13,20 @@
 //! a region is derived, and makes the order of operands not matter.
 
 mod arrangement;
+mod audit;
 mod cells;
 mod interferences;
+#[cfg(test)]
+mod more_tests;
 mod operands;
+mod operations;
+mod oriented;
 mod pieces;
+mod pulled;
+mod radial;
 mod refusal;
 mod regions;
+mod report;
 mod sections;
 mod shells;
 #[cfg(test)]
@@ -27,8 +35,11 @@ mod thresholds;
 mod vertices;
 
 pub use refusal::{Refusal, RefusalClass};
+pub use report::{Decision, DecisionKind};
 
-use crate::{Brep, Result, Tolerance, patience};
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::{Brep, Curve, Result, Tolerance, patience};
 use cells::Sheet;
 use operands::Operands;
 use pieces::Pieces;
@@ -51,6 +62,24 @@ pub struct Made {
     pub brep: Brep,
     /// For each of its faces the face of an operand that it is a part of.
     pub names: Vec<FaceName>,
+}
+
+/// A curve on the boundaries of several operands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CommonCurve {
+    /// The operands on whose faces or edges it lies, in order.
+    pub operands: Vec<usize>,
+    /// The curve, without a common point of operands between its ends.
+    pub curve: Curve,
+}
+
+/// Where a part of a face lies, as far as operands tell.
+#[derive(Debug, Clone, Copy)]
+pub struct FacePart<'a> {
+    /// For every operand whether the part belongs to its boundary.
+    pub on: &'a [bool],
+    /// For every closed operand whether the part lies inside.
+    pub inside: &'a [bool],
 }
 
 /// Operands fused: all their faces cut along each other, ready to be asked for any combination of them.
@@ -106,6 +135,103 @@ impl Fuse {
         self.shells(&chosen).solids()
     }
 
+    /// As [`Fuse::solids`] where operands may be open: an open one is taken to fill what lies behind it, on the side away
+    /// from its normals, where others meet it, and nothing else. The results may be open: at borders of open operands only.
+    ///
+    /// # Errors
+    /// [`Error::Refused`](crate::Error::Refused): an open operand ends inside another one, so that it does not divide it,
+    /// or as for [`Fuse::solids`].
+    pub fn oriented(&self, wanted: impl Fn(&[bool]) -> bool) -> Result<Vec<Made>> {
+        if self.all.solids.iter().all(|s| s.closed) {
+            return self.solids(wanted);
+        }
+        let chosen: Vec<Chosen> = (self.with_open()?.iter())
+            .filter_map(|sheet| match (wanted(&sheet.sides.behind), wanted(&sheet.sides.before)) {
+                (true, false) => Some(Chosen { region: sheet.region, flipped: false }),
+                (false, true) => Some(Chosen { region: sheet.region, flipped: true }),
+                _ => None,
+            })
+            .collect();
+        let naked = self.naked_pieces();
+        self.shells(&chosen).open_or_closed(|piece| naked.contains(&piece))
+    }
+
+    /// The faces of one operand that lie in none of the others, apart where they are cut. What an open one has behind it
+    /// is as in [`Fuse::oriented`].
+    ///
+    /// # Errors
+    /// [`Error::Refused`](crate::Error::Refused): the parts are not sound.
+    pub fn outside_of_others(&self, operand: usize) -> Result<Vec<Made>> {
+        let sheets = self.with_open()?;
+        let chosen: Vec<Chosen> = (self.regions.iter().enumerate())
+            .filter(|(_, r)| self.all.faces.get(r.face).map(|f| f.solid) == Some(operand))
+            .filter(|(region, _)| {
+                let own = sheets.iter().find(|s| s.region == *region);
+                let inside = |k: usize, s: &Sheet| {
+                    k != operand
+                        && s.sides.behind.get(k) == Some(&true)
+                        && s.sides.before.get(k) == Some(&true)
+                };
+                // A region that lies upon another operand's is outside of it.
+                own.is_none_or(|s| !(0..self.all.solids.len()).any(|k| inside(k, s)))
+            })
+            .map(|(region, _)| Chosen { region, flipped: false })
+            .collect();
+        let found = self.shells(&chosen).faces(self.cut_at(operand))?;
+        Ok(found.into_iter().map(|(_, made)| made).collect())
+    }
+
+    fn with_open(&self) -> Result<Vec<Sheet>> {
+        let every = oriented::every(&self.sheets);
+        oriented::with_open(&self.shells(&every), &self.sheets)
+    }
+
+    /// The pieces of edges that one face of an open operand has alone.
+    fn naked_pieces(&self) -> BTreeSet<usize> {
+        let mut uses: BTreeMap<usize, usize> = BTreeMap::new();
+        let open = |solid: usize| self.all.solids.get(solid).is_some_and(|s| !s.closed);
+        for face in self.all.faces.iter().filter(|f| open(f.solid)) {
+            for (edge, _) in face.loops.iter().flatten().filter_map(|bound| bound.edge) {
+                *uses.entry(edge).or_default() += 1;
+            }
+        }
+        let alone = uses.into_iter().filter(|(_, count)| *count == 1);
+        alone.filter_map(|(edge, _)| self.pieces.of_edge.get(edge)).flatten().map(|p| p.piece).collect()
+    }
+
+    /// Whether faces of an operand are cut along a piece.
+    fn cut_at(&self, operand: usize) -> impl Fn(usize) -> bool {
+        move |piece| self.pieces.list.get(piece).is_some_and(|p| p.solids.iter().any(|s| *s != operand))
+    }
+
+    /// The curves in which the boundaries of operands meet: where faces cross or touch, and the edges of one that lie on
+    /// another.
+    pub fn curves(&self) -> Vec<CommonCurve> {
+        let common = self.pieces.list.iter().filter(|p| p.solids.len() > 1);
+        common
+            .map(|p| CommonCurve { operands: p.solids.iter().copied().collect(), curve: p.curve.clone() })
+            .collect()
+    }
+
+    /// The parts of faces for which `wanted` says yes, each asked once though it may lie on several operands; those that
+    /// share an edge hang together.
+    ///
+    /// # Errors
+    /// [`Error::Refused`](crate::Error::Refused): the parts are not sound.
+    pub fn faces(&self, mut wanted: impl FnMut(FacePart<'_>) -> bool) -> Result<Vec<Made>> {
+        let mut chosen = Vec::new();
+        for sheet in &self.sheets {
+            let both = || sheet.sides.behind.iter().zip(&sheet.sides.before);
+            let on: Vec<bool> = both().map(|(a, b)| a != b).collect();
+            let inside: Vec<bool> = both().map(|(a, b)| *a && *b).collect();
+            if wanted(FacePart { on: &on, inside: &inside }) {
+                chosen.push(Chosen { region: sheet.region, flipped: false });
+            }
+        }
+        let found = self.shells(&chosen).faces(|_| false)?;
+        Ok(found.into_iter().map(|(_, made)| made).collect())
+    }
+
     /// The cells into which the operands divide space, but for the outside of all: for each the operands in which it lies,
     /// and its solids.
     ///
@@ -152,10 +278,7 @@ impl Fuse {
             .filter(|(_, r)| owner(r) == Some(operand))
             .map(|(region, _)| Chosen { region, flipped: false })
             .collect();
-        let cut = |piece: usize| {
-            self.pieces.list.get(piece).is_some_and(|p| p.solids.iter().any(|s| *s != operand))
-        };
-        let found = self.shells(&chosen).faces(cut)?;
+        let found = self.shells(&chosen).faces(self.cut_at(operand))?;
         let inside = |place: usize| {
             let region = chosen.get(place).map(|c| c.region);
             let sheet = self.sheets.iter().find(|s| Some(s.region) == region);
@@ -164,51 +287,13 @@ impl Fuse {
         Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
     }
 
+    /// What was decided within the tolerance, and how far it moved what: two points, curves or surfaces that are not one
+    /// to rounding were taken as one.
+    pub fn report(&self) -> Vec<Decision> {
+        report::decisions(&self.all, &self.pieces)
+    }
+
     fn shells<'a>(&'a self, chosen: &'a [Chosen]) -> Shells<'a> {
         Shells { all: &self.all, pieces: &self.pieces, regions: &self.regions, chosen }
-    }
-}
-
-impl Brep {
-    /// The solids that some solids fill together. What does not meet stays apart; an empty list gives nothing.
-    ///
-    /// # Errors
-    /// As [`Fuse::new`] and [`Fuse::solids`].
-    pub fn union(solids: &[Self], tolerance: &Tolerance) -> Result<Vec<Made>> {
-        if solids.is_empty() {
-            return Ok(Vec::new());
-        }
-        Fuse::new(solids, tolerance)?.solids(|inside| inside.iter().any(|x| *x))
-    }
-
-    /// What is left of some solids outside of all tools.
-    ///
-    /// # Errors
-    /// As [`Fuse::new`] and [`Fuse::solids`].
-    pub fn difference(solids: &[Self], tools: &[Self], tolerance: &Tolerance) -> Result<Vec<Made>> {
-        Self::two_sided(solids, tools, tolerance, |a, b| a && !b)
-    }
-
-    /// What lies in one of the first solids and in one of the others.
-    ///
-    /// # Errors
-    /// As [`Fuse::new`] and [`Fuse::solids`].
-    pub fn intersection(solids: &[Self], others: &[Self], tolerance: &Tolerance) -> Result<Vec<Made>> {
-        Self::two_sided(solids, others, tolerance, |a, b| a && b)
-    }
-
-    fn two_sided(
-        first: &[Self],
-        second: &[Self],
-        tolerance: &Tolerance,
-        wanted: impl Fn(bool, bool) -> bool,
-    ) -> Result<Vec<Made>> {
-        if first.is_empty() {
-            return Ok(Vec::new());
-        }
-        let all: Vec<Self> = first.iter().chain(second).cloned().collect();
-        let split = first.len();
-        let any = |inside: Option<&[bool]>| inside.is_some_and(|i| i.iter().any(|x| *x));
-        Fuse::new(&all, tolerance)?.solids(|i| wanted(any(i.get(..split)), any(i.get(split..))))
     }
 }

@@ -1,5 +1,6 @@
 //! The faces and edges of all operands in common tables. The operands themselves are never changed.
 
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::sync::{Arc as Shared, OnceLock};
 
@@ -36,11 +37,41 @@ impl Edge {
 
 /// The parameter of a curve's place nearest to a point, if it is nearer than a distance.
 pub(super) fn near(curve: &Curve, p: Point3, reach: f64) -> Result<Option<f64>> {
-    if let Curve::Line(c) = curve {
-        let t = c.line.closest_parameter(p).clamp(0.0, 1.0);
-        return Ok((c.line.at(t).distance_to(p) <= reach).then(|| c.domain.at(t)));
+    Near::of(curve).parameter(p, reach)
+}
+
+/// The points in which segments of a curve meet: curves upon each other may part there.
+fn joints(curve: &Curve) -> Vec<Point3> {
+    match curve {
+        Curve::Poly(c) => c.segments().iter().skip(1).map(Curve::start).collect(),
+        Curve::Polyline(c) => {
+            let inner = c.points().len().saturating_sub(1);
+            c.points().iter().take(inner).skip(1).copied().collect()
+        }
+        _ => Vec::new(),
     }
-    Ok(ClosestOnCurve::new(curve).nearest_within(p, reach)?.map(|near| near.parameter))
+}
+
+/// A curve that is asked several times for its place nearest to a point; prepared when it is asked first.
+pub(super) struct Near<'a> {
+    curve: &'a Curve,
+    search: OnceCell<ClosestOnCurve<'a>>,
+}
+
+impl<'a> Near<'a> {
+    pub(super) fn of(curve: &'a Curve) -> Self {
+        Self { curve, search: OnceCell::new() }
+    }
+
+    /// The parameter of the place nearest to a point, if it is nearer than a distance.
+    pub(super) fn parameter(&self, p: Point3, reach: f64) -> Result<Option<f64>> {
+        if let Curve::Line(c) = self.curve {
+            let t = c.line.closest_parameter(p).clamp(0.0, 1.0);
+            return Ok((c.line.at(t).distance_to(p) <= reach).then(|| c.domain.at(t)));
+        }
+        let search = self.search.get_or_init(|| ClosestOnCurve::new(self.curve));
+        Ok(search.nearest_within(p, reach)?.map(|near| near.parameter))
+    }
 }
 
 /// A piece of the boundary of a face in the parameter plane.
@@ -118,6 +149,11 @@ impl Face {
         Ok([near.u, near.v])
     }
 
+    /// Whether parameters follow from points by a formula.
+    pub(super) fn is_round(&self) -> bool {
+        matches!(self.form, Form::Round(_))
+    }
+
     fn closest(&self) -> Result<&ClosestOnSurface> {
         if let Some(made) = self.closest.get() {
             return Ok(made);
@@ -171,6 +207,8 @@ pub(super) struct Operands {
     pub(super) edges: Vec<Edge>,
     pub(super) faces: Vec<Face>,
     pub(super) vertices: Vertices,
+    /// Faces that were taken to lie on one surface: the largest distance found, and where it is.
+    pub(super) upon: Vec<([usize; 2], Option<Point3>, f64)>,
     /// The tolerance of the call.
     pub(super) limit: f64,
 }
@@ -187,6 +225,7 @@ impl Operands {
             edges: Vec::new(),
             faces: Vec::with_capacity(count),
             vertices: Vertices::new(limit),
+            upon: Vec::new(),
             limit,
         };
         for brep in breps {
@@ -212,6 +251,9 @@ impl Operands {
             let curve = brep.edge_as_curve(place)?.ok_or_else(missing)?;
             let ends =
                 [vertex(own.vertices[0]).ok_or_else(missing)?, vertex(own.vertices[1]).ok_or_else(missing)?];
+            for joint in joints(&curve) {
+                self.vertices.at(joint);
+            }
             edges.push(Some(self.edges.len()));
             self.edges.push(Edge { solid, bounds: curve.bounding_box(), curve, ends });
         }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::interferences::edge_stops;
-use super::operands::{Operands, Place, near};
+use super::operands::{Near, Operands, Place};
 use super::sections::{SectionPiece, index_of};
 use super::thresholds::{PLACES, SAME_CURVE};
 use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, patience};
@@ -14,6 +14,8 @@ pub(super) struct Piece {
     pub(super) curve: Curve,
     pub(super) ends: [usize; 2],
     pub(super) bounds: BoundingBox,
+    /// The largest distance found of a curve that was taken as this one.
+    pub(super) apart: f64,
     /// The operands on whose boundary it lies.
     pub(super) solids: BTreeSet<usize>,
 }
@@ -114,27 +116,32 @@ impl Pieces {
         let known = self.by_ends.get(&key).cloned().unwrap_or_default();
         for place in known {
             let Some(piece) = self.list.get(place) else { continue };
-            if let Some(reversed) = self.same(piece, &curve, ends)? {
+            if let Some((reversed, apart)) = self.same(piece, &curve, ends)? {
+                self.list.get_mut(place).into_iter().for_each(|p| p.apart = p.apart.max(apart));
                 return Ok((place, reversed));
             }
         }
         let place = self.list.len();
         let bounds = curve.bounding_box();
-        self.list.push(Piece { curve, ends, bounds, solids: BTreeSet::new() });
+        self.list.push(Piece { curve, ends, bounds, apart: 0.0, solids: BTreeSet::new() });
         self.by_ends.entry(key).or_default().push(place);
         Ok((place, false))
     }
 
-    /// Whether a curve with the same ends runs along a piece; then, whether backwards.
-    fn same(&self, piece: &Piece, curve: &Curve, ends: [usize; 2]) -> Result<Option<bool>> {
+    /// Whether a curve with the same ends runs along a piece; then, whether backwards and at which distance.
+    fn same(&self, piece: &Piece, curve: &Curve, ends: [usize; 2]) -> Result<Option<(bool, f64)>> {
         let domain = curve.domain();
         let reach = SAME_CURVE * self.limit;
+        let search = Near::of(&piece.curve);
         let mut at = [0.0; 2];
+        let mut apart = 0.0_f64;
         for (t, share) in at.iter_mut().zip([0.5, 0.29]) {
-            let Some(found) = near(&piece.curve, curve.point_at(domain.at(share)), reach)? else {
+            let p = curve.point_at(domain.at(share));
+            let Some(found) = search.parameter(p, reach)? else {
                 return Ok(None);
             };
             *t = found;
+            apart = apart.max(piece.curve.point_at(found).distance_to(p));
         }
         let reversed = if ends[0] == ends[1] {
             // By the directions at a common place.
@@ -144,7 +151,7 @@ impl Pieces {
         } else {
             piece.ends != ends
         };
-        Ok(Some(reversed))
+        Ok(Some((reversed, apart)))
     }
 
     /// Draws edges on the faces of other operands in which they lie.

@@ -41,7 +41,11 @@ pub(super) fn sections(all: &mut Operands, pairs: &[(usize, usize)]) -> Result<V
     for &(a, b) in pairs {
         patience::check()?;
         let (Some(fa), Some(fb)) = (all.faces.get(a), all.faces.get(b)) else { continue };
-        let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else { continue };
+        let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else {
+            let (place, distance) = gap(all, fa, fb)?;
+            all.upon.push(([a, b], place, distance));
+            continue;
+        };
         let mut crossings = Vec::new();
         for p in points {
             let reach = CAPTURE * all.limit;
@@ -204,6 +208,26 @@ fn coincident(all: &Operands, [a, b]: [&Face; 2], [ca, cb]: [&Carrier; 2]) -> Re
     let size = a.size.max(b.size);
     let near = Tolerance { absolute: limit, angle: limit / size };
     Ok(matches!(carrier_carrier(ca, cb, &near), Some(CarrierMeeting::Same)))
+}
+
+/// How far two faces upon each other are apart: the largest distance found between the border of one and the other, and
+/// where it is.
+fn gap(all: &Operands, a: &Face, b: &Face) -> Result<(Option<Point3>, f64)> {
+    let mut out = (None, 0.0);
+    for (own, other) in [(a, b), (b, a)] {
+        for edge in own.border.iter().filter_map(|e| all.edges.get(*e)) {
+            for share in PLACES {
+                let p = edge.curve.point_at(edge.curve.domain().at(share));
+                let uv = other.parameters(p)?;
+                let distance = other.surface.point_at(uv[0], uv[1]).distance_to(p);
+                // Where only the one of them is there is no gap.
+                if out.1 < distance && distance <= CAPTURE * all.limit {
+                    out = (Some(p), distance);
+                }
+            }
+        }
+    }
+    Ok(out)
 }
 
 /// Whether the whole border of a flat face lies within a distance of a plane.

@@ -1,16 +1,18 @@
 //! Shells of chosen regions: sewn along the pieces that they share, never by distance.
 
 use std::collections::BTreeMap;
+use std::sync::Arc as Shared;
 
 use super::arrangement::Track;
 use super::operands::Operands;
 use super::pieces::Pieces;
 use super::refusal::RefusalClass;
 use super::regions::Region;
-use super::thresholds::{EDGE_OFF_FACE, RADIAL_APART, RADIAL_AT, RADIAL_STEP};
+use super::thresholds::EDGE_OFF_FACE;
 use super::{FaceName, Made};
+use crate::brep::inside::ClosestOnBrep;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
-use crate::{Brep, Containment, Point3, Result, Vector3, patience};
+use crate::{BoundingBox, Brep, Containment, Result, patience};
 
 /// A region of the result, and whether it is turned over.
 #[derive(Debug, Clone, Copy)]
@@ -22,21 +24,21 @@ pub(super) struct Chosen {
 /// A use of a piece by a chosen region: which, the place among its steps, and whether the region runs along the piece
 /// backwards as seen from before its face.
 #[derive(Debug, Clone, Copy)]
-struct Use {
-    chosen: usize,
-    step: (usize, usize),
-    backwards: bool,
+pub(super) struct Use {
+    pub(super) chosen: usize,
+    pub(super) step: (usize, usize),
+    pub(super) backwards: bool,
 }
 
 /// Sets of chosen regions that hang together.
-struct Sets(Vec<usize>);
+pub(super) struct Sets(Vec<usize>);
 
 impl Sets {
-    fn new(count: usize) -> Self {
+    pub(super) fn new(count: usize) -> Self {
         Self((0..count).collect())
     }
 
-    fn root(&mut self, mut k: usize) -> usize {
+    pub(super) fn root(&mut self, mut k: usize) -> usize {
         while self.0[k] != k {
             self.0[k] = self.0[self.0[k]];
             k = self.0[k];
@@ -44,7 +46,7 @@ impl Sets {
         k
     }
 
-    fn join(&mut self, a: usize, b: usize) {
+    pub(super) fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b)] = a.min(b);
     }
@@ -74,7 +76,7 @@ type Mates = BTreeMap<(usize, usize, usize), (usize, usize)>;
 impl Shells<'_> {
     /// The solids that the chosen regions bound, with the faces that theirs came from.
     pub(super) fn solids(&self) -> Result<Vec<Made>> {
-        let (mates, mut sets) = self.mated()?;
+        let (mates, mut sets) = self.mated(|_| false)?;
         let shells = sets.lists();
         if let [only] = shells.as_slice() {
             let (made, inward) = self.built(only, &mates)?;
@@ -85,6 +87,22 @@ impl Shells<'_> {
         }
         let solids = self.nested(shells, &mates, false)?;
         Ok(solids.into_iter().map(|s| s.1).collect())
+    }
+
+    /// What the chosen regions bound, and what stays open: a piece may be the edge of one region alone where it may be
+    /// `naked`.
+    pub(super) fn open_or_closed(&self, naked: impl Fn(usize) -> bool) -> Result<Vec<Made>> {
+        let (mates, mut sets) = self.mated(naked)?;
+        let shells = sets.lists();
+        let mut out = Vec::with_capacity(shells.len());
+        let mut closed = Vec::new();
+        for shell in shells {
+            patience::check()?;
+            let (made, _) = self.built(&shell, &mates)?;
+            if made.brep.is_solid() { closed.push(shell) } else { out.push(made) }
+        }
+        out.extend(self.nested(closed, &mates, false)?.into_iter().map(|s| s.1));
+        Ok(out)
     }
 
     /// The bounded cells between the chosen regions, of which each stands for both of its sides in turn: what is behind it,
@@ -199,9 +217,19 @@ impl Shells<'_> {
 
     /// Whether a solid holds a shell: a point of it that is not on the solid's boundary tells; none where all are on it.
     fn holds(&self, solid: &Brep, shell: &[usize]) -> Result<Option<bool>> {
+        // What reaches out of the box around a solid is not in it.
+        let Some(bounds) = solid.bounds_of_faces().map(|b| b.inflated(self.all.limit)) else {
+            return Ok(Some(false));
+        };
+        let within = |b: &BoundingBox| bounds.union(b) == bounds;
+        let rims = shell.iter().filter_map(|c| self.region(*c)).flat_map(Region::pieces);
+        if rims.filter_map(|(piece, _)| self.pieces.list.get(piece)).any(|p| !within(&p.bounds)) {
+            return Ok(Some(false));
+        }
+        let search = ClosestOnBrep::new(Shared::new(solid.clone()))?;
         let mut unknown = false;
         for sample in shell.iter().filter_map(|c| self.region(*c)).flat_map(|r| &r.samples) {
-            match solid.contains(sample.point, self.all.limit) {
+            match search.contains(sample.point, self.all.limit) {
                 Ok(Containment::Inside) => return Ok(Some(true)),
                 Ok(Containment::Outside) => return Ok(Some(false)),
                 Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
@@ -215,7 +243,7 @@ impl Shells<'_> {
         Ok(None)
     }
 
-    fn region(&self, chosen: usize) -> Option<&Region> {
+    pub(super) fn region(&self, chosen: usize) -> Option<&Region> {
         self.regions.get(self.chosen.get(chosen)?.region)
     }
 
@@ -227,7 +255,7 @@ impl Shells<'_> {
     }
 
     /// The uses of every piece.
-    fn uses(&self) -> BTreeMap<usize, Vec<Use>> {
+    pub(super) fn uses(&self) -> BTreeMap<usize, Vec<Use>> {
         let mut uses: BTreeMap<usize, Vec<Use>> = BTreeMap::new();
         for (place, chosen) in self.chosen.iter().enumerate() {
             let Some(region) = self.regions.get(chosen.region) else { continue };
@@ -244,14 +272,16 @@ impl Shells<'_> {
         uses
     }
 
-    /// Which uses of pieces share an edge, and which regions hang together: by pairs with material between them.
-    fn mated(&self) -> Result<(Mates, Sets)> {
+    /// Which uses of pieces share an edge, and which regions hang together: by pairs with material between them. A piece
+    /// may have one region alone where it may be `naked`.
+    fn mated(&self, naked: impl Fn(usize) -> bool) -> Result<(Mates, Sets)> {
         let mut sets = Sets::new(self.chosen.len());
         let mut mates = Mates::new();
         for (piece, list) in self.uses() {
             patience::check()?;
             let pairs = match list.as_slice() {
                 [a, b] if a.backwards != b.backwards => vec![[*a, *b]],
+                [_] if naked(piece) => continue,
                 [] | [_] | [_, _] => return Err(self.refuse_at(piece, &list)),
                 _ => self.wedges(piece, &list)?,
             };
@@ -285,7 +315,7 @@ impl Shells<'_> {
         (mates, sets)
     }
 
-    fn refuse_at(&self, piece: usize, uses: &[Use]) -> crate::Error {
+    pub(super) fn refuse_at(&self, piece: usize, uses: &[Use]) -> crate::Error {
         let faces: Vec<usize> = uses.iter().filter_map(|u| self.region(u.chosen)).map(|r| r.face).collect();
         self.all.refuse(RefusalClass::Unclosed, &faces, self.pieces.middle(piece))
     }
@@ -309,79 +339,6 @@ impl Shells<'_> {
             out.push([a, b]);
         }
         Ok(out)
-    }
-
-    /// The uses of a piece in the order of the angles at which their faces leave it, counter-clockwise about it. A face
-    /// that runs forwards has its inside at normal × axis: its normal looks to larger angles.
-    fn radial(&self, piece: usize, uses: &[Use]) -> Result<Vec<Use>> {
-        let refused = || self.refuse_at(piece, uses);
-        let own = self.pieces.list.get(piece).ok_or_else(refused)?;
-        let t = own.curve.domain().at(RADIAL_AT);
-        let p = own.curve.point_at(t);
-        let axis = own.curve.tangent_at(t).ok_or_else(refused)?;
-        let x = axis.perpendicular().and_then(Vector3::unitized).ok_or_else(refused)?;
-        let y = axis.cross(x);
-        let reach = uses.iter().filter_map(|u| self.reach(u)).fold(own.bounds.diagonal().length(), f64::min);
-        let mut keyed: Vec<(f64, Use)> = Vec::with_capacity(uses.len());
-        for own in uses {
-            let way = self.leaving(own, p, axis, RADIAL_STEP * reach).ok_or_else(refused)?;
-            keyed.push((way.dot(y).atan2(way.dot(x)), *own));
-        }
-        keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Faces that leave together are not in an order that can be relied on.
-        let next = keyed.iter().cycle().skip(1);
-        let close = keyed.iter().zip(next).any(|(a, b)| {
-            let apart = (b.0 - a.0).rem_euclid(std::f64::consts::TAU);
-            apart.min(std::f64::consts::TAU - apart) < RADIAL_APART
-        });
-        if close {
-            return Err(refused());
-        }
-        Ok(keyed.into_iter().map(|k| k.1).collect())
-    }
-
-    /// About how wide the region of a use is.
-    fn reach(&self, own: &Use) -> Option<f64> {
-        let region = self.region(own.chosen)?;
-        Some(self.all.faces.get(region.face)?.bounds.diagonal().length())
-    }
-
-    /// The direction in which the region of a use leaves a point of its piece, by a place a little inside.
-    fn leaving(&self, own: &Use, p: Point3, axis: Vector3, step: f64) -> Option<Vector3> {
-        let region = self.region(own.chosen)?;
-        let face = self.all.faces.get(region.face)?;
-        let flat = &region.loops.get(own.step.0)?.get(own.step.1)?.curve;
-        // The place of the point on the step: its image is nearest there.
-        let domain = flat.domain();
-        let off = |t: f64| {
-            let uv = flat.point_at(t);
-            face.surface.point_at(uv.x, uv.y).distance_to(p)
-        };
-        let count = 200;
-        let best = (1..count).min_by(|a, b| {
-            off(domain.at(f64::from(*a) / f64::from(count)))
-                .total_cmp(&off(domain.at(f64::from(*b) / f64::from(count))))
-        })?;
-        let (mut low, mut high) = (
-            domain.at(f64::from(best - 1) / f64::from(count)),
-            domain.at(f64::from(best + 1) / f64::from(count)),
-        );
-        for _ in 0..60 {
-            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-            if off(a) < off(b) { high = b } else { low = a }
-        }
-        let [uv, _] = flat.jet_at::<2>(0.5 * (low + high), false);
-        let d = face.surface.derivatives(uv.x, uv.y, 1, face.surface.inner_quadrant(uv.x, uv.y));
-        let (by_u, by_v) = (d.get(1, 0), d.get(0, 1));
-        let normal = by_u.cross(by_v).unitized()?;
-        // The face lies to the left of its trims.
-        let [_, slope] = flat.jet_at::<2>(0.5 * (low + high), false);
-        let along = (by_u * slope.x + by_v * slope.y).unitized()?;
-        let inward = normal.cross(along);
-        let rate = crate::chart::Chart::lifted(&[d.point().to_vector(), by_u, by_v], inward * step)?;
-        let q = face.surface.point_at(uv.x + rate[0], uv.y + rate[1]);
-        let way = q - p;
-        Some(way - axis * way.dot(axis))
     }
 
     /// The materials and colours of the faces that a brep's faces are parts of.

@@ -15,6 +15,8 @@ pub(super) const SAME_CURVE: f64 = 4.0;
 pub(super) const BESIDE: f64 = 1e-3;
 /// Images in the parameter plane are pulled within these parts of the tolerance: the first that can be reached.
 pub(super) const PULLED: [f64; 3] = [0.25, 1.0, 4.0];
+/// So many times a curve is halved that cannot be pulled as a whole: its quickest bend is looked at 2⁷ times as finely.
+pub(super) const MOST_HALVINGS: usize = 7;
 /// Two unit directions whose product is shorter are parallel to rounding.
 pub(super) const PARALLEL: f64 = 1e-10;
 /// The cosine of the angle between normals of faces that lie upon each other: what the tolerance leaves open is far less.

@@ -8,6 +8,8 @@ use crate::Point3;
 #[derive(Debug)]
 pub(super) struct Vertices {
     points: Vec<Point3>,
+    /// The largest distance of a point that became the vertex.
+    moved: Vec<f64>,
     cells: HashMap<[i64; 3], Vec<usize>>,
     near: f64,
 }
@@ -15,16 +17,19 @@ pub(super) struct Vertices {
 impl Vertices {
     /// An empty table; points nearer than `near` are one.
     pub(super) fn new(near: f64) -> Self {
-        Self { points: Vec::new(), cells: HashMap::new(), near }
+        Self { points: Vec::new(), moved: Vec::new(), cells: HashMap::new(), near }
     }
 
     /// The vertex at a point: the nearest known one within the tolerance, else a new one.
     pub(super) fn at(&mut self, p: Point3) -> usize {
         if let Some(known) = self.known(p) {
+            let distance = self.point(known).distance_to(p);
+            self.moved.get_mut(known).into_iter().for_each(|m| *m = m.max(distance));
             return known;
         }
         let place = self.points.len();
         self.points.push(p);
+        self.moved.push(0.0);
         self.cells.entry(self.cell(p)).or_default().push(place);
         place
     }
@@ -48,6 +53,11 @@ impl Vertices {
     /// Where a vertex is.
     pub(super) fn point(&self, place: usize) -> Point3 {
         self.points.get(place).copied().unwrap_or(Point3::ORIGIN)
+    }
+
+    /// The vertices with the largest distance of a point that became each.
+    pub(super) fn moved(&self) -> impl Iterator<Item = (Point3, f64)> + '_ {
+        self.points.iter().copied().zip(self.moved.iter().copied())
     }
 
     /// All points, by the places of their vertices.

@@ -1,0 +1,91 @@
+#![allow(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::f64::consts::PI;
+
+use super::{DecisionKind, Fuse};
+use crate::{
+    Arc, BoundingBox, Box3, Brep, Circle, Curve, Cylinder, Interval, Line, Plane, Point3, Tolerance, Vector3,
+    construct, join_curves,
+};
+
+fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
+    let bounds = BoundingBox { min: Point3::from(min), max: Point3::from(max) };
+    construct::box_brep(&Box3::from(bounds)).unwrap()
+}
+
+fn tube(center: [f64; 3], radius: f64, height: f64) -> Brep {
+    let plane = Plane::XY.with_origin(Point3::from(center));
+    construct::cylinder(&Cylinder::new(plane, radius, Interval::new(0.0, height)).unwrap(), [true; 2])
+        .unwrap()
+}
+
+fn disc(center: [f64; 3], radius: f64) -> Brep {
+    let rim: Curve = Circle::new(Plane::XY.with_origin(Point3::from(center)), radius).unwrap().into();
+    Brep::planar_faces(&[rim], &Tolerance::default()).unwrap().breps.remove(0)
+}
+
+fn within(absolute: f64) -> Tolerance {
+    Tolerance { absolute, ..Tolerance::default() }
+}
+
+fn area(breps: &[Brep]) -> f64 {
+    breps.iter().map(|b| b.area_properties(1e-10, || true).unwrap().amount).sum()
+}
+
+#[test]
+fn curves_on_two_operands() {
+    // The thin cylinder touches the thick one's wall along 10 units, and its wall cuts the thick one's lid.
+    let fuse =
+        Fuse::new(&[tube([0.0; 3], 10.0, 20.0), tube([5.0, 0.0, 10.0], 5.0, 20.0)], &within(1e-6)).unwrap();
+    let length: f64 = fuse.curves().iter().map(|c| c.curve.length()).sum();
+    assert!((length - 10.0 - 10.0 * PI).abs() < 1e-6, "{length}");
+    assert!(fuse.curves().iter().all(|c| c.operands == [0, 1]));
+}
+
+#[test]
+fn what_the_tolerance_decided_is_told() {
+    let boxes = |gap: f64| [cuboid([0.0; 3], [1.0; 3]), cuboid([1.0 + gap, 0.0, 0.0], [2.0, 1.0, 1.0])];
+    assert_eq!(Fuse::new(&boxes(0.0), &within(1e-6)).unwrap().report(), []);
+    let apart = Fuse::new(&boxes(5e-7), &within(1e-6)).unwrap();
+    assert_eq!(apart.solids(|i| i.contains(&true)).unwrap().len(), 1);
+    let report = apart.report();
+    for kind in [DecisionKind::Points, DecisionKind::Surfaces] {
+        let own = report.iter().find(|d| d.kind == kind).unwrap();
+        assert!((own.distance - 5e-7).abs() < 1e-12, "{own}");
+    }
+    // What is farther apart than the tolerance stays so.
+    let two = Fuse::new(&boxes(2e-6), &within(1e-6)).unwrap();
+    assert_eq!((two.solids(|i| i.contains(&true)).unwrap().len(), two.report().len()), (2, 0));
+}
+
+#[test]
+fn discs_that_overlap() {
+    let fuse = Fuse::new(&[disc([0.0; 3], 10.0), disc([10.0, 0.0, 0.0], 10.0)], &within(1e-6)).unwrap();
+    let lens = 200.0 * PI / 3.0 - 50.0 * 3.0_f64.sqrt();
+    let of = |wanted: [bool; 2]| {
+        let made = fuse.faces(|part| part.on == wanted).unwrap();
+        area(&made.into_iter().map(|m| m.brep).collect::<Vec<_>>())
+    };
+    assert!((of([true, true]) - lens).abs() < 1e-6);
+    assert!((of([true, false]) - (100.0 * PI - lens)).abs() < 1e-6);
+}
+
+#[test]
+fn a_slot_whose_round_ends_touch_the_edges_of_a_face() {
+    let arc = |z: f64, start: f64| -> Curve {
+        let plane = Plane::from_axes(Point3::new(7.0, 3.0, z), Vector3::X, Vector3::Z).unwrap();
+        Arc::new(Circle::new(plane, 1.0).unwrap(), Interval::new(start, start + PI)).unwrap().into()
+    };
+    let (top, low) = (arc(3.0, 0.0), arc(1.0, PI));
+    let sides = [Line::new(top.end(), low.start()), Line::new(low.end(), top.start())].map(Curve::from);
+    let [left, right] = sides;
+    let outline = join_curves(&[top, left, low, right], 1e-9, false);
+    let face = Brep::planar_faces(&outline, &within(1e-9)).unwrap().breps.remove(0);
+    let slot = construct::extrude_brep(&face, Vector3::new(0.0, -1.0, 0.0), &within(1e-9)).unwrap();
+    let block = cuboid([3.0, 3.0, 0.0], [8.0, 9.0, 5.0]);
+    let made = Brep::union(&[block, slot], &within(1e-6)).unwrap();
+    let breps: Vec<Brep> = made.into_iter().map(|m| m.brep).collect();
+    // The box and the side of the slot; its front stands for the part of the box that it covers.
+    let want = 170.0 + 2.0 * PI + 4.0;
+    assert!((area(&breps) - want).abs() < 1e-6, "{} {want}", area(&breps));
+}
