@@ -2,9 +2,9 @@
 //! change only where the surfaces touch.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing test may panic")]
 
-use super::random_tests::{TOLERANCE, pair};
+use super::random_tests::{TOLERANCE, pair, part};
 use super::{SurfaceContactKind, SurfaceMeeting, surface_surface};
-use crate::{Direction, NurbsSurface, Plane, Point3, Surface, Tolerance, Torus, Vector3, Xform};
+use crate::{Direction, Error, NurbsSurface, Plane, Point3, Surface, Tolerance, Torus, Vector3, Xform};
 
 fn meet(a: &NurbsSurface, b: &NurbsSurface, scale: f64) -> SurfaceMeeting {
     surface_surface(a, b, &Tolerance { absolute: TOLERANCE * scale, ..Tolerance::default() }).unwrap()
@@ -75,11 +75,12 @@ fn nothing_changes_random_pairs() {
     assert_eq!(wrong, 0);
 }
 
-/// Run with `make test-branches`.
+/// Run with `make test-branches`; `PAIRS=first..end` runs a part.
 #[test]
 #[ignore = "minutes of work: make test-branches"]
 fn no_branch_of_many_changes() {
-    let [told, wrong] = changed(600, 100_000);
+    let [first, end] = part([100_000, 100_600]);
+    let [told, wrong] = changed(end - first, first);
     println!("{told} told, {wrong} changed");
     assert_eq!(wrong, 0);
 }
@@ -115,7 +116,7 @@ fn a_plane_tilts_through_the_circles_of_villarceau() {
 }
 
 /// A wavy surface and itself turned about its normal by ever smaller angles have the curves in common along which turning
-/// moves it in itself: always as many, or a cluster is named.
+/// moves it in itself: always as many, or a cluster is named, or they are refused by name.
 #[test]
 fn waves_meet_themselves_turned() {
     let count = 9;
@@ -131,7 +132,11 @@ fn waves_meet_themselves_turned() {
     let mut known: Option<[usize; 2]> = None;
     for k in 0..=5 {
         let turn = Xform::rotation(10f64.powi(-k).to_radians(), normal, p.to_point()).unwrap();
-        let met = meet(&wave, &wave.transformed(&turn).unwrap(), 1.0);
+        let tolerance = Tolerance { absolute: TOLERANCE, ..Tolerance::default() };
+        let met = match surface_surface(&wave, &wave.transformed(&turn).unwrap(), &tolerance) {
+            Err(Error::Unsupported(_)) if k > 0 => continue,
+            met => met.unwrap(),
+        };
         let named = met.contacts.iter().any(|c| c.kind == SurfaceContactKind::Undecided);
         assert!(met.complete || named, "{k}");
         if met.complete && k >= 1 {
