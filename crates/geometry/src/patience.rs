@@ -170,10 +170,47 @@ pub(crate) fn check() -> Result<()> {
     let asked = ASKED.get().wrapping_add(1);
     ASKED.set(asked);
     if asked.is_multiple_of(EVERY) && !OVER.get() {
+        #[cfg(test)]
+        work::asked();
         // The question is asked with nothing borrowed: it is somebody else's code.
         OVER.set(Patience::now().0.is_some_and(|waiting| !waiting.go_on()));
     }
     if OVER.get() { Err(Error::Stopped) } else { Ok(()) }
+}
+
+/// Work that tests count, in evaluations of a point or what takes about as long: so many of it lie between two questions.
+/// Other programs count nothing.
+#[inline]
+pub(crate) fn worked(units: usize) {
+    #[cfg(test)]
+    work::add(units);
+    #[cfg(not(test))]
+    let _ = units;
+}
+
+/// How much work there was at most between two questions, on this thread.
+#[cfg(test)]
+pub(crate) mod work {
+    use std::cell::Cell;
+
+    thread_local! {
+        static SINCE: Cell<usize> = const { Cell::new(0) };
+        static MOST: Cell<usize> = const { Cell::new(0) };
+    }
+
+    pub(super) fn add(units: usize) {
+        SINCE.set(SINCE.get() + units);
+    }
+
+    pub(super) fn asked() {
+        MOST.set(MOST.get().max(SINCE.replace(0)));
+    }
+
+    /// The most until now, that before the end among it; counting begins anew.
+    pub(crate) fn most() -> usize {
+        asked();
+        MOST.replace(0)
+    }
 }
 
 /// Whether the answer was no for what this thread does now; nobody is asked again.

@@ -1,11 +1,15 @@
 //! Bounds on the derivatives of a surface over a part of its domain.
 
 use super::{Chart, Patch};
+use crate::Vector3;
 use crate::nurbs::MAX_DEGREE;
 
 /// What a control point is off after one step of de Casteljau's algorithm, as a part of the largest of the net: three
 /// rounded operations.
 const STEP_ROUNDING: f64 = 3.0 * f64::EPSILON;
+/// What a product of three terms is off, as a part of the sum of the sizes of the factors of one side times the largest of the
+/// other: five rounded operations, and three for factors that were rounded sums themselves.
+const DOT_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The smallest and the largest of numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,13 +25,9 @@ impl Range {
         (self.low, self.high) = (self.low.min(x), self.high.max(x));
     }
 
-    pub(crate) fn middle(self) -> f64 {
-        0.5 * (self.low + self.high)
-    }
-
-    /// Half its length.
-    pub(crate) fn radius(self) -> f64 {
-        0.5 * (self.high - self.low)
+    /// How far its numbers are from one at most.
+    pub(crate) fn off(self, x: f64) -> f64 {
+        (self.high - x).max(x - self.low)
     }
 
     fn union(self, other: Self) -> Self {
@@ -59,108 +59,148 @@ impl Range {
     }
 }
 
-/// Bounds on the three components of a vector.
-pub(crate) type Bounds3 = [Range; 3];
+/// Derivatives of a part of one patch: the coefficients that bound them.
+#[derive(Debug)]
+struct Part {
+    /// The homogeneous derivatives by u, then by v, the origin being moved to the middle of the part where there are weights.
+    slopes: [Vec<[f64; 4]>; 2],
+    /// What rounding adds to a coefficient of either.
+    error: [f64; 2],
+    /// The control points as the middle sees them, what rounding adds to these, and the weights; none where all are 1.
+    weighted: Option<Weighted>,
+}
 
-/// The smallest box around two.
-pub(crate) fn hull(a: Bounds3, b: Bounds3) -> Bounds3 {
-    std::array::from_fn(|k| a[k].union(b[k]))
+#[derive(Debug)]
+struct Weighted {
+    room: Vec<[f64; 3]>,
+    error: f64,
+    weight: Range,
+}
+
+/// The derivatives of a surface over a part of its domain.
+#[derive(Debug)]
+pub(crate) struct Slopes {
+    parts: Vec<Part>,
+}
+
+impl Slopes {
+    /// Bounds on the derivatives by u and v, each multiplied by a vector. They are rounded outward, so that they hold for the
+    /// exact derivatives.
+    ///
+    /// The coefficients are multiplied first: what is the same for all of them adds nothing. The sizes are the sums of the
+    /// components of each vector, or of the terms of which these were rounded sums.
+    pub(crate) fn along(&self, vectors: [Vector3; 2], sizes: [f64; 2]) -> [Range; 2] {
+        [0, 1].map(|k| {
+            let own = self.parts.iter().map(|part| part.along(k, vectors[k], sizes[k]));
+            own.fold(Range::EMPTY, Range::union)
+        })
+    }
+}
+
+impl Part {
+    fn along(&self, k: usize, vector: Vector3, size: f64) -> Range {
+        let row: [f64; 3] = vector.into();
+        let dot = |p: &[f64]| row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
+        let (mut slope, mut largest, mut weight_slope) = (Range::EMPTY, 0.0_f64, Range::EMPTY);
+        for p in &self.slopes[k] {
+            slope.add(dot(&p[..3]));
+            weight_slope.add(p[3]);
+            largest = largest.max(p[0].abs()).max(p[1].abs()).max(p[2].abs());
+        }
+        let slope = slope.grown(size * (self.error[k] + DOT_ROUNDING * largest));
+        let Some(Weighted { room, error, weight }) = &self.weighted else { return slope };
+        if !(weight.low > 0.0) {
+            return Range { low: f64::NEG_INFINITY, high: f64::INFINITY };
+        }
+        let (mut place, mut far) = (Range::EMPTY, 0.0_f64);
+        for p in room {
+            place.add(dot(p));
+            far = far.max(p[0].abs()).max(p[1].abs()).max(p[2].abs());
+        }
+        let place = place.grown(size * (error + DOT_ROUNDING * far));
+        let inverse = Range { low: 1.0 / weight.high, high: 1.0 / weight.low }.outward();
+        slope.minus(place.times(weight_slope.grown(self.error[k]))).times(inverse)
+    }
 }
 
 impl Chart {
-    /// Bounds on the derivatives by u and v over ranges of the parameters, as far as they lie in the domain. They are
-    /// rounded outward, so that they hold for the exact derivatives.
+    /// The derivatives by u and v over ranges of the parameters, as far as they lie in the domain.
     ///
     /// A part of each patch that the ranges meet is cut out by de Casteljau's algorithm; the differences of its control
     /// points bound the derivatives. With weights, after a shift of the origin to the middle of the part,
     /// S′ = (P′ − S w′)/w is bounded term by term.
-    pub(crate) fn partials_over(&self, ranges: [[f64; 2]; 2]) -> Option<[Bounds3; 2]> {
+    pub(crate) fn slopes_over(&self, ranges: [[f64; 2]; 2]) -> Slopes {
         let spans = [0, 1].map(|k| {
-            let lines = &self.lines[k];
+            let lines = &self.nets.lines[k];
             let last = lines.len().saturating_sub(2);
             let first = lines.partition_point(|t| *t <= ranges[k][0]).saturating_sub(1).min(last);
             let end = lines.partition_point(|t| *t < ranges[k][1]).saturating_sub(1).clamp(first, last);
             first..=end
         });
-        let columns = self.lines[1].len() - 1;
-        let mut out: Option<[Bounds3; 2]> = None;
+        let columns = self.nets.lines[1].len() - 1;
+        let mut parts = Vec::with_capacity(1);
         for i in spans[0].clone() {
             for j in spans[1].clone() {
-                let own = self.patches.get(i * columns + j)?.partials_over(self.counts, ranges);
-                out = Some(match out {
-                    Some(sum) => [hull(sum[0], own[0]), hull(sum[1], own[1])],
-                    None => own,
-                });
+                parts.push(part(self.patch(i * columns + j), self.counts, ranges));
             }
         }
-        out
+        Slopes { parts }
     }
 }
 
-impl Patch {
-    fn partials_over(&self, counts: [usize; 2], ranges: [[f64; 2]; 2]) -> [Bounds3; 2] {
-        let [n, m] = counts;
-        let local = |k: usize| {
-            let [a, b] = self.ranges[k];
-            ranges[k].map(|t| ((t - a) / (b - a)).clamp(0.0, 1.0))
-        };
-        let mut net = self.points.clone();
-        let [x, y] = [local(0), local(1)];
-        for j in 0..m {
-            restrict(&mut net, j, m, n, x);
-        }
-        for i in 0..n {
-            restrict(&mut net, i * m, 1, m, y);
-        }
-        // Each direction is restricted in two runs of as many steps as its degree; the shift of the origin is one more.
-        let largest = net.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let rounding = STEP_ROUNDING * (2 * (n + m)) as f64 * largest;
-        let rational = net.iter().any(|p| p[3] != 1.0);
-        let mut weight = Range { low: 1.0, high: 1.0 };
-        let mut room = [Range { low: 0.0, high: 0.0 }; 3];
-        if rational {
-            let middle = net[(n / 2) * m + m / 2];
-            let center: [f64; 3] = std::array::from_fn(|c| middle[c] / middle[3]);
-            weight = Range::EMPTY;
-            room = [Range::EMPTY; 3];
-            for p in &mut net {
-                weight.add(p[3]);
-                for c in 0..3 {
-                    p[c] -= center[c] * p[3];
-                    room[c].add(p[c] / p[3]);
-                }
-            }
-            weight = weight.grown(rounding);
-            // Weights near 0 bound nothing.
-            let least = weight.low.max(0.0);
-            room = room.map(|r| r.grown(rounding / least));
-        }
-        [0, 1].map(|k| {
-            let width = self.ranges[k][1] - self.ranges[k][0];
-            let part = if k == 0 { x[1] - x[0] } else { y[1] - y[0] };
-            let (count, step) = if k == 0 { (n, m) } else { (m, 1) };
-            // A range without width has the derivative of the patch: never asked for by a search, so any bound holds.
-            let scale = (count as f64 - 1.0) / (width * part.max(f64::MIN_POSITIVE));
-            let mut slopes = [Range::EMPTY; 4];
-            for i in 0..n - usize::from(k == 0) {
-                for j in 0..m - usize::from(k == 1) {
-                    let at = i * m + j;
-                    for c in 0..4 {
-                        slopes[c].add((net[at + step][c] - net[at][c]) * scale);
-                    }
-                }
-            }
-            let slopes = slopes.map(|r| r.grown(2.0 * rounding * scale));
-            if !rational {
-                return [slopes[0], slopes[1], slopes[2]];
-            }
-            if !(weight.low > 0.0) {
-                return [Range { low: f64::NEG_INFINITY, high: f64::INFINITY }; 3];
-            }
-            let inverse = Range { low: 1.0 / weight.high, high: 1.0 / weight.low }.outward();
-            std::array::from_fn(|c| slopes[c].minus(room[c].times(slopes[3])).times(inverse))
-        })
+/// The derivatives of a patch over the part of it that ranges of the parameters meet.
+fn part(patch: Patch<'_>, counts: [usize; 2], ranges: [[f64; 2]; 2]) -> Part {
+    let [n, m] = counts;
+    crate::patience::worked(n * m / 4 + 1);
+    let local = |k: usize| {
+        let [a, b] = patch.ranges[k];
+        ranges[k].map(|t| ((t - a) / (b - a)).clamp(0.0, 1.0))
+    };
+    let mut net = patch.points.to_vec();
+    let [x, y] = [local(0), local(1)];
+    for j in 0..m {
+        restrict(&mut net, j, m, n, x);
     }
+    for i in 0..n {
+        restrict(&mut net, i * m, 1, m, y);
+    }
+    // Each direction is restricted in two runs of as many steps as its degree; the shift of the origin is one more.
+    let largest = net.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let rounding = STEP_ROUNDING * (2 * (n + m)) as f64 * largest;
+    let weighted = net.iter().any(|p| p[3] != 1.0).then(|| {
+        let middle = net[(n / 2) * m + m / 2];
+        let center: [f64; 3] = std::array::from_fn(|c| middle[c] / middle[3]);
+        let mut weight = Range::EMPTY;
+        let mut room = Vec::with_capacity(net.len());
+        for p in &mut net {
+            weight.add(p[3]);
+            for c in 0..3 {
+                p[c] -= center[c] * p[3];
+            }
+            room.push(std::array::from_fn(|c| p[c] / p[3]));
+        }
+        let weight = weight.grown(rounding);
+        // Weights near 0 bound nothing.
+        Weighted { room, error: rounding / weight.low.max(0.0), weight }
+    });
+    let scales = [0, 1].map(|k| {
+        let width = patch.ranges[k][1] - patch.ranges[k][0];
+        let part = if k == 0 { x[1] - x[0] } else { y[1] - y[0] };
+        // A range without width has the derivative of the patch: never asked for by a search, so any bound holds.
+        (counts[k] as f64 - 1.0) / (width * part.max(f64::MIN_POSITIVE))
+    });
+    let slopes = [0, 1].map(|k| {
+        let step = if k == 0 { m } else { 1 };
+        let mut out = Vec::with_capacity(n * m);
+        for i in 0..n - usize::from(k == 0) {
+            for j in 0..m - usize::from(k == 1) {
+                let at = i * m + j;
+                out.push(std::array::from_fn(|c| (net[at + step][c] - net[at][c]) * scales[k]));
+            }
+        }
+        out
+    });
+    Part { slopes, error: scales.map(|s| 2.0 * rounding * s), weighted }
 }
 
 /// Replaces the row of control points from `start` in steps of `step` by that of its part `x`.
@@ -196,7 +236,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
 
     use super::super::Chart;
-    use crate::{Direction, Interval, Plane, Sphere, Surface, Torus};
+    use crate::{Direction, Interval, Plane, Sphere, Surface, Torus, Vector3};
 
     /// Every derivative lies within the bounds, and the bounds close in on it with the ranges.
     fn holds(surface: &Surface) {
@@ -209,19 +249,23 @@ mod tests {
                     [d.at(low), d.at(low + width)]
                 };
                 let ranges = [part(du), part(dv)];
-                let bounds = chart.partials_over(ranges).unwrap();
+                let slopes = chart.slopes_over(ranges);
+                let rows = [Vector3::X, Vector3::new(0.3, -0.8, 0.5), Vector3::new(-2.0, 1.0, 7.0)];
+                let bounds =
+                    rows.map(|row| slopes.along([row; 2], [row.x.abs() + row.y.abs() + row.z.abs(); 2]));
                 for k in 0..=10 {
                     for l in 0..=10 {
                         let at = |r: [f64; 2], k: i32| r[0] + (r[1] - r[0]) * f64::from(k) / 10.0;
                         let jet = chart.jet([at(ranges[0], k), at(ranges[1], l)]);
                         for d in 0..2 {
-                            let own: [f64; 3] = jet[d + 1].into();
-                            for c in 0..3 {
-                                let slack = 1e-13 * (1.0 + own[c].abs());
-                                assert!(bounds[d][c].low <= own[c] + slack, "{i} {step} {k} {l}");
-                                assert!(bounds[d][c].high >= own[c] - slack, "{i} {step} {k} {l}");
+                            for (bound, row) in bounds.iter().zip(rows) {
+                                let own = jet[d + 1].dot(row);
+                                let slack = 1e-13 * (1.0 + own.abs());
+                                assert!(bound[d].low <= own + slack, "{i} {step} {k} {l}");
+                                assert!(bound[d].high >= own - slack, "{i} {step} {k} {l}");
                                 if width < 0.1 {
-                                    assert!(bounds[d][c].radius() < 0.2 * (1.0 + jet[d + 1].length()));
+                                    let near = 0.4 * row.length() * (1.0 + jet[d + 1].length());
+                                    assert!(bound[d].off(own) < near);
                                 }
                             }
                         }

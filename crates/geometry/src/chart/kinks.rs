@@ -3,17 +3,21 @@
 use crate::trace::thresholds::{SAME_PLACE, STRAIGHT};
 use crate::{Direction, NurbsSurface, Result};
 
-/// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together.
+/// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together; those
+/// that are not `wanted` are left out, and parts that are not wanted hold none that are.
 ///
 /// # Errors
-/// A number overflows.
-pub(crate) fn smooth_pieces(nurbs: &NurbsSurface) -> Result<Vec<NurbsSurface>> {
+/// A number overflows, or the work was stopped.
+pub(crate) fn smooth_pieces(
+    nurbs: &NurbsSurface,
+    wanted: &dyn Fn(&NurbsSurface) -> bool,
+) -> Result<Vec<NurbsSurface>> {
     let mut pieces = vec![nurbs.clone()];
     for direction in Direction::BOTH {
         let kinks = kinks(nurbs, direction);
         let mut next = Vec::with_capacity(pieces.len());
         for piece in pieces {
-            cut(piece, direction, &kinks, &mut next)?;
+            cut(piece, direction, &kinks, wanted, &mut next)?;
         }
         pieces = next;
     }
@@ -21,16 +25,25 @@ pub(crate) fn smooth_pieces(nurbs: &NurbsSurface) -> Result<Vec<NurbsSurface>> {
 }
 
 /// Cuts a surface at parameters in order: in the middle one first, so that each control point is copied few times.
-fn cut(surface: NurbsSurface, direction: Direction, at: &[f64], out: &mut Vec<NurbsSurface>) -> Result<()> {
-    crate::patience::check()?;
+fn cut(
+    surface: NurbsSurface,
+    direction: Direction,
+    at: &[f64],
+    wanted: &dyn Fn(&NurbsSurface) -> bool,
+    out: &mut Vec<NurbsSurface>,
+) -> Result<()> {
+    crate::patience::check_now()?;
+    if !wanted(&surface) {
+        return Ok(());
+    }
     let (before, rest) = at.split_at(at.len() / 2);
     let Some((&t, after)) = rest.split_first() else {
         out.push(surface);
         return Ok(());
     };
     let (first, second) = surface.split(direction, t)?;
-    cut(first, direction, before, out)?;
-    cut(second, direction, after, out)
+    cut(first, direction, before, wanted, out)?;
+    cut(second, direction, after, wanted, out)
 }
 
 /// The parameters inside the domain at which the surface has a kink.

@@ -6,13 +6,16 @@ mod kinks;
 
 pub(crate) use kinks::smooth_pieces;
 
-use crate::{Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Side, Vector3};
+use std::sync::Arc;
+
+use crate::nurbs::Nets;
+use crate::{Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Side, Vector3, patience};
 
 /// A Bézier patch of the surface in homogeneous form, v running fastest.
-#[derive(Debug)]
-struct Patch {
+#[derive(Debug, Clone, Copy)]
+struct Patch<'a> {
     ranges: [[f64; 2]; 2],
-    points: Vec<[f64; 4]>,
+    points: &'a [[f64; 4]],
 }
 
 /// A NURBS surface prepared to be walked on.
@@ -23,9 +26,7 @@ pub(crate) struct Chart {
     closed: [bool; 2],
     /// Whether the sides at the start and the end of u, and of v, are single points.
     collapsed: [[bool; 2]; 2],
-    /// The parameters at which patches meet, both ends of the domain among them.
-    lines: [Vec<f64>; 2],
-    patches: Vec<Patch>,
+    nets: Arc<Nets>,
     counts: [usize; 2],
     /// The length of the diagonal of the box of the control points.
     size: f64,
@@ -42,24 +43,15 @@ impl Chart {
                 "intersections of surfaces with weights that are not above 0",
             ));
         }
-        let parts = nurbs.bezier_patches()?;
-        let mut patches = Vec::with_capacity(parts.len());
-        for part in &parts {
-            crate::patience::check()?;
-            patches.push(Patch {
-                ranges: Direction::BOTH.map(|d| [part.domain(d).start, part.domain(d).end]),
-                points: part.homogeneous_points(),
-            });
-        }
+        patience::check_now()?;
         let size = nurbs.hull_box().diagonal().length();
         Ok(Self {
             domain: Direction::BOTH.map(|d| nurbs.domain(d)),
             closed: Direction::BOTH.map(|d| nurbs.is_closed(d)),
             collapsed: [[Side::West, Side::East], [Side::South, Side::North]]
                 .map(|sides| sides.map(|s| nurbs.is_singular(s))),
-            lines: Direction::BOTH.map(|d| nurbs.span_parameters(d)),
             counts: nurbs.degrees().map(|d| d + 1),
-            patches,
+            nets: Arc::new(Nets::new(&nurbs)),
             size,
             nurbs,
         })
@@ -68,6 +60,15 @@ impl Chart {
     /// The surface itself.
     pub(crate) fn nurbs(&self) -> &NurbsSurface {
         &self.nurbs
+    }
+
+    /// The Bézier nets of the surface.
+    pub(crate) fn nets(&self) -> Arc<Nets> {
+        Arc::clone(&self.nets)
+    }
+
+    fn patch(&self, index: usize) -> Patch<'_> {
+        Patch { ranges: self.nets.ranges(index), points: self.nets.net(&self.nurbs, index) }
     }
 
     /// The range of one parameter, 0 for u.
@@ -83,6 +84,15 @@ impl Chart {
     /// Whether the side where parameter `k` starts or ends is a single point.
     pub(crate) fn is_collapsed(&self, k: usize, at_end: bool) -> bool {
         self.collapsed[k][usize::from(at_end)]
+    }
+
+    /// The parameters of lines between patches inside a range of one direction, also beyond seams.
+    pub(crate) fn lines_between(&self, k: usize, low: f64, high: f64) -> Vec<f64> {
+        let lines = &self.nets.lines[k];
+        let inner = lines.get(1..lines.len().saturating_sub(1)).unwrap_or(&[]);
+        let turns = self.period(k).map_or(vec![0.0], |p| vec![0.0, p, -p]);
+        let moved = turns.into_iter().flat_map(|turn| inner.iter().map(move |t| t + turn));
+        moved.filter(|t| low < *t && *t < high).collect()
     }
 
     /// The points to which sides collapse.
@@ -103,16 +113,16 @@ impl Chart {
     /// Whether it has a tangent plane anywhere: in each patch it is looked for at more places than the normal, a polynomial
     /// times a factor, can have zeros along a line.
     pub(crate) fn has_area(&self) -> bool {
-        self.patches.iter().any(|patch| {
+        (0..self.nets.len()).map(|i| self.nets.ranges(i)).any(|ranges| {
             let [n, m] = self.counts.map(|c| 2 * c);
             let at = |k: usize, i: usize, of: usize| {
-                let [a, b] = patch.ranges[k];
+                let [a, b] = ranges[k];
                 a + (b - a) * (i as f64 + 0.5) / of as f64
             };
             (0..n).any(|i| {
                 (0..m).any(|j| {
                     let [_, u, v] = self.jet([at(0, i, n), at(1, j, m)]);
-                    let widths = [0, 1].map(|k| patch.ranges[k][1] - patch.ranges[k][0]);
+                    let widths = [0, 1].map(|k| ranges[k][1] - ranges[k][0]);
                     let (u, v) = (u * widths[0], v * widths[1]);
                     u.cross(v).length()
                         > crate::trace::thresholds::NO_AREA * u.length().max(v.length()).powi(2)
@@ -146,12 +156,14 @@ impl Chart {
 
     /// The position and the derivatives by u and v.
     pub(crate) fn jet(&self, uv: [f64; 2]) -> [Vector3; 3] {
+        patience::worked(1);
         let uv = self.inside(uv);
         self.nurbs.partials_at(uv[0], uv[1], self.side(uv))
     }
 
     /// As [`Self::jet`], then the second derivatives by uu, uv and vv.
     pub(crate) fn second_jet(&self, uv: [f64; 2]) -> [Vector3; 6] {
+        patience::worked(2);
         let uv = self.inside(uv);
         self.nurbs.second_partials_at(uv[0], uv[1], self.side(uv))
     }

@@ -3,6 +3,7 @@
 //! Lines are infinite, with their own parameter (0 at the start, 1 at the end), and planes without bounds. All
 //! solutions are found. `tolerance` is a distance: what comes nearer than that touches, and touching counts once.
 
+use super::thresholds::{ON_OTHER, PARALLEL};
 use crate::{Arc, BoundingBox, Box3, Circle, Interval, Line, Plane, Point3, Vector3};
 
 /// At most two solutions.
@@ -204,7 +205,7 @@ pub fn line_cylinder(line: &Line, circle: &Circle, tolerance: f64) -> LineCylind
     let [fx, fy, fz] = plane.coordinates(line.from);
     let [dx, dy, dz] = [plane.x_axis, plane.y_axis, plane.z_axis].map(|axis| direction.dot(axis));
     // Parallel to the axis, up to rounding: it turns by less than the tolerance over many radii.
-    if dx.hypot(dy) <= 1e-14 || dx.hypot(dy) * (r + fz.abs()) <= 1e-3 * tolerance {
+    if dx.hypot(dy) <= PARALLEL || dx.hypot(dy) * (r + fz.abs()) <= ON_OTHER * tolerance {
         let on = (fx.hypot(fy) - r).abs() <= tolerance && dz != 0.0;
         return if on { LineCylinder::OnSurface } else { none };
     }

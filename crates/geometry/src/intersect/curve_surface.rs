@@ -7,6 +7,7 @@ use super::curve_curve::check;
 use super::judge::separated;
 use super::patch_tree::{PatchNode, PatchTree};
 use super::search::NOISE;
+use super::thresholds::{IN_RANGE, KEEPS, NO_BETTER, NO_FRAME, ROUNDED, SHORT_PART};
 use super::tree::{Node, Tree};
 use crate::curve::Piece;
 use crate::nurbs::project;
@@ -82,8 +83,19 @@ pub(crate) fn curve_surface_within(
 ) -> Result<SurfaceIntersections> {
     check(tolerance)?;
     patience::check()?;
-    let tree = Tree::new(curve.pieces());
     let patches = PatchTree::new(surface)?;
+    Ok(curve_parts(curve, surface, patches, tolerance, most_visits).0)
+}
+
+/// As [`curve_surface`] with the parts of the surface, which are given back for the next curve.
+pub(super) fn curve_parts<'a>(
+    curve: &Curve,
+    surface: &NurbsSurface,
+    patches: PatchTree<'a>,
+    tolerance: f64,
+    most_visits: u64,
+) -> (SurfaceIntersections, PatchTree<'a>) {
+    let tree = Tree::new(curve.pieces());
     let scale = tree.scale.max(patches.scale);
     let tolerance = tolerance.max(NOISE * scale).max(f64::MIN_POSITIVE);
     let mut search = Search {
@@ -98,7 +110,8 @@ pub(crate) fn curve_surface_within(
         domain: Direction::BOTH.map(|d| surface.domain(d)),
     };
     search.run();
-    Ok(search.read(curve.domain()))
+    let found = search.read(curve.domain());
+    (found, search.patches)
 }
 
 /// A place, or a stretch, where curve and surface were found within the tolerance of each other.
@@ -114,9 +127,9 @@ struct Contact {
     reach: f64,
 }
 
-struct Search<'a> {
-    tree: Tree<'a>,
-    patches: PatchTree,
+struct Search<'c, 's> {
+    tree: Tree<'c>,
+    patches: PatchTree<'s>,
     tolerance: f64,
     limit: u64,
     visits: u64,
@@ -146,7 +159,7 @@ enum Verdict {
     Unclear,
 }
 
-impl Search<'_> {
+impl Search<'_, '_> {
     fn run(&mut self) {
         if self.tree.nodes.is_empty() || self.patches.nodes.is_empty() {
             return;
@@ -245,7 +258,7 @@ impl Search<'_> {
             }
         }
         let determinant = normal.dot(d);
-        if !(determinant.abs() > 1e-9 * normal.length() * d.length()) || determinant == 0.0 {
+        if !(determinant.abs() > NO_FRAME * normal.length() * d.length()) || determinant == 0.0 {
             return Verdict::Unclear;
         }
         // Rows of the inverse of (u v d).
@@ -255,7 +268,7 @@ impl Search<'_> {
             let size: f64 = x.iter().map(|x| x.abs()).sum();
             // x > the others and what the weights can add.
             w == Vector3::ZERO && slack == 0.0
-                || x[axis] > 1.000_001 * (size - x[axis].abs()) + 1e-9 * size + slack
+                || x[axis] > KEEPS * (size - x[axis].abs()) + ROUNDED * size + slack
         };
         if !hull.windows(2).all(|w| keeps(w[1] - w[0], 2, 0.0)) {
             return Verdict::Unclear;
@@ -290,7 +303,7 @@ impl Search<'_> {
 
     /// Newton's method on C(t) − S(u, v).
     fn crossing(&self, piece: &Piece<'_>, c: &Node, p: &PatchNode, patch: usize) -> Option<Contact> {
-        let patch = &self.patches.patches[patch];
+        let patch = self.patches.patch(patch);
         let mut x = [
             0.5 * (c.from + c.to),
             0.5 * (p.ranges[0][0] + p.ranges[0][1]),
@@ -327,14 +340,14 @@ impl Search<'_> {
             if small {
                 break;
             }
-            small = largest < 1e-9;
+            small = largest < NO_BETTER;
         }
         if !small {
             return None;
         }
         let wholes = [piece.own, patch.domain[0], patch.domain[1]];
         for k in 0..3 {
-            let slack = 1e-12 * wholes[k].length().abs();
+            let slack = IN_RANGE * wholes[k].length().abs();
             let [a, b] = ranges[k];
             if !(a.min(b) - slack <= x[k] && x[k] <= a.max(b) + slack) {
                 return None;
@@ -359,7 +372,7 @@ impl Search<'_> {
     /// The step of the whole curve's parameter that leads some tolerances along it.
     fn reach(&self, piece: &Piece<'_>, u: f64) -> f64 {
         let own = piece.own.length().abs();
-        let step = (4.0 * self.tolerance / piece.jet(u)[1].length()).min(1e-3 * own);
+        let step = (4.0 * self.tolerance / piece.jet(u)[1].length()).min(SHORT_PART * own);
         step * piece.whole.length() / own
     }
 
@@ -376,7 +389,7 @@ impl Search<'_> {
 
     /// The place of a patch nearest to `q`, as far as Gauss–Newton from `start` shows it, and its distance.
     fn foot(&self, patch: usize, q: Point3, start: [f64; 2]) -> ([f64; 2], f64) {
-        let patch = &self.patches.patches[patch];
+        let patch = self.patches.patch(patch);
         let q = q.to_vector();
         let mut uv = start;
         let mut best = (start, f64::INFINITY);

@@ -1,5 +1,6 @@
 //! Where a curve turns back on itself: it is cut there, so that each of its pieces runs on.
 
+use super::thresholds::{FOLD, SAME_PARAMETER, STILL};
 use crate::bernstein::{halves, value};
 use crate::curve::{Piece, Shape};
 use crate::nurbs::project;
@@ -66,7 +67,7 @@ fn standstills(piece: &Piece<'_>, tolerance: f64) -> Vec<f64> {
     }
     let hodograph = hodograph(&points);
     let size = hodograph.iter().fold(0.0_f64, |m, d| m.max(length(d)));
-    let still = (1e-9 * size).max(tolerance);
+    let still = (STILL * size).max(tolerance);
     if !(size > 16.0 * still) {
         return Vec::new();
     }
@@ -80,9 +81,9 @@ fn standstills(piece: &Piece<'_>, tolerance: f64) -> Vec<f64> {
         if budget == 0 || d.iter().all(|&d| Vector3::from(d).dot(sum) > least) {
             continue;
         }
-        if b - a < 1e-6 {
+        if b - a < FOLD {
             match ranges.last_mut() {
-                Some(known) if a - known[1] <= 2e-6 => known[1] = b,
+                Some(known) if a - known[1] <= 2.0 * FOLD => known[1] = b,
                 _ => ranges.push([a, b]),
             }
             continue;
@@ -112,11 +113,11 @@ fn standstills(piece: &Piece<'_>, tolerance: f64) -> Vec<f64> {
             }
             t = next;
         }
-        if t > 1e-9 && t < 1.0 - 1e-9 && at(&hodograph, t).length() <= 2.0 * still {
+        if t > SAME_PARAMETER && t < 1.0 - SAME_PARAMETER && at(&hodograph, t).length() <= 2.0 * still {
             out.push(t);
         }
     }
-    out.dedup_by(|b, a| *b - *a <= 1e-9);
+    out.dedup_by(|b, a| *b - *a <= SAME_PARAMETER);
     out
 }
 

@@ -6,6 +6,7 @@
 //! of the other, at most one point in common (T. Sederberg and R. Meyers, *Loop detection in surface patch
 //! intersections*, 1988, have the argument for surfaces).
 
+use super::thresholds::NO_PLANE_SQUARED;
 use crate::Vector3;
 
 /// The verdict on a pair of parts.
@@ -75,7 +76,7 @@ fn cones_apart(a: &[Vector3], b: &[Vector3], n: Vector3) -> bool {
             return true;
         }
         let m = v.cross(n);
-        let bound = m.length_squared() * 1e-24;
+        let bound = m.length_squared() * NO_PLANE_SQUARED;
         rows[..count].iter().all(|u| {
             let x = u.dot(m);
             x > 0.0 && x * x > bound * u.length_squared()
@@ -97,7 +98,7 @@ pub(super) fn judge(a: &[Vector3], b: &[Vector3], reach: f64) -> Verdict {
     }
     let n = ca.cross(cb);
     let nn = n.length_squared();
-    if nn > 1e-24 * la * lb && cones_apart(a, b, n) {
+    if nn > NO_PLANE_SQUARED * la * lb && cones_apart(a, b, n) {
         let w = b0 - a0;
         let (s, t) = (w.cross(cb).dot(n) / nn, w.cross(ca).dot(n) / nn);
         return Verdict::Single(s, t);

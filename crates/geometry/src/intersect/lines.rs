@@ -1,5 +1,6 @@
 //! Lines and planes, without ends.
 
+use super::thresholds::{PARALLEL, PARALLEL_SQUARED};
 use crate::{Line, Plane, Point3};
 
 /// The parameters on both infinite lines where they come nearest to each other; `None` when they are parallel or one
@@ -9,7 +10,7 @@ pub fn line_line(a: &Line, b: &Line) -> Option<(f64, f64)> {
     let n = u.cross(v);
     let squared = n.length_squared();
     // sin² of the angle between them: below this the crossing has no correct digit left.
-    if !(squared > 1e-28) {
+    if !(squared > PARALLEL_SQUARED) {
         return None;
     }
     let w = b.from - a.from;
@@ -22,7 +23,7 @@ pub fn line_line(a: &Line, b: &Line) -> Option<(f64, f64)> {
 pub fn line_plane(line: &Line, plane: &Plane) -> Option<f64> {
     let (from, to) = (plane.signed_distance(line.from), plane.signed_distance(line.to));
     let along = line.unit_direction()?.dot(plane.z_axis);
-    if !(along.abs() > 1e-14) || from == to {
+    if !(along.abs() > PARALLEL) || from == to {
         return None;
     }
     let t = from / (from - to);
@@ -43,7 +44,7 @@ pub fn plane_plane(a: &Plane, b: &Plane) -> Option<Line> {
 pub fn three_planes(a: &Plane, b: &Plane, c: &Plane) -> Option<Point3> {
     let (n1, n2, n3) = (a.z_axis, b.z_axis, c.z_axis);
     let determinant = n1.dot(n2.cross(n3));
-    if !(determinant.abs() > 1e-14) {
+    if !(determinant.abs() > PARALLEL) {
         return None;
     }
     // Measured from the first origin, so that distances stay small far from the world's origin.

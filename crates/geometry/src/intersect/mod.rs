@@ -19,6 +19,7 @@ mod side;
 mod surface_kinds;
 mod surface_plane;
 mod surface_surface;
+mod thresholds;
 mod tree;
 pub(crate) mod zeros;
 

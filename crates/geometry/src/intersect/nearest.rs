@@ -5,6 +5,7 @@ use std::collections::BinaryHeap;
 
 use super::curve_curve::check;
 use super::search::NOISE;
+use super::thresholds::ROUNDED;
 use super::tree::{Node, Tree};
 use crate::curve::Piece;
 use crate::{Curve, Point3, Result, Vector3};
@@ -139,7 +140,7 @@ fn settle(a: &Piece<'_>, ra: [f64; 2], b: &Piece<'_>, rb: [f64; 2]) -> [f64; 2] 
         let (e, f, g) = (u.length_squared(), -u.dot(v), v.length_squared());
         let (r, s) = (-d.dot(u), d.dot(v));
         // A little damping settles parallel directions.
-        let (e, g) = (e * (1.0 + 1e-9), g * (1.0 + 1e-9));
+        let (e, g) = (e * (1.0 + ROUNDED), g * (1.0 + ROUNDED));
         let determinant = e * g - f * f;
         let mut next = [
             clamp(x[0] + (r * g - s * f) / determinant, ra),

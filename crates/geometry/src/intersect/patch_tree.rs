@@ -1,22 +1,24 @@
 //! A surface as a tree of parts with bounds: boxes over groups of Bézier patches, and below them each patch halved as
 //! often as the search wants.
 
-use crate::nurbs::{MAX_DEGREE, project};
-use crate::{Direction, Interval, NurbsSurface, Result, Vector3};
+use std::sync::Arc;
+
+use crate::nurbs::{MAX_DEGREE, Nets, project};
+use crate::{Interval, NurbsSurface, Result, Vector3, patience};
 
 /// No such index.
 const NONE: u32 = u32::MAX;
 
 /// A Bézier patch of the surface, for evaluation.
 #[derive(Debug)]
-pub(super) struct Patch {
+pub(super) struct Patch<'a> {
     /// Its part of the surface's domain.
     pub(super) domain: [Interval; 2],
     counts: [usize; 2],
-    points: Vec<[f64; 4]>,
+    points: &'a [[f64; 4]],
 }
 
-impl Patch {
+impl Patch<'_> {
     /// The point and the partial derivatives by the surface's own parameters.
     pub(super) fn jet(&self, uv: [f64; 2]) -> [Vector3; 3] {
         let [x, y] = [0, 1].map(|k| {
@@ -50,6 +52,9 @@ fn line(points: &[[f64; 4]], x: f64) -> ([f64; 4], [f64; 4]) {
     (value, std::array::from_fn(|k| (n as f64 - 1.0) * (b[k] - a[k])))
 }
 
+/// Before so many parts are put in order somebody is asked whether to go on.
+const MANY: usize = 1 << 12;
+
 /// A part of the surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PatchNode {
@@ -58,6 +63,7 @@ pub(super) struct PatchNode {
     /// Its ranges of the surface's parameters.
     pub(super) ranges: [[f64; 2]; 2],
     patch: u32,
+    /// Where its control points start, or [`NONE`] for a whole patch, whose box holds it but may be larger.
     points: u32,
     left: u32,
     right: u32,
@@ -68,6 +74,11 @@ impl PatchNode {
         (self.patch != NONE).then_some(self.patch as usize)
     }
 
+    /// Whether the box is not that of the control points of the part.
+    pub(super) fn is_loose(&self) -> bool {
+        self.points == NONE
+    }
+
     pub(super) fn size_squared(&self) -> f64 {
         (0..3).map(|k| (self.max[k] - self.min[k]).powi(2)).sum()
     }
@@ -75,8 +86,9 @@ impl PatchNode {
 
 /// The parts of a surface.
 #[derive(Debug)]
-pub(super) struct PatchTree {
-    pub(super) patches: Vec<Patch>,
+pub(super) struct PatchTree<'a> {
+    surface: &'a NurbsSurface,
+    nets: Arc<Nets>,
     pub(super) nodes: Vec<PatchNode>,
     points: Vec<[f64; 4]>,
     pub(super) counts: [usize; 2],
@@ -84,24 +96,62 @@ pub(super) struct PatchTree {
     pub(super) scale: f64,
 }
 
-impl PatchTree {
-    pub(super) fn new(surface: &NurbsSurface) -> Result<Self> {
+impl<'a> PatchTree<'a> {
+    /// That of a surface.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(super) fn new(surface: &'a NurbsSurface) -> Result<Self> {
+        Self::over(surface, Arc::new(Nets::new(surface)))
+    }
+
+    /// That of a surface whose patches are known.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(super) fn over(surface: &'a NurbsSurface, nets: Arc<Nets>) -> Result<Self> {
         let counts = surface.degrees().map(|d| d + 1);
-        let mut tree =
-            Self { patches: Vec::new(), nodes: Vec::new(), points: Vec::new(), counts, root: 0, scale: 0.0 };
-        let mut leaves = Vec::new();
-        for part in surface.bezier_patches()? {
-            let points = part.homogeneous_points();
-            let domain = Direction::BOTH.map(|d| part.domain(d));
-            tree.points.extend_from_slice(&points);
-            leaves.push(tree.push(tree.patches.len() as u32, domain.map(|d| [d.start, d.end])));
-            tree.patches.push(Patch { domain, counts, points });
+        let many = nets.len();
+        patience::room::<PatchNode>(2 * many)?;
+        let nodes = Vec::with_capacity(2 * many);
+        let mut tree = Self { surface, nets, nodes, points: Vec::new(), counts, root: 0, scale: 0.0 };
+        let mut leaves = Vec::with_capacity(many);
+        for i in 0..many {
+            patience::check()?;
+            let mut min = [f64::INFINITY; 3];
+            let mut max = [f64::NEG_INFINITY; 3];
+            tree.nets.acting(surface, i, |p| {
+                for k in 0..3 {
+                    (min[k], max[k]) = (min[k].min(p[k]), max[k].max(p[k]));
+                }
+            });
+            let ranges = tree.nets.ranges(i);
+            leaves.push(tree.nodes.len() as u32);
+            let patch = i as u32;
+            tree.nodes.push(PatchNode { min, max, ranges, patch, points: NONE, left: NONE, right: NONE });
         }
-        tree.root = tree.group(&mut leaves);
+        tree.root = tree.group(&mut leaves)?;
         if let Some(n) = tree.nodes.get(tree.root as usize) {
             tree.scale = n.min.iter().chain(&n.max).fold(0.0, |m: f64, x| m.max(x.abs()));
         }
         Ok(tree)
+    }
+
+    /// One without parts, to stand where another was taken away.
+    pub(super) fn without_parts(surface: &'a NurbsSurface, nets: Arc<Nets>) -> Self {
+        let counts = surface.degrees().map(|d| d + 1);
+        Self { surface, nets, nodes: Vec::new(), points: Vec::new(), counts, root: 0, scale: 0.0 }
+    }
+
+    /// A patch by its index, for evaluation.
+    pub(super) fn patch(&self, index: usize) -> Patch<'_> {
+        let domain = self.nets.ranges(index).map(|[a, b]| Interval::new(a, b));
+        Patch { domain, counts: self.counts, points: self.nets.net(self.surface, index) }
+    }
+
+    /// The patches over parameters, also those beside which they lie by no more than a share of their width.
+    pub(super) fn patches_over(&self, uv: [f64; 2], share: f64) -> impl Iterator<Item = usize> {
+        self.nets.over(uv, share)
     }
 
     /// The node over the last points.
@@ -121,10 +171,19 @@ impl PatchTree {
     }
 
     /// A tree over patches: halved by place along the longest side of their box.
-    fn group(&mut self, leaves: &mut [u32]) -> u32 {
+    ///
+    /// # Errors
+    /// The work was stopped.
+    fn group(&mut self, leaves: &mut [u32]) -> Result<u32> {
         if leaves.len() < 2 {
-            return leaves.first().copied().unwrap_or(0);
+            return Ok(leaves.first().copied().unwrap_or(0));
         }
+        if leaves.len() < MANY {
+            patience::check()?
+        } else {
+            patience::check_now()?
+        }
+        patience::worked(leaves.len() / 8);
         let mut min = [f64::INFINITY; 3];
         let mut max = [f64::NEG_INFINITY; 3];
         for &l in leaves.iter() {
@@ -136,16 +195,21 @@ impl PatchTree {
         let axis = (0..3).max_by(|&x, &y| (max[x] - min[x]).total_cmp(&(max[y] - min[y]))).unwrap_or(0);
         let nodes = &self.nodes;
         let middle = |l: &u32| nodes[*l as usize].min[axis] + nodes[*l as usize].max[axis];
-        leaves.sort_by(|x, y| middle(x).total_cmp(&middle(y)));
-        let (l, r) = leaves.split_at_mut(leaves.len() / 2);
-        let (left, right) = (self.group(l), self.group(r));
+        let half = leaves.len() / 2;
+        // Those at one place keep their order, so that the tree is always the same one.
+        leaves.select_nth_unstable_by(half, |x, y| middle(x).total_cmp(&middle(y)).then(x.cmp(y)));
+        let (l, r) = leaves.split_at_mut(half);
+        let (left, right) = (self.group(l)?, self.group(r)?);
         self.nodes.push(PatchNode { min, max, ranges: [[0.0; 2]; 2], patch: NONE, points: 0, left, right });
-        (self.nodes.len() - 1) as u32
+        Ok((self.nodes.len() - 1) as u32)
     }
 
     /// The homogeneous control points of a part of a patch, v running fastest.
     #[inline]
     pub(super) fn points(&self, node: &PatchNode) -> &[[f64; 4]] {
+        if node.is_loose() {
+            return self.nets.net(self.surface, node.patch as usize);
+        }
         let first = node.points as usize;
         self.points.get(first..first + self.counts[0] * self.counts[1]).unwrap_or(&[])
     }
@@ -161,8 +225,7 @@ impl PatchTree {
             return None;
         }
         let [n, m] = self.counts;
-        let first = node.points as usize;
-        let grid = self.points[first..first + n * m].to_vec();
+        let grid = self.points(&node).to_vec();
         let at = |i: usize, j: usize| project(grid[i * m + j]);
         let along_u: f64 =
             [0, m - 1].map(|j| (1..n).map(|i| at(i, j).distance_to(at(i - 1, j))).sum()).iter().sum();

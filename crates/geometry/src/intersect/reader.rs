@@ -4,6 +4,9 @@ use super::clusters::{Cluster, gather};
 use super::result::{ContactKind, Crossing, CurveIntersections, Overlap};
 use super::search::{Contact, NOISE};
 use super::side::{Side, joints};
+use super::thresholds::{
+    AT_END, CROSSES, IN_RANGE, INSIDE, LAST_STEPS, NO_BEND, ON_OTHER, SAME_PARAMETER, SAME_ROOT, SAME_TOUCH,
+};
 use crate::Interval;
 use crate::curve::curvature;
 
@@ -68,9 +71,10 @@ impl Reader<'_> {
             return None;
         }
         let (low, high) = (cluster.a[1].min(cluster.b[1]), cluster.a[0].max(cluster.b[0]));
-        let turn = self
-            .a
-            .turn_near(0.5 * (low + high), 0.5 * (high - low).max(0.0) + 1e-9 * self.a.domain.length())?;
+        let turn = self.a.turn_near(
+            0.5 * (low + high),
+            0.5 * (high - low).max(0.0) + SAME_PARAMETER * self.a.domain.length(),
+        )?;
         let p = self.a.point(turn);
         let near = |t: f64| self.a.point(t).distance_to(p) <= 8.0 * self.tolerance;
         (near(low) && near(high)).then_some(turn)
@@ -83,7 +87,7 @@ impl Reader<'_> {
 
     /// Crossings at turns: the same from both sides of one is one, and at the end of an overlap it is none.
     fn drop_at_turns(&self, out: &mut CurveIntersections) {
-        let hair = [1e-6 * self.a.domain.length(), 1e-6 * self.b.domain.length()];
+        let hair = [AT_END * self.a.domain.length(), AT_END * self.b.domain.length()];
         let mut kept: Vec<Crossing> = Vec::with_capacity(out.crossings.len());
         for c in out.crossings.drain(..) {
             let turn = self.a.turn_near(c.a, hair[0]).is_some() || self.b.turn_near(c.b, hair[1]).is_some();
@@ -133,7 +137,7 @@ impl Reader<'_> {
         let kind = kind.unwrap_or_else(|| {
             let (u, v) = (self.a.jet(a)[1].unitized(), self.b.jet(b)[1].unitized());
             match (u, v) {
-                (Some(u), Some(v)) if u.cross(v).length() > 1e-3 => ContactKind::Transversal,
+                (Some(u), Some(v)) if u.cross(v).length() > CROSSES => ContactKind::Transversal,
                 _ => ContactKind::Tangent,
             }
         });
@@ -197,18 +201,18 @@ impl Reader<'_> {
         let (b0, b1) = (self.partner(cluster, a0), self.partner(cluster, a1));
         let hair = |side: &Side<'_>, t: f64, reach: f64| {
             let d = side.domain;
-            let slack = 1e-9 * d.length() + reach;
+            let slack = SAME_PARAMETER * d.length() + reach;
             t - d.start <= slack || d.end - t <= slack || side.turn_near(t, slack).is_some()
         };
         let shut = |s: f64, t: f64| {
-            hair(&self.a, s, cluster.reach[0].min(1e-6 * self.a.domain.length()))
-                || hair(&self.b, t, cluster.reach[1].min(1e-6 * self.b.domain.length()))
+            hair(&self.a, s, cluster.reach[0].min(AT_END * self.a.domain.length()))
+                || hair(&self.b, t, cluster.reach[1].min(AT_END * self.b.domain.length()))
         };
         let both_shut = shut(a0, b0) && shut(a1, b1);
-        let limit = if both_shut { self.tolerance } else { 1e-3 * self.tolerance };
+        let limit = if both_shut { self.tolerance } else { ON_OTHER * self.tolerance };
         let limit = limit.max(NOISE * self.scale());
         // Joints of both curves inside, and the ends where they are ends of a curve.
-        let slack = 1e-9 * self.a.domain.length();
+        let slack = SAME_PARAMETER * self.a.domain.length();
         let mut stops: Vec<(f64, f64)> = Vec::new();
         for (s, t) in [(a0, b0), (a1, b1)] {
             if both_shut || shut(s, t) {
@@ -284,7 +288,7 @@ impl Reader<'_> {
     fn snapped(&self, (s, t): (f64, f64)) -> (f64, f64) {
         let snap = |side: &Side<'_>, t: f64| {
             let d = side.domain;
-            let hair = 1e-10 * d.length();
+            let hair = SAME_ROOT * d.length();
             let end = if t - d.start <= hair {
                 d.start
             } else if d.end - t <= hair {
@@ -302,7 +306,7 @@ impl Reader<'_> {
     fn crossings(&self, cluster: &Cluster, out: &mut Vec<Crossing>) -> bool {
         let mut roots: Vec<&Contact> = cluster.members.iter().filter(|c| c.root).collect();
         roots.sort_by(|x, y| x.best.0.total_cmp(&y.best.0).then(x.best.1.total_cmp(&y.best.1)));
-        let (wa, wb) = (1e-11 * self.a.domain.length(), 1e-11 * self.b.domain.length());
+        let (wa, wb) = (INSIDE * self.a.domain.length(), INSIDE * self.b.domain.length());
         let mut distinct: Vec<&Contact> = Vec::new();
         for root in roots {
             let same =
@@ -392,7 +396,7 @@ impl Reader<'_> {
         let middle = (0.5 * (cluster.a[0] + cluster.a[1]), 0.5 * (cluster.b[0] + cluster.b[1]));
         for start in [(s, t), middle] {
             if let Some((s, t)) = self.tangency(start, a, b) {
-                offer(s, t, 1e-3 * self.tolerance);
+                offer(s, t, ON_OTHER * self.tolerance);
             }
         }
         let (gap, s, t) = best;
@@ -441,7 +445,7 @@ impl Reader<'_> {
             let (ka, kb) = (curvature(da, dda), curvature(db, ddb));
             let m = ka - kb;
             let m = m - along * m.dot(along);
-            if !(m.length() > 1e-9 * (ka.length() + kb.length())) {
+            if !(m.length() > NO_BEND * (ka.length() + kb.length())) {
                 return None;
             }
             let (f, g) = ((p - q).dot(along), (ta - tb * sign).dot(m));
@@ -454,11 +458,11 @@ impl Reader<'_> {
                 return None;
             }
             (s, t) = (s + ds, t + dt);
-            let inside = |x: f64, r: [f64; 2], w: f64| r[0] - 1e-12 * w <= x && x <= r[1] + 1e-12 * w;
+            let inside = |x: f64, r: [f64; 2], w: f64| r[0] - IN_RANGE * w <= x && x <= r[1] + IN_RANGE * w;
             if !(inside(s, ra, wa) && inside(t, rb, wb)) {
                 return None;
             }
-            if ds.abs() <= 1e-13 * wa && dt.abs() <= 1e-13 * wb {
+            if ds.abs() <= LAST_STEPS * wa && dt.abs() <= LAST_STEPS * wb {
                 return Some((self.a.domain.clamp(s), self.b.domain.clamp(t)));
             }
         }
@@ -472,8 +476,8 @@ impl Reader<'_> {
             let overlaps = std::mem::take(&mut out.overlaps);
             let all = std::mem::take(&mut out.crossings);
             let near = |side: &Side<'_>, x: f64, y: f64| {
-                (x - y).abs() <= 1e-9 * side.domain.length()
-                    || ((x - y).abs() <= 1e-4 * side.domain.length()
+                (x - y).abs() <= SAME_PARAMETER * side.domain.length()
+                    || ((x - y).abs() <= SAME_TOUCH * side.domain.length()
                         && side.point(x).distance_to(side.point(y)) <= 4.0 * self.tolerance)
             };
             let twins = |c: &Crossing| {
@@ -504,7 +508,7 @@ impl Reader<'_> {
 
 /// Joins overlaps that go on in each other on both curves.
 fn join_overlaps(overlaps: &mut Vec<Overlap>, domains: [Interval; 2]) {
-    let hair = domains.map(|d| 1e-9 * d.length());
+    let hair = domains.map(|d| SAME_PARAMETER * d.length());
     let mut kept: Vec<Overlap> = Vec::with_capacity(overlaps.len());
     for o in overlaps.drain(..) {
         let goes_on = |k: &&mut Overlap| {

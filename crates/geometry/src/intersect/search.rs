@@ -2,6 +2,7 @@
 
 use super::CurveIntersections;
 use super::judge::{Verdict, judge, runs_along, side_by_side};
+use super::thresholds::{CONVERGED, IN_RANGE, LAST_STEP, LEFT, NO_BETTER, SHORT_PART};
 use super::tree::{Node, Tree};
 use crate::curve::{Piece, Shape};
 use crate::{Vector3, patience};
@@ -308,7 +309,7 @@ fn degree(piece: &Piece<'_>) -> usize {
 
 /// The step of parameter that leads some tolerances along a curve, by its speed in the piece's own parameter.
 fn reach_of(piece: &Piece<'_>, speed: f64, tolerance: f64) -> f64 {
-    let own = (4.0 * tolerance / speed).min(1e-3 * piece.own.length().abs());
+    let own = (4.0 * tolerance / speed).min(SHORT_PART * piece.own.length().abs());
     own * (piece.whole.length() / piece.own.length()).abs()
 }
 
@@ -339,7 +340,7 @@ fn level(piece: &Piece<'_>, (from, to): (f64, f64), along: Vector3, x: f64) -> f
         if !(low.min(high) < next && next < low.max(high)) {
             next = 0.5 * (low + high);
         }
-        if (next - u).abs() <= 1e-15 * (to - from).abs() {
+        if (next - u).abs() <= LAST_STEP * (to - from).abs() {
             return next;
         }
         u = next;
@@ -377,7 +378,7 @@ fn crossing(
         let (ds, dt) = (r.cross(db).dot(n) / nn, r.cross(da).dot(n) / nn);
         let step = (ds / wa).abs().max((dt / wb).abs());
         found = Some((s, t, r.length(), da.length(), db.length()));
-        if !(step < last) && step < 1e-9 {
+        if !(step < last) && step < NO_BETTER {
             break;
         }
         last = step;
@@ -385,18 +386,18 @@ fn crossing(
         if !(window(a.from, wa, s) && window(b.from, wb, t)) {
             return None;
         }
-        if step < 1e-8 {
+        if step < CONVERGED {
             // Quadratic: the step taken was the last that rounding lets one see.
             found = Some((s, t, pa.point(s).distance_to(pb.point(t)), da.length(), db.length()));
             break;
         }
     }
     let (s, t, _, va, vb) = found?;
-    if last > 1e-6 {
+    if last > LEFT {
         return None;
     }
     let settle = |u: f64, from: f64, to: f64, own: crate::Interval| {
-        let slack = 1e-12 * own.length().abs();
+        let slack = IN_RANGE * own.length().abs();
         let inside = from.min(to) - slack <= u && u <= from.max(to) + slack;
         inside.then(|| own.clamp(u))
     };

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use super::thresholds::{LAST_STEP, SAME_PARAMETER};
 use crate::curve::Piece;
 use crate::{Interval, Point3, Vector3};
 
@@ -100,7 +101,7 @@ impl<'a> Side<'a> {
             let r = q.to_vector() - p;
             if r.length() > best.0 {
                 // Too far, as where the curve stands still: half the way.
-                if (t - best.1).abs() <= 1e-9 * self.domain.length() {
+                if (t - best.1).abs() <= SAME_PARAMETER * self.domain.length() {
                     break;
                 }
                 t = 0.5 * (t + best.1);
@@ -111,7 +112,7 @@ impl<'a> Side<'a> {
             if !next.is_finite() {
                 break;
             }
-            if (next - t).abs() <= 1e-15 * self.domain.length() {
+            if (next - t).abs() <= LAST_STEP * self.domain.length() {
                 return next;
             }
             t = next;
@@ -122,7 +123,7 @@ impl<'a> Side<'a> {
     /// The other parameter of the same point of a closed curve.
     pub(super) fn over_seam(&self, t: f64) -> Option<f64> {
         let d = self.domain;
-        let hair = 1e-9 * d.length();
+        let hair = SAME_PARAMETER * d.length();
         match t {
             _ if !self.closed => None,
             t if t - d.start <= hair => Some(d.end),

@@ -3,6 +3,9 @@
 mod seams;
 
 use super::curve_curve::check;
+use super::thresholds::{
+    CUTS, HEIGHT_OF_PLACE, HEIGHT_OF_PLANE, HEIGHT_OF_SIZE, IN_PLANE, JOINED, JOINED_LEAST,
+};
 use super::zeros::{self, Cell};
 use crate::curve::traced::{Sample, joined, sampled};
 use crate::{Curve, Direction, Error, NurbsSurface, Plane, Quadrant, Result, Surface, Tolerance};
@@ -50,7 +53,9 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
     let range = bounds.range_of_distances(plane);
     // Far from the origin every coordinate has lost digits before.
     let remote = [bounds.min, bounds.max, plane.origin].map(|p| p.to_vector().length());
-    let noise = 1e-12 * size + 1e-15 * far + 2e-15 * remote.into_iter().fold(0.0, f64::max);
+    let noise = HEIGHT_OF_SIZE * size
+        + HEIGHT_OF_PLACE * far
+        + HEIGHT_OF_PLANE * remote.into_iter().fold(0.0, f64::max);
     if range.start > noise || range.end < -noise {
         return Ok(SurfaceSection { curves: Vec::new(), complete: true });
     }
@@ -63,12 +68,12 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
         rows.extend(sampled(0.0, 1.0, 2, 0.5 * limit, |x| Ok(Some(sample(stretch.place(x), patch, plane))))?);
     }
     // Crossings on the common side of two parts agree to rounding; other curves keep further apart than this.
-    let gap = (1e-7 * size).min(0.25 * limit).max(4.0 * noise);
+    let gap = (JOINED * size).min(0.25 * limit).max(4.0 * noise);
     let mut curves = joined(&rows, gap, tolerance.angle)?;
-    let lines = seams::in_plane(surface, &nurbs, &patches, plane, noise.max(1e-9 * size))?;
+    let lines = seams::in_plane(surface, &nurbs, &patches, plane, noise.max(IN_PLANE * size))?;
     if !lines.is_empty() {
         curves.extend(lines);
-        curves = crate::join_curves(&curves, gap.max(1e-8 * size), false);
+        curves = crate::join_curves(&curves, gap.max(JOINED_LEAST * size), false);
     }
     Ok(SurfaceSection { curves, complete })
 }
@@ -102,7 +107,7 @@ fn sample([u, v]: [f64; 2], patch: &NurbsSurface, plane: &Plane) -> Sample {
     let normal = su.cross(sv);
     let direction = normal.cross(plane.z_axis);
     // In a pole what is left of a normal is rounding.
-    let told = direction.length() > 1e-6 * normal.length()
+    let told = direction.length() > CUTS * normal.length()
         && normal.length() > SINGULAR * su.length().max(sv.length()).powi(2);
     Sample { point: jet.point(), direction: if told { direction.unitized() } else { None } }
 }

@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::thresholds::TOGETHER;
 use crate::curve::{Piece, Shape};
 use crate::nurbs::{MAX_DEGREE, project};
 use crate::{Arc, Interval, Vector3};
@@ -249,7 +250,7 @@ fn cut(points: &mut [[f64; 4]], part: Interval, all: Interval) {
         let Some(&p) = points.get(end) else { return };
         let Some(q) = points.get_mut(next) else { return };
         // What rounding left of the difference leads anywhere.
-        if project(p).distance_to(project(*q)) <= 1e-12 * size {
+        if project(p).distance_to(project(*q)) <= TOGETHER * size {
             let share = q[3] / p[3];
             *q = p.map(|x| x * share);
         }

@@ -1,6 +1,7 @@
 //! Where polynomials over patches are zero: parts of a patch, by the Bernstein coefficients of a function over it, such as
 //! the distance from a plane.
 
+use super::thresholds::{LAST_STEP, OF_LARGEST, OF_NOISE, SAME_CUT};
 use crate::polynomial::Polynomial;
 
 /// A part is not split further than this.
@@ -74,7 +75,7 @@ impl Cell {
     pub(crate) fn graphs(&self, noise: f64) -> Option<Vec<Stretch>> {
         // Differences carry the noise of two coefficients, and must not pass for none where all are small.
         let largest = self.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let slack = (0.01 * noise).min(1e-9 * largest);
+        let slack = (0.01 * noise).min(OF_LARGEST * largest);
         let changes = [0, 1].map(|d| self.change(d, slack));
         let across = usize::from(changes[1].0 > changes[0].0);
         // One that hardly changes would tell the other badly, even if it does all along.
@@ -86,11 +87,11 @@ impl Cell {
         let mut cuts = vec![0.0, 1.0];
         for side in &sides {
             if side.size() > noise {
-                cuts.extend(side.roots(1e-3 * noise));
+                cuts.extend(side.roots(OF_NOISE * noise));
             }
         }
         cuts.sort_by(f64::total_cmp);
-        cuts.dedup_by(|a, b| *a - *b <= 1e-13);
+        cuts.dedup_by(|a, b| *a - *b <= SAME_CUT);
         let mut out: Vec<Stretch> = Vec::new();
         for w in cuts.windows(2) {
             let middle = 0.5 * (w[0] + w[1]);
@@ -125,7 +126,7 @@ impl Cell {
         };
         let (u, v) = (bend(0), bend(1));
         // A twist without any bend is split both ways in turn.
-        let twist = u.max(v) <= 1e-9 * self.values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let twist = u.max(v) <= OF_LARGEST * self.values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let direction = if twist { (self.depth % 2) as usize } else { usize::from(v > u) };
         let (mut low, mut high) = (self.clone(), self.clone());
         let m = self.counts[1];
@@ -220,7 +221,7 @@ fn bisected(column: &Polynomial, first: f64) -> f64 {
         let x = if step % 4 == 3 { 0.5 * (a + b) } else { (a * fb - b * fa) / (fb - fa) };
         let x = if a < x && x < b { x } else { 0.5 * (a + b) };
         let f = column.at(x);
-        if f == 0.0 || b - a < 1e-15 {
+        if f == 0.0 || b - a < LAST_STEP {
             return x;
         }
         if (f < 0.0) == (fa < 0.0) {

@@ -16,6 +16,7 @@ mod knots;
 mod lanes;
 mod least_squares;
 mod moebius;
+mod nets;
 mod periodic;
 mod pieces;
 mod properties;
@@ -48,6 +49,7 @@ pub(crate) use evaluate::basis;
 pub use interpolate::KnotSpacing;
 pub use knots::{MAX_DEGREE, check_knots, span_index};
 pub use least_squares::{ExactCondition, LeastSquares, placed_knots};
+pub(crate) use nets::Nets;
 pub(crate) use skin::{
     Skinning, curve_through, section_parameters, skinned, surface_through, surface_through_pieces,
 };

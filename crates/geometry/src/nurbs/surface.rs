@@ -155,6 +155,7 @@ impl NurbsSurface {
         controls: Controls,
         knots: [Vec<f64>; 2],
     ) -> Result<Self> {
+        crate::patience::worked(counts[0].saturating_mul(counts[1]) / 8);
         crate::patience::check()?;
         let (given, finite) = match &controls {
             Controls::Plain(p) => (p.len(), p.iter().flatten().all(|x| x.is_finite())),

@@ -40,22 +40,30 @@ fn is_along(place: &Place, direction: Vector3) -> bool {
     place.tangent.cross(direction).length() <= ALONG * direction.length()
 }
 
-/// So often are places put between, which makes the cubics 16 times as exact each time.
-const REFINEMENTS: usize = 4;
+/// So often are places put between, which makes the cubics 16 times as exact each time where the surfaces are smooth.
+const REFINEMENTS: usize = 8;
 
-/// As [`fitted`], with places put between until the deviation is within a limit, if that helps.
+/// As [`fitted`], with places put between until the deviation is within a limit, if that helps: first where the curve runs over
+/// lines between patches, because cubics are exact only where the surfaces have their derivatives.
 ///
 /// # Errors
 /// A number is not finite.
 pub(crate) fn fitted_within(pair: &Pair<'_>, places: &[Place], limit: f64) -> Result<Fitted> {
-    let mut fit = fitted(pair, places)?;
-    let mut places = places.to_vec();
-    for _ in 0..REFINEMENTS {
+    let mut places = apart(places, SAME_PLACE * pair.size());
+    let (mut fit, mut misses) = measured(pair, &places)?;
+    for round in 0..REFINEMENTS {
         if fit.deviation <= limit {
             break;
         }
-        places = halved(pair, &places);
-        let finer = fitted(pair, &places)?;
+        let off = |i: usize| misses.get(i).is_some_and(|miss| *miss > limit);
+        let more = if round == 0 { between_patches(pair, &places, &off) } else { Vec::new() };
+        let more = if more.is_empty() { halved(pair, &places, &off) } else { more };
+        if more.is_empty() {
+            break;
+        }
+        places = apart(&merged(&places, more), SAME_PLACE * pair.size());
+        let (finer, next) = measured(pair, &places)?;
+        misses = next;
         if finer.deviation < fit.deviation {
             fit = finer;
         }
@@ -63,22 +71,59 @@ pub(crate) fn fitted_within(pair: &Pair<'_>, places: &[Place], limit: f64) -> Re
     Ok(fit)
 }
 
-/// The places with one more between two, where Newton's method finds one.
-fn halved(pair: &Pair<'_>, places: &[Place]) -> Vec<Place> {
-    let mut out: Vec<Place> = places.first().copied().into_iter().collect();
-    for w in places.windows(2) {
+/// The places with others put in, each behind the place of an index.
+fn merged(places: &[Place], more: Vec<(usize, Place)>) -> Vec<Place> {
+    let mut more = more.into_iter().peekable();
+    let mut out = Vec::with_capacity(places.len() + more.len());
+    for (i, place) in places.iter().enumerate() {
+        out.push(*place);
+        while let Some((_, put)) = more.next_if(|(at, _)| *at == i) {
+            out.push(put);
+        }
+    }
+    out
+}
+
+/// A place of the curve between two others, near parameters.
+fn between(pair: &Pair<'_>, from: &Place, to: &Place, near: Four, condition: Condition) -> Option<Place> {
+    let chord = to.point - from.point;
+    let found = pair.place(pair.polished(near, condition)?)?;
+    // Between both, or it is a place of another curve.
+    let along = (found.point - from.point).dot(chord);
+    let is_between = along > 0.0 && along < chord.length_squared();
+    (is_between && found.tangent.dot(from.tangent) > 0.0).then_some(found)
+}
+
+/// Places halfway between two, where Newton's method finds one.
+fn halved(pair: &Pair<'_>, places: &[Place], wanted: &dyn Fn(usize) -> bool) -> Vec<(usize, Place)> {
+    let middle = |(i, w): (usize, &[Place])| {
         let [from, to] = [&w[0], &w[1]];
         let chord = to.point - from.point;
         let cubic = Cubic { from, to, length: chord.length() };
-        let x = chord.unitized().and_then(|across| {
-            pair.polished(cubic.parameters(0.5), Condition::Slice { through: cubic.point(0.5), across })
-        });
-        out.extend(x.and_then(|x| pair.place(x)).filter(|m| {
-            // Between both, or it is a place of another curve.
-            let along = (m.point - from.point).dot(chord);
-            along > 0.0 && along < chord.length_squared() && m.tangent.dot(from.tangent) > 0.0
-        }));
-        out.push(*to);
+        let slice = Condition::Slice { through: cubic.point(0.5), across: chord.unitized()? };
+        Some((i, between(pair, from, to, cubic.parameters(0.5), slice)?))
+    };
+    places.windows(2).enumerate().filter(|(i, _)| wanted(*i)).filter_map(middle).collect()
+}
+
+/// Places where the curve runs over lines between patches.
+fn between_patches(pair: &Pair<'_>, places: &[Place], wanted: &dyn Fn(usize) -> bool) -> Vec<(usize, Place)> {
+    let mut out = Vec::new();
+    for (i, w) in places.windows(2).enumerate().filter(|(i, _)| wanted(*i)) {
+        let [from, to] = [&w[0], &w[1]];
+        let cubic = Cubic { from, to, length: (to.point - from.point).length() };
+        let mut own: Vec<(f64, Place)> = Vec::new();
+        for parameter in 0..4 {
+            let (a, b) = (from.x[parameter], to.x[parameter]);
+            for value in pair.charts[parameter / 2].lines_between(parameter % 2, a.min(b), a.max(b)) {
+                let near = cubic.parameters((value - a) / (b - a));
+                if let Some(place) = between(pair, from, to, near, Condition::Fixed { parameter, value }) {
+                    own.push(((place.point - from.point).length(), place));
+                }
+            }
+        }
+        own.sort_by(|x, y| x.0.total_cmp(&y.0));
+        out.extend(own.into_iter().map(|(_, place)| (i, place)));
     }
     out
 }
@@ -88,7 +133,11 @@ fn halved(pair: &Pair<'_>, places: &[Place]) -> Vec<Place> {
 /// # Errors
 /// A number is not finite.
 pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place]) -> Result<Fitted> {
-    let places = &apart(places, SAME_PLACE * pair.size());
+    Ok(measured(pair, &apart(places, SAME_PLACE * pair.size()))?.0)
+}
+
+/// As [`fitted`] through places apart from each other, with the deviation from each to the next.
+fn measured(pair: &Pair<'_>, places: &[Place]) -> Result<(Fitted, Vec<f64>)> {
     let mut lengths = vec![0.0];
     for w in places.windows(2) {
         // The length of an arc with these tangents.
@@ -116,8 +165,9 @@ pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place]) -> Result<Fitted> {
     });
     let [first, second] = parameters;
     let parameters = [first?, second?];
-    let mut deviation: f64 = 0.0;
+    let mut misses = Vec::with_capacity(lengths.len());
     for i in 1..lengths.len() {
+        let mut deviation: f64 = 0.0;
         for j in 0..TESTED {
             let share = (j as f64 + 0.5) / TESTED as f64;
             let t = lengths[i - 1] + share * (lengths[i] - lengths[i - 1]);
@@ -129,6 +179,8 @@ pub(crate) fn fitted(pair: &Pair<'_>, places: &[Place]) -> Result<Fitted> {
                 deviation = deviation.max((on - p).length());
             }
         }
+        misses.push(deviation);
     }
-    Ok(Fitted { curve, parameters, deviation })
+    let deviation = misses.iter().copied().fold(0.0, f64::max);
+    Ok((Fitted { curve, parameters, deviation }, misses))
 }

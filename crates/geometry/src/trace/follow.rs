@@ -1,7 +1,7 @@
 //! From a place of the common curve to its end.
 
 use super::proof::Box4;
-use super::thresholds::{ABOVE_NOISE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST};
+use super::thresholds::{ABOVE_NOISE, ASIDE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST, SLOWEST};
 use super::{Condition, Four, Pair, Place};
 use crate::{Result, Vector3, patience};
 
@@ -219,13 +219,25 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     if !(miss <= limits.tolerance) {
         return None;
     }
-    let bounds = pair.grown(cubic.bounds(true_x), 0.15);
+    let bounds = beside(pair, pair.grown(cubic.bounds(true_x), 0.15), arc, &jets);
     if !pair.is_graph(bounds, along) {
         return None;
     }
     let growth = (0.3 * limits.tolerance / miss.max(f64::MIN_POSITIVE)).powf(0.25).clamp(0.5, 2.0);
     let proved = Proved { bounds, through: from.point, across: along, reach };
     Some(Step { to, proved, at_border, growth })
+}
+
+/// A box of a step of a length with room on all sides: a curve that leaves a thin box between the places that were looked at
+/// could end there, and another one go on.
+fn beside(pair: &Pair<'_>, bounds: Box4, arc: f64, jets: &[[Vector3; 3]; 2]) -> Box4 {
+    std::array::from_fn(|k| {
+        let domain = pair.domain(k);
+        // Near a pole a parameter moves nothing, and no room is enough.
+        let least = SLOWEST * pair.size() / domain.length();
+        let room = ASIDE * arc / jets[k / 2][1 + k % 2].length().max(least);
+        [(bounds[k][0] - room).max(domain.start), (bounds[k][1] + room).min(domain.end)]
+    })
 }
 
 /// Where the curve first leaves a domain between a place and a point beyond.

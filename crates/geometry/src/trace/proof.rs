@@ -12,10 +12,6 @@ use super::thresholds::ROOM;
 use super::{Four, Pair};
 use crate::Vector3;
 
-/// What rounding adds at most to a sum of four products of which each factor is a rounded middle of a range, as a part of
-/// the sum of their sizes: ten operations.
-const SUM: f64 = 10.0 * f64::EPSILON;
-
 /// A box of the four parameters.
 pub(crate) type Box4 = [[f64; 2]; 4];
 
@@ -31,39 +27,30 @@ impl Pair<'_> {
 
     /// Whether each plane across `d` is proved to hold at most one common point of the box.
     pub(crate) fn is_graph(&self, b: Box4, d: Vector3) -> bool {
-        let (Some(first), Some(second)) =
-            (self.charts[0].partials_over([b[0], b[1]]), self.charts[1].partials_over([b[2], b[3]]))
-        else {
-            return false;
-        };
+        let charts = self.charts;
+        let jets = self.jets(b.map(|[low, high]| 0.5 * (low + high)));
+        let columns = [jets[0][1], jets[0][2], -jets[1][1], -jets[1][2]];
         let mut middle = [[0.0; 4]; 4];
-        let mut radius = [[0.0; 4]; 4];
-        for (k, column) in [first[0], first[1], second[0], second[1]].into_iter().enumerate() {
-            let sign = if k < 2 { 1.0 } else { -1.0 };
-            let axes: [f64; 3] = d.into();
-            for i in 0..3 {
-                middle[i][k] = sign * column[i].middle();
-                radius[i][k] = column[i].radius();
-                middle[3][k] += 0.5 * axes[i] * column[i].middle();
-                radius[3][k] += 0.5 * axes[i].abs() * column[i].radius();
+        for (k, column) in columns.into_iter().enumerate() {
+            let sign = if k < 2 { 0.5 } else { -0.5 };
+            for (i, x) in [column.x, column.y, column.z, sign * d.dot(column)].into_iter().enumerate() {
+                middle[i][k] = x;
             }
         }
         let Some(inverse) = inverted(middle) else { return false };
-        // With C near the inverse of the middle, all matrices M are regular when |1 − C M| shrinks some positive vector:
-        // what C is off, and what rounding adds to each sum, count as well.
-        let mut shrink = [[0.0; 4]; 4];
-        for i in 0..4 {
-            for j in 0..4 {
-                let one = if i == j { 1.0 } else { 0.0 };
-                let (mut product, mut size, mut spread) = (0.0, one, 0.0);
-                for k in 0..4 {
-                    product += inverse[i][k] * middle[k][j];
-                    size += (inverse[i][k] * middle[k][j]).abs();
-                    spread += inverse[i][k].abs() * radius[k][j];
-                }
-                shrink[i][j] = (one - product).abs() + spread + SUM * size;
-            }
-        }
+        // With any regular C, all matrices M are regular when |1 − C M| shrinks some positive vector. The rows of C M are the
+        // derivatives along vectors: C is applied to the coefficients that bound them, so that it only matters how far these
+        // are from each other as C sees them.
+        let slopes = [charts[0].slopes_over([b[0], b[1]]), charts[1].slopes_over([b[2], b[3]])];
+        let shrink: [[f64; 4]; 4] = std::array::from_fn(|i| {
+            let row = Vector3::new(inverse[i][0], inverse[i][1], inverse[i][2]);
+            let half = d * (0.5 * inverse[i][3]);
+            let sizes = [sum_of_sizes(row) + sum_of_sizes(half); 2];
+            let first = slopes[0].along([row + half; 2], sizes);
+            let second = slopes[1].along([half - row; 2], sizes);
+            let ranges = [first[0], first[1], second[0], second[1]];
+            std::array::from_fn(|k| ranges[k].off(if i == k { 1.0 } else { 0.0 }))
+        });
         // Towards the vector that is shrunk most evenly; any positive one is a proof.
         let mut z: Four = std::array::from_fn(|k| (b[k][1] - b[k][0]).max(f64::MIN_POSITIVE));
         for _ in 0..6 {
@@ -80,6 +67,11 @@ impl Pair<'_> {
         }
         false
     }
+}
+
+/// The sum of the sizes of the components.
+fn sum_of_sizes(v: Vector3) -> f64 {
+    v.x.abs() + v.y.abs() + v.z.abs()
 }
 
 /// The inverse of a matrix, by elimination with row pivoting; columns may have units of their own.

@@ -15,6 +15,12 @@ pub(crate) fn noise(sizes: [f64; 2], far: [f64; 2]) -> f64 {
     ROUNDING_OF_SIZE * (sizes[0] + sizes[1]) + ROUNDING_OF_PLACE * (far[0] + far[1])
 }
 
+/// The box in which a step is proved to have one curve has this part of the step's length as room on all sides: more than the
+/// curve parts from the cubic between places that were looked at.
+pub(crate) const ASIDE: f64 = 0.05;
+/// A parameter in which a surface moves less than this part of the size on the way through its domain is slow: at a pole.
+pub(crate) const SLOWEST: f64 = 0.05;
+
 /// Points on both surfaces that are this many times the noise apart are one: what is left when Newton's method has
 /// converged, where the surfaces meet at small angles.
 pub(crate) const MET: f64 = 64.0;

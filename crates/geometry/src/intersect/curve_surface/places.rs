@@ -1,12 +1,16 @@
 //! From contacts of parts to crossings, touches and stretches in the surface.
 
+use super::super::thresholds::{AT_END, CROSSES, FURTHER, ON_OTHER, ON_SIDE, SAME_PARAMETER, SAME_ROOT};
 use super::{Contact, Search, SurfaceCrossing, SurfaceIntersections, SurfaceOverlap};
 use crate::curve::Piece;
 use crate::intersect::ContactKind;
 use crate::intersect::search::NOISE;
 use crate::{Interval, Point3};
 
-impl Search<'_> {
+/// A place beside a patch by no more than this part of its width may have its foot on it.
+const BESIDE: f64 = 1e-3;
+
+impl Search<'_, '_> {
     fn piece_at(&self, t: f64) -> Option<&Piece<'_>> {
         let pieces = &self.tree.pieces;
         pieces.get(pieces.partition_point(|p| p.whole.end <= t).min(pieces.len().wrapping_sub(1)))
@@ -20,7 +24,7 @@ impl Search<'_> {
     fn gap_at(&self, t: f64, near: &[Contact]) -> ([f64; 2], f64) {
         let q = self.point(t);
         let mut best = ([0.0; 2], f64::INFINITY);
-        let off = |c: &Contact| (c.t[0] - t).max(t - c.t[1]).max(0.0) + 1e-3 * (c.best - t).abs();
+        let off = |c: &Contact| (c.t[0] - t).max(t - c.t[1]).max(0.0) + FURTHER * (c.best - t).abs();
         let mut nearest: [Option<&Contact>; 2] = [None; 2];
         for c in near {
             if nearest[0].is_none_or(|d| off(c) < off(d)) {
@@ -30,25 +34,21 @@ impl Search<'_> {
             }
         }
         for c in nearest.into_iter().flatten() {
-            for (i, patch) in self.patches.patches.iter().enumerate() {
-                let d = patch.domain;
-                let hair = |k: usize| 1e-3 * d[k].length();
-                let holds = |k: usize| d[k].start - hair(k) <= c.uv[k] && c.uv[k] <= d[k].end + hair(k);
-                if holds(0) && holds(1) {
-                    let found = self.foot(i, q, [d[0].clamp(c.uv[0]), d[1].clamp(c.uv[1])]);
-                    if found.1 < best.1 {
-                        best = found;
-                    }
+            for i in self.patches.patches_over(c.uv, BESIDE) {
+                let d = self.patches.patch(i).domain;
+                let found = self.foot(i, q, [d[0].clamp(c.uv[0]), d[1].clamp(c.uv[1])]);
+                if found.1 < best.1 {
+                    best = found;
                 }
             }
-            if best.1 <= 1e-3 * self.tolerance {
+            if best.1 <= ON_OTHER * self.tolerance {
                 break;
             }
         }
         best
     }
 
-    pub(super) fn read(mut self, domain: Interval) -> SurfaceIntersections {
+    pub(super) fn read(&mut self, domain: Interval) -> SurfaceIntersections {
         let (mut crossings, mut overlaps) = (Vec::new(), Vec::new());
         let mut contacts = std::mem::take(&mut self.contacts);
         contacts.sort_by(|x, y| {
@@ -63,7 +63,7 @@ impl Search<'_> {
                     && c.t[0] <= t[1] + reach
                     && (members.iter().all(|m| !m.root)
                         || !c.root
-                        || members.iter().any(|m| (m.best - c.best).abs() <= 1e-10 * domain.length()))
+                        || members.iter().any(|m| (m.best - c.best).abs() <= SAME_ROOT * domain.length()))
             });
             match joined {
                 Some((t, members)) => {
@@ -82,13 +82,13 @@ impl Search<'_> {
             x.t.total_cmp(&y.t).then(x.u.total_cmp(&y.u)).then(x.v.total_cmp(&y.v))
         });
         crossings.dedup_by(|later, first| {
-            (later.t - first.t).abs() <= 1e-9 * domain.length()
+            (later.t - first.t).abs() <= SAME_PARAMETER * domain.length()
                 && later.point.distance_to(first.point) <= 4.0 * self.tolerance
         });
         overlaps.sort_by(|x: &SurfaceOverlap, y| x.t.start.total_cmp(&y.t.start));
         let covers = |t: f64| {
             overlaps.iter().any(|o| {
-                let more = 1e-6 * domain.length();
+                let more = AT_END * domain.length();
                 o.t.start - more <= t
                     && t <= o.t.end + more
                     && [o.t.clamp(t)]
@@ -119,15 +119,15 @@ impl Search<'_> {
         }
         let reach = members.iter().map(|m| m.reach).fold(0.0, f64::max);
         let shut = |t: f64| {
-            let slack = 1e-9 * domain.length() + reach;
+            let slack = SAME_PARAMETER * domain.length() + reach;
             let ([u, v], _) = self.gap_at(t, members);
-            let border = |d: Interval, x: f64| (x - d.start).min(d.end - x) <= 1e-7 * d.length();
+            let border = |d: Interval, x: f64| (x - d.start).min(d.end - x) <= ON_SIDE * d.length();
             t - domain.start <= slack
                 || domain.end - t <= slack
                 || border(self.domain[0], u)
                 || border(self.domain[1], v)
         };
-        let limit = if shut(t[0]) && shut(t[1]) { self.tolerance } else { 1e-3 * self.tolerance };
+        let limit = if shut(t[0]) && shut(t[1]) { self.tolerance } else { ON_OTHER * self.tolerance };
         let limit = limit.max(NOISE * self.tree.scale.max(self.patches.scale));
         let within: Vec<bool> = places.iter().map(|&t| self.gap_at(t, members).1 <= limit).collect();
         let mut best = (0, 0);
@@ -176,7 +176,7 @@ impl Search<'_> {
                 (better, g) if g < gap => (better, g),
                 _ => (uv, gap),
             };
-            let s = self.patches.patches.iter().find(|p| (0..2).all(|k| p.domain[k].contains(uv[k])));
+            let s = self.patches.patches_over(uv, 0.0).next().map(|i| self.patches.patch(i));
             let point = s.map_or(q, |s| q.lerp(s.jet(uv)[0].to_point(), 0.5));
             SurfaceCrossing { t, u: uv[0], v: uv[1], point, gap, kind }
         };
@@ -212,13 +212,13 @@ impl Search<'_> {
     /// Tangent when the curve's direction lies in the tangent plane.
     fn kind(&self, t: f64, uv: [f64; 2]) -> ContactKind {
         let direction = self.piece_at(t).and_then(|p| p.jet(p.own_parameter(t))[1].unitized());
-        let patch = self.patches.patches.iter().find(|p| (0..2).all(|k| p.domain[k].contains(uv[k])));
+        let patch = self.patches.patches_over(uv, 0.0).next().map(|i| self.patches.patch(i));
         let normal = patch.and_then(|p| {
             let [_, su, sv] = p.jet(uv);
             su.cross(sv).unitized()
         });
         match (direction, normal) {
-            (Some(d), Some(n)) if d.dot(n).abs() > 1e-3 => ContactKind::Transversal,
+            (Some(d), Some(n)) if d.dot(n).abs() > CROSSES => ContactKind::Transversal,
             _ => ContactKind::Tangent,
         }
     }

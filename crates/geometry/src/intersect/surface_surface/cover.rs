@@ -3,7 +3,7 @@
 use super::search::{Leaf, Search};
 use crate::trace::thresholds::{MET, ROOM};
 use crate::trace::{Condition, End, Followed, Four, Limits, Pair, Place, followed};
-use crate::{Direction, Result, intersect, patience};
+use crate::{Direction, Result, patience};
 
 /// The curves, as they are found.
 pub(super) struct Curves {
@@ -18,7 +18,7 @@ impl Curves {
     ///
     /// # Errors
     /// The work was stopped.
-    pub(super) fn add_from_sides(&mut self, search: &Search<'_>) -> Result<()> {
+    pub(super) fn add_from_sides(&mut self, search: &mut Search<'_>) -> Result<()> {
         let pair = search.pair;
         for s in 0..2 {
             for d in Direction::BOTH {
@@ -33,7 +33,7 @@ impl Curves {
                     if !boxes_meet(&side, other) {
                         continue;
                     }
-                    let both = intersect::curve_surface(&side.into(), other.nurbs(), MET * pair.noise)?;
+                    let both = search.meets(&side.into(), 1 - s, MET * pair.noise);
                     self.complete &= both.complete;
                     let stretches = both.overlaps.iter().map(|o| (o.t.middle(), mean(o.from, o.to)));
                     let points = both.crossings.iter().map(|c| (c.t, [c.u, c.v])).chain(stretches);

@@ -9,7 +9,8 @@ use crate::{Direction, NurbsSurface};
 /// is: what overlaps is all, and its border are the sides.
 pub(super) fn equal(pair: &Pair<'_>) -> Option<SurfaceContact> {
     let [a, b] = [0, 1].map(|s| pair.charts[s].nurbs());
-    if a.point_count() != b.point_count() {
+    // Copies are dear: corners tell most surfaces apart.
+    if a.point_count() != b.point_count() || !same_corners(a, b, MET * pair.noise) {
         return None;
     }
     let is_same = [b.clone(), b.transposed()].iter().any(|exchanged| {
@@ -35,6 +36,16 @@ pub(super) fn equal(pair: &Pair<'_>) -> Option<SurfaceContact> {
         curve: None,
         border: Vec::new(),
     })
+}
+
+/// Whether each corner of the net of one surface is one of the other.
+fn same_corners(a: &NurbsSurface, b: &NurbsSurface, reach: f64) -> bool {
+    let corners = |s: &NurbsSurface| {
+        let [n, m] = s.counts().map(|c| c - 1);
+        [[0, 0], [0, m], [n, 0], [n, m]].map(|[i, j]| s.control_point(i, j))
+    };
+    let others = corners(b);
+    corners(a).into_iter().flatten().all(|p| others.iter().flatten().any(|q| p.distance_to(*q) <= reach))
 }
 
 /// Whether control points and knots agree, the latter as shares of the domains.

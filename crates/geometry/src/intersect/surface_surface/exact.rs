@@ -135,7 +135,7 @@ const FOLDS: usize = 16;
 
 /// Whether a surface has an area and no kinks, and its normal is on one side of its carrier wherever it is looked at.
 fn is_plain(nurbs: &NurbsSurface, carrier: &Carrier) -> Result<bool> {
-    if smooth_pieces(nurbs)?.len() != 1 {
+    if smooth_pieces(nurbs, &|_| true)?.len() != 1 {
         return Ok(false);
     }
     let places = Direction::BOTH.map(|d| -> Vec<f64> {

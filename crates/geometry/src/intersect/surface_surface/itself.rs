@@ -2,7 +2,7 @@
 
 use super::contacts::{contacts, drop_doubles};
 use super::cover::Curves;
-use super::search::{corner_normal, hull};
+use super::search::{boxes_apart, corner_normal, hull};
 use super::{BranchKind, SurfaceBranch, SurfaceContactKind, SurfaceMeeting, rows, shifted};
 use crate::chart::Chart;
 use crate::intersect::judge::separated;
@@ -39,7 +39,8 @@ pub fn surface_self(surface: &NurbsSurface, tolerance: &Tolerance) -> Result<Sur
     let chart = Chart::new(surface.transformed(&Xform::translation(-shift))?)?;
     let pair = Pair::new(&chart, &chart);
     let size = pair.size();
-    let mut search = SelfSearch { pair, tree: PatchTree::new(chart.nurbs())?, smallest: SMALLEST * size };
+    let mut search =
+        SelfSearch { pair, tree: PatchTree::over(chart.nurbs(), chart.nets())?, smallest: SMALLEST * size };
     let (leaves, undecided) = search.places()?;
     let limits = Limits::new(limit, size, pair.noise);
     let mut curves = Curves { found: Vec::new(), limits, complete: true };
@@ -74,7 +75,7 @@ struct SelfLeaf {
 /// The search over pairs of parts of one surface.
 struct SelfSearch<'a> {
     pair: Pair<'a>,
-    tree: PatchTree,
+    tree: PatchTree<'a>,
     smallest: f64,
 }
 
@@ -159,6 +160,9 @@ impl SelfSearch<'_> {
             return false;
         }
         let hulls = [a, b].map(|node| hull(self.tree.points(node)));
+        if (a.is_loose() || b.is_loose()) && boxes_apart(&hulls, reach) {
+            return true;
+        }
         let [m, n] = [0, 1].map(|s| corner_normal(&hulls[s], self.tree.counts));
         let along = m.cross(n);
         [m, n, along, m.cross(along), n.cross(along)]
@@ -263,20 +267,12 @@ fn is_graph(chart: &Chart, ranges: [[f64; 2]; 2]) -> bool {
     let rows = [(e / a - f * (b / (a * d))) / widths[0], f / (d * widths[1])];
     for u in parts(ranges[0], domains[0], chart.period(0)) {
         for v in parts(ranges[1], domains[1], chart.period(1)) {
-            let Some(columns) = chart.partials_over([u, v]) else { return false };
+            let slopes = chart.slopes_over([u, v]);
             for (i, row) in rows.iter().enumerate() {
-                let own: [f64; 3] = (*row).into();
-                let mut off = 0.0;
-                for (j, column) in columns.iter().enumerate() {
-                    let mut center = 0.0;
-                    let mut radius = 0.0;
-                    for c in 0..3 {
-                        center += own[c] * column[c].middle();
-                        radius += own[c].abs() * column[c].radius();
-                    }
-                    let one = if i == j { 1.0 } else { 0.0 };
-                    off += (center * widths[j] - one).abs() + radius * widths[j];
-                }
+                let vectors = widths.map(|w| *row * w);
+                let ranges = slopes.along(vectors, vectors.map(|r| r.x.abs() + r.y.abs() + r.z.abs()));
+                let off: f64 =
+                    ranges.iter().enumerate().map(|(j, r)| r.off(if i == j { 1.0 } else { 0.0 })).sum();
                 if !(off < LEAST_SHRINK) {
                     return false;
                 }

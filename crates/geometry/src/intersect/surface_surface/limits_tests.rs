@@ -1,9 +1,11 @@
 //! Bad and large input: an answer or a refusal in good time, and none after nobody waits any more.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing test may panic")]
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use super::{SurfaceMeeting, surface_surface};
+use crate::patience::work;
 use crate::{Error, NurbsSurface, Patience, Point3, Result, Tolerance};
 
 /// What programs that are not optimised may take longer, on a machine that does other work as well.
@@ -72,8 +74,38 @@ fn many_spans_end_soon() {
     let small = grid(3, [5, 5], |u, v| Point3::new(4.0 + u, 4.0 + v, 0.3 * u - 0.2 * v));
     let met = within(2.0, &large, &small);
     assert!(met.is_ok_and(|m| !m.branches.is_empty()));
-    let strip = grid(1, [100_001, 2], |u, v| Point3::new(u, v, 0.5 * (1000.0 * u).sin()));
-    let _ = within(2.0, &strip, &small);
+    // A hundred thousand pieces between kinks, some of which run through a small surface.
+    let strip = grid(1, [100_001, 2], |u, v| Point3::new(10.0 * u, 10.0 * v, 0.5 * (1000.0 * u).sin()));
+    let met = within(2.0, &strip, &small);
+    assert!(met.is_ok_and(|m| !m.branches.is_empty()));
+    // All over each other: refused by name, or answered.
+    let met = within(2.0, &large, &wave(319, 0.7));
+    assert!(match met {
+        Ok(met) => !met.branches.is_empty(),
+        Err(error) => matches!(error, Error::Unsupported(_)),
+    });
+}
+
+/// Between two questions whether anybody waits lies little work, whatever the input. A unit takes up to a microsecond in
+/// programs that are optimised, so that 50 ms are 50,000; no clock is read.
+#[test]
+fn questions_are_asked_often() {
+    const MOST: usize = 50_000;
+    for (name, a, b) in [
+        ("waves", wave(35, 0.0), wave(35, 1.0)),
+        ("large waves", wave(319, 0.2), wave(319, 0.7)),
+        ("strip", grid(1, [100_001, 2], |u, v| Point3::new(10.0 * u, 10.0 * v, 0.1 * u)), wave(35, 0.0)),
+        ("next to each other", wave(12, 0.0), wave(13, 0.0)),
+        ("the same", wave(100, 0.0), wave(100, 0.0)),
+    ] {
+        let asked = AtomicUsize::new(0);
+        let patience = Patience::new(move || asked.fetch_add(1, Ordering::Relaxed) < 20_000);
+        work::most();
+        let met = patience.during(|| surface_surface(&a, &b, &tolerance()));
+        let most = work::most();
+        println!("{name}: {most} units at most, {}", met.is_ok());
+        assert!(most <= MOST, "{name}: {most}");
+    }
 }
 
 #[test]

@@ -123,7 +123,7 @@ pub struct SurfaceMeeting {
 /// The curves in which two NURBS surfaces meet, and the places in which they touch.
 ///
 /// # Method
-/// Both surfaces are cut at their kinks. Pairs of Bézier patches are divided until their hulls are proved apart, or
+/// Both surfaces are cut at their kinks, where a branch that turns ends and another begins. Pairs of Bézier patches are divided until their hulls are proved apart, or
 /// bounds on their derivatives prove that their common curve is a graph over a direction. Curves begin at the common
 /// points of the sides with the other surface ([`curve_surface`](super::curve_surface())) and, for loops, in pairs of parts
 /// that no curve runs through yet; each is followed by steps within boxes that are proved to hold that curve alone. In the
@@ -230,11 +230,9 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     let mut charts: [Vec<Chart>; 2] = [Vec::new(), Vec::new()];
     for (s, own) in charts.iter_mut().enumerate() {
         let other = whole[1 - s].nurbs().hull_box();
-        for piece in smooth_pieces(whole[s].nurbs())? {
-            patience::check()?;
-            if piece.hull_box().distance_to_box(&other) <= reach {
-                own.push(Chart::new(piece)?);
-            }
+        let wanted = |piece: &NurbsSurface| piece.hull_box().distance_to_box(&other) <= reach;
+        for piece in smooth_pieces(whole[s].nurbs(), &wanted)? {
+            own.push(Chart::new(piece)?);
         }
     }
     if charts[0].len().saturating_mul(charts[1].len()) > MOST_PIECES {
@@ -259,7 +257,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
                 continue;
             }
             let mut curves = Curves { found: Vec::new(), limits, complete: true };
-            curves.add_from_sides(&search)?;
+            curves.add_from_sides(&mut search)?;
             curves.add_from_leaves(&mut search, places.leaves)?;
             out.complete &= curves.complete;
             let mut contacts = contacts::contacts(&part, &places.undecided, limit);
@@ -364,5 +362,9 @@ mod exact_tests;
 mod families;
 #[cfg(test)]
 mod limits_tests;
+#[cfg(test)]
+mod random_tests;
+#[cfg(test)]
+mod steady_tests;
 #[cfg(test)]
 mod tests;

@@ -1,12 +1,14 @@
 //! Where two surfaces may meet: pairs of parts, until each is proved to hold no common point, or at most one curve.
 
+use super::super::curve_surface::{MOST_VISITS, curve_parts};
 use super::super::judge::separated;
 use super::super::patch_tree::{PatchNode, PatchTree};
 use super::area::{Area, Lies};
 use super::overlap::{self, Overlaps};
+use crate::intersect::SurfaceIntersections;
 use crate::trace::thresholds::{AT_BORDER, MET, TINY};
 use crate::trace::{Box4, Pair};
-use crate::{Result, Vector3, patience};
+use crate::{Curve, Result, Vector3, patience};
 
 /// A pair of parts whose common curve, if there is one, is a graph over a direction.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +41,7 @@ const MOST_PAIRS: usize = 400_000;
 /// The search over two surfaces.
 pub(super) struct Search<'a> {
     pub(super) pair: Pair<'a>,
-    trees: [PatchTree; 2],
+    trees: [PatchTree<'a>; 2],
     /// Parts that are smaller are not divided to prove something.
     smallest: f64,
     /// An area that is known to be common.
@@ -51,10 +53,20 @@ impl<'a> Search<'a> {
         let [a, b] = pair.charts;
         Ok(Self {
             pair,
-            trees: [PatchTree::new(a.nurbs())?, PatchTree::new(b.nurbs())?],
+            trees: [PatchTree::over(a.nurbs(), a.nets())?, PatchTree::over(b.nurbs(), b.nets())?],
             smallest,
             area: None,
         })
+    }
+
+    /// What a curve has in common with one of the surfaces.
+    pub(super) fn meets(&mut self, curve: &Curve, s: usize, tolerance: f64) -> SurfaceIntersections {
+        let chart = self.pair.charts[s];
+        let empty = PatchTree::without_parts(chart.nurbs(), chart.nets());
+        let tree = std::mem::replace(&mut self.trees[s], empty);
+        let (found, tree) = curve_parts(curve, chart.nurbs(), tree, tolerance, MOST_VISITS);
+        self.trees[s] = tree;
+        found
     }
 
     /// Divides all pairs of one size together, the larger part first. Where many cannot be told, common areas are looked for,
@@ -183,7 +195,11 @@ impl<'a> Search<'a> {
         if a.patch().is_none() || b.patch().is_none() {
             return false;
         }
+        patience::worked(self.trees[0].points(a).len() / 2 + 1);
         let hulls = [(0, a), (1, b)].map(|(s, node)| hull(self.trees[s].points(node)));
+        if (a.is_loose() || b.is_loose()) && boxes_apart(&hulls, reach) {
+            return true;
+        }
         let [m, n] = [0, 1].map(|s| corner_normal(&hulls[s], self.trees[s].counts));
         let along = m.cross(n);
         [m, n, along, m.cross(along), n.cross(along)]
@@ -227,6 +243,17 @@ impl<'a> Search<'a> {
 /// Control points in space.
 pub(super) fn hull(points: &[[f64; 4]]) -> Vec<Vector3> {
     points.iter().map(|p| Vector3::new(p[0] / p[3], p[1] / p[3], p[2] / p[3])).collect()
+}
+
+/// Whether the boxes of two sets of points are further apart than `reach` along an axis.
+pub(super) fn boxes_apart(hulls: &[Vec<Vector3>; 2], reach: f64) -> bool {
+    let range = |s: usize, axis: fn(&Vector3) -> f64| {
+        hulls[s].iter().map(axis).fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
+    };
+    [|p: &Vector3| p.x, |p: &Vector3| p.y, |p: &Vector3| p.z].into_iter().any(|axis| {
+        let [a, b] = [range(0, axis), range(1, axis)];
+        a[0] > b[1] + reach || b[0] > a[1] + reach
+    })
 }
 
 /// The normal of a part by its corners.
