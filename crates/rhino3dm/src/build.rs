@@ -2,8 +2,9 @@
 
 use uuid::Uuid;
 
-use crate::model::{Model, ModelObject, UnitScale};
-use crate::{Block, Group, Layer, Material, ObjectMode, settings};
+use crate::model::{Model, ModelObject};
+use crate::unit_scale::{UnitScale, unit_number};
+use crate::{Block, Group, Layer, Material, ObjectMode};
 
 /// What stands between the names of a layer and its parent.
 const SEPARATOR: &str = "::";
@@ -133,7 +134,7 @@ impl Model {
         let blocks: Vec<Uuid> = self.blocks.iter().map(|block| block.id).collect();
         let id = unused_id("block", &name, self.blocks.len(), &blocks);
         let units = self.unit_scale.clone().unwrap_or_else(|| {
-            let (number, metres) = settings::unit_number(self.units);
+            let (number, metres) = unit_number(self.units);
             UnitScale { number, name: String::new(), metres }
         });
         self.blocks.push(Block { id, name, members: ids, units, ..Block::default() });
@@ -153,7 +154,7 @@ fn unused_id(kind: &str, name: &str, number: usize, known: &[Uuid]) -> Uuid {
     let mut number = number as u64;
     loop {
         let text = format!("{kind}\0{name}");
-        let id = crate::write::made_id(number, text.as_bytes());
+        let id = crate::ids::made_id(number, text.as_bytes());
         if !known.contains(&id) {
             return id;
         }

@@ -1,4 +1,4 @@
-use crate::ChunkPath;
+use crate::chunk_path::ChunkPath;
 
 /// The crate's result.
 pub type Result<T> = std::result::Result<T, Error>;

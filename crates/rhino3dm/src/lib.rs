@@ -29,12 +29,17 @@
 
 mod attributes;
 mod build;
+mod choices;
 mod chunk;
+mod chunk_path;
 mod class_ids;
+mod class_object;
 mod colour;
 mod compressed;
 mod crc;
+mod earth;
 mod error;
+mod ids;
 mod items;
 mod limits;
 mod loss;
@@ -42,6 +47,7 @@ mod model;
 mod object;
 mod outline;
 mod overlay;
+mod places;
 mod planar;
 mod primitives;
 mod properties;
@@ -52,21 +58,24 @@ mod settings;
 mod styles;
 mod tables;
 mod typecode;
+mod unit_scale;
 mod user_table;
 mod v1;
 mod validity;
+mod values;
 mod version;
+mod views;
 mod write;
 
-pub use attributes::{
-    ActiveSpace, Arrowheads, Attributes, Clipping, LinetypeChoice, ObjectMode, Source, StringsHistory,
-};
-pub use chunk::ChunkPath;
+pub use attributes::{Attributes, StringsHistory};
+pub use choices::{ActiveSpace, Arrowheads, Clipping, LinetypeChoice, ObjectMode, Source};
+pub use chunk_path::ChunkPath;
+pub use class_object::UserData;
 pub use compressed::StoredBuffer;
 pub use error::{Error, Result, Warning, WarningKind};
 pub use limits::Limits;
 pub use loss::Loss;
-pub use model::{Model, ModelObject, UnitScale};
+pub use model::{Model, ModelObject};
 pub use object::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, BareSurface,
     BlockReference, BrepEdge, BrepObject, BrepSummary, CachedMesh, ClippingPlane, CurvatureStatistics,
@@ -74,13 +83,12 @@ pub use object::{
     LightStyle, Localizer, MappingTag, MeshObject, MeshParameters, MorphControl, MorphShape, Ngon, NurbsCage,
     NurbsForm, NurbsSurfaceForm, Object, OnData, PackRectangle, Participants, PointCloud, RawObject,
     Solidity, StoredEdge, StoredFace, StoredPart, StoredVertex, StyleOverrides, SubDLevel, SubDMeshing,
-    SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent, TextDot, UserData,
+    SubDObject, SubDPacking, SubDReference, SurfaceForm, TextContent, TextDot,
 };
 pub use outline::{Outline, OutlineChunk, OutlineContent, OutlineCrc, outline};
 pub use overlay::{
-    ConstructionPlane, DimensionStyle, EarthAnchor, EmbeddedFile, EmbeddedForm, HistoryRecord, HistoryValue,
-    HistoryValues, MappingKind, ObjectReference, PageSettings, TextStyle, TextureMapping, View,
-    ViewProjection,
+    DimensionStyle, EarthAnchor, EmbeddedFile, EmbeddedForm, HistoryRecord, HistoryValue, HistoryValues,
+    MappingKind, ObjectReference, PageSettings, TextStyle, TextureMapping,
 };
 pub use planar::StoredPlane;
 pub use properties::{NotesWindow, Preview, Properties, Revision, Time};
@@ -91,5 +99,7 @@ pub use tables::{
     KeptRecord, Layer, LineCap, LineJoin, Linetype, LinetypeSegment, LinkedBlock, MappingReference, Material,
     MaterialReference, Rendering, SectionStyle, Table, Texture, TextureKind,
 };
+pub use unit_scale::UnitScale;
 pub use user_table::UserTable;
 pub use validity::Validity;
+pub use views::{ConstructionPlane, View, ViewProjection};

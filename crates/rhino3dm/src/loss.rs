@@ -31,7 +31,7 @@ impl Model {
     pub fn losses(&self, version: i32) -> Result<Vec<Loss>> {
         let target = Version::for_writing(version)?;
         let mut losses: Vec<Loss> = Vec::new();
-        let styles = Styles::of(self, target);
+        let styles = Styles::of(&self.kept, self.unit(), target);
         let kept = self.kept.iter().filter(|record| !styles.replaces(record.table));
         let objects = self.lights.iter().chain(&self.objects);
         for record in kept.chain(objects.filter_map(|object| object.history.as_deref())) {

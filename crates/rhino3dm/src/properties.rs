@@ -1,7 +1,6 @@
 //! The properties table (section 5): who wrote the archive, when, and with what notes.
 
 use crate::chunk::{Chunk, Reader, Writer};
-use crate::model::Model;
 use crate::{Result, StoredBuffer, typecode};
 
 /// What an archive says of itself besides its notes and its application.
@@ -144,9 +143,13 @@ impl Preview {
 }
 
 /// Reads one record of the table; gives whether it was one that is known.
-pub(crate) fn read(record: &Chunk<'_>, model: &mut Model) -> Result<bool> {
+pub(crate) fn read(
+    record: &Chunk<'_>,
+    properties: &mut Properties,
+    notes: &mut String,
+    application: &mut String,
+) -> Result<bool> {
     let mut body = record.body.clone();
-    let properties = &mut model.properties;
     match record.typecode {
         typecode::FILE_NAME => properties.file_name = body.string("file name")?,
         typecode::REVISION => properties.revision = Some(Revision::read(&mut body)?),
@@ -156,7 +159,7 @@ pub(crate) fn read(record: &Chunk<'_>, model: &mut Model) -> Result<bool> {
             let (_, minor) = body.packed_version(WHAT)?;
             let window = &mut properties.notes_window;
             window.html = body.i32(WHAT)? != 0;
-            model.notes = body.string(WHAT)?;
+            *notes = body.string(WHAT)?;
             window.visible = body.i32(WHAT)? != 0;
             for edge in &mut window.frame {
                 *edge = body.i32(WHAT)?;
@@ -168,7 +171,7 @@ pub(crate) fn read(record: &Chunk<'_>, model: &mut Model) -> Result<bool> {
         typecode::APPLICATION => {
             const WHAT: &str = "application";
             body.packed_version(WHAT)?;
-            model.application = body.string(WHAT)?;
+            *application = body.string(WHAT)?;
             properties.application_url = body.string(WHAT)?;
             properties.application_details = body.string(WHAT)?;
         }
@@ -178,9 +181,14 @@ pub(crate) fn read(record: &Chunk<'_>, model: &mut Model) -> Result<bool> {
     Ok(true)
 }
 
-/// Writes the records of the table behind the version.
-pub(crate) fn write(model: &Model, w: &mut Writer) -> Result<()> {
-    let properties = &model.properties;
+/// Writes the records of the table behind the version; a new model without an application gets ours.
+pub(crate) fn write(
+    properties: &Properties,
+    notes: &str,
+    application: &str,
+    is_new: bool,
+    w: &mut Writer,
+) -> Result<()> {
     if !properties.file_name.is_empty() {
         w.chunk(typecode::FILE_NAME, |w| w.string(&properties.file_name))?;
     }
@@ -188,11 +196,11 @@ pub(crate) fn write(model: &Model, w: &mut Writer) -> Result<()> {
         w.chunk(typecode::REVISION, |w| revision.write(w))?;
     }
     let window = &properties.notes_window;
-    if !model.notes.is_empty() || *window != NotesWindow::default() {
+    if !notes.is_empty() || *window != NotesWindow::default() {
         w.chunk(typecode::NOTES, |w| {
             w.packed_version(1, 1);
             w.i32(i32::from(window.html));
-            w.string(&model.notes)?;
+            w.string(notes)?;
             w.i32(i32::from(window.visible));
             window.frame.iter().for_each(|edge| w.i32(*edge));
             w.bool(window.locked);
@@ -205,12 +213,12 @@ pub(crate) fn write(model: &Model, w: &mut Writer) -> Result<()> {
     w.chunk(typecode::APPLICATION, |w| {
         w.packed_version(1, 0);
         // A model that was read keeps what it says, be it nothing.
-        if model.application.is_empty() && model.archive_version == 0 {
+        if application.is_empty() && is_new {
             w.string("Katydid")?;
             w.string("")?;
             return w.string(env!("CARGO_PKG_VERSION"));
         }
-        w.string(&model.application)?;
+        w.string(application)?;
         w.string(&properties.application_url)?;
         w.string(&properties.application_details)
     })

@@ -5,7 +5,7 @@
 //! does not come out are given up, so that nothing is ever guessed. Derived from the layout of chunks (section 2).
 
 use crate::chunk::{Context, Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Limits, typecode};
 

@@ -1,7 +1,7 @@
 //! Render settings (section 5), in their two layouts.
 
 use crate::chunk::{Reader, Writer};
-use crate::tables::values::{read_colour, write_colour};
+use crate::values::{read_colour, write_colour};
 use crate::{Error, Result, typecode};
 
 /// How a model is rendered. Colours are red, green, blue, alpha; numbers without names are those of archives.

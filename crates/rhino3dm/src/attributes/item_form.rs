@@ -7,11 +7,11 @@ use super::{
     ActiveSpace, Arrowheads, Attributes, BLACK, Clipping, LinetypeChoice, ObjectMode, Source, write_place,
 };
 use crate::chunk::{Reader, Writer};
-use crate::tables::values::{
+use crate::tables::{Linetype, Rendering, SectionStyle};
+use crate::values::{
     read_colour, read_id_list, read_id_pairs, read_matrix, write_colour, write_id_list, write_id_pairs,
     write_matrix,
 };
-use crate::tables::{Linetype, Rendering, SectionStyle};
 use crate::{Error, Result};
 
 const WHAT: &str = "object attributes";

@@ -1,18 +1,17 @@
 //! Object attributes (section 7): identity, name, layer, colour, visibility, groups, print settings, user data.
 
-mod choices;
 mod item_form;
 mod old_form;
 
-pub use choices::{ActiveSpace, Arrowheads, Clipping, LinetypeChoice, ObjectMode, Source};
+use crate::choices::{ActiveSpace, Arrowheads, Clipping, LinetypeChoice, ObjectMode, Source, write_place};
 
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
-use crate::read::Places;
-use crate::tables::values::IDENTITY;
+use crate::class_object::UserData;
+use crate::places::Places;
 use crate::tables::{Linetype, Rendering, SectionStyle};
+use crate::values::IDENTITY;
 use crate::version::Version;
 use crate::{Result, class_ids, typecode};
 
@@ -262,16 +261,5 @@ impl Attributes {
         }
         all.extend(self.user_data.iter().filter(|data| data.class != class_ids::USER_STRINGS).cloned());
         Ok(all)
-    }
-}
-
-/// Writes the place of an entry as its number, −1 for none.
-pub(crate) fn write_place(place: Option<usize>, what: &str, w: &mut Writer) -> Result<()> {
-    match place {
-        Some(place) => w.count(place, what),
-        None => {
-            w.i32(-1);
-            Ok(())
-        }
     }
 }

@@ -2,11 +2,12 @@
 
 use uuid::{Uuid, uuid};
 
+use super::Attributes;
 use super::item_form::{read_groups, write_groups};
-use super::{ActiveSpace, Arrowheads, Attributes, LinetypeChoice, ObjectMode, Source, write_place};
+use crate::choices::{ActiveSpace, Arrowheads, LinetypeChoice, ObjectMode, Source, write_place};
 use crate::chunk::{Reader, Writer};
 use crate::tables::Rendering;
-use crate::tables::values::{read_colour, read_id_pairs, write_colour, write_id_pairs};
+use crate::values::{read_colour, read_id_pairs, write_colour, write_id_pairs};
 use crate::{Error, Result};
 
 const WHAT: &str = "object attributes";

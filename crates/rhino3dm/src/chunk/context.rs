@@ -1,6 +1,6 @@
 use std::cell::{Cell, RefCell};
 
-use super::ChunkPath;
+use crate::chunk_path::ChunkPath;
 use crate::{Error, Limits, Result, Warning, WarningKind, typecode};
 
 /// How much compressed buffers may inflate to whatever the size of the archive.

@@ -2,12 +2,10 @@
 //! either data (short chunk) or a body length (long chunk), and for many long chunks a CRC at the end.
 
 mod context;
-mod path;
 mod reader;
 mod writer;
 
 pub(crate) use context::Context;
-pub use path::ChunkPath;
 pub(crate) use reader::{Chunk, Reader};
 pub(crate) use writer::Writer;
 

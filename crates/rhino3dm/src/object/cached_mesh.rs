@@ -1,8 +1,9 @@
 //! Meshes that programs keep beside breps and extrusions, so that they need not be made again for display.
 
-use super::{ClassObject, Object, UserData};
+use super::Object;
 use crate::Result;
 use crate::chunk::{Reader, Writer};
+use crate::class_object::{ClassObject, UserData};
 
 /// A mesh kept beside another object.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,9 @@ use katydid_geometry::{Curve, Point3, PolylineCurve, Vector3};
 
 use super::curve::{self, CurveForm};
 use crate::chunk::{Reader, Writer};
-use crate::overlay::PlainView;
 use crate::recode::recode;
 use crate::version::Version;
+use crate::views::PlainView;
 use crate::{Error, Result, class_ids, typecode};
 
 /// A window of a page into the model.

@@ -4,8 +4,9 @@ use katydid_geometry::Point2;
 use uuid::Uuid;
 
 use super::curve::{self, CurveForm};
-use super::{UserData, major_1};
+use super::major_1;
 use crate::chunk::{Reader, Writer};
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Error, Result, StoredPlane, class_ids};
 

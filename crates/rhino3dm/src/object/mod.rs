@@ -5,7 +5,6 @@ mod annotation;
 mod block_reference;
 mod brep;
 mod cached_mesh;
-mod class_object;
 mod clipping_plane;
 mod curve;
 mod detail_view;
@@ -24,7 +23,6 @@ mod restated;
 mod subd;
 mod surface;
 mod text_dot;
-mod user_data;
 
 pub use annotation::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Dimension,
@@ -48,6 +46,7 @@ pub use nurbs_cage::NurbsCage;
 pub use on_data::OnData;
 pub use point_cloud::PointCloud;
 pub use raw::RawObject;
+pub(crate) use raw::object_version;
 pub(crate) use restated::{Surroundings, restated};
 pub use subd::{
     PackRectangle, Reference as SubDReference, StoredEdge, StoredFace, StoredPart, StoredVertex, SubDLevel,
@@ -55,13 +54,11 @@ pub use subd::{
 };
 pub use surface::{NurbsSurfaceForm, SurfaceForm};
 pub use text_dot::TextDot;
-pub use user_data::UserData;
 
 /// The dimension of curves in space.
 pub(crate) const SPACE_DIMENSION: i32 = curve::SPACE;
 
 pub(crate) use brep::{Reading as BrepReading, read_trim as brep_trim};
-pub(crate) use class_object::{ClassObject, write_class, write_null};
 
 use std::borrow::Cow;
 
@@ -69,7 +66,8 @@ use katydid_geometry::{Curve, Mesh, Plane, Point3, Surface};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
-use crate::read::Places;
+use crate::class_object::{ClassObject, UserData, write_class};
+use crate::places::Places;
 use crate::styles::Styles;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};

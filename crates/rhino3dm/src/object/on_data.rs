@@ -1,10 +1,11 @@
 //! The form in which openNURBS objects travel outside archives: Grasshopper files, rhino3dm JSON (section 9).
 
-use super::{ClassObject, Object, Surroundings, UserData, restated};
+use super::{Object, Surroundings, restated};
 use crate::chunk::{Context, Reader, Writer};
+use crate::class_object::{ClassObject, UserData};
 use crate::styles::Styles;
 use crate::version::Version;
-use crate::{Limits, ModelObject, Result};
+use crate::{Limits, Result};
 
 /// An object with the versions it was written under: the members `archive3dm`, `opennurbs` and `data` of the
 /// JSON and .NET forms, whose fourth member `version` is always 10000.
@@ -40,7 +41,7 @@ impl Object {
         self.on_data_with(archive3dm, &[])
     }
 
-    fn on_data_with(&self, archive3dm: i32, user_data: &[UserData]) -> Result<OnData> {
+    pub(crate) fn on_data_with(&self, archive3dm: i32, user_data: &[UserData]) -> Result<OnData> {
         if let Self::Kept(raw) = self {
             return Ok(OnData {
                 archive3dm: raw.archive_version,
@@ -54,30 +55,5 @@ impl Object {
         let (object, user_data) = restated(self, user_data, around, version)?;
         object.write(&mut w, &user_data)?;
         Ok(OnData { archive3dm, opennurbs: version.opennurbs.cast_signed(), data: w.into_bytes() })
-    }
-}
-
-impl ModelObject {
-    /// Reads the object of a JSON or .NET form as [`Object::from_on_data`] does, its user data with it. Such forms
-    /// have no attributes.
-    ///
-    /// # Errors
-    /// As [`Object::from_on_data`].
-    pub fn from_on_data(archive3dm: i32, opennurbs: i32, data: &[u8]) -> Result<Self> {
-        let context = Context::new(&Limits::default());
-        let version = super::raw::object_version(archive3dm, opennurbs.cast_unsigned())?;
-        let class = ClassObject::read(&mut Reader::new(data, version, &context))?;
-        let geometry = Object::from_class(&class)?;
-        let beside = !matches!(geometry, Object::Kept(_));
-        let user_data = class.user_data.into_iter().filter(|data| beside && !geometry.holds(data)).collect();
-        Ok(Self { user_data, ..geometry.into() })
-    }
-
-    /// The object with its user data, without its attributes, in the form that travels outside archives.
-    ///
-    /// # Errors
-    /// As [`Object::to_on_data`].
-    pub fn to_on_data(&self, archive3dm: i32) -> Result<OnData> {
-        self.geometry.on_data_with(archive3dm, &self.user_data)
     }
 }

@@ -2,8 +2,9 @@
 
 use uuid::Uuid;
 
-use super::{ClassObject, Object, UserData};
+use super::Object;
 use crate::chunk::{Context, Reader, Writer};
+use crate::class_object::{ClassObject, UserData};
 use crate::version::Version;
 use crate::{Error, Limits, Result, Warning, class_ids};
 
@@ -20,6 +21,19 @@ pub struct RawObject {
     pub bytes: Vec<u8>,
     /// The user data in those bytes.
     pub user_data: Vec<UserData>,
+}
+
+impl ClassObject<'_> {
+    /// The object with its bytes, to be kept.
+    pub(crate) fn to_raw(&self) -> RawObject {
+        RawObject {
+            class: self.class,
+            archive_version: self.version.archive,
+            opennurbs_version: self.version.opennurbs,
+            bytes: self.bytes.to_vec(),
+            user_data: self.user_data.clone(),
+        }
+    }
 }
 
 impl RawObject {

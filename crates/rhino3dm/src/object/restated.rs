@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::{Object, UserData, annotation, extrusion, subd};
+use super::{Object, annotation, extrusion, subd};
 use crate::Result;
+use crate::class_object::UserData;
 use crate::styles::Styles;
 use crate::version::Version;
 

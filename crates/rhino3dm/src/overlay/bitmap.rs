@@ -3,9 +3,8 @@
 use uuid::{Uuid, uuid};
 
 use crate::chunk::{Context, Reader};
-use crate::model::Model;
-use crate::object::ClassObject;
-use crate::tables::{KeptRecord, Table};
+use crate::class_object::ClassObject;
+use crate::tables::KeptRecord;
 use crate::{Error, Limits, Preview, Result, UserTable};
 
 /// A file or an image inside an archive.
@@ -45,7 +44,7 @@ pub enum EmbeddedForm {
 
 const WHAT: &str = "embedded file";
 /// The table of the rendering program, and the version from which on files stand in it.
-const RENDERING: Uuid = uuid!("16592D58-4A2F-401D-BF5E-3B87741C1B1B");
+pub(crate) const RENDERING: Uuid = uuid!("16592D58-4A2F-401D-BF5E-3B87741C1B1B");
 const RENDERING_WITH_FILES: i32 = 4;
 /// The size that the header of a Windows bitmap begins with.
 const HEADER_SIZE: u32 = 40;
@@ -54,22 +53,8 @@ const IMAGE_FILE: Uuid = uuid!("772E6FC1-B17B-4FC4-8F54-5FDA511D76D2");
 const BITMAP: Uuid = uuid!("390465EB-3721-11D4-800B-0010830122F0");
 const NAMED_BITMAP: Uuid = uuid!("203AFC17-BCC9-44FB-A07B-7F5C31BD5ED9");
 
-impl Model {
-    /// The files and images inside the archive, as far as they can be read, in its order.
-    pub fn embedded_files(&self) -> Vec<EmbeddedFile<'_>> {
-        let records = self.kept.iter().filter(|record| record.table == Table::Bitmaps);
-        let mut files: Vec<_> =
-            records.filter_map(|record| EmbeddedFile::of(record).ok().flatten()).collect();
-        for table in self.user_tables.iter().filter(|table| table.plug_in == RENDERING) {
-            // What is broken ends the list; what came before it stays.
-            let _ = EmbeddedFile::add_of_rendering(table, &mut files);
-        }
-        files
-    }
-}
-
 impl<'a> EmbeddedFile<'a> {
-    fn of(record: &'a KeptRecord) -> Result<Option<Self>> {
+    pub(crate) fn of(record: &'a KeptRecord) -> Result<Option<Self>> {
         record.with_body(|body| {
             let object = ClassObject::read(body)?;
             let Some(mut body) = object.data else { return Ok(None) };
@@ -108,7 +93,7 @@ impl<'a> EmbeddedFile<'a> {
     }
 
     /// The files behind the description of the rendering program's settings.
-    fn add_of_rendering(table: &'a UserTable, files: &mut Vec<Self>) -> Result<()> {
+    pub(crate) fn add_of_rendering(table: &'a UserTable, files: &mut Vec<Self>) -> Result<()> {
         let context = Context::new(&Limits::default());
         let mut body = table.reader(&context);
         if body.i32(WHAT)? < RENDERING_WITH_FILES {

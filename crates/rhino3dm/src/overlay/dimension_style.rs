@@ -3,7 +3,7 @@
 use uuid::{Uuid, uuid};
 
 use crate::Result;
-use crate::object::ClassObject;
+use crate::class_object::ClassObject;
 use crate::tables::Component;
 
 /// How dimensions look: what they are called and their main sizes, in model units.
@@ -54,7 +54,7 @@ const TEXT_STYLE: Uuid = uuid!("4F0F51FB-35D0-4865-9998-6D2C6A99721D");
 const FACE: usize = 128;
 
 impl DimensionStyle {
-    pub(super) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
+    pub(crate) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
         const WHAT: &str = "dimension style";
         let Some(mut body) = object.data.clone() else { return Ok(None) };
         match object.class {
@@ -105,7 +105,7 @@ impl DimensionStyle {
 }
 
 impl TextStyle {
-    pub(super) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
+    pub(crate) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
         const WHAT: &str = "text style";
         let Some(mut body) = object.data.clone().filter(|_| object.class == TEXT_STYLE) else {
             return Ok(None);

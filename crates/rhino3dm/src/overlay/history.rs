@@ -4,8 +4,9 @@ use katydid_geometry::{Point3, Vector3, Xform};
 use uuid::{Uuid, uuid};
 
 use crate::chunk::Reader;
-use crate::object::{ClassObject, RawObject};
-use crate::tables::values::{read_colour, read_ids};
+use crate::class_object::ClassObject;
+use crate::object::RawObject;
+use crate::values::{read_colour, read_ids};
 use crate::{Error, Result, typecode};
 
 /// How objects came about: a command, what it took, and what it made.
@@ -77,7 +78,7 @@ const CLASS: Uuid = uuid!("ECD0FD2F-2088-49DC-9641-9CF7A28FFA6B");
 const FEATURE: i32 = 1;
 
 impl HistoryRecord {
-    pub(super) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
+    pub(crate) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
         let Some(mut body) = object.data.clone().filter(|_| object.class == CLASS) else { return Ok(None) };
         let (mut chunk, minor) = body.versioned_1(WHAT)?;
         let mut record = Self {
@@ -166,7 +167,7 @@ impl ObjectReference {
 mod tests {
     use super::*;
     use crate::chunk::Writer;
-    use crate::object::write_class;
+    use crate::class_object::write_class;
     use crate::tables::{KeptRecord, Table};
     use crate::version::Version;
     use crate::{Limits, Model};

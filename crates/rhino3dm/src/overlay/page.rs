@@ -2,11 +2,11 @@
 
 use katydid_geometry::{Point3, Tolerance, Units, Vector3};
 
-use super::earth::{EARTH_FROM, SAYS_UNSET};
 use crate::Result;
 use crate::chunk::Reader;
-use crate::model::{Model, UnitScale};
-use crate::settings::read_stored_units;
+use crate::earth::{EARTH_FROM, SAYS_UNSET};
+use crate::unit_scale::UnitScale;
+use crate::unit_scale::read_stored_units;
 
 /// What an archive says of its pages and of its place in the world.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,24 +49,13 @@ const WHAT: &str = "page settings";
 const UNSET: f64 = 1e300;
 
 impl PageSettings {
-    /// Pages of an archive that says nothing of them: like the model.
-    fn of_model(model: &Model) -> Self {
-        Self {
-            linetype_scale: 1.0,
-            units: model.units,
-            unit_scale: model.unit_scale.clone(),
-            tolerance: model.tolerance,
-            base_point: Point3::ORIGIN,
-            earth: None,
-        }
-    }
-
-    pub(super) fn read(body: &mut Reader<'_>, model: &Model) -> Result<Self> {
+    /// Reads a record; what it does not say is as in `of_model`.
+    pub(crate) fn read(body: &mut Reader<'_>, of_model: Self) -> Result<Self> {
         let (_, minor) = body.packed_version(WHAT)?;
         let linetype_scale = body.f64(WHAT)?;
         // The colour in print and the linetype of new objects, and where both come from.
         body.take(16, WHAT)?;
-        let mut page = Self { linetype_scale, ..Self::of_model(model) };
+        let mut page = Self { linetype_scale, ..of_model };
         if minor >= 1 {
             let (mut units, _) = body.versioned_1(WHAT)?;
             let stored = read_stored_units(&mut units)?;
@@ -115,6 +104,7 @@ impl EarthAnchor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Model;
     use crate::chunk::Writer;
     use crate::tables::{KeptRecord, Table};
     use crate::typecode;

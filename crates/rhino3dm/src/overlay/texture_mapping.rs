@@ -4,7 +4,8 @@ use katydid_geometry::Xform;
 use uuid::{Uuid, uuid};
 
 use crate::Result;
-use crate::object::{ClassObject, Object};
+use crate::class_object::ClassObject;
+use crate::object::Object;
 
 /// How images lie on objects: from a point on the object to a place in the image.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +76,7 @@ impl MappingKind {
 }
 
 impl TextureMapping {
-    pub(super) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
+    pub(crate) fn read(object: &ClassObject<'_>) -> Result<Option<Self>> {
         let Some(mut body) = object.data.clone().filter(|_| object.class == CLASS) else { return Ok(None) };
         let (mut chunk, minor) = body.versioned_1(WHAT)?;
         let id = chunk.uuid(WHAT)?;
@@ -109,7 +110,7 @@ mod tests {
 
     use super::*;
     use crate::chunk::Writer;
-    use crate::object::{write_class, write_null};
+    use crate::class_object::{write_class, write_null};
     use crate::tables::{KeptRecord, Table};
     use crate::version::Version;
     use crate::{Limits, Model, typecode};

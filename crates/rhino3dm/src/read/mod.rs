@@ -1,19 +1,19 @@
 //! Reading an archive: header, tables, records (sections 1, 5 and 7).
 
 mod header;
-mod places;
 mod records;
 mod tables;
 mod top;
 
 use crate::chunk::{Chunk, Context, Reader};
 use crate::model::Model;
+use crate::places::Places;
+use crate::unit_scale::read_units;
 use crate::user_table::UserTable;
 use crate::version::Version;
-use crate::{Error, Limits, Result, properties, settings, typecode, v1};
+use crate::{Error, Limits, Result, properties, typecode, v1};
 
 pub(crate) use header::{SIGNATURE, find as find_header};
-pub(crate) use places::{Numbers, Places};
 pub(crate) use records::RecordCodes;
 use records::read_record;
 use top::TopChunks;
@@ -138,7 +138,13 @@ impl Reading {
                     Ok(())
                 }
                 typecode::END_OF_TABLE => break,
-                _ => properties::read(&record, &mut self.model).map(|known| {
+                _ => properties::read(
+                    &record,
+                    &mut self.model.properties,
+                    &mut self.model.notes,
+                    &mut self.model.application,
+                )
+                .map(|known| {
                     if !known {
                         self.keep(typecode::PROPERTIES_TABLE, &record);
                     }
@@ -221,7 +227,7 @@ impl Reading {
 
     fn read_units(&mut self, record: &Chunk<'_>) -> Result<()> {
         let context = record.body.context();
-        let stored = settings::read_units(record.body.clone())?;
+        let stored = read_units(record.body.clone())?;
         let settings = &mut self.model.settings;
         [settings.length_display, settings.length_digits] = stored.display;
         settings.impossible_tolerances = stored.impossible;

@@ -1,8 +1,9 @@
 //! Records of the object and light tables (section 7): a class object, its attributes, their user data.
 
 use crate::chunk::Reader;
+use crate::class_object::ClassObject;
 use crate::model::ModelObject;
-use crate::object::{ClassObject, Object};
+use crate::object::Object;
 use crate::tables::{KeptRecord, Table};
 use crate::{Attributes, Error, Result, typecode};
 

@@ -1,8 +1,8 @@
 //! Reading the tables of entries: each record typed, or kept where that fails.
 
 use super::Reading;
-use super::places::Numbers;
 use crate::chunk::Chunk;
+use crate::places::Numbers;
 use crate::tables::{Entry, KeptRecord, Table, read_entry};
 use crate::{Result, typecode};
 

@@ -5,7 +5,7 @@ use uuid::Uuid;
 use super::TEXT_STYLE;
 use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, write_class};
+use crate::class_object::{ClassObject, write_class};
 
 /// What text is written in.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! How dimension styles show lengths: by units from version 60 on, by a format and a factor before.
 
-use crate::settings::unit_metres;
+use crate::unit_scale::unit_metres;
 
 /// How lengths are shown: as version 60 numbers it, and by what they are multiplied.
 #[derive(Debug, Clone, Copy, PartialEq)]

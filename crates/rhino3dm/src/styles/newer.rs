@@ -5,7 +5,7 @@ use uuid::Uuid;
 use super::{Font, NEWER, Style, overrides};
 use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, UserData, write_class};
+use crate::class_object::{ClassObject, UserData, write_class};
 use crate::tables::Component;
 
 const WHAT: &str = "dimension style";

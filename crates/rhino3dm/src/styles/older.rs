@@ -4,7 +4,7 @@ use uuid::{Uuid, uuid};
 
 use super::{Font, Length, OLDER, Style, field, overrides};
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, UserData, write_class};
+use crate::class_object::{ClassObject, UserData, write_class};
 use crate::version::Version;
 use crate::{Result, class_ids};
 

@@ -6,12 +6,10 @@ use uuid::Uuid;
 
 use super::{Font, Style, newer, older};
 use crate::chunk::{Context, Reader, Writer};
-use crate::model::Model;
-use crate::object::{Annotation, ClassObject, UserData};
-use crate::settings::unit_number;
+use crate::class_object::{ClassObject, UserData};
+use crate::ids::made_id;
 use crate::tables::{KeptRecord, Table};
 use crate::version::Version;
-use crate::write::made_id;
 use crate::{Limits, Result, typecode};
 
 /// The styles of a model that are of another form than those of the archive to be written, and where annotations
@@ -44,15 +42,14 @@ fn is_new(archive: i32) -> bool {
 }
 
 impl Styles {
-    /// The styles of a model for an archive of the given version.
-    pub(crate) fn of(model: &Model, version: Version) -> Self {
-        let unit = model.unit_scale.as_ref().map_or_else(|| unit_number(model.units).0, |scale| scale.number);
+    /// The styles among the kept records of a model with a unit, by its number, for an archive of the given version.
+    pub(crate) fn of(kept: &[KeptRecord], unit: i32, version: Version) -> Self {
         let mut styles = Self { unit, ..Self::default() };
-        let fonts: Vec<Option<Font>> = records(model, Table::TextStyles)
+        let fonts: Vec<Option<Font>> = records(kept, Table::TextStyles)
             .map(|record| record.with_class(Font::read_style).ok().flatten())
             .collect();
         let mut all_read = true;
-        for (record, place) in records(model, Table::DimensionStyles).zip(0..) {
+        for (record, place) in records(kept, Table::DimensionStyles).zip(0..) {
             let read = record.with_class(|object| {
                 let style = match newer::read(object)? {
                     Some(style) => Some(style),
@@ -81,13 +78,13 @@ impl Styles {
     }
 
     /// The place in the table of the style of an annotation, and the numbers that count for it: those of the style,
-    /// but for some of its own. Readers give annotations without a style that is there the current one.
-    pub(crate) fn of_annotation(&self, annotation: &Annotation) -> (i32, Style) {
-        let (place, style) = self.find(annotation.style).unzip();
+    /// but for some of its own, which are the bytes of a class object. Readers give annotations without a style that is there the current one.
+    pub(crate) fn of_annotation(&self, style: Uuid, own: Option<&[u8]>) -> (i32, Style) {
+        let (place, style) = self.find(style).unzip();
         let style = style.cloned().unwrap_or_default();
-        let own = annotation.overrides.as_ref().and_then(|overrides| {
+        let own = own.and_then(|bytes| {
             let context = Context::new(&Limits::default());
-            let mut reader = Reader::new(&overrides.bytes, Version::unstated(NEWEST), &context);
+            let mut reader = Reader::new(bytes, Version::unstated(NEWEST), &context);
             newer::read(&ClassObject::read(&mut reader).ok()?).ok()?
         });
         (place.unwrap_or(-1), own.map_or_else(|| style.clone(), |own| style.with(&own)))
@@ -136,13 +133,6 @@ impl Styles {
     }
 }
 
-fn records(model: &Model, table: Table) -> impl Iterator<Item = &KeptRecord> {
-    model.kept.iter().filter(move |record| record.table == table)
-}
-
-impl KeptRecord {
-    /// Runs `read` over the class object that the record holds.
-    pub(crate) fn with_class<T>(&self, read: impl FnOnce(&ClassObject<'_>) -> Result<T>) -> Result<T> {
-        self.with_body(|body| read(&ClassObject::read(body)?))
-    }
+fn records(kept: &[KeptRecord], table: Table) -> impl Iterator<Item = &KeptRecord> {
+    kept.iter().filter(move |record| record.table == table)
 }

@@ -2,11 +2,11 @@
 
 use uuid::{Uuid, uuid};
 
-use super::values::{read_box, read_ids, write_ids};
 use super::{Component, Entry, FileReference};
 use crate::chunk::{Reader, Writer};
-use crate::model::UnitScale;
-use crate::object::UserData;
+use crate::class_object::UserData;
+use crate::unit_scale::UnitScale;
+use crate::values::{read_box, read_ids, write_ids};
 use crate::version::Version;
 use crate::{Error, Result, class_ids, typecode};
 

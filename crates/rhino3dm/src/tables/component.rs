@@ -2,8 +2,8 @@
 
 use uuid::Uuid;
 
-use super::values::NO_NUMBER;
 use crate::chunk::{Reader, Writer};
+use crate::values::NO_NUMBER;
 use crate::{Error, Result};
 
 /// What an entry of a table says of itself.

@@ -4,7 +4,7 @@ use uuid::{Uuid, uuid};
 
 use super::Entry;
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
 use crate::{Error, Result};
 
 /// A group; the objects name it in their attributes.

@@ -2,10 +2,10 @@
 
 use uuid::{Uuid, uuid};
 
-use super::values::{read_pair, write_pair};
 use super::{Component, Entry};
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
+use crate::values::{read_pair, write_pair};
 use crate::{Error, Result, typecode};
 
 /// A pattern that hatches are filled with.

@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
-use crate::chunk::{Chunk, Writer};
-use crate::overlay::say_unset;
+use crate::chunk::{Chunk, Context, Reader, Writer};
+use crate::class_object::ClassObject;
+use crate::earth::say_unset;
 use crate::recode::recode;
 use crate::version::Version;
-use crate::{Result, typecode};
+use crate::{Limits, Result, typecode};
 
 /// The tables of an archive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -163,5 +164,28 @@ impl KeptRecord {
             Ok(body) => w.foreign_chunk(self.typecode, &body),
             Err(_) => Ok(()),
         }
+    }
+}
+
+impl KeptRecord {
+    /// Runs `read` over the class object that the record holds.
+    pub(crate) fn with_class<T>(&self, read: impl FnOnce(&ClassObject<'_>) -> Result<T>) -> Result<T> {
+        self.with_body(|body| read(&ClassObject::read(body)?))
+    }
+
+    /// Runs `read` over the body, its CRC left out.
+    pub(crate) fn with_body<T>(&self, read: impl FnOnce(&mut Reader<'_>) -> Result<T>) -> Result<T> {
+        self.with_body_in(&Context::new(&Limits::default()), read)
+    }
+
+    /// The same with limits and warnings of the caller's.
+    pub(crate) fn with_body_in<T>(
+        &self,
+        context: &Context,
+        read: impl FnOnce(&mut Reader<'_>) -> Result<T>,
+    ) -> Result<T> {
+        let version = Version { archive: self.archive_version, opennurbs: self.opennurbs_version };
+        let body = self.body.split_last_chunk::<4>().map_or(&[] as &[u8], |(body, _)| body);
+        read(&mut Reader::new(body, version, context))
     }
 }

@@ -3,12 +3,12 @@
 use uuid::Uuid;
 
 use super::rendering::{MaterialReference, read_materials, write_materials};
-use super::values::{read_colour, read_id_list, write_colour, write_id_list};
 use super::{Entry, Linetype, SectionStyle};
-use crate::attributes::{Clipping, LinetypeChoice, write_place};
+use crate::choices::{Clipping, LinetypeChoice, write_place};
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
-use crate::read::Places;
+use crate::class_object::UserData;
+use crate::places::Places;
+use crate::values::{read_colour, read_id_list, write_colour, write_id_list};
 use crate::{Error, Result, class_ids};
 
 /// A layer of a model. Colours are red, green, blue, alpha.

@@ -2,10 +2,10 @@
 
 use uuid::{Uuid, uuid};
 
-use super::values::{NO_NUMBER, read_pairs, write_pair};
 use super::{Component, Entry};
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
+use crate::values::{NO_NUMBER, read_pairs, write_pair};
 use crate::{Error, Result, typecode};
 
 /// How a line is drawn: a pattern of dashes and gaps, and the form of its ends.

@@ -3,10 +3,10 @@
 use uuid::{Uuid, uuid};
 
 use super::texture::{Texture, TextureKind};
-use super::values::{read_colour, write_colour};
 use super::{Component, Entry, FileReference};
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
+use crate::values::{read_colour, write_colour};
 use crate::{Error, Result, typecode};
 
 /// A material. Colours are red, green, blue, alpha. What makes it physically based is in its user data.

@@ -15,7 +15,6 @@ mod material;
 mod rendering;
 mod section_style;
 mod texture;
-pub(crate) mod values;
 
 pub use block::{Block, BlockSource, Checksum, LinkedBlock};
 pub use file_reference::{ContentHash, FileReference};
@@ -37,7 +36,7 @@ use std::borrow::Cow;
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, UserData, write_class};
+use crate::class_object::{ClassObject, UserData, write_class};
 use crate::version::Version;
 use crate::{Error, Result};
 

@@ -2,9 +2,9 @@
 
 use uuid::Uuid;
 
-use super::values::{IDENTITY, read_matrix, write_matrix};
 use crate::Result;
 use crate::chunk::{Reader, Writer};
+use crate::values::{IDENTITY, read_matrix, write_matrix};
 
 /// What rendering programs add to an object.
 #[derive(Debug, Clone, PartialEq)]

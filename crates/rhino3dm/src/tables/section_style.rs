@@ -4,9 +4,9 @@ use uuid::Uuid;
 
 use super::Component;
 use super::linetype::Linetype;
-use super::values::{NO_NUMBER, read_colours, write_colour};
 use crate::chunk::{Reader, Writer};
-use crate::read::Places;
+use crate::places::Places;
+use crate::values::{NO_NUMBER, read_colours, write_colour};
 use crate::{Error, Result};
 
 /// How an object looks where it is cut. What is nothing is as a program's default has it. Pairs of colours are

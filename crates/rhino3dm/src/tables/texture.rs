@@ -3,10 +3,10 @@
 use uuid::{Uuid, uuid};
 
 use super::FileReference;
-use super::values::{IDENTITY, read_colour, read_matrix, write_colour, write_matrix};
 use crate::Result;
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, UserData, write_class};
+use crate::class_object::{ClassObject, UserData, write_class};
+use crate::values::{IDENTITY, read_colour, read_matrix, write_colour, write_matrix};
 
 /// An image in a material.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,7 +7,8 @@ use uuid::Uuid;
 
 use crate::Result;
 use crate::chunk::{Context, Reader, Writer};
-use crate::object::{ClassObject, Object, write_class};
+use crate::class_object::{ClassObject, write_class};
+use crate::object::Object;
 use crate::version::Version;
 
 /// The version restated to: the first whose chunk lengths later ones share.

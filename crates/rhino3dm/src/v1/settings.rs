@@ -3,7 +3,8 @@
 use super::attributes::colour_bytes;
 use super::{text, typecode as code};
 use crate::chunk::Reader;
-use crate::{Layer, Model, Preview, Result, Revision, StoredBuffer, Time, colour, settings, typecode};
+use crate::unit_scale::stored_units;
+use crate::{Layer, Model, Preview, Result, Revision, StoredBuffer, Time, colour, typecode};
 
 const WHAT: &str = "units of version 1";
 /// The last unit that version 1 knows.
@@ -97,7 +98,7 @@ pub(super) fn read_units(mut body: Reader<'_>, model: &mut Model) -> Result<()> 
     let number = if (0..=LAST_UNIT).contains(&number) { number } else { 0 };
     // The angle comes last here, and second in later versions.
     let (absolute, relative, angle) = (body.f64(WHAT)?, body.f64(WHAT)?, body.f64(WHAT)?);
-    let stored = settings::stored_units(number, [absolute, angle, relative], None);
+    let stored = stored_units(number, [absolute, angle, relative], None);
     model.units = stored.units;
     model.unit_scale = stored.scale;
     model.tolerance = stored.tolerance;

@@ -8,9 +8,9 @@ use uuid::{Uuid, uuid};
 
 use super::{text, typecode as code};
 use crate::chunk::{Reader, Writer};
-use crate::overlay::{self, PlainPlane, PlainView, plane_of};
 use crate::tables::{KeptRecord, Table};
 use crate::version::Version;
+use crate::views::{self, PlainPlane, PlainView, plane_of};
 use crate::{Error, Result, StoredPlane, typecode};
 
 const WHAT: &str = "view";
@@ -49,15 +49,15 @@ impl Views {
 
     /// The records that later archives have for the lists, and the settings of pages, which version 1 has not.
     pub(super) fn into_records(self) -> Result<Vec<KeptRecord>> {
-        let mut records = vec![record(typecode::SETTINGS_ATTRIBUTES, overlay::write_plain_page)?];
+        let mut records = vec![record(typecode::SETTINGS_ATTRIBUTES, views::write_plain_page)?];
         if !self.named_planes.is_empty() {
             records.push(record(typecode::NAMED_PLANES, |w| {
-                list(&self.named_planes, overlay::PLANE, w, |plane, w| plane.write(w))
+                list(&self.named_planes, views::PLANE, w, |plane, w| plane.write(w))
             })?);
         }
         for (typecode, views) in [(typecode::NAMED_VIEWS, self.named_views), (typecode::VIEWS, self.views)] {
             if !views.is_empty() {
-                records.push(record(typecode, |w| list(&views, overlay::VIEW, w, |view, w| view.write(w)))?);
+                records.push(record(typecode, |w| list(&views, views::VIEW, w, |view, w| view.write(w)))?);
             }
         }
         Ok(records)

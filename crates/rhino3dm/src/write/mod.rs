@@ -1,10 +1,7 @@
 //! Writing an archive (section 10): header, comment, every table a reader asks for, end mark.
 
-mod ids;
 mod records;
 mod tables;
-
-pub(crate) use ids::made_id;
 
 use std::io::Write;
 

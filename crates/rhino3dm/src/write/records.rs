@@ -1,7 +1,7 @@
 //! The records of the object and light tables: a class object, its attributes, their user data.
 
-use super::ids::Ids;
 use crate::chunk::Writer;
+use crate::ids::Ids;
 use crate::model::ModelObject;
 use crate::object::{Surroundings, restated};
 use crate::read::RecordCodes;

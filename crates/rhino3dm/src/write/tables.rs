@@ -4,21 +4,21 @@ use std::borrow::Cow;
 
 use uuid::Uuid;
 
-use super::ids::Ids;
 use super::records::Records;
 use crate::chunk::Writer;
+use crate::ids::Ids;
 use crate::model::Model;
-use crate::settings::{self, StoredUnits};
 use crate::styles::Styles;
 use crate::tables::{Entry, Named, Table, write_entry};
+use crate::unit_scale::{StoredUnits, write_units};
 use crate::{Error, Layer, Result, properties, typecode};
 
 impl Model {
     pub(super) fn write_tables(&self, w: &mut Writer) -> Result<()> {
-        let styles = Styles::of(self, w.version());
+        let styles = Styles::of(&self.kept, self.unit(), w.version());
         self.table(w, Table::Properties, |w| {
             w.short(typecode::OPENNURBS_VERSION, i64::from(w.version().opennurbs));
-            properties::write(self, w)
+            properties::write(&self.properties, &self.notes, &self.application, self.archive_version == 0, w)
         })?;
         self.table(w, Table::Settings, |w| self.write_settings(w))?;
         self.table(w, Table::Bitmaps, |_| Ok(()))?;
@@ -76,7 +76,7 @@ impl Model {
                 display: [self.settings.length_display, self.settings.length_digits],
                 impossible: self.settings.impossible_tolerances,
             };
-            settings::write_units(&stored, w)
+            write_units(&stored, w)
         })?;
         self.settings.write(w)
     }

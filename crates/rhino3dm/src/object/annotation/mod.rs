@@ -25,8 +25,8 @@ pub(super) use version5::{class_of as class_of_5, is_version_5, read as read_5, 
 use katydid_geometry::{Point2, Vector2};
 use uuid::Uuid;
 
-use super::ClassObject;
 use crate::chunk::{Reader, Writer};
+use crate::class_object::ClassObject;
 use crate::{Error, Result, StoredPlane, class_ids};
 
 /// An annotation of version 6 or later.

@@ -5,7 +5,7 @@ use uuid::{Uuid, uuid};
 
 use super::version5::justify;
 use super::{Annotation, Annotation5, Annotation5Kind, AnnotationKind, Dimension, plain_text};
-use crate::object::UserData;
+use crate::class_object::UserData;
 use crate::styles::{Style, Styles};
 use crate::version::Version;
 use crate::{Result, StoredPlane, class_ids};
@@ -44,7 +44,8 @@ pub(in crate::object) fn to_older(
     in_model: bool,
     version: Version,
 ) -> Result<Option<(Annotation5, Vec<UserData>)>> {
-    let (place, style) = styles.of_annotation(annotation);
+    let (place, style) =
+        styles.of_annotation(annotation.style, annotation.overrides.as_ref().map(|own| own.bytes.as_slice()));
     let Some(parts) = Parts::of(annotation, &style) else { return Ok(None) };
     let is_text = matches!(annotation.kind, AnnotationKind::Text);
     // Text in the model takes the style's scale into its height: in version 5 it has another.

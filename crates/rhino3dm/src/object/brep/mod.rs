@@ -17,8 +17,9 @@ use katydid_geometry::brep::{Parts, Solidity};
 use katydid_geometry::{BoundingBox, Brep};
 
 use super::curve::{FLAT, SPACE};
-use super::{CachedMesh, CurveForm, SurfaceForm, UserData, cached_mesh};
+use super::{CachedMesh, CurveForm, SurfaceForm, cached_mesh};
 use crate::chunk::{Reader, Writer};
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Error, Result, class_ids, typecode};
 

@@ -4,7 +4,7 @@ use katydid_geometry::brep::{FaceSide, Parts, Region, RegionKind, Regions};
 use uuid::Uuid;
 
 use crate::chunk::{Reader, Writer};
-use crate::object::{ClassObject, write_class};
+use crate::class_object::{ClassObject, write_class};
 use crate::{Error, Result, class_ids};
 
 const WHAT: &str = "brep regions";

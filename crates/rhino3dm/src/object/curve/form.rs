@@ -4,7 +4,8 @@ use katydid_geometry::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, PolyCurv
 use katydid_geometry::{Error as Refusal, Point3};
 
 use super::{CurveOnSurface, NurbsForm};
-use crate::object::{UserData, is_frame};
+use crate::class_object::UserData;
+use crate::object::is_frame;
 
 type Kernel<T> = katydid_geometry::Result<T>;
 

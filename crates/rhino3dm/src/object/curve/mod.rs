@@ -15,8 +15,9 @@ pub use on_surface::CurveOnSurface;
 use katydid_geometry::Curve;
 use uuid::Uuid;
 
-use super::{ClassObject, UserData, major_1, write_class};
+use super::major_1;
 use crate::chunk::{Reader, Writer};
+use crate::class_object::{ClassObject, UserData, write_class};
 use crate::{Error, Result, class_ids};
 
 /// The dimension of curves in space.

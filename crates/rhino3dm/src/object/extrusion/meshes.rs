@@ -3,7 +3,8 @@
 use uuid::{Uuid, uuid};
 
 use crate::chunk::{Reader, Writer};
-use crate::object::{CachedMesh, UserData, write_null};
+use crate::class_object::{UserData, write_null};
+use crate::object::CachedMesh;
 use crate::version::Version;
 use crate::{Result, class_ids};
 

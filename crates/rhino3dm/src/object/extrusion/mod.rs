@@ -7,8 +7,9 @@ pub use meshes::ExtrusionMesh;
 
 use katydid_geometry::{Interval, Line, Vector3};
 
-use super::{CurveForm, UserData, curve};
+use super::{CurveForm, curve};
 use crate::chunk::{Reader, Writer};
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
 
@@ -115,7 +116,7 @@ pub(super) fn write(extrusion: &Extrusion, w: &mut Writer) -> Result<()> {
     w.versioned(1, if has_meshes { 3 } else { 2 }, |w| {
         match &extrusion.profile {
             Some(profile) => curve::write_object(profile, w)?,
-            None => super::write_null(w)?,
+            None => crate::class_object::write_null(w)?,
         }
         w.line(&extrusion.path);
         w.interval(extrusion.part);

@@ -2,9 +2,9 @@
 
 use super::{MeshObject, single};
 use crate::chunk::{Reader, Writer};
+use crate::class_object::UserData;
 use crate::compressed::Packed;
 use crate::items::bytes_of;
-use crate::object::UserData;
 use crate::version::Version;
 use crate::{Error, Result, class_ids};
 

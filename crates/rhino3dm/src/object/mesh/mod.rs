@@ -17,7 +17,8 @@ pub(super) use write::write;
 
 use katydid_geometry::{Interval, Mesh, MeshFace, Point3, Vector3};
 
-use super::{MappingTag, UserData};
+use super::MappingTag;
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Result, class_ids};
 

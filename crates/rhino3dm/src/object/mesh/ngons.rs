@@ -2,7 +2,7 @@
 //! a mesh, before in user data, which openNURBS carries on as it is.
 
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Result, class_ids};
 

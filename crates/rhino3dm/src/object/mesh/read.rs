@@ -2,8 +2,9 @@ use katydid_geometry::Interval;
 
 use super::{MeshObject, WHAT, double_vertices, ngons, parameters, statistics};
 use crate::chunk::Reader;
+use crate::class_object::UserData;
 use crate::items::Item;
-use crate::object::{MappingTag, UserData};
+use crate::object::MappingTag;
 use crate::{Error, Result, colour};
 
 /// Files from this openNURBS version on carry a mapping tag, and what follows it.

@@ -8,7 +8,7 @@ use uuid::{Uuid, uuid};
 
 use super::{SubDObject, WHAT, read, write};
 use crate::chunk::{Reader, Writer};
-use crate::object::UserData;
+use crate::class_object::UserData;
 use crate::version::Version;
 use crate::{Error, MeshObject, Ngon, Result, class_ids};
 

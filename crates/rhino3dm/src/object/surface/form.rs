@@ -6,8 +6,9 @@ use katydid_geometry::{
 };
 
 use super::NurbsSurfaceForm;
+use crate::class_object::UserData;
 use crate::object::curve::SPACE;
-use crate::object::{CurveForm, UserData, is_frame};
+use crate::object::{CurveForm, is_frame};
 
 type Kernel<T> = katydid_geometry::Result<T>;
 

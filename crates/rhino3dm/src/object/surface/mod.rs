@@ -12,8 +12,9 @@ pub use nurbs::NurbsSurfaceForm;
 use katydid_geometry::Surface;
 use uuid::Uuid;
 
-use super::{ClassObject, UserData, curve, major_1, write_class};
+use super::{curve, major_1};
 use crate::chunk::{Reader, Writer};
+use crate::class_object::{ClassObject, UserData, write_class};
 use crate::{Error, Result, class_ids};
 
 /// Whether a class, by its own identifier, is a surface that the kernel has.

@@ -6,7 +6,7 @@ use uuid::Uuid;
 
 /// The identifiers of a list of things.
 #[derive(Debug)]
-pub(super) struct Ids {
+pub(crate) struct Ids {
     taken: HashSet<Uuid>,
     /// The identifier that each thing keeps.
     own: Vec<Option<Uuid>>,
@@ -14,14 +14,14 @@ pub(super) struct Ids {
 
 impl Ids {
     /// Each thing keeps the identifier it wants, unless that is nil or one before wants it, too.
-    pub(super) fn of(wanted: impl ExactSizeIterator<Item = Uuid>) -> Self {
+    pub(crate) fn of(wanted: impl ExactSizeIterator<Item = Uuid>) -> Self {
         let mut taken = HashSet::with_capacity(wanted.len());
         let own = wanted.map(|id| (!id.is_nil() && taken.insert(id)).then_some(id)).collect();
         Self { taken, own }
     }
 
     /// The identifier of the thing in a place: its own, or one made from the place and some content.
-    pub(super) fn get(&self, place: usize, content: &[u8]) -> Uuid {
+    pub(crate) fn get(&self, place: usize, content: &[u8]) -> Uuid {
         if let Some(own) = self.own.get(place).copied().flatten() {
             return own;
         }

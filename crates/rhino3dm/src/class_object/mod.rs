@@ -1,8 +1,11 @@
 //! The wrapping of a class object (section 6): identifier, body, user data, end.
 
+mod user_data;
+
+pub use user_data::UserData;
+
 use uuid::Uuid;
 
-use super::{RawObject, UserData};
 use crate::chunk::{Reader, Writer};
 use crate::version::Version;
 use crate::{Error, Result, typecode};
@@ -15,8 +18,8 @@ pub(crate) struct ClassObject<'a> {
     pub(crate) data: Option<Reader<'a>>,
     pub(crate) user_data: Vec<UserData>,
     pub(crate) offset: usize,
-    version: Version,
-    bytes: &'a [u8],
+    pub(crate) version: Version,
+    pub(crate) bytes: &'a [u8],
 }
 
 impl<'a> ClassObject<'a> {
@@ -51,17 +54,6 @@ impl<'a> ClassObject<'a> {
             return Err(Error::malformed(offset, WHAT, "it has no body"));
         }
         Ok(object)
-    }
-
-    /// The object with its bytes, to be kept.
-    pub(crate) fn to_raw(&self) -> RawObject {
-        RawObject {
-            class: self.class,
-            archive_version: self.version.archive,
-            opennurbs_version: self.version.opennurbs,
-            bytes: self.bytes.to_vec(),
-            user_data: self.user_data.clone(),
-        }
     }
 }
 

@@ -1,12 +1,16 @@
 //! A model: what an archive holds, as far as this crate takes it apart.
 
+mod on_data;
+mod records;
+
 use std::collections::BTreeMap;
 
 use katydid_geometry::{Tolerance, Units};
 
+use crate::unit_scale::unit_number;
 use crate::{
     Attributes, Block, Group, HatchPattern, KeptRecord, Layer, Linetype, Material, Object, Properties,
-    Settings, UserData, UserTable, Warning,
+    Settings, UnitScale, UserData, UserTable, Warning,
 };
 
 /// A model with its layers and objects, read from an archive or to be written to one.
@@ -106,18 +110,12 @@ impl From<Object> for ModelObject {
     }
 }
 
-/// A length unit outside those the kernel has names for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UnitScale {
-    /// Its number in archives.
-    pub number: i32,
-    /// Its name.
-    pub name: String,
-    /// Its length in metres.
-    pub metres: f64,
-}
-
 impl Model {
+    /// The number in archives of the length unit.
+    pub(crate) fn unit(&self) -> i32 {
+        self.unit_scale.as_ref().map_or_else(|| unit_number(self.units).0, |scale| scale.number)
+    }
+
     /// How many objects there are of each class, lights included.
     pub fn counts(&self) -> BTreeMap<String, usize> {
         let mut counts = BTreeMap::new();

@@ -8,10 +8,10 @@ use crate::{Limits, Result};
 const UNSET: f64 = -1.234_321_012_343_21e308;
 
 /// Positions from this minor version on say by their value whether they are set; before, all zeros said it.
-pub(super) const SAYS_UNSET: i32 = 2;
+pub(crate) const SAYS_UNSET: i32 = 2;
 
 /// Settings records have a place on the Earth from this minor version on.
-pub(super) const EARTH_FROM: u8 = 3;
+pub(crate) const EARTH_FROM: u8 = 3;
 
 /// The settings record of an archive before version 60 for one of later: there a place at zero is set, and what is
 /// not set is another number. Bytes of a layout that is not known stay as they are.

@@ -4,7 +4,7 @@ use uuid::Uuid;
 
 use crate::Result;
 use crate::chunk::Writer;
-use crate::read::Numbers;
+use crate::places::Numbers;
 
 /// How an object takes part in a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,7 +21,7 @@ pub enum ObjectMode {
 }
 
 impl ObjectMode {
-    pub(super) fn from_code(code: u8) -> Self {
+    pub(crate) fn from_code(code: u8) -> Self {
         // The upper four bits are a display mode of old, which nothing shows.
         match code & 15 {
             1 => Self::Hidden,
@@ -31,7 +31,7 @@ impl ObjectMode {
         }
     }
 
-    pub(super) fn code(self) -> u8 {
+    pub(crate) fn code(self) -> u8 {
         match self {
             Self::Normal => 0,
             Self::Hidden => 1,
@@ -56,7 +56,7 @@ pub enum Source {
 }
 
 impl Source {
-    pub(super) fn from_code(code: u8) -> Self {
+    pub(crate) fn from_code(code: u8) -> Self {
         match code {
             1 => Self::Object,
             2 => Self::Display,
@@ -65,7 +65,7 @@ impl Source {
         }
     }
 
-    pub(super) fn code(self) -> u8 {
+    pub(crate) fn code(self) -> u8 {
         match self {
             Self::Layer => 0,
             Self::Object => 1,
@@ -129,11 +129,11 @@ const AT_START: u8 = 8;
 const AT_END: u8 = 16;
 
 impl Arrowheads {
-    pub(super) fn from_code(code: u8) -> Self {
+    pub(crate) fn from_code(code: u8) -> Self {
         Self { at_start: code & AT_START != 0, at_end: code & AT_END != 0 }
     }
 
-    pub(super) fn code(self) -> u8 {
+    pub(crate) fn code(self) -> u8 {
         (if self.at_start { AT_START } else { 0 }) | if self.at_end { AT_END } else { 0 }
     }
 }
@@ -151,7 +151,7 @@ pub enum ActiveSpace {
 }
 
 impl ActiveSpace {
-    pub(super) fn from_code(code: u8) -> Self {
+    pub(crate) fn from_code(code: u8) -> Self {
         match code {
             1 => Self::Model,
             2 => Self::Page,
@@ -159,7 +159,7 @@ impl ActiveSpace {
         }
     }
 
-    pub(super) fn code(self) -> u8 {
+    pub(crate) fn code(self) -> u8 {
         match self {
             Self::Model => 1,
             Self::Page => 2,
@@ -182,5 +182,16 @@ pub struct Clipping {
 impl Default for Clipping {
     fn default() -> Self {
         Self { none: false, planes: Vec::new(), planes_cut: true }
+    }
+}
+
+/// Writes the place of an entry as its number, −1 for none.
+pub(crate) fn write_place(place: Option<usize>, what: &str, w: &mut Writer) -> Result<()> {
+    match place {
+        Some(place) => w.count(place, what),
+        None => {
+            w.i32(-1);
+            Ok(())
+        }
     }
 }

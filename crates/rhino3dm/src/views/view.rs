@@ -10,9 +10,9 @@ use crate::chunk::Reader;
 pub(crate) const VIEW: u32 = 0x2000_803B;
 /// The chunk of a construction plane in a list or a view.
 pub(crate) const PLANE: u32 = 0x2000_813B;
-pub(super) const VIEWPORT: u32 = 0x2000_823B;
-pub(super) const TARGET: u32 = 0x2000_883B;
-pub(super) const NAME: u32 = 0x2000_8A3B;
+pub(crate) const VIEWPORT: u32 = 0x2000_823B;
+pub(crate) const TARGET: u32 = 0x2000_883B;
+pub(crate) const NAME: u32 = 0x2000_8A3B;
 
 /// A view of the model.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +70,7 @@ pub struct ConstructionPlane {
 const WHAT: &str = "view";
 
 impl View {
-    pub(super) fn read(body: &mut Reader<'_>) -> Result<Self> {
+    pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         let (origin, none) = (Point3::ORIGIN, Vector3::new(0.0, 0.0, 0.0));
         let mut view = Self {
             name: String::new(),
@@ -127,7 +127,7 @@ impl View {
 }
 
 impl ConstructionPlane {
-    pub(super) fn read(body: &mut Reader<'_>) -> Result<Self> {
+    pub(crate) fn read(body: &mut Reader<'_>) -> Result<Self> {
         const WHAT: &str = "construction plane";
         body.packed_version(WHAT)?;
         let plane = body.plane(WHAT)?;
