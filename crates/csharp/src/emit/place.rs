@@ -278,9 +278,15 @@ impl Emitter<'_> {
             }
             return Ok(());
         }
-        let place = self.place(place, Some(value))?;
         let v = self.alloc()?;
-        self.copied(value, Some(v))?;
+        let place = if self.is_of_variable(place) && self.sets_locals(value) {
+            self.copied(value, Some(v))?;
+            self.place(place, None)?
+        } else {
+            let place = self.place(place, Some(value))?;
+            self.copied(value, Some(v))?;
+            place
+        };
         self.pos = pos;
         self.store(&place, v)?;
         self.op(Op::Move { d, a: v });
@@ -290,10 +296,27 @@ impl Emitter<'_> {
     /// An assignment whose value nobody needs.
     fn assign_only(&mut self, place: &Expr, value: &Expr) -> Emitted<()> {
         let pos = self.pos;
+        if self.is_of_variable(place) && self.sets_locals(value) {
+            let v = self.fresh_copy(value)?;
+            let place = self.place(place, None)?;
+            self.pos = pos;
+            return self.store(&place, v);
+        }
         let place = self.place(place, Some(value))?;
         let v = self.copied(value, None)?;
         self.pos = pos;
         self.store(&place, v)
+    }
+
+    /// Whether a place is a field of a struct in a variable: it is the variable as the value leaves it.
+    fn is_of_variable(&mut self, place: &Expr) -> bool {
+        matches!(&place.kind, Kind::Field(Some(of), _) if self.is_struct_variable(of))
+    }
+
+    /// A value in a register that nothing else uses.
+    fn fresh_copy(&mut self, value: &Expr) -> Emitted<Reg> {
+        let d = self.alloc()?;
+        self.copied(value, Some(d))
     }
 
     pub(super) fn update_into(
@@ -315,6 +338,7 @@ impl Emitter<'_> {
             }
             return Ok(());
         }
+        let written = matches!(place.kind, Kind::Field(..)).then_some(place);
         let place = self.place(place, Some(value))?;
         if let (Place::Register(reg), false) = (&place, post) {
             // `i += 1` in the variable's own register.
@@ -333,6 +357,12 @@ impl Emitter<'_> {
         self.load(&place, old)?;
         self.held.insert(number, old);
         let v = self.copied(value, None)?;
+        let place = match written {
+            Some(written) if self.is_of_variable(written) && self.sets_locals(value) => {
+                self.place(written, None)?
+            }
+            _ => place,
+        };
         self.pos = pos;
         self.store(&place, v)?;
         self.op(Op::Move { d, a: if post { old } else { v } });

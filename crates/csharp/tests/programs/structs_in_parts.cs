@@ -158,6 +158,8 @@ class P
         V shared = new V(1, 1);
         Action grow = () => { shared.X *= 2; shared.Add(new V(1, 1)); };
         grow(); grow();
+        shared.Y = new V(1, 2) * shared++;
+        shared.X += shared++.Y;
         Console.WriteLine(shared);
         Func<V> fresh = () => { V inside = shared; inside.Y = 0; inside.Bump(); return inside; };
         Console.WriteLine(Call(fresh) + " " + shared);
