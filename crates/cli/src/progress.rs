@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use katydid_solver::{Listener, Progress};
 
 /// Solves shorter than this show nothing.
-const PATIENCE: Duration = Duration::from_millis(500);
+const WAIT: Duration = Duration::from_millis(500);
 /// The line changes at most this often.
 const PAUSE: u64 = 100;
 
@@ -23,7 +23,7 @@ pub(crate) fn listener() -> Option<Listener> {
         let elapsed = start.elapsed();
         let now = u64::try_from(elapsed.as_millis()).unwrap_or(u64::MAX);
         let last = shown.load(Ordering::Relaxed);
-        if elapsed < PATIENCE || now < last + PAUSE {
+        if elapsed < WAIT || now < last + PAUSE {
             return;
         }
         if shown.compare_exchange(last, now, Ordering::Relaxed, Ordering::Relaxed).is_ok() {

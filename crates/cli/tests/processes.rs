@@ -16,7 +16,7 @@ use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 
 /// Nothing takes longer on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const WAIT: Duration = Duration::from_secs(60);
 /// It takes a number and adds three.
 const SUM: &str =
     "katydid 1\na = Number Slider(2.0, 0..1000)\nsum = Addition(a, 3)\n\"RH_IN:a\": a\n\"RH_OUT:x\": sum\n";
@@ -63,7 +63,7 @@ impl Server {
 
     fn ask(&self, method: &str, path: &str, body: &[u8]) -> Answer {
         let mut stream = TcpStream::connect(&self.host).unwrap();
-        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+        stream.set_read_timeout(Some(WAIT)).unwrap();
         let length = body.len();
         write!(
             stream,
@@ -112,7 +112,7 @@ fn runs(process: u32) -> bool {
 }
 
 fn soon(what: &str, mut is_so: impl FnMut() -> bool) {
-    let end = Instant::now() + PATIENCE;
+    let end = Instant::now() + WAIT;
     while !is_so() {
         assert!(Instant::now() < end, "{what}");
         std::thread::sleep(Duration::from_millis(20));

@@ -2,7 +2,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use katydid_memory::Account;
 
 use crate::Message;
@@ -149,8 +149,8 @@ impl Budget {
     }
 
     /// The same for all that is done on one thread: what it takes meanwhile is counted for the object.
-    pub fn patience(&self) -> Patience {
-        Patience::of(self.waiting.clone())
+    pub fn token(&self) -> CancellationToken {
+        CancellationToken::of(self.waiting.clone())
     }
 
     /// Takes `n` items, before they are made.

@@ -181,7 +181,7 @@ fn iterate(call: &Call<'_>, access: &[Access], maker: Maker<'_, '_>, sizes: Size
     let total = matching.iterations();
 
     let run = |range: Range<usize>, trial: Trial| {
-        call.budget.patience().during(|| piece(call, &matching, range, maker, sizes, trial))
+        call.budget.token().during(|| piece(call, &matching, range, maker, sizes, trial))
     };
     let first = run(0..total, Trial::default());
     let cuts = if first.stopped.is_some() { Vec::new() } else { cut(&first, total) };

@@ -191,7 +191,7 @@ impl Trial {
             files: &self.files,
             model: self.model.as_ref(),
         };
-        budget.patience().during(|| (self.component.run)(&call))
+        budget.token().during(|| (self.component.run)(&call))
     }
 
     /// Runs it, and gives the texts of one output, a line a branch: `{0;1}: 2, 5`.

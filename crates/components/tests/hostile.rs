@@ -24,7 +24,7 @@ use katydid_geometry::{
 static ALLOCATOR: katydid_memory::Counting = katydid_memory::Counting;
 
 /// No component may take this long over a handful of items: it hangs.
-const PATIENCE: u64 = 60;
+const WAIT: u64 = 60;
 
 /// Numbers that are awkward as counts, lengths, parameters and exponents.
 const NUMBERS: [f64; 14] = [
@@ -216,7 +216,7 @@ impl Watch {
         std::thread::spawn(move || {
             loop {
                 let before = count.load(Ordering::Relaxed);
-                std::thread::sleep(Duration::from_secs(PATIENCE));
+                std::thread::sleep(Duration::from_secs(WAIT));
                 if count.load(Ordering::Relaxed) == before {
                     eprintln!("{} does not come to an end", name.lock().unwrap());
                     std::process::exit(1);
@@ -251,7 +251,7 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         files: &Default::default(),
         model: None,
     };
-    let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| budget.patience().during(|| (component.run)(&call))))
+    let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| budget.token().during(|| (component.run)(&call))))
     else {
         return Some("panics".into());
     };

@@ -5,7 +5,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use katydid_component::{Cancel, Files};
 use katydid_definition::archive::Limits;
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use katydid_solver::ScriptMaker;
 use uuid::Uuid;
 
@@ -249,7 +249,7 @@ impl Compute {
         let begin = Instant::now();
         let reply = solution.reply();
         let body = to_json(&reply)?;
-        if !Patience::has_room(body.len()) {
+        if !CancellationToken::has_room(body.len()) {
             return Err(Fault::failed("it was given up"));
         }
         let body: Arc<[u8]> = body.into();

@@ -1,6 +1,6 @@
 //! What rewrites paths and leaves the items where they are, and the joining of trees.
 
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 
 use crate::{Column, Path, Tree};
 
@@ -24,7 +24,9 @@ impl Tree {
     #[must_use]
     pub fn graft(&self) -> Self {
         // Whoever has this done looks whether to go on.
-        if !Patience::has_room(self.item_count().saturating_mul(size_of::<Path>() + size_of::<usize>())) {
+        if !CancellationToken::has_room(
+            self.item_count().saturating_mul(size_of::<Path>() + size_of::<usize>()),
+        ) {
             return Self::empty();
         }
         let mut paths = Vec::with_capacity(self.item_count());

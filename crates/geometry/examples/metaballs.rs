@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use katydid_geometry::isoline::Metaballs;
-use katydid_geometry::isosurface::{SoftBall, SoftBalls};
+use katydid_geometry::isosurface::{Metaball, MetaballField};
 use katydid_geometry::{Plane, Point3, Result};
 
 /// The most looks at balls, and the most faces.
@@ -33,14 +33,14 @@ fn main() -> Result<()> {
             );
         }
         let side = 1.3 * f64::from(count).cbrt();
-        let balls: Vec<SoftBall> = (0..count)
+        let balls: Vec<Metaball> = (0..count)
             .map(|_| {
                 let center = Point3::new(side * random(), side * random(), side * random());
-                SoftBall { center, radius: 0.5 + random(), strength: 1.0 }
+                Metaball { center, radius: 0.5 + random(), strength: 1.0 }
             })
             .collect();
         let clock = Instant::now();
-        let mesh = SoftBalls::new(&balls)?.mesh(0.9, 0.2, MANY, || true)?;
+        let mesh = MetaballField::new(&balls)?.mesh(0.9, 0.2, MANY, || true)?;
         let seconds = clock.elapsed().as_secs_f64();
         println!("{count} balls in space: {} faces, {seconds:.2} s", mesh.faces().len());
     }

@@ -34,7 +34,7 @@ pub enum Error {
         /// The reason.
         why: String,
     },
-    /// Nobody waits for the answer any more: `go_on` said no, or [`Patience`](crate::Patience) is over.
+    /// Nobody waits for the answer any more: `go_on` said no, or [`CancellationToken`](crate::CancellationToken) is over.
     #[error("the work was stopped")]
     Stopped,
     /// A boolean gave no result: the kind of case, the faces and the place.
@@ -49,6 +49,6 @@ impl Error {
     /// [`Error::Degenerate`] in one call. Where work was given up, what is wrong with a part of it is no fault of the
     /// input: it was stopped.
     pub(crate) fn degenerate(what: &'static str, why: &'static str) -> Self {
-        if crate::patience::was_given_up() { Self::Stopped } else { Self::Degenerate { what, why } }
+        if crate::cancellation::was_given_up() { Self::Stopped } else { Self::Degenerate { what, why } }
     }
 }

@@ -37,6 +37,7 @@ mod box3;
 mod box_pairs;
 mod box_tree;
 pub mod brep;
+mod cancellation;
 mod catenary;
 mod chart;
 mod circle;
@@ -67,7 +68,6 @@ mod moments;
 pub mod morph;
 mod nurbs;
 mod parallel;
-mod patience;
 mod plane;
 mod point;
 mod point2;
@@ -98,6 +98,7 @@ pub use bounding_box::BoundingBox;
 pub use box_pairs::BoxIndex;
 pub use box3::Box3;
 pub use brep::Brep;
+pub use cancellation::{CancellationToken, Waiting};
 pub use catenary::catenary;
 pub use circle::{Arc, Circle};
 pub use curve::{
@@ -128,7 +129,6 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
-pub use patience::{Patience, Waiting};
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
 pub use point2::Point2;

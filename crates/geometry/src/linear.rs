@@ -1,6 +1,6 @@
 //! Small dense linear algebra that several files share.
 
-use crate::{Result, patience};
+use crate::{Result, cancellation};
 
 /// Eigenvalues, ascending, and unit eigenvectors of a symmetric 3×3 matrix by cyclic Jacobi rotations
 /// (Golub & Van Loan, *Matrix Computations*, §8.5).
@@ -56,7 +56,7 @@ impl Banded {
     /// There is no memory for it, or nobody waits any more.
     pub(crate) fn new(n: usize, half: usize, right: Vec<[f64; 3]>) -> Result<Self> {
         let count = n.saturating_mul(3 * half + 1);
-        patience::room::<f64>(count)?;
+        cancellation::room::<f64>(count)?;
         Ok(Self { half, entries: vec![0.0; count], right })
     }
 
@@ -97,7 +97,7 @@ impl Banded {
         // After step k, the entry of row i in column c stands at c + half − i.
         for k in 0..n {
             let last = n.min(k + half + 1);
-            if half > WIDE && patience::check().is_err() {
+            if half > WIDE && cancellation::check().is_err() {
                 return None;
             }
             if exchange {

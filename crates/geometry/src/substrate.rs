@@ -1,6 +1,6 @@
 //! Cracks that grow until they meet another: J. Tarbell's *Substrate*, 2003.
 
-use crate::{Error, Interval, Point2, Result, Vector2, patience};
+use crate::{Error, Interval, Point2, Result, Vector2, cancellation};
 
 /// Looks for a free place this often before it gives up.
 const ATTEMPTS: usize = 64;
@@ -37,7 +37,7 @@ pub fn substrate(
     let mut out: Vec<Crack> = Vec::new();
     let first = angles.len().clamp(1, count.max(1));
     for k in 0..first.min(count) {
-        patience::check()?;
+        cancellation::check()?;
         let start = Point2::new(x.at(random()), y.at(random()));
         let direction = Vector2::X.rotated(angles.get(k).copied().unwrap_or(0.0));
         let ends = [-direction, direction].map(|d| field.end_of(start, d, None));
@@ -47,7 +47,7 @@ pub fn substrate(
     while out.len() < count {
         let mut grown = None;
         for _ in 0..ATTEMPTS {
-            patience::check()?;
+            cancellation::check()?;
             let parent = ((random() * out.len() as f64) as usize).min(out.len().saturating_sub(1));
             let (t, side, turn) = (random(), random() < 0.5, random());
             let Some(&[a, b]) = out.get(parent) else { break };

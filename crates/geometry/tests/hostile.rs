@@ -9,8 +9,8 @@ use katydid_geometry::region::Region;
 use katydid_geometry::subd::{FromMesh, SubDNet};
 use katydid_geometry::substrate::substrate;
 use katydid_geometry::{
-    Arc, Brep, Circle, Continuity, Curve, Interval, KnotSpacing, Line, Mesh, MeshFace, NurbsCurve,
-    NurbsSurface, OffsetCorner, Patience, Plane, Point2, Point3, PolyCurve, PolylineCurve, RemeshOptions,
+    Arc, Brep, CancellationToken, Circle, Continuity, Curve, Interval, KnotSpacing, Line, Mesh, MeshFace,
+    NurbsCurve, NurbsSurface, OffsetCorner, Plane, Point2, Point3, PolyCurve, PolylineCurve, RemeshOptions,
     Sphere, Tolerance, Vector3, Waiting, Xform, cloud, construct, intersect, join_curves,
 };
 use proptest::prelude::*;
@@ -229,8 +229,8 @@ fn what_takes_long_ends_when_nobody_waits() {
     for (name, work) in works {
         let asked = std::sync::Arc::new(AtomicUsize::new(0));
         let own = asked.clone();
-        let patience = Patience::new(move || own.fetch_add(1, Ordering::Relaxed) < 3);
-        let made = patience.during(work);
+        let token = CancellationToken::new(move || own.fetch_add(1, Ordering::Relaxed) < 3);
+        let made = token.during(work);
         let asked = asked.load(Ordering::Relaxed);
         assert!(asked > 3, "{name} asked {asked} times");
         assert_eq!(made, Err(katydid_geometry::Error::Stopped), "{name}");
@@ -269,7 +269,7 @@ fn what_takes_much_memory_asks_for_it() {
         ("a loft", &|| construct::loft(&rows, &options, &Tolerance::default()).map(drop)),
     ];
     for (name, work) in works {
-        let made = Patience::of(std::sync::Arc::new(Megabyte)).during(work);
+        let made = CancellationToken::of(std::sync::Arc::new(Megabyte)).during(work);
         assert_eq!(made, Err(katydid_geometry::Error::Stopped), "{name}");
         assert!(work().is_ok(), "{name}");
     }

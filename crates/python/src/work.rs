@@ -73,7 +73,7 @@ pub(crate) fn interruptible<T: Send + 'static>(
     let patient = move |_: &Sender<Said<(), katydid_geometry::Result<T>>>| {
         let limits = Limits { items: u64::MAX, bytes: u64::MAX, solve_bytes: u64::MAX, time: None };
         let budget = Budget::new(limits, flag, Deadline::after(None), Arc::new(Account::new(u64::MAX)));
-        budget.patience().during(work)
+        budget.token().during(work)
     };
     listening(py, &cancel, patient, |_, ()| Ok(()))?.map_err(crate::errors::kernel)
 }

@@ -10,13 +10,13 @@ use katydid_3dm::{Limits, Model};
 use serde_json::json;
 
 /// How long each kind of run is repeated.
-const PATIENCE: Duration = Duration::from_millis(1500);
+const WAIT: Duration = Duration::from_millis(1500);
 
 /// The median time of `run`, of at least five runs.
 fn median(mut run: impl FnMut()) -> f64 {
     let mut times = Vec::new();
     let start = Instant::now();
-    while times.len() < 5 || start.elapsed() < PATIENCE {
+    while times.len() < 5 || start.elapsed() < WAIT {
         let one = Instant::now();
         run();
         times.push(one.elapsed().as_secs_f64());

@@ -167,8 +167,8 @@ pub(crate) fn pack_all<const N: usize>(plain: [&[u8]; N]) -> Result<[Packed; N]>
     if plain.iter().map(|plain| plain.len()).sum::<usize>() >= PARALLEL {
         use rayon::prelude::*;
         let all = packed.par_iter_mut().zip(plain);
-        // A thread that waits may be given others' work, which has a patience of its own.
-        katydid_geometry::Patience::waiting(|| all.try_for_each(pack))?;
+        // A thread that waits may be given others' work, which has a token of its own.
+        katydid_geometry::CancellationToken::waiting(|| all.try_for_each(pack))?;
         return Ok(packed);
     }
     packed.iter_mut().zip(plain).try_for_each(pack)?;

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use katydid_3dm::{Error, Limits, Model, Object};
 
 /// The longest that any of them may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+const WAIT: Duration = Duration::from_secs(60);
 
 fn header(version: u32) -> Vec<u8> {
     format!("3D Geometry File Format {version:>8}").into_bytes()
@@ -25,7 +25,7 @@ fn in_time<T>(what: &str, read: impl FnOnce() -> T) -> T {
     let value = read();
     let time = start.elapsed();
     println!("{what}: {time:?}");
-    assert!(time < PATIENCE, "{what} took {time:?}");
+    assert!(time < WAIT, "{what} took {time:?}");
     value
 }
 

@@ -15,12 +15,12 @@ use crate::{Facets, Form, Place, leader, tessellated};
 const SMOOTH: f64 = 5e-4;
 
 /// A brep that takes longer than this to mesh is drawn by its edges.
-const PATIENCE: Duration = Duration::from_secs(10);
+const WAIT: Duration = Duration::from_secs(10);
 
 /// A brep, shaded and with its edges; by its edges alone when it cannot be meshed.
 pub(crate) fn of_brep(brep: &Brep) -> Result<Form, String> {
     let since = Instant::now();
-    let mesh = brep.mesh_unless(&MeshSettings::default(), &|| since.elapsed() > PATIENCE);
+    let mesh = brep.mesh_unless(&MeshSettings::default(), &|| since.elapsed() > WAIT);
     let mesh =
         mesh.and_then(|mesh| mesh.to_mesh()).map_err(|error| format!("a Brep cannot be meshed: {error}"))?;
     let edges = (0..brep.edges().len()).filter_map(|edge| brep.edge_as_curve(edge).ok().flatten());

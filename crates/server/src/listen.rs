@@ -83,13 +83,13 @@ impl Listening {
         let _ = self.stop.send(true);
     }
 
-    /// Waits until every connection has ended, but no longer than `patience`.
-    pub(crate) async fn ended(self, patience: Duration) {
+    /// Waits until every connection has ended, but no longer than `at_most`.
+    pub(crate) async fn ended(self, at_most: Duration) {
         let all = async {
             let _ = self.task.await;
             let _ = self.room.acquire_many(MOST_CONNECTIONS).await;
         };
-        let _ = tokio::time::timeout(patience, all).await;
+        let _ = tokio::time::timeout(at_most, all).await;
     }
 }
 

@@ -6,7 +6,7 @@ mod common;
 
 use std::time::Duration;
 
-use common::{PATIENCE, Studio, is_done, refusal};
+use common::{Studio, WAIT, is_done, refusal};
 use katydid_server::Config;
 use katydid_session::protocol::{
     AnalysisView, Ask, BendView, CombMeasure, CombView, Edit, Event, GeometrySource, ObjectChange, Probe,
@@ -81,7 +81,7 @@ async fn two_faces_see_the_same() {
     one.set("r", 7.0).await;
     let start = Instant::now();
     while two.texts_or_nothing("shown") != ["14"] {
-        assert!(start.elapsed() < PATIENCE);
+        assert!(start.elapsed() < WAIT);
         two.hear().await;
     }
     let mut three = studio.join(&id).await;
@@ -228,7 +228,7 @@ async fn dragging_is_coarse_and_letting_go_is_fine() {
     let sizes =
         |hash: Option<String>| async { studio.get(&format!("/geometry/{}", hash.unwrap())).await.body.len() };
     let fine = sizes(fine).await;
-    while start.elapsed() < PATIENCE {
+    while start.elapsed() < WAIT {
         if let Ok(now) = tokio::time::timeout(Duration::from_millis(500), client.drawn(ball)).await {
             last = now;
         } else {
@@ -364,7 +364,7 @@ async fn who_joins_hears_that_edits_are_not_kept() {
     let mut client = second.join(id).await;
     let since = Instant::now();
     while !client.notices.iter().any(|notice| notice.contains("another Katydid")) {
-        assert!(since.elapsed() < PATIENCE, "{:?}", client.notices);
+        assert!(since.elapsed() < WAIT, "{:?}", client.notices);
         client.hear().await;
     }
     assert!(holder.notices.is_empty(), "{:?}", holder.notices);

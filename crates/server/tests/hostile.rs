@@ -7,7 +7,7 @@ mod common;
 use std::net::{IpAddr, Ipv4Addr};
 use std::time::Duration;
 
-use common::{PATIENCE, Studio, is_done, refusal};
+use common::{Studio, WAIT, is_done, refusal};
 use katydid_session::protocol::{Ask, Edit, Event, Setting};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
@@ -195,7 +195,7 @@ async fn frames_that_make_no_sense() {
     stream.write_all(head.as_bytes()).await.unwrap();
     stream.write_all(&[0xff; 10_000]).await.unwrap();
     let mut rest = Vec::new();
-    timeout(PATIENCE, stream.read_to_end(&mut rest)).await.expect("closed").ok();
+    timeout(WAIT, stream.read_to_end(&mut rest)).await.expect("closed").ok();
     assert!(is_done(&client.set("r", 6.0).await));
 }
 
@@ -220,7 +220,7 @@ async fn who_reads_slowly_hears_the_newest_and_holds_nobody_up() {
     let start = Instant::now();
     let mut heard = 0;
     while slow.texts_or_nothing("shown") != ["1.5"] {
-        assert!(start.elapsed() < PATIENCE);
+        assert!(start.elapsed() < WAIT);
         slow.hear().await;
         heard += 1;
     }
@@ -263,7 +263,7 @@ async fn a_definition_without_end_can_be_cancelled() {
     client.set("n", 10.0).await;
     let start = Instant::now();
     while client.cancelled || client.finished < 2 {
-        assert!(start.elapsed() < PATIENCE);
+        assert!(start.elapsed() < WAIT);
         client.hear().await;
     }
     assert!(client.results.values().all(|result| result.status == "ok"));

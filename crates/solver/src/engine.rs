@@ -240,7 +240,7 @@ fn solve_graph(
         let turn = Turn { wanted, ..*turn };
         let limits = turn.options.limits;
         let budget = Budget::new(limits, turn.options.cancel.clone(), turn.deadline, turn.account.clone());
-        let mut report = budget.patience().during(|| {
+        let mut report = budget.token().during(|| {
             let report = solve(&turn, object, &wired, &budget);
             // What an object gives may be made larger by its outputs' modifiers and casts.
             budget.bytes(0).err().map_or(report, |message| {

@@ -10,13 +10,13 @@ use super::{shared, warning};
 use crate::prepared;
 
 /// What a curve can be brought onto.
-enum Ground {
+enum Carrier {
     Surface(Shared<Surface>),
     Mesh(Shared<Mesh>),
     Brep(Shared<Brep>),
 }
 
-impl Ground {
+impl Carrier {
     fn of(context: &Context<'_>, value: &Value) -> Result<Self, Message> {
         if let Value::Mesh(mesh) = value {
             return Ok(Self::Mesh(mesh.clone()));
@@ -58,12 +58,12 @@ fn project(
     direction: Vector3,
 ) -> Result<Vec<Shared<Curve>>, Message> {
     let tolerance = context.tolerance();
-    let curves = match Ground::of(context, &brep)? {
-        Ground::Surface(surface) => {
+    let curves = match Carrier::of(context, &brep)? {
+        Carrier::Surface(surface) => {
             prepared::projection_onto(context, &surface, direction)?.project(curve, &tolerance)
         }
-        Ground::Mesh(mesh) => mesh.project_curve(curve, direction, tolerance.absolute),
-        Ground::Brep(brep) => prepared::projection(context, &brep, direction)?.project(curve, &tolerance),
+        Carrier::Mesh(mesh) => mesh.project_curve(curve, direction, tolerance.absolute),
+        Carrier::Brep(brep) => prepared::projection(context, &brep, direction)?.project(curve, &tolerance),
     };
     Ok(curves.map_err(warning)?.into_iter().map(Shared::new).collect())
 }
@@ -84,13 +84,13 @@ fn pull_curve(
     surface: Value,
 ) -> Result<Shared<Curve>, Message> {
     let tolerance = context.tolerance();
-    let curves = match Ground::of(context, &surface)? {
-        Ground::Surface(surface) => surface.pull_curve(curve, &tolerance).map_err(warning)?,
-        Ground::Brep(brep) => match (brep.faces(), brep.face_surface(0)) {
+    let curves = match Carrier::of(context, &surface)? {
+        Carrier::Surface(surface) => surface.pull_curve(curve, &tolerance).map_err(warning)?,
+        Carrier::Brep(brep) => match (brep.faces(), brep.face_surface(0)) {
             ([_], Some(surface)) => surface.pull_curve(curve, &tolerance).map_err(warning)?,
             _ => return Err(Message::error("A curve can be pulled to one face only: take the Brep apart")),
         },
-        Ground::Mesh(mesh) => vec![mesh.pull_curve(curve, tolerance.absolute).map_err(warning)?.into()],
+        Carrier::Mesh(mesh) => vec![mesh.pull_curve(curve, tolerance.absolute).map_err(warning)?.into()],
     };
     if curves.len() > 1 {
         context.warn("The nearest points leap: only the longest part of the curve is given");

@@ -5,7 +5,7 @@ mod tree;
 
 use std::io::{self, Write};
 
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use serde::Serialize;
 
 use crate::Fault;
@@ -60,7 +60,7 @@ impl Write for Growing {
         let (room, wanted) = (self.0.capacity(), self.0.len().saturating_add(bytes.len()));
         if wanted > room {
             let room = wanted.max(2 * room);
-            if !Patience::has_room(room) {
+            if !CancellationToken::has_room(room) {
                 return Err(io::ErrorKind::OutOfMemory.into());
             }
             self.0.reserve_exact(room - self.0.len());
@@ -77,11 +77,11 @@ impl Write for Growing {
 /// A value as a text of JSON.
 ///
 /// # Errors
-/// `Failed` when it cannot be written, or whoever waits for it gave up ([`Patience`]).
+/// `Failed` when it cannot be written, or whoever waits for it gave up ([`CancellationToken`]).
 pub fn to_json(value: &impl Serialize) -> Result<Vec<u8>, Fault> {
     let mut text = Growing(Vec::new());
     match serde_json::to_writer(&mut text, value) {
-        Ok(()) if Patience::is_over() => Err(Fault::failed("it was given up")),
+        Ok(()) if CancellationToken::is_over() => Err(Fault::failed("it was given up")),
         Ok(()) => Ok(text.0),
         Err(error) => Err(Fault::failed(error.to_string())),
     }

@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use katydid_data::{Kind, Tree, Value};
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -44,7 +44,7 @@ impl OutputTree {
     pub(crate) fn of(name: &str, tree: &Tree, archive: i32) -> (Self, Option<String>) {
         let mut left_out = BTreeMap::new();
         let mut items = |value: Option<Value>| -> Option<OutputItem> {
-            let value = value.filter(|_| !Patience::is_over())?;
+            let value = value.filter(|_| !CancellationToken::is_over())?;
             let encoded = is_known(value.kind()).then(|| encode(&value, archive)).flatten();
             if encoded.is_none() {
                 *left_out.entry(value.kind().name()).or_insert(0_usize) += 1;

@@ -137,7 +137,7 @@ pub fn column(column: &Column, kind: Kind, rules: &Rules) -> Cast {
             continue;
         };
         // Whoever has this done looks whether to go on.
-        if katydid_geometry::Patience::is_over() {
+        if katydid_geometry::CancellationToken::is_over() {
             cast.push(None);
             continue;
         }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Bounds, BoxTree, DEEPEST, LEAF};
-use crate::patience;
+use crate::cancellation;
 
 /// Whether two boxes come within `margin` of each other along every axis.
 #[inline]
@@ -56,7 +56,7 @@ impl BoxTree {
         while let Some((i, j)) = stack.pop() {
             steps = steps.wrapping_add(1);
             // Who waits no longer does not look at what was found either.
-            if steps.is_multiple_of(1024) && patience::check_now().is_err() {
+            if steps.is_multiple_of(1024) && cancellation::check_now().is_err() {
                 return;
             }
             let (Some(a), Some(b)) = (self.nodes.get(i as usize), other.nodes.get(j as usize)) else {

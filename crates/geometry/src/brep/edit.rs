@@ -12,11 +12,11 @@ impl Brep {
     /// # Errors
     /// A number overflows, the map flattens space, or it sends part of the brep to infinity.
     pub fn transformed(&self, xform: &Xform) -> Result<Self> {
-        crate::patience::check_now()?;
+        crate::cancellation::check_now()?;
         let mut parts = self.parts().clone();
         let mut maps = Vec::with_capacity(parts.surfaces.len());
         for surface in &mut parts.surfaces {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             maps.push(match surface {
                 Some(surface) => {
                     let image = surface.transformed(xform)?;
@@ -58,7 +58,7 @@ impl Brep {
         let mut parts = self.parts().clone();
         let mut maps = Vec::with_capacity(parts.surfaces.len());
         for surface in &mut parts.surfaces {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             maps.push(match surface {
                 Some(surface) => {
                     let map = ParameterMaps::to_nurbs(surface);

@@ -4,7 +4,7 @@ mod cut;
 mod sew;
 
 use super::{Brep, TrimKind};
-use crate::{Error, Result, Tolerance, patience};
+use crate::{Error, Result, Tolerance, cancellation};
 
 /// Breps that were joined, and where each came from.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -31,7 +31,7 @@ impl Brep {
         let mut parts = super::Parts::default();
         let mut origin: Vec<usize> = Vec::new();
         for (place, brep) in breps.iter().enumerate() {
-            patience::check()?;
+            cancellation::check()?;
             let faces: Vec<usize> = (0..brep.faces().len()).collect();
             let compact = brep.sub_brep(&faces)?;
             origin.extend(std::iter::repeat_n(place, compact.faces().len()));
@@ -44,7 +44,7 @@ impl Brep {
         let whole = Self { parts };
         let mut joined = Joined::default();
         for faces in whole.components() {
-            patience::check()?;
+            cancellation::check()?;
             let mut members: Vec<usize> = faces.iter().filter_map(|f| origin.get(*f).copied()).collect();
             members.dedup();
             if let ([only], Some(same)) = (members.as_slice(), members.first().and_then(|m| breps.get(*m)))

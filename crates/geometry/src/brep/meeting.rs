@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use super::{Brep, ClosestOnBrep};
 use crate::intersect::{SurfaceContactKind, common, surface_plane};
 use crate::trace::thresholds::{FLAT_FACE, PARALLEL_FACES};
-use crate::{Curve, Error, Plane, Point3, Result, Surface, Tolerance, join_curves, patience};
+use crate::{Curve, Error, Plane, Point3, Result, Surface, Tolerance, cancellation, join_curves};
 
 /// What two breps have in common.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ impl Brep {
         let mut out = BrepMeeting { curves: Vec::new(), points: Vec::new(), complete: true };
         for a in sides[0].sheets() {
             for b in sides[1].sheets() {
-                patience::check()?;
+                cancellation::check()?;
                 if a.bounds.distance_to_box(&b.bounds) > limit {
                     continue;
                 }

@@ -6,7 +6,7 @@ use super::planar::add_planar_face;
 use super::{Along, Brep, Builder, LoopKind, NewEdge, NewVertex, Path};
 use crate::{
     Curve, Direction, Error, Line, LineCurve, Mesh, NurbsSurface, Plane, Point3, Result, Surface, Tolerance,
-    Vector3, patience,
+    Vector3, cancellation,
 };
 
 /// Vertices and edges that the faces of a mesh share.
@@ -88,7 +88,7 @@ impl Brep {
         let mut net = Net { builder: Builder::new(), vertices: HashMap::new(), edges: HashMap::new() };
         let mut made = 0_usize;
         for face in mesh.faces() {
-            patience::check()?;
+            cancellation::check()?;
             let mut corners: Vec<Point3> =
                 face.indices().iter().filter_map(|&k| mesh.vertices().get(k as usize).copied()).collect();
             corners.dedup_by(|a, b| a.distance_to(*b) <= limit);

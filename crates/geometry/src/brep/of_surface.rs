@@ -3,7 +3,8 @@
 use super::build::{Along, NewEdge, NewVertex, Path};
 use super::{Brep, Builder, LoopKind};
 use crate::{
-    Curve, Direction, Error, Interval, Line, LineCurve, Point3, Result, Side, Surface, Tolerance, patience,
+    Curve, Direction, Error, Interval, Line, LineCurve, Point3, Result, Side, Surface, Tolerance,
+    cancellation,
 };
 
 impl Brep {
@@ -99,11 +100,11 @@ fn patches(surface: &Surface, cuts: &[Vec<f64>; 2]) -> Result<Brep> {
     surface.check_area()?;
     let mut bare = Vec::new();
     let counts = [cuts[0].len() - 1, cuts[1].len() - 1];
-    patience::room::<Surface>(counts[0].saturating_mul(counts[1]))?;
+    cancellation::room::<Surface>(counts[0].saturating_mul(counts[1]))?;
     let mut cells = Vec::with_capacity(counts[0] * counts[1]);
     for u in cuts[0].windows(2) {
         for v in cuts[1].windows(2) {
-            patience::check()?;
+            cancellation::check()?;
             let ranges = [Interval::new(u[0], u[1]), Interval::new(v[0], v[1])];
             let cell = if counts == [1, 1] {
                 surface.clone()

@@ -120,7 +120,7 @@ impl ClosestOnBrep {
         near_edges: f64,
     ) -> Result<Vec<Interval>> {
         let close = |t: f64, distance: f64| -> Result<bool> {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let p = curve.point_at(t);
             let [u, v] = match surface {
                 Surface::Plane(flat) => flat.parameters_of(p),

@@ -56,7 +56,7 @@ impl CurveProjection {
         let direction = self.direction;
         let mut out = Vec::new();
         for target in &self.faces {
-            crate::patience::check_now()?;
+            crate::cancellation::check_now()?;
             let Some(surface) = self.search.brep().face_surface(target.face) else { continue };
             let images = match (surface, &target.lines) {
                 // An arc's image on a plane is an arc or an ellipse.

@@ -151,7 +151,7 @@ impl Chart {
 /// The derivatives of a patch over the part of it that ranges of the parameters meet.
 fn part(patch: Patch<'_>, counts: [usize; 2], ranges: [[f64; 2]; 2]) -> Part {
     let [n, m] = counts;
-    crate::patience::worked(n * m / 4 + 1);
+    crate::cancellation::worked(n * m / 4 + 1);
     let local = |k: usize| {
         let [a, b] = patch.ranges[k];
         ranges[k].map(|t| ((t - a) / (b - a)).clamp(0.0, 1.0))

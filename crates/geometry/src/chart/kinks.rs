@@ -32,7 +32,7 @@ fn cut(
     wanted: &dyn Fn(&NurbsSurface) -> bool,
     out: &mut Vec<NurbsSurface>,
 ) -> Result<()> {
-    crate::patience::check_now()?;
+    crate::cancellation::check_now()?;
     if !wanted(&surface) {
         return Ok(());
     }

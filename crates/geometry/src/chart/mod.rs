@@ -9,7 +9,7 @@ pub(crate) use kinks::smooth_pieces;
 use std::sync::Arc;
 
 use crate::nurbs::Nets;
-use crate::{Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Side, Vector3, patience};
+use crate::{Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Side, Vector3, cancellation};
 
 /// A Bézier patch of the surface in homogeneous form, v running fastest.
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +43,7 @@ impl Chart {
                 "intersections of surfaces with weights that are not above 0",
             ));
         }
-        patience::check_now()?;
+        cancellation::check_now()?;
         let size = nurbs.hull_box().diagonal().length();
         Ok(Self {
             domain: Direction::BOTH.map(|d| nurbs.domain(d)),
@@ -156,14 +156,14 @@ impl Chart {
 
     /// The position and the derivatives by u and v.
     pub(crate) fn jet(&self, uv: [f64; 2]) -> [Vector3; 3] {
-        patience::worked(1);
+        cancellation::worked(1);
         let uv = self.inside(uv);
         self.nurbs.partials_at(uv[0], uv[1], self.side(uv))
     }
 
     /// As [`Self::jet`], then the second derivatives by uu, uv and vv.
     pub(crate) fn second_jet(&self, uv: [f64; 2]) -> [Vector3; 6] {
-        patience::worked(2);
+        cancellation::worked(2);
         let uv = self.inside(uv);
         self.nurbs.second_partials_at(uv[0], uv[1], self.side(uv))
     }

@@ -4,7 +4,7 @@ use spade::handles::{FixedVertexHandle, VertexHandle};
 use spade::{DelaunayTriangulation, HasPosition, Triangulation};
 
 use super::check_points2;
-use crate::{Error, Point2, Result, patience};
+use crate::{Error, Point2, Result, cancellation};
 
 /// Numbers nearer to 0 than 2⁻¹⁴² count as 0: the predicates would underflow.
 const SMALLEST: f64 = 1.793_662_034_335_766e-43;
@@ -171,7 +171,7 @@ pub(super) fn linked(points: &[Point2]) -> Result<(Links, Option<Vec<u32>>)> {
         return Ok((Links::Row(row), shared));
     }
     // The triangulation and what it is made with: it cannot be asked on its way.
-    patience::room::<[u64; 48]>(places.len())?;
+    cancellation::room::<[u64; 48]>(places.len())?;
     let sites = places
         .iter()
         .zip(0..)

@@ -1,8 +1,8 @@
 use super::check_points3;
 use crate::box_tree::{Bounds, BoxTree, bounds_of};
 #[cfg(feature = "parallel")]
-use crate::patience::Patience;
-use crate::{Point3, Result, patience};
+use crate::cancellation::CancellationToken;
+use crate::{Point3, Result, cancellation};
 
 /// So many points lie side by side in a leaf: it is quicker to look at them all than to go farther down.
 const RUN: usize = 8;
@@ -157,14 +157,14 @@ fn squared_distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
 pub fn proximity(points: &[Point3], count: usize, distances: [f64; 2]) -> Result<Vec<Vec<usize>>> {
     let tree = PointTree::new(points)?;
     let near = |(i, &p): (usize, &Point3)| {
-        patience::check_now()?;
+        cancellation::check_now()?;
         Ok(tree.nearest(p, count, distances, Some(i)))
     };
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        let patience = Patience::now();
-        let near = |at: (usize, &Point3)| patience.during(|| near(at));
+        let token = CancellationToken::now();
+        let near = |at: (usize, &Point3)| token.during(|| near(at));
         let all = points.par_iter().enumerate().with_min_len(256).map(near);
         crate::parallel::waiting(|| all.collect())
     }

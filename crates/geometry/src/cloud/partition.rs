@@ -75,7 +75,7 @@ impl<const D: usize> Partition<D> {
         depth: usize,
         limit: usize,
     ) -> Result<()> {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let at = |i: u32| points.get(i as usize).copied().unwrap_or([0.0; D]);
         let one_place = |cell: &Leaf<D>| {
             let first = cell.points.first().copied().map(at);

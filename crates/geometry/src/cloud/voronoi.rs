@@ -4,7 +4,7 @@ use spade::Triangulation;
 
 use super::convex_polygon::{ConvexPolygon, doubled_area, nearer_part, outline};
 use super::delaunay::{Links, SiteMesh, beside, circumcenter, linked};
-use crate::{Curve, Plane, Point2, Result, patience};
+use crate::{Curve, Plane, Point2, Result, cancellation};
 
 /// The Voronoi diagram of sites in a plane, inside a convex boundary: for every site the part of the boundary's inside
 /// that is nearer to it than to any other site.
@@ -34,7 +34,7 @@ impl Voronoi {
             .iter()
             .flat_map(|&p| boundary.corners().iter().map(move |&q| p.distance_to(q)))
             .fold(0.0, f64::max);
-        patience::room::<[f64; 20]>(sites.len())?;
+        cancellation::room::<[f64; 20]>(sites.len())?;
         let mut out = Self {
             sites: sites.to_vec(),
             corners: Vec::with_capacity(6 * sites.len()),
@@ -58,7 +58,7 @@ impl Voronoi {
 
     /// The cells of a triangulation.
     fn cells_of(&mut self, mesh: &SiteMesh, boundary: &ConvexPolygon, near: f64) -> Result<()> {
-        patience::room::<Center>(mesh.num_all_faces())?;
+        cancellation::room::<Center>(mesh.num_all_faces())?;
         let centers: Vec<Center> = mesh
             .all_faces()
             .map(|face| match face.as_inner() {
@@ -69,7 +69,7 @@ impl Voronoi {
         let mut scratch = (Vec::new(), Vec::new());
         // In the order of the triangulation's vertices, which lie near each other in memory when they do in the plane.
         for corner in mesh.vertices() {
-            patience::check()?;
+            cancellation::check()?;
             let start = self.corners.len();
             let inner = corner.out_edges().all(|e| {
                 let center = centers.get(e.face().index()).filter(|c| c.inside);

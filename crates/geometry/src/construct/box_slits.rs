@@ -1,6 +1,6 @@
 //! Slits in boxes that cross, so that they can be put together.
 
-use crate::{Box3, Brep, Error, Interval, Point3, Result, Tolerance, Vector3, construct, patience};
+use crate::{Box3, Brep, Error, Interval, Point3, Result, Tolerance, Vector3, cancellation, construct};
 
 /// A box with its slits.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ pub fn box_slits(boxes: &[Box3], gap: f64, tolerance: &Tolerance) -> Result<Vec<
     let mut others: Vec<Vec<usize>> = vec![Vec::new(); boxes.len()];
     for i in 0..boxes.len() {
         for j in i + 1..boxes.len() {
-            patience::check()?;
+            cancellation::check()?;
             let (Some(a), Some(b)) = (boxes.get(i), boxes.get(j)) else { continue };
             let Some(way) = joining(a, b) else { continue };
             let Some(shared) = shared(a, b, way) else { continue };

@@ -244,7 +244,7 @@ fn jumps(surface: &Surface, direction: Direction) -> Vec<f64> {
 fn sampled(surface: &Surface, distance: impl Fn(f64, f64) -> f64, limit: f64) -> Result<Surface> {
     let spans = Direction::BOTH.map(|d| surface.span_parameters(d));
     let at = |u: f64, v: f64| -> Result<Point3> {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         Ok(surface.point_at(u, v) + normal(surface, u, v)? * distance(u, v))
     };
     let places = |spans: &[f64], parts: usize| -> Vec<f64> {

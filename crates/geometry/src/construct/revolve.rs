@@ -4,7 +4,7 @@ use super::check;
 use crate::nurbs::check_net;
 use crate::{
     Brep, Curve, Error, Interval, Line, NurbsSurface, Plane, Point3, Result, RevolutionSurface, Surface,
-    Tolerance, Vector3, patience,
+    Tolerance, Vector3, cancellation,
 };
 
 /// The surface of a curve turned about an axis between two angles in radians, by the right-hand rule from the axis'
@@ -72,7 +72,7 @@ pub fn rail_revolve(
     check_net([rail.point_count(), profile.point_count()])?;
     let (along, across) = (local(rail.homogeneous_points()), local(profile.homogeneous_points()));
     for r in &along {
-        patience::check()?;
+        cancellation::check()?;
         for p in &across {
             let w = r[3] * p[3];
             // The plane across the axis as complex numbers: turned and scaled by the rail's over its first.

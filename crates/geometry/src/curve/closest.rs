@@ -5,7 +5,7 @@ use super::closest_part::{Best, Parts};
 use super::piece::{Piece, Shape};
 use crate::bernstein::BUDGET;
 use crate::box_tree::{Bounds, BoxTree, bounds_of, squared_distance_to};
-use crate::{Arc, Error, Point3, Result, patience};
+use crate::{Arc, Error, Point3, Result, cancellation};
 
 /// A point on a curve and how far it is from where one asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +104,7 @@ impl<'a> ClosestOnCurve<'a> {
         #[cfg(feature = "parallel")]
         if points.len() >= 512 {
             use rayon::prelude::*;
-            let own = crate::Patience::now();
+            let own = crate::CancellationToken::now();
             let all = points.par_iter().with_min_len(64).map(|&q| own.during(|| self.nearest(q)));
             return crate::parallel::waiting(|| all.collect());
         }
@@ -153,7 +153,7 @@ impl<'a> ClosestOnCurve<'a> {
 }
 
 fn check(q: Point3) -> Result<()> {
-    if q.is_finite() { patience::check() } else { Err(Error::NotFinite("point to project on the curve")) }
+    if q.is_finite() { cancellation::check() } else { Err(Error::NotFinite("point to project on the curve")) }
 }
 
 /// A box that holds a piece: around control points, or around the circle of an arc.

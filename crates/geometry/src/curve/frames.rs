@@ -1,7 +1,7 @@
 //! Frames along a curve that do not twist about it.
 
 use super::Curve;
-use crate::{Plane, Vector3, patience};
+use crate::{Plane, Vector3, cancellation};
 
 impl Curve {
     /// Frames at parameters, in the order given: z is the tangent, and x turns about it as little as possible from
@@ -25,7 +25,7 @@ impl Curve {
         stations.dedup();
         let mut frames: Vec<(f64, Vector3, Vector3)> = Vec::with_capacity(stations.len());
         for t in stations {
-            if patience::check().is_err() {
+            if cancellation::check().is_err() {
                 break;
             }
             let point = self.point_at(t);

@@ -90,7 +90,7 @@ pub(crate) fn chains(
     let mut out = Vec::new();
     for first in 0..ends.len() {
         // Whoever waits no longer does not look at what is joined either.
-        if crate::patience::check().is_err() {
+        if crate::cancellation::check().is_err() {
             break;
         }
         if used[first] {

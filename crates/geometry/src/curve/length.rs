@@ -3,7 +3,7 @@
 use super::Curve;
 use super::piece::{Piece, Shape};
 use super::speed::{Hodographs, Place, Speed};
-use crate::{Interval, patience};
+use crate::{Interval, cancellation};
 
 /// What the rules for parts of a span must agree to, where nobody says otherwise.
 const DEFAULT: f64 = 2e-13;
@@ -67,7 +67,7 @@ impl<'a> ArcLength<'a> {
         let mut pieces = curve.pieces();
         // The parts and the hodograph of a span take some hundred bytes. Who has no room for that measures nothing: the
         // work is given up as soon as it is asked for.
-        if patience::room::<[f64; 40]>(pieces.len()).is_err() {
+        if cancellation::room::<[f64; 40]>(pieces.len()).is_err() {
             pieces.clear();
         }
         let mut sums = Vec::with_capacity(pieces.len() + 1);
@@ -76,7 +76,7 @@ impl<'a> ArcLength<'a> {
         let (mut sum, mut measured) = (0.0, 0);
         sums.push(sum);
         for piece in &pieces {
-            if patience::check().is_err() {
+            if cancellation::check().is_err() {
                 break;
             }
             measured += 1;
@@ -223,7 +223,7 @@ impl Curve {
         let mut hodographs = Hodographs::default();
         let mut sum = 0.0;
         for piece in &self.pieces() {
-            if patience::check().is_err() {
+            if cancellation::check().is_err() {
                 break;
             }
             if let Shape::Span(nurbs, j) = piece.shape {

@@ -35,7 +35,7 @@ impl Curve {
         let shares: Vec<f64> = (0..=samples).map(|i| i as f64 / samples as f64).collect();
         let mut points = Vec::with_capacity(shares.len());
         for x in &shares {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             points.push(match *x {
                 0.0 => self.start(),
                 1.0 => self.end(),

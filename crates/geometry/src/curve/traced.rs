@@ -89,7 +89,7 @@ pub(crate) fn sampled(
     let mut places: Vec<(f64, Option<Sample>)> = Vec::with_capacity(parts + 1);
     for i in 0..=parts {
         let t = from + (to - from) * (i as f64 / parts as f64);
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         places.push((t, formula(t)?));
     }
     let towards = |s: Sample, way: Vector3| Sample {
@@ -104,7 +104,7 @@ pub(crate) fn sampled(
             if a.is_none() && b.is_none() && depth > 0 {
                 continue;
             }
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let middle = 0.5 * (s + t);
             let m = formula(middle)?;
             budget = budget.saturating_sub(1);

@@ -114,7 +114,7 @@ pub(super) fn gather(mut contacts: Vec<Contact>, a: &Side<'_>, b: &Side<'_>) -> 
         let mut open: Vec<Cluster> = Vec::new();
         for &c in group {
             a.pay(open.len() / 16);
-            if a.purse.get() == 0 {
+            if a.budget.get() == 0 {
                 break;
             }
             let mut own = Cluster::of(c);

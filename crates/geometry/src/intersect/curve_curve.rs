@@ -9,7 +9,7 @@ use super::result::CurveIntersections;
 use super::search::Search;
 use super::side::{Side, is_closed};
 use crate::curve::Piece;
-use crate::{Curve, Error, Result, patience};
+use crate::{Curve, Error, Result, cancellation};
 
 /// All points and stretches that two curves have in common within `tolerance`, in the plane or in space.
 ///
@@ -33,7 +33,7 @@ use crate::{Curve, Error, Result, patience};
 /// The tolerance is negative or not finite.
 pub fn curve_curve(a: &Curve, b: &Curve, tolerance: f64) -> Result<CurveIntersections> {
     check(tolerance)?;
-    patience::check()?;
+    cancellation::check()?;
     let (pa, pb) = (a.pieces(), b.pieces());
     if order(&pa, &pb) == Ordering::Greater {
         return Ok(meet(b, a, pb, pa, tolerance).swapped());
@@ -65,15 +65,15 @@ fn meet<'a>(
     let contacts = std::mem::take(&mut search.contacts);
     let (pa, pb) = search.pieces();
     let tolerance = search.tolerance;
-    let purse = Cell::new(purse(pa.len() + pb.len(), contacts.len()));
-    let a = Side::new(pa, &turns_a, a.domain(), tolerance, &purse);
-    let b = Side::new(pb, &turns_b, b.domain(), tolerance, &purse);
+    let budget = Cell::new(budget(pa.len() + pb.len(), contacts.len()));
+    let a = Side::new(pa, &turns_a, a.domain(), tolerance, &budget);
+    let b = Side::new(pb, &turns_b, b.domain(), tolerance, &budget);
     Reader { a, b, tolerance, itself: false }.read(contacts, &mut out);
     out
 }
 
 /// How many places on the curves the reading of contacts may look at: some tenths of a second.
-fn purse(pieces: usize, contacts: usize) -> u64 {
+fn budget(pieces: usize, contacts: usize) -> u64 {
     3_000_000 + (200 * pieces as u64).min(4_000_000) + 4 * contacts as u64
 }
 
@@ -89,7 +89,7 @@ fn purse(pieces: usize, contacts: usize) -> u64 {
 /// The tolerance is negative or not finite.
 pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
     check(tolerance)?;
-    patience::check()?;
+    cancellation::check()?;
     let (pieces, turns) = unfolded(curve.pieces(), tolerance);
     let closed = is_closed(&pieces, tolerance);
     let mut search = Search::own(pieces, closed, tolerance);
@@ -104,8 +104,8 @@ pub fn curve_self(curve: &Curve, tolerance: f64) -> Result<CurveIntersections> {
         }
     }
     let pieces = search.pieces().0;
-    let purse = Cell::new(purse(pieces.len(), contacts.len()));
-    let side = Side::new(pieces, &turns, curve.domain(), search.tolerance, &purse);
+    let budget = Cell::new(budget(pieces.len(), contacts.len()));
+    let side = Side::new(pieces, &turns, curve.domain(), search.tolerance, &budget);
     Reader { a: side, b: side, tolerance: search.tolerance, itself: true }.read(contacts, &mut out);
     Ok(out)
 }

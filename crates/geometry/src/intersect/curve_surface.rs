@@ -11,7 +11,7 @@ use super::thresholds::{IN_RANGE, KEEPS, NO_BETTER, NO_FRAME, ROUNDED, SHORT_PAR
 use super::tree::{Node, Tree};
 use crate::curve::Piece;
 use crate::nurbs::project;
-use crate::{Curve, Direction, Interval, NurbsSurface, Point3, Result, Vector3, patience};
+use crate::{Curve, Direction, Interval, NurbsSurface, Point3, Result, Vector3, cancellation};
 
 /// A point that a curve and a surface have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +82,7 @@ pub(crate) fn curve_surface_within(
     most_visits: u64,
 ) -> Result<SurfaceIntersections> {
     check(tolerance)?;
-    patience::check()?;
+    cancellation::check()?;
     let patches = PatchTree::new(surface)?;
     Ok(curve_parts(curve, surface, patches, tolerance, most_visits).0)
 }
@@ -167,7 +167,8 @@ impl Search<'_, '_> {
         self.stack.push((self.tree.root, self.patches.root));
         while let Some((ic, ip)) = self.stack.pop() {
             self.visits += 1;
-            if self.visits > self.limit || (self.visits.is_multiple_of(256) && patience::check().is_err()) {
+            if self.visits > self.limit || (self.visits.is_multiple_of(256) && cancellation::check().is_err())
+            {
                 self.complete = false;
                 return;
             }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use crate::box_tree::{Bounds, BoxTree, bounds_of, boxes_meet};
 use crate::mesh::{MeshTree, align_points};
-use crate::{Error, Line, Point3, Result, Vector3, patience};
+use crate::{Error, Line, Point3, Result, Vector3, cancellation};
 
 /// A corner this near to the other triangle's plane, as a part of the meshes' size, lies in it: it cannot be told from
 /// one that does.
@@ -49,7 +49,7 @@ pub fn mesh_mesh(a: &MeshTree, b: &MeshTree, tolerance: f64) -> Result<Vec<Vec<P
         });
     }
     let segments = mesh_mesh_segments(a, b);
-    patience::check_now()?;
+    cancellation::check_now()?;
     chained(&segments, tolerance)
 }
 
@@ -134,7 +134,7 @@ fn split(points: &[Point3], pairs: Vec<[usize; 2]>, tolerance: f64) -> Result<Ve
     let mut seen = HashSet::new();
     let mut out = Vec::with_capacity(pairs.len());
     for [i, j] in pairs {
-        patience::check()?;
+        cancellation::check()?;
         let (a, b) = (at(i), at(j));
         let reach = bounds_of([a, b].map(<[f64; 3]>::from));
         let (along, length) = (b - a, (b - a).length());

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::nurbs::{MAX_DEGREE, Nets, project};
-use crate::{Interval, NurbsSurface, Result, Vector3, patience};
+use crate::{Interval, NurbsSurface, Result, Vector3, cancellation};
 
 /// No such index.
 const NONE: u32 = u32::MAX;
@@ -112,12 +112,12 @@ impl<'a> PatchTree<'a> {
     pub(super) fn over(surface: &'a NurbsSurface, nets: Arc<Nets>) -> Result<Self> {
         let counts = surface.degrees().map(|d| d + 1);
         let many = nets.len();
-        patience::room::<PatchNode>(2 * many)?;
+        cancellation::room::<PatchNode>(2 * many)?;
         let nodes = Vec::with_capacity(2 * many);
         let mut tree = Self { surface, nets, nodes, points: Vec::new(), counts, root: 0, scale: 0.0 };
         let mut leaves = Vec::with_capacity(many);
         for i in 0..many {
-            patience::check()?;
+            cancellation::check()?;
             let mut min = [f64::INFINITY; 3];
             let mut max = [f64::NEG_INFINITY; 3];
             tree.nets.acting(surface, i, |p| {
@@ -179,11 +179,11 @@ impl<'a> PatchTree<'a> {
             return Ok(leaves.first().copied().unwrap_or(0));
         }
         if leaves.len() < MANY {
-            patience::check()?
+            cancellation::check()?
         } else {
-            patience::check_now()?
+            cancellation::check_now()?
         }
-        patience::worked(leaves.len() / 8);
+        cancellation::worked(leaves.len() / 8);
         let mut min = [f64::INFINITY; 3];
         let mut max = [f64::NEG_INFINITY; 3];
         for &l in leaves.iter() {

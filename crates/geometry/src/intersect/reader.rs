@@ -62,7 +62,7 @@ impl Reader<'_> {
 
     /// Whether there is no more to spend on places.
     fn is_broke(&self) -> bool {
-        self.a.purse.get() == 0
+        self.a.budget.get() == 0
     }
 
     /// The turn of a curve that meets itself at which a cluster's two ranges meet.
@@ -87,17 +87,22 @@ impl Reader<'_> {
 
     /// Crossings at turns: the same from both sides of one is one, and at the end of an overlap it is none.
     fn drop_at_turns(&self, out: &mut CurveIntersections) {
-        let hair = [AT_END * self.a.domain.length(), AT_END * self.b.domain.length()];
+        let epsilon = [AT_END * self.a.domain.length(), AT_END * self.b.domain.length()];
         let mut kept: Vec<Crossing> = Vec::with_capacity(out.crossings.len());
         for c in out.crossings.drain(..) {
-            let turn = self.a.turn_near(c.a, hair[0]).is_some() || self.b.turn_near(c.b, hair[1]).is_some();
-            let within =
-                |range: Interval, t: f64, hair: f64| range.min() - hair <= t && t <= range.max() + hair;
-            let same = |d: &Crossing| (d.a - c.a).abs() <= hair[0] && (d.b - c.b).abs() <= hair[1];
+            let turn =
+                self.a.turn_near(c.a, epsilon[0]).is_some() || self.b.turn_near(c.b, epsilon[1]).is_some();
+            let within = |range: Interval, t: f64, epsilon: f64| {
+                range.min() - epsilon <= t && t <= range.max() + epsilon
+            };
+            let same = |d: &Crossing| (d.a - c.a).abs() <= epsilon[0] && (d.b - c.b).abs() <= epsilon[1];
             self.a.pay(if turn { out.overlaps.len() / 16 } else { 0 });
             let known = turn
                 && (kept.iter().rev().take(64).any(same)
-                    || out.overlaps.iter().any(|o| within(o.a, c.a, hair[0]) && within(o.b, c.b, hair[1])));
+                    || out
+                        .overlaps
+                        .iter()
+                        .any(|o| within(o.a, c.a, epsilon[0]) && within(o.b, c.b, epsilon[1])));
             if !known {
                 kept.push(c);
             }
@@ -199,14 +204,14 @@ impl Reader<'_> {
             return;
         }
         let (b0, b1) = (self.partner(cluster, a0), self.partner(cluster, a1));
-        let hair = |side: &Side<'_>, t: f64, reach: f64| {
+        let epsilon = |side: &Side<'_>, t: f64, reach: f64| {
             let d = side.domain;
             let slack = SAME_PARAMETER * d.length() + reach;
             t - d.start <= slack || d.end - t <= slack || side.turn_near(t, slack).is_some()
         };
         let shut = |s: f64, t: f64| {
-            hair(&self.a, s, cluster.reach[0].min(AT_END * self.a.domain.length()))
-                || hair(&self.b, t, cluster.reach[1].min(AT_END * self.b.domain.length()))
+            epsilon(&self.a, s, cluster.reach[0].min(AT_END * self.a.domain.length()))
+                || epsilon(&self.b, t, cluster.reach[1].min(AT_END * self.b.domain.length()))
         };
         let both_shut = shut(a0, b0) && shut(a1, b1);
         let limit = if both_shut { self.tolerance } else { ON_OTHER * self.tolerance };
@@ -288,10 +293,10 @@ impl Reader<'_> {
     fn snapped(&self, (s, t): (f64, f64)) -> (f64, f64) {
         let snap = |side: &Side<'_>, t: f64| {
             let d = side.domain;
-            let hair = SAME_ROOT * d.length();
-            let end = if t - d.start <= hair {
+            let epsilon = SAME_ROOT * d.length();
+            let end = if t - d.start <= epsilon {
                 d.start
-            } else if d.end - t <= hair {
+            } else if d.end - t <= epsilon {
                 d.end
             } else {
                 return t;
@@ -508,13 +513,13 @@ impl Reader<'_> {
 
 /// Joins overlaps that go on in each other on both curves.
 fn join_overlaps(overlaps: &mut Vec<Overlap>, domains: [Interval; 2]) {
-    let hair = domains.map(|d| SAME_PARAMETER * d.length());
+    let epsilon = domains.map(|d| SAME_PARAMETER * d.length());
     let mut kept: Vec<Overlap> = Vec::with_capacity(overlaps.len());
     for o in overlaps.drain(..) {
         let goes_on = |k: &&mut Overlap| {
             k.same_direction == o.same_direction
-                && (k.a.end - o.a.start).abs() <= hair[0]
-                && (k.b.end - o.b.start).abs() <= hair[1]
+                && (k.a.end - o.a.start).abs() <= epsilon[0]
+                && (k.b.end - o.b.start).abs() <= epsilon[1]
         };
         match kept.iter_mut().rev().take(64).find(goes_on) {
             Some(known) => (known.a.end, known.b.end) = (o.a.end, o.b.end),

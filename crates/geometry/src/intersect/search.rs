@@ -5,7 +5,7 @@ use super::judge::{Verdict, judge, runs_along, side_by_side};
 use super::thresholds::{CONVERGED, IN_RANGE, LAST_STEP, LEFT, NO_BETTER, SHORT_PART};
 use super::tree::{Node, Tree};
 use crate::curve::{Piece, Shape};
-use crate::{Vector3, patience};
+use crate::{Vector3, cancellation};
 
 /// A place, or a stretch, where two curves were found within the tolerance of each other.
 #[derive(Debug, Clone, Copy)]
@@ -91,7 +91,7 @@ impl<'a> Search<'a> {
         while let Some((ia, ib)) = self.stack.pop() {
             self.visits += 1;
             self.work += 1;
-            let given_up = self.visits.is_multiple_of(1024) && patience::check().is_err();
+            let given_up = self.visits.is_multiple_of(1024) && cancellation::check().is_err();
             if given_up || self.work > budget || self.contacts.len() > MOST_CONTACTS {
                 self.complete = false;
                 self.stack.clear();

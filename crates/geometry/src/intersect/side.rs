@@ -15,7 +15,7 @@ pub(super) struct Side<'a> {
     /// The parameters at which the curve turns back on itself, increasing.
     pub(super) turns: &'a [f64],
     /// How many places on the curves may still be looked at.
-    pub(super) purse: &'a Cell<u64>,
+    pub(super) budget: &'a Cell<u64>,
 }
 
 impl<'a> Side<'a> {
@@ -24,14 +24,14 @@ impl<'a> Side<'a> {
         turns: &'a [f64],
         domain: Interval,
         tolerance: f64,
-        purse: &'a Cell<u64>,
+        budget: &'a Cell<u64>,
     ) -> Self {
-        Self { pieces, domain, closed: is_closed(pieces, tolerance), turns, purse }
+        Self { pieces, domain, closed: is_closed(pieces, tolerance), turns, budget }
     }
 
     /// Takes the cost of some places from the purse.
     pub(super) fn pay(&self, places: usize) {
-        self.purse.set(self.purse.get().saturating_sub(places as u64));
+        self.budget.set(self.budget.get().saturating_sub(places as u64));
     }
 
     /// Which of the stretches between turns holds a parameter.
@@ -123,11 +123,11 @@ impl<'a> Side<'a> {
     /// The other parameter of the same point of a closed curve.
     pub(super) fn over_seam(&self, t: f64) -> Option<f64> {
         let d = self.domain;
-        let hair = SAME_PARAMETER * d.length();
+        let epsilon = SAME_PARAMETER * d.length();
         match t {
             _ if !self.closed => None,
-            t if t - d.start <= hair => Some(d.end),
-            t if d.end - t <= hair => Some(d.start),
+            t if t - d.start <= epsilon => Some(d.end),
+            t if d.end - t <= epsilon => Some(d.start),
             _ => None,
         }
     }

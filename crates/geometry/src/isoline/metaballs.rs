@@ -4,7 +4,7 @@ use super::Isoline;
 use super::cell::{is_way, ways};
 use super::far::Far;
 use super::join::Links;
-use crate::{Error, Plane, Point2, Point3, Result, patience};
+use crate::{Error, Plane, Point2, Point3, Result, cancellation};
 
 /// What a far ball adds to the field may be off by this part of it.
 const FAR_ERROR: f64 = 1e-5;
@@ -172,7 +172,7 @@ impl Search<'_> {
     /// Looks through a cell of 2^`depth` smallest ones a side; the recursion is that deep.
     fn visit(&mut self, cell: [u32; 2], depth: u32, near: &[u32], far: Far) -> Result<()> {
         self.left = self.left.checked_sub(near.len() + 1).ok_or_else(too_many)?;
-        patience::check_now()?;
+        cancellation::check_now()?;
         let half = 0.5 * self.size * f64::from(1_u32 << depth);
         let corner = self.corner(cell);
         let middle = Point2::new(corner.x + half, corner.y + half);
@@ -228,7 +228,7 @@ impl Search<'_> {
         let mut heights = [0.0; BLOCK_CORNERS];
         let place = |i: u32, j: u32| (j * (side + 1) + i) as usize;
         for j in 0..=side {
-            patience::check_now()?;
+            cancellation::check_now()?;
             for i in 0..=side {
                 let corner = [start[0] + i, start[1] + j];
                 let h = if i % side == 0 || j % side == 0 {

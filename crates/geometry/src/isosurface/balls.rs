@@ -5,7 +5,7 @@ use crate::{Error, Mesh, Point3, Result, Vector3};
 /// A ball that melts together with others: its field is strength·(1 − d²/radius²)³ at distance d from its middle, and 0
 /// beyond its radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SoftBall {
+pub struct Metaball {
     /// The middle.
     pub center: Point3,
     /// How far its field reaches.
@@ -19,13 +19,13 @@ pub struct SoftBall {
 /// After G. Wyvill, C. McPheeters and B. Wyvill, *Data structure for soft objects*, 1986, whose field also ends at a
 /// radius; the power is that of later work by B. Wyvill. The field is twice differentiable.
 #[derive(Debug, Clone)]
-pub struct SoftBalls {
+pub struct MetaballField {
     /// By the lowest height that they reach.
-    balls: Vec<SoftBall>,
+    balls: Vec<Metaball>,
     tree: BoxTree,
 }
 
-impl SoftBall {
+impl Metaball {
     #[inline]
     fn bounds(&self) -> Bounds {
         let c = [self.center.x, self.center.y, self.center.z];
@@ -45,12 +45,12 @@ impl SoftBall {
     }
 }
 
-impl SoftBalls {
+impl MetaballField {
     /// The field of balls.
     ///
     /// # Errors
     /// A number is not finite, or a radius not greater than 0.
-    pub fn new(balls: &[SoftBall]) -> Result<Self> {
+    pub fn new(balls: &[Metaball]) -> Result<Self> {
         for b in balls {
             if !(b.center.is_finite() && b.strength.is_finite()) {
                 return Err(Error::NotFinite("metaball"));
@@ -66,7 +66,7 @@ impl SoftBalls {
         }
         let mut balls = balls.to_vec();
         balls.sort_by(|a, b| a.bottom().total_cmp(&b.bottom()));
-        let boxes: Vec<Bounds> = balls.iter().map(SoftBall::bounds).collect();
+        let boxes: Vec<Bounds> = balls.iter().map(Metaball::bounds).collect();
         Ok(Self { tree: BoxTree::by_place(&boxes), balls })
     }
 
@@ -92,7 +92,7 @@ impl SoftBalls {
             let must = "finite and greater than 0";
             return Err(Error::OutOfRange { what: "size of a cell", value: cell, must });
         }
-        let mut all = self.balls.iter().map(SoftBall::bounds);
+        let mut all = self.balls.iter().map(Metaball::bounds);
         let Some(first) = all.next() else { return Ok(None) };
         let [low, high] = all.fold(first, |a, b| {
             [std::array::from_fn(|c| a[0][c].min(b[0][c])), std::array::from_fn(|c| a[1][c].max(b[1][c]))]
@@ -124,7 +124,7 @@ impl SoftBalls {
         let Some(grid) = self.grid(cell)? else { return Ok(Mesh::default()) };
         let how = Isosurfacing { level, closed: true, most_faces };
         // Balls come in by their lowest points and go out by their highest.
-        let (mut active, mut coming): (Vec<SoftBall>, usize) = (Vec::new(), 0);
+        let (mut active, mut coming): (Vec<Metaball>, usize) = (Vec::new(), 0);
         how.mesh(&grid, |k, layer| {
             if !go_on() {
                 return Err(Error::Stopped);
@@ -143,7 +143,7 @@ impl SoftBalls {
 }
 
 /// Adds the field of a ball to a layer.
-fn splat(b: &SoftBall, grid: &ScalarGrid, z: f64, layer: &mut [f64]) {
+fn splat(b: &Metaball, grid: &ScalarGrid, z: f64, layer: &mut [f64]) {
     let [nx, ny, _] = grid.counts();
     let (origin, step) = (grid.point([0.0; 3]), grid.step());
     let square = b.radius * b.radius;

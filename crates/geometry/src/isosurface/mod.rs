@@ -11,6 +11,6 @@ mod grid;
 mod march;
 mod pattern;
 
-pub use balls::{SoftBall, SoftBalls};
+pub use balls::{Metaball, MetaballField};
 pub use grid::ScalarGrid;
 pub use march::{Isosurfacing, NEAREST_TO_CORNER};

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Mesh;
-use crate::{Error, Point3, Result, patience};
+use crate::{Error, Point3, Result, cancellation};
 
 impl Mesh {
     /// The mesh with every vertex that lies within `tolerance` of an earlier one moved to it, and the number of those
@@ -46,7 +46,7 @@ pub(crate) fn align_points(points: &mut [Point3], tolerance: f64) -> Result<usiz
     let mut anchors: HashMap<[i64; 3], Vec<Point3>> = HashMap::new();
     let mut moved = 0;
     for p in points {
-        patience::check()?;
+        cancellation::check()?;
         let [x, y, z] = cell(p);
         let mut best: Option<(f64, Point3)> = None;
         for k in 0..27 {

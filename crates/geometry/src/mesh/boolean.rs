@@ -11,7 +11,7 @@ use manifold_rust::types::{BooleanEngine, Error as Status, MeshGL64, OpType};
 
 use super::{Mesh, MeshFace};
 use crate::hash::{Table, table};
-use crate::{Error, Point3, Result, patience};
+use crate::{Error, Point3, Result, cancellation};
 
 /// Coordinates beyond this are refused: their products leave the range of numbers.
 const FARTHEST: f64 = 1e60;
@@ -50,7 +50,7 @@ impl Solid {
             return Err(Error::degenerate("mesh", "it lies too far from the origin for a boolean"));
         }
         // The library cannot be asked on its way: what it takes is asked for before.
-        patience::room::<[u64; 48]>(2 * mesh.faces.len())?;
+        cancellation::room::<[u64; 48]>(2 * mesh.faces.len())?;
         let merged = mesh.merged_indices();
         let mut triangles: Vec<[u32; 3]> = Vec::with_capacity(2 * mesh.faces.len());
         for t in mesh.faces.iter().flat_map(|f| f.triangles()) {
@@ -109,7 +109,7 @@ impl Solid {
 
     fn with(&self, other: &Self, operation: OpType) -> Result<Self> {
         // What the library takes at the most, as measured: about 800 bytes a triangle.
-        patience::room::<[u64; 100]>(self.body.num_tri().saturating_add(other.body.num_tri()))?;
+        cancellation::room::<[u64; 100]>(self.body.num_tri().saturating_add(other.body.num_tri()))?;
         // The smaller first: when it goes through itself, the larger need not be searched.
         let [small, large] =
             if other.body.num_tri() < self.body.num_tri() { [other, self] } else { [self, other] };

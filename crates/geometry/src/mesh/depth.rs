@@ -1,8 +1,8 @@
 //! How thick a mesh is, from place to place.
 
 use super::{Mesh, MeshTree};
+use crate::cancellation::check;
 use crate::parallel::each;
-use crate::patience::check;
 use crate::{Point3, Result};
 
 impl Mesh {

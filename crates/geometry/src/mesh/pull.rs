@@ -32,7 +32,7 @@ impl Mesh {
         for w in corners(curve, tolerance)?.windows(2) {
             let mut stack = vec![(w[0], tree.nearest(w[0])?, w[1], tree.nearest(w[1])?, 0)];
             while let Some((a, p, b, q, depth)) = stack.pop() {
-                crate::patience::check()?;
+                crate::cancellation::check()?;
                 let m = a.lerp(b, 0.5);
                 let r = tree.nearest(m)?;
                 // A first halving shows steps that the middle alone would miss.
@@ -62,7 +62,7 @@ impl Mesh {
         let tree = MeshTree::new(self);
         let mut pieces: Vec<Curve> = Vec::new();
         for w in corners(curve, tolerance)?.windows(2) {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let way = w[1] - w[0];
             let across = way - along * way.dot(along);
             let reach = across.length();

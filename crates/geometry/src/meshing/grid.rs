@@ -4,7 +4,7 @@ use super::bend::{Bend, Bender};
 use super::need;
 use super::probes::Probes;
 use super::settings::Limits;
-use crate::{Error, Result, patience};
+use crate::{Error, Result, cancellation};
 
 /// Places between two lines of the first grid: cells are halved at most ten times each way.
 pub(super) const PLACES: u32 = 1 << 10;
@@ -58,7 +58,7 @@ impl Grid {
         if cells > MOST || lines.iter().any(|l| l.len() > (u32::MAX / PLACES) as usize) {
             return Err(too_many(cells));
         }
-        patience::room::<Node>(cells)?;
+        cancellation::room::<Node>(cells)?;
         let mut grid = Self { lines, nodes: Vec::with_capacity(cells), probes };
         for i in 0..grid.lines[0].len() as u32 - 1 {
             for j in 0..grid.lines[1].len() as u32 - 1 {
@@ -75,7 +75,7 @@ impl Grid {
     fn refine(&mut self, limits: &Limits) -> Result<()> {
         let mut k = 0;
         while let Some(&node) = self.nodes.get(k) {
-            patience::check()?;
+            cancellation::check()?;
             let rectangle = self.rectangle(&node);
             let size = rectangle.map(|[a, b]| b - a);
             let bend = self.probes.over(rectangle);

@@ -54,7 +54,7 @@ impl Brep {
         }
         self.carry_edges(&mut parts, curve_image)?;
         for place in 0..parts.faces.len() {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             self.carry_face(place, &mut parts, &surface_image)?;
         }
         parts.set_iso();
@@ -65,7 +65,7 @@ impl Brep {
 
     fn carry_edges(&self, parts: &mut Parts, image: impl Fn(&Curve) -> Result<Curve>) -> Result<()> {
         for (place, edge) in parts.edges.iter_mut().enumerate().filter(|(_, edge)| !edge.deleted) {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let Some(curve) = self.edge_as_curve(place)? else { continue };
             let made = image(&curve)?;
             let ends =

@@ -1,5 +1,5 @@
 use super::{Morph, finite};
-use crate::{Point3, Result, Vector3, patience};
+use crate::{Point3, Result, Vector3, cancellation};
 
 /// Pushes space by forces at points, each the less the farther away: a point moves by the sum of the forces, each times
 /// the falloff at its distance.
@@ -17,7 +17,7 @@ impl<'a> Forces<'a> {
 
 impl Morph for Forces<'_> {
     fn image(&self, p: Point3) -> Result<Point3> {
-        patience::check()?;
+        cancellation::check()?;
         finite(self.forces.iter().fold(p, |sum, (q, force)| sum + *force * (self.falloff)(p.distance_to(*q))))
     }
 }

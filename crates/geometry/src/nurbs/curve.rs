@@ -54,7 +54,7 @@ impl NurbsCurve {
 
     pub(crate) fn from_controls(degree: usize, controls: Controls, knots: Vec<f64>) -> Result<Self> {
         // Whatever takes long makes curves or surfaces all the time.
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let finite = match &controls {
             Controls::Plain(p) => p.iter().flatten().all(|x| x.is_finite()),
             Controls::Rational(p) => p.iter().flatten().all(|x| x.is_finite()),

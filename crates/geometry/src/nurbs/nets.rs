@@ -68,7 +68,7 @@ impl Nets {
             return;
         };
         let [p, q] = surface.degrees;
-        crate::patience::worked(p * q / 8 + 1);
+        crate::cancellation::worked(p * q / 8 + 1);
         for r in i..=i + p {
             let row = r * surface.counts[1] + j;
             match &surface.controls {
@@ -101,7 +101,7 @@ impl NurbsSurface {
         let [p, q] = self.degrees;
         let [i, j] = first;
         let (n, m) = (p + 1, q + 1);
-        crate::patience::worked(n * m / 2 + 1);
+        crate::cancellation::worked(n * m / 2 + 1);
         let mut net = Vec::with_capacity(n * m);
         for r in i..=i + p {
             let row = r * self.counts[1] + j;

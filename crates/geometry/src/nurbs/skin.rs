@@ -8,7 +8,7 @@ use super::surface_refine::transposed;
 use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
 use super::{KnotSpacing, NurbsCurve, NurbsSurface};
 use crate::linear::Banded;
-use crate::{Error, Point3, Result, patience};
+use crate::{Error, Point3, Result, cancellation};
 
 /// How a surface runs across the curves that it is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub(crate) fn skinned(
 ) -> Result<NurbsSurface> {
     let first = curves.first().ok_or(Error::degenerate("sections", "there are none"))?;
     let (count, rows) = (first.point_count(), curves.len());
-    patience::room::<[f64; 4]>(4 * count * rows)?;
+    cancellation::room::<[f64; 4]>(4 * count * rows)?;
     // Column by column: the control points of the same number in all sections.
     let net: Vec<[f64; 4]> = curves.iter().flat_map(NurbsCurve::homogeneous_points).collect();
     let columns = transposed(&net, count);
@@ -191,7 +191,7 @@ fn around(columns: &[[f64; 4]], rows: usize, parameters: &[f64]) -> Result<Acros
     let lines = Lines::new(3, true, rows, parameters.to_vec())?;
     let mut out = Vec::with_capacity(columns.len() + 3 * columns.len() / rows);
     for column in columns.chunks(rows) {
-        patience::check()?;
+        cancellation::check()?;
         let places = lines.solve(&column.iter().map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>())?;
         let weights = lines.solve(&column.iter().map(|p| [p[3], 0.0, 0.0]).collect::<Vec<_>>())?;
         out.extend(places.iter().zip(&weights).map(|(p, w)| [p[0], p[1], p[2], w[0]]));
@@ -209,7 +209,7 @@ fn through(columns: &[[f64; 4]], rows: usize, t: &[f64], close: bool) -> Result<
     knots.extend([t[n - 1]; 2]);
     let mut out = Vec::with_capacity(columns.len() / n * (n + 2));
     for column in columns.chunks(n) {
-        patience::check()?;
+        cancellation::check()?;
         let slope = |a: usize, b: usize, c: usize| -> [f64; 4] {
             let (h0, h1) = (t[b] - t[a], t[c] - t[b]);
             std::array::from_fn(|k| {

@@ -1,6 +1,6 @@
 use super::curve::{Controls, project};
 use super::knots::check_knots;
-use crate::{Error, Interval, Point3, Result, patience};
+use crate::{Error, Interval, Point3, Result, cancellation};
 
 /// The most control points of a surface that is made of curves or of another surface: their counts multiply.
 const MOST_POINTS: usize = 10_000_000;
@@ -9,7 +9,7 @@ const MOST_POINTS: usize = 10_000_000;
 pub(crate) fn check_net(counts: [usize; 2]) -> Result<()> {
     let points = counts[0].saturating_mul(counts[1]);
     if points <= MOST_POINTS {
-        return patience::room::<[f64; 8]>(points);
+        return cancellation::room::<[f64; 8]>(points);
     }
     let what = "count of control points of a surface";
     Err(Error::OutOfRange { what, value: points as f64, must: "at most 10,000,000" })
@@ -155,8 +155,8 @@ impl NurbsSurface {
         controls: Controls,
         knots: [Vec<f64>; 2],
     ) -> Result<Self> {
-        crate::patience::worked(counts[0].saturating_mul(counts[1]) / 8);
-        crate::patience::check()?;
+        crate::cancellation::worked(counts[0].saturating_mul(counts[1]) / 8);
+        crate::cancellation::check()?;
         let (given, finite) = match &controls {
             Controls::Plain(p) => (p.len(), p.iter().flatten().all(|x| x.is_finite())),
             Controls::Rational(p) => (p.len(), p.iter().flatten().all(|x| x.is_finite())),

@@ -104,7 +104,7 @@ impl NurbsSurface {
     /// The box around the control points in space: it holds the surface, but may be larger. This is what openNURBS
     /// calls a surface's bounding box.
     pub fn hull_box(&self) -> BoundingBox {
-        crate::patience::worked(self.point_count() / 16);
+        crate::cancellation::worked(self.point_count() / 16);
         BoundingBox::from_points(self.control_points())
             .unwrap_or(BoundingBox { min: Point3::ORIGIN, max: Point3::ORIGIN })
     }

@@ -78,7 +78,7 @@ fn length(sources: &Sources, member: &Member) -> f64 {
 
 /// The winding numbers of all sources that have one at the strand.
 fn sides(sources: &Sources, index: &OutlineIndex, strand: &Strand, tolerance: f64) -> Result<Vec<Sides>> {
-    crate::patience::check()?;
+    crate::cancellation::check()?;
     let Some(first) = strand.members.first() else { return Ok(Vec::new()) };
     let at = |x: f64| flat(&sources.plane, place(sources, first, x).0);
     let mut own: Vec<(usize, i32)> = Vec::new();

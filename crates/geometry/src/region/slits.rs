@@ -1,8 +1,8 @@
 //! Slits in flat pieces that cross each other, so that they can be put together.
 
 use super::{FillRule, Region};
+use crate::cancellation::check;
 use crate::intersect::plane_plane;
-use crate::patience::check;
 use crate::{Curve, Error, Interval, Line, Plane, Point3, PolylineCurve, Result, Vector3};
 
 /// A flat piece with its slits.

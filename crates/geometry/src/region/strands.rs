@@ -68,7 +68,7 @@ fn coincide(sources: &Sources, one: &Member, other: &Member, tolerance: f64) -> 
     let (a, b) = (&sources.parts[one.part], &sources.parts[other.part].curve);
     let reach = 1.01 * tolerance;
     let near = sources.parts[other.part].bounds.inflated(reach);
-    let hair = 1e-6 * other.range.length();
+    let epsilon = 1e-6 * other.range.length();
     for x in PLACES {
         let p = a.curve.point_at(one.range.at(x));
         if !near.contains(p) {
@@ -77,7 +77,7 @@ fn coincide(sources: &Sources, one: &Member, other: &Member, tolerance: f64) -> 
         let Some(foot) = b.closest_point_within(p, reach)? else { return Ok(false) };
         let t = foot.parameter;
         // Beyond the ends only what lies in the nodes.
-        if t < other.range.start - hair || t > other.range.end + hair {
+        if t < other.range.start - epsilon || t > other.range.end + epsilon {
             let ends = [other.range.start, other.range.end].map(|t| b.point_at(t));
             if ends.iter().all(|e| e.distance_to(p) > 4.0 * tolerance) {
                 return Ok(false);

@@ -32,7 +32,7 @@ impl SubDNet {
         // For each edge of the merged mesh the vertices of the mesh at its ends, face by face.
         let mut ends: HashMap<[usize; 2], Vec<[u32; 2]>> = HashMap::new();
         for face in mesh.faces() {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             // A side without length, as at the poles of a sphere, is none.
             let root = |i: u32| merged.get(i as usize).copied().unwrap_or(i);
             let mut corners: Vec<u32> = face.indices().to_vec();

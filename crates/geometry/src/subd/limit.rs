@@ -41,7 +41,7 @@ impl SubD {
     /// # Ok::<(), katydid_geometry::Error>(())
     /// ```
     pub fn limit_mesh(&self, levels: u32) -> Result<Mesh> {
-        let room = |faces: usize| crate::patience::room::<[u64; 160]>(faces);
+        let room = |faces: usize| crate::cancellation::room::<[u64; 160]>(faces);
         room(self.net().faces().len())?;
         let mut cage = Cage::of(self.net()).subdivided();
         for _ in 1..levels {

@@ -43,12 +43,12 @@ impl SubDNet {
         };
         let mut vertices = points.into_iter().enumerate().map(vertex).collect::<Result<Vec<_>>>()?;
         // Half as many vertices and edges again as faces, each with lists of its own, and a table to find them by.
-        crate::patience::room::<[u64; 96]>(polygons.len())?;
+        crate::cancellation::room::<[u64; 96]>(polygons.len())?;
         let mut edges: Vec<SubDEdge> = Vec::new();
         let mut faces = Vec::with_capacity(polygons.len());
         let mut known: HashMap<[usize; 2], usize> = HashMap::new();
         for (f, polygon) in polygons.iter().enumerate() {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             if polygon.len() < 3 {
                 return Err(invalid(format!("polygon {f} has {} corners", polygon.len())));
             }

@@ -2,7 +2,7 @@
 
 use super::limit::Cage;
 use super::{SubD, SubDNet};
-use crate::{Point3, Result, Vector3, patience};
+use crate::{Point3, Result, Vector3, cancellation};
 
 /// Steps towards a net whose surface goes through given points.
 const STEPS: usize = 400;
@@ -62,7 +62,7 @@ impl SubDNet {
         let mut best = (f64::INFINITY, subd.net().clone());
         for _ in 0..STEPS {
             // A net of four times as many faces.
-            patience::room::<[u64; 160]>(wanted.len())?;
+            cancellation::room::<[u64; 160]>(wanted.len())?;
             let found = subd.vertex_limits();
             let steps: Vec<Vector3> = wanted.iter().zip(&found).map(|(w, f)| *w - *f).collect();
             let miss = steps.iter().map(|s| s.length()).fold(0.0, f64::max);

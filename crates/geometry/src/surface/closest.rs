@@ -89,7 +89,7 @@ impl ClosestOnSurface {
         #[cfg(feature = "parallel")]
         if points.len() >= 64 {
             use rayon::prelude::*;
-            let own = crate::Patience::now();
+            let own = crate::CancellationToken::now();
             let all = points.par_iter().with_min_len(8).map(|&q| own.during(|| self.nearest(q)));
             return crate::parallel::waiting(|| all.collect());
         }
@@ -100,7 +100,7 @@ impl ClosestOnSurface {
         if !q.is_finite() {
             return Err(Error::NotFinite("point to project on the surface"));
         }
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let place: [f64; 3] = q.into();
         let mut best = Best { squared: limit, uv: None };
         let (mut plain, mut rational) = (Work::<1>::default(), Work::<2>::default());

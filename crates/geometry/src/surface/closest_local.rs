@@ -30,7 +30,7 @@ const MOST_CELLS: usize = 1024;
 const MOST_PLACES: usize = 4096;
 
 /// A step in a patch's own parameters that separates no places.
-const HAIR: f64 = 1e-7;
+const EPSILON: f64 = 1e-7;
 
 /// In which directions the distance surely falls from a patch's border into it.
 struct Border {
@@ -93,8 +93,8 @@ impl<'s> Survey<'s> {
     fn stands(&self, at: [usize; 2], x: [f64; 2]) -> bool {
         let mut around = [[None; 3]; 2];
         for d in 0..2 {
-            let start = x[d] <= HAIR;
-            let end = x[d] >= 1.0 - HAIR;
+            let start = x[d] <= EPSILON;
+            let end = x[d] >= 1.0 - EPSILON;
             // Poles are looked at by themselves.
             if (x[d] <= 1e-9 && self.is_pole(d, at[d])) || (x[d] >= 1.0 - 1e-9 && self.is_pole(d, at[d] + 1))
             {
@@ -114,7 +114,7 @@ impl<'s> Survey<'s> {
 
     /// Records a range of a patch's parameters, if the distance really does not fall from the point that stands for it.
     fn add(&mut self, at: [usize; 2], search: &Search<'_>, range: [[f64; 2]; 2], x: [f64; 2], sure: bool) {
-        let inside = x.iter().all(|x| *x > HAIR && *x < 1.0 - HAIR);
+        let inside = x.iter().all(|x| *x > EPSILON && *x < 1.0 - EPSILON);
         let proved = sure && inside;
         if !proved && !self.stands(at, x) {
             return;
@@ -125,9 +125,9 @@ impl<'s> Survey<'s> {
         }
         let low = search.parameters([range[0][0], range[1][0]]);
         let high = search.parameters([range[0][1], range[1][1]]);
-        let hair = search.patch.range.map(|[a, b]| 10.0 * HAIR * (b - a));
+        let epsilon = search.patch.range.map(|[a, b]| 10.0 * EPSILON * (b - a));
         let (at, squared, noise) = (search.parameters(x), search.squared(x), search.noise);
-        self.places.push(Place { low, high, at, squared, noise, hair });
+        self.places.push(Place { low, high, at, squared, noise, epsilon });
     }
 
     /// Minima inside a patch, those on its border among them where both slopes vanish.
@@ -302,9 +302,9 @@ impl<'s> Survey<'s> {
         let at = search.parameters(x);
         let (mut low, mut high) = (at, at);
         (low[along], high[along]) = (self.domain.ranges[along].start, self.domain.ranges[along].end);
-        let hair = search.patch.range.map(|[a, b]| 10.0 * HAIR * (b - a));
+        let epsilon = search.patch.range.map(|[a, b]| 10.0 * EPSILON * (b - a));
         let (squared, noise) = (search.squared(x), search.noise);
-        self.places.push(Place { low, high, at, squared, noise, hair });
+        self.places.push(Place { low, high, at, squared, noise, epsilon });
     }
 }
 
@@ -353,7 +353,7 @@ fn at_rest(search: &Search<'_>, x: [f64; 2], level: [bool; 2]) -> bool {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let g = [dot(r, su), dot(r, sv)];
     let h = [dot(su, su) + dot(r, suu), dot(su, sv) + dot(r, suv), dot(sv, sv) + dot(r, svv)];
-    let small = |step: f64| step.abs() <= HAIR;
+    let small = |step: f64| step.abs() <= EPSILON;
     match level {
         [true, true] => true,
         [true, false] => h[2] > 0.0 && small(g[1] / h[2]),

@@ -13,7 +13,7 @@ pub(super) struct Place {
     pub(super) squared: f64,
     pub(super) noise: f64,
     /// Ranges no further apart than this touch.
-    pub(super) hair: [f64; 2],
+    pub(super) epsilon: [f64; 2],
 }
 
 /// How a surface's parameters hang together.
@@ -37,9 +37,9 @@ impl Domain {
     }
 
     fn touch(&self, a: &Place, b: &Place) -> bool {
-        let hair: [f64; 2] = std::array::from_fn(|d| a.hair[d].max(b.hair[d]));
+        let epsilon: [f64; 2] = std::array::from_fn(|d| a.epsilon[d].max(b.epsilon[d]));
         let meet = |d: usize, shift: f64| {
-            a.low[d] + shift <= b.high[d] + hair[d] && b.low[d] <= a.high[d] + shift + hair[d]
+            a.low[d] + shift <= b.high[d] + epsilon[d] && b.low[d] <= a.high[d] + shift + epsilon[d]
         };
         let along = |d: usize| {
             let turn = self.ranges[d].length();
@@ -48,8 +48,8 @@ impl Domain {
         let at_pole = |d: usize, end: usize| {
             let Interval { start, end: last } = self.ranges[d];
             let there = |p: &Place| match end {
-                0 => p.low[d] <= start + hair[d],
-                _ => p.high[d] >= last - hair[d],
+                0 => p.low[d] <= start + epsilon[d],
+                _ => p.high[d] >= last - epsilon[d],
             };
             self.singular[d][end] && there(a) && there(b)
         };

@@ -3,7 +3,7 @@
 use super::proof::Box4;
 use super::thresholds::{ABOVE_NOISE, ASIDE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST, SLOWEST};
 use super::{Condition, Four, Pair, Place};
-use crate::{Result, Vector3, patience};
+use crate::{Result, Vector3, cancellation};
 
 /// How exactly, and how far, a curve is followed.
 #[derive(Debug, Clone, Copy)]
@@ -128,7 +128,7 @@ fn one_way(
     }
     let mut length = 0.1 * limits.longest;
     while places.len() < limits.most {
-        patience::check()?;
+        cancellation::check()?;
         let Some(&from) = places.last() else { break };
         let Some(step) = attempted(pair, &from, sign, length, limits) else {
             length *= 0.4;

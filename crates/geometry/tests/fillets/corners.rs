@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use katydid_geometry::brep::{FilletBlend, FilletRail};
 use katydid_geometry::construct;
-use katydid_geometry::{Brep, ClosestOnSurface, Curve, Patience, Point3, PolylineCurve, Vector3};
+use katydid_geometry::{Brep, CancellationToken, ClosestOnSurface, Curve, Point3, PolylineCurve, Vector3};
 
 use super::{ELL, GAP, TOLERANCE, cuboid, holds, near, outline, p, prism};
 
@@ -498,7 +498,7 @@ fn what_there_is_no_room_for_is_refused_by_name() {
 fn nobody_waits_for_ever() {
     let bracket = prism(&ELL, 3.0);
     let all = radii(&bracket, |_| Some(0.3));
-    let none = Patience::new(|| false);
+    let none = CancellationToken::new(|| false);
     assert_eq!(none.during(|| rounded(&bracket, &all)), Err(katydid_geometry::Error::Stopped));
 }
 

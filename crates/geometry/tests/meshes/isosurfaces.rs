@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-use katydid_geometry::isosurface::{Isosurfacing, ScalarGrid, SoftBall, SoftBalls};
+use katydid_geometry::isosurface::{Isosurfacing, Metaball, MetaballField, ScalarGrid};
 use katydid_geometry::{Error, Mesh, Point3, Vector3};
 use proptest::prelude::*;
 
@@ -179,8 +179,8 @@ proptest! {
     }
 }
 
-fn ball(x: f64, y: f64, z: f64, radius: f64, strength: f64) -> SoftBall {
-    SoftBall { center: Point3::new(x, y, z), radius, strength }
+fn ball(x: f64, y: f64, z: f64, radius: f64, strength: f64) -> Metaball {
+    Metaball { center: Point3::new(x, y, z), radius, strength }
 }
 
 const MANY: usize = 1 << 24;
@@ -188,7 +188,7 @@ const MANY: usize = 1 << 24;
 #[test]
 fn one_soft_ball_is_a_sphere() {
     for (strength, level) in [(1.0, 0.2), (3.0, 0.1)] {
-        let field = SoftBalls::new(&[ball(3.0, -4.0, 5.0, 2.0, strength)]).unwrap();
+        let field = MetaballField::new(&[ball(3.0, -4.0, 5.0, 2.0, strength)]).unwrap();
         let radius = 2.0 * (1.0 - (level / strength).cbrt()).sqrt();
         let mesh = field.mesh(level, 0.05, MANY, || true).unwrap();
         assert_solid(&mesh);
@@ -202,8 +202,8 @@ fn one_soft_ball_is_a_sphere() {
 
 #[test]
 fn soft_balls_melt_together_and_eat_away() {
-    let pieces = |balls: &[SoftBall]| {
-        let mesh = SoftBalls::new(balls).unwrap().mesh(0.2, 0.06, MANY, || true).unwrap();
+    let pieces = |balls: &[Metaball]| {
+        let mesh = MetaballField::new(balls).unwrap().mesh(0.2, 0.06, MANY, || true).unwrap();
         assert_solid(&mesh);
         mesh.pieces().unwrap().len()
     };
@@ -213,17 +213,17 @@ fn soft_balls_melt_together_and_eat_away() {
     assert_eq!(pieces(&[ball(-apart + 0.05, 0.0, 0.0, 1.0, 1.0), ball(apart - 0.05, 0.0, 0.0, 1.0, 1.0)]), 1);
     let bitten = [ball(0.0, 0.0, 0.0, 1.0, 1.0), ball(0.0, 0.0, 0.0, 0.4, -1.0)];
     assert_eq!(pieces(&bitten), 2, "a hollow ball");
-    let field = SoftBalls::new(&[ball(0.0, 0.0, 0.0, 1.0, -1.0)]).unwrap();
+    let field = MetaballField::new(&[ball(0.0, 0.0, 0.0, 1.0, -1.0)]).unwrap();
     assert!(field.mesh(0.2, 0.06, MANY, || true).unwrap().faces().is_empty());
 }
 
 #[test]
 fn soft_balls_that_cannot_be() {
-    assert!(SoftBalls::new(&[]).unwrap().mesh(0.2, 0.1, MANY, || true).unwrap().faces().is_empty());
-    assert!(SoftBalls::new(&[ball(0.0, 0.0, 0.0, 0.0, 1.0)]).is_err());
-    assert!(SoftBalls::new(&[ball(0.0, 0.0, 0.0, 1e300, 1.0)]).is_err());
-    assert!(SoftBalls::new(&[ball(f64::NAN, 0.0, 0.0, 1.0, 1.0)]).is_err());
-    let one = SoftBalls::new(&[ball(0.0, 0.0, 0.0, 1.0, 1.0)]).unwrap();
+    assert!(MetaballField::new(&[]).unwrap().mesh(0.2, 0.1, MANY, || true).unwrap().faces().is_empty());
+    assert!(MetaballField::new(&[ball(0.0, 0.0, 0.0, 0.0, 1.0)]).is_err());
+    assert!(MetaballField::new(&[ball(0.0, 0.0, 0.0, 1e300, 1.0)]).is_err());
+    assert!(MetaballField::new(&[ball(f64::NAN, 0.0, 0.0, 1.0, 1.0)]).is_err());
+    let one = MetaballField::new(&[ball(0.0, 0.0, 0.0, 1.0, 1.0)]).unwrap();
     for (level, cell) in [(0.0, 0.1), (-1.0, 0.1), (f64::NAN, 0.1), (0.2, 0.0), (0.2, f64::NAN), (0.2, 1e-9)]
     {
         assert!(one.mesh(level, cell, MANY, || true).is_err());
@@ -240,9 +240,9 @@ fn soft_balls_that_cannot_be() {
 #[test]
 fn a_hundred_thousand_balls() {
     let mut r = random(7);
-    let balls: Vec<SoftBall> =
+    let balls: Vec<Metaball> =
         (0..100_000).map(|_| ball(60.0 * r(), 60.0 * r(), 60.0 * r(), 0.5 + r(), 1.0)).collect();
-    let field = SoftBalls::new(&balls).unwrap();
+    let field = MetaballField::new(&balls).unwrap();
     let clock = std::time::Instant::now();
     let mesh = field.mesh(0.9, 0.4, MANY, || true).unwrap();
     let seconds = clock.elapsed().as_secs_f64();

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use katydid_component::{Account, Cancel, Limits};
-use katydid_geometry::{Patience, Tolerance};
+use katydid_geometry::{CancellationToken, Tolerance};
 use serde_json::Value as Json;
 
 use super::call::Call;
@@ -80,8 +80,8 @@ impl Waiting {
     }
 
     /// The same for what the kernel does on this thread.
-    pub(super) fn patience(&self) -> Patience {
-        Patience::of(Arc::new(self.clone()))
+    pub(super) fn token(&self) -> CancellationToken {
+        CancellationToken::of(Arc::new(self.clone()))
     }
 
     /// Stops here when nobody waits any more: between the parts of work that may be long.

@@ -266,7 +266,7 @@ fn run<'a>(row: &'a Row, arguments: Arguments<'_>, waiting: &Waiting) -> Result<
     let name = if row.path.is_empty() { &row.member } else { &row.path };
     let Some(entry) = &row.entry else { return Err((Fault::not_supported(name), true)) };
     let mut call = Call::new(arguments, &row.names, waiting);
-    let outcome = waiting.patience().during(|| entry(&mut call));
+    let outcome = waiting.token().during(|| entry(&mut call));
     // What was given up on the way is no result, and no fault of the arguments.
     let outcome = waiting.check().and(outcome);
     outcome.map(|given| Fit { row, given }).map_err(|fault| {

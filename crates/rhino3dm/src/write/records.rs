@@ -38,8 +38,9 @@ impl Records<'_> {
                 || Writer::new(version),
                 |mut w, (place, object)| self.record(object, place, &mut w).map(|()| w),
             );
-            // A thread that waits may be given others' work, which has a patience of its own.
-            let stretches: Vec<Result<Writer>> = katydid_geometry::Patience::waiting(|| stretches.collect());
+            // A thread that waits may be given others' work, which has a token of its own.
+            let stretches: Vec<Result<Writer>> =
+                katydid_geometry::CancellationToken::waiting(|| stretches.collect());
             return stretches.into_iter().try_for_each(|stretch| {
                 w.chunks(&stretch?.into_bytes());
                 Ok(())

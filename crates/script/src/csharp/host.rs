@@ -8,7 +8,7 @@ use katydid_csharp::vm::heap::Obj;
 use katydid_csharp::vm::value::Value as Net;
 use katydid_csharp::{Cx, Host, Raise, Stop};
 use katydid_data::cast::Rules;
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use katydid_members::geometry::{Waiting, change_in_place, changes_in_place, endpoints};
 use katydid_members::{Cause, Fault, Geometry, Value};
 
@@ -63,7 +63,9 @@ pub(super) struct Turn {
 
 impl Turn {
     fn is_over(&self) -> bool {
-        self.cancel.is_cancelled() || Patience::is_over() || self.end.is_some_and(|end| Instant::now() >= end)
+        self.cancel.is_cancelled()
+            || CancellationToken::is_over()
+            || self.end.is_some_and(|end| Instant::now() >= end)
     }
 }
 

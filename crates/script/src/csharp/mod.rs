@@ -79,7 +79,7 @@ impl CSharp {
         let (mut reply, mut ended) = (Reply::default(), false);
         let mut said = program.around(false);
         for row in &rows {
-            let called = task.budget.patience().during(|| program.call(&row.items().unwrap_or_default()));
+            let called = task.budget.token().during(|| program.call(&row.items().unwrap_or_default()));
             reply.iterations.push(called.row);
             reply.prints.push(called.printed);
             for message in called.messages {

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use katydid_component::Account;
 use katydid_compute::{Cause, Fault};
-use katydid_geometry::{Patience, Waiting};
+use katydid_geometry::{CancellationToken, Waiting};
 
 use super::pool::Step;
 use super::refusal::Refusal;
@@ -107,7 +107,7 @@ pub(crate) fn counted<T: Send + 'static>(
     work: impl FnOnce() -> Step<Result<T, Refusal>> + Send + 'static,
 ) -> Step<Result<T, Refusal>> {
     let counted = Arc::new(Counted { reins: reins.clone(), gave_up: AtomicBool::new(false) });
-    match Patience::of(counted.clone()).during(work) {
+    match CancellationToken::of(counted.clone()).during(work) {
         Step::Done(Ok(done)) => Step::Done(counted.refusal().map_or(Ok(done), Err)),
         // Whatever was said where it was given up, this is why.
         Step::Done(Err(_)) if reins.memory.was_refused() || counted.gave_up.load(Ordering::Relaxed) => {
@@ -174,7 +174,7 @@ mod tests {
         }
         let work = || {
             let mut written = Vec::new();
-            while !Patience::is_over() {
+            while !CancellationToken::is_over() {
                 written.push(vec![1_u8; MEGA as usize]);
                 written.truncate(20);
             }

@@ -1,7 +1,7 @@
 //! Answers as Rhino.Compute does: definitions solved, geometry functions called, on a port of its own.
 //!
 //! What is asked for is found in `katydid-compute`, which knows nothing of sockets. Here are the addresses (`route`), the
-//! door that every request passes (`door`: ids, keys, other sites' pages, logs, figures), the threads that solve
+//! middleware that every request passes (`middleware`: ids, keys, other sites' pages, logs, figures), the threads that solve
 //! (`pool`), work that nobody waits for (`jobs`), and definitions fetched from elsewhere (`fetch`).
 //!
 //! ```no_run
@@ -19,7 +19,6 @@ mod behind;
 mod body;
 mod config;
 mod cors;
-mod door;
 mod form;
 mod geometry;
 mod health;
@@ -27,6 +26,7 @@ mod jobs;
 mod key;
 mod memory;
 mod metrics;
+mod middleware;
 mod openapi;
 mod pool;
 mod query;

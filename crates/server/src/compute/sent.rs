@@ -15,7 +15,7 @@ use bytes::Bytes;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use katydid_component::Account;
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 
 use super::refusal::Refusal;
 
@@ -111,7 +111,7 @@ impl Sent {
         }
         let mut packer = GzEncoder::new(Vec::with_capacity(self.body.len() / 3), Compression::fast());
         let mut pieces = self.body.chunks(PIECE);
-        if pieces.all(|piece| !Patience::is_over() && packer.write_all(piece).is_ok())
+        if pieces.all(|piece| !CancellationToken::is_over() && packer.write_all(piece).is_ok())
             && let Ok(packed) = packer.finish()
             && packed.len() < self.body.len()
         {

@@ -8,7 +8,7 @@ use axum::Router;
 use tokio::task::JoinHandle;
 
 use super::behind::Behind;
-use super::door;
+use super::middleware;
 use super::service::Service;
 use super::{Config, Processes};
 use crate::Error;
@@ -60,7 +60,7 @@ pub async fn start(config: Config) -> Result<Server, Error> {
         _ => None,
     };
     let service = Arc::new(Service::new(config, behind));
-    let router = Router::new().fallback(door::answer).with_state(Arc::clone(&service));
+    let router = Router::new().fallback(middleware::answer).with_state(Arc::clone(&service));
     let listening = Listening::start(listener, address, router, grace);
     let swept = Arc::clone(&service);
     let sweeping = tokio::spawn(async move {

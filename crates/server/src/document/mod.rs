@@ -98,7 +98,7 @@ pub(crate) struct Handle {
 }
 
 /// An inquiry waits so long for a solve to end.
-const PATIENCE: Duration = Duration::from_secs(120);
+const WAIT: Duration = Duration::from_secs(120);
 
 impl Handle {
     /// Opens a document: its threads live until it is closed.
@@ -135,7 +135,7 @@ impl Handle {
         if !self.tell(Command::With(inquiry)) {
             return Err("the document is closed".to_owned());
         }
-        match tokio::time::timeout(PATIENCE, waiting).await {
+        match tokio::time::timeout(WAIT, waiting).await {
             Ok(Ok(done)) => Ok(done),
             Ok(Err(_)) => {
                 Err("it could not be made: this is a fault of Katydid, please report it".to_owned())

@@ -12,9 +12,9 @@ use katydid_component::Cancel;
 use super::worker::{Ended, Job};
 
 /// A solve may go on for so long at least although there are newer edits.
-const LEAST_PATIENCE: Duration = Duration::from_millis(250);
+const LEAST_WAIT: Duration = Duration::from_millis(250);
 /// And for so long at most.
-const MOST_PATIENCE: Duration = Duration::from_secs(2);
+const MOST_WAIT: Duration = Duration::from_secs(2);
 
 /// What is to be done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,7 +33,7 @@ pub(super) struct Solving {
     running: Option<Running>,
     /// What is to be done when the worker is idle.
     wanted: Option<Work>,
-    patience: Duration,
+    token: Duration,
 }
 
 #[derive(Debug)]
@@ -44,7 +44,7 @@ struct Running {
 
 impl Default for Solving {
     fn default() -> Self {
-        Self { number: 0, running: None, wanted: None, patience: LEAST_PATIENCE }
+        Self { number: 0, running: None, wanted: None, token: LEAST_WAIT }
     }
 }
 
@@ -86,7 +86,7 @@ impl Solving {
     /// would begin the solve again.
     pub(super) fn gives_up(&self) -> Option<Instant> {
         let running = self.running.as_ref().filter(|running| !running.cancel.is_cancelled())?;
-        (self.wanted == Some(Work::Solve)).then(|| running.began + self.patience)
+        (self.wanted == Some(Work::Solve)).then(|| running.began + self.token)
     }
 
     /// Gives the solve up when its time is over.
@@ -100,8 +100,8 @@ impl Solving {
 
     /// A solve has ended: the next may take a little longer, and longer still when this one was given up.
     pub(super) fn ended(&mut self, ended: &Ended) {
-        let next = if ended.cancelled { 2 * self.patience } else { ended.took + ended.took / 2 };
-        self.patience = next.clamp(LEAST_PATIENCE, MOST_PATIENCE);
+        let next = if ended.cancelled { 2 * self.token } else { ended.took + ended.took / 2 };
+        self.token = next.clamp(LEAST_WAIT, MOST_WAIT);
     }
 
     /// The worker has nothing to do.
@@ -148,11 +148,11 @@ mod tests {
         let (_, cancel) = solve(&jobs);
         assert!(solving.gives_up().is_none());
         solving.want(Work::Solve, &sender);
-        assert!(solving.gives_up().unwrap() <= Instant::now() + LEAST_PATIENCE);
-        solving.running.as_mut().unwrap().began -= LEAST_PATIENCE;
+        assert!(solving.gives_up().unwrap() <= Instant::now() + LEAST_WAIT);
+        solving.running.as_mut().unwrap().began -= LEAST_WAIT;
         solving.tick();
         assert!(cancel.is_cancelled());
-        for (cancelled, took, patience) in [
+        for (cancelled, took, token) in [
             (true, 250, 500),
             (true, 500, 1000),
             (false, 600, 900),
@@ -162,7 +162,7 @@ mod tests {
         ] {
             let took = Duration::from_millis(took);
             solving.ended(&Ended { cancelled, took, unfinished: 0 });
-            assert_eq!(solving.patience, Duration::from_millis(patience));
+            assert_eq!(solving.token, Duration::from_millis(token));
         }
     }
 
@@ -173,7 +173,7 @@ mod tests {
         solving.want(Work::Solve, &sender);
         let (_, cancel) = solve(&jobs);
         solving.want(Work::Draw, &sender);
-        solving.running.as_mut().unwrap().began -= MOST_PATIENCE;
+        solving.running.as_mut().unwrap().began -= MOST_WAIT;
         solving.tick();
         assert!(solving.gives_up().is_none() && !cancel.is_cancelled());
         solving.idle(&sender);

@@ -21,7 +21,7 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 use uuid::Uuid;
 
 /// Nothing takes so long.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
+pub(crate) const WAIT: Duration = Duration::from_secs(60);
 
 pub(crate) struct Studio {
     pub(crate) server: Server,
@@ -82,7 +82,7 @@ impl Studio {
         let mut stream = TcpStream::connect(self.server.address()).await.unwrap();
         stream.write_all(request).await.unwrap();
         let mut bytes = Vec::new();
-        let _ = timeout(PATIENCE, stream.read_to_end(&mut bytes)).await.expect("an answer in time");
+        let _ = timeout(WAIT, stream.read_to_end(&mut bytes)).await.expect("an answer in time");
         let end = bytes.windows(4).position(|w| w == b"\r\n\r\n").expect("a head");
         let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
         let status = head.split(' ').nth(1).unwrap().parse().unwrap();
@@ -176,7 +176,7 @@ pub(crate) struct Client {
 impl Client {
     /// The next event or frame.
     pub(crate) async fn hear(&mut self) -> Option<Event> {
-        let next = timeout(PATIENCE, self.socket.next()).await.expect("something in time");
+        let next = timeout(WAIT, self.socket.next()).await.expect("something in time");
         match next.expect("the socket is open").expect("a frame") {
             Message::Text(text) => {
                 let event: Event = serde_json::from_str(text.as_str()).unwrap();
@@ -269,7 +269,7 @@ impl Client {
     pub(crate) async fn solved(&mut self, times: u64) {
         let start = Instant::now();
         while self.finished < times {
-            assert!(start.elapsed() < PATIENCE, "solved {} of {times} times", self.finished);
+            assert!(start.elapsed() < WAIT, "solved {} of {times} times", self.finished);
             self.hear().await;
         }
     }
@@ -283,7 +283,7 @@ impl Client {
             {
                 return now;
             }
-            assert!(start.elapsed() < PATIENCE, "no geometry");
+            assert!(start.elapsed() < WAIT, "no geometry");
             self.hear().await;
         }
     }
@@ -302,7 +302,7 @@ impl Client {
     pub(crate) async fn shows(&mut self, name: &str, texts: &[&str]) {
         let start = Instant::now();
         while self.texts(name) != texts {
-            assert!(start.elapsed() < PATIENCE, "{:?}, not {texts:?}", self.texts(name));
+            assert!(start.elapsed() < WAIT, "{:?}, not {texts:?}", self.texts(name));
             self.hear().await;
         }
     }

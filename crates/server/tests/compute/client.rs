@@ -12,7 +12,7 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 
 /// Nothing takes so long.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
+pub(crate) const WAIT: Duration = Duration::from_secs(120);
 
 pub(crate) struct Compute {
     pub(crate) server: Server,
@@ -99,7 +99,7 @@ impl Compute {
         let hear = async {
             let _ = reading.read_to_end(&mut bytes).await;
         };
-        timeout(PATIENCE, async { tokio::join!(say, hear) }).await.expect("an answer in time");
+        timeout(WAIT, async { tokio::join!(say, hear) }).await.expect("an answer in time");
         let (answer, rest) = parsed(&bytes).expect("an answer");
         assert!(rest.is_empty(), "more than one answer");
         answer
@@ -149,7 +149,7 @@ pub(crate) async fn next(stream: &mut TcpStream, heard: &mut Vec<u8>) -> Answer 
             return answer;
         }
         let mut piece = [0; 65_536];
-        let read = timeout(PATIENCE, stream.read(&mut piece)).await.expect("an answer in time").unwrap();
+        let read = timeout(WAIT, stream.read(&mut piece)).await.expect("an answer in time").unwrap();
         assert!(read > 0, "the connection is closed: {}", String::from_utf8_lossy(heard));
         heard.extend_from_slice(&piece[..read]);
     }

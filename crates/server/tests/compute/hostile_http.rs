@@ -7,7 +7,7 @@ use serde_json::json;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::time::{Instant, sleep, timeout};
 
-use crate::client::{Compute, PATIENCE, next, parsed};
+use crate::client::{Compute, WAIT, next, parsed};
 use crate::definitions::{SUM, gh};
 
 #[tokio::test(flavor = "multi_thread")]
@@ -69,7 +69,7 @@ async fn bodies_that_come_in_pieces_or_not_at_all() {
     );
     stream.write_all(head.as_bytes()).await.unwrap();
     let mut go_on = [0; 25];
-    timeout(PATIENCE, stream.read_exact(&mut go_on)).await.unwrap().unwrap();
+    timeout(WAIT, stream.read_exact(&mut go_on)).await.unwrap().unwrap();
     assert_eq!(&go_on, b"HTTP/1.1 100 Continue\r\n\r\n");
     stream.write_all(body.as_bytes()).await.unwrap();
     let mut heard = Vec::new();
@@ -104,7 +104,7 @@ async fn heads_that_make_no_sense() {
         let mut stream = compute.connect().await;
         let _ = stream.write_all(head.as_bytes()).await;
         let mut bytes = Vec::new();
-        let _ = timeout(PATIENCE, stream.read_to_end(&mut bytes)).await.expect("an end");
+        let _ = timeout(WAIT, stream.read_to_end(&mut bytes)).await.expect("an end");
         if let Some((answer, _)) = parsed(&bytes) {
             // A long head may be taken; one that makes no sense is not.
             let is_long = head.len() > 1000;
@@ -128,7 +128,7 @@ async fn heads_that_make_no_sense() {
         .await
         .unwrap();
     let mut bytes = Vec::new();
-    timeout(PATIENCE, stream.read_to_end(&mut bytes)).await.unwrap().unwrap();
+    timeout(WAIT, stream.read_to_end(&mut bytes)).await.unwrap().unwrap();
     assert!(bytes.starts_with(b"HTTP/1.1 200") && bytes.ends_with(b"\r\n\r\n"), "a head and no body");
 }
 
@@ -163,7 +163,7 @@ async fn a_request_that_says_its_length_twice_is_refused() {
             assert!(answer.is_refused() && answer.text().contains("Content-Length and Transfer-Encoding"));
             // What comes behind it is not answered.
             let mut rest = Vec::new();
-            let _ = timeout(PATIENCE, stream.read_to_end(&mut rest)).await.expect("it is closed");
+            let _ = timeout(WAIT, stream.read_to_end(&mut rest)).await.expect("it is closed");
             assert!(rest.is_empty(), "{}", String::from_utf8_lossy(&rest));
         }
     }

@@ -6,7 +6,7 @@ use katydid_server::compute::Config;
 use serde_json::{Value, json};
 use tokio::time::{Instant, sleep};
 
-use crate::client::{Compute, PATIENCE, input};
+use crate::client::{Compute, WAIT, input};
 use crate::definitions::{SPHERE, SUM, endless, gh};
 
 async fn submitted(compute: &Compute, path: &str, body: &Value) -> String {
@@ -24,7 +24,7 @@ async fn until(compute: &Compute, id: &str, is_so: impl Fn(&str) -> bool) -> Val
         if is_so(about["state"].as_str().unwrap()) {
             return about;
         }
-        assert!(start.elapsed() < PATIENCE, "{about}");
+        assert!(start.elapsed() < WAIT, "{about}");
         sleep(Duration::from_millis(10)).await;
     }
 }

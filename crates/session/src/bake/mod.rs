@@ -11,7 +11,7 @@ use katydid_3dm::{Attributes, Group, Model, Object as Archived};
 use katydid_component::{Access, Matching, Ranges};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
 use katydid_definition::document::{Document, Object, Special, ids};
-use katydid_geometry::Patience;
+use katydid_geometry::CancellationToken;
 use katydid_solver::{Engine, Inputs};
 use uuid::{Uuid, uuid};
 
@@ -124,7 +124,7 @@ impl Baking<'_> {
         for (branch, path) in tree.paths().iter().enumerate() {
             for (index, place) in tree.range(branch).enumerate() {
                 // Given up by whoever waits for it.
-                if Patience::is_over() {
+                if CancellationToken::is_over() {
                     return;
                 }
                 if let Some(value) = tree.column().get(place) {

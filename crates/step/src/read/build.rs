@@ -51,7 +51,7 @@ fn of_topology(space: &Space<'_>, id: u64, mut topology: Topology) -> Result<Bui
         breps.push(if is_turned && !whole.is_empty() { brep.flipped() } else { brep });
     }
     for face in whole {
-        let surface = face.ground.whole().ok_or_else(|| Error::entity(face.id, "it has no loops"))??;
+        let surface = face.support.whole().ok_or_else(|| Error::entity(face.id, "it has no loops"))??;
         let brep = Brep::from_surface(surface).map_err(|error| Error::entity(face.id, error.to_string()))?;
         breps.push(if face.reversed { brep.flipped() } else { brep });
         faces.push(face.id);

@@ -1,8 +1,8 @@
 //! The loops of a face in its parameter plane: shifted by whole periods until they join, closed along poles, and cut
 //! open where they go round a surface that closes.
 
-use super::ground::Ground;
 use super::pull::{Flat, pull};
+use super::support::Support;
 use super::topology::{Face, Topology, Use};
 use crate::{Error, Result};
 use katydid_geometry::brep::LoopKind;
@@ -113,14 +113,14 @@ impl Chain {
 
 /// A face on its way.
 struct Laying<'a> {
-    ground: &'a Ground,
+    support: &'a Support,
     topology: &'a Topology,
     tolerance: f64,
 }
 
 /// Lays out the loops of a face.
 pub(super) fn lay_out(topology: &Topology, face: &Face, tolerance: f64) -> Result<Outcome> {
-    let laying = Laying { ground: &face.ground, topology, tolerance };
+    let laying = Laying { support: &face.support, topology, tolerance };
     let mut chains = Vec::new();
     for uses in &face.loops {
         chains.push(laying.chain(uses)?);
@@ -147,7 +147,7 @@ pub(super) fn lay_out(topology: &Topology, face: &Face, tolerance: f64) -> Resul
     if ranges.iter().any(|range| !range.is_increasing()) {
         return Err(refuse("its outer loop encloses nothing".into()));
     }
-    let surface = face.ground.bounded(ranges).map_err(|error| refuse(error.to_string()))?;
+    let surface = face.support.bounded(ranges).map_err(|error| refuse(error.to_string()))?;
     let mut loops = Vec::new();
     let mut kind = LoopKind::Outer;
     for chain in std::iter::once(&outer).chain(&inner) {
@@ -182,7 +182,7 @@ enum Cut {
 impl Laying<'_> {
     fn flat(&self, one: Use, is_seam: bool) -> Result<Flat> {
         let edge = self.topology.edge(one.edge)?;
-        let flat = pull(self.ground, &edge.curve, self.tolerance, is_seam)?;
+        let flat = pull(self.support, &edge.curve, self.tolerance, is_seam)?;
         Ok(if one.reversed { flat.reversed() } else { flat })
     }
 
@@ -217,7 +217,7 @@ impl Laying<'_> {
                 Some(pole) => self.along_pole(&mut pieces, to, from, Some(pole), *one)?,
                 None => {
                     for d in 0..2 {
-                        if let Some(period) = self.ground.periods[d] {
+                        if let Some(period) = self.support.periods[d] {
                             turns[d] = ((to[d] - from[d]) / period).round() as i32;
                         }
                     }
@@ -232,12 +232,12 @@ impl Laying<'_> {
         &self,
         to: [f64; 2],
         from: [f64; 2],
-        pole: Option<super::ground::Pole>,
+        pole: Option<super::support::Pole>,
         is_same: bool,
     ) -> [f64; 2] {
         let mut by = [0.0; 2];
         for d in 0..2 {
-            let Some(period) = self.ground.periods[d] else { continue };
+            let Some(period) = self.support.periods[d] else { continue };
             by[d] = match pole.filter(|pole| pole.free == d) {
                 None => period * ((to[d] - from[d]) / period).round(),
                 Some(pole) => {
@@ -259,14 +259,14 @@ impl Laying<'_> {
         pieces: &mut Vec<Piece>,
         to: [f64; 2],
         from: [f64; 2],
-        pole: Option<super::ground::Pole>,
+        pole: Option<super::support::Pole>,
         next: Use,
     ) -> Result<()> {
         let Some(pole) = pole else { return Ok(()) };
         let gap = (from[pole.free] - to[pole.free]).abs();
-        if gap > SAME * self.ground.periods[pole.free].unwrap_or(gap) {
+        if gap > SAME * self.support.periods[pole.free].unwrap_or(gap) {
             // Both ends lie on the pole itself.
-            let at = self.ground.poles[1 - pole.free][usize::from(pole.is_high)];
+            let at = self.support.poles[1 - pole.free][usize::from(pole.is_high)];
             let (mut to, mut from) = (to, from);
             if let Some(at) = at {
                 to[1 - pole.free] = at;
@@ -282,7 +282,7 @@ impl Laying<'_> {
         let told = |error: Error| error.to_string();
         let d = usize::from(round.iter().all(|chain| chain.turns[0] == 0));
         let o = 1 - d;
-        let Some(period) = self.ground.periods[d] else { return Err("a loop goes round nothing".into()) };
+        let Some(period) = self.support.periods[d] else { return Err("a loop goes round nothing".into()) };
         // A loop with the face on the side of greater values of the other parameter.
         let is_low = |chain: &Chain| (chain.turns[d] > 0) == (d == 0);
         if round.iter().any(|chain| chain.turns[o] != 0 || chain.turns[d].abs() != 1) {
@@ -290,7 +290,7 @@ impl Laying<'_> {
         }
         let (mut low, mut high): (Vec<Chain>, Vec<Chain>) = round.into_iter().partition(is_low);
         let tip = |end: usize| {
-            self.ground.poles[o][end].ok_or("nothing bounds the face on one side of a loop that goes round")
+            self.support.poles[o][end].ok_or("nothing bounds the face on one side of a loop that goes round")
         };
         match (low.pop(), high.pop(), low.is_empty() && high.is_empty()) {
             (Some(low), Some(high), true) => self.band(low, high, d, period).map_err(told),
@@ -318,7 +318,7 @@ impl Laying<'_> {
         };
         let (from, mut to) = (start(first), end(last));
         // Exactly a period on.
-        let period = self.ground.periods[d].unwrap_or_default();
+        let period = self.support.periods[d].unwrap_or_default();
         to[d] = from[d] + period * f64::from(chain.turns[d]);
         to[1 - d] = from[1 - d];
         let mut tips = [to, from];
@@ -326,7 +326,7 @@ impl Laying<'_> {
         chain.pieces.push(Piece { curve: line(to, tips[0]), along: Along::Seam(!is_high) });
         chain.pieces.push(Piece { curve: line(tips[0], tips[1]), along: Along::Tip });
         chain.pieces.push(Piece { curve: line(tips[1], from), along: Along::Seam(is_high) });
-        let tip = End::Tip(self.ground.point(tips[1]));
+        let tip = End::Tip(self.support.point(tips[1]));
         let ends = if is_high { [End::Vertex(vertex), tip] } else { [tip, End::Vertex(vertex)] };
         let (a, b) = if is_high { (from, tips[1]) } else { (tips[1], from) };
         let seam = Seam { curve: self.seam_curve(d, a, b)?, ends };
@@ -338,11 +338,11 @@ impl Laying<'_> {
         let o = 1 - d;
         let mut ranges = [Interval::UNIT; 2];
         ranges[o] = Interval::new(a[o], b[o]);
-        ranges[d] = Interval::new(a[d], a[d] + self.ground.periods[d].unwrap_or(1.0));
+        ranges[d] = Interval::new(a[d], a[d] + self.support.periods[d].unwrap_or(1.0));
         let direction = if o == 0 { Direction::U } else { Direction::V };
-        let surface = self.ground.bounded(ranges)?;
+        let surface = self.support.bounded(ranges)?;
         let across = surface.domain(direction.other());
-        let period = self.ground.periods[d].unwrap_or(1.0);
+        let period = self.support.periods[d].unwrap_or(1.0);
         let constant = a[d] + period * ((across.start - a[d]) / period).round();
         let curve = surface.isocurve(direction, across.clamp(constant))?;
         let range = Interval::new(curve.domain().clamp(a[o]), curve.domain().clamp(b[o]));
@@ -373,7 +373,7 @@ impl Laying<'_> {
         };
         let low_end = a[d] + period * f64::from(low.turns[d]);
         by[d] = low_end - b[d];
-        if let Some(other) = self.ground.periods[o] {
+        if let Some(other) = self.support.periods[o] {
             // Around a tube the band goes on from the low loop.
             let way = (b[o] - a[o]).rem_euclid(other);
             by[o] = a[o] + if way <= SAME * other { other } else { way } - b[o];
@@ -428,7 +428,7 @@ impl Laying<'_> {
             }
             let mut uv = at(0.5 * (from + to));
             uv[d] = wanted;
-            return Ok(Cut::Split(one.edge, self.ground.point(uv)));
+            return Ok(Cut::Split(one.edge, self.support.point(uv)));
         }
         Err(katydid_geometry::Error::Degenerate { what: "loop", why: "it does not go all the way round" }
             .into())
@@ -440,7 +440,7 @@ impl Laying<'_> {
         let middle = bounds.center();
         let mut by = [0.0; 2];
         for (d, direction) in Direction::BOTH.into_iter().enumerate() {
-            if let Some(period) = self.ground.periods[d] {
+            if let Some(period) = self.support.periods[d] {
                 let domain = surface.domain(direction);
                 let at = if d == 0 { middle.x } else { middle.y };
                 let inside = domain.contains(at);

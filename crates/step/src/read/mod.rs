@@ -4,13 +4,13 @@ mod build;
 mod curve;
 mod entity;
 mod graph;
-mod ground;
 mod items;
 mod layout;
 mod place;
 mod pull;
 mod spline;
 mod style;
+mod support;
 mod topology;
 mod unit;
 

@@ -1,6 +1,6 @@
 //! Edges in the parameter planes of their faces.
 
-use super::ground::{Form, Ground, Pole};
+use super::support::{Form, Pole, Support};
 use crate::Result;
 use katydid_geometry::{Curve, Line, LineCurve, NurbsCurve, Point3, brep};
 
@@ -35,13 +35,13 @@ struct Place {
     pole: Option<Pole>,
 }
 
-/// Pulls an edge onto the ground of a face: exactly where it is a line or an arc in a plane, or runs along a parameter;
+/// Pulls an edge onto the support of a face: exactly where it is a line or an arc in a plane, or runs along a parameter;
 /// else within a distance. A seam runs along a parameter, however far it strays from there.
-pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64, is_seam: bool) -> Result<Flat> {
-    if let Form::Plane(plane) = &ground.form {
+pub(super) fn pull(support: &Support, edge: &Curve, tolerance: f64, is_seam: bool) -> Result<Flat> {
+    if let Form::Plane(plane) = &support.form {
         return Ok(Flat { curve: brep::flattened(edge, plane)?, poles: [None, None] });
     }
-    let places = places(ground, edge, tolerance)?;
+    let places = places(support, edge, tolerance)?;
     let (Some(first), Some(last)) = (places.first(), places.last()) else {
         return Err(katydid_geometry::Error::Degenerate { what: "edge", why: "it has no places" }.into());
     };
@@ -51,11 +51,11 @@ pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64, is_seam: bool)
         let still = |place: &Place| {
             let mut moved = place.uv;
             moved[d] = first.uv[d];
-            ground.point(moved).distance_to(ground.point(place.uv)) <= straight
+            support.point(moved).distance_to(support.point(place.uv)) <= straight
         };
         // A place at a pole may be anywhere along it.
         let reference = places.iter().find(|place| place.pole.is_none()).unwrap_or(first).uv[d];
-        let reference = if is_seam { ground.on_seam(d, reference) } else { reference };
+        let reference = if is_seam { support.on_seam(d, reference) } else { reference };
         let is_still = places.iter().all(|place| {
             let mut moved = *place;
             moved.uv[d] = if place.pole.is_some() { first.uv[d] } else { place.uv[d] };
@@ -71,7 +71,7 @@ pub(super) fn pull(ground: &Ground, edge: &Curve, tolerance: f64, is_seam: bool)
             return Ok(Flat { curve: LineCurve { line, domain: edge.domain() }.into(), poles });
         }
     }
-    Ok(Flat { curve: fitted(ground, edge, &places, tolerance)?, poles })
+    Ok(Flat { curve: fitted(support, edge, &places, tolerance)?, poles })
 }
 
 /// Parameters of an edge at which its smooth pieces meet.
@@ -90,7 +90,7 @@ fn joints(edge: &Curve) -> Vec<f64> {
 }
 
 /// Places along an edge, near enough that neighbours are less than half a turn apart.
-fn places(ground: &Ground, edge: &Curve, tolerance: f64) -> Result<Vec<Place>> {
+fn places(support: &Support, edge: &Curve, tolerance: f64) -> Result<Vec<Place>> {
     let joints = joints(edge);
     let each = PLACES.min(MOST_PLACES / joints.len().max(1)).max(2);
     let mut out: Vec<Place> = Vec::new();
@@ -98,22 +98,22 @@ fn places(ground: &Ground, edge: &Curve, tolerance: f64) -> Result<Vec<Place>> {
         let from = usize::from(!out.is_empty());
         for k in from..=each {
             let t = if k == each { span[1] } else { span[0] + (span[1] - span[0]) * k as f64 / each as f64 };
-            let uv = ground.parameters(edge.point_at(t))?;
-            let pole = ground.pole(uv, tolerance);
+            let uv = support.parameters(edge.point_at(t))?;
+            let pole = support.pole(uv, tolerance);
             out.push(Place { t, uv, pole });
         }
     }
-    unwrap(ground, &mut out);
+    unwrap(support, &mut out);
     Ok(out)
 }
 
 /// Makes the parameters of places go on from one to the next; those at poles take their neighbour's.
-fn unwrap(ground: &Ground, places: &mut [Place]) {
+fn unwrap(support: &Support, places: &mut [Place]) {
     for d in 0..2 {
         let is_free = |place: &Place| place.pole.is_some_and(|pole| pole.free == d);
         let mut last: Option<f64> = None;
         for place in places.iter_mut().filter(|place| !is_free(place)) {
-            if let (Some(last), Some(period)) = (last, ground.periods[d]) {
+            if let (Some(last), Some(period)) = (last, support.periods[d]) {
                 place.uv[d] += period * ((last - place.uv[d]) / period).round();
             }
             last = Some(place.uv[d]);
@@ -130,26 +130,26 @@ fn unwrap(ground: &Ground, places: &mut [Place]) {
 }
 
 /// Cubic pieces through places, with the directions of the edge, halved until they are within the distance.
-fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Result<Curve> {
+fn fitted(support: &Support, edge: &Curve, places: &[Place], tolerance: f64) -> Result<Curve> {
     let mut points: Vec<Point3> = Vec::new();
     let mut knots: Vec<f64> = Vec::new();
     let domain = edge.domain();
     for pair in places.windows(2) {
         let mut stack = vec![(pair[0], pair[1], 0)];
         while let Some((a, b, depth)) = stack.pop() {
-            let piece = hermite(ground, edge, &a, &b);
+            let piece = hermite(support, edge, &a, &b);
             let middle = 0.5 * (a.t + b.t);
-            let away = |place: &Place| ground.point(place.uv).distance_to(edge.point_at(place.t));
+            let away = |place: &Place| support.point(place.uv).distance_to(edge.point_at(place.t));
             // The edge may lie off the surface: no halving brings the surface to it.
             let lift = 2.0 * away(&a).max(away(&b));
             let is_near = [0.25, 0.5, 0.75].iter().all(|x| {
                 let (uv, point) = (bezier(&piece, *x), edge.point_at(a.t + (b.t - a.t) * x));
-                beside(ground, uv, point, lift) <= tolerance
+                beside(support, uv, point, lift) <= tolerance
             });
             if !is_near && depth < MOST_HALVINGS && middle > a.t && middle < b.t && points.len() < 20_000 {
-                let mut uv = ground.parameters(edge.point_at(middle))?;
+                let mut uv = support.parameters(edge.point_at(middle))?;
                 for (d, value) in uv.iter_mut().enumerate() {
-                    if let Some(period) = ground.periods[d] {
+                    if let Some(period) = support.periods[d] {
                         let guess = 0.5 * (a.uv[d] + b.uv[d]);
                         *value += period * ((guess - *value) / period).round();
                     }
@@ -176,9 +176,9 @@ fn fitted(ground: &Ground, edge: &Curve, places: &[Place], tolerance: f64) -> Re
 }
 
 /// How far a place is from a point, along the surface if the point is above the place by no more than a lift.
-fn beside(ground: &Ground, uv: [f64; 2], point: Point3, lift: f64) -> f64 {
-    let way = point - ground.point(uv);
-    let [x, y] = ground.partials(uv, uv);
+fn beside(support: &Support, uv: [f64; 2], point: Point3, lift: f64) -> f64 {
+    let way = point - support.point(uv);
+    let [x, y] = support.partials(uv, uv);
     let Some(up) = x.cross(y).unitized() else { return way.length() };
     let above = way.dot(up);
     if above.abs() <= lift { (way - up * above).length() } else { way.length() }
@@ -189,7 +189,7 @@ fn flat(uv: [f64; 2]) -> Point3 {
 }
 
 /// The four points of a cubic from one place to the next.
-fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4] {
+fn hermite(support: &Support, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4] {
     let third = (b.t - a.t) / 3.0;
     let chord = [0, 1].map(|d| (b.uv[d] - a.uv[d]) / (b.t - a.t));
     let slope = |place: &Place, other: &Place, from_below: bool| {
@@ -198,7 +198,7 @@ fn hermite(ground: &Ground, edge: &Curve, a: &Place, b: &Place) -> [[f64; 2]; 4]
         }
         let mut jet = [katydid_geometry::Vector3::ZERO; 2];
         edge.derivatives_into(place.t, from_below, &mut jet);
-        let [x, y] = ground.partials(place.uv, other.uv);
+        let [x, y] = support.partials(place.uv, other.uv);
         // Least squares of x·du + y·dv = the edge's derivative.
         let (xx, xy, yy) = (x.dot(x), x.dot(y), y.dot(y));
         let determinant = xx * yy - xy * xy;
@@ -239,13 +239,13 @@ mod tests {
         let line = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 9.0));
         let rise: Curve = LineCurve { line, domain: Interval::new(0.0, 9.0) }.into();
         let side = SumSurface::new(ring([0.0; 7]), rise, Vector3::ZERO).unwrap();
-        let ground = Ground::free(side.clone().into()).unwrap();
+        let support = Support::free(side.clone().into()).unwrap();
         let wavy = ring([2.0, 3.0, 8.0, 1.0, 5.0, 4.0, 2.0]);
         // From the seam round, across the seam, and both the other way.
         let across = wavy.with_seam(wavy.domain().at(0.3)).unwrap();
         for edge in [wavy.reversed(), across.reversed(), wavy, across] {
-            let flat = pull(&ground, &edge, 1e-6, false).unwrap().curve;
-            let period = ground.periods[0].unwrap();
+            let flat = pull(&support, &edge, 1e-6, false).unwrap().curve;
+            let period = support.periods[0].unwrap();
             assert!(((flat.end().x - flat.start().x).abs() - period).abs() < 1e-9);
             let surface = Surface::from(side.clone());
             let from = surface.domain(Direction::U).start;
@@ -270,7 +270,7 @@ mod tests {
     fn edges_off_a_ball_reach_its_pole_in_few_pieces() {
         let (radius, lift, tolerance) = (4.0, 1e-4, 1e-7);
         let form = Form::Sphere { plane: katydid_geometry::Plane::XY, radius };
-        let ground = Ground::new(form).unwrap();
+        let support = Support::new(form).unwrap();
         let at = |k: u32| {
             let (sin, cos) = (f64::from(k) / 40.0 * std::f64::consts::FRAC_PI_2).sin_cos();
             (Vector3::new(cos * cos, cos * sin, sin) * (radius + lift)).to_point()
@@ -278,7 +278,7 @@ mod tests {
         let points: Vec<Point3> = (0..=40).map(at).collect();
         let spacing = katydid_geometry::KnotSpacing::Chord;
         let edge: Curve = NurbsCurve::interpolate(5, &points, spacing, None, None).unwrap().into();
-        let flat = pull(&ground, &edge, tolerance, false).unwrap().curve;
+        let flat = pull(&support, &edge, tolerance, false).unwrap().curve;
         let Curve::Nurbs(spline) = &flat else { panic!("a cubic is wanted") };
         assert!(spline.control_points().len() < 3_000, "{}", spline.control_points().len());
         assert!((flat.end().y - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
@@ -287,7 +287,7 @@ mod tests {
             let x = f64::from(k) / 300.0;
             let (uv, point) = (flat.point_at(flat.domain().at(x)), edge.point_at(edge.domain().at(x)));
             let foot = point.to_vector().unitized().unwrap() * radius;
-            let apart = ground.point([uv.x, uv.y]).distance_to(foot.to_point());
+            let apart = support.point([uv.x, uv.y]).distance_to(foot.to_point());
             assert!(apart < 3.0 * tolerance, "{apart} off at {x}");
         }
     }

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::ground::Ground;
 use super::place::Space;
+use super::support::Support;
 use crate::{Error, Result};
 use katydid_geometry::{BoundingBox, Curve, Line, LineCurve, Point3};
 
@@ -21,10 +21,10 @@ pub(super) struct Edge {
 
 pub(super) struct Face {
     pub(super) id: u64,
-    pub(super) ground: Ground,
-    /// Its loops, with the face to the left seen against the ground's normal.
+    pub(super) support: Support,
+    /// Its loops, with the face to the left seen against the support's normal.
     pub(super) loops: Vec<Vec<Use>>,
-    /// Whether its normal is opposite to the ground's.
+    /// Whether its normal is opposite to the support's.
     pub(super) reversed: bool,
 }
 
@@ -91,8 +91,8 @@ impl Topology {
         }
         let edges = loops.iter().flatten().filter_map(|one| self.edges.get(one.edge));
         let hull = edges.map(|edge| edge.curve.bounding_box()).reduce(|a, b| BoundingBox::union(&a, &b));
-        let ground = space.ground(record.reference(2)?, hull, 0)?;
-        self.faces.push(Face { id, ground, loops, reversed: same == turned });
+        let support = space.support(record.reference(2)?, hull, 0)?;
+        self.faces.push(Face { id, support, loops, reversed: same == turned });
         Ok(())
     }
 

@@ -262,7 +262,7 @@ mod tests {
     use super::at_pace;
     use katydid_geometry::{Curve, NurbsCurve, Plane, PlaneSurface, Point3, PolylineCurve, Surface, Vector3};
 
-    fn ground() -> Surface {
+    fn support() -> Surface {
         let range = katydid_geometry::Interval::new(-10.0, 10.0);
         PlaneSurface::new(Plane::XY, range, range).unwrap().into()
     }
@@ -281,7 +281,7 @@ mod tests {
         let flat = NurbsCurve::clamped_uniform(3, &points).unwrap();
         for factor in [0.2, 1.0, 6.0] {
             let edge: Curve = flat.reparametrized(factor).unwrap().into();
-            let chain = at_pace(&flat.clone().into(), &edge, &ground(), 1e-6).unwrap();
+            let chain = at_pace(&flat.clone().into(), &edge, &support(), 1e-6).unwrap();
             assert!(worst(&chain, &edge) < 1e-6, "{factor}: {}", worst(&chain, &edge));
         }
     }
@@ -294,11 +294,11 @@ mod tests {
         let off = katydid_geometry::Xform::translation(Vector3::new(0.0, 0.0, 0.01));
         let edge = flat.to_nurbs().unwrap().reparametrized(2.0).unwrap().transformed(&off).unwrap();
         let edge: Curve = edge.into();
-        let chain = at_pace(&flat, &edge, &ground(), 0.02).unwrap();
+        let chain = at_pace(&flat, &edge, &support(), 0.02).unwrap();
         assert!((worst(&chain, &edge) - 0.01).abs() < 1e-6, "{}", worst(&chain, &edge));
         assert!(chain.control_points().iter().any(|p| p.distance_to(corner[1]) < 1e-12));
         // An edge that is elsewhere is not this trim's.
         let far = katydid_geometry::Xform::translation(Vector3::new(0.0, 0.0, 3.0));
-        assert!(at_pace(&flat, &edge.transformed(&far).unwrap(), &ground(), 0.02).is_none());
+        assert!(at_pace(&flat, &edge.transformed(&far).unwrap(), &support(), 0.02).is_none());
     }
 }

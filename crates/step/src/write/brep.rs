@@ -1,6 +1,6 @@
 //! Breps: solids, with the voids inside them, and sheets.
 
-use super::edge::{self, Ground};
+use super::edge::{self, Support};
 use super::sheets::{Piece, pieces};
 use super::{flag, point, surface};
 use crate::Result;
@@ -50,15 +50,15 @@ fn invalid(why: String) -> crate::Error {
 }
 
 fn shell(sheet: &mut Sheet, brep: &Brep, keyword: &str, tolerance: f64) -> Result<Id> {
-    let mut grounds = Vec::with_capacity(brep.faces().len());
+    let mut supports = Vec::with_capacity(brep.faces().len());
     for (place, face) in brep.faces().iter().enumerate() {
         if face.deleted {
-            grounds.push(None);
+            supports.push(None);
             continue;
         }
         let surface =
             brep.face_surface(place).ok_or_else(|| invalid(format!("face {place} has no surface")))?;
-        grounds.push(Some(Ground { surface, put: surface::put(sheet, surface)? }));
+        supports.push(Some(Support { surface, put: surface::put(sheet, surface)? }));
     }
     let vertices: Vec<Id> = brep
         .vertices()
@@ -78,12 +78,12 @@ fn shell(sheet: &mut Sheet, brep: &Brep, keyword: &str, tolerance: f64) -> Resul
         }
         let ends = edge.vertices.map(|v| vertices.get(v?).copied());
         let [Some(a), Some(b)] = ends else { return Err(invalid(format!("edge {place} has no vertices"))) };
-        edges.push(edge::put(sheet, brep, place, [a, b], &grounds, near, tolerance)?);
+        edges.push(edge::put(sheet, brep, place, [a, b], &supports, near, tolerance)?);
     }
     let mut faces = Vec::new();
-    for (place, ground) in grounds.iter().enumerate() {
-        if let Some(ground) = ground {
-            faces.push(face(sheet, brep, place, ground, &edges, &vertices)?);
+    for (place, support) in supports.iter().enumerate() {
+        if let Some(support) = support {
+            faces.push(face(sheet, brep, place, support, &edges, &vertices)?);
         }
     }
     Ok(sheet.put(format_args!("{keyword}('',{})", list(faces))))
@@ -93,7 +93,7 @@ fn face(
     sheet: &mut Sheet,
     brep: &Brep,
     place: usize,
-    ground: &Ground<'_>,
+    support: &Support<'_>,
     edges: &[Option<Id>],
     vertices: &[Id],
 ) -> Result<Id> {
@@ -107,8 +107,8 @@ fn face(
     if bounds.is_empty() {
         return Err(invalid(format!("face {place} has no loops")));
     }
-    let same = face.reversed == ground.put.chart.turns();
-    Ok(sheet.put(format_args!("ADVANCED_FACE('',{},{},{})", list(bounds), ground.put.id, flag(same))))
+    let same = face.reversed == support.put.chart.turns();
+    Ok(sheet.put(format_args!("ADVANCED_FACE('',{},{},{})", list(bounds), support.put.id, flag(same))))
 }
 
 /// The edges of a loop; where its surface is singular there is none.

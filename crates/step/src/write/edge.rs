@@ -13,19 +13,19 @@ use katydid_geometry::{Brep, Curve, Interval, Point3, Surface, Tolerance};
 const PLACES: u32 = 16;
 
 /// A face's surface, and how the file has it.
-pub(super) struct Ground<'a> {
+pub(super) struct Support<'a> {
     pub(super) surface: &'a Surface,
     pub(super) put: Put,
 }
 
-/// Writes an edge between vertices; `grounds` are the surfaces of faces, by face. A trim farther from the edge than
+/// Writes an edge between vertices; `supports` are the surfaces of faces, by face. A trim farther from the edge than
 /// `near` is left for the edge itself, pulled to the surface: a curve on a surface says the same as its edge.
 pub(super) fn put(
     sheet: &mut Sheet,
     brep: &Brep,
     place: usize,
     vertices: [Id; 2],
-    grounds: &[Option<Ground<'_>>],
+    supports: &[Option<Support<'_>>],
     near: f64,
     tolerance: f64,
 ) -> Result<Option<Id>> {
@@ -39,7 +39,7 @@ pub(super) fn put(
     let flat: Vec<(Id, usize)> = edge
         .trims
         .iter()
-        .filter_map(|trim| on_surface(sheet, brep, *trim, &space, grounds, near, tolerance))
+        .filter_map(|trim| on_surface(sheet, brep, *trim, &space, supports, near, tolerance))
         .collect();
     let is_seam = matches!(flat.as_slice(), [(_, a), (_, b)] if a == b);
     let ids = list(flat.iter().map(|(id, _)| id));
@@ -68,13 +68,13 @@ fn on_surface(
     brep: &Brep,
     place: usize,
     space: &Curve,
-    grounds: &[Option<Ground<'_>>],
+    supports: &[Option<Support<'_>>],
     near: f64,
     tolerance: f64,
 ) -> Option<(Id, usize)> {
     let trim = brep.trims().get(place)?;
     let face = brep.loops().get(trim.in_loop?)?.face?;
-    let ground = grounds.get(face)?.as_ref().filter(|ground| ground.put.chart.is_exact)?;
+    let support = supports.get(face)?.as_ref().filter(|support| support.put.chart.is_exact)?;
     let flat = brep.trim_as_curve(place).ok()??;
     let flat = if trim.reversed { flat.reversed() } else { flat };
     // The parameters are those of the written form, not of an arc's own.
@@ -83,7 +83,7 @@ fn on_surface(
     let is_near = (0..=PLACES).all(|k| {
         let x = f64::from(k) / f64::from(PLACES);
         let uv = along(&flat, x);
-        along(space, x).distance_to(ground.surface.point_at(uv.x, uv.y)) <= tolerance
+        along(space, x).distance_to(support.surface.point_at(uv.x, uv.y)) <= tolerance
     });
     let allowed = Tolerance { absolute: tolerance.min(near), ..Tolerance::default() };
     let flat = if let Some(pulled) = brep.edge_beside_trim(place, space, &allowed).ok().flatten() {
@@ -92,18 +92,18 @@ fn on_surface(
         flat
     } else {
         let allowed = brep.edges().get(trim.edge?)?.tolerance.max(tolerance);
-        match beside::at_pace(&flat, space, ground.surface, allowed) {
+        match beside::at_pace(&flat, space, support.surface, allowed) {
             Some(chain) => chain.into(),
             None if is_near => flat,
             None => return None,
         }
     };
-    let id = flat_curve(sheet, &flat, &ground.put.chart, range(space)).ok()?;
+    let id = flat_curve(sheet, &flat, &support.put.chart, range(space)).ok()?;
     let context = sheet.put(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()REPRESENTATION_CONTEXT('2D SPACE',''))",
     );
     let representation = sheet.put(format_args!("DEFINITIONAL_REPRESENTATION('',({id}),{context})"));
-    let id = sheet.put(format_args!("PCURVE('',{},{representation})", ground.put.id));
+    let id = sheet.put(format_args!("PCURVE('',{},{representation})", support.put.id));
     Some((id, face))
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Tree, TreeBuilder};
 use katydid_geometry::cloud::{OcTree, QuadTree};
-use katydid_geometry::{Box3, Curve, Error, Interval, Patience, Plane, Point3, Rectangle};
+use katydid_geometry::{Box3, CancellationToken, Curve, Error, Interval, Plane, Point3, Rectangle};
 
 use super::{flat, place, present};
 
@@ -52,7 +52,7 @@ fn quad_tree(
     context.items(tree.leaves().len())?;
     let (mut cells, mut inside) = (TreeBuilder::<Shared<Curve>>::new(), TreeBuilder::<Point3>::new());
     for (k, leaf) in tree.leaves().iter().enumerate() {
-        if Patience::is_over() {
+        if CancellationToken::is_over() {
             return Err(Error::Stopped.into());
         }
         let path = place(context).child(k);
@@ -91,7 +91,7 @@ fn oc_tree(
     context.items(tree.leaves().len())?;
     let (mut cells, mut inside) = (TreeBuilder::<Box3>::new(), TreeBuilder::<Point3>::new());
     for (k, leaf) in tree.leaves().iter().enumerate() {
-        if Patience::is_over() {
+        if CancellationToken::is_over() {
             return Err(Error::Stopped.into());
         }
         let path = place(context).child(k);

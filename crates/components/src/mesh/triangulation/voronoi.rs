@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Each, List, ManyLists, Message, component};
 use katydid_geometry::cloud::{ConvexPolygon, Voronoi};
-use katydid_geometry::{Curve, Error, Patience, Plane, Point2, Point3, Rectangle};
+use katydid_geometry::{CancellationToken, Curve, Error, Plane, Point2, Point3, Rectangle};
 
 use super::{at_places, flat, plane_of, present};
 
@@ -152,7 +152,7 @@ fn nested(
                 context.warn(DUPLICATES);
             }
             for (i, &(place, _)) in inside.iter().enumerate() {
-                if Patience::is_over() {
+                if CancellationToken::is_over() {
                     return Err(Error::Stopped.into());
                 }
                 if let Some(slot) = cells.get_mut(place) {

@@ -52,7 +52,7 @@ fn text_on_surface(
         context
             .tell(Message::remark(format!("The letters are those of DejaVu Sans Condensed, not of {name}")));
     }
-    let ground = Ground::new(context, surface.as_ref(), &line)?;
+    let carrier = Carrier::new(context, surface.as_ref(), &line)?;
     let tolerance = context.tolerance();
     let scale = height / lettering::capital_height();
     let along = ArcLength::new(&line);
@@ -71,7 +71,7 @@ fn text_on_surface(
             let t = along.parameter_at(middle);
             let tangent =
                 line.tangent_at(t).ok_or_else(|| Message::warning("The base line has no direction"))?;
-            let frame = ground.frame(line.point_at(t), tangent)?;
+            let frame = carrier.frame(line.point_at(t), tangent)?;
             let frame = frame.with_origin(frame.at(0.0, -LINE * scale * row as f64, 0.0));
             let curves = placed(&letter, &frame, scale)?;
             for face in Brep::planar_faces(&curves, &tolerance)?.breps {
@@ -113,14 +113,14 @@ fn solid(
 }
 
 /// What letters stand on.
-struct Ground<'a> {
+struct Carrier<'a> {
     context: &'a Context<'a>,
     shape: Option<Value>,
     /// The normal where there is no shape.
     normal: Vector3,
 }
 
-impl<'a> Ground<'a> {
+impl<'a> Carrier<'a> {
     fn new(context: &'a Context<'a>, shape: Option<&Value>, line: &Curve) -> Result<Self, Message> {
         let tolerance = context.tolerance().absolute;
         let plane = Some(line).filter(|c| !c.is_linear(tolerance)).and_then(|c| c.plane(tolerance));

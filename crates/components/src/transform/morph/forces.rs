@@ -7,7 +7,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Value};
 use katydid_expression::Variant;
 use katydid_geometry::morph::{Forces, Morph};
-use katydid_geometry::{Error, Patience, Point3, Vector3};
+use katydid_geometry::{CancellationToken, Error, Point3, Vector3};
 
 use super::{Manner, morphed, paired};
 use crate::maths::formula::Formula;
@@ -94,7 +94,7 @@ struct Grips<'a> {
 
 impl Morph for Grips<'_> {
     fn image(&self, p: Point3) -> Result<Point3, Error> {
-        if Patience::is_over() {
+        if CancellationToken::is_over() {
             return Err(Error::Stopped);
         }
         let grip = self.moves.iter().find(|(q, _)| q.distance_to(p) <= self.reach);

@@ -4,7 +4,7 @@
 //! chosen for one of them: that identity tells nothing of one result. What tells is between which volumes it must lie.
 
 use super::{Made, Refusal, RefusalClass};
-use crate::{Brep, Error, Result, patience};
+use crate::{Brep, Error, Result, cancellation};
 
 /// What was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +51,7 @@ fn sum(of: &[f64]) -> f64 {
 fn measured(breps: &[Brep]) -> Result<Option<Vec<f64>>> {
     let mut out = Vec::with_capacity(breps.len());
     for brep in breps {
-        match brep.volume_properties(MEASURED, || !patience::was_given_up()) {
+        match brep.volume_properties(MEASURED, || !cancellation::was_given_up()) {
             Ok(found) => out.push(found.amount),
             Err(Error::Stopped) => return Err(Error::Stopped),
             Err(_) => return Ok(None),

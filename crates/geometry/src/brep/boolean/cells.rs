@@ -7,7 +7,7 @@ use super::pieces::Pieces;
 use super::refusal::RefusalClass;
 use super::regions::Region;
 use super::thresholds::ONE_PLANE;
-use crate::{BoundingBox, BoxIndex, Containment, Result, patience};
+use crate::{BoundingBox, BoxIndex, Containment, Result, cancellation};
 
 /// Where the two sides of a region lie.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -154,7 +154,7 @@ fn memberships(
         }
         let mut known: BTreeMap<usize, bool> = BTreeMap::new();
         for (k, g) in asked.iter().enumerate() {
-            patience::check()?;
+            cancellation::check()?;
             let set = root(&mut sets, k);
             let inside = match known.get(&set) {
                 Some(inside) => *inside,

@@ -10,7 +10,7 @@ use super::refusal::RefusalClass;
 use super::thresholds::{CAPTURE, MOST_PAIRS, PARALLEL, ROUNDING, SAME_PARAMETER};
 use crate::box_pairs::near_pairs;
 use crate::intersect::{curve_curve, curve_with_surface};
-use crate::{BoundingBox, Curve, Interval, Line, Point3, Result, patience};
+use crate::{BoundingBox, Curve, Interval, Line, Point3, Result, cancellation};
 
 /// The pairs of faces of different operands whose boxes meet, in order.
 pub(super) fn face_pairs(all: &Operands) -> Result<Vec<(usize, usize)>> {
@@ -45,7 +45,7 @@ pub(super) fn meet_edges(all: &mut Operands, pairs: &[(usize, usize)]) -> Result
     }
     let mut points: Vec<Point3> = Vec::new();
     for (i, j) in with_edges {
-        patience::check()?;
+        cancellation::check()?;
         if let (Some(a), Some(b)) = (all.edges.get(i), all.edges.get(j)) {
             common_points(&a.curve, &b.curve, all.limit, &mut points)?;
         }
@@ -55,7 +55,7 @@ pub(super) fn meet_edges(all: &mut Operands, pairs: &[(usize, usize)]) -> Result
         all.vertices.at(p);
     });
     for (e, f) in with_faces {
-        patience::check()?;
+        cancellation::check()?;
         pierce(all, e, f, &mut points)?;
     }
     points.into_iter().for_each(|p| {
@@ -101,7 +101,7 @@ fn nearest_in(range: Interval, mut distance: impl FnMut(f64) -> Result<f64>) -> 
     let (mut s, mut t) = (high - golden * (high - low), low + golden * (high - low));
     let (mut at_s, mut at_t) = (distance(s)?, distance(t)?);
     for _ in 0..SECTIONS {
-        patience::check()?;
+        cancellation::check()?;
         if at_s <= at_t {
             (high, t, at_t) = (t, s, at_s);
             s = high - golden * (high - low);

@@ -39,7 +39,7 @@ pub use report::{Decision, DecisionKind};
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Brep, Curve, Result, Tolerance, patience};
+use crate::{Brep, Curve, Result, Tolerance, cancellation};
 use cells::Sheet;
 use operands::Operands;
 use pieces::Pieces;
@@ -106,7 +106,7 @@ impl Fuse {
         let found = sections::pieces(&mut all, found)?;
         let pieces = Pieces::new(&all, found, &pairs)?;
         let regions = regions::all_regions(&all, &pieces)?;
-        patience::check_now()?;
+        cancellation::check_now()?;
         let sheets = cells::sheets(&all, &pieces, &regions)?;
         Ok(Self { all, pieces, regions, sheets })
     }

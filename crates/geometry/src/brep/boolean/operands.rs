@@ -14,7 +14,7 @@ use crate::region::Outline;
 use crate::surface::Round;
 use crate::{
     BoundingBox, Brep, ClosestOnCurve, ClosestOnSurface, Curve, Error, Plane, PlaneSurface, Point3, Result,
-    Surface, Vector3, patience,
+    Surface, Vector3, cancellation,
 };
 
 /// An edge of an operand.
@@ -229,7 +229,7 @@ impl Operands {
             limit,
         };
         for brep in breps {
-            patience::check()?;
+            cancellation::check()?;
             all.add(brep)?;
         }
         Ok(all)

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 use super::cells::Sheet;
 use super::refusal::RefusalClass;
 use super::shells::{Chosen, Sets, Shells, Use};
-use crate::{Error, Result, patience};
+use crate::{Error, Result, cancellation};
 
 /// The sheets with what is behind open operands told too.
 pub(super) fn with_open(shells: &Shells<'_>, sheets: &[Sheet]) -> Result<Vec<Sheet>> {
@@ -73,7 +73,7 @@ fn behind(
     // For each set that meets the operand what is known of it.
     let mut known: BTreeMap<usize, Option<bool>> = BTreeMap::new();
     for (piece, list) in uses {
-        patience::check()?;
+        cancellation::check()?;
         if !is_cut(*piece) || !list.iter().any(|u| is_on(u.chosen)) || list.iter().all(|u| is_on(u.chosen)) {
             continue;
         }

@@ -6,7 +6,7 @@ use super::interferences::edge_stops;
 use super::operands::{Near, Operands, Place};
 use super::sections::{SectionPiece, index_of};
 use super::thresholds::{PLACES, SAME_CURVE};
-use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, patience};
+use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, cancellation};
 
 /// A stretch of a curve between two vertices, with none between them.
 #[derive(Debug)]
@@ -55,7 +55,7 @@ impl Pieces {
         };
         let index = index_of(all);
         for place in 0..all.edges.len() {
-            patience::check()?;
+            cancellation::check()?;
             out.cut_edge(all, &index, place)?;
         }
         let borders = out.borders(all);
@@ -164,7 +164,7 @@ impl Pieces {
         let mut asked: BTreeSet<(usize, usize)> = BTreeSet::new();
         for &(a, b) in pairs {
             for (own, other) in [(a, b), (b, a)] {
-                patience::check()?;
+                cancellation::check()?;
                 let (Some(border), Some(taken)) = (borders.get(own), borders.get(other)) else { continue };
                 let Some(face) = all.faces.get(other) else { continue };
                 for &piece in border {

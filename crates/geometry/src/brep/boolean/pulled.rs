@@ -12,11 +12,11 @@ impl Plan<'_> {
         for parts in [0, MOST_HALVINGS] {
             for share in PULLED {
                 last = self.pulled_within(curve, share * self.all.limit, parts);
-                if last.is_ok() || crate::patience::was_given_up() {
+                if last.is_ok() || crate::cancellation::was_given_up() {
                     break;
                 }
             }
-            if last.is_ok() || crate::patience::was_given_up() {
+            if last.is_ok() || crate::cancellation::was_given_up() {
                 break;
             }
         }
@@ -35,7 +35,7 @@ impl Plan<'_> {
         } else {
             surface.parameter_curve(curve, &tolerance).or_else(|_| self.followed(curve, limit))
         };
-        if whole.is_ok() || halvings == 0 || crate::patience::was_given_up() {
+        if whole.is_ok() || halvings == 0 || crate::cancellation::was_given_up() {
             return whole;
         }
         let domain = curve.domain();

@@ -74,7 +74,7 @@ impl fmt::Display for Refusal {
 impl Refusal {
     /// A refusal about some faces at a place; where nobody waits any more, the work was stopped.
     pub(super) fn at(class: RefusalClass, faces: &[FaceName], place: Option<Point3>) -> Error {
-        if crate::patience::was_given_up() {
+        if crate::cancellation::was_given_up() {
             return Error::Stopped;
         }
         Error::Refused(Box::new(Self { class, faces: faces.to_vec(), place }))

@@ -6,7 +6,7 @@ use super::pieces::Pieces;
 use super::refusal::RefusalClass;
 use super::thresholds::SAMPLES;
 use crate::region::Outline;
-use crate::{Curve, Plane, Point3, Result, Vector3, patience};
+use crate::{Curve, Plane, Point3, Result, Vector3, cancellation};
 
 /// A connected part of a face.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl Region {
 pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<Vec<Region>> {
     let mut out = Vec::new();
     for (place, face) in all.faces.iter().enumerate() {
-        patience::check()?;
+        cancellation::check()?;
         for loops in regions(all, pieces, place)? {
             out.push(region(all, place, face, loops)?);
         }

@@ -7,7 +7,7 @@ use super::thresholds::{CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
 use crate::intersect::{
     Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
 };
-use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, Surface, Tolerance, patience};
+use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, Surface, Tolerance, cancellation};
 
 /// A curve that two faces' surfaces have in common.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ enum Meeting {
 pub(super) fn sections(all: &mut Operands, pairs: &[(usize, usize)]) -> Result<Vec<Section>> {
     let mut out = Vec::new();
     for &(a, b) in pairs {
-        patience::check()?;
+        cancellation::check()?;
         let (Some(fa), Some(fb)) = (all.faces.get(a), all.faces.get(b)) else { continue };
         let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else {
             let (place, distance) = gap(all, fa, fb)?;
@@ -84,7 +84,7 @@ fn cross(all: &mut Operands, sections: &[Section]) -> Result<()> {
             list.iter().filter_map(|k| sections.get(*k)).map(|s| s.bounds).collect();
         let index = BoxIndex::new(&boxes);
         for (i, own) in boxes.iter().enumerate() {
-            patience::check()?;
+            cancellation::check()?;
             for j in index.near(own, all.limit).into_iter().filter(|j| *j > i) {
                 let two = [i, j].map(|k| list.get(k).and_then(|k| sections.get(*k)));
                 let [Some(a), Some(b)] = two else { continue };
@@ -245,7 +245,7 @@ pub(super) fn pieces(all: &mut Operands, sections: Vec<Section>) -> Result<Vec<S
     let mut out = Vec::new();
     let index = index_of(all);
     for section in sections {
-        patience::check()?;
+        cancellation::check()?;
         let Section { faces, curve, bounds, reach } = section;
         let found = stops(all, &index, &curve, &bounds, reach)?;
         let (Some(fa), Some(fb)) = (all.faces.get(faces[0]), all.faces.get(faces[1])) else { continue };

@@ -12,7 +12,7 @@ use super::thresholds::EDGE_OFF_FACE;
 use super::{FaceName, Made};
 use crate::brep::inside::ClosestOnBrep;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
-use crate::{BoundingBox, Brep, Containment, Result, patience};
+use crate::{BoundingBox, Brep, Containment, Result, cancellation};
 
 /// A region of the result, and whether it is turned over.
 #[derive(Debug, Clone, Copy)]
@@ -97,7 +97,7 @@ impl Shells<'_> {
         let mut out = Vec::with_capacity(shells.len());
         let mut closed = Vec::new();
         for shell in shells {
-            patience::check()?;
+            cancellation::check()?;
             let (made, _) = self.built(&shell, &mates)?;
             if made.brep.is_solid() { closed.push(shell) } else { out.push(made) }
         }
@@ -113,7 +113,7 @@ impl Shells<'_> {
             let mut sets = Sets::new(self.chosen.len());
             let mut mates = Mates::new();
             for (piece, list) in self.uses() {
-                patience::check()?;
+                cancellation::check()?;
                 // The uses of regions that are not turned, each of which stands for both sides.
                 let list: Vec<Use> = list
                     .into_iter()
@@ -153,7 +153,7 @@ impl Shells<'_> {
         let mut outer: Vec<(Vec<usize>, Made, f64)> = Vec::new();
         let mut cavities: Vec<Vec<usize>> = Vec::new();
         for shell in shells {
-            patience::check()?;
+            cancellation::check()?;
             let (made, inward) = self.built(&shell, mates)?;
             if !made.brep.is_solid() {
                 return Err(self.refuse(RefusalClass::Unclosed, shell.first().copied()));
@@ -278,7 +278,7 @@ impl Shells<'_> {
         let mut sets = Sets::new(self.chosen.len());
         let mut mates = Mates::new();
         for (piece, list) in self.uses() {
-            patience::check()?;
+            cancellation::check()?;
             let pairs = match list.as_slice() {
                 [a, b] if a.backwards != b.backwards => vec![[*a, *b]],
                 [_] if naked(piece) => continue,

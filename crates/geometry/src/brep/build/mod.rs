@@ -6,7 +6,7 @@ pub(crate) use ends::with_ends;
 
 use super::validity::refusal;
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};
-use crate::{Curve, Error, Point3, Result, Surface, patience};
+use crate::{Curve, Error, Point3, Result, Surface, cancellation};
 
 /// Gaps up to this part of a loop's size are closed.
 const LARGEST_GAP: f64 = 1e-3;
@@ -141,7 +141,7 @@ impl Builder {
         mut paths: Vec<Path>,
         largest_gap: f64,
     ) -> Result<()> {
-        patience::check()?;
+        cancellation::check()?;
         ends::close_gaps(&mut paths, largest_gap)?;
         let in_loop = self.parts.loops.len();
         let owner = self.parts.faces.get_mut(face.0).ok_or_else(|| foreign("face"))?;
@@ -190,11 +190,11 @@ impl Builder {
     pub fn finish(mut self, limit: f64) -> Result<Brep> {
         // What is looked up on the way takes about as much as what is put together.
         let parts = self.parts.trims.len().saturating_add(self.parts.edges.len());
-        patience::room::<Trim>(parts)?;
+        cancellation::room::<Trim>(parts)?;
         self.parts.set_kinds();
         self.parts.set_iso();
         self.parts.measure_tolerances();
-        patience::check_now()?;
+        cancellation::check_now()?;
         if let Some(edge) = self.parts.edges.iter().find(|e| !(e.tolerance <= limit)) {
             return Err(refusal::of_distance(edge.tolerance));
         }

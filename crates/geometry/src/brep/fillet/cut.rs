@@ -102,7 +102,7 @@ impl Cut {
         // From the middle outwards, so that each place has one nearby.
         for n in 0..=MARCH {
             let by = 0.5 * f64::from(n) / f64::from(MARCH);
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             found(0.5 - by).and_then(|_| found(0.5 + by)).ok_or_else(lost)?;
         }
         // The change of the unknown along the section; none where the surfaces touch.
@@ -134,7 +134,7 @@ impl Cut {
         let mut range: Option<Interval> = None;
         let mut fastest = 0.0_f64;
         let space = followed(&[UNIT], limit, |w, _| {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let x = found(w).ok_or_else(lost)?;
             let ([across, along], slope) = slope_at(w, &x).ok_or_else(lost)?;
             range = Some(range.map_or(Interval::new(x[0], x[0]), |r| r.including(x[0])));

@@ -269,7 +269,7 @@ impl Fans<'_> {
     ) -> Result<()> {
         let mut next = 0;
         while let Some(&(edge, radius)) = wanted.get(next) {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             next += 1;
             for stub in [(edge, false), (edge, true)] {
                 let Some(vertex) = self.vertex(stub) else { continue };

@@ -14,7 +14,7 @@ const FLAT: f64 = 1e-12;
 pub(super) fn levelled(brep: Brep, limit: f64) -> Result<Brep> {
     let mut planes = BTreeMap::new();
     for face in 0..brep.faces().len() {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         planes.extend(singular_plane(&brep, face).map(|plane| (face, plane)));
     }
     let whole = !brep.edges().iter().any(|own| own.deleted) && !brep.faces().iter().any(|own| own.deleted);
@@ -31,7 +31,7 @@ pub(super) fn levelled(brep: Brep, limit: f64) -> Result<Brep> {
         edges.push(builder.edge(curve, [vertex(own.vertices[0])?, vertex(own.vertices[1])?]));
     }
     for (place, own) in brep.faces().iter().enumerate() {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let mut loops = Vec::with_capacity(own.loops.len());
         let plane = planes.get(&place);
         for chain in own.loops.iter().filter_map(|l| brep.loops().get(*l)) {

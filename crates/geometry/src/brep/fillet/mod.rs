@@ -183,7 +183,7 @@ fn in_steps(mut brep: Brep, mut wanted: Vec<Wanted>, style: &Style) -> Result<Br
         let fans = Fans { brep: &brep, names: &names };
         let mut wedges = BTreeMap::new();
         for own in &wanted {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let mut wedge = Wedge::new(&fans, own.edge, own.radius, own.rail, &style.tolerance)?;
             wedge.by_contacts = points.iter().any(|(edge, _)| *edge == own.edge);
             wedges.insert(own.edge, wedge);
@@ -281,7 +281,7 @@ fn step<'a>(
     let (brep, tolerance) = (fans.brep, &style.tolerance);
     let mut strips = BTreeMap::new();
     for (edge, wedge) in wedges {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let reach = [false, true].map(|end| reach(fans, &wedge, style.blend, (edge, end), joints));
         let closed = joints
             .iter()

@@ -105,7 +105,7 @@ pub(super) fn first(
     }
     let mut rules = Rules::default();
     for stubs in at.values() {
-        crate::patience::check()?;
+        crate::cancellation::check()?;
         let first = leaders(fans, wedges, stubs, blend, tolerance)?;
         match first.is_empty() {
             false => {

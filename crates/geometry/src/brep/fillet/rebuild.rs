@@ -36,7 +36,7 @@ impl Weave<'_> {
             }
         }
         for place in 0..self.brep.faces().len() {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let Some(face) = self.brep.faces().get(place).filter(|face| !face.deleted) else { continue };
             let Some(surface) = self.brep.face_surface(place) else { continue };
             let wide = self.widened.get(&place).cloned();
@@ -239,7 +239,7 @@ impl Weave<'_> {
         let boxes: Vec<BoundingBox> = all.iter().map(|step| step.path.curve.bounding_box()).collect();
         let apart = |i: usize, j: usize| are_apart(&boxes[i].inflated(least), &boxes[j]);
         for (i, a) in all.iter().enumerate() {
-            crate::patience::check()?;
+            crate::cancellation::check()?;
             let p = &a.path.curve;
             // An inset rail may run into itself, as that of a narrow bay does.
             if let Some(edge) = a.made_by {

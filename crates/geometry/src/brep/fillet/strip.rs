@@ -316,7 +316,7 @@ impl<'a> Strip<'a> {
             };
             let mut stack = vec![(first, last, 0)];
             while let Some((a, b, depth)) = stack.pop() {
-                crate::patience::check()?;
+                crate::cancellation::check()?;
                 near.clone_from(&a.station.unknowns);
                 if depth > 0 && self.holds(&a, &b, limit, tolerance.angle) {
                     pieces.push([a, b]);

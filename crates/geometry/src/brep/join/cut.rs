@@ -2,7 +2,7 @@
 
 use super::super::edges::taken;
 use super::super::{CurvePart, Parts, Vertex};
-use crate::{BoundingBox, ClosestOnCurve, Curve, Interval, Point3, Result, Surface, patience};
+use crate::{BoundingBox, ClosestOnCurve, Curve, Interval, Point3, Result, Surface, cancellation};
 
 /// Places of a trim that are looked at for the one nearest to a point.
 const PLACES: usize = 64;
@@ -26,7 +26,7 @@ impl Parts {
         points.sort_by(|a, b| a.1.x.total_cmp(&b.1.x).then(a.0.cmp(&b.0)));
         points.dedup_by_key(|p| p.0);
         for (edge, bounds) in naked {
-            patience::check()?;
+            cancellation::check()?;
             let cuts = self.cuts_of(edge, &bounds, &points, limit)?;
             // From the end, so that the first part keeps its place.
             for t in cuts.into_iter().rev() {

@@ -4,7 +4,7 @@ mod unions;
 
 use super::super::Parts;
 use super::super::edges::taken;
-use crate::{ClosestOnCurve, Curve, Point3, Result, patience};
+use crate::{ClosestOnCurve, Curve, Point3, Result, cancellation};
 use unions::Unions;
 
 /// Places of an edge that are looked at to see whether another runs beside it.
@@ -35,7 +35,7 @@ impl Parts {
         let mut rims = Vec::new();
         let mut boxes = Vec::new();
         for (place, bounds) in self.naked(limit) {
-            patience::check()?;
+            cancellation::check()?;
             let Some(edge) = self.edges.get(place) else { continue };
             let Some(curve) = self.edge_curve(edge).and_then(|curve| taken(curve, &edge.part).ok()) else {
                 continue;
@@ -49,7 +49,7 @@ impl Parts {
         let mut pairs = Vec::new();
         for (k, &a) in order.iter().enumerate() {
             for &b in order.iter().skip(k + 1).take_while(|b| boxes[**b].min.x <= boxes[a].max.x) {
-                patience::check()?;
+                cancellation::check()?;
                 let (low, high) = (a.min(b), a.max(b));
                 if let Some((backwards, apart)) = beside(&rims[low], &rims[high], limit) {
                     pairs.push(Pair { first: low, second: high, backwards, apart });
@@ -62,7 +62,7 @@ impl Parts {
         let mut used = vec![false; rims.len()];
         let mut same = Unions::of(self);
         for pair in pairs {
-            patience::check()?;
+            cancellation::check()?;
             if used[pair.first] || used[pair.second] {
                 continue;
             }

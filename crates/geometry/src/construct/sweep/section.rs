@@ -2,7 +2,7 @@
 
 use crate::nurbs::{Skinning, skinned};
 use crate::{
-    Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, Vector3, compatible_curves, patience,
+    Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, Vector3, cancellation, compatible_curves,
 };
 
 /// An affine frame: where the axes and the origin of a section's coordinates go.
@@ -15,7 +15,7 @@ pub(super) struct Frame {
 impl Frame {
     /// A curve in the frame's coordinates, in space.
     pub(super) fn placed(&self, local: &NurbsCurve) -> Result<NurbsCurve> {
-        patience::room::<[f64; 4]>(2 * local.point_count())?;
+        cancellation::room::<[f64; 4]>(2 * local.point_count())?;
         let [x, y, z] = self.axes;
         moved(local, |[a, b, c, w]| {
             let p = self.origin.to_vector() * w + x * a + y * b + z * c;

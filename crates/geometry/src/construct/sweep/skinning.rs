@@ -1,7 +1,7 @@
 //! A surface through so many places of a moving section that it keeps to the section between them.
 
 use crate::nurbs::{Skinning, skinned};
-use crate::{Direction, Error, Interval, NurbsCurve, NurbsSurface, Point3, Result, patience};
+use crate::{Direction, Error, Interval, NurbsCurve, NurbsSurface, Point3, Result, cancellation};
 
 /// The most places of a section along one run, of a rail that does not ask for more by itself.
 const MOST: usize = 600;
@@ -28,7 +28,7 @@ impl Motion<'_> {
     /// followed by itself.
     pub(super) fn surface(&self, tolerance: f64) -> Result<NurbsSurface> {
         self.followed(tolerance).or_else(|why| {
-            patience::check_now()?;
+            cancellation::check_now()?;
             self.by_stretches(tolerance)?.ok_or(why)
         })
     }
@@ -43,7 +43,7 @@ impl Motion<'_> {
         for w in cuts.windows(2) {
             let domain = Interval::new(w[0], w[1]);
             let stretch = Motion { domain, breaks: Vec::new(), closed: false, at: self.at };
-            patience::check_now()?;
+            cancellation::check_now()?;
             let next = stretch.followed(tolerance)?;
             whole = Some(match whole {
                 None => next,
@@ -64,7 +64,7 @@ impl Motion<'_> {
             let sections = (self.at)(&middles)?;
             let mut wrong = Vec::new();
             for (t, section) in middles.iter().zip(&sections) {
-                patience::check_now()?;
+                cancellation::check_now()?;
                 if deviation(&surface, *t, section) > tolerance {
                     wrong.push(*t);
                 }
@@ -130,7 +130,7 @@ fn continued(before: &NurbsSurface, after: &NurbsSurface) -> Result<NurbsSurface
         return Err(no());
     }
     let (first, second) = (before.homogeneous_points(), after.homogeneous_points());
-    patience::room::<[f64; 4]>(3 * rows * (m + n - 1))?;
+    cancellation::room::<[f64; 4]>(3 * rows * (m + n - 1))?;
     let mut points = Vec::with_capacity(rows * (m + n - 1));
     for (a, b) in first.chunks(m).zip(second.chunks(n)) {
         points.extend_from_slice(a);

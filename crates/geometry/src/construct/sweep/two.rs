@@ -4,7 +4,7 @@ use super::super::check;
 use super::section::{Frame, Sections};
 use super::skinning::Motion;
 use crate::{
-    ArcLength, Brep, Continuity, Curve, Error, Interval, NurbsCurve, Result, Tolerance, Vector3, patience,
+    ArcLength, Brep, Continuity, Curve, Error, Interval, NurbsCurve, Result, Tolerance, Vector3, cancellation,
 };
 
 /// The surfaces that sections draw when they are moved along two rails, their width being the rails' distance. With
@@ -248,7 +248,7 @@ impl<'a> Pair<'a> {
 
     /// The frame inside a part, with directions at its ends half-way to those of the parts beside it.
     fn slanted(&self, share: f64, part: Interval) -> Result<Frame> {
-        patience::check()?;
+        cancellation::check()?;
         let [s, t] = self.parameters(share);
         let origin = self.rails[0].point_at(s);
         let across = self.rails[1].point_at(t) - origin;

@@ -269,7 +269,7 @@ impl Border<'_> {
             let mut curve = if whole { curve.clone() } else { curve.trimmed(range)? };
             // A gap within the tolerance is bridged, not hidden.
             if let Some(before) = links.last_mut()
-                && before.curve.end().distance_to(curve.start()) > self.hair()
+                && before.curve.end().distance_to(curve.start()) > self.epsilon()
             {
                 let link = linked(&mut before.curve, &mut curve)?;
                 links.push(Link::plain(link));
@@ -299,11 +299,11 @@ impl Border<'_> {
             [only] => only.curve.end().distance_to(only.curve.start()),
             [] => 0.0,
         };
-        if links.len() == 1 && gap(links) > self.hair() {
+        if links.len() == 1 && gap(links) > self.epsilon() {
             let halves = links[0].curve.split_at(&[links[0].curve.domain().middle()])?;
             *links = halves.into_iter().map(Link::plain).collect();
         }
-        let wide = gap(links) > self.hair();
+        let wide = gap(links) > self.epsilon();
         match links.as_mut_slice() {
             [first, .., last] if wide => {
                 let link = linked(&mut last.curve, &mut first.curve)?;
@@ -322,7 +322,7 @@ impl Border<'_> {
     }
 
     /// A gap no larger than this is none.
-    fn hair(&self) -> f64 {
+    fn epsilon(&self) -> f64 {
         1e-2 * self.gap
     }
 }
@@ -363,8 +363,8 @@ fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
     let link = |before: &Curve, after: &Curve| Line::new(before.end(), after.start());
     let inside = |curve: &Curve, t: f64| {
         let domain = curve.domain();
-        let hair = 1e-6 * domain.length();
-        domain.start + hair < t && t < domain.end - hair
+        let epsilon = 1e-6 * domain.length();
+        domain.start + epsilon < t && t < domain.end - epsilon
     };
     // Another arm may be as near.
     let gap = before.end().distance_to(after.start());

@@ -50,7 +50,7 @@ pub(super) struct Restyle<'a> {
     pub(super) raw: &'a Raw,
     pub(super) distance: f64,
     pub(super) tolerance: f64,
-    pub(super) hair: f64,
+    pub(super) epsilon: f64,
     pub(super) corner: OffsetCorner,
 }
 
@@ -73,7 +73,7 @@ impl Restyle<'_> {
             for (j, link) in chain.links.iter().enumerate() {
                 let Some(corner) = link.corner else { continue };
                 for curve in self.choices(chain, j, &corner) {
-                    if curve_self(&curve, self.hair)?.is_empty() && clearance.allows(&curve)? {
+                    if curve_self(&curve, self.epsilon)?.is_empty() && clearance.allows(&curve)? {
                         candidates.push(Candidate { chain: i, link: j, curve });
                         break;
                     }
@@ -91,11 +91,11 @@ impl Restyle<'_> {
         let others: Vec<BoundingBox> = all.iter().map(|c| c.bounding_box()).collect();
         let mut work = Work::new(self.raw.parts.len());
         let mut free = vec![true; candidates.len()];
-        for (i, j) in near_pairs(&boxes, Some(&others), self.hair, &work)? {
+        for (i, j) in near_pairs(&boxes, Some(&others), self.epsilon, &work)? {
             let own = firsts[candidates[i].chain] + candidates[i].link;
             free[i] = free[i] && (j == own || !self.cross(&candidates[i].curve, all[j], &mut work)?);
         }
-        for (i, j) in near_pairs(&boxes, None, self.hair, &work)? {
+        for (i, j) in near_pairs(&boxes, None, self.epsilon, &work)? {
             if free[i] && free[j] && self.cross(&candidates[i].curve, &candidates[j].curve, &mut work)? {
                 free[j] = false;
             }
@@ -111,7 +111,7 @@ impl Restyle<'_> {
         let link = &chain.links[j];
         let (a, b) = (link.curve.start(), link.curve.end());
         let size = a.distance_to(b);
-        if size <= self.hair {
+        if size <= self.epsilon {
             return Vec::new();
         }
         if self.corner == OffsetCorner::Chamfer {
@@ -145,11 +145,11 @@ impl Restyle<'_> {
 
     /// Whether two curves cross elsewhere than at ends that they share.
     fn cross(&self, candidate: &Curve, other: &Curve, work: &mut Work) -> Result<bool> {
-        let found = curve_curve(candidate, other, 0.1 * self.hair)?;
+        let found = curve_curve(candidate, other, 0.1 * self.epsilon)?;
         work.more(found.visits)?;
         let ends = |c: &Curve| [c.start(), c.end()];
         let shared = |p: Point3| {
-            let near = |c: &Curve| ends(c).into_iter().any(|e| e.distance_to(p) <= 4.0 * self.hair);
+            let near = |c: &Curve| ends(c).into_iter().any(|e| e.distance_to(p) <= 4.0 * self.epsilon);
             near(candidate) && near(other)
         };
         Ok(!found.complete
@@ -167,7 +167,7 @@ struct Clearance<'a> {
     /// No nearer than this is far enough, by more than `fine`.
     least: f64,
     fine: f64,
-    hair: f64,
+    epsilon: f64,
 }
 
 impl<'a> Clearance<'a> {
@@ -183,7 +183,7 @@ impl<'a> Clearance<'a> {
             near_vertices: BoxTree::by_place(&points),
             least: restyle.distance.abs() - 0.5 * restyle.tolerance,
             fine: 0.5 * restyle.tolerance,
-            hair: restyle.hair,
+            epsilon: restyle.epsilon,
         }
     }
 
@@ -241,10 +241,10 @@ impl<'a> Clearance<'a> {
     }
 
     fn is_vertex(&self, p: Point3) -> bool {
-        let limit = self.hair * self.hair;
+        let limit = self.epsilon * self.epsilon;
         let mut found = false;
         self.near_vertices.visit_near(&p.into(), limit, |i| {
-            found = found || self.vertices.get(i).is_some_and(|v| v.distance_to(p) <= self.hair);
+            found = found || self.vertices.get(i).is_some_and(|v| v.distance_to(p) <= self.epsilon);
             limit
         });
         found

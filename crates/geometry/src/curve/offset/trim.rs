@@ -54,7 +54,7 @@ pub(super) fn cleaned(
     let exact = raw.parts.iter().all(|p| p.source.is_none());
     let size = curve.bounding_box().diagonal().length() + distance.abs();
     let fine = (1e-10 * size).min(0.01 * tolerance.absolute);
-    let hair = (2e-9 * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
+    let epsilon = (2e-9 * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
     let mut work = Work::new(parts.len());
 
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); parts.len()];
@@ -135,10 +135,10 @@ pub(super) fn cleaned(
         stops.push(stop);
     }
     let mut sets = Sets::new(places.len());
-    gather(&mut sets, &places, hair);
+    gather(&mut sets, &places, epsilon);
 
-    let validity = Validity::new(curve, &raw.caps, plane, distance, hair);
-    let blur = if exact { hair } else { 2.0 * tolerance.absolute };
+    let validity = Validity::new(curve, &raw.caps, plane, distance, epsilon);
+    let blur = if exact { epsilon } else { 2.0 * tolerance.absolute };
     let mut edges = Vec::new();
     for (i, part) in raw.parts.iter().enumerate() {
         let near = 1e-10 * part.curve.domain().length();
@@ -148,7 +148,7 @@ pub(super) fn cleaned(
                 sets.join(w[0].1, w[1].1);
             } else if !void[i].iter().any(|v| v.contains(range.middle())) {
                 let ends = [w[0].1, w[1].1];
-                valid_stretches(&validity, part, i, (range, ends), (hair, blur), &mut sets, &mut edges)?;
+                valid_stretches(&validity, part, i, (range, ends), (epsilon, blur), &mut sets, &mut edges)?;
             }
         }
     }
@@ -162,16 +162,16 @@ pub(super) fn cleaned(
         edges = own;
     }
     let (gap, least) = if exact {
-        (2.0 * hair, 8.0 * hair)
+        (2.0 * epsilon, 8.0 * epsilon)
     } else {
-        ((2.0 * tolerance.absolute).max(2.0 * hair), 3.0 * tolerance.absolute)
+        ((2.0 * tolerance.absolute).max(2.0 * epsilon), 3.0 * tolerance.absolute)
     };
     // So far two stretches may run on beyond their crossing before rounding sees it.
-    let stub = 4.0 * (0.01 * hair * size).sqrt();
+    let stub = 4.0 * (0.01 * epsilon * size).sqrt();
     let border = Border { parts: &raw.parts, edges, sets, plane, side: distance.signum(), gap, stub };
     let mut chains = border.chains(least)?;
     if matches!(corner, OffsetCorner::Chamfer | OffsetCorner::Smooth) {
-        Restyle { source: curve, raw, distance, tolerance: tolerance.absolute, hair, corner }
+        Restyle { source: curve, raw, distance, tolerance: tolerance.absolute, epsilon, corner }
             .apply(&mut chains)?;
     }
     Ok(chains.into_iter().map(|c| c.into_curve(1e-2 * gap)).collect())
@@ -196,7 +196,7 @@ fn valid_stretches(
     part: &RawPart,
     index: usize,
     (range, ends): (Interval, [usize; 2]),
-    (hair, blur): (f64, f64),
+    (epsilon, blur): (f64, f64),
     sets: &mut Sets,
     edges: &mut Vec<Edge>,
 ) -> Result<()> {
@@ -205,7 +205,7 @@ fn valid_stretches(
         let t = range.at((k as f64 + 0.5) / f64::from(SAMPLES + 1));
         *sample = (t, validity.margin(part, t)?);
     }
-    let good = |margin: f64| margin >= -0.01 * hair;
+    let good = |margin: f64| margin >= -0.01 * epsilon;
     let count = samples.iter().filter(|s| good(s.1)).count();
     let worst = samples.iter().map(|s| s.1).fold(0.0, f64::min);
     let mut keep =

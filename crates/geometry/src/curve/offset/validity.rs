@@ -43,17 +43,23 @@ pub(super) struct Validity<'a> {
     plane: &'a Plane,
     distance: f64,
     /// Nearer than this is the same place.
-    hair: f64,
+    epsilon: f64,
 }
 
 impl<'a> Validity<'a> {
-    pub(super) fn new(curve: &'a Curve, caps: &'a [Cap], plane: &'a Plane, distance: f64, hair: f64) -> Self {
+    pub(super) fn new(
+        curve: &'a Curve,
+        caps: &'a [Cap],
+        plane: &'a Plane,
+        distance: f64,
+        epsilon: f64,
+    ) -> Self {
         let boxes: Vec<_> = caps
             .iter()
             .map(|c| bounds_of(c.outline.iter().chain([&c.frame.origin]).map(|&p| p.into())))
             .collect();
         let near_caps = BoxTree::by_place(&boxes);
-        Self { whole: ClosestOnCurve::new(curve), caps, near_caps, plane, distance, hair }
+        Self { whole: ClosestOnCurve::new(curve), caps, near_caps, plane, distance, epsilon }
     }
 
     /// How far a point of a part lies outside what the offset goes round: 0 on its border or outside, negative
@@ -69,10 +75,10 @@ impl<'a> Validity<'a> {
 
     fn margin_at(&self, q: Point3) -> Result<f64> {
         let reach = self.distance.abs();
-        let near = self.whole.nearest_within(q, reach - 0.005 * self.hair)?;
+        let near = self.whole.nearest_within(q, reach - 0.005 * self.epsilon)?;
         let mut margin = near.map_or(0.0, |n| n.distance - reach);
         let mut hits = Vec::new();
-        let limit = self.hair * self.hair;
+        let limit = self.epsilon * self.epsilon;
         self.near_caps.visit_near(&q.into(), limit, |i| {
             hits.push(i);
             limit

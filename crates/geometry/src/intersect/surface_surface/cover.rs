@@ -3,7 +3,7 @@
 use super::search::{Leaf, Search};
 use crate::trace::thresholds::{MET, ROOM};
 use crate::trace::{Condition, End, Followed, Four, Limits, Pair, Place, followed};
-use crate::{Direction, Result, patience};
+use crate::{Direction, Result, cancellation};
 
 /// The curves, as they are found.
 pub(super) struct Curves {
@@ -87,7 +87,7 @@ impl Curves {
         let mut stack = leaves;
         stack.reverse();
         while let Some(leaf) = stack.pop() {
-            patience::check()?;
+            cancellation::check()?;
             let wide = search.wide(leaf.bounds);
             if self.found.iter().any(|c| c.enters(&wide)) {
                 continue;

@@ -8,7 +8,7 @@ use crate::trace::thresholds::{
     EXACT, EXACT_OF_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ON_CARRIER, ONE_PLANE, noise,
 };
 use crate::{
-    BoundingBox, Curve, Direction, NurbsSurface, Point3, Result, Surface, Tolerance, Xform, patience,
+    BoundingBox, Curve, Direction, NurbsSurface, Point3, Result, Surface, Tolerance, Xform, cancellation,
 };
 
 /// What the closed form of two surfaces says; `None` when they have none, or lie on their carriers in a way that has to be
@@ -225,7 +225,7 @@ fn parts(
     // Runs of pieces inside, between cuts that are no ends.
     let mut runs: Vec<[Cut; 2]> = Vec::new();
     for w in cuts.windows(2) {
-        patience::check()?;
+        cancellation::check()?;
         let middle = conic.at(w[0].t + images::MIDDLE * (w[1].t - w[0].t));
         if !holds(middle, sheets, near)? {
             continue;

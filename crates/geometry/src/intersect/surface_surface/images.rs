@@ -3,7 +3,7 @@
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch};
 use crate::trace::thresholds::{BESIDE_POLE, RATE};
-use crate::{Curve, Interval, NurbsCurve, Point3, Result, Vector3, patience};
+use crate::{Curve, Interval, NurbsCurve, Point3, Result, Vector3, cancellation};
 
 /// Steps are not shorter than this part of the domain: what then is not exact has a leap in it.
 const SHORTEST: f64 = 1e-10;
@@ -123,7 +123,7 @@ fn walked(
     for stop in stops.iter().copied().filter(|t| *t != start.t) {
         let mut step = stop - from.t;
         while from.t != stop {
-            patience::check()?;
+            cancellation::check()?;
             let is_last = step.abs() >= (stop - from.t).abs();
             let t = if is_last { stop } else { from.t + step };
             let to = place(curve, sheet, t, Some(from.ahead(t)), domain)?;

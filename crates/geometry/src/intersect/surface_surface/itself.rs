@@ -9,7 +9,7 @@ use crate::intersect::judge::separated;
 use crate::intersect::patch_tree::{PatchNode, PatchTree};
 use crate::trace::thresholds::{AT_POLE, MET, SAME_PLACE, SMALLEST, TINY};
 use crate::trace::{Box4, Condition, Four, Limits, Pair, Place, fitted_within};
-use crate::{Error, NurbsSurface, Result, Tolerance, Vector3, Xform, patience};
+use crate::{Error, NurbsSurface, Result, Tolerance, Vector3, Xform, cancellation};
 
 /// More pairs of parts of one size than this are not looked at.
 const MOST_PAIRS: usize = 400_000;
@@ -89,13 +89,13 @@ impl SelfSearch<'_> {
         let (mut leaves, mut undecided) = (Vec::new(), Vec::new());
         let mut level = vec![[self.tree.root; 2]];
         while !level.is_empty() {
-            patience::room::<[u32; 2]>(level.len())?;
+            cancellation::room::<[u32; 2]>(level.len())?;
             if level.len() > MOST_PAIRS || undecided.len() > MOST_UNDECIDED {
                 return Err(Error::Unsupported("a surface that lies upon itself over a wide range"));
             }
             let mut next = Vec::new();
             for nodes in level.drain(..) {
-                patience::check()?;
+                cancellation::check()?;
                 if self.is_apart(nodes) || self.is_embedded(nodes) {
                     continue;
                 }
@@ -210,7 +210,7 @@ impl SelfSearch<'_> {
         stack.reverse();
         let tiny = TINY * self.smallest;
         while let Some(leaf) = stack.pop() {
-            patience::check()?;
+            cancellation::check()?;
             let bounds = self.bounds(leaf.nodes);
             let wide = self.pair.grown(bounds, 0.5);
             let [a, b, c, d] = wide;

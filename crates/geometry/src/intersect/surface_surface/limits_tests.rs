@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use super::{SurfaceMeeting, surface_surface};
-use crate::patience::work;
-use crate::{Error, NurbsSurface, Patience, Point3, Result, Tolerance};
+use crate::cancellation::work;
+use crate::{CancellationToken, Error, NurbsSurface, Point3, Result, Tolerance};
 
 /// What programs that are not optimised may take longer, on a machine that does other work as well.
 const SLACK: u32 = if cfg!(debug_assertions) { 20 } else { 4 };
@@ -99,9 +99,9 @@ fn questions_are_asked_often() {
         ("the same", wave(100, 0.0), wave(100, 0.0)),
     ] {
         let asked = AtomicUsize::new(0);
-        let patience = Patience::new(move || asked.fetch_add(1, Ordering::Relaxed) < 20_000);
+        let token = CancellationToken::new(move || asked.fetch_add(1, Ordering::Relaxed) < 20_000);
         work::most();
-        let met = patience.during(|| surface_surface(&a, &b, &tolerance()));
+        let met = token.during(|| surface_surface(&a, &b, &tolerance()));
         let most = work::most();
         println!("{name}: {most} units at most, {}", met.is_ok());
         assert!(most <= MOST, "{name}: {most}");
@@ -125,8 +125,8 @@ fn nobody_waits() {
     ] {
         let start = Instant::now();
         let limit = Duration::from_millis(100);
-        let patience = Patience::new(move || start.elapsed() < limit);
-        let met = patience.during(|| surface_surface(&a, &b, &tolerance()));
+        let token = CancellationToken::new(move || start.elapsed() < limit);
+        let met = token.during(|| surface_surface(&a, &b, &tolerance()));
         let late = start.elapsed().saturating_sub(limit);
         assert!(late < Duration::from_millis(50) * SLACK, "{late:?}");
         assert!(met.is_ok() || met == Err(Error::Stopped));

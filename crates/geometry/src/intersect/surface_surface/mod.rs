@@ -28,7 +28,7 @@ use crate::chart::{Chart, smooth_pieces};
 use crate::trace::thresholds::{AT_CONTACT, AT_POLE, MET, ON_CURVE, SAME_PLACE, SMALLEST};
 use crate::trace::{Limits, Pair, fitted, fitted_within};
 use crate::{
-    Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Surface, Tolerance, Vector3, Xform, patience,
+    Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Surface, Tolerance, Vector3, Xform, cancellation,
 };
 
 /// What is known of a branch's curve.
@@ -242,7 +242,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     let boxes = [0, 1].map(|s| charts[s].iter().map(|c| c.nurbs().hull_box()).collect::<Vec<_>>());
     for (first, around) in charts[0].iter().zip(&boxes[0]) {
         for (second, other) in charts[1].iter().zip(&boxes[1]) {
-            patience::check()?;
+            cancellation::check()?;
             if around.distance_to_box(other) > reach {
                 continue;
             }

@@ -8,7 +8,7 @@ use super::overlap::{self, Overlaps};
 use crate::intersect::SurfaceIntersections;
 use crate::trace::thresholds::{AT_BORDER, MET, TINY};
 use crate::trace::{Box4, Pair};
-use crate::{Curve, Result, Vector3, patience};
+use crate::{Curve, Result, Vector3, cancellation};
 
 /// A pair of parts whose common curve, if there is one, is a graph over a direction.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +81,7 @@ impl<'a> Search<'a> {
         let mut level = vec![[self.trees[0].root, self.trees[1].root]];
         let mut counts = [usize::MAX; 2];
         while !level.is_empty() {
-            patience::room::<[u32; 2]>(level.len())?;
+            cancellation::room::<[u32; 2]>(level.len())?;
             if level.len() > MOST_PAIRS {
                 return Err(crate::Error::Unsupported(
                     "surfaces that lie next to each other over many patches",
@@ -89,7 +89,7 @@ impl<'a> Search<'a> {
             }
             let mut undecided = Vec::new();
             for nodes in level.drain(..) {
-                patience::check()?;
+                cancellation::check()?;
                 if self.is_apart(nodes) {
                     continue;
                 }
@@ -195,7 +195,7 @@ impl<'a> Search<'a> {
         if a.patch().is_none() || b.patch().is_none() {
             return false;
         }
-        patience::worked(self.trees[0].points(a).len() / 2 + 1);
+        cancellation::worked(self.trees[0].points(a).len() / 2 + 1);
         let hulls = [(0, a), (1, b)].map(|(s, node)| hull(self.trees[s].points(node)));
         if (a.is_loose() || b.is_loose()) && boxes_apart(&hulls, reach) {
             return true;

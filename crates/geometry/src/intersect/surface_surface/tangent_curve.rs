@@ -3,7 +3,7 @@
 use super::touch::{bends, touching};
 use crate::trace::thresholds::{RATE, SAME_PLACE};
 use crate::trace::{Condition, Cubic, Four, Limits, Pair, Place, on};
-use crate::{Result, patience};
+use crate::{Result, cancellation};
 
 /// More places than this are not followed.
 const MOST: usize = 20_000;
@@ -62,7 +62,7 @@ fn one_way(pair: &Pair<'_>, places: &mut Vec<Place>, sign: f64, limits: &Limits)
     let Some(&start) = places.first() else { return Ok(End::Lost) };
     let mut length = 0.1 * limits.longest;
     while places.len() < MOST {
-        patience::check()?;
+        cancellation::check()?;
         let Some(&from) = places.last() else { break };
         if leads_out(pair, &from, sign) {
             return Ok(End::Border);

@@ -4,7 +4,7 @@ use manifold_rust::manifold::Manifold;
 use manifold_rust::types::{Box as Bounds, WindingRule};
 
 use super::{Solid, guarded};
-use crate::{Result, parallel, patience};
+use crate::{Result, cancellation, parallel};
 
 /// So many solids are looked at together: each is held against the boxes of the others.
 const TOGETHER: usize = 1000;
@@ -41,14 +41,14 @@ impl Solid {
         if self.is_simple() {
             return Ok(self.clone());
         }
-        patience::room::<[u64; 48]>(self.body.num_tri())?;
+        cancellation::room::<[u64; 48]>(self.body.num_tri())?;
         guarded(|| self.body.rebuild_solid(WindingRule::Positive))
     }
 }
 
 fn every<T: Sync>(items: &[T], work: impl Fn(&T) -> Result<Solid> + Sync + Send) -> Result<Vec<Solid>> {
     let asked = |item: &T| {
-        patience::check_now()?;
+        cancellation::check_now()?;
         work(item)
     };
     parallel::each(items, asked).into_iter().collect()
@@ -58,7 +58,7 @@ fn every<T: Sync>(items: &[T], work: impl Fn(&T) -> Result<Solid> + Sync + Send)
 fn apart(solids: &[Solid]) -> Result<Vec<Vec<&Solid>>> {
     let mut sets: Vec<(Vec<&Solid>, Vec<Bounds>)> = Vec::new();
     for solid in solids {
-        patience::check()?;
+        cancellation::check()?;
         let bounds = solid.body.bounding_box();
         let has_room = |set: &&mut (Vec<_>, Vec<Bounds>)| !set.1.iter().any(|b| b.does_overlap_box(&bounds));
         match sets.iter_mut().find(has_room) {
@@ -77,7 +77,7 @@ fn composed(set: &[&Solid]) -> Result<Solid> {
     if let [one] = set {
         return Ok((*one).clone());
     }
-    patience::room::<[u64; 48]>(set.iter().map(|solid| solid.body.num_tri()).sum())?;
+    cancellation::room::<[u64; 48]>(set.iter().map(|solid| solid.body.num_tri()).sum())?;
     let parts: Vec<Manifold> = set.iter().map(|solid| solid.body.clone()).collect();
     let made = guarded(|| Manifold::compose(&parts))?;
     Ok(Solid { proven: set.iter().all(|solid| solid.is_simple()), ..made })

@@ -2,7 +2,7 @@
 
 use super::net::Net;
 use crate::box_tree::{BoxTree, bounds_of};
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Line, Point3, Result, Vector3};
 
 /// Vertices nearer to a curve than this part of an edge come to lie on it.

@@ -7,8 +7,8 @@ mod seams;
 mod target;
 
 use super::{Mesh, MeshFace};
+use crate::cancellation::check_now;
 use crate::mesh::polygon::polygon_faces;
-use crate::patience::check_now;
 use crate::{Error, Line, Point3, Result};
 use net::Net;
 pub use quads::{GuideKind, QuadOptions};

@@ -2,7 +2,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::{Remeshed, too_many};
 use crate::box_tree::{BoxTree, bounds_of};
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Error, Line, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Whether a surface stays one when an edge collapses, of whose ends the neighbours are given.

@@ -53,7 +53,7 @@ impl<'a> Beam<'a> {
             if grazing == MOST_GRAZING {
                 break;
             }
-            crate::patience::check_now()?;
+            crate::cancellation::check_now()?;
             let t = part.at(k as f64 / LINES as f64);
             let p = self.curve.point_at(t);
             let Met { places: hits, along } = self.lines.meet(p, self.reach, self.size)?;
@@ -103,7 +103,7 @@ impl<'a> Beam<'a> {
         // Steps grow again after a difficult place.
         for _ in 0..5000 {
             let left = end - here.t;
-            if left == 0.0 || left * whole <= 0.0 || crate::patience::check().is_err() {
+            if left == 0.0 || left * whole <= 0.0 || crate::cancellation::check().is_err() {
                 break;
             }
             let t = if step >= left.abs() { end } else { here.t + step * whole.signum() };

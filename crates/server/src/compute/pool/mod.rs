@@ -304,17 +304,17 @@ impl Shared {
         if let Some(found) = inner.take(now, row) {
             return Some(found);
         }
-        let patience = match inner.queue.waiting() {
+        let token = match inner.queue.waiting() {
             0 => WHILE,
             _ => inner.queue.next_slow(now).unwrap_or(WHILE).min(WHILE),
         };
         if row == Row::Back {
-            let waited = self.wake_back.wait_timeout(inner, patience);
+            let waited = self.wake_back.wait_timeout(inner, token);
             return waited.unwrap_or_else(PoisonError::into_inner).0.take(Instant::now(), row);
         }
         inner.idle_in_front += 1;
         let (mut inner, _) =
-            self.wake_front.wait_timeout(inner, patience).unwrap_or_else(PoisonError::into_inner);
+            self.wake_front.wait_timeout(inner, token).unwrap_or_else(PoisonError::into_inner);
         inner.idle_in_front -= 1;
         inner.take(Instant::now(), row)
     }

@@ -1,7 +1,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::super::net::Net;
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Point3, Result};
 
 /// Vertices whose lattice points are nearer than this part of a side share one.

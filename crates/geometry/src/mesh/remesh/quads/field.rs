@@ -1,6 +1,6 @@
 use super::lattice::{Cross, Lattice};
 use super::levels::{Hold, Level};
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Point3, Result, Vector3};
 
 /// Rounds on each level of the hierarchy.

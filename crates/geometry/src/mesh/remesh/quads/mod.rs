@@ -13,7 +13,7 @@ use super::imprint::{Course, imprint};
 use super::net::Net;
 use super::target::Target;
 use super::too_many;
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Error, Line, Mesh, Point3, Result, Vector3};
 pub use guides::GuideKind;
 use guides::Guides;
@@ -504,7 +504,7 @@ mod tests {
         assert!(sphere.quad_remeshed(&QuadOptions::new(0)).is_err());
         assert!(sphere.quad_remeshed(&QuadOptions::new(1_000_000_000)).is_err());
         assert!(Mesh::default().quad_remeshed(&options).is_err());
-        let none = crate::Patience::new(|| false);
+        let none = crate::CancellationToken::new(|| false);
         assert_eq!(none.during(|| sphere.quad_remeshed(&options)), Err(Error::Stopped));
         let few = sphere.quad_remeshed(&QuadOptions::new(1)).unwrap();
         assert!(few.is_closed() && quads_only(&few));

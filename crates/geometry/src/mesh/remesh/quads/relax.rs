@@ -3,7 +3,7 @@ use std::collections::HashMap;
 use super::super::imprint::Course;
 use super::super::net::Net;
 use super::super::target::Target;
-use crate::patience::check;
+use crate::cancellation::check;
 use crate::{Error, Mesh, MeshFace, Point3, Result, Vector3};
 
 /// Rounds of evening out.

@@ -2,13 +2,13 @@
 //!
 //! Functions whose work is long by nature take a `go_on` of their own. All the others may be long too, on input that
 //! is large or wild: an intersection, an offset, a loft. They ask here. Whoever starts work says once, for the thread
-//! that does it, how long there is patience for it; what is called from there finds that out by itself, down to the
+//! that does it, how long it may go on; what is called from there finds that out by itself, down to the
 //! search for a nearest point, and ends with [`Error::Stopped`].
 //!
 //! ```
-//! use katydid_geometry::{Error, NurbsCurve, Patience, Point3};
+//! use katydid_geometry::{CancellationToken, Error, NurbsCurve, Point3};
 //! let points: Vec<Point3> = (0..9).map(|i| Point3::new(f64::from(i), 0.0, 0.0)).collect();
-//! let none = Patience::new(|| false);
+//! let none = CancellationToken::new(|| false);
 //! let made = none.during(|| (0..100).try_for_each(|_| NurbsCurve::clamped_uniform(3, &points).map(|_| ())));
 //! assert_eq!(made, Err(Error::Stopped));
 //! assert!(NurbsCurve::clamped_uniform(3, &points).is_ok());
@@ -23,7 +23,7 @@ use crate::{Error, Result};
 const EVERY: u32 = 16;
 
 thread_local! {
-    static NOW: RefCell<Patience> = const { RefCell::new(Patience(None)) };
+    static NOW: RefCell<CancellationToken> = const { RefCell::new(CancellationToken(None)) };
     static ASKED: Cell<u32> = const { Cell::new(0) };
     /// Whether the answer was no: it stays that.
     static OVER: Cell<bool> = const { Cell::new(false) };
@@ -54,7 +54,7 @@ impl<F: Fn() -> bool + Send + Sync> Waiting for F {
 }
 
 /// Waits as somebody else does, but without end.
-struct Endless(Patience);
+struct Endless(CancellationToken);
 
 impl Waiting for Endless {
     fn go_on(&self) -> bool {
@@ -74,19 +74,19 @@ impl Waiting for Endless {
     }
 }
 
-/// How long somebody waits for work; without end by default.
+/// Says whether anybody still waits for work; without end by default.
 #[derive(Clone, Default)]
-pub struct Patience(Option<Arc<dyn Waiting>>);
+pub struct CancellationToken(Option<Arc<dyn Waiting>>);
 
-impl std::fmt::Debug for Patience {
+impl std::fmt::Debug for CancellationToken {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(if self.0.is_some() { "Patience(while)" } else { "Patience(endless)" })
+        f.write_str(if self.0.is_some() { "CancellationToken(while)" } else { "CancellationToken(endless)" })
     }
 }
 
 /// Puts back what was there before, also when the work panics.
 struct Before {
-    now: Patience,
+    now: CancellationToken,
     over: bool,
 }
 
@@ -99,18 +99,18 @@ impl Drop for Before {
     }
 }
 
-impl Patience {
-    /// Patience for as long as `go_on` says yes. It is asked often, from whichever thread does the work.
+impl CancellationToken {
+    /// A token by which work goes on as long as `go_on` says yes. It is asked often, from whichever thread does the work.
     pub fn new(go_on: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Arc::new(go_on)))
     }
 
-    /// Patience as somebody has it.
+    /// The token of somebody who waits.
     pub fn of(waiting: Arc<dyn Waiting>) -> Self {
         Self(Some(waiting))
     }
 
-    /// Does work on this thread with this patience, instead of that which was there before.
+    /// Does work on this thread under this token, instead of the one that was there before.
     ///
     /// Loops of the kernel that run on several threads carry it along.
     pub fn during<T>(&self, work: impl FnOnce() -> T) -> T {
@@ -122,9 +122,9 @@ impl Patience {
         done
     }
 
-    /// Waits on this thread for work that others do, and that carries its own patience along.
+    /// Waits on this thread for work that others do, and that carries its own token along.
     ///
-    /// A thread that waits may be given anybody's work. It does not end with the patience of who waits here; what it
+    /// A thread that waits may be given anybody's work. It does not end when who waits here gives up; what it
     /// takes is counted by whom it is for, and what nobody counts is counted here.
     pub fn waiting<T>(work: impl FnOnce() -> T) -> T {
         match Self::now() {
@@ -156,7 +156,7 @@ impl Patience {
         room::<u8>(bytes).is_ok()
     }
 
-    /// The patience for what this thread does now.
+    /// The token of what this thread does now.
     pub(crate) fn now() -> Self {
         NOW.with_borrow(Clone::clone)
     }
@@ -173,7 +173,7 @@ pub(crate) fn check() -> Result<()> {
         #[cfg(test)]
         work::asked();
         // The question is asked with nothing borrowed: it is somebody else's code.
-        OVER.set(Patience::now().0.is_some_and(|waiting| !waiting.go_on()));
+        OVER.set(CancellationToken::now().0.is_some_and(|waiting| !waiting.go_on()));
     }
     if OVER.get() { Err(Error::Stopped) } else { Ok(()) }
 }
@@ -239,7 +239,7 @@ pub(crate) fn room<T>(count: usize) -> Result<()> {
     if bytes <= SMALL {
         return check();
     }
-    if Patience::now().0.is_some_and(|waiting| !waiting.has_room(bytes)) {
+    if CancellationToken::now().0.is_some_and(|waiting| !waiting.has_room(bytes)) {
         OVER.set(true);
     }
     check_now()
@@ -270,16 +270,16 @@ mod tests {
     #[test]
     fn tables_are_asked_for() {
         assert!(room::<u64>(usize::MAX).is_ok());
-        let some = Patience::of(Arc::new(Megabyte));
+        let some = CancellationToken::of(Arc::new(Megabyte));
         some.during(|| {
             assert!(room::<u64>(1 << 17).is_ok() && runs(1000) == 1000);
-            Patience::waiting(|| assert!(room::<u64>(1 << 18).is_err()));
+            CancellationToken::waiting(|| assert!(room::<u64>(1 << 18).is_err()));
             assert_eq!(room::<u64>(1 << 18), Err(Error::Stopped));
             assert!(check_now().is_err() && runs(1000) == 0);
         });
         let asked = Arc::new(AtomicU32::new(0));
         let own = asked.clone();
-        Patience::new(move || own.fetch_add(1, Ordering::Relaxed) < 9).during(|| {
+        CancellationToken::new(move || own.fetch_add(1, Ordering::Relaxed) < 9).during(|| {
             assert_eq!((0..100).take_while(|_| check_now().is_ok()).count(), 9);
         });
     }
@@ -304,13 +304,13 @@ mod tests {
     #[test]
     fn one_work_runs_at_a_time() {
         let diary = Arc::new(std::sync::Mutex::new(String::new()));
-        let [a, b] = ["a", "b"].map(|name| Patience::of(Arc::new(Diary(name, diary.clone()))));
+        let [a, b] = ["a", "b"].map(|name| CancellationToken::of(Arc::new(Diary(name, diary.clone()))));
         a.during(|| {
             b.during(|| ());
-            Patience::default().during(|| ());
+            CancellationToken::default().during(|| ());
             assert!(runs(1000) < 1000);
             // Counted for the same work, but without its end.
-            Patience::waiting(|| {
+            CancellationToken::waiting(|| {
                 assert_eq!(runs(1000), 1000);
                 b.during(|| ());
             });
@@ -324,14 +324,14 @@ mod tests {
         assert_eq!(runs(1000), 1000);
         let left = Arc::new(AtomicU32::new(3));
         let own = left.clone();
-        let some = Patience::new(move || own.fetch_sub(1, Ordering::Relaxed) > 1);
+        let some = CancellationToken::new(move || own.fetch_sub(1, Ordering::Relaxed) > 1);
         let ran = some.during(|| runs(1000));
         assert!((2 * EVERY..=3 * EVERY).contains(&ran), "{ran}");
         assert_eq!(runs(1000), 1000);
         // Within other work, and out of a panic.
-        let none = Patience::new(|| false);
+        let none = CancellationToken::new(|| false);
         none.during(|| {
-            assert_eq!(Patience::default().during(|| runs(1000)), 1000);
+            assert_eq!(CancellationToken::default().during(|| runs(1000)), 1000);
             assert!(runs(1000) < EVERY);
         });
         let panics = std::panic::AssertUnwindSafe(|| none.during(|| std::panic::resume_unwind(Box::new(()))));

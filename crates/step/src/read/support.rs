@@ -60,8 +60,8 @@ pub(super) enum Form {
     },
 }
 
-/// The ground of a face.
-pub(super) struct Ground {
+/// The support of a face.
+pub(super) struct Support {
     pub(super) form: Form,
     /// A bounded part, by whose formula all of it goes on.
     surface: Surface,
@@ -71,7 +71,7 @@ pub(super) struct Ground {
     pub(super) poles: [[Option<f64>; 2]; 2],
 }
 
-impl Ground {
+impl Support {
     pub(super) fn new(form: Form) -> Result<Self> {
         let round = [Some(TAU), None];
         let (periods, south_north) = match &form {
@@ -298,14 +298,14 @@ fn bounded(form: &Form, [u, v]: [Interval; 2]) -> Result<Surface> {
 }
 
 impl Space<'_> {
-    /// The ground of faces whose edges lie in a box.
-    pub(super) fn ground(&self, id: u64, hull: Option<BoundingBox>, depth: usize) -> Result<Ground> {
+    /// The support of faces whose edges lie in a box.
+    pub(super) fn support(&self, id: u64, hull: Option<BoundingBox>, depth: usize) -> Result<Support> {
         let record = self.file.record(id)?;
         if depth > DEEPEST {
             return Err(record.refuse("surfaces that refer to each other in a circle"));
         }
         if self.file.is_complex(id) || spline::is_surface(record.keyword) {
-            return Ground::free(spline::surface(self, id)?.into());
+            return Support::free(spline::surface(self, id)?.into());
         }
         let plane = || self.frame(record.reference(1)?);
         let radius = |place: usize| -> Result<f64> {
@@ -316,7 +316,7 @@ impl Space<'_> {
                 Err(record.refuse("its radius is not above 0"))
             }
         };
-        Ground::new(match record.keyword {
+        Support::new(match record.keyword {
             "PLANE" => Form::Plane(plane()?),
             "CYLINDRICAL_SURFACE" => Form::Cone { plane: plane()?, radius: radius(2)?, slope: 0.0 },
             "CONICAL_SURFACE" => {
@@ -337,19 +337,19 @@ impl Space<'_> {
             "SURFACE_OF_LINEAR_EXTRUSION" => return self.extrusion(&record, hull, depth),
             "SURFACE_OF_REVOLUTION" => return self.revolution(&record, hull, depth),
             "RECTANGULAR_TRIMMED_SURFACE" | "CURVE_BOUNDED_SURFACE" => {
-                return self.ground(record.reference(1)?, hull, depth + 1);
+                return self.support(record.reference(1)?, hull, depth + 1);
             }
             _ => return Err(record.refuse("surfaces of this type are not supported")),
         })
     }
 
-    fn extrusion(&self, record: &Record<'_>, hull: Option<BoundingBox>, depth: usize) -> Result<Ground> {
+    fn extrusion(&self, record: &Record<'_>, hull: Option<BoundingBox>, depth: usize) -> Result<Support> {
         let along = self.vector(record.reference(2)?)?;
         let unit = along.unitized().ok_or_else(|| record.refuse("it has no direction"))?;
         let swept = match self.carrier(record.reference(1)?, depth + 1)? {
             Carrier::Line { point, along: x } => {
                 let plane = Plane::from_axes(point, x, along).map_err(|error| record.refuse(error))?;
-                return Ground::new(Form::Plane(plane));
+                return Support::new(Form::Plane(plane));
             }
             carrier => {
                 let corners = hull.map_or_else(Vec::new, |hull| hull.corners().to_vec());
@@ -368,10 +368,10 @@ impl Space<'_> {
         let line = Line::new(at(range.start), at(range.end));
         let ruling = LineCurve { line, domain: range }.into();
         let surface = SumSurface::new(swept, ruling, Vector3::ZERO).map_err(|error| record.refuse(error))?;
-        Ground::free(surface.into())
+        Support::free(surface.into())
     }
 
-    fn revolution(&self, record: &Record<'_>, hull: Option<BoundingBox>, depth: usize) -> Result<Ground> {
+    fn revolution(&self, record: &Record<'_>, hull: Option<BoundingBox>, depth: usize) -> Result<Support> {
         let axis = self.axis(record.reference(2)?)?;
         let unit = axis.to - axis.from;
         let profile = match self.carrier(record.reference(1)?, depth + 1)? {
@@ -397,6 +397,6 @@ impl Space<'_> {
         };
         let turn = Interval::new(0.0, TAU);
         let surface = RevolutionSurface::new(profile, axis, turn).map_err(|error| record.refuse(error))?;
-        Ground::free(surface.into())
+        Support::free(surface.into())
     }
 }
