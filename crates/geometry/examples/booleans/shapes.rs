@@ -552,7 +552,7 @@ impl Shapes {
                 if step["construction"] != "builder"
                     || (kind == "fuse" && all.iter().all(Brep::is_solid)) =>
             {
-                breps_of(fuse.solids(wanted)?)
+                breps_of(fuse.oriented(wanted)?)
             }
             // Parts that the operands divide stay divided.
             "split" | "general_fuse" => {

@@ -4,6 +4,8 @@
 //! Curves meet at nodes only, so that the order around a node is that in which they leave a small circle about it.
 //! Loops are followed with the face on their left (half-edges as in M. de Berg et al., *Computational Geometry*, 2).
 
+use std::collections::BTreeSet;
+
 use super::operands::{Face, Operands};
 use super::pieces::{OfEdge, Pieces};
 use super::refusal::RefusalClass;
@@ -159,7 +161,9 @@ pub(super) fn regions(all: &Operands, pieces: &Pieces, place: usize) -> Result<V
         plan.add_drawn(pieces, piece)?;
     }
     plan.cut_poles()?;
+    let before = plan.drawn();
     plan.prune();
+    plan.refuse_lost(pieces, &before)?;
     plan.loops()
 }
 
@@ -282,6 +286,23 @@ impl<'a> Plan<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The pieces drawn on the face.
+    fn drawn(&self) -> BTreeSet<usize> {
+        let piece = |arc: &Arc| match arc.track {
+            Track::Piece(piece, _) if !arc.border => Some(piece),
+            _ => None,
+        };
+        self.arcs.iter().filter_map(piece).collect()
+    }
+
+    /// Where two solids pass through each other their pieces divide the face. One that does not ends in a place where
+    /// another was not found.
+    fn refuse_lost(&self, pieces: &Pieces, before: &BTreeSet<usize>) -> Result<()> {
+        let left = self.drawn();
+        let lost = before.difference(&left).find(|p| pieces.list.get(**p).is_some_and(|p| p.crossing));
+        lost.map_or(Ok(()), |piece| Err(self.refuse(pieces.middle(*piece))))
     }
 
     /// Takes drawn pieces away that end in nothing, and those with one region on both sides: they divide nothing.

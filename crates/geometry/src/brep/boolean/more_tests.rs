@@ -1,11 +1,11 @@
 #![allow(clippy::unwrap_used, reason = "a failing test may panic")]
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{DecisionKind, Fuse};
 use crate::{
     Arc, BoundingBox, Box3, Brep, Circle, Curve, Cylinder, Interval, Line, Plane, Point3, Tolerance, Vector3,
-    construct, join_curves,
+    Xform, construct, join_curves,
 };
 
 fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
@@ -30,6 +30,32 @@ fn within(absolute: f64) -> Tolerance {
 
 fn area(breps: &[Brep]) -> f64 {
     breps.iter().map(|b| b.area_properties(1e-10, || true).unwrap().amount).sum()
+}
+
+#[test]
+fn a_thin_cylinder_that_touches_a_thick_one_from_inside() {
+    // Axes square to each other, 0.5 apart: the common curve crosses itself where the walls touch.
+    let thick = tube([0.0; 3], 1.0, 4.0);
+    let lying = Xform::rotation(FRAC_PI_2, Vector3::X, Point3::ORIGIN).unwrap();
+    let placed = Xform::translation(Vector3::new(0.5, 2.0, 2.0));
+    let thin = tube([0.0; 3], 0.5, 4.0).transformed(&lying).unwrap().transformed(&placed).unwrap();
+    let t = within(1e-6);
+    let [a, b] = [[thick], [thin]];
+    let volume = |made: Vec<super::Made>| -> f64 {
+        made.iter().map(|m| m.brep.volume_properties(1e-9, || true).unwrap().amount).sum()
+    };
+    let common = volume(Brep::intersection(&a, &b, &t).unwrap());
+    let left = volume(Brep::difference(&a, &b, &t).unwrap());
+    // At each y the part of the disc of radius ½ about x = ½ up to x = √(1 − y²).
+    let slice = |y: f64| {
+        let d = ((1.0 - y * y).sqrt() - 0.5) / 0.5;
+        0.25 * (PI - d.acos() + d * (1.0 - d * d).max(0.0).sqrt())
+    };
+    let count = 400_000;
+    let step = 2.0 / f64::from(count);
+    let want: f64 = (0..count).map(|k| slice(-1.0 + (f64::from(k) + 0.5) * step) * step).sum();
+    assert!((common - want).abs() < 1e-6, "{common} {want}");
+    assert!((left - (4.0 * PI - want)).abs() < 1e-6, "{left} {want}");
 }
 
 #[test]

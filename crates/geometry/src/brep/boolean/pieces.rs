@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::interferences::edge_stops;
 use super::operands::{Near, Operands, Place};
 use super::sections::{SectionPiece, index_of};
-use super::thresholds::{PLACES, SAME_CURVE};
+use super::thresholds::{CROSSING, PLACES, SAME_CURVE};
 use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, cancellation};
 
 /// A stretch of a curve between two vertices, with none between them.
@@ -16,6 +16,8 @@ pub(super) struct Piece {
     pub(super) bounds: BoundingBox,
     /// The largest distance found of a curve that was taken as this one.
     pub(super) apart: f64,
+    /// Whether faces of two solids pass through each other along it: then it divides both.
+    pub(super) crossing: bool,
     /// The operands on whose boundary it lies.
     pub(super) solids: BTreeSet<usize>,
 }
@@ -60,7 +62,9 @@ impl Pieces {
         }
         let borders = out.borders(all);
         for section in sections {
+            let crossing = crosses(all, &section)?;
             let (piece, _) = out.at(section.curve, section.ends)?;
+            out.list.get_mut(piece).into_iter().for_each(|p| p.crossing |= crossing);
             for face in section.faces {
                 if let (Some(own), Some(border)) = (all.faces.get(face), borders.get(face)) {
                     out.list.get_mut(piece).into_iter().for_each(|p| {
@@ -123,7 +127,7 @@ impl Pieces {
         }
         let place = self.list.len();
         let bounds = curve.bounding_box();
-        self.list.push(Piece { curve, ends, bounds, apart: 0.0, solids: BTreeSet::new() });
+        self.list.push(Piece { curve, ends, bounds, apart: 0.0, crossing: false, solids: BTreeSet::new() });
         self.by_ends.entry(key).or_default().push(place);
         Ok((place, false))
     }
@@ -204,6 +208,19 @@ impl Pieces {
         let own = self.list.get(piece)?;
         Some(own.curve.point_at(own.curve.domain().middle()))
     }
+}
+
+/// Whether the faces of two solids pass through each other along a piece of their section.
+fn crosses(all: &Operands, section: &SectionPiece) -> Result<bool> {
+    let p = section.curve.point_at(section.curve.domain().middle());
+    let mut normals = Vec::with_capacity(2);
+    for face in section.faces.iter().filter_map(|f| all.faces.get(*f)) {
+        if all.solids.get(face.solid).is_some_and(|s| s.closed) {
+            normals.extend(face.normal(face.parameters(p)?));
+        }
+    }
+    let [m, n] = normals.as_slice() else { return Ok(false) };
+    Ok(m.cross(*n).length() > CROSSING)
 }
 
 /// Whether a curve without a vertex between its ends lies in a face, and not along its border.

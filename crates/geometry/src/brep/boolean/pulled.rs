@@ -1,9 +1,9 @@
 //! The images of pieces in the parameter plane of a face.
 
 use super::arrangement::Plan;
-use super::thresholds::{BESIDE, MOST_HALVINGS, PULLED, SAME_PARAMETER};
+use super::thresholds::{BESIDE, EXACT, MOST_HALVINGS, PLACES, PULLED, SAME_PARAMETER};
 use crate::brep::build::with_ends;
-use crate::{Curve, Direction, Interval, Point3, PolyCurve, Result, Tolerance, Vector3};
+use crate::{Curve, Direction, Interval, Line, Point3, PolyCurve, Result, Tolerance, Vector3};
 
 impl Plan<'_> {
     /// The image of a piece in the parameter plane, as near as it can be followed.
@@ -28,9 +28,11 @@ impl Plan<'_> {
     fn pulled_within(&self, curve: &Curve, limit: f64, halvings: usize) -> Result<Curve> {
         let tolerance = Tolerance { absolute: limit, ..Tolerance::default() };
         let surface = &self.face.surface;
-        // Lines and arcs have exact images; where a formula tells parameters, other curves are followed by it.
-        let by_formula = self.face.is_round() && matches!(curve, Curve::Nurbs(_));
-        let whole = if by_formula {
+        let whole = if self.face.is_round() {
+            // A formula tells parameters: no search is needed.
+            if let Some(flat) = self.straight(curve)? {
+                return Ok(flat);
+            }
             self.followed(curve, limit).or_else(|_| surface.parameter_curve(curve, &tolerance))
         } else {
             surface.parameter_curve(curve, &tolerance).or_else(|_| self.followed(curve, limit))
@@ -56,6 +58,25 @@ impl Plan<'_> {
         let second = second.transformed(&crate::Xform::translation(way))?;
         let second = with_ends(&second, [first.end(), second.end()])?;
         Ok(PolyCurve::new(vec![first, second])?.into())
+    }
+
+    /// The image of a line or an arc along which one parameter stands still and the other runs evenly, as along rulings,
+    /// parallels and meridians: a segment.
+    fn straight(&self, curve: &Curve) -> Result<Option<Curve>> {
+        if !matches!(curve, Curve::Line(_) | Curve::Arc(_)) {
+            return Ok(None);
+        }
+        let domain = curve.domain();
+        let ends = [self.parameters_along(curve, domain.start)?, self.parameters_along(curve, domain.end)?];
+        let [a, b] = ends.map(|[u, v]| Point3::new(u, v, 0.0));
+        for share in PLACES {
+            let uv = a.lerp(b, share);
+            let off = self.face.surface.point_at(uv.x, uv.y).distance_to(curve.point_at(domain.at(share)));
+            if !(off <= EXACT * self.face.size) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(Line::new(a, b).into()))
     }
 
     /// The parameters of a place of a piece, on the turn and, where the surface is a point, in the direction of the

@@ -3,7 +3,8 @@
 use super::interferences::{common_points, stops};
 use super::operands::{Face, Operands, Place};
 use super::refusal::RefusalClass;
-use super::thresholds::{CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
+use super::thresholds::{AT_CROSSING, CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
+use crate::brep::build::with_ends;
 use crate::intersect::{
     Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
 };
@@ -176,8 +177,18 @@ fn traced(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2], tolerance: &To
     if !met.complete {
         return Err(all.refuse(RefusalClass::Unfinished, &places, None));
     }
-    curves.extend(met.branches.into_iter().map(|b| (b.curve, false)));
+    for branch in met.branches {
+        curves.push((led_in(branch.curve, &points, AT_CROSSING * all.limit)?, false));
+    }
     Ok(Meeting::Parts(curves, points))
+}
+
+/// A branch that ends a little before a place where branches cross is led there. It runs on straight in such a place, and
+/// both surfaces have one tangent plane there: moved along itself it stays on both.
+fn led_in(curve: Curve, crossings: &[Point3], reach: f64) -> Result<Curve> {
+    let ends = [curve.start(), curve.end()];
+    let want = ends.map(|end| crossings.iter().copied().find(|p| p.distance_to(end) <= reach).unwrap_or(end));
+    if want == ends { Ok(curve) } else { with_ends(&curve, want) }
 }
 
 /// Whether ranges of parameters are the whole domains of both surfaces.

@@ -9,6 +9,11 @@ pub(super) const ROUNDING: f64 = 1e-12;
 pub(super) const TRACED: f64 = 0.25;
 /// A vertex belongs to a curve that comes nearer to it than so many tolerances: one for the vertex and one for the curve.
 pub(super) const CAPTURE: f64 = 2.0;
+/// Branches that end nearer than so many tolerances to a place where branches cross end there: where two surfaces have one
+/// tangent plane they part by the square of the way, and branches are found only so far.
+pub(super) const AT_CROSSING: f64 = 64.0;
+/// Faces pass through each other where the sine between their normals is larger; others may only touch.
+pub(super) const CROSSING: f64 = 1e-2;
 /// Two curves with the same ends are one when they come nearer to each other than so many tolerances.
 pub(super) const SAME_CURVE: f64 = 4.0;
 /// The share of the way to the middle of a piece at which one sees on which side of a seam its end lies.
