@@ -1,7 +1,10 @@
 //! The point of a surface nearest to a given one.
 
+use std::sync::OnceLock;
+
 use super::Surface;
 use super::closest_patch::{Best, Patches, Work};
+use super::closest_swept::Swept;
 use crate::bernstein::BUDGET;
 use crate::box_tree::BoxTree;
 use crate::{Direction, Error, NurbsSurface, Point3, Quadrant, Result};
@@ -20,7 +23,8 @@ pub struct SurfacePoint {
     pub distance: f64,
 }
 
-/// A surface prepared for many questions about its nearest point: its Bézier patches in a tree of boxes.
+/// A surface prepared for many questions about its nearest point: its Bézier patches in a tree of boxes; where a plane
+/// curve was turned about an axis in its plane, or moved square to it, the question is asked of that curve.
 ///
 /// An answer is the global minimum over the whole untrimmed surface, sides and corners among them, proven by bounds:
 /// no point of the surface is nearer by more than 2·10⁻¹³ of the distance, or, where rounding hides more, some 10⁻⁷
@@ -31,8 +35,10 @@ pub struct ClosestOnSurface {
     nurbs: NurbsSurface,
     /// The surface asked about, where its parameters are not those of the NURBS form.
     exact: Option<Box<Surface>>,
-    tree: BoxTree,
-    patches: Patches,
+    /// How the surface is swept by a plane curve, if it is.
+    swept: Option<Box<Swept>>,
+    /// Made when they are searched for the first time.
+    patches: OnceLock<(BoxTree, Patches)>,
 }
 
 /// More ranges than this and a search is lost in a surface that is equally far almost everywhere.
@@ -50,6 +56,7 @@ impl ClosestOnSurface {
             _ => {
                 let mut this = Self::of_nurbs(&surface.to_nurbs()?);
                 this.exact = Some(Box::new(surface.clone()));
+                this.swept = Swept::of(surface).map(Box::new);
                 Ok(this)
             }
         }
@@ -57,8 +64,14 @@ impl ClosestOnSurface {
 
     /// Prepares a NURBS surface: about 1 µs a patch, and 2 kB for a bicubic one.
     pub fn of_nurbs(surface: &NurbsSurface) -> Self {
-        let (patches, bounds) = Patches::of(surface);
-        Self { nurbs: surface.clone(), exact: None, tree: BoxTree::by_place(&bounds), patches }
+        Self { nurbs: surface.clone(), exact: None, swept: None, patches: OnceLock::new() }
+    }
+
+    fn patches(&self) -> &(BoxTree, Patches) {
+        self.patches.get_or_init(|| {
+            let (patches, bounds) = Patches::of(&self.nurbs);
+            (BoxTree::by_place(&bounds), patches)
+        })
     }
 
     /// The point of the surface nearest to `q`.
@@ -101,12 +114,17 @@ impl ClosestOnSurface {
             return Err(Error::NotFinite("point to project on the surface"));
         }
         crate::cancellation::check()?;
+        if let Some(swept) = &self.swept {
+            let found = swept.nearest(q)?;
+            return Ok(Some(found).filter(|p| p.distance.is_finite() && p.distance * p.distance < limit));
+        }
         let place: [f64; 3] = q.into();
+        let (tree, patches) = self.patches();
         let mut best = Best { squared: limit, uv: None };
         let (mut plain, mut rational) = (Work::<1>::default(), Work::<2>::default());
         (plain.budget, rational.budget) = (MOST_RANGES, MOST_RANGES);
-        self.tree.visit_near(&place, limit, |i| {
-            self.patches.search(i, place, &mut best, &mut plain, &mut rational);
+        tree.visit_near(&place, limit, |i| {
+            patches.search(i, place, &mut best, &mut plain, &mut rational);
             best.squared
         });
         let Some([u, v]) = best.uv else { return Ok(None) };

@@ -9,6 +9,7 @@ mod closest_grid;
 mod closest_local;
 mod closest_patch;
 mod closest_places;
+mod closest_swept;
 mod cone;
 mod convert;
 mod curvature;
