@@ -23,6 +23,9 @@ impl Breps {
     }
 }
 
+/// A boolean of the kernel.
+type Operation = fn(&[Kernel], &[Kernel], &Tolerance) -> Result<Vec<Made>>;
+
 /// The tolerance of operators.
 const TOLERANCE: f64 = 0.001;
 
@@ -32,7 +35,7 @@ impl Brep {
         a: Vec<Kernel>,
         b: Vec<Kernel>,
         within: f64,
-        make: fn(&[Kernel], &[Kernel], &Tolerance) -> Result<Vec<Made>>,
+        make: Operation,
     ) -> PyResult<Vec<Self>> {
         let made = interruptible(py, move || make(&a, &b, &tolerance(within)))?;
         Ok(made.into_iter().map(|m| m.brep.into()).collect())
