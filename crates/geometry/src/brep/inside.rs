@@ -4,9 +4,10 @@ use std::sync::{Arc as Shared, OnceLock};
 
 use super::Brep;
 use crate::region::Outline;
+use crate::surface::Round;
 use crate::{
     BoundingBox, ClosestOnCurve, ClosestOnSurface, Containment, Curve, Error, Line, Plane, Point3, Result,
-    Vector3,
+    Surface, Vector3,
     intersect::{self, ContactKind},
 };
 
@@ -16,6 +17,8 @@ pub(super) struct Sheet {
     pub(super) face: usize,
     /// Made when it is first asked: not all questions need it.
     closest: OnceLock<ClosestOnSurface>,
+    /// The sphere, cylinder or cone that its surface is a part of, where it is one.
+    round: OnceLock<Option<Box<Round>>>,
     outlines: Vec<Outline>,
     loops: Vec<Curve>,
     pub(super) bounds: BoundingBox,
@@ -37,6 +40,80 @@ impl Sheet {
     /// How often the loops run round a pair of parameters: once on the face.
     pub(super) fn covers(&self, u: f64, v: f64) -> bool {
         self.outlines.iter().map(|outline| outline.winding([u, v])).sum::<i32>() != 0
+    }
+}
+
+/// Where a segment meets a surface.
+struct PiercedAt {
+    point: Point3,
+    /// The parameters; none beyond the ends of the surface.
+    uv: Option<[f64; 2]>,
+    /// Whether the segment goes through the surface, and does not only touch it.
+    through: bool,
+}
+
+/// What a segment and a surface have in common.
+enum Pierced {
+    Points(Vec<PiercedAt>),
+    /// They run along each other, or nearly touch: another segment tells more.
+    Unclear,
+}
+
+impl Pierced {
+    /// For a surface of any kind.
+    fn general(surface: &Surface, p: Point3, way: Vector3) -> Result<Self> {
+        let line: Curve = Line::new(p, p + way).into();
+        let found = intersect::curve_with_surface(&line, surface, NEAR_RAY * way.length())?;
+        if !found.overlaps.is_empty() || !found.complete {
+            return Ok(Self::Unclear);
+        }
+        let points = found.crossings.iter().map(|c| PiercedAt {
+            point: c.point,
+            uv: Some([c.u, c.v]),
+            through: c.kind == ContactKind::Transversal,
+        });
+        Ok(Self::Points(points.collect()))
+    }
+}
+
+/// A ray and a surface meet within this part of the ray's length.
+const NEAR_RAY: f64 = 1e-9;
+/// Two places where a ray goes through a round surface that are nearer than this part of its length are nearly one touch.
+const NEARLY_TOUCHES: f64 = 1e-7;
+
+impl Sheet {
+    /// Where a segment meets the surface, by a formula: of planes, spheres, cylinders and cones.
+    fn pierced(&self, surface: &Surface, p: Point3, way: Vector3) -> Option<Pierced> {
+        let length = way.length();
+        let inside = |s: f64| (0.0..=length).contains(&s);
+        let at = |s: f64| p + way * (s / length);
+        if let Surface::Plane(flat) = surface {
+            let plane = flat.plane();
+            let (height, slope) = (plane.signed_distance(p), way.dot(plane.z_axis) / length);
+            if slope.abs() <= NEAR_RAY {
+                let beside = height.abs() > NEAR_RAY * length;
+                return Some(if beside { Pierced::Points(Vec::new()) } else { Pierced::Unclear });
+            }
+            let place = |s: f64| {
+                let point = at(s);
+                PiercedAt { point, uv: Some(flat.parameters_of(point)), through: true }
+            };
+            return Some(Pierced::Points(
+                Some(-height / slope).filter(|s| inside(*s)).map(place).into_iter().collect(),
+            ));
+        }
+        let round = self.round.get_or_init(|| Round::of(surface).map(Box::new)).as_ref()?;
+        let Some([first, second]) = round.line(p, way / length) else {
+            return Some(Pierced::Points(Vec::new()));
+        };
+        if second - first <= NEARLY_TOUCHES * length {
+            return Some(Pierced::Unclear);
+        }
+        let place = |s: f64| {
+            let point = at(s);
+            PiercedAt { point, uv: round.parameters(point), through: true }
+        };
+        Some(Pierced::Points([first, second].into_iter().filter(|s| inside(*s)).map(place).collect()))
     }
 }
 
@@ -96,6 +173,7 @@ impl ClosestOnBrep {
             sheets.push(Sheet {
                 face,
                 closest: OnceLock::new(),
+                round: OnceLock::new(),
                 outlines: loops.iter().map(|curve| Outline::new(curve, &Plane::XY)).collect(),
                 loops,
                 bounds: surface.bounding_box()?,
@@ -245,21 +323,23 @@ impl ClosestOnBrep {
 
     /// How often a segment from a point crosses the faces, and whether it stays clear of edges and tangency.
     fn crossings(&self, p: Point3, way: Vector3, clear: f64) -> Result<(usize, bool)> {
-        let line: Curve = Line::new(p, p + way).into();
         let mut count = 0;
         for sheet in &self.sheets {
             if !meets(&sheet.bounds, p, way) {
                 continue;
             }
             let Some(surface) = self.brep.face_surface(sheet.face) else { continue };
-            let found = intersect::curve_with_surface(&line, surface, 1e-9 * way.length())?;
-            if !found.overlaps.is_empty() || !found.complete {
-                return Ok((count, false));
-            }
-            for crossing in &found.crossings {
-                let covered = sheet.covers(crossing.u, crossing.v);
-                let beside = self.near_loop(sheet, crossing.point, clear)?;
-                if beside || (crossing.kind != ContactKind::Transversal && covered) {
+            let found = match sheet.pierced(surface, p, way) {
+                Some(found) => found,
+                None => Pierced::general(surface, p, way)?,
+            };
+            let Pierced::Points(points) = found else { return Ok((count, false)) };
+            for place in points {
+                if self.near_loop(sheet, place.point, clear)? {
+                    return Ok((count, false));
+                }
+                let covered = place.uv.is_some_and(|[u, v]| sheet.covers(u, v));
+                if covered && !place.through {
                     return Ok((count, false));
                 }
                 count += usize::from(covered);

@@ -51,7 +51,8 @@ fn breaks(surface: &Surface, direction: Direction) -> Vec<f64> {
         Surface::Plane(_) => true,
         Surface::Sum(s) => s.curves().get(direction.index()).is_some_and(is_plain),
         Surface::Nurbs(s) => !s.is_rational() && s.degree(direction) <= EXACT_DEGREE,
-        Surface::Revolution(_) => false,
+        // As for a sum along what is turned; around the axis it is no polynomial.
+        Surface::Revolution(s) => s.angle_direction() != direction && is_plain(s.profile()),
     };
     if exact || spans.len() > PARTS {
         return spans;
@@ -96,7 +97,7 @@ fn density(surface: &Surface, u: f64, v: f64, origin: Point3) -> f64 {
 impl Parts {
     /// The volume that the faces enclose, positive when their normals point outwards, to a few digits: by the
     /// divergence theorem over each face, and by Green's theorem along its trims.
-    fn rough_volume(&self, origin: Point3) -> f64 {
+    fn flux_of_faces(&self, origin: Point3) -> f64 {
         let mut volume = 0.0;
         for face in self.faces.iter().filter(|face| !face.deleted) {
             let Some(surface) = self.face_surface(face) else { continue };
@@ -166,7 +167,7 @@ impl Brep {
             return Solidity::Unknown;
         };
         let size = bounds.diagonal().length();
-        let volume = self.parts().rough_volume(bounds.center());
+        let volume = self.parts().flux_of_faces(bounds.center());
         if !(volume.abs() > 1e-9 * size.powi(3)) {
             Solidity::Unknown
         } else if volume > 0.0 {
@@ -174,6 +175,12 @@ impl Brep {
         } else {
             Solidity::Inward
         }
+    }
+
+    /// The volume of a closed brep to a few digits, positive when its normals point outwards; 0 where it has no faces.
+    pub(super) fn rough_volume(&self) -> f64 {
+        let bounds = self.bounds_of_corners().or_else(|| self.bounds_of_faces());
+        bounds.map_or(0.0, |b| self.parts().flux_of_faces(b.center()))
     }
 
     /// The box around the vertices of a polyhedron, whose faces are flat and edges straight.

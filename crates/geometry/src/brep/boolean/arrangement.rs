@@ -144,14 +144,18 @@ pub(super) fn trim_parameter(face: &Face, trim: &Curve, guess: f64, p: Point3) -
     if off(first) <= off(best) * (1.0 + 1e-9) + f64::MIN_POSITIVE { first } else { best }
 }
 
-/// The loops around every region of a face.
-pub(super) fn regions(all: &Operands, pieces: &Pieces, place: usize) -> Result<Vec<Loops>> {
+/// The loops around every region of a face, and the pieces drawn on it that divide nothing.
+pub(super) fn regions(
+    all: &Operands,
+    pieces: &Pieces,
+    place: usize,
+) -> Result<(Vec<Loops>, BTreeSet<usize>)> {
     let (Some(face), Some(drawn)) = (all.faces.get(place), pieces.on_face.get(place)) else {
-        return Ok(Vec::new());
+        return Ok((Vec::new(), BTreeSet::new()));
     };
     let border = whole(all, pieces, face)?;
     if drawn.is_empty() {
-        return Ok(vec![border]);
+        return Ok((vec![border], BTreeSet::new()));
     }
     let mut plan = Plan::new(all, face, place);
     for chain in &border {
@@ -163,8 +167,9 @@ pub(super) fn regions(all: &Operands, pieces: &Pieces, place: usize) -> Result<V
     plan.cut_poles()?;
     let before = plan.drawn();
     plan.prune();
-    plan.refuse_lost(pieces, &before)?;
-    plan.loops()
+    let idle: BTreeSet<usize> = before.difference(&plan.drawn()).copied().collect();
+    plan.refuse_lost(pieces, &idle)?;
+    Ok((plan.loops()?, idle))
 }
 
 /// An arrangement being made.
@@ -299,9 +304,8 @@ impl<'a> Plan<'a> {
 
     /// Where two solids pass through each other their pieces divide the face. One that does not ends in a place where
     /// another was not found.
-    fn refuse_lost(&self, pieces: &Pieces, before: &BTreeSet<usize>) -> Result<()> {
-        let left = self.drawn();
-        let lost = before.difference(&left).find(|p| pieces.list.get(**p).is_some_and(|p| p.crossing));
+    fn refuse_lost(&self, pieces: &Pieces, idle: &BTreeSet<usize>) -> Result<()> {
+        let lost = idle.iter().find(|p| pieces.list.get(**p).is_some_and(|p| p.crossing));
         lost.map_or(Ok(()), |piece| Err(self.refuse(pieces.middle(*piece))))
     }
 

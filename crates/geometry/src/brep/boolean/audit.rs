@@ -25,22 +25,34 @@ pub(super) fn volumes(operation: Operation, first: &[Brep], second: &[Brep], mad
     if !(closed(first) && closed(second) && made.iter().all(|m| m.brep.is_solid())) {
         return Ok(());
     }
-    let (Some(a), Some(b)) = (measured(first)?, measured(second)?) else { return Ok(()) };
-    let results: Vec<Brep> = made.iter().map(|m| m.brep.clone()).collect();
+    let results: Vec<&Brep> = made.iter().map(|m| &m.brep).collect();
+    let [first, second] = [first, second].map(|breps| breps.iter().collect::<Vec<&Brep>>());
+    // A few digits tell mostly; only what looks wrong is measured.
+    let sizes = |breps: &[&Brep]| -> Vec<f64> { breps.iter().map(|b| b.rough_volume().abs()).collect() };
+    let rough: Vec<f64> = results.iter().map(|b| b.rough_volume()).collect();
+    if are_possible(operation, &sizes(&first), &sizes(&second), &rough) {
+        return Ok(());
+    }
+    let (Some(a), Some(b)) = (measured(&first)?, measured(&second)?) else { return Ok(()) };
     let Some(c) = measured(&results)? else { return Ok(()) };
-    let (all, others, found) = (sum(&a), sum(&b), sum(&c));
+    if are_possible(operation, &a, &b, &c) {
+        return Ok(());
+    }
+    Err(Refusal::at(RefusalClass::Unsound, &[], None))
+}
+
+/// Whether operands of some volumes can give results of some volumes.
+fn are_possible(operation: Operation, a: &[f64], b: &[f64], c: &[f64]) -> bool {
+    let (all, others, found) = (sum(a), sum(b), sum(c));
     let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
     // Operands of one side may overlap each other.
     let [least, most] = match operation {
-        Operation::Union => [largest(&a), all],
-        Operation::Difference => [largest(&a) - others, all],
+        Operation::Union => [largest(a), all],
+        Operation::Difference => [largest(a) - others, all],
         Operation::Intersection => [0.0, all.min(others)],
     };
     let near = WITHIN * (all + others);
-    if found < least - near || found > most + near || c.iter().any(|v| *v <= 0.0) {
-        return Err(Refusal::at(RefusalClass::Unsound, &[], None));
-    }
-    Ok(())
+    found >= least - near && found <= most + near && c.iter().all(|v| *v > 0.0)
 }
 
 fn sum(of: &[f64]) -> f64 {
@@ -48,7 +60,7 @@ fn sum(of: &[f64]) -> f64 {
 }
 
 /// The volumes of solids; none where one cannot be measured.
-fn measured(breps: &[Brep]) -> Result<Option<Vec<f64>>> {
+fn measured(breps: &[&Brep]) -> Result<Option<Vec<f64>>> {
     let mut out = Vec::with_capacity(breps.len());
     for brep in breps {
         match brep.volume_properties(MEASURED, || !cancellation::was_given_up()) {

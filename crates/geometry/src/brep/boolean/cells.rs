@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::aside;
 use super::operands::Operands;
 use super::pieces::Pieces;
 use super::refusal::RefusalClass;
@@ -26,10 +27,31 @@ pub(super) struct Sheet {
     pub(super) sides: Sides,
 }
 
-/// All regions, those upon each other as one, with what is on their sides.
-pub(super) fn sheets(all: &Operands, pieces: &Pieces, regions: &[Region]) -> Result<Vec<Sheet>> {
+/// All regions, those upon each other as one, with what is on their sides. `idle` are faces and pieces on them that
+/// divide nothing.
+///
+/// # Errors
+/// Sides of a region are not decided, or a piece should have divided a face.
+pub(super) fn sheets(
+    all: &Operands,
+    pieces: &Pieces,
+    regions: &[Region],
+    idle: &[(usize, usize)],
+) -> Result<Vec<Sheet>> {
     let groups = coincident(all, regions)?;
     let inside = memberships(all, pieces, regions, &groups)?;
+    for &(face, piece) in idle {
+        cancellation::check()?;
+        aside::refuse_dividing(all, pieces, [face, piece], |uv, solid| {
+            let own = |r: usize| regions.get(r).is_some_and(|r| r.face == face && r.covers(uv));
+            let group = groups.iter().position(|g| own(g.region) || g.twins.iter().any(|t| own(t.0)))?;
+            if groups.get(group)?.holds(all, regions, solid) {
+                return Some(Containment::On);
+            }
+            let inside = *inside.get(group)?.get(solid)?;
+            Some(if inside { Containment::Inside } else { Containment::Outside })
+        })?;
+    }
     let mut out = Vec::with_capacity(groups.len());
     for (group, inside) in groups.into_iter().zip(inside) {
         let mut sides = Sides { behind: inside.clone(), before: inside };

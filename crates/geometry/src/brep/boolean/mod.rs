@@ -13,6 +13,7 @@
 //! a region is derived, and makes the order of operands not matter.
 
 mod arrangement;
+mod aside;
 mod audit;
 mod cells;
 mod interferences;
@@ -105,9 +106,9 @@ impl Fuse {
         let found = sections::sections(&mut all, &pairs)?;
         let found = sections::pieces(&mut all, found)?;
         let pieces = Pieces::new(&all, found, &pairs)?;
-        let regions = regions::all_regions(&all, &pieces)?;
+        let (regions, idle) = regions::all_regions(&all, &pieces)?;
         cancellation::check_now()?;
-        let sheets = cells::sheets(&all, &pieces, &regions)?;
+        let sheets = cells::sheets(&all, &pieces, &regions, &idle)?;
         Ok(Self { all, pieces, regions, sheets })
     }
 

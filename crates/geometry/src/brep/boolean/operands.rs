@@ -70,7 +70,8 @@ impl<'a> Near<'a> {
             return Ok((c.line.at(t).distance_to(p) <= reach).then(|| c.domain.at(t)));
         }
         let search = self.search.get_or_init(|| ClosestOnCurve::new(self.curve));
-        Ok(search.nearest_within(p, reach)?.map(|near| near.parameter))
+        // Within the domain also to the last digit: curves are trimmed at it.
+        Ok(search.nearest_within(p, reach)?.map(|near| self.curve.domain().clamp(near.parameter)))
     }
 }
 
@@ -344,12 +345,17 @@ impl Operands {
 
     /// Where a point lies on a face: within a distance of the border counts as there.
     pub(super) fn place(&self, face: &Face, p: Point3, reach: f64) -> Result<Place> {
+        self.place_beside(face, p, reach, reach)
+    }
+
+    /// As [`Self::place`] with another distance from the border, `beside`, than from the surface.
+    pub(super) fn place_beside(&self, face: &Face, p: Point3, reach: f64, beside: f64) -> Result<Place> {
         let uv = face.parameters(p)?;
         if face.surface.point_at(uv[0], uv[1]).distance_to(p) > reach {
             return Ok(Place::Outside);
         }
         for edge in face.border.iter().filter_map(|e| self.edges.get(*e)) {
-            if edge.bounds.distance_to(p) <= reach && edge.parameter_near(p, reach)?.is_some() {
+            if edge.bounds.distance_to(p) <= beside && edge.parameter_near(p, beside)?.is_some() {
                 return Ok(Place::Border);
             }
         }

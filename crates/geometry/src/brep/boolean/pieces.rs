@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::interferences::edge_stops;
 use super::operands::{Near, Operands, Place};
 use super::sections::{SectionPiece, index_of};
-use super::thresholds::{CROSSING, PLACES, SAME_CURVE};
+use super::thresholds::{BESIDE_BORDER, CAPTURE, CROSSING, PLACES, SAME_CURVE};
 use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, cancellation};
 
 /// A stretch of a curve between two vertices, with none between them.
@@ -41,6 +41,8 @@ pub(super) struct Pieces {
     pub(super) of_edge: Vec<Vec<OfEdge>>,
     /// The pieces that are drawn on every face, besides its border, in order.
     pub(super) on_face: Vec<BTreeSet<usize>>,
+    /// Faces and pieces that run along their border without being a part of it, and are not drawn.
+    pub(super) beside: Vec<(usize, usize)>,
     limit: f64,
 }
 
@@ -53,6 +55,7 @@ impl Pieces {
             by_ends: HashMap::new(),
             of_edge: vec![Vec::new(); all.edges.len()],
             on_face: vec![BTreeSet::new(); all.faces.len()],
+            beside: Vec::new(),
             limit: all.limit,
         };
         let index = index_of(all);
@@ -179,14 +182,16 @@ impl Pieces {
                     if taken.contains(&piece) {
                         continue;
                     }
-                    if lies_inside(all, face, &p.curve)? {
-                        self.list.get_mut(piece).into_iter().for_each(|p| {
-                            p.solids.insert(face.solid);
-                        });
-                        self.on_face.get_mut(other).into_iter().for_each(|list| {
+                    match lies(all, face, &p.curve)? {
+                        Lies::Outside => continue,
+                        Lies::Beside => self.beside.push((other, piece)),
+                        Lies::Inside => self.on_face.get_mut(other).into_iter().for_each(|list| {
                             list.insert(piece);
-                        });
+                        }),
                     }
+                    self.list.get_mut(piece).into_iter().for_each(|p| {
+                        p.solids.insert(face.solid);
+                    });
                 }
             }
         }
@@ -223,16 +228,32 @@ fn crosses(all: &Operands, section: &SectionPiece) -> Result<bool> {
     Ok(m.cross(*n).length() > CROSSING)
 }
 
-/// Whether a curve without a vertex between its ends lies in a face, and not along its border.
-fn lies_inside(all: &Operands, face: &super::operands::Face, curve: &Curve) -> Result<bool> {
+/// How a curve without a vertex between its ends, which is no piece of a face's border, lies to the face.
+enum Lies {
+    Inside,
+    Outside,
+    /// Nowhere farther from the border than points are told apart, and not inside.
+    Beside,
+}
+
+/// Where all places of a curve are near the border, less is counted as the border until they tell: the curve is not the
+/// border, so that something lies between the two.
+fn lies(all: &Operands, face: &super::operands::Face, curve: &Curve) -> Result<Lies> {
     let domain = curve.domain();
-    let mut inside = false;
-    for share in PLACES {
-        match all.place(face, curve.point_at(domain.at(share)), 2.0 * all.limit)? {
-            Place::Inside(_) => inside = true,
-            Place::Outside => return Ok(false),
-            Place::Border => {}
+    for beside in BESIDE_BORDER {
+        let mut inside = false;
+        for share in PLACES {
+            let p = curve.point_at(domain.at(share));
+            match all.place_beside(face, p, CAPTURE * all.limit, beside * all.limit)? {
+                Place::Inside(_) => inside = true,
+                // Only what is clear of the border leaves no doubt.
+                Place::Outside => return Ok(if beside < CAPTURE { Lies::Beside } else { Lies::Outside }),
+                Place::Border => {}
+            }
+        }
+        if inside {
+            return Ok(Lies::Inside);
         }
     }
-    Ok(inside)
+    Ok(Lies::Beside)
 }

@@ -43,16 +43,20 @@ impl Region {
     }
 }
 
-/// Cuts every face into its regions, by the places of the faces.
-pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<Vec<Region>> {
+/// Cuts every face into its regions, by the places of the faces; with them faces and the pieces on them that divide
+/// nothing.
+pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<(Vec<Region>, Vec<(usize, usize)>)> {
     let mut out = Vec::new();
+    let mut idle = pieces.beside.clone();
     for (place, face) in all.faces.iter().enumerate() {
         cancellation::check()?;
-        for loops in regions(all, pieces, place)? {
+        let (found, lost) = regions(all, pieces, place)?;
+        for loops in found {
             out.push(region(all, place, face, loops)?);
         }
+        idle.extend(lost.into_iter().map(|piece| (place, piece)));
     }
-    Ok(out)
+    Ok((out, idle))
 }
 
 fn region(all: &Operands, place: usize, face: &Face, loops: Loops) -> Result<Region> {

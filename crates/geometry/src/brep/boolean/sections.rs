@@ -117,7 +117,11 @@ fn meeting(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2]) -> Result<Mee
             return Ok(Meeting::Coincident);
         }
         let size = a.size.min(b.size);
-        let exact = Tolerance { absolute: (ROUNDING * size).max(0.5 * limit), angle: EXACT };
+        // Directions that part by less than half the tolerance over both faces are one.
+        let exact = Tolerance {
+            absolute: (ROUNDING * size).max(0.5 * limit),
+            angle: EXACT.max(0.5 * limit / a.size.max(b.size)),
+        };
         if let Some(met) = carrier_carrier(ca, cb, &exact) {
             let CarrierMeeting::Parts { curves, points } = met else { return Ok(Meeting::Coincident) };
             let around = a.bounds.inflated(limit).intersection(&b.bounds.inflated(limit));

@@ -134,10 +134,40 @@ impl Shells<'_> {
                 (0..kept.len()).filter(|k| kept[*k] && sets.root(2 * k) == sets.root(2 * k + 1)).collect();
             if dangling.is_empty() {
                 let shells = sets.lists().into_iter().filter(|s| s.first().is_some_and(|f| kept[f / 2]));
-                return self.nested(shells.collect(), &mates, true);
+                let found = self.nested(shells.collect(), &mates, true)?;
+                let dividing = (0..kept.len()).filter(|k| kept[*k]).map(|k| 2 * k);
+                self.refuse_divided(&found, dividing)?;
+                return Ok(found);
             }
             dangling.into_iter().for_each(|k| kept[k] = false);
         }
+    }
+
+    /// Refuses cells in whose inside a region lies that divides space: where one was not cut as it should have been, cells
+    /// lie in each other, and their volumes do not show it.
+    fn refuse_divided(
+        &self,
+        cells: &[(usize, Made)],
+        regions: impl Iterator<Item = usize> + Clone,
+    ) -> Result<()> {
+        for (_, made) in cells {
+            cancellation::check()?;
+            let Some(bounds) = made.brep.bounds_of_faces() else { continue };
+            let search = ClosestOnBrep::new(Shared::new(made.brep.clone()))?;
+            for chosen in regions.clone() {
+                let sample = self.region(chosen).and_then(|r| r.samples.first());
+                let Some(p) = sample.map(|s| s.point).filter(|p| bounds.distance_to(*p) <= 0.0) else {
+                    continue;
+                };
+                match search.contains(p, self.all.limit) {
+                    Ok(Containment::Inside) => return Err(self.refuse(RefusalClass::Unsound, Some(chosen))),
+                    Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
+                    // What is not decided is no reason to refuse.
+                    Ok(_) | Err(_) => {}
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The faces that the chosen regions make, open or not, apart where they are cut.

@@ -9,6 +9,10 @@ pub(super) const ROUNDING: f64 = 1e-12;
 pub(super) const TRACED: f64 = 0.25;
 /// A vertex belongs to a curve that comes nearer to it than so many tolerances: one for the vertex and one for the curve.
 pub(super) const CAPTURE: f64 = 2.0;
+/// What counts as the border of a face for a curve beside it, in tolerances, from the first that tells: 0 asks exactly.
+pub(super) const BESIDE_BORDER: [f64; 3] = [CAPTURE, 1.0, 0.0];
+/// A curve that is told not to divide a face is looked at from so many tolerances on both of its sides.
+pub(super) const ASIDE: f64 = 16.0;
 /// Branches that end nearer than so many tolerances to a place where branches cross end there: where two surfaces have one
 /// tangent plane they part by the square of the way, and branches are found only so far.
 pub(super) const AT_CROSSING: f64 = 64.0;

@@ -1,6 +1,7 @@
 //! The surface without ends on which a surface lies.
 
 use super::Axis;
+use crate::surface::{Round, RoundForm};
 use crate::trace::thresholds::SAME_BEND;
 use crate::{Direction, Point3, Surface, Vector3};
 
@@ -45,6 +46,9 @@ impl Carrier {
     /// The carrier on which a surface of any kind lies within `tolerance`: also one inside a NURBS surface, a sum or a
     /// revolution. `None` when there is none of these kinds.
     pub fn of(surface: &Surface, tolerance: f64) -> Option<Self> {
+        if let Some(round) = Round::of(surface) {
+            return Some(Self::of_round(&round));
+        }
         let axis = |p: &crate::Plane| Axis { origin: p.origin, direction: p.z_axis };
         if let Some(plane) = surface.plane(tolerance) {
             return Some(Self::Plane(plane));
@@ -60,6 +64,16 @@ impl Carrier {
         }
         let t = surface.as_torus(tolerance)?;
         Some(Self::Torus { axis: axis(&t.plane), major_radius: t.major_radius, minor_radius: t.minor_radius })
+    }
+
+    /// The carrier of a surface that is made as a part of it.
+    fn of_round(round: &Round) -> Self {
+        let axis = Axis { origin: round.frame.origin, direction: round.frame.z_axis };
+        match round.form {
+            RoundForm::Sphere(radius) => Self::Sphere { center: axis.origin, radius },
+            RoundForm::Cylinder(radius) => Self::Cylinder { axis, radius },
+            RoundForm::Cone(slope) => Self::Cone { axis, half_angle: slope.atan() },
+        }
     }
 
     /// As [`Self::of`], for a tolerance that leaves rounding only: the curvatures at a few places tell which kind alone it may
