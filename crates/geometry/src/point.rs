@@ -62,6 +62,30 @@ impl Point3 {
     }
 }
 
+impl Point3 {
+    /// The mean of points; `None` for none.
+    pub fn mean(points: &[Self]) -> Option<Self> {
+        let n = points.len() as f64;
+        (!points.is_empty()).then(|| points.iter().map(|p| p.to_vector() / n).sum::<Vector3>().to_point())
+    }
+
+    /// Whether three points lie on a line: the distance of the one in the middle from the line through the outer two is
+    /// at most `tolerance`.
+    pub fn are_collinear(a: Self, b: Self, c: Self, tolerance: f64) -> bool {
+        let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
+        let longest = sides.iter().copied().fold(0.0, f64::max);
+        longest <= tolerance || (b - a).cross(c - a).length() <= tolerance * longest
+    }
+}
+
+impl Vector3 {
+    /// The point at the tip of this vector when it starts at the origin.
+    #[inline]
+    pub const fn to_point(self) -> Point3 {
+        Point3::new(self.x, self.y, self.z)
+    }
+}
+
 impl From<[f64; 3]> for Point3 {
     fn from([x, y, z]: [f64; 3]) -> Self {
         Self::new(x, y, z)

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// Where all thresholds stand in `trace/thresholds.rs` and `intersect/thresholds.rs`: folders and files below `src`.
+/// Where all thresholds stand in `chart/thresholds.rs` and `intersect/thresholds.rs`: folders and files below `src`.
 const CLEAN: [&str; 4] = ["chart", "trace", "intersect", "brep/meeting.rs"];
 
 /// The small numbers without a name that are left elsewhere. This may shrink, and must not grow.

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use super::ends::with_ends;
 use super::{Curve, PolyCurve, PolylineCurve};
-use crate::brep::with_ends;
 use crate::{Interval, Line, LineCurve, Point3};
 
 /// Ends of curves by the cell of a grid they lie in, to find those near a point.

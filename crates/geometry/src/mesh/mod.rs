@@ -10,6 +10,7 @@ mod decimate;
 mod depth;
 mod edit;
 mod face;
+mod grid_mesh;
 mod heal;
 mod hits;
 mod holes;

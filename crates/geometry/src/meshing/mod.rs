@@ -5,6 +5,7 @@ mod brep;
 mod clip;
 mod corner_cutting;
 mod edges;
+mod extent;
 mod fill;
 mod grid;
 mod kinks;

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::NurbsCurve;
-use crate::{Arc, ArcCurve, Circle, Ellipse, Interval, Plane, Result};
+use crate::{Arc, Circle, Ellipse, Interval, Plane, Result};
 
 /// The conic rx cos, ry sin over a range of angles, with equal spans of at most a quarter turn.
 ///
@@ -70,17 +70,6 @@ impl Arc {
     pub fn to_nurbs(&self, domain: Interval) -> Result<NurbsCurve> {
         let r = self.circle.radius;
         conic(&self.circle.plane, r, r, self.angle, domain)
-    }
-}
-
-impl ArcCurve {
-    /// The exact NURBS form over the same domain. Only at the joints of spans and halfway between them do equal
-    /// parameters give equal points.
-    ///
-    /// # Errors
-    /// As [`Arc::to_nurbs`].
-    pub fn to_nurbs(&self) -> Result<NurbsCurve> {
-        self.arc.to_nurbs(self.domain)
     }
 }
 

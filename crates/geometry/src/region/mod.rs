@@ -31,6 +31,7 @@
 mod assemble;
 mod cell;
 mod combine;
+mod contains;
 mod loops;
 mod meetings;
 mod nodes;

@@ -1,6 +1,6 @@
 //! Signed angles, averages and components.
 
-use crate::{Plane, Point3, Vector3};
+use crate::Vector3;
 
 impl Vector3 {
     /// The angle in radians from this vector to `other`, −π…π, positive when the turn is counter-clockwise about
@@ -55,12 +55,6 @@ impl Vector3 {
         Some([by(v, w, x.length()), by(w, u, y.length()), by(u, v, z.length())])
     }
 
-    /// The part of this vector in a plane.
-    #[must_use]
-    pub fn projected_into(self, plane: &Plane) -> Self {
-        self - plane.z_axis * self.dot(plane.z_axis)
-    }
-
     /// This vector reflected at a plane through the origin with the given normal; `None` when that has no direction.
     pub fn mirrored(self, normal: Self) -> Option<Self> {
         let n = normal.unitized()?;
@@ -72,21 +66,5 @@ impl Vector3 {
         (self.x - v.x).abs() <= tolerance
             && (self.y - v.y).abs() <= tolerance
             && (self.z - v.z).abs() <= tolerance
-    }
-}
-
-impl Point3 {
-    /// The mean of points; `None` for none.
-    pub fn mean(points: &[Self]) -> Option<Self> {
-        let n = points.len() as f64;
-        (!points.is_empty()).then(|| points.iter().map(|p| p.to_vector() / n).sum::<Vector3>().to_point())
-    }
-
-    /// Whether three points lie on a line: the distance of the one in the middle from the line through the outer two is
-    /// at most `tolerance`.
-    pub fn are_collinear(a: Self, b: Self, c: Self, tolerance: f64) -> bool {
-        let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
-        let longest = sides.iter().copied().fold(0.0, f64::max);
-        longest <= tolerance || (b - a).cross(c - a).length() <= tolerance * longest
     }
 }

@@ -3,8 +3,6 @@ mod decompose;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::Point3;
-
 /// A direction with a magnitude. It has no place: all arrows of equal direction and length are one vector.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Vector3 {
@@ -30,12 +28,6 @@ impl Vector3 {
     #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
-    }
-
-    /// The point at the tip of this vector when it starts at the origin.
-    #[inline]
-    pub const fn to_point(self) -> Point3 {
-        Point3::new(self.x, self.y, self.z)
     }
 
     /// The scalar product a·b = |a||b| cos θ.

@@ -3,6 +3,7 @@ mod classify;
 mod construct;
 mod decompose;
 mod inverse;
+mod planes;
 mod points;
 mod view;
 

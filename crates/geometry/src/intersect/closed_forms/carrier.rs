@@ -1,7 +1,7 @@
 //! The surface without ends on which a surface lies.
 
 use super::Axis;
-use crate::trace::thresholds::SAME_BEND;
+use crate::chart::thresholds::SAME_BEND;
 use crate::{Direction, Point3, Surface, Vector3};
 
 /// A plane, sphere, cylinder, cone or torus without ends.

@@ -1,7 +1,7 @@
 //! Meshes of quads along the parameters of surfaces.
 
-use super::Surface;
-use crate::{Direction, Mesh, MeshFace, Point3, Result};
+use super::{Mesh, MeshFace};
+use crate::{Direction, Point3, Result, Surface};
 
 /// No more vertices than this.
 const MOST: usize = 250_000;

@@ -9,8 +9,7 @@ mod simple;
 mod trim;
 mod validity;
 
-use super::piece::Shape;
-use super::{ArcCurve, Continuity, Curve};
+use crate::curve::{ArcCurve, Continuity, Curve, Shape};
 use crate::polynomial::{Hodograph, dot};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
 pub(crate) use chain::{Sets, gather};

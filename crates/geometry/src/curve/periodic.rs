@@ -1,7 +1,7 @@
 //! Curves and surfaces that close made periodic: smooth where they close, and all along.
 
-use super::{Direction, NurbsCurve, NurbsSurface, periodic_uniform_knots};
-use crate::{Curve, Error, Point3, Result};
+use super::Curve;
+use crate::{Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, periodic_uniform_knots};
 
 impl NurbsCurve {
     /// The periodic curve in the place of one that closes, over the same domain, with even simple knots: without kinks,

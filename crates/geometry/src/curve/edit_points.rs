@@ -1,7 +1,7 @@
 //! Curves changed through places on them: edit points and ends.
 
-use super::{LeastSquares, NurbsCurve};
-use crate::{Curve, Error, Point3, Result, Vector3};
+use super::Curve;
+use crate::{Error, LeastSquares, NurbsCurve, Point3, Result, Vector3};
 
 impl NurbsCurve {
     /// The parameters of the edit points: the Greville abscissae that name different points. A curve that closes has

@@ -5,7 +5,7 @@ use super::trim::{Work, near_pairs};
 use super::{OffsetCorner, Raw};
 use crate::box_tree::{Bounds, BoxTree};
 use crate::curve::blend::blend_between;
-use crate::curve::join::chained;
+use crate::curve::chained;
 use crate::intersect::{ContactKind, curve_curve, curve_self};
 use crate::{BoundingBox, ClosestOnCurve, Curve, Line, Point3, Result};
 

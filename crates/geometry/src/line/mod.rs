@@ -1,3 +1,8 @@
+//! Straight segments.
+
+mod boxes;
+mod fit;
+
 use crate::{BoundingBox, Point3, Vector3, Xform};
 
 /// A straight segment; its infinite line is P = from + t·direction.

@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use super::FaceName;
-use crate::{Error, Point3};
+use crate::Point3;
 
 /// The kinds of cases that are refused rather than answered wrongly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -46,6 +45,15 @@ impl RefusalClass {
     }
 }
 
+/// A face of an operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FaceName {
+    /// The operand's place among all of the call.
+    pub operand: usize,
+    /// The face's place in the operand.
+    pub face: usize,
+}
+
 /// A boolean that was refused: its class, the faces and the place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refusal {
@@ -68,15 +76,5 @@ impl fmt::Display for Refusal {
             write!(f, ", near ({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)?;
         }
         Ok(())
-    }
-}
-
-impl Refusal {
-    /// A refusal about some faces at a place; where nobody waits any more, the work was stopped.
-    pub(super) fn at(class: RefusalClass, faces: &[FaceName], place: Option<Point3>) -> Error {
-        if crate::cancellation::was_given_up() {
-            return Error::Stopped;
-        }
-        Error::Refused(Box::new(Self { class, faces: faces.to_vec(), place }))
     }
 }

@@ -1,8 +1,8 @@
 //! The smallest boxes around breps.
 
-use super::{Brep, LoopKind};
-use crate::nurbs::Quadrant;
-use crate::{Box3, Direction, Interval, MeshSettings, Plane, Result, Surface, Vector3};
+use super::MeshSettings;
+use crate::brep::Brep;
+use crate::{Box3, Direction, Interval, Plane, Quadrant, Result, Surface, Vector3};
 
 /// Faces are sampled this finely, in parts of the size of the brep, to find where they bulge out most.
 const SAMPLED: f64 = 2e-3;
@@ -83,17 +83,6 @@ impl Brep {
             None | Some(Surface::Plane(_)) => false,
             Some(surface) => surface.plane(0.0).is_none(),
         }
-    }
-
-    /// Whether a face has no trims but the sides of its surface.
-    pub(crate) fn is_whole(&self, face: &super::Face) -> bool {
-        let parts = self.parts();
-        let loops = face.loops.iter().filter_map(|l| parts.loops.get(*l));
-        loops.clone().count() == 1
-            && loops.clone().all(|chain| chain.kind == LoopKind::Outer)
-            && loops
-                .flat_map(|chain| &chain.trims)
-                .all(|t| parts.trims.get(*t).is_some_and(|trim| matches!(trim.iso, super::Iso::Side(_))))
     }
 }
 

@@ -1,3 +1,9 @@
+//! Why something could not be done.
+
+pub(crate) mod refusal;
+
+pub use refusal::{FaceName, Refusal, RefusalClass};
+
 /// The kernel's result.
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -39,16 +45,8 @@ pub enum Error {
     Stopped,
     /// A boolean gave no result: the kind of case, the faces and the place.
     #[error("boolean refused: {0}")]
-    Refused(Box<crate::brep::Refusal>),
+    Refused(Box<Refusal>),
     /// A case the kernel does not handle yet, by name.
     #[error("not supported: {0}")]
     Unsupported(&'static str),
-}
-
-impl Error {
-    /// [`Error::Degenerate`] in one call. Where work was given up, what is wrong with a part of it is no fault of the
-    /// input: it was stopped.
-    pub(crate) fn degenerate(what: &'static str, why: &'static str) -> Self {
-        if crate::cancellation::was_given_up() { Self::Stopped } else { Self::Degenerate { what, why } }
-    }
 }

@@ -6,9 +6,9 @@ mod lines;
 use beam::Beam;
 pub(crate) use lines::LineIndex;
 
-use super::geodesic::{Shot, Unrolled, shot};
-use super::{ClosestOnSurface, Foot, Surface};
 use crate::curve::traced::{Sample, joined, sampled};
+use crate::surface::geodesic::{Shot, Unrolled, shot};
+use crate::surface::{ClosestOnSurface, Foot, Surface};
 use crate::{Curve, Direction, Error, Interval, OffsetCorner, Point3, Result, Tolerance, Vector3};
 
 /// Parts of a smooth stretch of a curve that are looked at before halving begins.
@@ -30,13 +30,6 @@ fn check(tolerance: &Tolerance) -> Result<f64> {
 /// The largest gap between ends that are the same point: far below the tolerance, far above rounding.
 fn gap(curve: &Curve, limit: f64) -> f64 {
     (1e-6 * curve.bounding_box().diagonal().length()).min(0.1 * limit)
-}
-
-impl Curve {
-    /// The smooth stretches of the curve.
-    pub(crate) fn smooth_stretches(&self) -> Vec<Interval> {
-        self.pieces().iter().map(|p| p.whole).collect()
-    }
 }
 
 /// A surface prepared for many curves that are projected onto it along one direction.
