@@ -88,6 +88,7 @@ mod swing;
 mod tangent;
 mod tangent_arc;
 mod tangent_circle;
+mod thresholds;
 mod tolerance;
 mod trace;
 mod twisted_box;

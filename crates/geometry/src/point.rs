@@ -2,6 +2,11 @@ use std::ops::{Add, AddAssign, Sub, SubAssign};
 
 use crate::Vector3;
 
+/// Coordinates no further apart are one to openNURBS, in model units: 2⁻³².
+const COINCIDENT: f64 = 2.328_306_436_538_696_3e-10;
+/// The same as a part of both coordinates together: 2⁻⁴².
+const COINCIDENT_OF_PLACE: f64 = 2.273_736_754_432_320_6e-13;
+
 /// A location in space. Points are not vectors: a point plus a vector is a point, and the difference of two
 /// points is a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,7 +45,7 @@ impl Point3 {
     pub fn coincides(self, other: Self) -> bool {
         let near = |x: f64, y: f64| {
             let d = (x - y).abs();
-            d <= 2.328_306_436_538_696_3e-10 || d <= 2.273_736_754_432_320_6e-13 * (x.abs() + y.abs())
+            d <= COINCIDENT || d <= COINCIDENT_OF_PLACE * (x.abs() + y.abs())
         };
         near(self.x, other.x) && near(self.y, other.y) && near(self.z, other.z)
     }

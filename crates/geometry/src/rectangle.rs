@@ -1,5 +1,8 @@
 use crate::{Error, Interval, Plane, Point3, Result, Xform};
 
+/// A map keeps angles when its columns are as long as each other and at right angles to this part.
+const SIMILAR: f64 = 1e-9;
+
 /// A rectangle in a plane, by its ranges along the plane's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
@@ -65,7 +68,7 @@ impl Rectangle {
 /// The image of a frame under a similarity and the signed factor of the map.
 pub(crate) fn similar_frame(plane: &Plane, xform: &Xform, what: &'static str) -> Result<(Plane, f64)> {
     let factor = xform
-        .similarity_factor(1e-9)
+        .similarity_factor(SIMILAR)
         .ok_or(Error::degenerate(what, "the transform does not keep its angles"))?;
     Ok((plane.transformed(xform)?, factor))
 }

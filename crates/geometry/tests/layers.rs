@@ -10,6 +10,7 @@ const LAYERS: [(&str, &[&str]); 7] = [
     (
         "numbers, vectors and polynomials",
         &[
+            "thresholds",
             "interval",
             "units",
             "hash",

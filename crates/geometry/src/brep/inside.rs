@@ -1,5 +1,7 @@
 //! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
 
+use crate::brep::thresholds::AWAY_FROM_EDGES;
+use crate::thresholds;
 use std::sync::{Arc as Shared, OnceLock};
 
 use super::Brep;
@@ -236,7 +238,7 @@ impl ClosestOnBrep {
         for direction in RAYS {
             let way = Vector3::new(direction[0], direction[1], direction[2]);
             let Some(way) = way.unitized() else { continue };
-            if let (count, true) = self.crossings(p, way * (2.0 * size), 1e-6 * size)? {
+            if let (count, true) = self.crossings(p, way * (2.0 * size), AWAY_FROM_EDGES * size)? {
                 return Ok(side(count));
             }
         }
@@ -252,7 +254,7 @@ impl ClosestOnBrep {
                 continue;
             }
             let Some(surface) = self.brep.face_surface(sheet.face) else { continue };
-            let found = intersect::curve_with_surface(&line, surface, 1e-9 * way.length())?;
+            let found = intersect::curve_with_surface(&line, surface, thresholds::SAME_POINT * way.length())?;
             if !found.overlaps.is_empty() || !found.complete {
                 return Ok((count, false));
             }
@@ -330,8 +332,8 @@ fn meets(bounds: &BoundingBox, p: Point3, way: Vector3) -> bool {
             continue;
         }
         let (a, b) = ((from - at) / step, (to - at) / step);
-        low = low.max(a.min(b) - 1e-9);
-        high = high.min(a.max(b) + 1e-9);
+        low = low.max(a.min(b) - thresholds::SAME_PARAMETER);
+        high = high.min(a.max(b) + thresholds::SAME_PARAMETER);
     }
     low <= high
 }

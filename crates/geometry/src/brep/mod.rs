@@ -45,6 +45,7 @@ mod solid;
 mod subset;
 #[cfg(test)]
 pub(crate) mod testing;
+mod thresholds;
 mod tolerances;
 mod trim;
 mod trimmed;

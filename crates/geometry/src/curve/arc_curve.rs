@@ -1,3 +1,4 @@
+use crate::thresholds;
 use std::f64::consts::TAU;
 
 use crate::{Arc, Circle, Interval, NurbsCurve, Point3, Result};
@@ -21,7 +22,7 @@ impl ArcCurve {
 
     /// Whether the arc is a full circle.
     pub fn is_circle(&self) -> bool {
-        (self.arc.angle.length().abs() - TAU).abs() <= 1e-12
+        (self.arc.angle.length().abs() - TAU).abs() <= thresholds::WHOLE_TURN
     }
 
     /// The angle in radians at parameter `t`.

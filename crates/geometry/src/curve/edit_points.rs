@@ -1,6 +1,7 @@
 //! Curves changed through places on them: edit points and ends.
 
 use super::Curve;
+use crate::thresholds;
 use crate::{Error, LeastSquares, NurbsCurve, Point3, Result, Vector3};
 
 impl NurbsCurve {
@@ -11,7 +12,7 @@ impl NurbsCurve {
         if self.is_periodic() {
             // The abscissae of the different control points within one period.
             let domain = self.domain();
-            let near = 1e-9 * domain.length();
+            let near = thresholds::SAME_PARAMETER * domain.length();
             let inside = |t: &f64| *t >= domain.start - near && *t < domain.end - near;
             return all.into_iter().filter(inside).map(|t| domain.clamp(t)).collect();
         }
@@ -35,7 +36,9 @@ impl NurbsCurve {
         let (degree, domain) = (self.degree(), self.domain());
         if self.is_periodic() {
             let steps: Vec<f64> = self.knots().windows(2).map(|pair| pair[1] - pair[0]).collect();
-            let is_even = steps.iter().all(|step| (step - steps[0]).abs() <= 1e-9 * domain.length());
+            let is_even = steps
+                .iter()
+                .all(|step| (step - steps[0]).abs() <= thresholds::SAME_PARAMETER * domain.length());
             if !is_even || self.is_rational() {
                 return Err(Error::Unsupported(
                     "edit points of periodic curves with uneven knots or weights",

@@ -43,6 +43,7 @@ mod simplify;
 mod speed;
 mod spiral;
 mod tessellate;
+mod thresholds;
 pub(crate) mod traced;
 mod tween;
 mod two_views;

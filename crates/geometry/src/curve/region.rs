@@ -2,6 +2,7 @@
 
 use super::Curve;
 use super::piece::Shape;
+use crate::curve::thresholds::{MOMENT_BOUND, NO_AREA};
 use crate::quadrature::integrate;
 use crate::{Error, MassProperties, Plane, Point3, Result};
 
@@ -57,14 +58,14 @@ impl Curve {
                         let cross = x * d.dot(zy) - y * d.dot(zx);
                         [0.5 * cross, cross * x / 3.0, cross * y / 3.0]
                     };
-                    let bound = 1e-14 * size * size * size.max(1.0);
+                    let bound = MOMENT_BOUND * size * size * size.max(1.0);
                     integrate(&integrand, piece.own.start, piece.own.end, bound)
                 }
             };
             sums = std::array::from_fn(|c| sums[c] + part[c]);
         }
         let [area, x, y] = sums;
-        if area.abs() <= 1e-15 * size * size {
+        if area.abs() <= NO_AREA * size * size {
             return (area, local.origin);
         }
         (area, local.at(x / area, y / area, 0.0))
@@ -102,7 +103,7 @@ impl Curve {
                     cross * x * y / 4.0,
                 ]
             };
-            let part = integrate(&integrand, piece.own.start, piece.own.end, 1e-14);
+            let part = integrate(&integrand, piece.own.start, piece.own.end, MOMENT_BOUND);
             flat.iter_mut().zip(part).for_each(|(sum, v)| *sum += v);
         }
         let [area, x, y, xx, yy, xy] = flat;

@@ -31,6 +31,7 @@ mod sections;
 mod shadow;
 mod smooth;
 mod split;
+mod thresholds;
 mod topology;
 mod tree;
 mod unweld;

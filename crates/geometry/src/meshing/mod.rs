@@ -21,6 +21,7 @@ mod ring;
 mod settings;
 mod side;
 mod surface;
+mod thresholds;
 mod track;
 
 pub use plan::MeshPlan;

@@ -34,6 +34,7 @@ mod surface_interpolate;
 mod surface_properties;
 mod surface_refine;
 mod surface_through;
+mod thresholds;
 mod uniform;
 mod weights;
 

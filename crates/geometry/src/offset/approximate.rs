@@ -1,6 +1,8 @@
 //! The offset of a smooth NURBS curve by certified cubics.
 
+use crate::offset::thresholds::{OFFSET_ROUNDING, SHORTEST_SPAN, STANDS_STILL};
 use crate::polynomial::Polynomial;
+use crate::thresholds;
 use crate::{Error, NurbsCurve, Plane, Point3, Result};
 
 /// A control point in the plane, homogeneous: (wx, wy, w).
@@ -45,7 +47,7 @@ pub(super) fn offset_nurbs(
         let mut ends = inversions(&flat, distance);
         ends.push(1.0);
         for end in ends {
-            if end - before > 1e-12 {
+            if end - before > SHORTEST_SPAN {
                 let middle = 0.5 * (before + end);
                 if speed_factor(&flat, middle, distance) > 0.0 {
                     let part = cut(&flat, before, end);
@@ -104,7 +106,7 @@ fn inversions(points: &[Flat], distance: f64) -> Vec<f64> {
     let w2 = w.times(&w);
     let bend = turn.times(&turn).times(&w2.times(&w2)).scaled((distance / reach).powi(2));
     let cube = squared.times(&squared).times(&squared);
-    bend.minus(&cube).roots(1e-15 * bend.size().max(cube.size()))
+    bend.minus(&cube).roots(thresholds::POLYNOMIAL_ZERO * bend.size().max(cube.size()))
 }
 
 /// The first point and the largest extent from it.
@@ -217,14 +219,14 @@ fn hermite(points: &[Flat], distance: f64) -> Option<[[f64; 2]; 4]> {
         // A curve that stands still at its end leaves it towards the next control point.
         let legs = points.iter().map(|q| [q[0] / q[2] - p[0], q[1] / q[2] - p[1]]);
         let reach = legs.clone().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
-        let direction = legs.clone().find(|v| v[0].hypot(v[1]) > 1e-9 * reach)?;
+        let direction = legs.clone().find(|v| v[0].hypot(v[1]) > STANDS_STILL * reach)?;
         let length = direction[0].hypot(direction[1]);
         let unit = [direction[0] / length, direction[1] / length];
         // Walked backwards, right is left and curvature changes its sign: its product with the distance does not.
         let d_side = sign * distance;
         let factor = 1.0 + d_side * k;
         let place = [p[0] + d_side * unit[1], p[1] - d_side * unit[0]];
-        let still = legs.clone().nth(1).is_some_and(|v| v[0].hypot(v[1]) <= 1e-9 * reach);
+        let still = legs.clone().nth(1).is_some_and(|v| v[0].hypot(v[1]) <= STANDS_STILL * reach);
         let speed =
             if still { [0, 1].map(|i| unit[i] * d_side * swing(points)) } else { d.map(|x| x * factor) };
         Some((place, speed.map(|x| x / 3.0)))
@@ -259,11 +261,12 @@ fn certified(points: &[Flat], cubic: &[[f64; 2]; 4], distance: f64, error: f64) 
     let across = v[0].times(&t[1]).minus(&v[1].times(&t[0])).scaled(distance.signum());
     let bound = t[0].times(&t[0]).plus(&t[1].times(&t[1])).times(&w.times(&w));
     let (far, near) = (distance.abs() + error, distance.abs() - error);
-    let rounding = 1e-14 * distance.abs().max(error) * bound.size() * distance.abs().max(error)
-        + 1e-6 * error * error * bound.size();
+    let rounding =
+        thresholds::FEW_ROUNDINGS * distance.abs().max(error) * bound.size() * distance.abs().max(error)
+            + OFFSET_ROUNDING * error * error * bound.size();
     let squared = across.times(&across);
     along.times(&along).minus(&bound.scaled(error * error)).stays_below(rounding, 3)
-        && across.scaled(-1.0).stays_below(1e-12 * across.size(), 3)
+        && across.scaled(-1.0).stays_below(thresholds::ROUNDING * across.size(), 3)
         && squared.minus(&bound.scaled(far * far)).stays_below(rounding, 3)
         && (near <= 0.0 || bound.scaled(near * near).minus(&squared).stays_below(rounding, 3))
 }

@@ -1,5 +1,7 @@
 //! Parts put together to whole curves along the places where they were cut.
 
+use crate::offset::thresholds::{INSIDE, NO_GAP, REVERSED};
+use crate::thresholds;
 use std::collections::HashMap;
 
 use super::RawPart;
@@ -239,7 +241,7 @@ impl Border<'_> {
     fn turn(&self, arriving: Vector3, k: usize) -> f64 {
         let leaving = self.tangent(&self.edges[k], false);
         let angle = arriving.cross(leaving).dot(self.plane.z_axis).atan2(arriving.dot(leaving));
-        if angle.abs() > std::f64::consts::PI - 1e-7 { std::f64::consts::PI } else { angle * self.side }
+        if angle.abs() > std::f64::consts::PI - REVERSED { std::f64::consts::PI } else { angle * self.side }
     }
 
     fn chain(&self, chain: &[usize], closed: bool, least: f64) -> Result<Option<Chain>> {
@@ -323,7 +325,7 @@ impl Border<'_> {
 
     /// A gap no larger than this is none.
     fn epsilon(&self) -> f64 {
-        1e-2 * self.gap
+        NO_GAP * self.gap
     }
 }
 
@@ -363,7 +365,7 @@ fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
     let link = |before: &Curve, after: &Curve| Line::new(before.end(), after.start());
     let inside = |curve: &Curve, t: f64| {
         let domain = curve.domain();
-        let epsilon = 1e-6 * domain.length();
+        let epsilon = INSIDE * domain.length();
         domain.start + epsilon < t && t < domain.end - epsilon
     };
     // Another arm may be as near.
@@ -389,7 +391,7 @@ fn linked(before: &mut Curve, after: &mut Curve) -> Result<Curve> {
         }
     }
     let crossings = |curve: &Curve, line: Line| -> Result<Vec<f64>> {
-        let found = curve_curve(curve, &line.into(), 1e-9 * line.length())?.crossings;
+        let found = curve_curve(curve, &line.into(), thresholds::SAME_POINT * line.length())?.crossings;
         Ok(found.into_iter().map(|c| c.a).collect())
     };
     let last = crossings(before, link(before, after))?.into_iter().fold(before.domain().end, f64::min);

@@ -2,6 +2,8 @@
 
 use super::validity::Cap;
 use super::{OffsetCorner, RawPart, right_of};
+use crate::offset::thresholds::SHARPEST;
+use crate::thresholds;
 use crate::{Arc, Curve, Error, Line, LineCurve, Plane, Point3, Result, Vector3};
 
 /// A corner of the source with a gap to fill.
@@ -36,8 +38,8 @@ pub(super) fn bridge(
     let (a, b) = (vertex + n0 * distance, other + n1 * distance);
     // A reversal counts as a turn to the side where the gap is.
     let turn = arriving.cross(leaving).dot(plane.z_axis);
-    let reversal = arriving.dot(leaving) < 0.0 && turn.abs() < 1e-9;
-    if a.distance_to(b) <= 1e-9 * distance.abs() || (turn * distance <= 0.0 && !reversal) {
+    let reversal = arriving.dot(leaving) < 0.0 && turn.abs() < thresholds::PARALLEL;
+    if a.distance_to(b) <= thresholds::SAME_POINT * distance.abs() || (turn * distance <= 0.0 && !reversal) {
         return Ok(Bridge::default());
     }
     let arc = round(vertex, a, b, distance, plane)?;
@@ -56,7 +58,7 @@ pub(super) fn bridge(
         OffsetCorner::Sharp => {
             let sides = vec![(n0 * side, reach), (n1 * side, reach)];
             let opening = 1.0 + n0.dot(n1);
-            if opening > 1e-3 {
+            if opening > SHARPEST {
                 path(&[a, vertex + (n0 + n1) * (distance / opening), b], sides)
             } else {
                 // Too sharp for a tip: cut square.

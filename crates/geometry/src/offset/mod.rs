@@ -6,10 +6,12 @@ mod corner;
 mod mitre;
 mod restyle;
 mod simple;
+mod thresholds;
 mod trim;
 mod validity;
 
 use crate::curve::{ArcCurve, Continuity, Curve, Shape};
+use crate::offset::thresholds::{EXACT_ANGLE, EXACT_OFFSET, INSIDE_UNIT};
 use crate::polynomial::{Hodograph, dot};
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Result, Tolerance};
 pub(crate) use chain::{Sets, gather};
@@ -180,11 +182,11 @@ impl Curve {
                     let segments = points.windows(2).filter(|w| w[0] != w[1]);
                     return Ok(segments.map(|w| Line::new(w[0], w[1]).into()).collect());
                 }
-                let tight = Tolerance { absolute: 1e-9, angle: 1e-7 };
+                let tight = Tolerance { absolute: EXACT_OFFSET, angle: EXACT_ANGLE };
                 let domain = self.domain();
                 let mut cuts = self.discontinuities(Continuity::G1, &tight);
                 let size = self.hull_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
-                let exact = 1e-12 * size;
+                let exact = crate::thresholds::ROUNDING * size;
                 // Spans in one place are no part, and where a span turns straight back one part ends.
                 let mut still: Vec<f64> = Vec::new();
                 for piece in self.pieces() {
@@ -222,9 +224,9 @@ fn cusps(points: &[[f64; 4]]) -> impl Iterator<Item = f64> {
     let tangent = Hodograph::new(points).tangent;
     let squared = dot(&tangent, &tangent);
     let slope = squared.derivative();
-    let limit = 1e-24 * squared.size();
-    let roots = slope.roots(1e-15 * slope.size());
-    roots.into_iter().filter(move |&x| 1e-6 < x && x < 1.0 - 1e-6 && squared.at(x) <= limit)
+    let limit = crate::thresholds::NO_LENGTH_SQUARED * squared.size();
+    let roots = slope.roots(crate::thresholds::POLYNOMIAL_ZERO * slope.size());
+    roots.into_iter().filter(move |&x| INSIDE_UNIT < x && x < 1.0 - INSIDE_UNIT && squared.at(x) <= limit)
 }
 
 /// Two different elements of a list at once.
@@ -250,7 +252,7 @@ fn offset_part(part: &Curve, plane: &Plane, distance: f64, tolerance: f64) -> Re
             let own = c.arc.circle.plane;
             let side = if own.z_axis.dot(plane.z_axis) >= 0.0 { 1.0 } else { -1.0 };
             let radius = c.arc.circle.radius + side * distance;
-            if !(radius > 1e-12 * c.arc.circle.radius) {
+            if !(radius > crate::thresholds::ROUNDING * c.arc.circle.radius) {
                 return Ok(Vec::new());
             }
             let circle = Circle::new(own, radius)?;

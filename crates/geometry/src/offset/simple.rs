@@ -1,6 +1,8 @@
 //! Offsets of lines, arcs and polylines one to one, without cleaning.
 
 use crate::curve::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
+use crate::offset::thresholds::{LEVEL, TURNS_BACK};
+use crate::thresholds;
 use crate::{Arc, Circle, Error, Line, Plane, Point3, Result, Vector3};
 
 impl Curve {
@@ -79,7 +81,7 @@ pub(crate) fn right_of(direction: Vector3, plane: &Plane) -> Result<Vector3> {
 
 fn offset_arc(arc: &Arc, plane: &Plane, distance: f64) -> Result<Arc> {
     let own = arc.circle.plane;
-    let side = own.z_axis.parallel_to(plane.z_axis, 1e-6);
+    let side = own.z_axis.parallel_to(plane.z_axis, LEVEL);
     if side == 0 {
         return Err(Error::degenerate("arc to offset", "it does not lie parallel to the plane"));
     }
@@ -116,7 +118,7 @@ fn offset_vertices(points: &[Point3], closed: bool, plane: &Plane, distance: f64
         };
         // The meeting point of the two offset lines is p + d·(a + b)/(1 + a·b).
         let denominator = 1.0 + before.dot(after);
-        if denominator > 1e-9 {
+        if denominator > TURNS_BACK {
             out.push(p + (before + after) * (distance / denominator));
         } else {
             out.extend([p + before * distance, p + after * distance]);
@@ -138,7 +140,7 @@ fn offset_segments(curve: &PolyCurve, closed: bool, plane: &Plane, distance: f64
     for i in 0..if closed { n } else { n - 1 } {
         let j = (i + 1) % n;
         let (end, start) = (parts[i].end(), parts[j].start());
-        if end.distance_to(start) <= 1e-9 * (1.0 + distance.abs()) {
+        if end.distance_to(start) <= thresholds::SAME_POINT * (1.0 + distance.abs()) {
             continue;
         }
         let (Curve::Line(a), Curve::Line(b)) = (&parts[i], &parts[j]) else {

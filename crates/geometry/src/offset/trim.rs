@@ -5,6 +5,7 @@ use super::restyle::Restyle;
 use super::validity::Validity;
 use super::{OffsetCorner, Raw, RawPart};
 use crate::intersect::{curve_curve, curve_self};
+use crate::offset::thresholds::{CUT_OF_SIZE, CUT_PARAMETER, FINE_OF_SIZE, NO_GAP};
 use crate::{BoundingBox, Circle, Curve, Error, Interval, Plane, Point3, Result, Tolerance};
 
 /// The most pairs of parts that are looked at.
@@ -53,8 +54,8 @@ pub(super) fn cleaned(
     let parts: Vec<&Curve> = raw.parts.iter().map(|p| &p.curve).collect();
     let exact = raw.parts.iter().all(|p| p.source.is_none());
     let size = curve.bounding_box().diagonal().length() + distance.abs();
-    let fine = (1e-10 * size).min(0.01 * tolerance.absolute);
-    let epsilon = (2e-9 * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
+    let fine = (FINE_OF_SIZE * size).min(0.01 * tolerance.absolute);
+    let epsilon = (CUT_OF_SIZE * size).min(0.1 * tolerance.absolute).max(4.0 * fine);
     let mut work = Work::new(parts.len());
 
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); parts.len()];
@@ -141,7 +142,7 @@ pub(super) fn cleaned(
     let blur = if exact { epsilon } else { 2.0 * tolerance.absolute };
     let mut edges = Vec::new();
     for (i, part) in raw.parts.iter().enumerate() {
-        let near = 1e-10 * part.curve.domain().length();
+        let near = CUT_PARAMETER * part.curve.domain().length();
         for w in stops[i].windows(2) {
             let range = Interval::new(w[0].0, w[1].0);
             if range.length() <= near {
@@ -174,7 +175,7 @@ pub(super) fn cleaned(
         Restyle { source: curve, raw, distance, tolerance: tolerance.absolute, epsilon, corner }
             .apply(&mut chains)?;
     }
-    Ok(chains.into_iter().map(|c| c.into_curve(1e-2 * gap)).collect())
+    Ok(chains.into_iter().map(|c| c.into_curve(NO_GAP * gap)).collect())
 }
 
 /// The pairs of boxes that come within reach of each other.

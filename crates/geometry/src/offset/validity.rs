@@ -3,6 +3,8 @@
 use super::RawPart;
 use crate::box_tree::{BoxTree, bounds_of};
 use crate::curve::ClosestOnCurve;
+use crate::offset::thresholds::CUSP_SIDE;
+use crate::thresholds;
 use crate::{Curve, Plane, Point3, Result, Vector3};
 
 /// The area that fills a sharp corner: the wedge between the normals of its sides, up to straight borders, none of
@@ -24,8 +26,8 @@ impl Cap {
     fn holds(&self, q: Point3) -> bool {
         let [x, y, _] = self.frame.coordinates(q);
         let angle = y.atan2(x);
-        let angle = if angle < -1e-9 { angle + std::f64::consts::TAU } else { angle };
-        angle <= self.turn + 1e-9
+        let angle = if angle < -thresholds::PARALLEL { angle + std::f64::consts::TAU } else { angle };
+        angle <= self.turn + thresholds::PARALLEL
     }
 
     /// How deep below the border a point of the wedge lies; negative outside.
@@ -105,7 +107,7 @@ impl<'a> Validity<'a> {
         }
         let (Some(arriving), Some(leaving)) = (arriving, leaving) else { return Ok(true) };
         let turn = arriving.cross(leaving).dot(self.plane.z_axis);
-        let right = if turn.abs() > 1e-7 || arriving.dot(leaving) < 0.0 {
+        let right = if turn.abs() > CUSP_SIDE || arriving.dot(leaving) < 0.0 {
             turn > 0.0
         } else {
             (q - near.point).cross(arriving).dot(self.plane.z_axis) > 0.0

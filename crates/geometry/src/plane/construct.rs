@@ -1,6 +1,7 @@
 //! Planes from what is known of them.
 
 use crate::linear::symmetric_eigen;
+use crate::thresholds;
 use crate::{Error, Plane, Point3, Result, Vector3};
 
 impl Plane {
@@ -54,7 +55,7 @@ impl Plane {
             });
         }
         let (mean, values, axes) = principal_axes(points)?;
-        if values[1] <= values[2] * 1e-24 {
+        if values[1] <= values[2] * thresholds::NO_LENGTH_SQUARED {
             return Err(Error::degenerate("points", "they lie on one line"));
         }
         let plane = Self::from_axes(mean, axes[2], axes[1])?;

@@ -44,7 +44,7 @@ impl PlaneEquation {
     #[cfg(feature = "serde")]
     pub(crate) fn from_unit([a, b, c, d]: [f64; 4]) -> Result<Self> {
         let normal = Vector3::new(a, b, c);
-        if (normal.length() - 1.0).abs() <= 1e-14 && d.is_finite() {
+        if (normal.length() - 1.0).abs() <= crate::thresholds::FEW_ROUNDINGS && d.is_finite() {
             return Ok(Self { normal, d });
         }
         Self::new(a, b, c, d)

@@ -5,6 +5,7 @@ mod equation;
 pub(crate) use construct::principal_axes;
 pub use equation::PlaneEquation;
 
+use crate::thresholds;
 use crate::{Error, Point3, Result, Vector3};
 
 /// A frame: an origin and three unit axes at right angles, right-handed (z = x × y).
@@ -45,7 +46,7 @@ impl Plane {
         let x = x_axis.unitized().ok_or(Error::degenerate("x axis", "it has no length"))?;
         let y = y_axis.unitized().ok_or(Error::degenerate("y axis", "it has no length"))?;
         let z = x.cross(y);
-        if z.length() < 1e-12 {
+        if z.length() < thresholds::NO_DIRECTION {
             return Err(Error::degenerate("axes", "they are parallel"));
         }
         let z = z.unitized().ok_or(Error::degenerate("axes", "they are parallel"))?;

@@ -2,7 +2,9 @@
 
 use super::lines::{LineIndex, Met};
 use crate::curve::traced::Sample;
+use crate::pull::thresholds::{ALONG_SURFACE, FOUND, MISSES, NEAR_WAY, ON_LINE};
 use crate::surface::geodesic::Unrolled;
+use crate::thresholds;
 use crate::{Curve, Interval, Point3, Result, Surface, Vector3};
 
 /// Lines of a smooth stretch that are met with the surface at first.
@@ -47,7 +49,7 @@ impl<'a> Beam<'a> {
     /// The way of each meeting along a smooth stretch of the curve.
     pub(super) fn ways(&self, part: Interval) -> Result<Vec<Vec<Meeting>>> {
         let mut ways: Vec<Vec<Meeting>> = Vec::new();
-        let near = 1e-6 * self.size;
+        let near = NEAR_WAY * self.size;
         let mut grazing = 0;
         for k in 0..=LINES {
             if grazing == MOST_GRAZING {
@@ -62,7 +64,7 @@ impl<'a> Beam<'a> {
             grazing += usize::from(along || (!hits.is_empty() && hits.iter().all(|hit| sine(*hit) < ALMOST)));
             for hit in hits {
                 let uv = self.solve(t, hit).filter(|uv| !self.sheet.is_outside(*uv)).unwrap_or(hit);
-                if sine(uv) < GRAZING || self.miss(p, uv) > 1e-9 * self.size {
+                if sine(uv) < GRAZING || self.miss(p, uv) > MISSES * self.size {
                     continue;
                 }
                 // One that another way came through already starts none.
@@ -70,8 +72,12 @@ impl<'a> Beam<'a> {
                     let i = way.partition_point(|m| m.t < t);
                     [i.wrapping_sub(1), i].iter().filter_map(|&i| way.get(i)).any(|m| {
                         let there = self.solve(t, m.uv).unwrap_or(m.uv);
-                        let inside = way.first().is_some_and(|m| m.t <= t + 1e-9 * part.length())
-                            && way.last().is_some_and(|m| m.t >= t - 1e-9 * part.length());
+                        let inside = way
+                            .first()
+                            .is_some_and(|m| m.t <= t + thresholds::SAME_PARAMETER * part.length())
+                            && way
+                                .last()
+                                .is_some_and(|m| m.t >= t - thresholds::SAME_PARAMETER * part.length());
                         inside && self.sheet.point(there).distance_to(self.sheet.point(uv)) <= near
                     })
                 });
@@ -126,7 +132,7 @@ impl<'a> Beam<'a> {
                 }
                 None => {
                     step *= 0.5;
-                    if step <= 1e-12 * self.curve.domain().length() {
+                    if step <= thresholds::EXACT_PARAMETER * self.curve.domain().length() {
                         break;
                     }
                 }
@@ -143,7 +149,7 @@ impl<'a> Beam<'a> {
         for _ in 0..20 {
             let jet = self.sheet.jet(uv, 1);
             let miss = self.across.map(|a| (jet.point() - target).dot(a));
-            if miss[0].hypot(miss[1]) <= 1e-13 * self.size {
+            if miss[0].hypot(miss[1]) <= FOUND * self.size {
                 return Some(uv);
             }
             let [a, b] = self.across.map(|x| [jet.get(1, 0).dot(x), jet.get(0, 1).dot(x)]);
@@ -158,7 +164,7 @@ impl<'a> Beam<'a> {
             }
             uv = [uv[0] - step[0], uv[1] - step[1]];
         }
-        (self.miss(target, uv) <= 1e-10 * self.size).then_some(uv)
+        (self.miss(target, uv) <= ON_LINE * self.size).then_some(uv)
     }
 
     /// How far a place of the surface is from the line through a point.
@@ -175,8 +181,11 @@ impl<'a> Beam<'a> {
         // The direction of the curve, moved along the beam into the tangent plane.
         let direction = normal.zip(along).and_then(|(n, v)| {
             let slope = n.dot(self.direction);
-            let flat =
-                if slope.abs() > 1e-6 { v - self.direction * (n.dot(v) / slope) } else { self.direction };
+            let flat = if slope.abs() > ALONG_SURFACE {
+                v - self.direction * (n.dot(v) / slope)
+            } else {
+                self.direction
+            };
             flat.unitized()
         });
         Some(Sample { point: self.sheet.point(uv), direction })

@@ -2,7 +2,9 @@
 
 mod beam;
 mod lines;
+mod thresholds;
 
+use crate::pull::thresholds::{EXACT_OFFSET, LEAST_ANGLE, LEAST_GAP, LEVEL, NO_TURN, SAME_END};
 use beam::Beam;
 pub(crate) use lines::LineIndex;
 
@@ -29,7 +31,7 @@ fn check(tolerance: &Tolerance) -> Result<f64> {
 
 /// The largest gap between ends that are the same point: far below the tolerance, far above rounding.
 fn gap(curve: &Curve, limit: f64) -> f64 {
-    (1e-6 * curve.bounding_box().diagonal().length()).min(0.1 * limit)
+    (SAME_END * curve.bounding_box().diagonal().length()).min(0.1 * limit)
 }
 
 /// A surface prepared for many curves that are projected onto it along one direction.
@@ -85,7 +87,7 @@ impl Surface {
             };
             rows.extend(sampled(part.start, part.end, PARTS, 0.5 * limit, formula)?);
         }
-        joined(&rows, gap(curve, limit).max(1e-9), tolerance.angle)
+        joined(&rows, gap(curve, limit).max(LEAST_GAP), tolerance.angle)
     }
 
     /// The curves in which the lines through all points of a curve, along a direction and against it, meet the surface:
@@ -131,7 +133,7 @@ impl Surface {
                 }
             }
         }
-        joined(&rows, gap(curve, limit).max(1e-9), tolerance.angle)
+        joined(&rows, gap(curve, limit).max(LEAST_GAP), tolerance.angle)
     }
 
     /// The curves on the surface at a distance from a curve on it, measured along the surface: to the left of the curve
@@ -153,7 +155,7 @@ impl Surface {
             let plane = flat.plane();
             let heights = curve.extent_along(plane.z_axis);
             let at = plane.origin.to_vector().dot(plane.z_axis);
-            if (heights.start - at).abs().max((heights.end - at).abs()) <= 1e-3 * limit {
+            if (heights.start - at).abs().max((heights.end - at).abs()) <= LEVEL * limit {
                 return curve.offset(plane, -distance, OffsetCorner::Sharp, tolerance);
             }
             let flat = curve.transformed(&crate::Xform::projection_along(plane, plane.z_axis)?)?;
@@ -187,7 +189,7 @@ impl Surface {
         }
         let mut curves: Vec<Vec<Curve>> = stretches
             .iter()
-            .map(|rows| joined(rows, gap(curve, limit).max(1e-9), tolerance.angle))
+            .map(|rows| joined(rows, gap(curve, limit).max(LEAST_GAP), tolerance.angle))
             .collect::<Result<_>>()?;
         let n = parts.len();
         let corners = if curve.is_closed() && n > 1 { n } else { n.saturating_sub(1) };
@@ -200,7 +202,7 @@ impl Surface {
             let (at, normal, before) = first;
             let after = second.2;
             let turn = before.cross(after).dot(normal).atan2(before.dot(after));
-            if turn.abs() < 1e-6 {
+            if turn.abs() < NO_TURN {
                 continue;
             }
             if turn * sign < 0.0 {
@@ -211,7 +213,7 @@ impl Surface {
                     Ok(walk(at, normal.cross(flat) * sign))
                 };
                 let rows = sampled(0.0, 1.0, 4, 0.5 * limit, fan)?;
-                let round = joined(&rows, gap(curve, limit).max(1e-9), tolerance.angle)?;
+                let round = joined(&rows, gap(curve, limit).max(LEAST_GAP), tolerance.angle)?;
                 curves[i].extend(round);
             } else {
                 cut_at_crossing(&mut curves, i, j, limit)?;
@@ -224,7 +226,7 @@ impl Surface {
 /// The stretches between places where the curve turns by more than an angle.
 fn stretches_between_kinks(curve: &Curve, angle: f64) -> Vec<Interval> {
     let domain = curve.domain();
-    let tight = Tolerance { absolute: 1e-9, angle: angle.max(1e-6) };
+    let tight = Tolerance { absolute: EXACT_OFFSET, angle: angle.max(LEAST_ANGLE) };
     let mut cuts = vec![domain.start];
     cuts.extend(
         curve

@@ -41,6 +41,7 @@ mod slits;
 mod sources;
 mod split;
 mod strands;
+mod thresholds;
 mod trim;
 mod winding;
 

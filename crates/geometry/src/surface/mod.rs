@@ -29,6 +29,7 @@ mod revolution;
 mod round;
 mod sphere;
 mod sum;
+mod thresholds;
 mod torus;
 
 pub use area::SurfaceArea;

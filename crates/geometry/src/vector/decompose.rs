@@ -1,6 +1,7 @@
 //! Signed angles, averages and components.
 
 use crate::Vector3;
+use crate::thresholds;
 
 impl Vector3 {
     /// The angle in radians from this vector to `other`, −π…π, positive when the turn is counter-clockwise about
@@ -48,7 +49,7 @@ impl Vector3 {
     pub fn components_along(self, x: Self, y: Self, z: Self) -> Option<[f64; 3]> {
         let (u, v, w) = (x.unitized()?, y.unitized()?, z.unitized()?);
         let volume = u.triple_product(v, w);
-        if !(volume.abs() > 1e-14) {
+        if !(volume.abs() > thresholds::FEW_ROUNDINGS) {
             return None;
         }
         let by = |a: Self, b: Self, length: f64| self.dot(a.cross(b)) / volume / length;

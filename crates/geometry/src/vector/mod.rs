@@ -1,6 +1,8 @@
 mod angle;
 mod decompose;
+mod thresholds;
 
+use crate::vector::thresholds::SAFE_SQUARE;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A direction with a magnitude. It has no place: all arrows of equal direction and length are one vector.
@@ -56,7 +58,7 @@ impl Vector3 {
     #[inline]
     pub fn length(self) -> f64 {
         let squared = self.length_squared();
-        if squared > 1e-290 && squared < 1e290 {
+        if squared > SAFE_SQUARE[0] && squared < SAFE_SQUARE[1] {
             return squared.sqrt();
         }
         if squared.is_nan() {

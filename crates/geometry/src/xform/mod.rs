@@ -5,6 +5,7 @@ mod decompose;
 mod inverse;
 mod planes;
 mod points;
+mod thresholds;
 mod view;
 
 pub use decompose::AffineParts;
