@@ -1,18 +1,54 @@
 //! The functions of Graph Mappers, by their handles.
 
+use katydid_data::Value;
 use katydid_definition::archive::Chunk;
-use katydid_definition::document::Object;
+use katydid_definition::document::special::{Graph, GraphMapper};
+use katydid_definition::document::{Document, Object, Persistent, Special, Stored, ids};
+use katydid_solver::{Engine, Options};
 use uuid::{Uuid, uuid};
 
-use super::finite;
+use super::{FACE, Row, finite};
 use crate::Refusal;
-use crate::protocol::GraphView;
+use crate::protocol::{Control, GraphView};
+
+/// How many points a function is drawn with.
+const DRAWN: i32 = 64;
 
 /// The most waves of a sum.
 const MOST_WAVES: usize = 100;
 
+pub(super) const GRAPH_MAPPER: Row = Row {
+    components: &[ids::GRAPH_MAPPER],
+    begin: |container| {
+        let mut domain = Chunk::new("Domain");
+        for (name, x) in [("x0", 0.0), ("x1", 1.0), ("y0", 0.0), ("y1", 1.0)] {
+            domain.set(name, x);
+        }
+        let mut graph = Chunk::new("LocalGraph");
+        graph.set("LockGrips", false);
+        graph.set_child(domain);
+        container.set_child(graph);
+    },
+    view: |object, special| {
+        let Special::GraphMapper(mapper) = special else { return None };
+        Some(Control::Graph {
+            x: [mapper.x.start, mapper.x.end],
+            y: [mapper.y.start, mapper.y.end],
+            graph: view(&mapper),
+            drawn: drawn(object, &mapper),
+        })
+    },
+    shape: |object, control| {
+        let Control::Graph { x, y, graph, .. } = control else { return Ok(false) };
+        shape(object, *x, *y, graph)?;
+        Ok(true)
+    },
+    size: |_, _| Some([150.0, 150.0]),
+    ..FACE
+};
+
 /// Gives a Graph Mapper its ranges and its function.
-pub(super) fn shape(object: &mut Object, x: [f64; 2], y: [f64; 2], graph: &GraphView) -> Result<(), Refusal> {
+fn shape(object: &mut Object, x: [f64; 2], y: [f64; 2], graph: &GraphView) -> Result<(), Refusal> {
     finite(&x)?;
     finite(&y)?;
     finite(graph.handles.as_flattened())?;
@@ -149,4 +185,55 @@ fn wave(equation: &mut Chunk, extremes: &[[f64; 2]]) {
         equation.set_at("px", k, *x);
         equation.set_at("py", k, *y);
     }
+}
+
+/// The function of a Graph Mapper by the places of its handles.
+fn view(mapper: &GraphMapper) -> GraphView {
+    let (name, handles) = match &mapper.graph {
+        None => ("", Vec::new()),
+        Some(Graph::Bezier(points)) => ("Bezier", points.to_vec()),
+        Some(Graph::Linear([start, end])) => ("Linear", vec![[0.0, *start], [1.0, *end]]),
+        Some(Graph::Parabola { origin, point }) => ("Parabola", vec![*origin, *point]),
+        Some(Graph::Sine(extremes)) => ("Sine", extremes.to_vec()),
+        Some(Graph::SineSummation(waves)) => ("Sine Summation", waves.iter().flatten().copied().collect()),
+        Some(Graph::Gaussian { mean, deviation, factor }) => {
+            ("Gaussian", vec![[*mean, *factor], [mean + deviation, 0.5 * factor]])
+        }
+        Some(Graph::Perlin { amplitude, frequency, decay, offset }) => {
+            ("Perlin", vec![[*frequency, *amplitude], [*decay, 0.0], *offset])
+        }
+        Some(Graph::Power { point, power }) => ("Power", vec![*point, [*power, 0.0]]),
+        Some(Graph::Other(name, _)) => (name.as_str(), Vec::new()),
+        Some(_) => ("Other", Vec::new()),
+    };
+    GraphView { name: name.to_owned(), handles }
+}
+
+/// The function as points of the unit square: the mapper itself is asked for them.
+fn drawn(object: &Object, mapper: &GraphMapper) -> Vec<[f64; 2]> {
+    let (x, y) = (mapper.x, mapper.y);
+    let height = y.end - y.start;
+    if mapper.graph.is_none() || !(x.end - x.start).is_finite() || !height.is_finite() || height == 0.0 {
+        return Vec::new();
+    }
+    let at: Vec<f64> = (0..=DRAWN).map(|k| f64::from(k) / f64::from(DRAWN)).collect();
+    let mut alone = object.clone();
+    let values = at.iter().map(|t| Stored::Number(x.start + t * (x.end - x.start))).collect();
+    let cleared =
+        alone.set_sources(0, &[]).and_then(|()| alone.set_persistent(0, Some(&Persistent::list(values))));
+    alone.set_locked(false);
+    let mut document = Document::new();
+    document.objects.push(alone);
+    let mut engine = Engine::new(document, Options::default());
+    engine.solve();
+    let Some(tree) = engine.report(0).filter(|_| cleared.is_ok()).and_then(|report| report.outputs.first())
+    else {
+        return Vec::new();
+    };
+    let number = |value: Option<Value>| match value {
+        Some(Value::Number(v)) => Some((v - y.start) / height),
+        _ => None,
+    };
+    let points = at.iter().zip(tree.column().iter());
+    points.filter_map(|(t, value)| Some([*t, number(value).filter(|v| v.is_finite())?])).collect()
 }
