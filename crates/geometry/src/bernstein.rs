@@ -1,6 +1,9 @@
 //! Polynomials by their Bernstein coefficients: their smallest and largest coefficients bound them, and halving makes
 //! the bounds close in quadratically.
 
+/// A range of 0…1 that is no longer is not halved again: its ends are neighbours.
+const SHORTEST: f64 = 1e-15;
+
 /// A search that halves more often than this is lost in rounding noise: ordinary ones take some hundred halvings.
 pub(crate) const BUDGET: u32 = 20_000;
 
@@ -98,7 +101,7 @@ pub(crate) fn first_rise(coefficients: &[f64], after: f64) -> Option<f64> {
         if b <= after || c.iter().all(|x| x[0] < 0.0) {
             continue;
         }
-        if b - a < 1e-15 || 0.5 * (a + b) == a {
+        if b - a < SHORTEST || 0.5 * (a + b) == a {
             return Some(b.max(after));
         }
         let middle = 0.5 * (a + b);

@@ -1,6 +1,10 @@
 //! Curves of arcs that follow given directions.
 
+use crate::thresholds;
 use crate::{Arc, ArcCurve, Curve, Error, Line, LineCurve, Point3, PolyCurve, Result, Vector3};
+
+/// Tangents with no larger sine between them have one direction.
+const SAME_DIRECTION: f64 = 1e-10;
 
 /// The arc that leaves `from` along a direction and ends at `to`; a line when the direction leads straight there.
 ///
@@ -11,7 +15,7 @@ pub fn tangent_arc(from: Point3, direction: Vector3, to: Point3) -> Result<Curve
     let (Some(d), Some(c)) = (direction.unitized(), chord.unitized()) else {
         return Err(Error::degenerate("tangent arc", "its ends coincide or its direction is zero"));
     };
-    if d.cross(c).length() < 1e-10 && d.dot(c) > 0.0 {
+    if d.cross(c).length() < SAME_DIRECTION && d.dot(c) > 0.0 {
         return Ok(LineCurve::new(Line::new(from, to)).into());
     }
     Ok(ArcCurve::new(Arc::from_start_direction_end(from, d, to)?).into())
@@ -41,7 +45,7 @@ pub fn biarc(start: Point3, out: Vector3, end: Point3, into: Vector3, ratio: f64
     // a quadratic for d with one positive root.
     let k = (1.0 - ratio) / ratio;
     let (a, b, c) = (2.0 * k * (t1.dot(t2) - 1.0), -2.0 * v.dot(t1 + t2 * k), v.length_squared());
-    let d = if a > -1e-14 * (1.0 + k) {
+    let d = if a > -thresholds::FEW_ROUNDINGS * (1.0 + k) {
         -c / b
     } else {
         // Both signs of b without cancellation: a < 0 < c.

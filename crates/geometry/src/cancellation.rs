@@ -245,6 +245,14 @@ pub(crate) fn room<T>(count: usize) -> Result<()> {
     check_now()
 }
 
+impl Error {
+    /// [`Error::Degenerate`] in one call. Where work was given up, what is wrong with a part of it is no fault of the
+    /// input: it was stopped.
+    pub(crate) fn degenerate(what: &'static str, why: &'static str) -> Self {
+        if was_given_up() { Self::Stopped } else { Self::Degenerate { what, why } }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicU32, Ordering};

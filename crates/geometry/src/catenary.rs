@@ -1,6 +1,12 @@
 //! Hanging chains.
 
+use crate::thresholds;
 use crate::{Curve, Error, KnotSpacing, NurbsCurve, Point3, PolylineCurve, Result, Vector3};
+
+/// Below this argument sinh z / z is its series to the last place: the next term is z⁴/120.
+const SERIES: f64 = 1e-4;
+/// The parameter of the flattest chain: half of the digits, where sinh z / z − 1 is rounding.
+const LEAST_PARAMETER: f64 = 1e-8;
 
 /// The curve of a chain of a given length that hangs between two points: a·cosh(x/a).
 ///
@@ -17,7 +23,7 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
     }
     let up = -gravity.unitized().ok_or(Error::degenerate("gravity", "it has no direction"))?;
     let chord = b - a;
-    if !(length > chord.length() * (1.0 + 1e-12)) {
+    if !(length > chord.length() * (1.0 + thresholds::ROUNDING)) {
         let must = "greater than the distance of the points";
         return Err(Error::OutOfRange { what: "length of a catenary", value: length, must });
     }
@@ -25,7 +31,7 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
     let across = chord - up * rise;
     let width = across.length();
     // Narrower than this the two strands are one to rounding.
-    if width <= 1e-9 * length {
+    if width <= thresholds::SAME_POINT * length {
         let low = a - up * (0.5 * (length - rise));
         return Ok(PolylineCurve::new(vec![a, low, b])?.into());
     }
@@ -54,7 +60,7 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
 /// The z with sinh(z)/z = `ratio`, which is above 1: bisection, with ends that hold the root.
 fn half_width(ratio: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    let value = |z: f64| if z < 1e-4 { 1.0 + z * z / 6.0 } else { z.sinh() / z };
+    let value = |z: f64| if z < SERIES { 1.0 + z * z / 6.0 } else { z.sinh() / z };
     while value(high) < ratio && high < 700.0 {
         high *= 2.0;
     }
@@ -66,7 +72,7 @@ fn half_width(ratio: f64) -> f64 {
             high = middle;
         }
     }
-    (0.5 * (low + high)).max(1e-8)
+    (0.5 * (low + high)).max(LEAST_PARAMETER)
 }
 
 #[cfg(test)]

@@ -1,3 +1,4 @@
+use crate::thresholds;
 use std::f64::consts::{PI, TAU};
 
 use crate::{Error, Interval, Line, Plane, Point3, Result, Vector3, Xform};
@@ -69,7 +70,7 @@ impl Circle {
         let square = |p: &[f64; 3]| p[0] * p[0] + p[1] * p[1];
         let (rx, ry) = (sum(&|p| square(p) * p[0]), sum(&|p| square(p) * p[1]));
         let determinant = xx * yy - xy * xy;
-        if !(determinant > 1e-24 * xx * yy) {
+        if !(determinant > thresholds::NO_LENGTH_SQUARED * xx * yy) {
             return Err(Error::degenerate("points", "they lie on one line"));
         }
         let a = 0.5 * (rx * yy - ry * xy) / determinant;
@@ -103,7 +104,7 @@ impl Circle {
     /// The image under a similarity, walked as the original is; `None` when the map does not keep angles. Then the
     /// image of the circle as a [`crate::Curve`] is an exact NURBS curve.
     pub fn transformed(&self, xform: &Xform) -> Option<Self> {
-        let factor = xform.similarity_factor(1e-12)?;
+        let factor = xform.similarity_factor(thresholds::ROUNDING)?;
         Self::new(self.plane.transformed(xform).ok()?, self.radius * factor.abs()).ok()
     }
 }
@@ -195,7 +196,7 @@ impl Arc {
 
     /// Whether the arc is a full circle.
     pub fn is_circle(&self) -> bool {
-        (self.angle.length().abs() - TAU).abs() <= 1e-12
+        (self.angle.length().abs() - TAU).abs() <= thresholds::WHOLE_TURN
     }
 
     /// The same points from the end to the start: the plane turns about its x axis by half a turn.

@@ -1,3 +1,4 @@
+use crate::thresholds;
 use crate::{Circle, Error, Plane, Point3, Result, Vector3, Xform};
 
 /// A full ellipse in a plane.
@@ -47,7 +48,7 @@ impl Ellipse {
     /// The image under a similarity; `None` when the map does not keep angles. Other images are exact as NURBS curves:
     /// [`Ellipse::to_nurbs`], then [`crate::NurbsCurve::transformed`].
     pub fn transformed(&self, xform: &crate::Xform) -> Option<Self> {
-        let factor = xform.similarity_factor(1e-12)?.abs();
+        let factor = xform.similarity_factor(thresholds::ROUNDING)?.abs();
         Self::new(self.plane.transformed(xform).ok()?, self.rx * factor, self.ry * factor).ok()
     }
 }

@@ -1,6 +1,12 @@
 //! Fields of force, and the lines along them.
 
+use crate::thresholds;
 use crate::{Box3, Error, Line, Plane, Point3, Result, Vector3};
+
+/// A place this near to the box of a field, in model units, is in it.
+const BOX_SLACK: f64 = 1e-9;
+/// Lines of a field are not followed more exactly than this, in model units.
+const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// One source of force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +58,7 @@ pub struct Force {
 impl Force {
     /// The force at a point: zero outside the bounds and where the source itself sits.
     pub fn at(&self, p: Point3) -> Vector3 {
-        if self.bounds.as_ref().is_some_and(|b| !b.contains(p, 1e-9)) {
+        if self.bounds.as_ref().is_some_and(|b| !b.contains(p, BOX_SLACK)) {
             return Vector3::ZERO;
         }
         let force = match self.source {
@@ -243,7 +249,7 @@ impl Field {
                 let k4 = d(p + k3 * h)?;
                 p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (h / 6.0)
             }
-            Stepper::DormandPrince(tolerance) => self.adaptive(p, h, tolerance.max(1e-12))?,
+            Stepper::DormandPrince(tolerance) => self.adaptive(p, h, tolerance.max(LEAST_TOLERANCE))?,
         })
     }
 
@@ -252,7 +258,7 @@ impl Field {
         let (mut done, mut size) = (0.0, h);
         for _ in 0..10_000 {
             let left = h - done;
-            if left <= 1e-12 * h {
+            if left <= thresholds::EXACT_PARAMETER * h {
                 return Some(p);
             }
             size = f64::min(size, left);
@@ -261,7 +267,7 @@ impl Field {
                 p = next;
                 done += size;
             }
-            let grown = 0.9 * (tolerance / error.max(1e-300)).powf(0.2);
+            let grown = 0.9 * (tolerance / error.max(thresholds::LEAST_DIVISOR)).powf(0.2);
             size *= grown.clamp(0.2, 5.0);
         }
         None

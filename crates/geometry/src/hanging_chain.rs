@@ -2,6 +2,15 @@
 
 use crate::{Error, Point3, Result, Vector3};
 
+/// A chain that is longer than its chord by no more than this part of it is taut.
+const TAUT: f64 = 1e-9;
+/// The width of a chain that hangs straight down, as a part of its length.
+const LEAST_WIDTH: f64 = 1e-9;
+/// Forces are no less than this: directions of what is 0 stay numbers.
+const LEAST_FORCE: f64 = 1e-100;
+/// A chain reaches its end when it misses it by no more than this part of its length.
+const CLOSES: f64 = 1e-6;
+
 /// The joints of a chain of stiff links that hangs between two points, both ends among them.
 ///
 /// Every link has its own length and weight (the weight of the whole link, in any unit; only ratios count), which
@@ -53,7 +62,7 @@ pub fn hanging_chain(
         return Err(Error::degenerate("chain", "it has no weight, or too much of it to be counted"));
     }
     let chord = b - a;
-    if !(total > chord.length() * (1.0 + 1e-9)) {
+    if !(total > chord.length() * (1.0 + TAUT)) {
         let must = "greater than the distance of the ends";
         return Err(Error::OutOfRange { what: "length of a chain", value: total, must });
     }
@@ -61,7 +70,7 @@ pub fn hanging_chain(
     let across = chord - up * rise;
     let axis = across.unitized().or_else(|| up.perpendicular()).unwrap_or(Vector3::X);
     // Links above each other would fold in any way; a hair of width tells them which.
-    let width = (across.length() / total).max(1e-9);
+    let width = (across.length() / total).max(LEAST_WIDTH);
     let rise = rise / total;
     let mut hung = 0.0;
     let links: Vec<[f64; 2]> = lengths
@@ -91,12 +100,12 @@ pub fn hanging_chain(
     joints.push(here);
     for ([_, c], length) in links.iter().zip(lengths) {
         let s = x[1] + c;
-        let force = x[0].hypot(s).max(1e-100);
+        let force = x[0].hypot(s).max(LEAST_FORCE);
         here += (axis * (x[0] / force) + up * (s / force)) * *length;
         joints.push(here);
     }
     let gap = b - here;
-    if !(gap.length() <= 1e-6 * total) {
+    if !(gap.length() <= CLOSES * total) {
         // A link at the bottom would have to push the two sides apart, which no pull can.
         return Err(Error::degenerate(
             "chain",

@@ -67,11 +67,13 @@ mod meshing;
 mod moments;
 pub mod morph;
 mod nurbs;
+mod offset;
 mod parallel;
 mod plane;
 mod point;
 mod point2;
 mod polynomial;
+mod pull;
 mod quadrature;
 mod quaternion;
 mod rectangle;
@@ -86,6 +88,7 @@ mod swing;
 mod tangent;
 mod tangent_arc;
 mod tangent_circle;
+mod thresholds;
 mod tolerance;
 mod trace;
 mod twisted_box;
@@ -104,8 +107,8 @@ pub use circle::{Arc, Circle};
 pub use curve::{
     ArcCurve, ArcLength, ClosestOnCurve, Containment, Continuity, ContinuityTolerance, CornerPiece,
     CurvatureExtremum, CurvatureSample, Curve, CurvePoint, ExtensionStyle, JoinContinuity, LineCurve,
-    OffsetCorner, PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, curves_of_two_views,
-    join_curves,
+    PolyCurve, PolylineCurve, PolylineLimits, TweenMatch, connect_curves, curves_of_two_views, join_curves,
+    regular_polygon,
 };
 pub use ellipse::Ellipse;
 pub use error::{Error, Result};
@@ -129,15 +132,16 @@ pub use nurbs::{
     periodic_uniform_knots, placed_knots, span_index,
 };
 pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
+pub use offset::OffsetCorner;
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;
 pub use point2::Point2;
+pub use pull::SurfaceProjection;
 pub use quaternion::Quaternion;
-pub use rectangle::{Rectangle, regular_polygon};
+pub use rectangle::Rectangle;
 pub use surface::{
     ClosestOnSurface, Cone, Cylinder, Geodesic, NormalSection, PlaneSurface, RevolutionSurface, Sphere,
-    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, SurfaceProjection,
-    Torus,
+    SumSurface, Surface, SurfaceArea, SurfaceCurvature, SurfaceMinima, SurfacePoint, Torus,
 };
 pub use swing::{SwingArcs, swing_arcs};
 pub use tangent_circle::touching_circle;

@@ -1,6 +1,12 @@
 //! The longest board that lies flat in a room.
 
+use crate::thresholds;
 use crate::{Curve, Error, Interval, Plane, Point2, PolylineLimits, Rectangle, Result};
+
+/// The outline is not followed more exactly than this, in model units.
+const LEAST_TOLERANCE: f64 = 1e-9;
+/// The search for the best turn ends when its step is no more radians.
+const TURN_DONE: f64 = 1e-10;
 
 /// The most directions that are tried.
 const MOST: usize = 1000;
@@ -29,7 +35,7 @@ pub fn longest_rectangle(room: &Curve, width: f64, samples: usize, tolerance: f6
         return Err(Error::degenerate("room", "its outline is open"));
     }
     let plane = room.plane(tolerance).ok_or(Error::degenerate("room", "its outline is not flat"))?;
-    let outline = room.to_polyline(&PolylineLimits::within(tolerance.max(1e-9)))?;
+    let outline = room.to_polyline(&PolylineLimits::within(tolerance.max(LEAST_TOLERANCE)))?;
     let mut corners: Vec<Point2> = outline
         .points()
         .iter()
@@ -59,7 +65,7 @@ pub fn longest_rectangle(room: &Curve, width: f64, samples: usize, tolerance: f6
     for start in found {
         let mut here = start;
         let mut turn = half_turn / samples.max(8) as f64;
-        while turn > 1e-10 {
+        while turn > TURN_DONE {
             let next = [-turn, turn]
                 .into_iter()
                 .filter_map(|t| room.longest_along(here.0 + t).map(|place| (here.0 + t, place)))
@@ -100,7 +106,7 @@ impl Room {
         let strip = Strip { corners: &turned, width: self.width };
         let mut heights: Vec<f64> = turned.iter().flat_map(|p| [p[1], p[1] - self.width]).collect();
         heights.sort_by(f64::total_cmp);
-        heights.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * self.width);
+        heights.dedup_by(|a, b| (*a - *b).abs() <= thresholds::ROUNDING * self.width);
         let mut best: Option<[f64; 3]> = None;
         let mut offer = |y: f64| -> f64 {
             let Some([a, b]) = strip.longest_gap(y) else { return 0.0 };
@@ -144,7 +150,7 @@ impl Strip<'_> {
     /// The longest stretch of the strip over `y` that no side of the room enters and that lies inside.
     fn longest_gap(&self, y: f64) -> Option<[f64; 2]> {
         // A side that only touches the strip does not enter it.
-        let slack = 1e-9 * self.width;
+        let slack = thresholds::SAME_POINT * self.width;
         let (low, high) = (y + slack, y + self.width - slack);
         let middle = 0.5 * (low + high);
         let n = self.corners.len();

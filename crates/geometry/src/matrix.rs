@@ -4,6 +4,9 @@ pub use solve::RowReduction;
 
 use crate::{Error, Result};
 
+/// A pivot that is no larger is rounding, whatever the tolerance.
+const LEAST_PIVOT: f64 = 1e-15;
+
 /// More entries than this are refused.
 const MOST: usize = 1 << 26;
 
@@ -229,7 +232,7 @@ impl Matrix {
                 b.swap(k * n + j, pivot * n + j);
             }
             let p = a[k * n + k];
-            if !(p.abs() > tolerance.max(1e-15)) {
+            if !(p.abs() > tolerance.max(LEAST_PIVOT)) {
                 return Ok(None);
             }
             for j in 0..n {

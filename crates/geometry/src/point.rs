@@ -2,6 +2,11 @@ use std::ops::{Add, AddAssign, Sub, SubAssign};
 
 use crate::Vector3;
 
+/// Coordinates no further apart are one to openNURBS, in model units: 2⁻³².
+const COINCIDENT: f64 = 2.328_306_436_538_696_3e-10;
+/// The same as a part of both coordinates together: 2⁻⁴².
+const COINCIDENT_OF_PLACE: f64 = 2.273_736_754_432_320_6e-13;
+
 /// A location in space. Points are not vectors: a point plus a vector is a point, and the difference of two
 /// points is a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,7 +45,7 @@ impl Point3 {
     pub fn coincides(self, other: Self) -> bool {
         let near = |x: f64, y: f64| {
             let d = (x - y).abs();
-            d <= 2.328_306_436_538_696_3e-10 || d <= 2.273_736_754_432_320_6e-13 * (x.abs() + y.abs())
+            d <= COINCIDENT || d <= COINCIDENT_OF_PLACE * (x.abs() + y.abs())
         };
         near(self.x, other.x) && near(self.y, other.y) && near(self.z, other.z)
     }
@@ -59,6 +64,30 @@ impl Point3 {
     #[inline]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl Point3 {
+    /// The mean of points; `None` for none.
+    pub fn mean(points: &[Self]) -> Option<Self> {
+        let n = points.len() as f64;
+        (!points.is_empty()).then(|| points.iter().map(|p| p.to_vector() / n).sum::<Vector3>().to_point())
+    }
+
+    /// Whether three points lie on a line: the distance of the one in the middle from the line through the outer two is
+    /// at most `tolerance`.
+    pub fn are_collinear(a: Self, b: Self, c: Self, tolerance: f64) -> bool {
+        let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
+        let longest = sides.iter().copied().fold(0.0, f64::max);
+        longest <= tolerance || (b - a).cross(c - a).length() <= tolerance * longest
+    }
+}
+
+impl Vector3 {
+    /// The point at the tip of this vector when it starts at the origin.
+    #[inline]
+    pub const fn to_point(self) -> Point3 {
+        Point3::new(self.x, self.y, self.z)
     }
 }
 

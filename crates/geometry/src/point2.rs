@@ -52,6 +52,14 @@ impl Point2 {
     }
 }
 
+impl Vector2 {
+    /// The point at the tip of this vector when it starts at the origin.
+    #[inline]
+    pub const fn to_point(self) -> Point2 {
+        Point2::new(self.x, self.y)
+    }
+}
+
 impl From<[f64; 2]> for Point2 {
     fn from([x, y]: [f64; 2]) -> Self {
         Self::new(x, y)

@@ -1,6 +1,12 @@
 //! Sums, products and derivatives of polynomials in Bernstein form over 0…1, and all their roots there.
 
 use crate::bernstein::{BUDGET, binomial, halves, value};
+use crate::thresholds;
+
+/// Where all coefficients are 0 to rounding, a range of 0…1 that is narrower gives its middle as a root.
+const NARROW: f64 = 1e-3;
+/// A range of 0…1 that is no longer is not halved again.
+const SHORTEST: f64 = 1e-14;
 
 /// A polynomial by its Bernstein coefficients; one coefficient is a constant.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,7 +127,7 @@ impl Polynomial {
             }
             let flat = |x: f64| x.abs() <= noise;
             if c.iter().all(|x| flat(x[0])) {
-                if b - a < 1e-3 {
+                if b - a < NARROW {
                     out.push(0.5 * (a + b));
                 }
                 continue;
@@ -146,7 +152,7 @@ impl Polynomial {
                 }
                 continue;
             }
-            if b - a < 1e-14 {
+            if b - a < SHORTEST {
                 out.push(0.5 * (a + b));
                 continue;
             }
@@ -169,7 +175,7 @@ impl Polynomial {
             stack.push((left, a, middle));
         }
         out.sort_by(f64::total_cmp);
-        out.dedup_by(|x, y| (*x - *y).abs() <= 1e-9);
+        out.dedup_by(|x, y| (*x - *y).abs() <= thresholds::SAME_PARAMETER);
         out
     }
 

@@ -4,6 +4,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Error, Plane, Point3, Result, Vector3, Xform};
 
+/// Below this angle, in radians, the way between two rotations is straight to rounding.
+const STRAIGHT_ANGLE: f64 = 1e-8;
+/// A map turns when its columns are unit and at right angles to this.
+const ROTATION: f64 = 1e-9;
+
 /// The quaternion w + x·i + y·j + z·k. One of length 1 stands for the rotation v ↦ q·v·q̄; q and −q for the same.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quaternion {
@@ -204,7 +209,7 @@ impl Quaternion {
         // Half of the angle between them by the lengths of sum and difference, which is exact for small angles.
         let angle = 2.0 * (a - b).length().atan2((a + b).length());
         let sin = angle.sin();
-        if angle < 1e-8 || sin == 0.0 {
+        if angle < STRAIGHT_ANGLE || sin == 0.0 {
             return (a * (1.0 - t) + b * t).unitized();
         }
         (a * (((1.0 - t) * angle).sin() / sin) + b * ((t * angle).sin() / sin)).unitized()
@@ -232,12 +237,12 @@ impl Quaternion {
     /// Yaw, pitch and roll in radians of this rotation, as [`Xform::yaw_pitch_roll`]; `None` for a quaternion without
     /// length.
     pub fn yaw_pitch_roll(self) -> Option<[f64; 3]> {
-        self.to_xform()?.yaw_pitch_roll(1e-9)
+        self.to_xform()?.yaw_pitch_roll(ROTATION)
     }
 
     /// Euler's angles Z·Y·Z of this rotation, as [`Xform::euler_zyz`]; `None` for a quaternion without length.
     pub fn euler_zyz(self) -> Option<[f64; 3]> {
-        self.to_xform()?.euler_zyz(1e-9)
+        self.to_xform()?.euler_zyz(ROTATION)
     }
 }
 

@@ -1,4 +1,7 @@
-use crate::{Error, Interval, Plane, Point3, PolylineCurve, Result, Xform};
+use crate::{Error, Interval, Plane, Point3, Result, Xform};
+
+/// A map keeps angles when its columns are as long as each other and at right angles to this part.
+const SIMILAR: f64 = 1e-9;
 
 /// A rectangle in a plane, by its ranges along the plane's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,15 +54,6 @@ impl Rectangle {
         2.0 * (self.x.length().abs() + self.y.length().abs())
     }
 
-    /// The closed polyline of five points around it, counter-clockwise from the smallest corner; domain 0…4.
-    ///
-    /// # Errors
-    /// A number is not finite.
-    pub fn to_polyline(&self) -> Result<PolylineCurve> {
-        let [a, b, c, d] = self.corners();
-        PolylineCurve::new(vec![a, b, c, d, a])
-    }
-
     /// The image under a similarity.
     ///
     /// # Errors
@@ -74,29 +68,7 @@ impl Rectangle {
 /// The image of a frame under a similarity and the signed factor of the map.
 pub(crate) fn similar_frame(plane: &Plane, xform: &Xform, what: &'static str) -> Result<(Plane, f64)> {
     let factor = xform
-        .similarity_factor(1e-9)
+        .similarity_factor(SIMILAR)
         .ok_or(Error::degenerate(what, "the transform does not keep its angles"))?;
     Ok((plane.transformed(xform)?, factor))
-}
-
-/// The closed regular polygon with `sides` corners at `radius` from the plane's origin, the first on its x axis.
-///
-/// # Errors
-/// Fewer than 3 or more than a million sides, or a radius that is not finite and greater than 0.
-pub fn regular_polygon(plane: &Plane, radius: f64, sides: usize) -> Result<PolylineCurve> {
-    if !(3..=1_000_000).contains(&sides) {
-        return Err(Error::OutOfRange {
-            what: "number of sides",
-            value: sides as f64,
-            must: "from 3 to 1000000",
-        });
-    }
-    if !(radius > 0.0 && radius.is_finite()) {
-        return Err(Error::OutOfRange { what: "radius", value: radius, must: "finite and greater than 0" });
-    }
-    let circle = crate::Circle { plane: *plane, radius };
-    let mut points: Vec<Point3> =
-        (0..sides).map(|i| circle.at(std::f64::consts::TAU * i as f64 / sides as f64)).collect();
-    points.extend(points.first().copied());
-    PolylineCurve::new(points)
 }

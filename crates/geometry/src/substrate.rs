@@ -1,5 +1,6 @@
 //! Cracks that grow until they meet another: J. Tarbell's *Substrate*, 2003.
 
+use crate::thresholds;
 use crate::{Error, Interval, Point2, Result, Vector2, cancellation};
 
 /// Looks for a free place this often before it gives up.
@@ -56,7 +57,7 @@ pub fn substrate(
             let direction = along.rotated(if side { angle } else { -angle });
             let start = a.lerp(b, t);
             // Where it would start along its parent, it has no length.
-            if direction.cross(along).abs() < 1e-9 {
+            if direction.cross(along).abs() < thresholds::PARALLEL {
                 continue;
             }
             grown = field.end_of(start, direction, Some(parent)).map(|end| [start, end]);
@@ -83,7 +84,7 @@ impl Field {
     fn new(border: [Interval; 2], count: usize) -> Self {
         let squares = ((count as f64).sqrt() as usize).clamp(1, MOST_SQUARES);
         let [x, y] = border;
-        let shortest = 1e-9 * (x.length() + y.length());
+        let shortest = thresholds::SAME_POINT * (x.length() + y.length());
         Self { border, squares, inside: vec![Vec::new(); squares * squares], cracks: Vec::new(), shortest }
     }
 
@@ -119,7 +120,7 @@ impl Field {
             let left = self.border[0].start + width * column as f64;
             let ends = if first == last { [a.y, b.y] } else { [height(left), height(left + width)] };
             // A little more on both sides, for rounding at the squares' borders.
-            let slack = 1e-9 * self.border[1].length();
+            let slack = thresholds::SAME_POINT * self.border[1].length();
             let (low, high) = (ends[0].min(ends[1]) - slack, ends[0].max(ends[1]) + slack);
             for row in self.square(1, low)..=self.square(1, high) {
                 if !visit(self, row * self.squares + column) {

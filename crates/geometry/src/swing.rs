@@ -1,5 +1,6 @@
 //! Arcs that swing from circle to circle.
 
+use crate::thresholds;
 use crate::{Arc, Circle, Curve, Error, Plane, Point3, PolyCurve, Result};
 
 /// What [`swing_arcs`] gives.
@@ -49,7 +50,7 @@ pub fn swing_arcs(centers: &[Point3], plane: &Plane, radius: f64) -> Result<Swin
         }
         joints.push(w[0] + along * signed);
         signed = length - signed;
-        if !(signed.abs() > 1e-12 * length) {
+        if !(signed.abs() > thresholds::ROUNDING * length) {
             return Err(Error::degenerate("circle", "it would shrink to a point: choose another radius"));
         }
         circles.push(Circle::new(plane.with_origin(w[1]), signed.abs())?);
@@ -65,7 +66,7 @@ pub fn swing_arcs(centers: &[Point3], plane: &Plane, radius: f64) -> Result<Swin
         let mut heading = plane.z_axis.cross(touch - start) * side;
         let mut arcs: Vec<Curve> = Vec::with_capacity(circles.len());
         for w in joints.windows(2) {
-            if w[0].distance_to(w[1]) <= 1e-12 * w[0].to_vector().length().max(radius) {
+            if w[0].distance_to(w[1]) <= thresholds::ROUNDING * w[0].to_vector().length().max(radius) {
                 continue;
             }
             let arc = Arc::from_start_direction_end(w[0], heading, w[1])?;

@@ -2,6 +2,9 @@
 
 use crate::{Circle, Curve, Error, Plane, Point3, Result, Vector3};
 
+/// A circle is found when its distances from the curves differ by no more than this part of the tolerance.
+const FOUND: f64 = 1e-3;
+
 /// A circle in a plane that touches several curves of that plane: for two of them, of all such circles the one whose
 /// centre is near `guess`; for three, the one found from there.
 ///
@@ -27,7 +30,7 @@ pub fn touching_circle(curves: &[&Curve], plane: &Plane, guess: Point3, toleranc
         }
         let Some(&(d0, x0, y0)) = away.first() else { return Err(lost()) };
         let rows: Vec<[f64; 3]> = away.iter().skip(1).map(|(d, x, y)| [x - x0, y - y0, d - d0]).collect();
-        if rows.iter().all(|row| row[2].abs() <= 1e-3 * tolerance) {
+        if rows.iter().all(|row| row[2].abs() <= FOUND * tolerance) {
             let radius = d0;
             if !(radius > tolerance) {
                 return Err(Error::degenerate("tangent circle", "the curves meet at the point"));

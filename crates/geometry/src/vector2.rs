@@ -1,6 +1,6 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::{Point2, Vector3};
+use crate::Vector3;
 
 /// A direction with a magnitude in a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,12 +23,6 @@ impl Vector2 {
     #[inline]
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
-    }
-
-    /// The point at the tip of this vector when it starts at the origin.
-    #[inline]
-    pub const fn to_point(self) -> Point2 {
-        Point2::new(self.x, self.y)
     }
 
     /// The vector in space with no third component.

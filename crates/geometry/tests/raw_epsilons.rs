@@ -3,11 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-/// Where all thresholds stand in `trace/thresholds.rs` and `intersect/thresholds.rs`: folders and files below `src`.
-const CLEAN: [&str; 4] = ["chart", "trace", "intersect", "brep/meeting.rs"];
-
-/// The small numbers without a name that are left elsewhere. This may shrink, and must not grow.
-const MOST: usize = 544;
+/// The small numbers without a name that are left. A threshold has its place in the `thresholds.rs` of its folder, or of the kernel where many have use of it; in a
+/// module of one file it is a constant at the top.
+const MOST: usize = 0;
 
 fn sources(at: &Path, out: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(at).unwrap() {
@@ -48,15 +46,6 @@ fn thresholds_have_names() {
     let mut all = Vec::new();
     sources(&src, &mut all);
     assert!(all.len() > 100);
-    let (mut clean, mut others) = (Vec::new(), 0);
-    for path in all {
-        let below = path.strip_prefix(&src).unwrap();
-        if CLEAN.iter().any(|c| below.starts_with(c)) {
-            clean.extend(raw(&path));
-        } else {
-            others += raw(&path).len();
-        }
-    }
-    assert!(clean.is_empty(), "{clean:#?}");
-    assert!(others <= MOST, "{others}");
+    let found: Vec<String> = all.iter().flat_map(|path| raw(path)).collect();
+    assert!(found.len() <= MOST, "{found:#?}");
 }

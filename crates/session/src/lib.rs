@@ -24,6 +24,7 @@ mod bake;
 mod catalogue;
 mod change;
 mod check;
+mod controls;
 pub mod display;
 mod editor;
 mod edits;

@@ -1,6 +1,6 @@
-//! Distances of boxes, their edges and what they have in common.
+//! Distances of boxes, and what they have in common.
 
-use crate::{BoundingBox, Interval, Line, Plane, PlaneEquation, Point3};
+use crate::{BoundingBox, Interval, Plane, PlaneEquation, Point3};
 
 impl BoundingBox {
     /// The box between two opposite corners in any order; `None` when a coordinate is not finite.
@@ -19,14 +19,6 @@ impl BoundingBox {
     /// Whether the other box lies inside or on this one.
     pub fn contains_box(&self, other: &Self) -> bool {
         self.contains(other.min) && self.contains(other.max)
-    }
-
-    /// The twelve edges: four around the bottom, four around the top, then the four upright ones.
-    pub fn edges(&self) -> [Line; 12] {
-        let c = self.corners();
-        let pairs =
-            [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)];
-        pairs.map(|(i, j): (usize, usize)| Line::new(c[i], c[j]))
     }
 
     /// In how many directions the box is no wider than `tolerance`: 0 for a solid box, 1 for a rectangle, 2 for a
@@ -72,44 +64,6 @@ impl BoundingBox {
         other.corners().iter().map(|&c| self.max_distance_to(c)).fold(0.0, f64::max)
     }
 
-    /// The least distance from the solid box to a segment, 0 when they meet.
-    ///
-    /// Exact: between the parameters where the segment crosses the box's six planes the square of the distance is one
-    /// quadratic, and the whole is convex.
-    pub fn distance_to_segment(&self, line: &Line) -> f64 {
-        let d = line.direction();
-        let mut cuts = vec![0.0, 1.0];
-        for (from, d, low, high) in [
-            (line.from.x, d.x, self.min.x, self.max.x),
-            (line.from.y, d.y, self.min.y, self.max.y),
-            (line.from.z, d.z, self.min.z, self.max.z),
-        ] {
-            cuts.extend([(low - from) / d, (high - from) / d].into_iter().filter(|t| 0.0 < *t && *t < 1.0));
-        }
-        cuts.sort_by(f64::total_cmp);
-        let mut best = f64::INFINITY;
-        for w in cuts.windows(2) {
-            let [start, end] = [w[0], w[1]];
-            // In between each coordinate is below, inside or above throughout: the outside ones count.
-            let p = line.at(0.5 * (start + end));
-            let out = p - self.closest_point(p);
-            let kept = |o: f64, d: f64| if o == 0.0 { 0.0 } else { d };
-            let slope = crate::Vector3::new(kept(out.x, d.x), kept(out.y, d.y), kept(out.z, d.z));
-            let squared = slope.length_squared();
-            let shift = if squared > 0.0 { -out.dot(slope) / squared } else { 0.0 };
-            let t = (0.5 * (start + end) + shift).clamp(start, end);
-            for t in [start, t, end] {
-                best = best.min(self.distance_to(line.at(t)));
-            }
-        }
-        best
-    }
-
-    /// The greatest distance from points of the box to points of a segment.
-    pub fn max_distance_to_segment(&self, line: &Line) -> f64 {
-        self.max_distance_to(line.from).max(self.max_distance_to(line.to))
-    }
-
     /// The signed distances from a plane that points of the box have, the least and the greatest.
     pub fn range_of_distances(&self, plane: &Plane) -> Interval {
         PlaneEquation::from(plane).range_over(self)
@@ -119,5 +73,15 @@ impl BoundingBox {
     pub fn distance_to_plane(&self, plane: &Plane) -> f64 {
         let r = self.range_of_distances(plane);
         r.start.max(-r.end).max(0.0)
+    }
+}
+
+impl PlaneEquation {
+    /// The least and the greatest value over a box.
+    pub fn range_over(&self, bounds: &BoundingBox) -> Interval {
+        let (n, a, b) = (self.normal(), bounds.min, bounds.max);
+        let pick = |n: f64, a: f64, b: f64| if n >= 0.0 { (a, b) } else { (b, a) };
+        let ((x0, x1), (y0, y1), (z0, z1)) = (pick(n.x, a.x, b.x), pick(n.y, a.y, b.y), pick(n.z, a.z, b.z));
+        Interval::new(self.value_at(Point3::new(x0, y0, z0)), self.value_at(Point3::new(x1, y1, z1)))
     }
 }

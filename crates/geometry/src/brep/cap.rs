@@ -4,6 +4,7 @@ use super::build::NewEdge;
 use super::flatten::flattened;
 use super::planar::{Rim, add_planar_face};
 use super::{Brep, Builder};
+use crate::brep::thresholds::NO_AREA;
 use crate::{Curve, Plane, Point3, Result, Tolerance};
 
 /// How far a rim may be off its plane whatever the tolerance, as a part of its size: holes smaller than the tolerance
@@ -152,7 +153,7 @@ impl Brep {
             }
         }
         let area = hole.area(&plane);
-        if !flat || !(area.abs() > 1e-12 * size * size) {
+        if !flat || !(area.abs() > NO_AREA * size * size) {
             return Ok(None);
         }
         hole.plane = if area < 0.0 { plane.flipped() } else { plane };

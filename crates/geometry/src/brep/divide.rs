@@ -1,6 +1,8 @@
 //! Breps cut along curves on them, and by planes.
 
 use super::Brep;
+use crate::brep::thresholds::ROUGH_LENGTH;
+use crate::thresholds;
 use crate::{ClosestOnSurface, Curve, Direction, Error, Interval, Plane, Point3, Result, Tolerance};
 
 /// Places of a smooth stretch of a curve at which it is asked whether it lies on a surface.
@@ -125,7 +127,7 @@ impl Brep {
         let bounds = region.curves().iter().map(Curve::bounding_box).reduce(|a, b| a.union(&b));
         let mut inside = None;
         if let Some(bounds) = bounds {
-            let flat = 1e-9 * bounds.diagonal().length();
+            let flat = thresholds::SAME_POINT * bounds.diagonal().length();
             for i in 1..16 {
                 for j in 1..16 {
                     let (x, y) = (f64::from(i) / 16.0, f64::from(j) / 16.0);
@@ -159,7 +161,8 @@ fn stretches_on(search: &ClosestOnSurface, curve: &Curve, limit: f64) -> Result<
         let mut from = None;
         let mut before: Option<(f64, bool)> = None;
         for k in 0..=PLACES {
-            let t = stretch.at((k as f64 / PLACES as f64).clamp(1e-9, 1.0 - 1e-9));
+            let t = stretch.at((k as f64 / PLACES as f64)
+                .clamp(thresholds::SAME_PARAMETER, 1.0 - thresholds::SAME_PARAMETER));
             let now = is_on(t)?;
             match before {
                 None if now => from = Some(stretch.start),
@@ -198,7 +201,7 @@ fn stretches_on(search: &ClosestOnSurface, curve: &Curve, limit: f64) -> Result<
     let mut out = Vec::new();
     for range in joined {
         let part = if range == whole { curve.clone() } else { curve.trimmed(range)? };
-        if part.length_within(1e-3) > 2.0 * limit {
+        if part.length_within(ROUGH_LENGTH) > 2.0 * limit {
             out.push(part);
         }
     }

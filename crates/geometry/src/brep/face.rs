@@ -1,5 +1,7 @@
 use std::num::NonZeroU128;
 
+use super::{Brep, Iso, LoopKind};
+
 /// A part of a surface bounded by loops.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
@@ -31,5 +33,18 @@ impl Face {
             colour: None,
             deleted: false,
         }
+    }
+}
+
+impl Brep {
+    /// Whether a face has no trims but the sides of its surface.
+    pub(crate) fn is_whole(&self, face: &Face) -> bool {
+        let parts = self.parts();
+        let loops = face.loops.iter().filter_map(|l| parts.loops.get(*l));
+        loops.clone().count() == 1
+            && loops.clone().all(|chain| chain.kind == LoopKind::Outer)
+            && loops
+                .flat_map(|chain| &chain.trims)
+                .all(|t| parts.trims.get(*t).is_some_and(|trim| matches!(trim.iso, Iso::Side(_))))
     }
 }

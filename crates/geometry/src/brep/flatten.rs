@@ -1,5 +1,6 @@
 //! Curves in the coordinates of a plane.
 
+use crate::thresholds;
 use crate::{
     Arc, ArcCurve, Circle, Curve, Line, LineCurve, NurbsCurve, Plane, Point3, PolyCurve, PolylineCurve,
     Result, Vector3,
@@ -42,7 +43,7 @@ pub fn flattened(curve: &Curve, plane: &Plane) -> Result<Curve> {
 
 fn flat_arc(curve: &ArcCurve, plane: &Plane) -> Option<ArcCurve> {
     let own = &curve.arc.circle.plane;
-    let side = own.z_axis.parallel_to(plane.z_axis, 1e-9);
+    let side = own.z_axis.parallel_to(plane.z_axis, thresholds::PARALLEL);
     if side == 0 {
         return None;
     }

@@ -1,5 +1,7 @@
 //! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
 
+use crate::brep::thresholds::{AWAY_FROM_EDGES, NEAR_RAY, NEARLY_TOUCHES};
+use crate::thresholds;
 use std::sync::{Arc as Shared, OnceLock};
 
 use super::Brep;
@@ -75,11 +77,6 @@ impl Pierced {
         Ok(Self::Points(points.collect()))
     }
 }
-
-/// A ray and a surface meet within this part of the ray's length.
-const NEAR_RAY: f64 = 1e-9;
-/// Two places where a ray goes through a round surface that are nearer than this part of its length are nearly one touch.
-const NEARLY_TOUCHES: f64 = 1e-7;
 
 impl Sheet {
     /// Where a segment meets the surface, by a formula: of planes, spheres, cylinders and cones.
@@ -314,7 +311,7 @@ impl ClosestOnBrep {
         for direction in RAYS {
             let way = Vector3::new(direction[0], direction[1], direction[2]);
             let Some(way) = way.unitized() else { continue };
-            if let (count, true) = self.crossings(p, way * (2.0 * size), 1e-6 * size)? {
+            if let (count, true) = self.crossings(p, way * (2.0 * size), AWAY_FROM_EDGES * size)? {
                 return Ok(side(count));
             }
         }
@@ -410,8 +407,8 @@ fn meets(bounds: &BoundingBox, p: Point3, way: Vector3) -> bool {
             continue;
         }
         let (a, b) = ((from - at) / step, (to - at) / step);
-        low = low.max(a.min(b) - 1e-9);
-        high = high.min(a.max(b) + 1e-9);
+        low = low.max(a.min(b) - thresholds::SAME_PARAMETER);
+        high = high.min(a.max(b) + thresholds::SAME_PARAMETER);
     }
     low <= high
 }

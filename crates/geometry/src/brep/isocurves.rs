@@ -1,7 +1,9 @@
 //! Lines of constant parameter on trimmed faces.
 
 use super::{Brep, trimmed};
+use crate::brep::thresholds::ISO_CROSSING;
 use crate::region::Outline;
+use crate::thresholds;
 use crate::{Curve, Direction, Interval, Plane, Point3, Result, Vector3};
 
 impl Brep {
@@ -35,12 +37,12 @@ impl Brep {
         let across = surface.domain(along.other()).length();
         let mut stops = vec![domain.start, domain.end];
         for curve in &loops {
-            for t in curve.intersect_plane(&plane, 1e-10 * across)? {
+            for t in curve.intersect_plane(&plane, ISO_CROSSING * across)? {
                 let p = curve.point_at(t);
                 stops.push(if along == Direction::U { p.x } else { p.y });
             }
         }
-        let least = 1e-9 * domain.length();
+        let least = thresholds::SAME_PARAMETER * domain.length();
         stops.retain(|t| domain.start <= *t && *t <= domain.end);
         stops.sort_by(f64::total_cmp);
         let outlines: Vec<Outline> = loops.iter().map(|curve| Outline::new(curve, &Plane::XY)).collect();

@@ -3,8 +3,8 @@
 use std::sync::Arc as Shared;
 
 use super::{Brep, ClosestOnBrep};
+use crate::chart::thresholds::{FLAT_FACE, PARALLEL_FACES};
 use crate::intersect::{SurfaceContactKind, common, surface_plane};
-use crate::trace::thresholds::{FLAT_FACE, PARALLEL_FACES};
 use crate::{Curve, Error, Plane, Point3, Result, Surface, Tolerance, cancellation, join_curves};
 
 /// What two breps have in common.

@@ -16,7 +16,6 @@ mod divide;
 mod edge;
 mod edges;
 mod edit;
-mod extent;
 mod face;
 mod fillet;
 pub(crate) mod flatten;
@@ -46,6 +45,7 @@ mod solid;
 mod subset;
 #[cfg(test)]
 pub(crate) mod testing;
+mod thresholds;
 mod tolerances;
 mod trim;
 mod trimmed;
@@ -186,7 +186,7 @@ impl Parts {
         self.curves_2d.get(trim.part.curve?)?.as_ref()
     }
 
-    fn face_surface(&self, face: &Face) -> Option<&Surface> {
+    pub(crate) fn face_surface(&self, face: &Face) -> Option<&Surface> {
         self.surfaces.get(face.surface?)?.as_ref()
     }
 

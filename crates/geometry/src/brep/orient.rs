@@ -1,6 +1,7 @@
 //! Which side of a closed brep is the inside.
 
 use super::{Brep, CurvePart, Parts, Solidity, Trim};
+use crate::brep::thresholds::NO_VOLUME;
 use crate::quadrature::GAUSS_6;
 use crate::{Curve, Direction, Interval, Point3, Surface};
 
@@ -168,7 +169,7 @@ impl Brep {
         };
         let size = bounds.diagonal().length();
         let volume = self.parts().flux_of_faces(bounds.center());
-        if !(volume.abs() > 1e-9 * size.powi(3)) {
+        if !(volume.abs() > NO_VOLUME * size.powi(3)) {
             Solidity::Unknown
         } else if volume > 0.0 {
             Solidity::Outward

@@ -2,7 +2,9 @@
 
 use super::inside::{ClosestOnBrep, Sheet};
 use super::trimmed;
+use crate::brep::thresholds::INSIDE_ENDS;
 use crate::intersect::curve_with_surface;
+use crate::thresholds;
 use crate::{Curve, Interval, Point3, Result, Surface, Vector3};
 
 /// A point that a curve and a brep have in common.
@@ -65,7 +67,7 @@ impl ClosestOnBrep {
                 out.overlaps.extend(self.covered(sheet, surface, curve, overlap.t, tolerance)?);
             }
         }
-        let least = 1e-9 * curve.domain().length();
+        let least = thresholds::SAME_PARAMETER * curve.domain().length();
         out.overlaps.sort_by(|a, b| a.start.total_cmp(&b.start));
         out.overlaps = merged(std::mem::take(&mut out.overlaps), least);
         out.crossings.sort_by(|a, b| a.t.total_cmp(&b.t));
@@ -136,12 +138,12 @@ impl ClosestOnBrep {
             Ok(sheet.covers(u, v) || (distance > 0.0 && self.near_loop(sheet, p, distance)?))
         };
         let inside = |t: f64| close(t, near_edges);
-        let rounding = (1e-9 * sheet.bounds.diagonal().length()).min(near_edges);
+        let rounding = (thresholds::SAME_POINT * sheet.bounds.diagonal().length()).min(near_edges);
         let count = (SAMPLES * curve.pieces().len()).clamp(SAMPLES, MOST);
         // Not at the very ends, which often lie on the border.
         let places = (0..=count).map(|k| {
             let share = k as f64 / count as f64;
-            range.at(share.clamp(1e-6, 1.0 - 1e-6))
+            range.at(share.clamp(INSIDE_ENDS, 1.0 - INSIDE_ENDS))
         });
         let mut found: Vec<Interval> = Vec::new();
         let mut before: Option<(f64, bool)> = None;

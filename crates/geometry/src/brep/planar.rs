@@ -3,6 +3,7 @@
 use super::build::{Along, NewEdge, Path};
 use super::flatten::flattened;
 use super::{Brep, Builder, LoopKind};
+use crate::brep::thresholds::LEAST_TOLERANCE;
 use crate::intersect::curve_curve;
 use crate::region::{Face as Cell, FillRule, Region};
 use crate::{BoundingBox, Containment, Curve, Interval, Plane, PlaneSurface, Result, Tolerance, join_curves};
@@ -146,7 +147,7 @@ pub(crate) fn of_cell(plane: &Plane, cell: &Cell, tolerance: &Tolerance) -> Resu
         loops.push(rim(&mut builder, curve, tolerance)?);
     }
     add_planar_face(&mut builder, plane, &loops)?;
-    builder.finish(tolerance.absolute.max(1e-9))
+    builder.finish(tolerance.absolute.max(LEAST_TOLERANCE))
 }
 
 /// The edges along a closed curve, one for each stretch without a kink, with the curve of each.

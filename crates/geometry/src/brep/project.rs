@@ -1,7 +1,7 @@
 //! Curves projected onto breps.
 
 use super::{Brep, ClosestOnBrep};
-use crate::surface::LineIndex;
+use crate::pull::LineIndex;
 use crate::{Curve, Error, Result, Surface, Tolerance, Vector3, Xform, join_curves};
 
 /// The sine of the angle below which a direction runs along a plane.

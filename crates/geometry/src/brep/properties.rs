@@ -5,6 +5,7 @@ mod green;
 mod rule;
 mod strip;
 
+use crate::brep::thresholds::{FINEST_SHARE, NO_VOLUME};
 use bound::Nearness;
 use green::Sheet;
 use rule::Work;
@@ -107,7 +108,7 @@ impl Brep {
         let found = self.measured(Measure::Volume, fraction, &go_on)?;
         let size = self.frame()?.size;
         // Rounding leaves of a flat shell a volume of that order.
-        if !(found.amount > 1e-9 * size.powi(3)) {
+        if !(found.amount > NO_VOLUME * size.powi(3)) {
             return Err(Error::degenerate("brep", "it is flat, and has no volume"));
         }
         Ok(found)
@@ -165,7 +166,7 @@ impl Brep {
 
 /// A fraction that can be reached.
 fn within(fraction: f64) -> f64 {
-    if fraction.is_nan() { 1e-13 } else { fraction.clamp(1e-13, 0.1) }
+    if fraction.is_nan() { FINEST_SHARE } else { fraction.clamp(FINEST_SHARE, 0.1) }
 }
 
 /// The most densities that are looked at for one shape.

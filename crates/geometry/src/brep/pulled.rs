@@ -1,6 +1,7 @@
 //! Edges pulled to a surface on which they lie, or nearly, beside a trim that tells where.
 
 use super::Brep;
+use crate::brep::thresholds::OF_THE_GAP;
 use crate::surface::LocalFoot;
 use crate::{Curve, Direction, NurbsCurve, Point3, PolyCurve, Result, Surface, Tolerance, Vector3};
 
@@ -48,7 +49,7 @@ pub(super) fn pulled(
     gap: f64,
     limit: f64,
 ) -> Option<(Curve, f64)> {
-    let limit = limit.max(1e-3 * gap);
+    let limit = limit.max(OF_THE_GAP * gap);
     let foot = LocalFoot { surface, periods: [None; 2] };
     let walk = Walk { foot, edge, farthest: 2.0 * gap + limit };
     let stretches = edge.smooth_stretches();

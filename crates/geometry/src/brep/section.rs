@@ -2,6 +2,8 @@
 
 mod pieces;
 
+use crate::brep::thresholds::{PLANE_ROUNDING, SECTION_GAP, SIDE_STEP, SIDE_STEPS};
+use crate::thresholds;
 use std::sync::Arc as Shared;
 
 use pieces::Cut;
@@ -86,7 +88,8 @@ impl BrepSections {
             let cut = Cut { sections: self, sheet, plane, contacts: &contacts };
             cut.add_to(&mut out)?;
         }
-        let gap = 0.5 * self.tolerance.absolute.min(1e-3 * self.size).max(1e-9 * self.size);
+        let gap = 0.5
+            * self.tolerance.absolute.min(SECTION_GAP * self.size).max(thresholds::SAME_POINT * self.size);
         out.curves = join_curves(&out.curves, gap, false);
         self.add_points(&contacts, plane, &mut out)?;
         Ok(out)
@@ -99,7 +102,8 @@ impl BrepSections {
     /// How far rounding may move a point from the plane: what of the size is lost on curves and surfaces, and some
     /// units in the last place of coordinates far from the origin, which every step to a point loses anew.
     fn noise(&self, plane: &Plane) -> f64 {
-        1e-10 * self.size + 1e-14 * plane.origin.to_vector().length().max(self.remote)
+        PLANE_ROUNDING * self.size
+            + thresholds::FEW_ROUNDINGS * plane.origin.to_vector().length().max(self.remote)
     }
 
     fn contacts(&self, plane: &Plane) -> Result<Vec<EdgeContacts>> {
@@ -147,14 +151,14 @@ impl BrepSections {
         let share = (range.middle() - whole.start) / whole.length();
         let share = if own.reversed { 1.0 - share } else { share };
         let domain = own.part.domain;
-        let (t, step) = (domain.at(share), 1e-4 * domain.length());
+        let (t, step) = (domain.at(share), SIDE_STEP * domain.length());
         let [a, b, c] = [t - step, t, t + step].map(|t| brep.trim_point(trim, t));
         let (along, at) = (c? - a?, b?);
         // The face lies to the left of its trims.
         let inward = crate::Vector3::new(-along.y, along.x, 0.0).unitized()?;
         let spans = crate::Direction::BOTH.map(|d| surface.domain(d).length());
         let reach = (inward.x.abs() / spans[0]).hypot(inward.y.abs() / spans[1]).recip();
-        for part in [1e-4, 1e-3, 1e-2, 3e-2] {
+        for part in SIDE_STEPS {
             let p = at + inward * (part * reach);
             let height = plane.signed_distance(surface.point_at(p.x, p.y));
             // A height below what the trim itself is off tells nothing.
@@ -202,7 +206,7 @@ fn lies_in(surface: &Surface, plane: &Plane, noise: f64) -> bool {
     match surface {
         Surface::Plane(flat) => {
             let own = flat.plane();
-            own.z_axis.parallel_to(plane.z_axis, 1e-9) != 0
+            own.z_axis.parallel_to(plane.z_axis, thresholds::PARALLEL) != 0
                 && plane
                     .signed_distance(flat.point_at(
                         flat.domain(crate::Direction::U).middle(),

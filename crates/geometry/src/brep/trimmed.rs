@@ -13,6 +13,7 @@ mod unroll;
 pub(super) use lift::followed;
 
 use super::Brep;
+use crate::brep::thresholds::WIDEST_GAP;
 use crate::region::{FillRule, Region};
 use crate::{
     BoundingBox, Curve, Direction, Error, Interval, Plane, Point3, PolylineCurve, Result, Surface, Tolerance,
@@ -37,7 +38,7 @@ pub(super) fn flat_tolerance(surface: &Surface, limit: f64) -> f64 {
             fastest = fastest.max(d.get(1, 0).length()).max(d.get(0, 1).length());
         }
     }
-    let widest = 1e-4 * u.length().min(v.length());
+    let widest = WIDEST_GAP * u.length().min(v.length());
     if fastest > 0.0 { (limit / fastest).min(widest) } else { widest }
 }
 

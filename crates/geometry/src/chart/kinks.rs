@@ -1,6 +1,6 @@
 //! Cutting a surface along its kinks.
 
-use crate::trace::thresholds::{SAME_PLACE, STRAIGHT};
+use super::thresholds::{SAME_PLACE, STRAIGHT};
 use crate::{Direction, NurbsSurface, Result};
 
 /// The surface cut along the knot lines where its tangent planes may leap. Pieces in order, those along v together; those

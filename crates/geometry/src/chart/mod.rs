@@ -3,6 +3,7 @@
 
 mod bounds;
 mod kinks;
+pub(crate) mod thresholds;
 
 pub(crate) use kinks::smooth_pieces;
 
@@ -124,8 +125,7 @@ impl Chart {
                     let [_, u, v] = self.jet([at(0, i, n), at(1, j, m)]);
                     let widths = [0, 1].map(|k| ranges[k][1] - ranges[k][0]);
                     let (u, v) = (u * widths[0], v * widths[1]);
-                    u.cross(v).length()
-                        > crate::trace::thresholds::NO_AREA * u.length().max(v.length()).powi(2)
+                    u.cross(v).length() > thresholds::NO_AREA * u.length().max(v.length()).powi(2)
                 })
             })
         })
@@ -174,7 +174,7 @@ impl Chart {
         let (a, b) = (jet[1], jet[2]);
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
         let determinant = e * g - f * f;
-        if !(determinant > crate::trace::thresholds::PARALLEL_SQUARED * e * g) {
+        if !(determinant > thresholds::PARALLEL_SQUARED * e * g) {
             return None;
         }
         let (p, q) = (w.dot(a), w.dot(b));

@@ -1,4 +1,5 @@
 use super::{check_points2, turn};
+use crate::thresholds;
 use crate::{
     Arc, Circle, Curve, Error, Interval, Line, Plane, Point2, Point3, PolyCurve, PolylineCurve, Result,
 };
@@ -136,10 +137,10 @@ pub(super) fn outline(
     let mut pieces: Vec<Curve> = Vec::with_capacity(2 * sides.len());
     for (&(a, b), &(c, _)) in sides.iter().zip(sides.iter().cycle().skip(1)) {
         pieces.push(Line::new(at(a), at(b)).into());
-        if b.distance_to(c) > 1e-12 * radius {
+        if b.distance_to(c) > thresholds::ROUNDING * radius {
             let start = angle(b);
             let sweep = (angle(c) - start).rem_euclid(std::f64::consts::TAU);
-            if sweep > 1e-12 {
+            if sweep > thresholds::ROUNDING {
                 pieces.push(Arc::new(circle, Interval::new(start, start + sweep))?.into());
             }
         }
@@ -157,7 +158,7 @@ fn chord(a: Point2, b: Point2, center: Point2, radius: f64) -> Option<(Point2, P
     }
     let root = squared.sqrt();
     let (from, to) = (((-df - root) / dd).max(0.0), ((-df + root) / dd).min(1.0));
-    if !((to - from) * dd.sqrt() > 1e-12 * radius) {
+    if !((to - from) * dd.sqrt() > thresholds::ROUNDING * radius) {
         return None;
     }
     let at = |t: f64| if t == 1.0 { b } else { a + d * t };

@@ -1,6 +1,7 @@
 use super::check_points3;
 use super::convex_polygon::{nearer_part, outline};
 use super::neighbours::PointTree;
+use crate::cloud::thresholds::AT_BORDER;
 use crate::{BoundingBox, Curve, Plane, Point2, Point3, Result, Sphere, Vector2, Vector3};
 
 /// Half the side of the square that a facet without neighbours is, in radii; the corners of a regular tetrahedron about
@@ -128,7 +129,7 @@ impl Facet {
     }
 
     fn is_open(&self) -> bool {
-        self.ring.iter().any(|p| p.x.abs().max(p.y.abs()) >= HALF_SQUARE * (1.0 - 1e-9))
+        self.ring.iter().any(|p| p.x.abs().max(p.y.abs()) >= HALF_SQUARE * (1.0 - AT_BORDER))
     }
 }
 

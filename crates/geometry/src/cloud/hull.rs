@@ -1,4 +1,5 @@
 use super::{check_points2, turn};
+use crate::thresholds;
 use crate::{Point2, Result, Vector2};
 
 /// Fewer points are sorted as they are.
@@ -71,7 +72,7 @@ fn outer_points(points: &[Point2]) -> Vec<(Point2, u32)> {
         .filter_map(|k| {
             let (a, b) = (far[k], far[(k + 1) % 8]);
             let n = (b - a).perpendicular();
-            (a != b).then(|| (n, n.dot(a.to_vector()) + 1e-12 * n.length() * scale))
+            (a != b).then(|| (n, n.dot(a.to_vector()) + thresholds::ROUNDING * n.length() * scale))
         })
         .collect();
     let inside = |p: Point2| sides.len() > 2 && sides.iter().all(|(n, c)| n.x * p.x + n.y * p.y > *c);

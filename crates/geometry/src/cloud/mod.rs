@@ -12,6 +12,7 @@ mod hull3;
 mod neighbours;
 mod partition;
 mod polyhedron;
+mod thresholds;
 mod voronoi;
 mod voronoi3;
 

@@ -1,3 +1,4 @@
+use crate::thresholds;
 use std::ops::Range;
 
 use spade::Triangulation;
@@ -41,7 +42,7 @@ impl Voronoi {
             ranges: vec![0..0; sites.len()],
             duplicates: shared.is_some(),
         };
-        let near = 1e-12 * size;
+        let near = thresholds::ROUNDING * size;
         match &links {
             Links::Mesh(mesh) => out.cells_of(mesh, boundary, near)?,
             Links::Row(row) => {

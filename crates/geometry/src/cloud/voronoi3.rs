@@ -2,6 +2,7 @@ use super::neighbours::PointTree;
 use super::polyhedron::{ConvexPolyhedron, Cut, Scratch};
 use super::{check_coordinates, check_points3};
 use crate::box_tree::{Bounds, squared_distance_to};
+use crate::thresholds;
 use crate::{BoundingBox, Error, Point3, Result, Vector3};
 
 /// So many neighbours, the nearest first, settle most cells.
@@ -75,7 +76,7 @@ impl Cells {
             tree: PointTree::new(sites)?,
             sites: sites.to_vec(),
             whole: ConvexPolyhedron::from_box(bounds),
-            tolerance: 1e-12 * size.length(),
+            tolerance: thresholds::ROUNDING * size.length(),
         })
     }
 

@@ -1,5 +1,6 @@
 //! The sphere as the cover of a baseball.
 
+use crate::construct::thresholds::BALL_TOLERANCE;
 use std::f64::consts::PI;
 
 use crate::{
@@ -17,7 +18,7 @@ const UP: f64 = PI / 3.0;
 /// # Errors
 /// The radius is out of range.
 pub fn baseball_sphere(shape: &Sphere) -> Result<Brep> {
-    let tolerance = Tolerance { absolute: 1e-5 * shape.radius, ..Tolerance::default() };
+    let tolerance = Tolerance { absolute: BALL_TOLERANCE * shape.radius, ..Tolerance::default() };
     let p = shape.plane;
     let other = Plane { origin: p.origin, x_axis: -p.x_axis, y_axis: p.z_axis, z_axis: p.y_axis };
     let mut faces = Vec::new();

@@ -1,5 +1,7 @@
 //! Slits in boxes that cross, so that they can be put together.
 
+use crate::construct::thresholds::CROSSING_SINE;
+use crate::thresholds;
 use crate::{Box3, Brep, Error, Interval, Point3, Result, Tolerance, Vector3, cancellation, construct};
 
 /// A box with its slits.
@@ -68,11 +70,11 @@ fn joining(a: &Box3, b: &Box3) -> Option<Vector3> {
         all.into_iter().min_by(|p, q| p.1.length().total_cmp(&q.1.length())).map(|p| p.0)
     };
     let way = thin(a)?.cross(thin(b)?);
-    if !(way.length() > 1e-6) {
+    if !(way.length() > CROSSING_SINE) {
         return None;
     }
     let way = way.unitized()?;
-    let near = |x: f64| x.abs() <= 1e-9;
+    let near = |x: f64| x.abs() <= thresholds::PARALLEL;
     let down = way.z < 0.0 && !near(way.z)
         || near(way.z) && (way.y < 0.0 && !near(way.y) || near(way.y) && way.x < 0.0);
     Some(if down { -way } else { way })

@@ -2,6 +2,7 @@
 
 use super::{DevelopableOptions, check, developable_loft};
 use crate::nurbs::{Skinning, skinned};
+use crate::thresholds;
 use crate::{Brep, Curve, Error, KnotSpacing, NurbsCurve, NurbsSurface, Point3, Result, Tolerance};
 
 /// How a loft runs from section to section.
@@ -131,8 +132,9 @@ fn adjust(sections: &mut [Curve]) -> Result<()> {
         let (Some(before), Some(this)) = (done.last(), rest.first_mut()) else { continue };
         if before.is_closed() && this.is_closed() {
             let (seam, domain) = (this.closest_point(before.start())?.parameter, this.domain());
-            let at_end =
-                [domain.start, domain.end].iter().any(|t| (seam - t).abs() <= 1e-9 * domain.length());
+            let at_end = [domain.start, domain.end]
+                .iter()
+                .any(|t| (seam - t).abs() <= thresholds::SAME_PARAMETER * domain.length());
             let turned = if at_end { this.clone() } else { this.with_seam(seam)? };
             // Of both directions the one whose points are nearer.
             let back = turned.reversed();

@@ -17,6 +17,7 @@ mod primitives;
 mod revolve;
 mod sweep;
 mod tapered;
+mod thresholds;
 mod walls;
 
 pub use baseball::baseball_sphere;

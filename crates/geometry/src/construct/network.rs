@@ -2,8 +2,10 @@
 
 use super::check;
 use super::edge_surface::summed;
+use crate::construct::thresholds::{CROSSING_RANGE, SAME_SHARE};
 use crate::intersect::nearest_on_curves;
 use crate::nurbs::{Skinning, curve_through, skinned, surface_through};
+use crate::thresholds;
 use crate::{Brep, Curve, Error, Interval, NurbsCurve, Point3, Result, Tolerance, compatible_curves};
 
 /// Gaps between crossing curves up to this part of the net's size are closed.
@@ -94,8 +96,9 @@ impl Net {
             }
             for curve in own.iter_mut() {
                 let (at, domain) = (meet(curve, seam)?.a, curve.domain());
-                let is_there =
-                    [domain.start, domain.end].iter().any(|t| (t - at).abs() <= 1e-9 * domain.length());
+                let is_there = [domain.start, domain.end]
+                    .iter()
+                    .any(|t| (t - at).abs() <= thresholds::SAME_PARAMETER * domain.length());
                 if !is_there {
                     *curve = curve.with_seam(at)?;
                 }
@@ -146,7 +149,7 @@ impl Net {
                 if closed {
                     row.push(curve.domain().end);
                 }
-                let least = 1e-6 * domain.length();
+                let least = CROSSING_RANGE * domain.length();
                 if row.windows(2).any(|w| !(w[1] - w[0] > least)) {
                     return Err(Error::degenerate("net of curves", "the curves do not cross in one order"));
                 }
@@ -173,7 +176,7 @@ impl Net {
         };
         let share = |row: &[f64], t: f64| (t - row[0]) / (row[row.len() - 1] - row[0]);
         let agree = |row: &Vec<f64>| {
-            row.iter().zip(model).all(|(t, s)| (share(row, *t) - share(model, *s)).abs() <= 1e-7)
+            row.iter().zip(model).all(|(t, s)| (share(row, *t) - share(model, *s)).abs() <= SAME_SHARE)
         };
         let lengths: Vec<f64> = (curves.iter().zip(places))
             .map(|(curve, row)| curve.length_between(Interval::new(row[0], row[row.len() - 1])))
@@ -195,7 +198,7 @@ impl Net {
                     curve.length_between(Interval::new(row[0], *t)) / length * whole / curves.len() as f64;
             }
         }
-        if out.windows(2).any(|w| !(w[1] - w[0] > 1e-9 * whole)) {
+        if out.windows(2).any(|w| !(w[1] - w[0] > thresholds::SAME_PARAMETER * whole)) {
             return Err(Error::degenerate("net of curves", "two curves of a set coincide"));
         }
         Ok(out)
@@ -207,7 +210,7 @@ fn fitted(curves: &[Curve], places: &[Vec<f64>], parameters: &[f64], limit: f64)
     let domain = Interval::new(parameters[0], parameters[parameters.len() - 1]);
     let linear = |row: &Vec<f64>| {
         let share = |t: f64| (t - row[0]) / (row[row.len() - 1] - row[0]);
-        row.iter().zip(parameters).all(|(t, u)| (share(*t) - domain.normalized(*u)).abs() <= 1e-7)
+        row.iter().zip(parameters).all(|(t, u)| (share(*t) - domain.normalized(*u)).abs() <= SAME_SHARE)
     };
     if places.iter().all(linear) {
         let mut exact = Vec::with_capacity(curves.len());

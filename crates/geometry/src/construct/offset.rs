@@ -1,6 +1,8 @@
 //! Surfaces at a distance from others.
 
+use crate::construct::thresholds::{BESIDE_SINGULARITY, KINK, KINK_OF_CURVATURE};
 use crate::nurbs::surface_through_pieces;
+use crate::thresholds;
 use crate::{
     Brep, Curve, Direction, Error, Line, LineCurve, NurbsSurface, Point3, Quadrant, Result,
     RevolutionSurface, Surface, Tolerance, Vector3, Xform,
@@ -138,7 +140,7 @@ fn turned_offset(surface: &Surface, turned: &RevolutionSurface, distance: f64) -
     let start = profile.point_at(profile.domain().middle());
     let (Some((there, along)), Some((here, _))) = (own(middle), own(start)) else { return Ok(None) };
     let normal = here * normal.dot(there) + along * normal.dot(along);
-    if (normal.length() - 1.0).abs() > 1e-9 {
+    if (normal.length() - 1.0).abs() > thresholds::PARALLEL {
         return Ok(None);
     }
     let moved: Curve = match profile {
@@ -149,7 +151,7 @@ fn turned_offset(surface: &Surface, turned: &RevolutionSurface, distance: f64) -
                 domain: line.domain,
             };
             let out = |p: Point3| (p - axis.from).dot(here);
-            if [moved.line.from, moved.line.to].iter().any(|p| out(*p) < -1e-12) {
+            if [moved.line.from, moved.line.to].iter().any(|p| out(*p) < -thresholds::ROUNDING) {
                 return Err(Error::degenerate("offset", "it would pass its axis"));
             }
             moved.into()
@@ -157,19 +159,19 @@ fn turned_offset(surface: &Surface, turned: &RevolutionSurface, distance: f64) -
         Curve::Arc(arc) => {
             let center = arc.arc.circle.center();
             let flat = arc.arc.circle.plane.z_axis;
-            if flat.dot(along).abs() > 1e-9 || flat.dot(here).abs() > 1e-9 {
+            if flat.dot(along).abs() > thresholds::PARALLEL || flat.dot(here).abs() > thresholds::PARALLEL {
                 return Ok(None);
             }
             let outward = normal.dot(start - center) > 0.0;
             let radius = arc.arc.circle.radius + if outward { distance } else { -distance };
-            if !(radius > 1e-9 * arc.arc.circle.radius) {
+            if !(radius > thresholds::SAME_POINT * arc.arc.circle.radius) {
                 return Err(Error::degenerate("offset", "it would shrink to a point"));
             }
             let mut moved = *arc;
             moved.arc.circle.radius = radius;
             let moved: Curve = moved.into();
             let least = |curve: &Curve| curve.extent_along(here).start - axis.from.to_vector().dot(here);
-            if least(&moved) < least(profile).min(0.0) - 1e-9 * radius {
+            if least(&moved) < least(profile).min(0.0) - thresholds::SAME_POINT * radius {
                 return Err(Error::degenerate("offset", "it would pass its axis"));
             }
             moved
@@ -193,7 +195,7 @@ fn normal(surface: &Surface, u: f64, v: f64) -> Result<Vector3> {
     if let Some(normal) = surface.normal_at(u, v) {
         return Ok(normal);
     }
-    let nearer = |t: f64, middle: f64| t + 1e-6 * (middle - t);
+    let nearer = |t: f64, middle: f64| t + BESIDE_SINGULARITY * (middle - t);
     surface.normal_at(nearer(u, du.middle()), nearer(v, dv.middle())).ok_or(none)
 }
 
@@ -234,8 +236,8 @@ fn jumps(surface: &Surface, direction: Direction) -> Vec<f64> {
             };
             let (before, after) = (along(true), along(false));
             let size = before[0].length().max(after[0].length());
-            (after[0] - before[0]).length() > 1e-6 * size
-                || (after[1] - before[1]).length() * width > 1e-4 * size
+            (after[0] - before[0]).length() > KINK * size
+                || (after[1] - before[1]).length() * width > KINK_OF_CURVATURE * size
         })
     };
     spans.windows(3).filter(|w| jumps_at(w[1], (w[1] - w[0]).min(w[2] - w[1]))).map(|w| w[1]).collect()

@@ -1,5 +1,7 @@
 //! Boxes, spheres, cylinders, cones and tori.
 
+use crate::construct::thresholds::ROUND_TOLERANCE;
+use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::brep::{Along, Builder, LoopKind, Path};
@@ -33,7 +35,7 @@ pub fn box_brep(shape: &Box3) -> Result<Brep> {
     let sizes =
         [corners[1] - corners[0], corners[3] - corners[0], corners[4] - corners[0]].map(Vector3::length);
     let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
-    if !sizes.iter().all(|s| *s > 1e-12 * largest) {
+    if !sizes.iter().all(|s| *s > thresholds::ROUNDING * largest) {
         return Err(Error::degenerate("box", "it has no area"));
     }
     let mut builder = Builder::new();
@@ -59,7 +61,9 @@ pub fn box_brep(shape: &Box3) -> Result<Brep> {
         let face = builder.face(surface.into(), false);
         builder.bound(face, LoopKind::Outer, paths)?;
     }
-    builder.finish(1e-9 * largest.max(1.0) + f64::EPSILON * corners[0].to_vector().length() * 64.0)
+    builder.finish(
+        thresholds::SAME_POINT * largest.max(1.0) + f64::EPSILON * corners[0].to_vector().length() * 64.0,
+    )
 }
 
 /// The solid of a sphere: one face with a seam and two singular sides. Its parameters are lengths: u 0…2πr, v
@@ -100,7 +104,10 @@ pub fn quad_sphere(shape: &Sphere) -> Result<Brep> {
         let placed = turned.transformed(&crate::Xform::plane_to_plane(&unit, &side))?;
         faces.push(Brep::from_surface(placed.into())?);
     }
-    Brep::joined_into_one(&faces, &Tolerance { absolute: 1e-7 * shape.radius, ..Tolerance::default() })
+    Brep::joined_into_one(
+        &faces,
+        &Tolerance { absolute: ROUND_TOLERANCE * shape.radius, ..Tolerance::default() },
+    )
 }
 
 /// The side around +z of the unit sphere tiled by six equal patches.
@@ -196,7 +203,7 @@ fn with_discs(brep: Brep, any: bool, wanted: impl Fn(Point3) -> bool) -> Result<
         let face = builder.face(PlaneSurface::new(plane, range, range)?.into(), false);
         builder.bound(face, LoopKind::Outer, vec![Path { curve: flat, along: Along::Edge(edge, true) }])?;
     }
-    builder.finish(1e-9 * size)
+    builder.finish(thresholds::SAME_POINT * size)
 }
 
 /// The rectangle of a plane between two ranges of its coordinates, which are its parameters, as a brep. Ranges that

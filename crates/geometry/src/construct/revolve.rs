@@ -1,7 +1,9 @@
 //! Curves turned about an axis.
 
 use super::check;
+use crate::construct::thresholds::NO_ANGLE;
 use crate::nurbs::check_net;
+use crate::thresholds;
 use crate::{
     Brep, Curve, Error, Interval, Line, NurbsSurface, Plane, Point3, Result, RevolutionSurface, Surface,
     Tolerance, Vector3, cancellation,
@@ -21,7 +23,7 @@ pub fn revolve(profile: &Curve, axis: Line, angle: Interval, tolerance: &Toleran
     }
     let turn = std::f64::consts::TAU;
     let mut angle = angle.ordered();
-    if angle.length() > turn - 1e-10 {
+    if angle.length() > turn - NO_ANGLE {
         angle = Interval::new(angle.start, angle.start + turn);
     }
     let surface: Surface = RevolutionSurface::new(profile.clone(), axis, angle)?.into();
@@ -65,7 +67,7 @@ pub fn rail_revolve(
         list.into_iter().map(coordinates).collect()
     };
     let (foot, far) = foot_of(&profile, &frame);
-    if scale_height && !((base - foot).abs() > 1e-12 * (base.abs() + foot.abs() + far)) {
+    if scale_height && !((base - foot).abs() > thresholds::ROUNDING * (base.abs() + foot.abs() + far)) {
         return Err(Error::degenerate("rail", "it starts at the height of the curve's foot"));
     }
     let mut net = Vec::new();

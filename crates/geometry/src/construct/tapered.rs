@@ -1,5 +1,7 @@
 //! Polygons extruded with sides that lean.
 
+use crate::construct::thresholds::UPRIGHT;
+use crate::thresholds;
 use crate::{Brep, Error, Plane, Point3, PolylineCurve, Result, Tolerance, Vector3};
 
 /// The solid between two heights over a flat closed polyline, whose sides lean inwards by an angle each (radians from
@@ -39,7 +41,7 @@ pub fn extrude_angled(
     let leans = (0..n).map(|k| *angles.get(k).unwrap_or(last));
     let leans: Vec<f64> = leans
         .map(|a| {
-            let fits = a.is_finite() && a.abs() < right - 1e-6;
+            let fits = a.is_finite() && a.abs() < right - UPRIGHT;
             if fits {
                 Ok(a.tan())
             } else {
@@ -122,8 +124,8 @@ fn ways(points: &[Point3], plane: &Plane, leans: &[f64]) -> Result<Vec<Vector3>>
             let before = (k + n - 1) % n;
             let ([a, b], [s, t]) = ([inward[before], inward[k]], [leans[before], leans[k]]);
             let sine = a.cross(b).dot(plane.z_axis);
-            if sine.abs() < 1e-9 {
-                let on = a.dot(b) > 0.0 && (s - t).abs() < 1e-12;
+            if sine.abs() < thresholds::PARALLEL {
+                let on = a.dot(b) > 0.0 && (s - t).abs() < thresholds::ROUNDING;
                 return if on {
                     Ok(b * t)
                 } else {

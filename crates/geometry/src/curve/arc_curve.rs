@@ -1,6 +1,7 @@
+use crate::thresholds;
 use std::f64::consts::TAU;
 
-use crate::{Arc, Circle, Interval, Point3};
+use crate::{Arc, Circle, Interval, NurbsCurve, Point3, Result};
 
 /// An arc or full circle as a curve. A full circle is the arc whose angle is 2π.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +22,7 @@ impl ArcCurve {
 
     /// Whether the arc is a full circle.
     pub fn is_circle(&self) -> bool {
-        (self.arc.angle.length().abs() - TAU).abs() <= 1e-12
+        (self.arc.angle.length().abs() - TAU).abs() <= thresholds::WHOLE_TURN
     }
 
     /// The angle in radians at parameter `t`.
@@ -34,6 +35,15 @@ impl ArcCurve {
     #[inline]
     pub fn point_at(&self, t: f64) -> Point3 {
         self.arc.circle.at(self.angle_at(t))
+    }
+
+    /// The exact NURBS form over the same domain. Only at the joints of spans and halfway between them do equal
+    /// parameters give equal points.
+    ///
+    /// # Errors
+    /// As [`Arc::to_nurbs`].
+    pub fn to_nurbs(&self) -> Result<NurbsCurve> {
+        self.arc.to_nurbs(self.domain)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::tessellate::chord_distance;
 use super::{Curve, PolyCurve};
 use crate::bernstein::{halves, squared_distance};
+use crate::curve::thresholds::{STRAIGHT_BEND, TOO_SHORT};
 use crate::nurbs::project;
 use crate::{Arc, Error, Line, Plane, Point3, Result, Vector3};
 
@@ -57,7 +58,7 @@ fn approximate(bezier: Vec<[f64; 4]>, plane: &Plane, tolerance: f64, out: &mut V
     while let Some((c, depth)) = stack.pop() {
         let (Some(&first), Some(&last)) = (c.first(), c.last()) else { continue };
         let (a, b) = (project(first), project(last));
-        if chord_distance(&c) <= tolerance && depth > 0 || a.distance_to(b) <= 1e-3 * tolerance {
+        if chord_distance(&c) <= tolerance && depth > 0 || a.distance_to(b) <= TOO_SHORT * tolerance {
             if a != b {
                 out.push(Line::new(a, b).into());
             }
@@ -119,7 +120,7 @@ fn biarc(c: &[[f64; 4]], plane: &Plane) -> Option<Vec<Simple>> {
 fn simple(from: Point3, direction: Vector3, to: Point3, plane: &Plane) -> Option<Simple> {
     let chord = to - from;
     let bend = direction.cross(chord).dot(plane.z_axis);
-    if bend.abs() <= 1e-10 * chord.length() {
+    if bend.abs() <= STRAIGHT_BEND * chord.length() {
         return (chord.dot(direction) > 0.0).then_some(Simple::Line(Line::new(from, to)));
     }
     Arc::from_start_direction_end(from, direction, to).ok().map(Simple::Arc)

@@ -2,6 +2,8 @@
 
 use super::Curve;
 use super::blend::blend_between;
+use crate::curve::thresholds::{FIRST_DAMPING, LEAST_DAMPING};
+use crate::thresholds;
 use crate::{Error, Point3, Result, Vector3};
 
 /// Steps of the search; a dozen is usual.
@@ -29,9 +31,9 @@ impl Curve {
         let mut best = blend(x)?;
         let mut near = best.closest_point(point)?;
         let scale = self.end().distance_to(next.start());
-        let mut damping = 1e-6;
+        let mut damping = FIRST_DAMPING;
         for _ in 0..STEPS {
-            if near.distance <= 1e-12 * scale {
+            if near.distance <= thresholds::ROUNDING * scale {
                 break;
             }
             let miss = near.point - point;
@@ -62,9 +64,9 @@ impl Curve {
                 let curve = blend(there)?;
                 let found = curve.closest_point(point)?;
                 if found.distance < near.distance {
-                    better = near.distance - found.distance > 1e-14 * scale;
+                    better = near.distance - found.distance > thresholds::FEW_ROUNDINGS * scale;
                     (x, best, near) = (there, curve, found);
-                    damping = (damping * 0.1).max(1e-12);
+                    damping = (damping * 0.1).max(LEAST_DAMPING);
                     break;
                 }
                 damping *= 10.0;

@@ -3,6 +3,7 @@
 use super::Curve;
 use super::piece::Shape;
 use crate::bernstein::{BUDGET, halves};
+use crate::curve::thresholds::UNITS_IN_LAST_PLACE;
 use crate::{BoundingBox, Box3, Interval, Plane, Point3, Vector3};
 
 impl Curve {
@@ -76,7 +77,7 @@ impl Curve {
 /// The greatest quotient of two Bernstein polynomials, the second positive, when it is above `best`; else `best`.
 fn greatest(coefficients: Vec<[f64; 2]>, mut best: f64) -> f64 {
     let bound = |c: &[[f64; 2]]| c.iter().map(|c| c[0] / c[1]).fold(f64::NEG_INFINITY, f64::max);
-    let slack = 4e-16 * coefficients.iter().map(|c| (c[0] / c[1]).abs()).fold(0.0, f64::max);
+    let slack = UNITS_IN_LAST_PLACE * coefficients.iter().map(|c| (c[0] / c[1]).abs()).fold(0.0, f64::max);
     if !slack.is_finite() {
         return best;
     }

@@ -1,6 +1,8 @@
 //! What kind of curve a curve is.
 
 use super::Curve;
+use crate::curve::thresholds::{ABOUT_WHOLE_TURN, NO_X_AXIS, SAME_BEND, STRAIGHT_END_FLOOR, TIE_BREAK};
+use crate::thresholds;
 use crate::{Arc, Circle, Interval, Line, Plane, Point3, Tolerance, Vector3};
 
 impl Curve {
@@ -57,14 +59,14 @@ impl Curve {
             .map(|(a, b)| (*a - start).cross(*b - start))
             .sum();
         let flip = match area.dot(plane.z_axis) {
-            a if a.abs() > 1e-12 * area.length().max(f64::MIN_POSITIVE) => a < 0.0,
-            _ => plane.z_axis.dot(Vector3::new(1e-6, 1e-3, 1.0)) < 0.0,
+            a if a.abs() > thresholds::ROUNDING * area.length().max(f64::MIN_POSITIVE) => a < 0.0,
+            _ => plane.z_axis.dot(Vector3::new(TIE_BREAK[0], TIE_BREAK[1], 1.0)) < 0.0,
         };
         let z = if flip { -plane.z_axis } else { plane.z_axis };
         let x = self
             .tangent_at(self.domain().start)
             .and_then(|t| t.rejected_from(z))
-            .filter(|x| x.length() > 1e-6)
+            .filter(|x| x.length() > NO_X_AXIS)
             .unwrap_or(plane.x_axis);
         let plane = Plane::from_axes(start, x, z.cross(x)).ok()?;
         points.iter().all(|&p| plane.signed_distance(p).abs() <= tolerance).then_some(plane)
@@ -161,7 +163,8 @@ impl Curve {
             }
         }
         if closed {
-            return ((last - turn).abs() < 1e-6).then_some(Arc { circle, angle: Interval::new(0.0, turn) });
+            return ((last - turn).abs() < ABOUT_WHOLE_TURN)
+                .then_some(Arc { circle, angle: Interval::new(0.0, turn) });
         }
         (last <= turn).then_some(Arc { circle, angle: Interval::new(0.0, last) })
     }
@@ -188,7 +191,7 @@ impl Curve {
             return Some(0);
         }
         let (a, b) = (self.curvature_at(end), next.curvature_at(start));
-        let bound = 1e-3 * a.length().max(b.length()) + 1e-9;
+        let bound = SAME_BEND * a.length().max(b.length()) + STRAIGHT_END_FLOOR;
         Some(if (a - b).length() <= bound { 2 } else { 1 })
     }
 }

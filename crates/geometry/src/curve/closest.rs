@@ -5,6 +5,8 @@ use super::closest_part::{Best, Parts};
 use super::piece::{Piece, Shape};
 use crate::bernstein::BUDGET;
 use crate::box_tree::{Bounds, BoxTree, bounds_of, squared_distance_to};
+use crate::curve::thresholds::{NEAREST_LIMIT, WIDER_BOX};
+use crate::thresholds;
 use crate::{Arc, Error, Point3, Result, cancellation};
 
 /// A point on a curve and how far it is from where one asked.
@@ -164,7 +166,7 @@ fn hull_of(piece: &Piece<'_>) -> Bounds {
             let (r, plane) = (arc.circle.radius, &arc.circle.plane);
             let centre = xyz(plane.origin);
             let (x, y): ([f64; 3], [f64; 3]) = (plane.x_axis.into(), plane.y_axis.into());
-            let reach = |c: usize| r * x[c].hypot(y[c]) * (1.0 + 1e-15);
+            let reach = |c: usize| r * x[c].hypot(y[c]) * (1.0 + WIDER_BOX);
             [std::array::from_fn(|c| centre[c] - reach(c)), std::array::from_fn(|c| centre[c] + reach(c))]
         }
         Shape::Span(curve, j) => bounds_of(curve.span_hull(j).map(xyz)),
@@ -190,7 +192,7 @@ impl Curve {
         for piece in &pieces {
             limit = limit.min((piece.start() - q).length_squared()).min((piece.end() - q).length_squared());
         }
-        let limit = limit * (1.0 + 1e-12);
+        let limit = limit * (1.0 + NEAREST_LIMIT);
         let index =
             ClosestOnCurve::build(pieces, false, |_, hull| !(squared_distance_to(hull, &xyz(q)) > limit));
         index.nearest(q)
@@ -222,7 +224,7 @@ impl Arc {
     /// The angle, within the arc's own, of its point nearest to `q`; the start for a point on the axis.
     pub fn closest_angle(&self, q: Point3) -> f64 {
         let [x, y, _] = self.circle.plane.coordinates(q);
-        let tiny = 1e-14 * self.circle.radius;
+        let tiny = thresholds::FEW_ROUNDINGS * self.circle.radius;
         if x.abs() <= tiny && y.abs() <= tiny {
             return self.angle.start;
         }

@@ -4,6 +4,8 @@ use super::Curve;
 use super::closest::CurvePoint;
 use super::piece::{Piece, Shape};
 use crate::bernstein::{BUDGET, binomial, halves, squared_distance};
+use crate::curve::thresholds::SLOPE_NOISE;
+use crate::thresholds;
 use crate::{Error, Point3, Result};
 
 /// What happens to the distance along a piece: minima strictly inside, and which way it goes at the ends.
@@ -24,7 +26,7 @@ fn sign(x: f64, noise: f64) -> f64 {
 fn along_segment(a: Point3, b: Point3, q: Point3) -> Course {
     let d = b - a;
     let x = (q - a).dot(d) / d.length_squared();
-    let noise = 1e-15;
+    let noise = SLOPE_NOISE;
     let inside = if x > 0.0 && x < 1.0 { vec![x] } else { Vec::new() };
     if !x.is_finite() {
         return Course { inside: Vec::new(), start: 0.0, end: 0.0 };
@@ -40,7 +42,7 @@ fn along_segment(a: Point3, b: Point3, q: Point3) -> Course {
 /// Arcs: the angle of q, once for each turn that reaches it.
 fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
     let [x, y, _] = arc.circle.plane.coordinates(q);
-    let tiny = 1e-14 * arc.circle.radius;
+    let tiny = thresholds::FEW_ROUNDINGS * arc.circle.radius;
     if x.abs() <= tiny && y.abs() <= tiny {
         return Course { inside: Vec::new(), start: 0.0, end: 0.0 };
     }
@@ -53,7 +55,7 @@ fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
     // At an end that is nearest or farthest itself, as just inside.
     let slope = |angle: f64, inward: f64| {
         let (sine, cosine) = (angle - direction).sin_cos();
-        match forward * sign(sine, 1e-14) {
+        match forward * sign(sine, thresholds::FEW_ROUNDINGS) {
             0.0 if cosine > 0.0 => inward,
             0.0 => -inward,
             slope => slope,
@@ -90,7 +92,7 @@ pub(crate) fn along_span(points: &[[f64; 4]], q: Point3, budget: &mut u32) -> Co
     };
     let weight = if rational { f.iter().fold(0.0_f64, |m, c| m.max(c[1])) } else { 1.0 };
     let size = f.iter().fold(0.0_f64, |m, c| m.max(c[0].abs()));
-    let noise = 1e-14 * n as f64 * size * weight;
+    let noise = thresholds::FEW_ROUNDINGS * n as f64 * size * weight;
     let signs = |c: &[[f64; 1]]| {
         let (mut changes, mut before, mut first) = (0, 0.0, 0.0);
         for x in c {
@@ -236,7 +238,7 @@ impl Curve {
         }
         // A minimum at a joint may also show just inside.
         out.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
-        let near = 1e-9 * self.domain().length();
+        let near = thresholds::SAME_PARAMETER * self.domain().length();
         out.dedup_by(|b, a| {
             let same = b.parameter - a.parameter <= near;
             if same && b.distance < a.distance {

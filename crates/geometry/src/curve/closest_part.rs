@@ -8,6 +8,8 @@
 use crate::MAX_DEGREE;
 use crate::bernstein::{binomial, jet};
 use crate::box_tree::{Bounds, bounds_of};
+use crate::curve::thresholds::{MINIMUM_MARGIN, NEWTON_SMALL, PART_NOISE, RELATIVE_TIE};
+use crate::thresholds;
 
 /// A part of a Bézier curve of degree p, as a range of tables.
 #[derive(Debug, Clone, Copy)]
@@ -179,7 +181,7 @@ impl Parts {
             *slot = std::array::from_fn(|k| if k == 0 { n } else { m[4] });
         }
         // What rounding may have done to a coefficient, as a part of the weight that stands with it.
-        let noise = 2e-15 * (part.radius + rr.sqrt()).powi(2);
+        let noise = PART_NOISE * (part.radius + rr.sqrt()).powi(2);
         let search = Search { points, r, part, noise };
         if !best.squared.is_finite() {
             // The coefficients are judged against a bar.
@@ -239,7 +241,7 @@ impl Search<'_> {
             // there; if that is its one minimum, nothing in the range is below the bar (W. Dinkelbach, Management
             // Science 13, 1967).
             let (least, shape) = self.judge(c, last, best.squared);
-            let found_best = found <= best.squared * (1.0 + 1e-13);
+            let found_best = found <= best.squared * (1.0 + RELATIVE_TIE);
             if least >= 0.0 || (found_best && shape.is_some()) {
                 return;
             }
@@ -293,7 +295,7 @@ impl Search<'_> {
         bar: f64,
     ) -> (f64, Option<f64>) {
         let weight = |k: usize| if C == 1 { 1.0 } else { c[k][C - 1] };
-        let tie = bar * (1.0 - 4e-13);
+        let tie = bar * (1.0 - MINIMUM_MARGIN);
         let mut before = c[0][0] - tie * weight(0);
         let (mut least, mut lowest) = (before, 0);
         let mut margin = before - self.noise * weight(0);
@@ -398,7 +400,7 @@ impl Search<'_> {
             before = (next - x).abs();
             x = next;
             // After a Newton step this small the next is below rounding.
-            if before <= 1e-15 || (newton && before <= 1e-8) || !(low < high) {
+            if before <= thresholds::NEWTON_DONE || (newton && before <= NEWTON_SMALL) || !(low < high) {
                 break;
             }
         }
@@ -409,7 +411,7 @@ impl Search<'_> {
         // Where the curve starts or ends with a speed of zero the slope is rounding, and its sign says nothing.
         let reach = self.part.radius + self.r.iter().map(|r| r * r).sum::<f64>().sqrt();
         let least = self.points.iter().fold(f64::INFINITY, |least, point| least.min(point[3]));
-        let rounding = 1e-14 * self.part.degree as f64 * reach * found.sqrt() / least;
+        let rounding = thresholds::FEW_ROUNDINGS * self.part.degree as f64 * reach * found.sqrt() / least;
         let at_end = (x <= a && slope > rounding) || (x >= b && slope < -rounding);
         // On the curve the distance is 0, and no point is nearer.
         (rate > 0.0 || at_end || found == 0.0).then_some(found)

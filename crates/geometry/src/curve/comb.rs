@@ -1,5 +1,6 @@
 //! The curvature along a curve, span by span.
 
+use crate::curve::thresholds::OPEN_QUARTER;
 use std::f64::consts::FRAC_PI_2;
 
 use super::Curve;
@@ -30,7 +31,7 @@ fn stretches(piece: &Piece<'_>) -> usize {
         Shape::Span(curve, _) if curve.degree() < 2 => 0,
         Shape::Span(..) => 1,
         Shape::Arc(arc) => {
-            let quarters = (arc.angle.length().abs() / FRAC_PI_2 - 1e-9).ceil();
+            let quarters = (arc.angle.length().abs() / FRAC_PI_2 - OPEN_QUARTER).ceil();
             (quarters.max(1.0) as usize).min(MOST_QUARTERS)
         }
     }

@@ -1,6 +1,10 @@
 //! How smoothly curves run and join, measured.
 
 use super::{Continuity, Curve};
+use crate::curve::thresholds::{
+    COINCIDENT, DERIVATIVE_FLOOR, DERIVATIVE_NOISE, POINT_NOISE, SAME_CURVATURE, SAME_DERIVATIVE,
+    STRAIGHT_END_FLOOR,
+};
 use crate::{Tolerance, Vector3};
 
 /// What counts as equal when continuity is asked for.
@@ -20,7 +24,12 @@ pub struct ContinuityTolerance {
 impl Default for ContinuityTolerance {
     /// Those of openNURBS: points as its coincidence, 1°, derivatives 10⁻⁸, curvature 10⁻³.
     fn default() -> Self {
-        Self { distance: 2.4e-10, angle: std::f64::consts::PI / 180.0, derivative: 1e-8, curvature: 1e-3 }
+        Self {
+            distance: COINCIDENT,
+            angle: std::f64::consts::PI / 180.0,
+            derivative: SAME_DERIVATIVE,
+            curvature: SAME_CURVATURE,
+        }
     }
 }
 
@@ -114,11 +123,11 @@ impl Curve {
             let (b, db) = self.derivatives(above, count, false);
             let span = domain.length();
             let mut scale = 1.0;
-            a.distance_to(b) <= tolerance.distance.max(1e-15 * a.to_vector().length())
+            a.distance_to(b) <= tolerance.distance.max(POINT_NOISE * a.to_vector().length())
                 && da.iter().zip(&db).all(|(x, y)| {
                     let size = x.length().max(y.length());
                     // Noise of lower derivatives, magnified by the domain, is no difference.
-                    let floor = 1e-13 * scale * da.first().map_or(0.0, |d| d.length());
+                    let floor = DERIVATIVE_NOISE * scale * da.first().map_or(0.0, |d| d.length());
                     scale *= 8.0 / span;
                     (*x - *y).length() <= tolerance.derivative * size + floor
                 })
@@ -160,11 +169,11 @@ fn compare(a: &Curve, end: f64, b: &Curve, start: f64, tolerance: &ContinuityTol
     let touches = distance <= tolerance.distance || p.coincides(q);
     let bend = curvature[0].length().max(curvature[1].length());
     // A straight end has no curvature to take a share of: what a polyline of the model's size would not show.
-    let floor = 1e-9 * (1.0 + bend * bend);
+    let floor = STRAIGHT_END_FLOOR * (1.0 + bend * bend);
     let geometric = touches.then(|| {
         if !angle.is_some_and(|x| x <= tolerance.angle) {
             0
-        } else if !(curvature_difference <= tolerance.curvature * bend + 1e-9) {
+        } else if !(curvature_difference <= tolerance.curvature * bend + STRAIGHT_END_FLOOR) {
             1
         } else if !(rate_difference <= tolerance.curvature * rate_size + floor) {
             2
@@ -183,7 +192,7 @@ fn compare(a: &Curve, end: f64, b: &Curve, start: f64, tolerance: &ContinuityTol
                 break;
             }
             order += 1;
-            floor = 1e-10 * speed / span.powi(order);
+            floor = DERIVATIVE_FLOOR * speed / span.powi(order);
         }
         u8::try_from(order).unwrap_or(0)
     });

@@ -2,6 +2,7 @@
 
 use super::Curve;
 use super::evaluate::curvature;
+use crate::curve::thresholds::{LEAP_OF_CURVATURE, SAME_DERIVATIVE, STRAIGHT_CURVATURE};
 use crate::{Tolerance, Vector3};
 
 /// A kind of smoothness.
@@ -57,7 +58,7 @@ impl Curve {
         }
         let (a, da) = self.derivatives(below, 2, true);
         let (b, db) = self.derivatives(above, 2, false);
-        let differ = |x: Vector3, y: Vector3| (x - y).length() > 1e-8 * x.length().max(y.length());
+        let differ = |x: Vector3, y: Vector3| (x - y).length() > SAME_DERIVATIVE * x.length().max(y.length());
         if a.distance_to(b) > tolerance.absolute {
             return true;
         }
@@ -73,12 +74,14 @@ impl Curve {
             }
             Continuity::C1 => differ(da[0], db[0]),
             Continuity::C2 => {
-                differ(da[0], db[0]) || (differ(da[1], db[1]) && (da[1] - db[1]).length() > 1e-8 * size)
+                differ(da[0], db[0])
+                    || (differ(da[1], db[1]) && (da[1] - db[1]).length() > SAME_DERIVATIVE * size)
             }
             Continuity::G1 => turns(),
             Continuity::G2 => {
                 let (x, y) = (curvature(da[0], da[1]), curvature(db[0], db[1]));
-                turns() || (x - y).length() > 1e-6 * x.length().max(y.length()) + 1e-12
+                turns()
+                    || (x - y).length() > LEAP_OF_CURVATURE * x.length().max(y.length()) + STRAIGHT_CURVATURE
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::piece::Shape;
 use super::{ArcLength, Curve};
 use crate::bernstein::{first_rise, squared_distance, value};
+use crate::thresholds;
 use crate::{Error, Point3, Result};
 
 /// More points than this are refused before memory is asked for.
@@ -54,11 +55,11 @@ impl Curve {
             });
         }
         // A step that ends within rounding of the end reaches it.
-        let count = (total / length * (1.0 + 1e-12)).floor() as usize;
+        let count = (total / length * (1.0 + thresholds::ROUNDING)).floor() as usize;
         let closed = self.is_closed();
         let steps = (0..=count).map(|i| length * i as f64);
         Ok(steps
-            .filter(|&s| !(closed && s > 0.0 && s >= total * (1.0 - 1e-12)))
+            .filter(|&s| !(closed && s > 0.0 && s >= total * (1.0 - thresholds::ROUNDING)))
             .map(|s| measure.parameter_at(s))
             .collect())
     }
@@ -88,7 +89,7 @@ impl Curve {
                 let c = squared_distance(&part.points, from);
                 let squared = distance * distance;
                 // A hair less, so that a curve that ends at the distance reaches it.
-                let bar = squared * (1.0 - 1e-14);
+                let bar = squared * (1.0 - thresholds::FEW_ROUNDINGS);
                 let excess: Vec<f64> = c.iter().map(|c| c[0] - bar * c[1]).collect();
                 // A gap between pieces may leap over the distance: then the next piece starts beyond it.
                 let found = if after == 0.0 && excess.first().is_some_and(|&x| x >= 0.0) {
@@ -100,7 +101,7 @@ impl Curve {
                     let (point, t) = part.at(x);
                     if t >= domain.end
                         && self.is_closed()
-                        && point.distance_to(self.start()) <= 1e-9 * distance
+                        && point.distance_to(self.start()) <= thresholds::SAME_POINT * distance
                     {
                         break 'points;
                     }

@@ -1,6 +1,7 @@
 //! Segments of a curve that stray equally far from their chords.
 
 use super::{ArcLength, Curve};
+use crate::curve::thresholds::{EVEN_SPREAD, NO_DEVIATION, SEARCH_DONE};
 use crate::{Error, Line, Point3, Result};
 
 /// The most segments; the work grows with their number.
@@ -139,7 +140,7 @@ impl Samples<'_> {
         let mut best = (self.spread(ends), ends.clone());
         let mut here = ends.clone();
         for _ in 0..60 {
-            if best.0 <= 1e-5 {
+            if best.0 <= EVEN_SPREAD {
                 break;
             }
             let roots: Vec<f64> = here.windows(2).map(|w| self.quick_deviation(w[0], w[1]).sqrt()).collect();
@@ -170,7 +171,7 @@ impl Samples<'_> {
         let mut last = f64::INFINITY;
         for _ in 0..30 {
             let spread = self.spread(ends);
-            if spread <= 1e-5 || spread > 0.98 * last {
+            if spread <= EVEN_SPREAD || spread > 0.98 * last {
                 break;
             }
             last = spread;
@@ -229,7 +230,7 @@ impl Curve {
         let whole = samples.deviation(domain.start, domain.end);
         let ends = if count == 1 {
             vec![domain.start, domain.end]
-        } else if whole <= 1e-12 * total {
+        } else if whole <= NO_DEVIATION * total {
             let mut ends = self.divide_by_count(count)?;
             if ends.len() == count {
                 ends.push(domain.end);
@@ -258,7 +259,7 @@ impl Curve {
                 } else {
                     low = middle;
                 }
-                if high - low <= 1e-10 * high {
+                if high - low <= SEARCH_DONE * high {
                     break;
                 }
             }

@@ -1,6 +1,7 @@
 //! The same curve in another place, direction or domain, and parts of it.
 
 use super::{ArcCurve, Curve, LineCurve, PolyCurve, PolylineCurve};
+use crate::curve::thresholds::LEAST_TRIM;
 use crate::{Arc, Error, Interval, Line, Point3, Result, Xform};
 
 /// The part of a segment that is rounding.
@@ -135,7 +136,7 @@ impl Curve {
                     let part = c.segment_domain(i);
                     let Some(both) = part.intersection(range).filter(|r| r.start < r.end) else { continue };
                     // What only rounding has left of a segment is not kept.
-                    if both.length() <= SPECK * part.length() && range.length() > 1e-6 * part.length() {
+                    if both.length() <= SPECK * part.length() && range.length() > LEAST_TRIM * part.length() {
                         continue;
                     }
                     let own = segment.domain();

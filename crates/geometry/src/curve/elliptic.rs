@@ -1,5 +1,6 @@
 //! Ellipses and parts of them, exact and recognised.
 
+use crate::curve::thresholds::{NO_ELLIPSE, NO_PIVOT, OVER_TURN, WHOLE_ELLIPSE};
 use std::f64::consts::TAU;
 
 use super::Curve;
@@ -35,7 +36,7 @@ impl Curve {
             return None;
         }
         let (ellipse, angle) = self.as_elliptic_arc(tolerance)?;
-        ((angle.length() - TAU).abs() < 1e-6).then_some(ellipse)
+        ((angle.length() - TAU).abs() < WHOLE_ELLIPSE).then_some(ellipse)
     }
 
     /// The part of an ellipse that the curve is within `tolerance`, with its range of eccentric angles, increasing;
@@ -92,7 +93,7 @@ impl Curve {
             }
         }
         let end = last?;
-        (end > first && end - first <= TAU + 1e-9).then(|| {
+        (end > first && end - first <= TAU + OVER_TURN).then(|| {
             let end = if self.is_closed() { first + TAU } else { end };
             (ellipse, Interval::new(first, end))
         })
@@ -124,7 +125,7 @@ fn fitted(samples: &[(f64, f64, Point3)], plane: &Plane) -> Option<Ellipse> {
     let s = solve5(a)?;
     let (ca, cb, cc, cd, ce, cf) = (s[0], s[1], 1.0 - s[0], s[2], s[3], s[4]);
     let determinant = 4.0 * ca * cc - cb * cb;
-    if !(determinant > 1e-12) {
+    if !(determinant > NO_ELLIPSE) {
         return None;
     }
     let (x0, y0) = ((cb * ce - 2.0 * cc * cd) / determinant, (cb * cd - 2.0 * ca * ce) / determinant);
@@ -150,7 +151,7 @@ fn solve5(mut a: [[f64; 6]; 5]) -> Option<[f64; 5]> {
     for k in 0..5 {
         let pivot = (k..5).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
         a.swap(k, pivot);
-        if !(a[k][k].abs() > 1e-14) {
+        if !(a[k][k].abs() > NO_PIVOT) {
             return None;
         }
         for i in k + 1..5 {

@@ -1,5 +1,7 @@
 //! Derivatives, tangents, curvature, torsion and frames.
 
+use crate::curve::thresholds::{STRAIGHT_FRAME, VANISHES};
+use crate::thresholds;
 use std::f64::consts::FRAC_PI_2;
 
 use super::Curve;
@@ -95,7 +97,7 @@ impl Curve {
             .collect();
         let largest = sizes.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
         for (k, (v, size)) in d.iter().zip(&sizes).enumerate() {
-            if *size > 1e-12 * largest {
+            if *size > VANISHES * largest {
                 // (t − t0)^k changes sign from below when k is odd.
                 let sign = if from_below && k % 2 == 1 { -1.0 } else { 1.0 };
                 return v.unitized().map(|v| v * sign);
@@ -153,7 +155,7 @@ impl Curve {
         let (_, d) = self.derivatives(t, 3, t >= self.domain().end);
         let binormal = d[0].cross(d[1]);
         let squared = binormal.length_squared();
-        if squared > (1e-12 * d[0].length() * d[1].length()).powi(2) && squared > 0.0 {
+        if squared > (thresholds::NO_DIRECTION * d[0].length() * d[1].length()).powi(2) && squared > 0.0 {
             binormal.dot(d[2]) / squared
         } else {
             0.0
@@ -166,7 +168,7 @@ impl Curve {
         let tangent = self.tangent_at(t)?;
         let k = self.curvature_at(t);
         let size = self.domain().length() * self.derivatives(t, 1, false).1[0].length();
-        let y = if k.length() * size > 1e-10 { k } else { tangent.perpendicular()? };
+        let y = if k.length() * size > STRAIGHT_FRAME { k } else { tangent.perpendicular()? };
         Plane::from_axes(self.point_at(t), tangent, y).ok()
     }
 }

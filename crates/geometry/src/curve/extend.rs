@@ -1,6 +1,7 @@
 //! Curves made longer at their ends.
 
 use super::{ArcCurve, Curve, PolyCurve};
+use crate::curve::thresholds::{LENGTH_DONE, LENGTH_SHARE, STRAIGHT_EXTENSION};
 use crate::quadrature::integrate;
 use crate::{Arc, Circle, Error, Interval, Plane, Result};
 
@@ -75,7 +76,7 @@ impl Curve {
                     .tangent_on_side(t, true)
                     .ok_or(Error::degenerate("curve", "it has no direction at its end"))?;
                 let k = self.curvature_on_side(t, true);
-                let Some(toward) = k.unitized().filter(|_| k.length() * length > 1e-9) else {
+                let Some(toward) = k.unitized().filter(|_| k.length() * length > STRAIGHT_EXTENSION) else {
                     return self.extended_by_lines(0.0, length);
                 };
                 let radius = 1.0 / k.length();
@@ -133,11 +134,11 @@ fn parameter_beyond(c: &crate::NurbsCurve, length: f64) -> Result<f64> {
     }
     for _ in 0..200 {
         let next = low + step;
-        let part = integrate(&|t| [speed(t)], low, next, 1e-13 * length)[0];
+        let part = integrate(&|t| [speed(t)], low, next, LENGTH_SHARE * length)[0];
         if !part.is_finite() {
             return Err(lost);
         }
-        if (gone + part - length).abs() <= 1e-12 * length {
+        if (gone + part - length).abs() <= LENGTH_DONE * length {
             return Ok(next);
         }
         if gone + part < length {

@@ -1,7 +1,9 @@
 //! Where a curve turns, bends most or least, and where its bend changes side.
 
 use super::Curve;
+use crate::curve::thresholds::{BEND_NOISE, INSIDE_SPAN, LEAST_SIGN_STEP, NO_BEND, NO_SLOPE, SIGN_STEP};
 use crate::polynomial::{Hodograph, Polynomial, cross, dot};
+use crate::thresholds;
 use crate::{Circle, Error, Plane, Result, Vector3};
 
 /// A place where the curvature is largest or smallest.
@@ -18,7 +20,7 @@ pub struct CurvatureExtremum {
 
 /// The size of the terms that a polynomial was summed from tells its rounding noise.
 fn noise(size: f64) -> f64 {
-    1e-13 * size
+    BEND_NOISE * size
 }
 
 impl Curve {
@@ -71,14 +73,14 @@ impl Curve {
                     // Only changes of sign: an undulation keeps its side.
                     all.into_iter()
                         .filter(|&x| {
-                            let h = 1e-5_f64.min(0.5 * x).min(0.5 * (1.0 - x));
+                            let h = SIGN_STEP.min(0.5 * x).min(0.5 * (1.0 - x));
                             x > 0.0 && x < 1.0 && bend.at(x - h) * bend.at(x + h) < 0.0
                         })
                         .collect()
                 }
                 None => {
                     let squared = dot(&s, &s);
-                    let mut all = squared.roots(noise(size) * noise(size).max(1e-13 * size));
+                    let mut all = squared.roots(noise(size) * noise(size).max(BEND_NOISE * size));
                     all.retain(|&x| x > 0.0 && x < 1.0);
                     all
                 }
@@ -95,16 +97,16 @@ impl Curve {
                         (Some(a), Some(b)) => {
                             let c = a.cross(*b).dot(plane.z_axis);
                             if c.abs()
-                                > 1e-9 * a.length_squared() / w[0].whole.length().max(w[1].whole.length())
+                                > NO_BEND * a.length_squared() / w[0].whole.length().max(w[1].whole.length())
                             {
                                 return c;
                             }
                             // Flat at the joint itself: look a little into the piece.
                             let piece = if below { &w[0] } else { &w[1] };
-                            let u = piece.own.at(if below { 1.0 - 1e-4 } else { 1e-4 });
+                            let u = piece.own.at(if below { 1.0 - INSIDE_SPAN } else { INSIDE_SPAN });
                             let [_, a, b] = piece.jet(u);
                             let c = a.cross(b).dot(plane.z_axis);
-                            if c.abs() > 1e-9 * a.length_squared() / piece.own.length().abs() {
+                            if c.abs() > NO_BEND * a.length_squared() / piece.own.length().abs() {
                                 c
                             } else {
                                 0.0
@@ -160,12 +162,12 @@ impl Curve {
             let slope = rising.plus(&weights).minus(&falling);
             let size = rising.size().max(falling.size()).max(weights.size());
             let size_of_bend = h.tangent.iter().map(Polynomial::size).fold(0.0, f64::max).powi(2);
-            if ss.size() <= (1e-12 * size_of_bend).powi(2) || slope.size() <= 1e-11 * size {
+            if ss.size() <= (thresholds::ROUNDING * size_of_bend).powi(2) || slope.size() <= NO_SLOPE * size {
                 continue;
             }
-            for x in slope.roots(1e-15 * slope.size()) {
-                let h = 1e-5_f64.min(0.5 * x).min(0.5 * (1.0 - x));
-                if !(x > 0.0 && x < 1.0) || h < 1e-13 {
+            for x in slope.roots(thresholds::POLYNOMIAL_ZERO * slope.size()) {
+                let h = SIGN_STEP.min(0.5 * x).min(0.5 * (1.0 - x));
+                if !(x > 0.0 && x < 1.0) || h < LEAST_SIGN_STEP {
                     continue;
                 }
                 let (before, after) = (slope.at(x - h), slope.at(x + h));
@@ -222,7 +224,7 @@ impl Curve {
     /// Parameters in order, each once.
     fn ordered(&self, mut parameters: Vec<f64>) -> Vec<f64> {
         parameters.sort_by(f64::total_cmp);
-        let near = 1e-9 * self.domain().length();
+        let near = thresholds::SAME_PARAMETER * self.domain().length();
         parameters.dedup_by(|a, b| (*a - *b).abs() <= near);
         parameters
     }

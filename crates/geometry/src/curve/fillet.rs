@@ -1,6 +1,10 @@
 //! Corners rounded and cut.
 
 use super::{ArcLength, Continuity, Curve, PolyCurve};
+use crate::curve::thresholds::{
+    BALL_MOVES, FILLET_ROOM, FOUND_AT_LEAST, FOUND_FIRST, SHORTEST_STEP, SINGULAR, UNITS_IN_LAST_PLACE,
+};
+use crate::thresholds;
 use crate::{Arc, Circle, Error, Interval, Line, Plane, Point3, Result, Tolerance, Vector3};
 
 /// A corner between two curves that has been rounded or cut.
@@ -81,7 +85,7 @@ impl Curve {
                 let bend = |v: Vector3, a: Vector3| v.cross(a).dot(normal) / v.length().powi(3);
                 let (jp, jq) = (p1 * (1.0 - bend(p1, p2) * wanted), q1 * (1.0 - bend(q1, q2) * wanted));
                 let determinant = jp.cross(-jq).dot(normal);
-                if !(determinant.abs() > 1e-14 * jp.length() * jq.length()) {
+                if !(determinant.abs() > SINGULAR * jp.length() * jq.length()) {
                     break;
                 }
                 let ds = -miss.cross(-jq).dot(normal) / determinant;
@@ -93,23 +97,25 @@ impl Curve {
                     break;
                 }
                 let rest = miss.length();
-                let small = |d: f64, x: f64| d.abs() <= 4e-16 * x.abs().max(1e-300) || d == 0.0;
-                if rest <= 1e-13 * (radius + p.to_vector().length())
+                let small = |d: f64, x: f64| {
+                    d.abs() <= UNITS_IN_LAST_PLACE * x.abs().max(thresholds::LEAST_DIVISOR) || d == 0.0
+                };
+                if rest <= FOUND_FIRST * (radius + p.to_vector().length())
                     || (small(guess.s - old_s, guess.s) && small(guess.t - old_t, guess.t))
                 {
-                    found = rest <= 1e-9 * (radius + p.to_vector().length());
+                    found = rest <= FOUND_AT_LEAST * (radius + p.to_vector().length());
                     break;
                 }
             }
             let jump = 4.0 * (wanted - done) * (1.0 + (0.5 * turn).tan());
             let moved = self.point_at(guess.s).distance_to(self.point_at(at.s));
-            if found && moved <= jump.max(1e-9) && guess.s <= at.s && guess.t >= at.t {
+            if found && moved <= jump.max(BALL_MOVES) && guess.s <= at.s && guess.t >= at.t {
                 at = guess;
                 done = wanted;
                 step *= 2.0;
             } else {
                 step *= 0.5;
-                if step < 1e-6 * radius {
+                if step < SHORTEST_STEP * radius {
                     return Err(refused());
                 }
             }
@@ -121,7 +127,7 @@ impl Curve {
         let arc = arc_between(center, p, q, normal)?;
         let cut = |curve: &Self, range: Interval| -> Result<Self> {
             let domain = curve.domain();
-            if range.length() <= 1e-12 * domain.length() {
+            if range.length() <= FILLET_ROOM * domain.length() {
                 return Err(refused());
             }
             curve.trimmed(range)
@@ -174,7 +180,7 @@ impl Curve {
         let leaving = next.tangent_on_side(next.domain().start, false).ok_or_else(none)?;
         let cross = arriving.cross(leaving);
         let turn = cross.length().atan2(arriving.dot(leaving));
-        if !(cross.length() > 1e-9) {
+        if !(cross.length() > thresholds::PARALLEL) {
             return Err(Error::degenerate("corner", "the curves run on smoothly or straight back"));
         }
         let normal = cross / cross.length();
@@ -241,7 +247,7 @@ impl Curve {
             let corner = self.end();
             let reach = [made.piece.start(), made.piece.end()].map(|p| p.distance_to(corner));
             let reach = reach[0].max(reach[1]);
-            if (reach - distance).abs() <= 1e-12 * distance {
+            if (reach - distance).abs() <= thresholds::ROUNDING * distance {
                 return Ok(made);
             }
             radius *= distance / reach;
@@ -301,10 +307,11 @@ impl Curve {
                 match work(&halves[1], &halves[0]) {
                     Ok(c) => {
                         between[i] = Some(c.piece);
-                        parts[i] = super::join_curves(&[c.after, c.before], 1e-9 * size, true)
-                            .into_iter()
-                            .next()
-                            .unwrap_or_else(|| parts[i].clone());
+                        parts[i] =
+                            super::join_curves(&[c.after, c.before], thresholds::SAME_POINT * size, true)
+                                .into_iter()
+                                .next()
+                                .unwrap_or_else(|| parts[i].clone());
                     }
                     Err(_) => left.push(kink),
                 }

@@ -1,6 +1,7 @@
 //! Frames along a curve that do not twist about it.
 
 use super::Curve;
+use crate::curve::thresholds::{NO_HORIZONTAL, NO_ROTATION};
 use crate::{Plane, Vector3, cancellation};
 
 impl Curve {
@@ -69,7 +70,7 @@ impl Curve {
     pub fn horizontal_frame_at(&self, t: f64) -> Option<Plane> {
         let tangent = self.tangent_at(t)?;
         let x = Vector3::new(tangent.x, tangent.y, 0.0);
-        if x.length() < 1e-12 {
+        if x.length() < NO_HORIZONTAL {
             return None;
         }
         let x = x.unitized()?;
@@ -97,7 +98,7 @@ fn double_reflection(back: Vector3, old_t: Vector3, old_x: Vector3, new_t: Vecto
 /// `x` turned by the smallest rotation from `a` to `b`.
 fn turned(x: Vector3, a: Vector3, b: Vector3) -> Option<Vector3> {
     let axis = a.cross(b);
-    if axis.length() < 1e-15 { Some(x) } else { x.rotated(axis.length().atan2(a.dot(b)), axis) }
+    if axis.length() < NO_ROTATION { Some(x) } else { x.rotated(axis.length().atan2(a.dot(b)), axis) }
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
 //! Curves joined end to end.
 
+use crate::curve::thresholds::LEAST_CELL;
 use std::collections::HashMap;
 
+use super::ends::with_ends;
 use super::{Curve, PolyCurve, PolylineCurve};
-use crate::brep::with_ends;
 use crate::{Interval, Line, LineCurve, Point3};
 
 /// Ends of curves by the cell of a grid they lie in, to find those near a point.
@@ -79,7 +80,7 @@ pub(crate) fn chains(
 ) -> Vec<Vec<(usize, bool)>> {
     let size =
         ends.iter().fold(1.0_f64, |m, (a, b)| m.max(a.to_vector().length()).max(b.to_vector().length()));
-    let mut grid = Ends { cell: (2.0 * tolerance).max(1e-9 * size), cells: HashMap::new() };
+    let mut grid = Ends { cell: (2.0 * tolerance).max(LEAST_CELL * size), cells: HashMap::new() };
     let mut used: Vec<bool> = closed.to_vec();
     for (i, &(a, b)) in ends.iter().enumerate() {
         if !used[i] {

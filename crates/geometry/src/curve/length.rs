@@ -3,6 +3,7 @@
 use super::Curve;
 use super::piece::{Piece, Shape};
 use super::speed::{Hodographs, Place, Speed};
+use crate::curve::thresholds::{FINEST_LENGTH, LENGTH_AT, NEWTON_LANDS};
 use crate::{Interval, cancellation};
 
 /// What the rules for parts of a span must agree to, where nobody says otherwise.
@@ -154,7 +155,7 @@ impl<'a> ArcLength<'a> {
         };
         let k = parts.partition_point(|p| p.before <= wanted).saturating_sub(1);
         let Some(part) = parts.get(k) else { return piece.whole.start };
-        let x = inside(part, speed, wanted - part.before, 5e-14 * self.total());
+        let x = inside(part, speed, wanted - part.before, LENGTH_AT * self.total());
         piece.whole_parameter(piece.own.at(x))
     }
 }
@@ -188,7 +189,7 @@ fn inside(part: &Part, speed: Speed<'_>, wanted: f64, tolerance: f64) -> f64 {
         let mut next = x + miss / rate;
         if !(low < next && next < high) {
             next = 0.5 * (low + high);
-        } else if (miss * (next - x)).abs() <= 1e-9 * part.length * (high - low) && {
+        } else if (miss * (next - x)).abs() <= NEWTON_LANDS * part.length * (high - low) && {
             // When the step is so small that the speed hardly changes over it, it lands within the tolerance.
             let other = speed.at(next);
             ((other - rate) * (next - x)).abs() <= tolerance
@@ -216,7 +217,7 @@ impl Curve {
     /// Each span by the 31-point Gauss–Kronrod rule (R. Piessens et al., *QUADPACK*, 1983), halved until the
     /// estimated error is within the fraction of its own length: halving closes in on cusps.
     pub fn length_within(&self, fraction: f64) -> f64 {
-        self.measured(fraction.clamp(1e-15, 0.1))
+        self.measured(fraction.clamp(FINEST_LENGTH, 0.1))
     }
 
     fn measured(&self, relative: f64) -> f64 {

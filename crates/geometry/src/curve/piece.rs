@@ -118,4 +118,9 @@ impl Curve {
             }
         }
     }
+
+    /// The smooth stretches of the curve.
+    pub(crate) fn smooth_stretches(&self) -> Vec<Interval> {
+        self.pieces().iter().map(|p| p.whole).collect()
+    }
 }

@@ -2,8 +2,8 @@
 
 use super::Curve;
 use super::piece::Shape;
+use crate::curve::thresholds::{MOMENT_BOUND, NO_AREA};
 use crate::quadrature::integrate;
-use crate::region::Outline;
 use crate::{Error, MassProperties, Plane, Point3, Result};
 
 /// Where a point lies relative to a closed curve.
@@ -58,14 +58,14 @@ impl Curve {
                         let cross = x * d.dot(zy) - y * d.dot(zx);
                         [0.5 * cross, cross * x / 3.0, cross * y / 3.0]
                     };
-                    let bound = 1e-14 * size * size * size.max(1.0);
+                    let bound = MOMENT_BOUND * size * size * size.max(1.0);
                     integrate(&integrand, piece.own.start, piece.own.end, bound)
                 }
             };
             sums = std::array::from_fn(|c| sums[c] + part[c]);
         }
         let [area, x, y] = sums;
-        if area.abs() <= 1e-15 * size * size {
+        if area.abs() <= NO_AREA * size * size {
             return (area, local.origin);
         }
         (area, local.at(x / area, y / area, 0.0))
@@ -103,7 +103,7 @@ impl Curve {
                     cross * x * y / 4.0,
                 ]
             };
-            let part = integrate(&integrand, piece.own.start, piece.own.end, 1e-14);
+            let part = integrate(&integrand, piece.own.start, piece.own.end, MOMENT_BOUND);
             flat.iter_mut().zip(part).for_each(|(sum, v)| *sum += v);
         }
         let [area, x, y, xx, yy, xy] = flat;
@@ -125,29 +125,5 @@ impl Curve {
             second(rows[2], rows[0]),
         ];
         MassProperties::of_integrals(integrals, 0.0, local.origin, size, 2)
-    }
-
-    /// Where a point lies relative to a closed curve, both projected into a plane; points within `tolerance` of the
-    /// projected curve are on it. Inside means a winding number other than 0.
-    ///
-    /// The crossings with a ray are counted; each piece is halved until its control points prove whether it crosses,
-    /// so that nothing is decided by rounding unless the point is nearer than the tolerance.
-    ///
-    /// # Errors
-    /// The curve is open or the point not finite.
-    pub fn contains_in_plane(&self, p: Point3, plane: &Plane, tolerance: f64) -> Result<Containment> {
-        if !self.is_closed() {
-            return Err(Error::degenerate("curve", "it is open and has no inside"));
-        }
-        if !p.is_finite() {
-            return Err(Error::NotFinite("point to test"));
-        }
-        let flat = self.transformed(&crate::Xform::planar_projection(plane))?;
-        let q = plane.closest_point(p);
-        if flat.closest_point(q)?.distance <= tolerance.max(0.0) {
-            return Ok(Containment::On);
-        }
-        let turns = Outline::new(&flat, &plane.with_origin(q)).winding([0.0; 2]);
-        Ok(if turns == 0 { Containment::Outside } else { Containment::Inside })
     }
 }

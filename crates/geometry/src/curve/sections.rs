@@ -2,6 +2,8 @@
 
 use super::Curve;
 use crate::bernstein::{BUDGET, halves};
+use crate::curve::thresholds::{LONG_TOUCH, SHORTEST_RANGE, SMALLEST_TOLERANCE};
+use crate::thresholds;
 use crate::{Error, Interval, Plane, Result};
 
 impl Curve {
@@ -41,14 +43,14 @@ impl Curve {
         // Neighbouring ranges are one contact: a crossing at a joint, or a stretch in the plane.
         let mut out: Vec<Interval> = Vec::new();
         let mut open: Option<(f64, f64, Vec<f64>)> = None;
-        let join = 1e-9 * self.domain().length();
+        let join = thresholds::SAME_PARAMETER * self.domain().length();
         let mut close = |contact: Option<(f64, f64, Vec<f64>)>| {
             let Some((low, high, best)) = contact else { return };
             let flat = |t: f64| plane.signed_distance(self.point_at(t)).abs();
             // By the middle too: the stretch may be a whole closed curve.
             let from = self.point_at(low);
             let far = [0.5 * (low + high), high].map(|t| self.point_at(t).distance_to(from));
-            let long = far[0].max(far[1]) > 1e3 * tolerance.max(1e-12);
+            let long = far[0].max(far[1]) > LONG_TOUCH * tolerance.max(SMALLEST_TOLERANCE);
             let stays = (0..=16).all(|k| flat(low + (high - low) * f64::from(k) / 16.0) <= tolerance);
             if long && stays {
                 out.push(Interval::new(low, high));
@@ -118,7 +120,7 @@ fn near_zero(coefficients: Vec<[f64; 2]>, tolerance: f64) -> Vec<(f64, f64, f64)
             found.push((t, t, t));
             continue;
         }
-        if within || b - a < 1e-12 {
+        if within || b - a < SHORTEST_RANGE {
             let best = if first.abs() <= last.abs() { a } else { b };
             found.push((a, b, best));
             continue;

@@ -1,6 +1,7 @@
 //! Parts that are one put together.
 
 use super::{Continuity, Curve, PolyCurve, PolylineCurve};
+use crate::thresholds;
 use crate::{Arc, Interval, Line, Point3, Result, Tolerance};
 
 impl Curve {
@@ -120,7 +121,7 @@ fn merged_arcs(a: &Arc, b: &Arc, tolerance: &Tolerance) -> Option<Arc> {
         return None;
     }
     let end = a.angle.end + b.angle.length();
-    (end - a.angle.start <= std::f64::consts::TAU * (1.0 + 1e-12)).then(|| Arc {
+    (end - a.angle.start <= std::f64::consts::TAU * (1.0 + thresholds::WHOLE_TURN)).then(|| Arc {
         circle: ca,
         angle: Interval::new(a.angle.start, end.min(a.angle.start + std::f64::consts::TAU)),
     })

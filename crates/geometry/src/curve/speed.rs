@@ -2,6 +2,7 @@
 
 use crate::NurbsCurve;
 use crate::bernstein::binomial;
+use crate::curve::thresholds::SAFE_SIZE;
 use crate::quadrature::gauss_kronrod_31;
 
 /// Halving a piece more often than this gains nothing: the parts are as short as rounding allows.
@@ -87,7 +88,8 @@ impl Hodographs {
             self.weights.extend(places.iter().take(p + 1).map(|c| [c[3]]));
         }
         let largest = self.numerators[n0..].iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let scale = if largest > 1e-100 && largest < 1e100 || largest == 0.0 { 1.0 } else { largest };
+        let scale =
+            if largest > SAFE_SIZE[0] && largest < SAFE_SIZE[1] || largest == 0.0 { 1.0 } else { largest };
         if scale != 1.0 {
             self.numerators[n0..].iter_mut().flatten().for_each(|x| *x /= scale);
         }

@@ -1,5 +1,6 @@
 //! Spirals about curves.
 
+use crate::thresholds;
 use std::f64::consts::TAU;
 
 use super::{ArcLength, Curve};
@@ -49,7 +50,7 @@ impl Curve {
         let none = || Error::degenerate("curve of the spiral", "it has no direction somewhere");
         let first = frames.first().copied().flatten().ok_or_else(none)?;
         let [x, y, _] = first.coordinates(toward);
-        if !(x.hypot(y) > 1e-12 * (toward - first.origin).length()) {
+        if !(x.hypot(y) > thresholds::ROUNDING * (toward - first.origin).length()) {
             return Err(Error::degenerate("radius point", "it lies on the axis"));
         }
         let begin = y.atan2(x);

@@ -3,7 +3,9 @@
 use super::piece::Shape;
 use super::{Curve, PolylineCurve};
 use crate::bernstein::halves;
+use crate::curve::thresholds::SHORTEST_RANGE;
 use crate::nurbs::project;
+use crate::thresholds;
 use crate::{Error, Line, Point3, Result};
 
 /// What a polyline for a curve must satisfy.
@@ -96,7 +98,7 @@ impl Curve {
                         let mut stack = vec![(bezier, 0.0_f64, 1.0_f64)];
                         while let Some((c, a, b)) = stack.pop() {
                             let middle = 0.5 * (a + b);
-                            if suffices(&c, limits) || b - a < 1e-12 {
+                            if suffices(&c, limits) || b - a < SHORTEST_RANGE {
                                 if let Some(&last) = c.last() {
                                     let u = if b == 1.0 { piece.own.end } else { piece.own.at(b) };
                                     add(u, project(last));
@@ -146,7 +148,8 @@ fn suffices(c: &[[f64; 4]], limits: &PolylineLimits) -> bool {
     let along = chord.direction();
     c.windows(2).all(|w| {
         let leg = project(w[1]) - project(w[0]);
-        leg.length() <= 1e-12 * polygon || leg.angle_to(along).is_some_and(|x| x <= 0.5 * angle)
+        leg.length() <= thresholds::ROUNDING * polygon
+            || leg.angle_to(along).is_some_and(|x| x <= 0.5 * angle)
     })
 }
 

@@ -2,6 +2,8 @@
 
 use super::Curve;
 use super::join::chains;
+use crate::curve::thresholds::{ARC_OVER_TURN, ARC_TURN, CLOSE_SAMPLES};
+use crate::thresholds;
 use crate::{Arc, Circle, Line, NurbsCurve, Point3, PolyCurve, PolylineCurve, Result, Vector3};
 
 /// A point of a curve that is known by a formula, and its unit direction there, if it has one.
@@ -34,7 +36,7 @@ impl Span {
             _ => 0.0,
         };
         let half = 0.5 * turn;
-        let stretch = if half > 1e-6 && half < 1.5 { half / half.sin() } else { 1.0 };
+        let stretch = if half > ARC_TURN && half < 1.5 { half / half.sin() } else { 1.0 };
         Self { from, to, length: chord.length() * stretch }
     }
 
@@ -181,7 +183,7 @@ pub(crate) fn joined(rows: &[Vec<Sample>], gap: f64, angle: f64) -> Result<Vec<C
             }
         }
         for part in &mut parts {
-            part.dedup_by(|b, a| b.point.distance_to(a.point) <= 1e-3 * gap);
+            part.dedup_by(|b, a| b.point.distance_to(a.point) <= CLOSE_SAMPLES * gap);
         }
         // What is shorter than the gap is part of it.
         parts.retain(|p| p.first().is_some_and(|a| p.iter().any(|s| s.point.distance_to(a.point) > gap)));
@@ -243,14 +245,14 @@ pub(crate) fn shape(samples: &[Sample]) -> Result<Curve> {
     };
     let line = Line::new(first, last);
     let size = samples.iter().map(|s| s.point.distance_to(first)).fold(0.0, f64::max);
-    let exact = 1e-9 * size;
+    let exact = thresholds::SAME_POINT * size;
     if first.distance_to(last) > exact && samples.iter().all(|s| line.distance_to(s.point) <= exact) {
         return Ok(line.into());
     }
     if let Some(round) = round(samples, exact) {
         return Ok(round);
     }
-    let samples = &apart(samples, 1e-3 * exact);
+    let samples = &apart(samples, CLOSE_SAMPLES * exact);
     let mut parameters = vec![0.0];
     let mut directions = Vec::with_capacity(samples.len());
     for w in samples.windows(2) {
@@ -302,7 +304,8 @@ fn round(samples: &[Sample], exact: f64) -> Option<Curve> {
         u.cross(v).dot(circle.plane.z_axis).atan2(u.dot(v))
     });
     let total: f64 = turns.clone().sum();
-    if turns.clone().any(|t| t * total <= 0.0) || total.abs() > std::f64::consts::TAU * (1.0 + 1e-6) {
+    if turns.clone().any(|t| t * total <= 0.0) || total.abs() > std::f64::consts::TAU * (1.0 + ARC_OVER_TURN)
+    {
         return None;
     }
     let closed = at(0)? == at(n - 1)?;

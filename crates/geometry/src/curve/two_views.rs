@@ -2,6 +2,7 @@
 
 use super::Curve;
 use crate::nurbs::curve_through;
+use crate::thresholds;
 use crate::{Error, Interval, Point3, Result, Tolerance, Vector3};
 
 /// The fewest and the most points of a piece.
@@ -65,7 +66,9 @@ pub fn curves_of_two_views(
     let parallel = || Error::degenerate("directions of the views", "they are parallel");
     let [Some(a), Some(b)] = views.map(|view| view.unitized()) else { return Err(parallel()) };
     let across = a.cross(b);
-    let Some(up) = across.unitized().filter(|_| across.length() > 1e-9) else { return Err(parallel()) };
+    let Some(up) = across.unitized().filter(|_| across.length() > thresholds::PARALLEL) else {
+        return Err(parallel());
+    };
     let [first, second] = [climbs(curves[0], up, limit)?, climbs(curves[1], up, limit)?];
     let mut pieces = Vec::new();
     for one in &first {
@@ -87,7 +90,7 @@ fn climbs(curve: &Curve, up: Vector3, limit: f64) -> Result<Vec<Climb<'_>>> {
     let mut cuts: Vec<f64> = turns.into_iter().chain(kinks).chain([domain.start, domain.end]).collect();
     cuts.retain(|t| domain.contains(*t));
     cuts.sort_by(f64::total_cmp);
-    cuts.dedup_by(|b, a| *b - *a <= 1e-9 * domain.length());
+    cuts.dedup_by(|b, a| *b - *a <= thresholds::SAME_PARAMETER * domain.length());
     let climb = |pair: &[f64]| {
         let range = Interval::new(pair[0], pair[1]);
         let heights = [range.start, range.end].map(|t| curve.point_at(t).to_vector().dot(up));

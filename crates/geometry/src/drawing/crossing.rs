@@ -1,5 +1,7 @@
 //! Where pictures of curves cross.
 
+use crate::drawing::thresholds::{LEAST_SPAN, STEP_DONE};
+use crate::thresholds;
 use std::ops::ControlFlow;
 
 use super::feature::{Feature, distance};
@@ -114,7 +116,7 @@ pub(super) fn splits(
             );
         }
         stops.sort_by(f64::total_cmp);
-        let least = 1e-10 * domain.length();
+        let least = LEAST_SPAN * domain.length();
         stops.dedup_by(|b, a| *b - *a <= least);
         if let Some(last) = stops.last_mut() {
             *last = domain.end;
@@ -138,7 +140,7 @@ fn crossing(one: &Feature, k: usize, other: &Feature, l: usize, tolerance: f64) 
     let det = r[0] * s[1] - r[1] * s[0];
     let lengths = [r[0].hypot(r[1]), s[0].hypot(s[1])];
     // Curves that run along each other are split where they end.
-    if det.abs() <= 1e-9 * lengths[0] * lengths[1] {
+    if det.abs() <= thresholds::PARALLEL * lengths[0] * lengths[1] {
         return None;
     }
     let q = [c.at[0] - a.at[0], c.at[1] - a.at[1]];
@@ -164,7 +166,7 @@ fn crossing(one: &Feature, k: usize, other: &Feature, l: usize, tolerance: f64) 
         let du = (dp[0] * miss[1] - dp[1] * miss[0]) / det;
         t = (t + dt).clamp(first.start, first.end);
         u = (u + du).clamp(second.start, second.end);
-        if dt.abs() <= 1e-14 * first.length() && du.abs() <= 1e-14 * second.length() {
+        if dt.abs() <= STEP_DONE * first.length() && du.abs() <= STEP_DONE * second.length() {
             break;
         }
     }

@@ -1,7 +1,9 @@
 //! Curves in space with their pictures.
 
 use super::{DrawingOptions, View};
+use crate::drawing::thresholds::STEP_DONE;
 use crate::silhouette::SilhouetteKind;
+use crate::thresholds;
 use crate::{Curve, Interval, Line, NurbsCurve, Plane, Point3, PolylineCurve, Result, Vector3};
 
 /// A curve to be drawn.
@@ -116,7 +118,7 @@ impl Feature {
             }
             let step = ((q[0] - at[0]) * d[0] + (q[1] - at[1]) * d[1]) / square;
             t = (t + step).clamp(domain.start, domain.end);
-            if step.abs() <= 1e-14 * domain.length() {
+            if step.abs() <= STEP_DONE * domain.length() {
                 break;
             }
         }
@@ -160,7 +162,7 @@ impl Feature {
     pub(super) fn is_closed(&self) -> bool {
         let domain = self.domain();
         let [a, b] = [domain.start, domain.end].map(|t| self.space.point_at(t));
-        a.distance_to(b) <= 1e-9 * (1.0 + a.to_vector().length())
+        a.distance_to(b) <= thresholds::SAME_POINT * (1.0 + a.to_vector().length())
     }
 
     /// The place in the picture and the velocity there.
@@ -193,7 +195,7 @@ impl Feature {
             return PolylineCurve::new(points).ok().map(Curve::from);
         }
         let piece: Curve = piece.into();
-        let exact = 1e-9 * size;
+        let exact = thresholds::SAME_POINT * size;
         if let Some(line) = piece.as_line(exact) {
             return Some(line.into());
         }
@@ -243,7 +245,7 @@ fn above(curve: &NurbsCurve, plane: &Plane) -> Result<Vec<NurbsCurve>> {
     }
     stops.push(curve.domain().end);
     let mut out = Vec::new();
-    let least = 1e-12 * curve.domain().length();
+    let least = thresholds::EXACT_PARAMETER * curve.domain().length();
     for w in stops.windows(2) {
         if w[1] - w[0] > least && height(0.5 * (w[0] + w[1])) > 0.0 {
             out.push(curve.trimmed(Interval::new(w[0], w[1]))?);

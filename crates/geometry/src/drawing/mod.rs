@@ -6,6 +6,7 @@ mod feature;
 mod occluder;
 mod pierce;
 mod sheet;
+mod thresholds;
 mod view;
 
 pub use view::View;

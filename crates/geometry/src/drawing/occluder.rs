@@ -1,5 +1,6 @@
 //! What stands in the line of sight.
 
+use crate::drawing::thresholds::{FOOT_FOUND, ON_SHEET};
 use std::ops::ControlFlow;
 
 use super::feature::Feature;
@@ -295,7 +296,7 @@ impl Occluders {
             return Ok(false);
         }
         let Some(Some(search)) = self.searches.get(object) else { return Ok(false) };
-        Ok(search.covers(face, u, v, 1e-3 * self.tolerance)? == Containment::Inside)
+        Ok(search.covers(face, u, v, ON_SHEET * self.tolerance)? == Containment::Inside)
     }
 
     /// How far along a line of sight the surface itself is and its parameters there, from where its mesh is; `None` where
@@ -311,7 +312,7 @@ impl Occluders {
             let jet = surface.derivatives(u, v, 1, Quadrant::NorthEast);
             let (su, sv) = (jet.get(1, 0), jet.get(0, 1));
             let miss = (p + d * s) - jet.point();
-            if miss.length() <= 1e-4 * self.tolerance {
+            if miss.length() <= FOOT_FOUND * self.tolerance {
                 return Some((s, [u, v]));
             }
             // miss = a su + b sv − c d, by Cramer's rule.

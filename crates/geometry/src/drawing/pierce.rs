@@ -1,5 +1,6 @@
 //! Where curves go through surfaces.
 
+use crate::thresholds;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
@@ -131,7 +132,8 @@ fn through<'a>(
         let p = Point3::new(px / w, py / w, pz / w);
         normal.is_some_and(|n| {
             [(a, b), (b, c), (c, a)].iter().all(|(from, to)| {
-                (*to - *from).cross(p - *from).dot(n) >= -1e-9 * (*to - *from).length_squared()
+                (*to - *from).cross(p - *from).dot(n)
+                    >= -thresholds::SAME_POINT * (*to - *from).length_squared()
             })
         })
     })

@@ -6,6 +6,7 @@ use crate::brep::ClosestOnBrep;
 use crate::polynomial::Polynomial;
 use crate::region::Outline;
 use crate::surface::Round;
+use crate::thresholds;
 use crate::{Brep, Curve, Plane, Point3, Surface, Vector3};
 
 /// A face with such a surface.
@@ -64,7 +65,7 @@ impl Sheet {
             Carrier::Flat(plane, _) => {
                 let slope = direction.dot(plane.z_axis);
                 let s = -plane.signed_distance(from) / slope;
-                [Some(s).filter(|s| !own && slope.abs() > 1e-12 && s.is_finite()), None]
+                [Some(s).filter(|s| !own && slope.abs() > thresholds::NO_DIRECTION && s.is_finite()), None]
             }
             Carrier::Round(round, _) => match round.line(from, direction) {
                 Some([a, b]) if own => {

@@ -1,6 +1,7 @@
 //! Views: a picture plane, and from where it is seen.
 
 use crate::silhouette::Viewpoint;
+use crate::thresholds;
 use crate::{Error, NurbsCurve, Plane, Point3, Result, Vector3};
 
 /// A picture plane and from where it is seen. The plane's origin and axes become those of the world's XY plane.
@@ -34,7 +35,7 @@ impl View {
         }
         let eye = plane.coordinates(camera);
         let across = (eye[0] * eye[0] + eye[1] * eye[1]).sqrt();
-        if eye[2].abs() <= 1e-12 * across || eye[2] == 0.0 {
+        if eye[2].abs() <= thresholds::ROUNDING * across || eye[2] == 0.0 {
             return Err(Error::degenerate("camera", "it lies in the picture plane"));
         }
         Ok(Self { eye: Some(eye), ..view })

@@ -1,5 +1,5 @@
 //! The thresholds of intersections with curves, of planes with surfaces and of nearest places, in one place: of what they are a
-//! part, and why they are as large as they are. Those of surfaces with surfaces stand in `trace/thresholds.rs`.
+//! part, and why they are as large as they are. Those of surfaces with surfaces stand in `chart/thresholds.rs`.
 //!
 //! Parameters are told apart by parts of their domain, or of their range; directions by sines, or by these squared; lengths by
 //! parts of the size, or of the tolerance that the caller gives.

@@ -1,3 +1,4 @@
+use crate::isoline::thresholds::{LEAST_SQUARE, ON_LEVEL, SHORTEST};
 use std::collections::HashMap;
 
 use super::Isoline;
@@ -215,7 +216,7 @@ impl Search<'_> {
     fn height(&self, p: Point2, near: &[u32], far: &Far) -> f64 {
         let strength = |&i: &u32| {
             // In the middle of a ball very strong, but finite, so that balls of both signs there add up.
-            self.balls.get(i as usize).map_or(0.0, |b| b.charge / b.squared_distance(p).max(1e-100))
+            self.balls.get(i as usize).map_or(0.0, |b| b.charge / b.squared_distance(p).max(LEAST_SQUARE))
         };
         far.at(p) + near.iter().map(strength).sum::<f64>() - self.level
     }
@@ -301,7 +302,7 @@ impl Search<'_> {
                 0.5 * (from + to)
             };
             let h = self.height(a.lerp(b, t), near, far);
-            if h.abs() <= 1e-9 * self.level || to - from < 1e-14 {
+            if h.abs() <= ON_LEVEL * self.level || to - from < SHORTEST {
                 break;
             }
             if (h > 0.0) == (low > 0.0) {

@@ -5,6 +5,7 @@ mod far;
 mod grid;
 mod join;
 mod metaballs;
+mod thresholds;
 
 pub use grid::isolines;
 pub use metaballs::Metaballs;

@@ -1,5 +1,6 @@
 //! Vertices that nearly coincide put together.
 
+use crate::mesh::thresholds::ALIGN_OF_SIZE;
 use std::collections::HashMap;
 
 use super::Mesh;
@@ -38,7 +39,7 @@ impl Mesh {
 pub(crate) fn align_points(points: &mut [Point3], tolerance: f64) -> Result<usize> {
     let size = points.iter().fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
     // Below the resolution of the numbers only equal ones are near, and they are together already.
-    if !(tolerance > size * 1e-15) {
+    if !(tolerance > size * ALIGN_OF_SIZE) {
         return Ok(0);
     }
     // Cells as wide as the tolerance: what is near lies in the cell or one beside it.

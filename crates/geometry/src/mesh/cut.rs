@@ -1,5 +1,6 @@
 //! Meshes cut along segments that lie on them.
 
+use crate::mesh::thresholds::{EDGE_MARGIN, VANISHING};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::ControlFlow;
 
@@ -186,7 +187,7 @@ fn clipped(segment: &Line, [a, b, c]: &[Point3; 3], tolerance: f64) -> Option<[P
     keep(-h, -k, -tolerance);
     for (p, q) in [(a, b), (b, c), (c, a)] {
         let inward = normal.cross(*q - *p).unitized()?;
-        keep(inward.dot(segment.from - *p), inward.dot(segment.to - *p), -1e-3 * tolerance);
+        keep(inward.dot(segment.from - *p), inward.dot(segment.to - *p), -EDGE_MARGIN * tolerance);
     }
     if high - low <= 0.0 || (high - low) * way.length() <= tolerance {
         return None;
@@ -239,7 +240,7 @@ fn divided(
     let (y, size) = (normal.cross(x), (b - a).length().max((c - a).length()));
     let flat = |id: usize| {
         let way: Vector3 = places.points[id] - a;
-        let settled = |v: f64| if v.abs() < 1e-140 { 0.0 } else { v };
+        let settled = |v: f64| if v.abs() < VANISHING { 0.0 } else { v };
         spade::Point2::new(settled(way.dot(x) / size), settled(way.dot(y) / size))
     };
     let mut sides: Vec<BTreeSet<usize>> = Vec::with_capacity(3);

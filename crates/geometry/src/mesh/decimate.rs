@@ -1,5 +1,6 @@
 //! Meshes with fewer faces.
 
+use crate::mesh::thresholds::{LENGTH_COST, NO_QUADRIC};
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
 
@@ -64,7 +65,7 @@ impl Quadric {
         let (r, s, t) = (Vector3::new(xx, xy, xz), Vector3::new(xy, yy, yz), Vector3::new(xz, yz, zz));
         let det = r.dot(s.cross(t));
         let trace = xx + yy + zz;
-        if !(det.abs() > 1e-7 * trace * trace * trace) {
+        if !(det.abs() > NO_QUADRIC * trace * trace * trace) {
             return None;
         }
         // The matrix is symmetric: its inverse has the cross products of its rows as rows.
@@ -270,7 +271,7 @@ impl Work {
         let found = best.into_iter().chain([middle, a, b]).min_by(|x, y| cost(x).total_cmp(&cost(y)));
         if let Some(place) = found {
             // A little for length, so that flat regions, where all costs nothing, lose their shortest edges first.
-            let cost = sum.at(place) + 1e-12 * sum.weight * reach * reach;
+            let cost = sum.at(place) + LENGTH_COST * sum.weight * reach * reach;
             let ages = [self.age(i), self.age(j)];
             self.heap.push(Collapse { cost, ends: [i, j], place, ages });
         }

@@ -3,6 +3,7 @@
 use super::{Mesh, MeshTree};
 use crate::cancellation::check;
 use crate::parallel::each;
+use crate::thresholds;
 use crate::{Point3, Result};
 
 impl Mesh {
@@ -19,7 +20,7 @@ impl Mesh {
         let joined = self.with_faces_on(&merged)?;
         let normals = joined.vertex_normals();
         // Faces at the vertex itself are met where the way begins.
-        let nearest = 1e-9 * tree.size();
+        let nearest = thresholds::SAME_POINT * tree.size();
         let places: Vec<(usize, Point3)> = self.vertices().iter().copied().enumerate().collect();
         let depth = |&(i, p): &(usize, Point3)| -> Result<Option<f64>> {
             check()?;

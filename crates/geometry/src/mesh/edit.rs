@@ -1,6 +1,7 @@
 //! Meshes joined, welded, flipped and transformed.
 
 use super::Mesh;
+use crate::mesh::thresholds::{CREASE, SAME_ANGLE};
 use crate::{Error, Point3, Result, Vector3, Xform};
 
 impl Mesh {
@@ -103,7 +104,7 @@ impl Mesh {
             let mut groups: Vec<Vec<(usize, usize)>> = Vec::new();
             for &(f, k) in list {
                 let near = |&(g, _): &(usize, usize)| {
-                    normals[f].angle_to(normals[g]).is_none_or(|x| x <= angle + 1e-12)
+                    normals[f].angle_to(normals[g]).is_none_or(|x| x <= angle + SAME_ANGLE)
                         || self.faces[f].indices()[k] == self.vertex_of(g, list)
                 };
                 // All groups that this corner touches become one.
@@ -150,6 +151,6 @@ impl Mesh {
             }
         }
         let apart = Self { vertices, faces, normals: Vec::new(), colours };
-        apart.welded((angle - 1e-9).max(0.0))
+        apart.welded((angle - CREASE).max(0.0))
     }
 }

@@ -1,5 +1,6 @@
 //! Borders of meshes brought together: vertices that nearly meet, and vertices that lie on edges.
 
+use crate::mesh::thresholds::BESIDE_ENDS;
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
@@ -163,7 +164,7 @@ fn split_once(
         for (k, side) in sides(face).into_iter().enumerate().filter(|(_, side)| is_naked(*side)) {
             let [a, b] = side.map(|i| places[i as usize]);
             let (way, length) = (b - a, (b - a).length());
-            let (bounds, margin) = (bounds_of([a.into(), b.into()]), distance.min(1e-3 * length));
+            let (bounds, margin) = (bounds_of([a.into(), b.into()]), distance.min(BESIDE_ENDS * length));
             tree.visit_where(
                 |own| boxes_meet(own, &bounds, distance),
                 |found| {

@@ -1,5 +1,7 @@
 //! Where lines pass through a mesh, what of it is nearest to a point, and where two meshes clash.
 
+use crate::mesh::thresholds::{ALONG_FACE, FLAT_BOX};
+use crate::thresholds;
 use std::ops::ControlFlow;
 
 use super::MeshTree;
@@ -55,7 +57,7 @@ impl MeshTree {
             let (mut low, mut high) = (range[0], range[1]);
             for c in 0..3 {
                 // Boxes of level faces have no height: give them some.
-                let slack = 1e-9 * (bounds[0][c].abs() + bounds[1][c].abs() + origin[c].abs());
+                let slack = FLAT_BOX * (bounds[0][c].abs() + bounds[1][c].abs() + origin[c].abs());
                 let (a, b) = (bounds[0][c] - slack - origin[c], bounds[1][c] + slack - origin[c]);
                 if along[c] == 0.0 {
                     if a > 0.0 || b < 0.0 {
@@ -67,7 +69,7 @@ impl MeshTree {
                     high = high.min(s.max(t));
                 }
             }
-            low <= high * (1.0 + 1e-9 * high.signum()) || low - high <= 1e-9
+            low <= high * (1.0 + FLAT_BOX * high.signum()) || low - high <= FLAT_BOX
         };
         self.tree.visit_where(wanted, |i| {
             let t = self.triangles.get(i).and_then(|t| through_triangle(*t, start, direction));
@@ -78,7 +80,9 @@ impl MeshTree {
         });
         hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
         let size = direction.length();
-        hits.dedup_by(|b, a| (b.t - a.t) * size <= 1e-9 * (1.0 + a.point.to_vector().length()));
+        hits.dedup_by(|b, a| {
+            (b.t - a.t) * size <= thresholds::SAME_POINT * (1.0 + a.point.to_vector().length())
+        });
         Ok(hits)
     }
 
@@ -138,7 +142,7 @@ impl MeshTree {
         };
         let wanted = |bounds: &[[f64; 3]; 2]| {
             let ([low, high], [below, above]) = (extent(bounds, x), extent(bounds, normal));
-            let slack = 1e-9 * (high - low).abs().max(above - below).max(reach);
+            let slack = FLAT_BOX * (high - low).abs().max(above - below).max(reach);
             low <= reach + slack && high >= -slack && below <= slack && above >= -slack
         };
         self.tree.visit_where(wanted, |i| {
@@ -185,7 +189,7 @@ fn through_triangle([a, b, c]: Triangle, p: Point3, direction: Vector3) -> Optio
     let h = direction.cross(ac);
     let det = ab.dot(h);
     // Along the face, to rounding.
-    if det.abs() <= 1e-14 * ab.length() * ac.length() * direction.length() {
+    if det.abs() <= ALONG_FACE * ab.length() * ac.length() * direction.length() {
         return None;
     }
     let s = p - a;
@@ -238,7 +242,7 @@ fn nearest_of_segments((p, q): (Point3, Point3), (r, s): (Point3, Point3)) -> (P
     let (c, b) = (u.dot(w), u.dot(v));
     let share = |x: f64| if x.is_finite() { x.clamp(0.0, 1.0) } else { 0.0 };
     let determinant = a * e - b * b;
-    let mut x = if determinant > 1e-14 * a * e { share((b * f - c * e) / determinant) } else { 0.0 };
+    let mut x = if determinant > ALONG_FACE * a * e { share((b * f - c * e) / determinant) } else { 0.0 };
     let y = share((b * x + f) / e);
     x = share((b * y - c) / a);
     (p + u * x, r + v * y)

@@ -1,6 +1,7 @@
 //! Meshes of surfaces without trims.
 
 use super::{Mesh, MeshFace};
+use crate::thresholds;
 use crate::{Direction, Error, Point3, Result, Side, Surface, Vector3};
 
 /// More quads than this are refused before memory is asked for.
@@ -137,7 +138,7 @@ impl SurfaceMeshing {
         if length == 0.0 || (self.min_edge > 0.0 && length < 2.0 * self.min_edge) {
             return false;
         }
-        if self.max_edge > 0.0 && length > self.max_edge * (1.0 + 1e-9) {
+        if self.max_edge > 0.0 && length > self.max_edge * (1.0 + thresholds::OVER_LIMIT) {
             return true;
         }
         let away = |q: &Point3| {
@@ -152,7 +153,7 @@ impl SurfaceMeshing {
             let steps: Vec<Vector3> = p.windows(2).map(|w| w[1] - w[0]).collect();
             let turns = steps.windows(2).filter_map(|w| w[0].angle_to(w[1]));
             // Three turns between four steps: the whole stretch turns by a third more.
-            return turns.sum::<f64>() * 4.0 / 3.0 > self.max_angle * (1.0 + 1e-9);
+            return turns.sum::<f64>() * 4.0 / 3.0 > self.max_angle * (1.0 + thresholds::OVER_LIMIT);
         }
         false
     }
@@ -223,13 +224,13 @@ fn is_flat_quad(surface: &Surface) -> bool {
     let straight = |side: Side| {
         let Ok(curve) = surface.side_curve(side) else { return surface.is_singular(side) };
         let size = curve.start().distance_to(curve.end());
-        curve.is_linear(1e-9 * size)
+        curve.is_linear(thresholds::SAME_POINT * size)
     };
     let corners = [Direction::U, Direction::V].map(|d| surface.domain(d));
     let size = surface
         .point_at(corners[0].start, corners[1].start)
         .distance_to(surface.point_at(corners[0].end, corners[1].end));
-    surface.is_planar(1e-9 * size) && Side::ALL.into_iter().all(straight)
+    surface.is_planar(thresholds::SAME_POINT * size) && Side::ALL.into_iter().all(straight)
 }
 
 impl Mesh {

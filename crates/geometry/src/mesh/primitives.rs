@@ -1,5 +1,6 @@
 //! Meshes of simple shapes.
 
+use crate::thresholds;
 use std::f64::consts::{PI, TAU};
 
 use super::{Mesh, MeshFace};
@@ -84,7 +85,7 @@ impl Mesh {
         let mut mesh = Self::join(&parts)?;
         // The frames above reach a corner along different axes: what is one place becomes exactly one.
         let corners = shape.corners();
-        let size = 1e-12 * (lx + ly + lz);
+        let size = thresholds::ROUNDING * (lx + ly + lz);
         for v in &mut mesh.vertices {
             let [a, b, c] = p.coordinates(*v);
             let snapped = |t: f64, r: Interval| {

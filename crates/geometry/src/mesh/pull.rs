@@ -1,6 +1,7 @@
 //! Curves pulled and projected onto meshes.
 
 use super::{Mesh, MeshTree};
+use crate::thresholds;
 use crate::{Curve, Error, Line, Point3, PolylineCurve, PolylineLimits, Result, Vector3};
 
 /// A segment is not halved more often than this.
@@ -45,7 +46,7 @@ impl Mesh {
             }
         }
         let size = self.bounding_box().map_or(0.0, |b| b.diagonal().length());
-        out.dedup_by(|b, a| a.distance_to(*b) <= 1e-12 * size);
+        out.dedup_by(|b, a| a.distance_to(*b) <= thresholds::ROUNDING * size);
         PolylineCurve::new(without_straight(out, 0.01 * tolerance))
     }
 
@@ -86,20 +87,19 @@ impl Mesh {
                     std::mem::swap(&mut a, &mut b);
                 }
                 let (low, high) = (a.0.max(0.0), b.0.min(reach));
-                if !(high - low > 1e-12 * size) {
+                if !(high - low > thresholds::ROUNDING * size) {
                     return;
                 }
                 let at = |s: f64| a.1.lerp(b.1, (s - a.0) / (b.0 - a.0));
                 pieces.push(Line::new(at(low), at(high)).into());
             });
         }
-        let joined = crate::join_curves(&pieces, 1e-9 * size, false);
+        let joined = crate::join_curves(&pieces, thresholds::SAME_POINT * size, false);
         Ok(joined
             .into_iter()
             .map(|c| match c.as_polyline() {
-                Some(points) => {
-                    PolylineCurve::new(without_straight(points, 1e-9 * size)).map_or(c, Into::into)
-                }
+                Some(points) => PolylineCurve::new(without_straight(points, thresholds::SAME_POINT * size))
+                    .map_or(c, Into::into),
                 None => c,
             })
             .collect())

@@ -1,5 +1,6 @@
 //! Pairs of triangles merged to quads.
 
+use crate::mesh::thresholds::SAME_ANGLE;
 use std::collections::HashMap;
 
 use super::{Mesh, MeshFace};
@@ -75,7 +76,7 @@ impl Mesh {
                     continue;
                 }
                 let (Some(n), Some(m)) = (normals.get(f), normals.get(*g)) else { continue };
-                let Some(kink) = n.angle_to(*m).filter(|x| *x <= angle + 1e-12) else { continue };
+                let Some(kink) = n.angle_to(*m).filter(|x| *x <= angle + SAME_ANGLE) else { continue };
                 let quad = [a, *d, b, c];
                 let corners = quad.map(|i| self.vertices.get(i as usize).copied().unwrap_or(Point3::ORIGIN));
                 let [p, q, r, s] = corners;
@@ -86,7 +87,7 @@ impl Mesh {
                     let [x, y, z] = [0, 1, 2].map(|d| corners[(k + d) % 4]);
                     (y - x).cross(z - y).dot(up) > 0.0
                 });
-                if convex && alike >= ratio - 1e-12 {
+                if convex && alike >= ratio - SAME_ANGLE {
                     pairs.push(Candidate { quad, faces: [f, *g], ratio: alike, kink });
                 }
             }

@@ -1,5 +1,6 @@
 //! Sections of meshes by planes.
 
+use crate::mesh::thresholds::{ALONG_SECTION, LEVEL_SECTION};
 use std::collections::{HashMap, HashSet};
 
 use super::{Mesh, MeshFace};
@@ -45,7 +46,7 @@ impl Mesh {
 
 /// Vertices nearer to a plane than this count as in it.
 pub(super) fn snap(mesh: &Mesh) -> f64 {
-    1e-10 * mesh.bounding_box().map_or(0.0, |b| b.diagonal().length())
+    LEVEL_SECTION * mesh.bounding_box().map_or(0.0, |b| b.diagonal().length())
 }
 
 /// How the faces along an edge in the plane stand: how many above it, below it, and level.
@@ -202,7 +203,8 @@ impl<'a> Section<'a> {
         let straight = |before: Point3, p: Point3, after: Point3| {
             let along = after - before;
             let reach = along.length();
-            (p - before).cross(along).length() <= 1e-9 * reach * reach && (p - before).dot(after - p) >= 0.0
+            (p - before).cross(along).length() <= ALONG_SECTION * reach * reach
+                && (p - before).dot(after - p) >= 0.0
         };
         let mut out: Vec<Point3> = Vec::with_capacity(n);
         for (i, node) in chain.iter().enumerate() {

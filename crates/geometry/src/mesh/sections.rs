@@ -2,6 +2,7 @@
 
 use super::section::snap;
 use super::{Mesh, MeshFace};
+use crate::thresholds;
 use crate::{Error, Plane, Point3, Result, Vector3};
 
 /// A mesh prepared to be cut by planes across one direction: each looks only at the faces that it may cut.
@@ -32,7 +33,7 @@ impl<'a> MeshSections<'a> {
         let heights: Vec<f64> = mesh.vertices().iter().map(|p| p.to_vector().dot(direction)).collect();
         // Heights are rounded by the size of the coordinates.
         let size = heights.iter().fold(0.0_f64, |m, h| m.max(h.abs()));
-        let margin = 2.0 * snap + 1e-12 * size;
+        let margin = 2.0 * snap + thresholds::ROUNDING * size;
         let span = |face: &MeshFace| {
             let all = face.indices().iter().filter_map(|i| heights.get(*i as usize));
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| {
@@ -66,8 +67,8 @@ impl<'a> MeshSections<'a> {
         let far = places.iter().fold(0.0_f64, |m, p| m.max(p.0.abs()));
         let mut faces: Vec<Vec<u32>> = vec![Vec::new(); planes.len()];
         for (&[low, high], face) in self.spans.iter().zip(0_u32..) {
-            let from = places.partition_point(|p| p.0 < low - 1e-12 * far);
-            for (_, k) in places.iter().skip(from).take_while(|p| p.0 <= high + 1e-12 * far) {
+            let from = places.partition_point(|p| p.0 < low - thresholds::ROUNDING * far);
+            for (_, k) in places.iter().skip(from).take_while(|p| p.0 <= high + thresholds::ROUNDING * far) {
                 if let Some(list) = faces.get_mut(*k) {
                     list.push(face);
                 }

@@ -1,5 +1,6 @@
 //! The outlines of a mesh's shadow.
 
+use crate::mesh::thresholds::{LIGHT_ALONG, SHADOW_STRAIGHT};
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -28,7 +29,7 @@ impl Mesh {
         let light = light.unitized().ok_or(Error::degenerate("light", "it has no direction"))?;
         let normal = plane.z_axis;
         let down = normal.dot(light);
-        if down.abs() <= 1e-9 {
+        if down.abs() <= LIGHT_ALONG {
             return Err(Error::degenerate("light", "it runs along the plane and throws no shadow on it"));
         }
         let fall = |p: Point3| {
@@ -135,7 +136,7 @@ fn cleaned(outline: &[Vec2]) -> Vec<Vec2> {
         let cross = u[0] * v[1] - u[1] * v[0];
         let ahead = u[0] * v[0] + u[1] * v[1];
         // Off the line by more than a few cells of the grid.
-        !(cross.abs() <= 1e-7 * longest && ahead > 0.0)
+        !(cross.abs() <= SHADOW_STRAIGHT * longest && ahead > 0.0)
     };
     (0..n).filter(|&k| turns(k)).map(|k| outline[k]).collect()
 }

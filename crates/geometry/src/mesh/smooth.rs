@@ -2,6 +2,7 @@
 
 use super::Mesh;
 use super::neighbours::Neighbours;
+use crate::mesh::thresholds::SMOOTHED;
 use crate::{Error, Point3, Result, Vector3};
 
 /// How a mesh is smoothed.
@@ -110,7 +111,7 @@ impl Mesh {
             }
             at = next;
             // What is left cannot change a channel of 8 bits any more.
-            if change < 1e-6 {
+            if change < SMOOTHED {
                 break;
             }
         }

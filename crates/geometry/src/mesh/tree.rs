@@ -1,5 +1,6 @@
 //! A mesh prepared for many questions: rays, inclusion, other meshes.
 
+use crate::mesh::thresholds::HIT_MARGIN;
 use std::ops::ControlFlow;
 
 use super::Mesh;
@@ -58,7 +59,7 @@ impl MeshTree {
         let Some(direction) = direction.unitized() else { return false };
         let mut found = false;
         self.along(origin, direction, |_, hit| {
-            if hit.margin >= -1e-12 && hit.distance > nearest {
+            if hit.margin >= -HIT_MARGIN && hit.distance > nearest {
                 found = true;
                 return ControlFlow::Break(());
             }
@@ -205,7 +206,7 @@ fn ray_meets(bounds: &Bounds, origin: &[f64; 3], inverse: &[f64; 3]) -> bool {
         leave = leave.min(a.max(b));
     }
     // Widened, since a box without thickness must not be missed for a rounding.
-    enter <= leave * (1.0 + 1e-12) + f64::MIN_POSITIVE
+    enter <= leave * (1.0 + HIT_MARGIN) + f64::MIN_POSITIVE
 }
 
 /// Directions spread over the sphere, none along an axis: points of a spiral with the golden angle.

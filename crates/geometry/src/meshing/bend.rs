@@ -9,6 +9,7 @@
 //! Only what is along the normal takes a mesh off its surface; what is along the surface counts by the tangent of the
 //! angle that normals turn by inside the rectangle.
 
+use crate::meshing::thresholds::{NO_METRIC, PROBE_INSET};
 use std::borrow::Cow;
 
 use super::patch::{Bases, Patch};
@@ -207,14 +208,14 @@ impl<'a> Bender<'a> {
         // Just inside, so that they are those of this piece.
         [
             (0.5, 0.5),
-            (1e-6, 1e-6),
-            (0.999_999, 1e-6),
-            (0.999_999, 0.999_999),
-            (1e-6, 0.999_999),
-            (0.5, 1e-6),
-            (0.999_999, 0.5),
-            (0.5, 0.999_999),
-            (1e-6, 0.5),
+            (PROBE_INSET, PROBE_INSET),
+            (1.0 - PROBE_INSET, PROBE_INSET),
+            (1.0 - PROBE_INSET, 1.0 - PROBE_INSET),
+            (PROBE_INSET, 1.0 - PROBE_INSET),
+            (0.5, PROBE_INSET),
+            (1.0 - PROBE_INSET, 0.5),
+            (0.5, 1.0 - PROBE_INSET),
+            (PROBE_INSET, 0.5),
         ]
         .map(|(x, y)| self.surface.normal_at(u[0] + (u[1] - u[0]) * x, v[0] + (v[1] - v[0]) * y))
     }
@@ -242,7 +243,7 @@ impl<'a> Bender<'a> {
 /// The direction across two; none where they are nearly parallel, or one vanishes.
 fn normal(du: Vector3, dv: Vector3) -> Option<Vector3> {
     let across = du.cross(dv);
-    let least = 1e-18 * du.length_squared() * dv.length_squared();
+    let least = NO_METRIC * du.length_squared() * dv.length_squared();
     (across.length_squared() > least).then(|| across.unitized()).flatten()
 }
 

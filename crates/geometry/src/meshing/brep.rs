@@ -12,6 +12,7 @@ use super::settings::{Limits, MeshSettings};
 use super::side::{Along, along, line_of, lines, narrow};
 use super::track::{Source, Track};
 use crate::brep::{Brep, Face, Trim, TrimKind};
+use crate::meshing::thresholds::{AT_SIDE, FLAT_FACE, NO_EDGE, NO_NORMAL, ON_LINE, SAME_PLACE_ON_TRIM};
 use crate::parallel::each;
 use crate::{Direction, Error, Point2, Point3, Quadrant, Result, Surface, Vector3};
 
@@ -188,7 +189,7 @@ impl<'a> Job<'a> {
             [0, 1].map(|d| {
                 let [from, to] = reach[d];
                 let near =
-                    |t: f64, end: f64| if (t - end).abs() < 1e-7 * domain[d].length() { end } else { t };
+                    |t: f64, end: f64| if (t - end).abs() < AT_SIDE * domain[d].length() { end } else { t };
                 let [from, to] = [near(from, domain[d].start), near(to, domain[d].end)];
                 let values: Vec<f64> =
                     (trims.iter()).filter_map(|t| t.aligned.filter(|a| a.0 == d).map(|a| a.1)).collect();
@@ -203,7 +204,7 @@ impl<'a> Job<'a> {
         for (d, value) in trims.iter_mut().filter_map(|t| t.aligned.as_mut()) {
             *value = line_of(&breaks[*d], *value, narrow[*d]);
         }
-        let flat = self.limits.simple_planes && surface.is_planar(1e-3 * self.limits.distance);
+        let flat = self.limits.simple_planes && surface.is_planar(FLAT_FACE * self.limits.distance);
         let grid = Grid::new(&Bender::new(surface), breaks, &pieces, &self.limits, flat)?;
         Ok(FacePlan { place, face, surface, grid, trims })
     }
@@ -225,7 +226,7 @@ impl<'a> Job<'a> {
                     |backwards| Track::new(Source::Lifted(curve, trim.part, plan.surface), backwards);
                 let is_point = trim.edge.is_none()
                     && (trim.kind == TrimKind::Singular
-                        || lifted(false).length <= 1e-9 * self.limits.distance);
+                        || lifted(false).length <= NO_EDGE * self.limits.distance);
                 let own = trim
                     .edge
                     .filter(|_| !self.jagged)
@@ -326,7 +327,7 @@ fn wanted(grid: &Grid, track: &Track<'_>, aligned: Option<(usize, f64)>) -> Vec<
             let (mut low, mut high, mut y) = (0.0, 1.0, x);
             for _ in 0..60 {
                 let here = along(track.flat(y));
-                if (here - t).abs() <= 1e-13 * (to - from).abs() {
+                if (here - t).abs() <= SAME_PLACE_ON_TRIM * (to - from).abs() {
                     break;
                 }
                 if (here < t) == (to > from) {
@@ -364,7 +365,7 @@ fn point_and_normal(surface: &Surface, u: f64, v: f64) -> (Point3, Option<Vector
         let [p, by_u, by_v] = nurbs.partials_at(u, v, Quadrant::new(east, north));
         let normal = by_u.cross(by_v);
         // Where one derivative is lost in the other the normal is a limit.
-        if normal.length() > 1e-7 * by_u.dot(by_u).max(by_v.dot(by_v)) {
+        if normal.length() > NO_NORMAL * by_u.dot(by_u).max(by_v.dot(by_v)) {
             return (p.to_point(), normal.unitized());
         }
     }
@@ -483,8 +484,9 @@ impl Shared {
 
 /// Puts the corner where an aligned trim ends exactly on its line, although the next trim begins there.
 fn snap_corners(polygon: &mut [Corner], aligned: &impl Fn(usize) -> Option<(usize, f64)>, size: [f64; 2]) {
-    let near =
-        |d: usize, x: f64, value: f64| (x - value).abs() <= (1e-6 * value.abs().max(1.0)).max(SNAP * size[d]);
+    let near = |d: usize, x: f64, value: f64| {
+        (x - value).abs() <= (ON_LINE * value.abs().max(1.0)).max(SNAP * size[d])
+    };
     let n = polygon.len();
     for k in 0..n {
         let (Some(before), Some(here)) = (polygon.get((k + n - 1) % n).copied(), polygon.get_mut(k)) else {

@@ -1,6 +1,7 @@
 //! Cells as mesh faces: quads, and triangles where neighbours are finer or sides are points.
 
 use super::fill::Vertex;
+use crate::meshing::thresholds::SLIVER;
 use crate::{MeshFace, Point2};
 
 /// Adds the polygon around a cell, which bulges nowhere inwards, to a mesh: as it is with up to four corners, else cut
@@ -65,7 +66,7 @@ pub(super) fn cut_corners(vertices: &[Vertex], scale: [f64; 2], round: &[u32], f
             let (a, b, c) = (left[(k + n - 1) % n], left[k], left[(k + 1) % n]);
             let (area, longest) = doubled(a, b, c);
             // What is left must have an area too.
-            let sound = area > 1e-12 * whole && (n == 3 || whole - area > 1e-12 * whole);
+            let sound = area > SLIVER * whole && (n == 3 || whole - area > SLIVER * whole);
             let worth = if sound && longest > 0.0 { area / longest } else { -1.0 };
             if worth > best.0 {
                 best = (worth, k);

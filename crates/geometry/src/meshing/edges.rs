@@ -1,5 +1,7 @@
 //! The points along an edge that all its faces share.
 
+use crate::meshing::thresholds::{BOUND_SLACK, SAME_STOP};
+use crate::thresholds;
 use std::f64::consts::FRAC_PI_2;
 
 use super::grid::Grid;
@@ -88,7 +90,7 @@ fn first_stops(edge: &Track<'_>, uses: &[Use<'_>]) -> Vec<Stop> {
     for (k, u) in uses.iter().enumerate() {
         for &(y, uv) in &u.wanted {
             let x = edge.nearest(u.track.point(y), u.track.share(y));
-            if !(x > 1e-9 && x < 1.0 - 1e-9) {
+            if !(x > thresholds::SAME_PARAMETER && x < 1.0 - thresholds::SAME_PARAMETER) {
                 continue;
             }
             let mut on = place(x);
@@ -103,7 +105,7 @@ fn first_stops(edge: &Track<'_>, uses: &[Use<'_>]) -> Vec<Stop> {
     let mut out: Vec<Stop> = Vec::with_capacity(stops.len());
     for stop in stops {
         match out.last_mut() {
-            Some(last) if stop.place - last.place < 1e-7 => {
+            Some(last) if stop.place - last.place < SAME_STOP => {
                 for (k, u) in uses.iter().enumerate() {
                     let exact = |s: &Stop| s.on.get(k).is_some_and(|on| u.wanted.iter().any(|w| w.1 == on.1));
                     if exact(&stop)
@@ -187,7 +189,7 @@ fn is_coarse(edge: &Track<'_>, uses: &[Use<'_>], a: &Stop, b: &Stop, limits: &Li
     let chord = last[0] - first[0];
     let length = chord.length();
     let legs: f64 = jets.windows(2).map(|w| (w[1][0] - w[0][0]).length()).sum();
-    if length.max(legs) > limits.max_edge * (1.0 + 1e-9) {
+    if length.max(legs) > limits.max_edge * (1.0 + thresholds::OVER_LIMIT) {
         return true;
     }
     if legs < 2.0 * limits.short {
@@ -206,17 +208,17 @@ fn is_coarse(edge: &Track<'_>, uses: &[Use<'_>], a: &Stop, b: &Stop, limits: &Li
     let wide = b.place - a.place;
     let bent = jets.iter().map(|j| away(j[2])).fold(0.0, f64::max);
     let seen = jets.iter().map(|j| away(j[0] - first[0])).fold(0.0, f64::max);
-    if (0.131 * bent * wide * wide).min(4.0 * seen).max(seen) > limits.distance * (1.0 + 1e-6) {
+    if (0.131 * bent * wide * wide).min(4.0 * seen).max(seen) > limits.distance * (1.0 + BOUND_SLACK) {
         return true;
     }
-    if turned > limits.angle * (1.0 + 1e-6) {
+    if turned > limits.angle * (1.0 + BOUND_SLACK) {
         return true;
     }
     uses.iter().zip(a.on.iter().zip(&b.on)).any(|(u, (a, b))| {
         let (p, q) = (a.1, b.1);
         let box_of = |x: f64, y: f64| [x.min(y), x.max(y)];
         let bend = u.grid.bend([box_of(p.x, q.x), box_of(p.y, q.y)]);
-        let share = if u.aligned.is_some() { 1.0 + 1e-6 } else { SHARE };
+        let share = if u.aligned.is_some() { 1.0 + BOUND_SLACK } else { SHARE };
         bend.distance([(q.x - p.x).abs(), (q.y - p.y).abs()]) > share * limits.distance
     })
 }

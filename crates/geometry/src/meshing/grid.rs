@@ -4,6 +4,7 @@ use super::bend::{Bend, Bender};
 use super::need;
 use super::probes::Probes;
 use super::settings::Limits;
+use crate::meshing::thresholds::COUNT_SLACK;
 use crate::{Error, Result, cancellation};
 
 /// Places between two lines of the first grid: cells are halved at most ten times each way.
@@ -268,7 +269,7 @@ fn counts(probes: &Probes, breaks: &[Vec<f64>; 2], d: usize, limits: &Limits) ->
                 }
             }
         }
-        let most = (most - 1e-6).ceil().max(1.0);
+        let most = (most - COUNT_SLACK).ceil().max(1.0);
         let halvings = (most / least.max(1.0)).log2().floor().clamp(0.0, 9.0);
         out.push((most / halvings.exp2()).ceil().clamp(1.0, 1e6) as u32);
     }

@@ -13,6 +13,7 @@ use super::fill::{Filled, PlaceMap, Vertex};
 use super::grid::Grid;
 use super::net::Net;
 use super::settings::Limits;
+use crate::meshing::thresholds::NO_NORMAL_OF_FACE;
 use crate::{MeshFace, Point2, Point3, Surface, Vector3};
 
 /// The most triangles or edges of a face that are mended.
@@ -307,7 +308,7 @@ impl Work<'_> {
         let [a, b, c] = corners.map(|v| self.sheet.point(v));
         let across = (b - a).cross(c - a);
         let long = (b - a).length().max((c - a).length()).max((c - b).length());
-        if across.length() <= 1e-9 * long * long {
+        if across.length() <= NO_NORMAL_OF_FACE * long * long {
             return 0.0;
         }
         let uv = self.middle(corners);

@@ -5,6 +5,7 @@ mod brep;
 mod clip;
 mod corner_cutting;
 mod edges;
+mod extent;
 mod fill;
 mod grid;
 mod kinks;
@@ -20,6 +21,7 @@ mod ring;
 mod settings;
 mod side;
 mod surface;
+mod thresholds;
 mod track;
 
 pub use plan::MeshPlan;

@@ -1,5 +1,7 @@
 //! Into how many parts a rectangle of parameters must be divided to keep the limits.
 
+use crate::meshing::thresholds::RATIO;
+use crate::thresholds;
 use std::f64::consts::PI;
 
 use super::bend::Bend;
@@ -51,7 +53,7 @@ fn distance_parts(bend: &Bend, [h, k]: [f64; 2], sides: [f64; 2], distance: f64)
     }
     // The fewest cells: those where u and v take the same share; with a twist alone, square ones.
     let ratio = if sides[0] > 0.0 && sides[1] > 0.0 { sides[1] / sides[0] } else { 1.0 };
-    let r = ((c + 0.1 * b * ratio) / (a + 0.1 * b / ratio)).sqrt().clamp(1e-6, 1e6);
+    let r = ((c + 0.1 * b * ratio) / (a + 0.1 * b / ratio)).sqrt().clamp(RATIO[0], RATIO[1]);
     let y = (room / (a * r * r + 2.0 * b * r + c)).sqrt();
     let x = r * y;
     // The other direction when one is not divided: c y² + 2 b y + a = room.
@@ -76,22 +78,22 @@ fn distance_parts(bend: &Bend, [h, k]: [f64; 2], sides: [f64; 2], distance: f64)
 pub(super) fn halving(bend: &Bend, cell: [f64; 2], limits: &Limits) -> Option<usize> {
     let sides = [cell[0] * bend.speed[0], cell[1] * bend.speed[1]];
     for d in 0..2 {
-        if sides[d] > limits.max_edge * (1.0 + 1e-9) {
+        if sides[d] > limits.max_edge * (1.0 + thresholds::OVER_LIMIT) {
             return Some(d);
         }
-        if sides[d] > limits.short && cell[d] * bend.turn[d] > MOST_TURN * (1.0 + 1e-9) {
+        if sides[d] > limits.short && cell[d] * bend.turn[d] > MOST_TURN * (1.0 + thresholds::OVER_LIMIT) {
             return Some(d);
         }
     }
     let room = |d: &usize| sides[*d] >= 2.0 * limits.min_edge;
     let either = |d: usize| [d, 1 - d].into_iter().find(room);
-    if bend.distance(cell) > limits.distance * (1.0 + 1e-9) {
+    if bend.distance(cell) > limits.distance * (1.0 + thresholds::OVER_LIMIT) {
         return either(direction_of(&bend.off, cell, sides));
     }
     if is_sheared(bend, cell, sides, limits, 1.6) {
         return either(direction_of(&bend.along, cell, sides));
     }
-    (0..2).find(|d| cell[*d] * bend.turn[*d] > limits.angle * (1.0 + 1e-9) && room(d))
+    (0..2).find(|d| cell[*d] * bend.turn[*d] > limits.angle * (1.0 + thresholds::OVER_LIMIT) && room(d))
 }
 
 /// Whether a cell is sheared too far, by more than may be overlooked.

@@ -2,6 +2,7 @@
 
 use super::bend::{Greatest, Size, greater};
 use crate::Vector3;
+use crate::meshing::thresholds::EVEN_WEIGHTS;
 
 /// A Bézier patch over the unit square: homogeneous control points, v running fastest.
 #[derive(Debug, Clone)]
@@ -81,7 +82,7 @@ impl Patch {
         let [p, q] = self.degrees;
         let weights = || self.points.iter().map(|c| c[3]);
         let (light, heavy) = (weights().fold(f64::MAX, f64::min), weights().fold(0.0, f64::max));
-        let even = heavy <= light * (1.0 + 1e-14);
+        let even = heavy <= light * (1.0 + EVEN_WEIGHTS);
         if !even {
             if let Some(own) = self.plain_along(1, n, lengths) {
                 return ([own.first_across, own.first], [own.second_across, own.twist, own.second]);
@@ -151,7 +152,7 @@ impl Patch {
         let at = |k: usize, l: usize| if d == 0 { self.at(k, l) } else { self.at(l, k) };
         let even = |l: usize| {
             let w = at(0, l)[3];
-            (1..=along).all(|k| (at(k, l)[3] - w).abs() <= 1e-14 * w)
+            (1..=along).all(|k| (at(k, l)[3] - w).abs() <= EVEN_WEIGHTS * w)
         };
         if !(0..=across).all(even) {
             return None;

@@ -1,6 +1,7 @@
 //! Triangles between the cells of a face that lie inside whole and its outline: a Delaunay triangulation that holds
 //! both borders (spade's, with exact predicates), with more points inside where the limits ask for them.
 
+use crate::meshing::thresholds::VANISHING;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Triangulation};
 
 use super::fill::{Filling, PlaceMap, State};
@@ -111,7 +112,7 @@ impl Ring<'_, '_> {
     fn site(&self, vertex: u32) -> Site {
         let uv = self.uv(vertex);
         let origin = self.origin();
-        let flushed = |x: f64| if x.abs() < 1e-40 { 0.0 } else { x };
+        let flushed = |x: f64| if x.abs() < VANISHING { 0.0 } else { x };
         let position = spade::Point2::new(
             flushed((uv.x - origin.x) * self.filling.scale[0]),
             flushed((uv.y - origin.y) * self.filling.scale[1]),

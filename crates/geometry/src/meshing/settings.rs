@@ -1,5 +1,6 @@
 //! How fine a mesh of a surface or brep is.
 
+use crate::meshing::thresholds::{FINEST, SHORT_OF_SIZE};
 use std::f64::consts::SQRT_2;
 
 use crate::{Error, Result};
@@ -107,10 +108,10 @@ impl MeshSettings {
             0.0
         };
         // Nearer than rounding cannot be asked for.
-        let distance = off(self.max_distance).min(off(share)).max(1e-9 * size);
+        let distance = off(self.max_distance).min(off(share)).max(FINEST * size);
         Limits {
             distance,
-            short: if distance.is_finite() { SHORT * distance } else { 1e-6 * size },
+            short: if distance.is_finite() { SHORT * distance } else { SHORT_OF_SIZE * size },
             angle: off(self.max_angle),
             aspect: if self.max_aspect > 0.0 { self.max_aspect.max(SQRT_2) } else { f64::INFINITY },
             min_edge: self.min_edge.min(off(self.max_edge)),

@@ -1,6 +1,7 @@
 //! Trims along lines of constant parameter, and which lines are one.
 
 use crate::brep::CurvePart;
+use crate::meshing::thresholds::{NARROW_PARTS, NARROWEST, WAVERS};
 use crate::{Curve, Interval, Quadrant, Surface};
 
 /// Lines whose distance in space is less than this part of the distance allowed are one.
@@ -28,7 +29,7 @@ pub(super) fn narrow(surface: &Surface, domain: [Interval; 2], distance: f64) ->
     }
     [0, 1].map(|d| {
         let length = domain[d].length();
-        (NARROW * distance / speed[d]).min(1e-6 * length).max(1e-8 * length)
+        (NARROW * distance / speed[d]).min(NARROW_PARTS[1] * length).max(NARROW_PARTS[0] * length)
     })
 }
 
@@ -46,7 +47,7 @@ pub(super) fn along(
     if bounds.iter().flatten().any(|x| !x.is_finite()) {
         return None;
     }
-    let small = [0, 1].map(|d| 1e-8 * domain[d].length());
+    let small = [0, 1].map(|d| NARROWEST * domain[d].length());
     let aligned = (0..2).find_map(|d| {
         let [low, high] = bounds[d];
         let long = bounds[1 - d][1] - bounds[1 - d][0];
@@ -55,7 +56,7 @@ pub(super) fn along(
         let wavers = high - low > small[d];
         if high - low > narrow[d]
             || long <= small[1 - d]
-            || (wavers && wide > 1e-2 * long / domain[1 - d].length())
+            || (wavers && wide > WAVERS * long / domain[1 - d].length())
         {
             return None;
         }

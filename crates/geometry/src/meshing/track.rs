@@ -2,6 +2,8 @@
 //! nearest to a place on the other.
 
 use crate::brep::CurvePart;
+use crate::meshing::thresholds::{FOOT_DONE, FOOT_STEP};
+use crate::thresholds;
 use crate::{Curve, Direction, Point2, Point3, Quadrant, Surface, Vector3};
 
 /// Where a curve in space comes from.
@@ -38,11 +40,11 @@ impl<'a> Track<'a> {
         };
         let mut joints: Vec<f64> = (curve.pieces().iter())
             .map(|piece| inside(piece.whole.start))
-            .filter(|x| *x > 1e-9 && *x < 1.0 - 1e-9)
+            .filter(|x| *x > thresholds::SAME_PARAMETER && *x < 1.0 - thresholds::SAME_PARAMETER)
             .collect();
         joints.extend([0.0, 1.0]);
         joints.sort_by(f64::total_cmp);
-        joints.dedup_by(|a, b| *a - *b < 1e-9);
+        joints.dedup_by(|a, b| *a - *b < thresholds::SAME_PARAMETER);
         let mut track = Self { source, backwards, joints, table: Vec::new(), length: 0.0 };
         track.measure();
         track
@@ -253,7 +255,7 @@ impl<'a> Track<'a> {
             let slope = (at - p.to_vector()).dot(by);
             let square = by.dot(by);
             // There already: the bracket says nothing more, and its middle may lie by another place as near as any.
-            if slope.abs() <= 1e-13 * self.length * square.sqrt() && square > 0.0 {
+            if slope.abs() <= FOOT_DONE * self.length * square.sqrt() && square > 0.0 {
                 break;
             }
             if slope > 0.0 {
@@ -267,7 +269,7 @@ impl<'a> Track<'a> {
             }
             let step = (next - x).abs();
             x = next;
-            if step < 1e-14 || !(step * square.sqrt() > 1e-13 * self.length) {
+            if step < FOOT_STEP || !(step * square.sqrt() > FOOT_DONE * self.length) {
                 break;
             }
         }

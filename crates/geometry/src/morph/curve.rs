@@ -3,6 +3,8 @@
 use super::Morph;
 use crate::curve::traced::{Sample, sampled, shape, whole};
 use crate::intersect::curve_plane;
+use crate::morph::thresholds::AT_SEAM;
+use crate::thresholds;
 use crate::{Continuity, Curve, Error, Interval, Point3, Result, Tolerance, Vector3};
 
 /// The step for directions, as a part of a stretch of the curve: central differences over it err by its square,
@@ -25,13 +27,13 @@ impl Curve {
         let mut cuts = vec![domain.start, domain.end];
         cuts.extend(self.discontinuities(Continuity::G1, tolerance));
         for seam in morph.seams() {
-            let meets = curve_plane(self, &seam, 1e-9)?;
+            let meets = curve_plane(self, &seam, AT_SEAM)?;
             cuts.extend(meets.crossings);
             cuts.extend(meets.overlaps.iter().flat_map(|o| [o.start, o.end]));
         }
         cuts.retain(|t| domain.contains(*t));
         cuts.sort_by(f64::total_cmp);
-        let apart = 1e-9 * domain.length();
+        let apart = thresholds::SAME_PARAMETER * domain.length();
         cuts.dedup_by(|b, a| *b - *a <= apart);
         // A cut next to the end is the end.
         if let Some(last) = cuts.last_mut() {

@@ -1,5 +1,7 @@
 use super::{Morph, finite};
 use crate::curve::ClosestOnCurve;
+use crate::morph::thresholds::NO_SIDE;
+use crate::thresholds;
 use crate::{ArcLength, Curve, Error, Plane, Point3, Result, Vector3};
 
 /// Frames along a curve that turn about it as little as possible.
@@ -59,10 +61,10 @@ impl<'a> Spine<'a> {
 /// as far as it is across.
 fn carried(x: Vector3, a: Vector3, b: Vector3) -> Vector3 {
     let axis = a.cross(b);
-    let turned = if axis.length() > 1e-12 {
+    let turned = if axis.length() > thresholds::NO_DIRECTION {
         x.rotated(axis.length().atan2(a.dot(b)), axis)
     } else if a.dot(b) < 0.0 {
-        let axis = Vector3::Z.rejected_from(a).filter(|v| v.length() > 1e-6).or_else(|| a.perpendicular());
+        let axis = Vector3::Z.rejected_from(a).filter(|v| v.length() > NO_SIDE).or_else(|| a.perpendicular());
         axis.and_then(|axis| x.rotated(std::f64::consts::PI, axis))
     } else {
         None

@@ -14,6 +14,7 @@ mod maelstrom;
 mod mirror;
 mod patch;
 mod surface;
+mod thresholds;
 
 pub use axis::{Stretch, Taper, Twist};
 pub use bend::Bend;

@@ -1,6 +1,7 @@
 //! Maps onto surfaces.
 
 use super::{Morph, finite};
+use crate::thresholds;
 use crate::{ClosestOnSurface, Direction, Error, Interval, Plane, Point3, Result, Surface, Vector3};
 
 /// A surface that goes on beyond its edges: along the tangents at an open edge, round a closed one.
@@ -81,7 +82,7 @@ impl Anchor {
         let matrix =
             [[du.dot(frame.x_axis), dv.dot(frame.x_axis)], [du.dot(frame.y_axis), dv.dot(frame.y_axis)]];
         let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-        if !(determinant.abs() > 1e-12 * du.length() * dv.length()) {
+        if !(determinant.abs() > thresholds::ROUNDING * du.length() * dv.length()) {
             return Err(none);
         }
         Ok(Self { sheet, place: [u, v], matrix, determinant })

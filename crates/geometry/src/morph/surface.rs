@@ -2,6 +2,7 @@
 
 use super::Morph;
 use crate::intersect::curve_plane;
+use crate::morph::thresholds::AT_SEAM;
 use crate::{Direction, NurbsSurface, Plane, Point3, Result, Side, Surface, Tolerance};
 
 /// No image has more control points than this.
@@ -109,7 +110,7 @@ fn kinked(surface: NurbsSurface, seam: &Plane) -> Result<NurbsSurface> {
         let mut common: Option<Vec<f64>> = None;
         for x in [0.0, 0.37, 1.0] {
             let Ok(curve) = Surface::from(out.clone()).isocurve(direction, across.at(x)) else { continue };
-            let found = curve_plane(&curve, seam, 1e-9)?.crossings;
+            let found = curve_plane(&curve, seam, AT_SEAM)?.crossings;
             common = Some(match common {
                 None => found,
                 Some(before) => {

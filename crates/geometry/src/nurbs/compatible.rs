@@ -1,6 +1,7 @@
 //! Curves brought to one degree, domain and knot vector.
 
 use super::NurbsCurve;
+use crate::thresholds;
 use crate::{Error, Interval, Result};
 
 /// The most control points of all curves together: curves that share no knots get those of one another.
@@ -37,7 +38,7 @@ pub fn compatible_curves(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>> {
 
 /// Moves knots that are nearly equal together and returns the union of all knot vectors.
 fn common_knots(curves: &mut [NurbsCurve], degree: usize, domain: Interval) -> Result<Vec<f64>> {
-    let tolerance = 1e-9 * domain.length();
+    let tolerance = thresholds::SAME_PARAMETER * domain.length();
     let mut values: Vec<f64> = curves
         .iter()
         .flat_map(|c| c.span_parameters())

@@ -1,9 +1,11 @@
 //! Arcs, circles and ellipses as exact rational quadratics.
 
+use crate::nurbs::thresholds::OPEN_QUARTER;
+use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::NurbsCurve;
-use crate::{Arc, ArcCurve, Circle, Ellipse, Interval, Plane, Result};
+use crate::{Arc, Circle, Ellipse, Interval, Plane, Result};
 
 /// The conic rx cos, ry sin over a range of angles, with equal spans of at most a quarter turn.
 ///
@@ -26,7 +28,7 @@ fn conic(plane: &Plane, rx: f64, ry: f64, angle: Interval, domain: Interval) -> 
         let theta = if i == 2 * spans { angle.end } else { angle.start + half * i as f64 };
         points.push(at(theta, if i % 2 == 1 { weight } else { 1.0 }));
     }
-    if (sweep.abs() - TAU).abs() <= 1e-12
+    if (sweep.abs() - TAU).abs() <= thresholds::WHOLE_TURN
         && let Some(&first) = points.first()
     {
         points[2 * spans] = first;
@@ -55,7 +57,7 @@ impl Arc {
     /// The spans that the NURBS form of an arc of an angle has: one up to a quarter turn, two up to a half, else four, as
     /// openNURBS has it.
     pub(crate) fn spans_of(angle: f64) -> usize {
-        let quarters = angle.abs() / FRAC_PI_2 - 1e-9;
+        let quarters = angle.abs() / FRAC_PI_2 - OPEN_QUARTER;
         match quarters {
             few if few <= 1.0 => 1,
             few if few <= 2.0 => 2,
@@ -70,17 +72,6 @@ impl Arc {
     pub fn to_nurbs(&self, domain: Interval) -> Result<NurbsCurve> {
         let r = self.circle.radius;
         conic(&self.circle.plane, r, r, self.angle, domain)
-    }
-}
-
-impl ArcCurve {
-    /// The exact NURBS form over the same domain. Only at the joints of spans and halfway between them do equal
-    /// parameters give equal points.
-    ///
-    /// # Errors
-    /// As [`Arc::to_nurbs`].
-    pub fn to_nurbs(&self) -> Result<NurbsCurve> {
-        self.arc.to_nurbs(self.domain)
     }
 }
 

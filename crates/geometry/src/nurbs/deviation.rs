@@ -4,6 +4,7 @@ use super::NurbsCurve;
 use super::refine::map_controls;
 use crate::bernstein::{BUDGET, halves};
 use crate::polynomial::Polynomial;
+use crate::thresholds;
 use crate::{Error, Result};
 
 /// A curve that stands for something else, and how far it is away from it.
@@ -53,7 +54,7 @@ impl NurbsCurve {
         let size = self.control_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
         let mut worst = 0.0_f64;
         for (a, b) in self.beziers_between(&breaks)?.iter().zip(&other.beziers_between(&breaks)?) {
-            worst = worst.max(greatest_length(difference(a, b), worst, 1e-12 * size));
+            worst = worst.max(greatest_length(difference(a, b), worst, thresholds::ROUNDING * size));
         }
         Ok(worst)
     }

@@ -3,6 +3,7 @@
 use super::deviation::{Approximation, greatest_length};
 use super::least_squares::{LeastSquares, placed_knots};
 use super::{KnotSpacing, NurbsCurve};
+use crate::nurbs::thresholds::KINK;
 use crate::{Error, Point3, Result, Vector3};
 
 /// No fit makes more spans than this.
@@ -166,7 +167,7 @@ impl NurbsCurve {
             .filter(|&t| {
                 let (a, b) = (self.derivatives(t, 1, true).1, self.derivatives(t, 1, false).1);
                 match (a.first(), b.first()) {
-                    (Some(a), Some(b)) => (*a - *b).length() > 1e-9 * a.length().max(b.length()),
+                    (Some(a), Some(b)) => (*a - *b).length() > KINK * a.length().max(b.length()),
                     _ => true,
                 }
             })

@@ -5,6 +5,7 @@ use super::evaluate::basis;
 use super::knots::{MAX_DEGREE, span_index};
 use super::refine::make_knots_periodic;
 use crate::linear::Banded;
+use crate::nurbs::thresholds::KNOT_STEP;
 use crate::{Error, Point3, Result, Vector3};
 
 /// How far apart the parameters of neighbouring points are.
@@ -144,7 +145,7 @@ fn parameters(points: &[Point3], spacing: KnotSpacing) -> Vec<f64> {
         };
         let next = t + step;
         // A chord too short to move the sum must still move the parameter.
-        t = if next > t { next } else { t + t.abs().max(1.0) * 1e-12 };
+        t = if next > t { next } else { t + t.abs().max(1.0) * KNOT_STEP };
         out.push(t);
     }
     out

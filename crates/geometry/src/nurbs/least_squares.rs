@@ -5,6 +5,7 @@ use super::knots::{MAX_DEGREE, check_knots, span_index};
 use super::refine::make_knots_periodic;
 use super::{KnotSpacing, NurbsCurve};
 use crate::linear::Banded;
+use crate::nurbs::thresholds::{LEAST_CHORD, NO_PIVOT};
 use crate::{Error, Interval, Point3, Result, Vector3};
 
 /// A point or derivative that a least-squares curve must have exactly.
@@ -46,7 +47,7 @@ impl KnotSpacing {
             })
             .collect();
         let sum: f64 = steps.iter().sum();
-        let least = if sum > 0.0 { 1e-12 * sum } else { 1.0 };
+        let least = if sum > 0.0 { LEAST_CHORD * sum } else { 1.0 };
         let steps: Vec<f64> = steps.iter().map(|s| s.max(least)).collect();
         let total: f64 = steps.iter().sum();
         let mut t = 0.0;
@@ -328,7 +329,7 @@ impl Rows {
         let n = self.upper.len();
         // A control point that no observation reaches is undetermined however the elimination rounds.
         let most = self.upper.iter().map(|r| r[0]).fold(0.0, f64::max);
-        if self.upper.iter().zip(&self.fixed).any(|(r, f)| f.is_none() && !(r[0] > 1e-14 * most)) {
+        if self.upper.iter().zip(&self.fixed).any(|(r, f)| f.is_none() && !(r[0] > NO_PIVOT * most)) {
             return Err(undetermined());
         }
         let right: Vec<[f64; 3]> = (0..n).map(|i| self.fixed[i].unwrap_or(self.right[i]).into()).collect();

@@ -2,6 +2,7 @@
 
 use super::NurbsCurve;
 use super::curve::Controls;
+use crate::nurbs::thresholds::{EQUAL_WEIGHTS, PERIODIC_KNOTS, PERIODIC_POINTS};
 use crate::{Error, Point3, Result, Xform};
 
 impl NurbsCurve {
@@ -32,7 +33,7 @@ impl NurbsCurve {
             return false;
         }
         let shift = n - p;
-        let tolerance = 1e-10 * self.domain().length();
+        let tolerance = PERIODIC_KNOTS * self.domain().length();
         let knots_repeat = (0..2 * (p - 1)).all(|i| {
             let step = |k: usize| self.knots[k + 1] - self.knots[k];
             (step(i) - step(i + shift)).abs() <= tolerance
@@ -42,7 +43,9 @@ impl NurbsCurve {
         }
         let points = self.homogeneous_points();
         let size = points.iter().flatten().fold(1.0_f64, |m, x| m.max(x.abs()));
-        (0..p).all(|i| points[i].iter().zip(&points[i + shift]).all(|(a, b)| (a - b).abs() <= 1e-12 * size))
+        (0..p).all(|i| {
+            points[i].iter().zip(&points[i + shift]).all(|(a, b)| (a - b).abs() <= PERIODIC_POINTS * size)
+        })
     }
 
     /// The length of the polygon through the control points.
@@ -72,7 +75,7 @@ impl NurbsCurve {
             Controls::Plain(_) => Some(self.clone()),
             Controls::Rational(points) => {
                 let w = points.first()?[3];
-                points.iter().all(|p| (p[3] - w).abs() <= 1e-15 * w).then(|| {
+                points.iter().all(|p| (p[3] - w).abs() <= EQUAL_WEIGHTS * w).then(|| {
                     let plain = points.iter().map(|p| [p[0] / p[3], p[1] / p[3], p[2] / p[3]]).collect();
                     Self { degree: self.degree, knots: self.knots.clone(), controls: Controls::Plain(plain) }
                 })

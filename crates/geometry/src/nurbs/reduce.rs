@@ -3,6 +3,7 @@
 use super::NurbsCurve;
 use super::curve::Controls;
 use super::deviation::Approximation;
+use crate::nurbs::thresholds::REDUCTION_ROUNDING;
 use crate::{Error, Result};
 
 impl NurbsCurve {
@@ -37,7 +38,7 @@ impl NurbsCurve {
         };
         let pieces = Self::from_controls(p - 1, controls, knots)?;
         let size = self.control_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
-        let rounding = 1e-13 * size;
+        let rounding = REDUCTION_ROUNDING * size;
         let first = self.deviation_from(&pieces)?;
         if !(first <= tolerance + rounding) {
             return Err(Error::OutOfRange {

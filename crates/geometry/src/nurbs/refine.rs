@@ -4,6 +4,8 @@ use super::NurbsCurve;
 use super::blossom::{over_knots, raised};
 use super::curve::Controls;
 use super::knots::MAX_DEGREE;
+use crate::nurbs::thresholds::SAME_KNOT;
+use crate::thresholds;
 use crate::{Error, Result};
 
 /// Applies a function on control points of any dimension to either kind of them.
@@ -37,7 +39,8 @@ impl NurbsCurve {
 
     /// A parameter so near to a knot that no curve could tell them apart becomes that knot.
     pub(crate) fn snapped(&self, t: f64) -> f64 {
-        let tolerance = 1e-14 * self.domain().start.abs().max(self.domain().end.abs()).max(1e-300);
+        let tolerance =
+            SAME_KNOT * self.domain().start.abs().max(self.domain().end.abs()).max(thresholds::LEAST_DIVISOR);
         let first = self.knots.partition_point(|&k| t - k > tolerance);
         self.knots.get(first).copied().filter(|k| (k - t).abs() <= tolerance).unwrap_or(t)
     }

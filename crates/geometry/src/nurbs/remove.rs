@@ -3,6 +3,7 @@
 use super::NurbsCurve;
 use super::curve::Controls;
 use super::deviation::Approximation;
+use crate::nurbs::thresholds::REMOVAL_ROUNDING;
 use crate::{Error, Result};
 
 type Point = [f64; 4];
@@ -188,8 +189,8 @@ impl NurbsCurve {
         check_tolerance(tolerance)?;
         let curve = self.clamped()?;
         let start = Work::new(&curve);
-        let mut allowed =
-            tolerance.max(1e-14 * (start.reach + start.center.iter().map(|x| x.abs()).sum::<f64>()));
+        let mut allowed = tolerance
+            .max(REMOVAL_ROUNDING * (start.reach + start.center.iter().map(|x| x.abs()).sum::<f64>()));
         for _ in 0..3 {
             let reduced = reduced(Work::new(&curve), allowed, keep).into_curve()?;
             let deviation = if reduced.point_count() == curve.point_count() {

@@ -2,6 +2,7 @@
 
 use super::NurbsCurve;
 use super::refine::make_knots_periodic;
+use crate::nurbs::thresholds::STRAIGHT_SPAN;
 use crate::{Error, Interval, Point3, Result};
 
 impl NurbsCurve {
@@ -149,7 +150,7 @@ impl NurbsCurve {
         let size = self.control_polygon_length();
         [(domain.start, false, first), (domain.end, true, last)].map(|(t, below, width)| {
             let (_, d) = self.derivatives(t, 2, below);
-            d.get(1).is_some_and(|d| d.length() * width * width <= 1e-8 * size)
+            d.get(1).is_some_and(|d| d.length() * width * width <= STRAIGHT_SPAN * size)
         })
     }
 

@@ -8,6 +8,7 @@ use super::surface_refine::transposed;
 use super::uniform::{clamped_uniform_knots, periodic_uniform_knots};
 use super::{KnotSpacing, NurbsCurve, NurbsSurface};
 use crate::linear::Banded;
+use crate::nurbs::thresholds::SKIN_STEP;
 use crate::{Error, Point3, Result, cancellation};
 
 /// How a surface runs across the curves that it is made from.
@@ -46,7 +47,7 @@ pub(crate) fn section_parameters(
         t += step;
         out.push(t);
     }
-    let least = 1e-9 * t;
+    let least = SKIN_STEP * t;
     if out.windows(2).any(|w| !(w[1] - w[0] > least)) {
         return Err(Error::degenerate("sections", "two neighbours all but coincide"));
     }

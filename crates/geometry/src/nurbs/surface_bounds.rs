@@ -1,5 +1,6 @@
 //! Boxes around surfaces.
 
+use crate::nurbs::thresholds::BOUND_SLACK;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -135,7 +136,7 @@ impl NurbsSurface {
             let candidate = |patch: Patch| Candidate { bound: patch.bound(), patch };
             let mut queue: BinaryHeap<Candidate> = start.into_iter().map(candidate).collect();
             while let Some(Candidate { bound, patch }) = queue.pop() {
-                if !(bound > best + 1e-12 * size) {
+                if !(bound > best + BOUND_SLACK * size) {
                     break;
                 }
                 if budget == 0 {

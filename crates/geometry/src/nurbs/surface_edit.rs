@@ -4,6 +4,7 @@ use super::NurbsSurface;
 use super::curve::Controls;
 use super::surface::Direction;
 use super::surface_refine::transposed;
+use crate::nurbs::thresholds::{COLUMN_DIFFERENCE, EQUAL_WEIGHTS};
 use crate::{Error, Interval, Point3, Result, Xform};
 
 impl NurbsSurface {
@@ -68,7 +69,7 @@ impl NurbsSurface {
             Controls::Plain(_) => Some(self.clone()),
             Controls::Rational(points) => {
                 let w = points.first()?[3];
-                points.iter().all(|p| (p[3] - w).abs() <= 1e-15 * w).then(|| {
+                points.iter().all(|p| (p[3] - w).abs() <= EQUAL_WEIGHTS * w).then(|| {
                     let plain = points.iter().map(|p| [p[0] / p[3], p[1] / p[3], p[2] / p[3]]).collect();
                     Self { controls: Controls::Plain(plain), ..self.clone() }
                 })
@@ -177,7 +178,9 @@ impl NurbsSurface {
         let (points, tail) = (second.homogeneous_points(), first.homogeneous_points());
         let last = points.get(points.len() - columns..).unwrap_or(&[]);
         let size = points.iter().flatten().fold(1.0_f64, |m, x| m.max(x.abs()));
-        let differ = |a: &[f64; 4], b: &[f64; 4]| a.iter().zip(b).any(|(x, y)| (x - y).abs() > 1e-9 * size);
+        let differ = |a: &[f64; 4], b: &[f64; 4]| {
+            a.iter().zip(b).any(|(x, y)| (x - y).abs() > COLUMN_DIFFERENCE * size)
+        };
         if last.iter().zip(&tail).any(|(a, b)| differ(a, b)) {
             return Err(Error::Unsupported("a seam whose two sides have different weights"));
         }

@@ -8,6 +8,7 @@ use super::refine::make_knots_periodic;
 use super::surface_construct::check_grid;
 use super::surface_refine::transposed;
 use crate::linear::Banded;
+use crate::nurbs::thresholds::KNOT_STEP;
 use crate::{Error, Point3, Result};
 
 /// How lines of points in one direction are interpolated: parameters and knots are the same for all of them.
@@ -124,7 +125,7 @@ fn parameters(lines: &[Point3], count: usize, periodic: bool, spacing: KnotSpaci
     let mut out = vec![0.0];
     for share in shares {
         let step = share * (length / used) / used;
-        if !(t + step > t + 1e-12 * t.abs()) {
+        if !(t + step > t + KNOT_STEP * t.abs()) {
             return Err(Error::degenerate("points", "two neighbouring lines of them coincide"));
         }
         t += step;

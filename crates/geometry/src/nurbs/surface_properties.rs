@@ -4,6 +4,7 @@ use super::NurbsSurface;
 use super::curve::Controls;
 use super::surface::Direction;
 use super::surface_refine::transposed;
+use crate::nurbs::thresholds::{PERIODIC_KNOTS, PERIODIC_POINTS, PLANAR_ROUNDING};
 use crate::{Plane, Point3};
 
 /// One of the four sides of a surface's domain, in the order of openNURBS.
@@ -61,7 +62,7 @@ impl NurbsSurface {
             return false;
         }
         let shift = n - p;
-        let tolerance = 1e-10 * self.domain(direction).length();
+        let tolerance = PERIODIC_KNOTS * self.domain(direction).length();
         let step = |i: usize| k.get(i + 1).zip(k.get(i)).map_or(f64::NAN, |(b, a)| b - a);
         let knots_repeat = (0..2 * (p - 1)).all(|i| (step(i) - step(i + shift)).abs() <= tolerance);
         if !knots_repeat {
@@ -72,7 +73,7 @@ impl NurbsSurface {
             points.chunks(length).all(|line| {
                 line.iter()
                     .zip(line.get(shift..).unwrap_or(&[]))
-                    .all(|(a, b)| a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 1e-12 * size))
+                    .all(|(a, b)| a.iter().zip(b).all(|(x, y)| (x - y).abs() <= PERIODIC_POINTS * size))
             })
         };
         let points = self.homogeneous_points();
@@ -123,7 +124,7 @@ impl NurbsSurface {
         if !(deviation <= tolerance.max(0.0)) {
             // Points in one plane up to rounding are planar at tolerance 0 too.
             let size = self.control_points().iter().fold(0.0_f64, |m, p| m.max(p.to_vector().length()));
-            if !(deviation <= 1e-15 * size) {
+            if !(deviation <= PLANAR_ROUNDING * size) {
                 return None;
             }
         }

@@ -7,6 +7,8 @@ use super::knots::{MAX_DEGREE, span_index};
 use super::refine::{make_knots_periodic, map_controls};
 use super::surface::{Direction, check_net};
 use super::{NurbsCurve, NurbsSurface};
+use crate::nurbs::thresholds::SAME_KNOT;
+use crate::thresholds;
 use crate::{Error, Interval, Result};
 
 /// The grid with rows and columns exchanged; `columns` is the length of a row.
@@ -84,7 +86,7 @@ impl NurbsSurface {
     /// A parameter so near to a knot that nothing could tell them apart becomes that knot.
     pub(crate) fn snapped(&self, direction: Direction, t: f64) -> f64 {
         let domain = self.domain(direction);
-        let tolerance = 1e-14 * domain.start.abs().max(domain.end.abs()).max(1e-300);
+        let tolerance = SAME_KNOT * domain.start.abs().max(domain.end.abs()).max(thresholds::LEAST_DIVISOR);
         let knots = self.knots(direction);
         let first = knots.partition_point(|&k| t - k > tolerance);
         knots.get(first).copied().filter(|k| (k - t).abs() <= tolerance).unwrap_or(t)

@@ -1,7 +1,8 @@
 //! Planes from what is known of them.
 
 use crate::linear::symmetric_eigen;
-use crate::{Error, Line, Plane, Point3, Result, Vector3};
+use crate::thresholds;
+use crate::{Error, Plane, Point3, Result, Vector3};
 
 impl Plane {
     /// The plane through `origin` with a normal; its x axis is [`Vector3::perpendicular`] of the normal.
@@ -29,14 +30,6 @@ impl Plane {
             .map_err(|_| Error::degenerate("three points", "they lie on one line"))
     }
 
-    /// The plane through a line and a point beside it: origin at the line's start, x along the line.
-    ///
-    /// # Errors
-    /// When the line has no length or the point lies on it.
-    pub fn from_line_and_point(line: &Line, p: Point3) -> Result<Self> {
-        Self::from_points(line.from, line.to, p)
-    }
-
     /// The plane a·x + b·y + c·z + d = 0, with its origin at the point nearest to the world's.
     ///
     /// # Errors
@@ -62,7 +55,7 @@ impl Plane {
             });
         }
         let (mean, values, axes) = principal_axes(points)?;
-        if values[1] <= values[2] * 1e-24 {
+        if values[1] <= values[2] * thresholds::NO_LENGTH_SQUARED {
             return Err(Error::degenerate("points", "they lie on one line"));
         }
         let plane = Self::from_axes(mean, axes[2], axes[1])?;
@@ -71,31 +64,8 @@ impl Plane {
     }
 }
 
-impl Line {
-    /// The line that fits points best: along the direction in which they spread most, limited by the extreme
-    /// projections, from the first point towards the last.
-    ///
-    /// # Errors
-    /// Fewer than two points, or all of them in one place.
-    pub fn fit(points: &[Point3]) -> Result<Self> {
-        let (mean, values, axes) = principal_axes(points)?;
-        if !(values[2] > 0.0) {
-            return Err(Error::degenerate("points", "they are all in one place"));
-        }
-        let mut direction = axes[2];
-        if let (Some(&first), Some(&last)) = (points.first(), points.last())
-            && (last - first).dot(direction) < 0.0
-        {
-            direction = -direction;
-        }
-        let along = points.iter().map(|&p| (p - mean).dot(direction));
-        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
-        Ok(Self::new(mean + direction * low, mean + direction * high))
-    }
-}
-
 /// The mean of points, and the eigenvalues (ascending) and unit eigenvectors of their scatter matrix.
-fn principal_axes(points: &[Point3]) -> Result<(Point3, [f64; 3], [Vector3; 3])> {
+pub(crate) fn principal_axes(points: &[Point3]) -> Result<(Point3, [f64; 3], [Vector3; 3])> {
     if points.is_empty() {
         return Err(Error::degenerate("points", "there are none"));
     }

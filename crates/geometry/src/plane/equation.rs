@@ -1,6 +1,6 @@
 //! Planes as an equation.
 
-use crate::{BoundingBox, Error, Interval, Plane, Point3, Result, Vector3, Xform};
+use crate::{Error, Plane, Point3, Result, Vector3};
 
 /// The plane a·x + b·y + c·z + d = 0 with (a, b, c) of length 1, so that the left side is the signed distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +44,7 @@ impl PlaneEquation {
     #[cfg(feature = "serde")]
     pub(crate) fn from_unit([a, b, c, d]: [f64; 4]) -> Result<Self> {
         let normal = Vector3::new(a, b, c);
-        if (normal.length() - 1.0).abs() <= 1e-14 && d.is_finite() {
+        if (normal.length() - 1.0).abs() <= crate::thresholds::FEW_ROUNDINGS && d.is_finite() {
             return Ok(Self { normal, d });
         }
         Self::new(a, b, c, d)
@@ -71,14 +71,6 @@ impl PlaneEquation {
         p - self.normal * self.value_at(p)
     }
 
-    /// The least and the greatest value over a box.
-    pub fn range_over(&self, bounds: &BoundingBox) -> Interval {
-        let (n, a, b) = (self.normal, bounds.min, bounds.max);
-        let pick = |n: f64, a: f64, b: f64| if n >= 0.0 { (a, b) } else { (b, a) };
-        let ((x0, x1), (y0, y1), (z0, z1)) = (pick(n.x, a.x, b.x), pick(n.y, a.y, b.y), pick(n.z, a.z, b.z));
-        Interval::new(self.value_at(Point3::new(x0, y0, z0)), self.value_at(Point3::new(x1, y1, z1)))
-    }
-
     /// The same plane seen from behind.
     #[must_use]
     pub fn flipped(&self) -> Self {
@@ -89,17 +81,6 @@ impl PlaneEquation {
     #[must_use]
     pub fn offset(&self, distance: f64) -> Self {
         Self { normal: self.normal, d: self.d - distance }
-    }
-
-    /// The image of the plane: coefficients are mapped by the inverse from the right.
-    ///
-    /// # Errors
-    /// The map has no inverse, or sends the plane to infinity.
-    pub fn transformed(&self, xform: &Xform) -> Result<Self> {
-        let inverse = xform.inverse().ok_or(Error::degenerate("transform", "it has no inverse"))?;
-        let e = self.coefficients();
-        let [a, b, c, d] = std::array::from_fn(|j| (0..4).map(|i| e[i] * inverse.rows[i][j]).sum());
-        Self::new(a, b, c, d)
     }
 
     /// A frame on the plane, with its origin nearest to the world's.

@@ -1,9 +1,12 @@
+mod angles;
 mod construct;
 mod equation;
 
+pub(crate) use construct::principal_axes;
 pub use equation::PlaneEquation;
 
-use crate::{Error, Point3, Result, Vector3, Xform};
+use crate::thresholds;
+use crate::{Error, Point3, Result, Vector3};
 
 /// A frame: an origin and three unit axes at right angles, right-handed (z = x × y).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +46,7 @@ impl Plane {
         let x = x_axis.unitized().ok_or(Error::degenerate("x axis", "it has no length"))?;
         let y = y_axis.unitized().ok_or(Error::degenerate("y axis", "it has no length"))?;
         let z = x.cross(y);
-        if z.length() < 1e-12 {
+        if z.length() < thresholds::NO_DIRECTION {
             return Err(Error::degenerate("axes", "they are parallel"));
         }
         let z = z.unitized().ok_or(Error::degenerate("axes", "they are parallel"))?;
@@ -109,23 +112,6 @@ impl Plane {
             y_axis: self.y_axis * cos - self.x_axis * sin,
             ..*self
         }
-    }
-
-    /// The image of the frame: origin, x and y axes are mapped and made a frame again.
-    ///
-    /// # Errors
-    /// The map leaves no plane: an image axis has no length, the two become parallel, or a number overflows.
-    pub fn transformed(&self, xform: &Xform) -> Result<Self> {
-        let origin = xform.point(self.origin);
-        if !origin.is_finite() {
-            return Err(Error::NotFinite("transformed plane"));
-        }
-        let (x, y) = if xform.is_affine() {
-            (xform.vector(self.x_axis), xform.vector(self.y_axis))
-        } else {
-            (xform.point(self.at(1.0, 0.0, 0.0)) - origin, xform.point(self.at(0.0, 1.0, 0.0)) - origin)
-        };
-        Self::from_axes(origin, x, y)
     }
 
     /// Whether all numbers are finite.

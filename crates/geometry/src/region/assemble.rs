@@ -6,6 +6,7 @@ use super::sources::Sources;
 use super::strands::{Member, Strand};
 use crate::curve::chained;
 use crate::intersect::{ContactKind, Crossing, curve_curve, curve_self};
+use crate::thresholds;
 use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result};
 
 /// How many tolerances before their joint two pieces side by side may cross and be cut there.
@@ -160,7 +161,7 @@ fn crossing_near_ends(
     tolerance: f64,
 ) -> Result<Option<(f64, f64)>> {
     let (end, start) = (first.end(), second.start());
-    let found = curve_curve(first, second, 1e-12 * scale)?;
+    let found = curve_curve(first, second, thresholds::ROUNDING * scale)?;
     let away = |p: Point3| p.distance_to(end).max(p.distance_to(start));
     let inside = |c: &&Crossing| {
         let (d, e) = (first.domain(), second.domain());
@@ -174,11 +175,14 @@ fn crossing_near_ends(
 /// other where they run side by side.
 fn uncrossed(first: Curve, second: Curve, scale: f64, tolerance: f64) -> Result<(Curve, Curve)> {
     let (joint, d, e) = (first.end(), first.domain(), second.domain());
-    let found = curve_curve(&first, &second, 1e-12 * scale)?;
+    let found = curve_curve(&first, &second, thresholds::ROUNDING * scale)?;
     let mut best: Option<(f64, &Crossing)> = None;
     for c in found.crossings.iter().filter(|c| c.kind == ContactKind::Transversal) {
         let away = c.point.distance_to(joint);
-        let within = 1e-9 * scale < away && away <= MOST_BESIDE * tolerance && d.start < c.a && c.b < e.end;
+        let within = thresholds::SAME_POINT * scale < away
+            && away <= MOST_BESIDE * tolerance
+            && d.start < c.a
+            && c.b < e.end;
         if within && best.is_none_or(|b| b.0 < away) {
             let middle = first.point_at(0.5 * (c.a + d.end));
             if second.closest_point_within(middle, tolerance)?.is_some() {
@@ -193,7 +197,7 @@ fn uncrossed(first: Curve, second: Curve, scale: f64, tolerance: f64) -> Result<
 /// The part of a piece up to where its end crosses its start, next to both.
 fn crossing_of_ends(piece: &Curve, scale: f64, tolerance: f64) -> Result<Option<Interval>> {
     let (start, end) = (piece.start(), piece.end());
-    let found = curve_self(piece, 1e-12 * scale)?;
+    let found = curve_self(piece, thresholds::ROUNDING * scale)?;
     let away = |c: &Crossing| {
         let [p, q] = [c.a, c.b].map(|t| piece.point_at(t));
         let before = excursion(piece, Interval::new(piece.domain().start, c.a));

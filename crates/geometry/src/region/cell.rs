@@ -1,5 +1,7 @@
 //! The part of a plane that other planes bound.
 
+use crate::region::thresholds::CONVEX_TURN;
+use crate::thresholds;
 use crate::{Error, Plane, Point3, PolylineCurve, Result};
 
 /// The convex part of `plane` around its origin that other planes cut off, as a closed polyline, counter-clockwise
@@ -20,12 +22,12 @@ pub fn plane_cell(plane: &Plane, bounds: &[Plane]) -> Result<PolylineCurve> {
         let n = bound.z_axis;
         let line = [n.dot(plane.x_axis), n.dot(plane.y_axis)];
         let slope = line[0].hypot(line[1]);
-        if slope <= 1e-12 {
+        if slope <= thresholds::NO_DIRECTION {
             continue;
         }
         let height = n.dot(bound.origin - plane.origin);
         let scale = (bound.origin - plane.origin).length();
-        if height.abs() <= 1e-12 * scale.max(f64::MIN_POSITIVE) {
+        if height.abs() <= thresholds::ROUNDING * scale.max(f64::MIN_POSITIVE) {
             return Err(Error::degenerate("bounding plane", "it goes through the origin of the plane"));
         }
         let dual = line.map(|x| x / height);
@@ -41,7 +43,7 @@ pub fn plane_cell(plane: &Plane, bounds: &[Plane]) -> Result<PolylineCurve> {
         // The origin must lie left of every side.
         let turn = cross(*a, *b);
         let size = a[0].hypot(a[1]) * b[0].hypot(b[1]);
-        if hull.len() < 3 || !(turn > 1e-12 * size) {
+        if hull.len() < 3 || !(turn > thresholds::ROUNDING * size) {
             return Err(open());
         }
         // a·p = 1 and b·p = 1.
@@ -64,7 +66,7 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
             while let [.., a, b] = chain[..] {
                 let turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
                 let size = (b[0] - a[0]).hypot(b[1] - a[1]) * (p[0] - a[0]).hypot(p[1] - a[1]);
-                if turn > 1e-14 * size {
+                if turn > CONVEX_TURN * size {
                     break;
                 }
                 chain.pop();

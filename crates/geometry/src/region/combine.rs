@@ -1,5 +1,6 @@
 //! Regions from closed curves by a rule.
 
+use crate::region::thresholds::FINEST;
 use std::collections::HashSet;
 
 use super::loops::{Step, loops};
@@ -47,7 +48,7 @@ pub(super) fn checked(plane: &Plane, tolerance: f64) -> Result<()> {
 /// The tolerances to try, from the one asked for to what rounding allows: finer ones when an arrangement shows that
 /// the features of the curves are below it.
 pub(super) fn ladder(tolerance: f64, scale: f64) -> Vec<f64> {
-    let floor = (4e-12 * scale).max(f64::MIN_POSITIVE);
+    let floor = (FINEST * scale).max(f64::MIN_POSITIVE);
     let mut out = vec![tolerance.max(floor)];
     let mut next = 0.05 * tolerance;
     while next > 2.0 * floor && out.len() < 8 {

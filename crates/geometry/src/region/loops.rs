@@ -1,5 +1,6 @@
 //! The border of a region walked in simple loops.
 
+use crate::region::thresholds::CIRCLE_CROSSING;
 use std::collections::HashMap;
 
 use super::nodes::Nodes;
@@ -112,7 +113,7 @@ impl Walk<'_> {
         let Some(m) = self.member(spoke.step) else { return Ok(0.0) };
         let from_start = self.border[spoke.step].forward == spoke.leaves;
         let curve = self.sources.parts[m.part].curve.trimmed(m.range)?;
-        let found = curve_curve(&curve, circle, 1e-13 * self.sources.scale)?;
+        let found = curve_curve(&curve, circle, CIRCLE_CROSSING * self.sources.scale)?;
         let places = found.crossings.iter().map(|c| c.a);
         let t = if from_start { places.reduce(f64::min) } else { places.reduce(f64::max) };
         let [x, y] =

@@ -1,5 +1,6 @@
 //! Where parts of curves meet, worked out once for all tolerances that are tried.
 
+use crate::region::thresholds::MEETS_FINE;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -34,7 +35,7 @@ impl Meetings {
         pair: (usize, usize),
         tolerance: f64,
     ) -> Result<Cow<'_, CurveIntersections>> {
-        let fine = (1e-11 * sources.scale).min(tolerance);
+        let fine = (MEETS_FINE * sources.scale).min(tolerance);
         if fine != self.fine {
             self.found.clear();
             self.fine = fine;

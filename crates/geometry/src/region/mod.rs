@@ -31,6 +31,7 @@
 mod assemble;
 mod cell;
 mod combine;
+mod contains;
 mod loops;
 mod meetings;
 mod nodes;
@@ -40,6 +41,7 @@ mod slits;
 mod sources;
 mod split;
 mod strands;
+mod thresholds;
 mod trim;
 mod winding;
 

@@ -3,8 +3,8 @@
 use super::meetings::{Meetings, too_much};
 use super::sources::Sources;
 use crate::box_pairs::near_pairs;
-use crate::curve::{Sets, gather};
 use crate::intersect::CurveIntersections;
+use crate::offset::{Sets, gather};
 use crate::{BoundingBox, Curve, Interval, Point3, Result};
 
 /// The most pairs of parts that are looked at.

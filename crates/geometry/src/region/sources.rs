@@ -1,5 +1,6 @@
 //! The curves that go into an arrangement, in its plane and in smooth parts.
 
+use crate::region::thresholds::ON_PLANE;
 use std::ops::Range;
 
 use super::winding::Outline;
@@ -41,7 +42,7 @@ pub(super) fn in_plane(curve: &Curve, plane: &Plane) -> Result<Curve> {
     let away = (height.start - own).abs().max((height.end - own).abs());
     let bounds = curve.bounding_box();
     let scale = reach(&bounds).max(own.abs());
-    if away <= 1e-13 * scale {
+    if away <= ON_PLANE * scale {
         Ok(curve.clone())
     } else {
         curve.transformed(&Xform::planar_projection(plane))

@@ -1,5 +1,6 @@
 //! The stretches between nodes, those that coincide as one.
 
+use crate::region::thresholds::INSIDE;
 use std::collections::HashMap;
 
 use super::nodes::{Nodes, WITHIN, excursion};
@@ -68,7 +69,7 @@ fn coincide(sources: &Sources, one: &Member, other: &Member, tolerance: f64) -> 
     let (a, b) = (&sources.parts[one.part], &sources.parts[other.part].curve);
     let reach = 1.01 * tolerance;
     let near = sources.parts[other.part].bounds.inflated(reach);
-    let epsilon = 1e-6 * other.range.length();
+    let epsilon = INSIDE * other.range.length();
     for x in PLACES {
         let p = a.curve.point_at(one.range.at(x));
         if !near.contains(p) {

@@ -5,6 +5,7 @@ use super::combine::checked;
 use super::sources::in_plane;
 use super::winding::{Outline, flat};
 use crate::intersect::curve_curve;
+use crate::region::thresholds::MEETS_FINE;
 use crate::{ClosestOnCurve, Curve, Interval, Result};
 
 /// What a region leaves of a curve.
@@ -35,7 +36,7 @@ impl Region {
         for border in &borders {
             // Crossings as exactly as numbers allow; only for stretches along the border the tolerance matters.
             let size = border.start().to_vector().length().max(shadow.start().to_vector().length());
-            let fine = (1e-11 * size).min(tolerance);
+            let fine = (MEETS_FINE * size).min(tolerance);
             let found = curve_curve(&shadow, border, fine)?;
             stops.extend(found.crossings.iter().map(|c| c.a));
             let found = curve_curve(&shadow, border, tolerance)?;

@@ -9,6 +9,7 @@ mod curves;
 mod meshes;
 mod plain;
 mod surfaces;
+mod thresholds;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 

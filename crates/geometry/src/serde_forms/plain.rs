@@ -1,6 +1,7 @@
 //! Points, vectors, planes, ranges, boxes, matrices.
 
 use super::{Form, structure, through_forms};
+use crate::serde_forms::thresholds::ROTATION;
 use crate::{
     AffineParts, BoundingBox, Box3, Error, Frustum, Interval, Line, Matrix, Plane, PlaneEquation, Point2,
     Point3, Quaternion, Rectangle, Result, Tolerance, Vector2, Vector3, Xform,
@@ -100,7 +101,7 @@ through_forms!(Quaternion, Interval, Xform, PlaneEquation, Matrix);
 fn frame(p: &Plane) -> Result<()> {
     let (x, y, z) = (p.x_axis, p.y_axis, p.z_axis);
     let off = [x.dot(y), y.dot(z), z.dot(x), x.length() - 1.0, y.length() - 1.0, z.length() - 1.0];
-    if off.iter().all(|e| e.abs() <= 1e-9) && x.cross(y).dot(z) > 0.0 {
+    if off.iter().all(|e| e.abs() <= ROTATION) && x.cross(y).dot(z) > 0.0 {
         return Ok(());
     }
     Err(Error::Invalid { what: "plane", why: "its axes are no right-handed frame of unit vectors".into() })
@@ -123,7 +124,7 @@ structure!(
 );
 structure!(
     AffineParts { translation: Vector3, rotation: Xform, axes: Xform, scale: Vector3 } | a | {
-        if a.rotation.is_rotation(1e-9) && a.axes.is_rotation(1e-9) {
+        if a.rotation.is_rotation(ROTATION) && a.axes.is_rotation(ROTATION) {
             return Ok(());
         }
         Err(Error::Invalid { what: "affine parts", why: "rotation or axes are no rotation".into() })

@@ -1,6 +1,7 @@
 //! Edges of Breps, told by how the faces beside them are seen.
 
 use super::{Silhouette, SilhouetteKind, SilhouettePart, Viewpoint};
+use crate::silhouette::thresholds::{ASIDE, FOOT_FOUND, INSIDE_ENDS, SIGHT_STEP};
 use crate::{Brep, Curve, Direction, Interval, Point3, Result, Surface, Tolerance, Vector3};
 
 /// Cosines below this count as edge-on, until the face is seen a little inside.
@@ -56,7 +57,7 @@ impl<'a> Beside<'a> {
             let uv = self.uv(t);
             self.surface.point_at(uv.x, uv.y)
         };
-        let step = 1e-6 * self.domain.length();
+        let step = SIGHT_STEP * self.domain.length();
         let clamp = |t: f64| t.clamp(self.domain.start, self.domain.end);
         for _ in 0..8 {
             let (low, high) = (clamp(t - step), clamp(t + step));
@@ -68,7 +69,7 @@ impl<'a> Beside<'a> {
             let next = clamp(t + (p - image(t)).dot(slope) / square);
             let moved = (next - t).abs();
             t = next;
-            if moved <= 1e-3 * step {
+            if moved <= FOOT_FOUND * step {
                 break;
             }
         }
@@ -86,7 +87,7 @@ impl<'a> Beside<'a> {
             return Seen { sign: sign(facing), normal };
         }
         // The face lies to the left of its trims.
-        let step = 1e-4 * self.domain.length();
+        let step = ASIDE * self.domain.length();
         let along = self.uv((t + step).min(self.domain.end)) - self.uv((t - step).max(self.domain.start));
         let Some(inward) = Vector3::new(-along.y, along.x, 0.0).unitized() else {
             return Seen { sign: 0, normal };
@@ -126,7 +127,8 @@ pub(super) fn silhouettes(
     let kind_at = |t: f64| kind(a, b, curve.point_at(t), domain.normalized(t), viewpoint, tolerance.angle);
     let count = (PLACES * curve.pieces().len()).clamp(PLACES, MOST);
     // Not at the very ends, where other faces are near.
-    let places = (0..=count).map(|k| domain.at((k as f64 / count as f64).clamp(1e-5, 1.0 - 1e-5)));
+    let places =
+        (0..=count).map(|k| domain.at((k as f64 / count as f64).clamp(INSIDE_ENDS, 1.0 - INSIDE_ENDS)));
     let mut runs: Vec<(f64, SilhouetteKind)> = Vec::new();
     let mut before: Option<(f64, SilhouetteKind)> = None;
     for t in places {

@@ -5,7 +5,9 @@ use super::{Silhouette, SilhouetteKind, SilhouettePart, Silhouettes, Viewpoint};
 use crate::brep::ClosestOnBrep;
 use crate::curve::traced::{Sample, joined, sampled};
 use crate::intersect::zeros;
+use crate::silhouette::thresholds::{NO_WAY, SAME_END, STRETCH};
 use crate::surface::Round;
+use crate::thresholds;
 use crate::{
     Curve, Direction, Interval, NurbsSurface, Point3, Quadrant, Result, Surface, Tolerance, Vector3,
 };
@@ -78,7 +80,7 @@ fn on_surface(surface: &Surface, viewpoint: Viewpoint, tolerance: &Tolerance) ->
     let patches = nurbs.bezier_patches()?;
     let forms: Vec<Form> = patches.iter().map(|p| Form::new(p, viewpoint)).collect();
     let cells = forms.iter().enumerate().filter_map(|(i, form)| form.cell(i));
-    let (stretches, complete) = zeros::stretches(cells, 1e-12);
+    let (stretches, complete) = zeros::stretches(cells, STRETCH);
     let mut rows: Vec<Vec<Sample>> = Vec::with_capacity(stretches.len());
     for stretch in &stretches {
         let Some(patch) = patches.get(stretch.patch()) else { continue };
@@ -86,10 +88,10 @@ fn on_surface(surface: &Surface, viewpoint: Viewpoint, tolerance: &Tolerance) ->
             Ok(Some(sample(patch, stretch.place(x), viewpoint)))
         })?);
     }
-    let gap = (1e-7 * size).min(0.25 * limit).max(1e-12 * size);
+    let gap = (SAME_END * size).min(0.25 * limit).max(thresholds::ROUNDING * size);
     let curves = joined(&rows, gap, tolerance.angle)?;
     let mut curves: Vec<_> = curves.into_iter().map(|c| (SilhouetteKind::Tangent, c)).collect();
-    curves.extend(knot_lines(&nurbs, &forms, 1e-9 * size)?);
+    curves.extend(knot_lines(&nurbs, &forms, thresholds::SAME_POINT * size)?);
     Ok(OnSurface { curves, complete })
 }
 
@@ -104,7 +106,7 @@ fn sample(patch: &NurbsSurface, [u, v]: [f64; 2], viewpoint: Viewpoint) -> Sampl
     let (fu, fv) = (slope(jet.get(2, 0), jet.get(1, 1)), slope(jet.get(1, 1), jet.get(0, 2)));
     let direction = su * fv - sv * fu;
     let scale = su.length() * fv.abs() + sv.length() * fu.abs();
-    let told = scale > 0.0 && direction.length() > 1e-6 * scale;
+    let told = scale > 0.0 && direction.length() > NO_WAY * scale;
     Sample { point, direction: if told { direction.unitized() } else { None } }
 }
 

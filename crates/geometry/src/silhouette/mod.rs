@@ -7,6 +7,7 @@ mod face;
 mod form;
 mod mesh;
 mod round;
+mod thresholds;
 mod viewpoint;
 
 pub use viewpoint::Viewpoint;

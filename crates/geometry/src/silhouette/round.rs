@@ -1,5 +1,7 @@
 //! Silhouettes of spheres, cylinders and cones in closed form.
 
+use crate::silhouette::thresholds::LEVEL_SINE;
+use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Viewpoint;
@@ -29,7 +31,7 @@ pub(super) fn silhouettes(round: &Round, viewpoint: Viewpoint, limit: f64) -> Op
             if across <= ZERO {
                 return parallel.then(Vec::new);
             }
-            if parallel && across < 1e-6 {
+            if parallel && across < LEVEL_SINE {
                 return None;
             }
             rulings(round, eye, cosine)
@@ -76,7 +78,7 @@ fn rulings(round: &Round, eye: [f64; 3], cosine: f64) -> Option<Vec<Curve>> {
 }
 
 fn sphere(round: &Round, radius: f64, eye: [f64; 3], parallel: bool, limit: f64) -> Option<Vec<Curve>> {
-    let pole_to_pole = (round.along.length().abs() - PI).abs() <= 1e-9;
+    let pole_to_pole = (round.along.length().abs() - PI).abs() <= thresholds::PARALLEL;
     if !(round.is_full_turn() && pole_to_pole) {
         return None;
     }
@@ -121,7 +123,7 @@ fn sphere(round: &Round, radius: f64, eye: [f64; 3], parallel: bool, limit: f64)
 /// A circle that starts on the side of the frame's x axis.
 fn circle(frame: &Plane, center: Point3, normal: Vector3, radius: f64) -> Option<Circle> {
     let flat = frame.x_axis - normal * frame.x_axis.dot(normal);
-    let x_axis = if flat.length() > 1e-6 { flat } else { normal.cross(frame.y_axis) }.unitized()?;
+    let x_axis = if flat.length() > LEVEL_SINE { flat } else { normal.cross(frame.y_axis) }.unitized()?;
     let plane = Plane { origin: center, x_axis, y_axis: normal.cross(x_axis), z_axis: normal };
     Circle::new(plane, radius).ok()
 }

@@ -10,6 +10,7 @@ mod net;
 mod patches;
 mod pipe;
 mod sectors;
+mod thresholds;
 mod trace;
 mod vertex;
 

@@ -2,6 +2,7 @@
 
 use super::limit::Cage;
 use super::{SubD, SubDNet};
+use crate::thresholds;
 use crate::{Point3, Result, Vector3, cancellation};
 
 /// Steps towards a net whose surface goes through given points.
@@ -69,7 +70,7 @@ impl SubDNet {
             if miss < best.0 {
                 best = (miss, subd.net().clone());
             }
-            if miss <= 1e-12 * size || !miss.is_finite() {
+            if miss <= thresholds::ROUNDING * size || !miss.is_finite() {
                 break;
             }
             let mut net = subd.net().clone();

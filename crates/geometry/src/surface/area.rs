@@ -2,6 +2,7 @@
 
 use super::Surface;
 use crate::quadrature::{GAUSS_6, GAUSS_10};
+use crate::surface::thresholds::{AREA_SHARE, FINEST_AREA};
 use crate::{Direction, Error, NurbsSurface, Point3, Quadrant, Result, Vector3};
 
 /// The area of an untrimmed surface and the moments of it, as of a thin sheet of density 1.
@@ -40,7 +41,7 @@ impl NurbsSurface {
             [1.0, p.x, p.y, p.z, p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x]
                 .map(|x| x * patch)
         };
-        let fraction = fraction.clamp(1e-13, 0.1);
+        let fraction = fraction.clamp(FINEST_AREA, 0.1);
         let (us, vs) = (self.span_parameters(Direction::U), self.span_parameters(Direction::V));
         let mut patches = Vec::with_capacity(us.len() * vs.len());
         for u in us.windows(2) {
@@ -128,7 +129,7 @@ impl Surface {
     /// # Errors
     /// The surface has no area, or a number overflows.
     pub fn area(&self) -> Result<SurfaceArea> {
-        self.area_within(1e-10)
+        self.area_within(AREA_SHARE)
     }
 
     /// The area to within a fraction of itself, see [`NurbsSurface::area_within`].

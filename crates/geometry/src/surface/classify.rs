@@ -1,6 +1,7 @@
 //! Whether a surface is closed, periodic, singular or planar.
 
 use super::Surface;
+use crate::surface::thresholds::{COINCIDENT, COINCIDENT_OF_PLACE};
 use crate::{Curve, Direction, Plane, Side};
 
 impl Surface {
@@ -51,7 +52,8 @@ impl Surface {
                 let profile = s.profile();
                 let p = if at_end { profile.end() } else { profile.start() };
                 let size = p.to_vector().length().max(s.axis().from.to_vector().length());
-                along == s.angle_direction() && s.distance_from_axis(p) <= 2.4e-10_f64.max(2.3e-13 * size)
+                along == s.angle_direction()
+                    && s.distance_from_axis(p) <= COINCIDENT.max(COINCIDENT_OF_PLACE * size)
             }
             Self::Nurbs(s) => s.is_singular(side),
         }

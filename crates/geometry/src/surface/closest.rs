@@ -1,5 +1,6 @@
 //! The point of a surface nearest to a given one.
 
+use crate::thresholds;
 use std::sync::OnceLock;
 
 use super::Surface;
@@ -159,7 +160,7 @@ fn parameters_of(surface: &Surface, point: Point3, guess: [f64; 2]) -> [f64; 2] 
         let (a, b, c) = (su.dot(su), su.dot(sv), sv.dot(sv));
         let (f, g) = (d.dot(su), d.dot(sv));
         let det = a * c - b * b;
-        let step = if det > 1e-12 * a * c {
+        let step = if det > thresholds::ROUNDING * a * c {
             [(b * g - c * f) / det, (b * f - a * g) / det]
         } else if a >= c {
             [-f / a, 0.0]

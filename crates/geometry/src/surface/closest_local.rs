@@ -8,6 +8,8 @@ use super::closest_places::{Domain, Place};
 use crate::bernstein::BUDGET;
 use crate::curve::along_span;
 use crate::polynomial::Polynomial;
+use crate::surface::thresholds::{AT_POLE, FIRST_FALL, SAME_MINIMUM, SHORTEST_SIDE};
+use crate::thresholds;
 use crate::{NurbsSurface, Point3, Result};
 
 /// The places of a surface that are nearer to a point than all around them.
@@ -96,7 +98,8 @@ impl<'s> Survey<'s> {
             let start = x[d] <= EPSILON;
             let end = x[d] >= 1.0 - EPSILON;
             // Poles are looked at by themselves.
-            if (x[d] <= 1e-9 && self.is_pole(d, at[d])) || (x[d] >= 1.0 - 1e-9 && self.is_pole(d, at[d] + 1))
+            if (x[d] <= AT_POLE && self.is_pole(d, at[d]))
+                || (x[d] >= 1.0 - AT_POLE && self.is_pole(d, at[d] + 1))
             {
                 return false;
             }
@@ -163,7 +166,7 @@ impl<'s> Survey<'s> {
                     }
                     Verdict::Open(d) => d,
                 };
-                let wide = |d: usize| range[d][1] - range[d][0] > 1e-9;
+                let wide = |d: usize| range[d][1] - range[d][0] > SHORTEST_SIDE;
                 if !wide(d) {
                     d = 1 - d;
                 }
@@ -285,7 +288,7 @@ impl<'s> Survey<'s> {
             let Some(search) = self.question(if d == 0 { [k, j] } else { [j, k] }) else { return };
             let (cell, degrees) = Cell::whole(&search);
             let slope = Polynomial::new(cell.inward(&degrees, d, end == 1));
-            let mut steepest = slope.derivative().roots(1e-15 * slope.size());
+            let mut steepest = slope.derivative().roots(thresholds::POLYNOMIAL_ZERO * slope.size());
             steepest.extend((0..=8).map(|k| f64::from(k) / 8.0));
             let inward = if end == 0 { 1.0 } else { -1.0 };
             let fall = |t: f64| {
@@ -332,7 +335,7 @@ const DIRECTIONS: [[f64; 2]; 16] = [
 /// x by more than rounding may.
 fn falls(search: &Search<'_>, x: [f64; 2], direction: [f64; 2]) -> bool {
     let start = search.squared(x);
-    let mut step = 1e-8;
+    let mut step = FIRST_FALL;
     while step < 0.3 {
         let y = [x[0] + step * direction[0], x[1] + step * direction[1]];
         if y.iter().any(|y| !(0.0..=1.0).contains(y)) {
@@ -409,7 +412,8 @@ impl ClosestOnSurface {
         // Where all is lost in rounding, the nearest point is still one.
         let noise = survey.places.iter().fold(0.0_f64, |m, p| m.max(p.noise));
         let known = |p: &SurfacePoint| {
-            p.distance * p.distance <= nearest.distance * nearest.distance * (1.0 + 1e-11) + 4.0 * noise
+            p.distance * p.distance
+                <= nearest.distance * nearest.distance * (1.0 + SAME_MINIMUM) + 4.0 * noise
         };
         if !points.first().is_some_and(known) {
             points.insert(0, nearest);

@@ -9,6 +9,9 @@ use crate::MAX_DEGREE;
 use crate::bernstein::jet;
 use crate::box_tree::{Bounds, bounds_of};
 use crate::nurbs::span_to_bezier;
+use crate::surface::thresholds::{
+    DEFINITE, LIFT, MINIMUM_MARGIN, NARROWEST_SIDE, NEWTON_SMALL, NO_GAIN_STEP, PATCH_NOISE,
+};
 use crate::{Direction, NurbsSurface};
 
 /// Tables of products are kept for patches with at most this many coefficients; others are multiplied out each time.
@@ -227,7 +230,7 @@ impl Patches {
         let points = self.points.get(from..from + (n[0] + 1) * (n[1] + 1))?;
         let r: [f64; 3] = std::array::from_fn(|c| q[c] - patch.centre[c]);
         let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
-        let noise = 4e-15 * (patch.radius + distance).powi(2);
+        let noise = PATCH_NOISE * (patch.radius + distance).powi(2);
         Some(Search { patch, points, n, r, noise })
     }
 }
@@ -330,7 +333,7 @@ impl Search<'_> {
         let count = m * n;
         let weight = |c: &[f64; C]| if C == 1 { 1.0 } else { c[C - 1] };
         let coefficients = &work.arena[at..at + count];
-        let tie = best.squared * (1.0 - 4e-13);
+        let tie = best.squared * (1.0 - MINIMUM_MARGIN);
         let (mut least, mut lowest, mut margin) = (f64::INFINITY, 0, f64::INFINITY);
         for (k, c) in coefficients.iter().enumerate() {
             let x = c[0] - tie * weight(c);
@@ -373,7 +376,7 @@ impl Search<'_> {
                 .fold(0.0, f64::max)
         };
         let (du, dv) = (change(n, &|_| false), change(1, &|k| k % n == 0));
-        let wide = |d: usize| range[d][1] - range[d][0] > 1e-14;
+        let wide = |d: usize| range[d][1] - range[d][0] > NARROWEST_SIDE;
         let d = usize::from(if wide(0) && wide(1) { dv > du } else { wide(1) });
         if !wide(d) {
             return;
@@ -474,7 +477,7 @@ impl Search<'_> {
                 |d: usize| (x[d] <= range[d][0] && g[d] >= 0.0) || (x[d] >= range[d][1] && g[d] <= 0.0);
             let free = [!held(0), !held(1)];
             let definite = |h: &[f64; 3]| match free {
-                [true, true] => h[0] > 0.0 && h[2] > 0.0 && h[0] * h[2] > h[1] * h[1] * (1.0 + 1e-12),
+                [true, true] => h[0] > 0.0 && h[2] > 0.0 && h[0] * h[2] > h[1] * h[1] * (1.0 + DEFINITE),
                 [true, false] => h[0] > 0.0,
                 [false, true] => h[2] > 0.0,
                 [false, false] => true,
@@ -482,7 +485,7 @@ impl Search<'_> {
             let newton = definite(&h);
             if !newton {
                 // Without the curvature of the surface the matrix is never indefinite.
-                let lift = 1e-3 * (first[0] + first[2]);
+                let lift = LIFT * (first[0] + first[2]);
                 h = [first[0] + lift, first[1], first[2] + lift];
                 if !definite(&h) {
                     break;
@@ -505,14 +508,14 @@ impl Search<'_> {
                 size = (next[0] - x[0]).abs().max((next[1] - x[1]).abs());
                 let there = self.jet(next);
                 let found = dot(&there[0], &there[0]);
-                if found <= value || size <= 1e-9 {
+                if found <= value || size <= NO_GAIN_STEP {
                     moved = next != x;
                     (x, jet, value) = (next, there, found.min(value));
                     break;
                 }
                 share *= 0.25;
             }
-            if newton && size <= 1e-8 {
+            if newton && size <= NEWTON_SMALL {
                 settled = true;
                 break;
             }

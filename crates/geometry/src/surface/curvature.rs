@@ -2,6 +2,8 @@
 
 use super::Surface;
 use super::normal::{Evaluate, regular_normal};
+use crate::surface::thresholds::SAME_CURVATURE;
+use crate::thresholds;
 use crate::{Circle, Error, NurbsSurface, Plane, Point3, Quadrant, Result, SurfaceDerivatives, Vector3};
 
 /// How a surface bends at a regular point. Curvatures are positive where the surface bends towards its normal.
@@ -73,7 +75,7 @@ impl SurfaceCurvature {
             return None;
         }
         // Half the angle of (half, w12); of an umbilic's rounding noise that is 0.
-        let angle = if spread <= 1e-14 * mean.abs() { 0.0 } else { 0.5 * w12.atan2(half) };
+        let angle = if spread <= SAME_CURVATURE * mean.abs() { 0.0 } else { 0.5 * w12.atan2(half) };
         let (sin, cos) = angle.sin_cos();
         let first = e1 * cos + e2 * sin;
         Some(Self {
@@ -95,7 +97,7 @@ impl SurfaceCurvature {
         let (x, y) = (direction.dot(first), direction.dot(second));
         let squared = x * x + y * y;
         let [k1, k2] = self.principal;
-        (squared > 1e-24 * direction.length_squared() && squared.is_finite())
+        (squared > thresholds::NO_LENGTH_SQUARED * direction.length_squared() && squared.is_finite())
             .then(|| (k1 * x * x + k2 * y * y) / squared)
     }
 

@@ -1,6 +1,7 @@
 //! The same surface in another place, direction or domain, and parts of it.
 
 use super::{PlaneSurface, SumSurface, Surface};
+use crate::thresholds;
 use crate::{Direction, Error, Interval, Result, Vector3, Xform};
 
 impl Surface {
@@ -138,7 +139,7 @@ impl Surface {
         if !xform.is_finite() {
             return Err(Error::NotFinite("transform"));
         }
-        let similarity = xform.similarity_factor(1e-12).filter(|f| f.abs() > 0.0);
+        let similarity = xform.similarity_factor(thresholds::ROUNDING).filter(|f| f.abs() > 0.0);
         match (self, similarity) {
             (Self::Plane(s), Some(factor)) => {
                 let scaled = |r: Interval| Interval::new(r.start * factor.abs(), r.end * factor.abs());

@@ -2,6 +2,8 @@
 
 use super::local_foot::LocalFoot;
 use super::{ClosestOnSurface, Surface};
+use crate::surface::thresholds::{FOOT_STEP, NEARER_ONLY, SETTLED_FOOT};
+use crate::thresholds;
 use crate::{Direction, Point3, Result, Side, Vector3};
 
 /// The parameters along a curve that lies on a surface or near it.
@@ -23,11 +25,11 @@ impl<'a> Foot<'a> {
     pub(crate) fn at(&mut self, p: Point3, near: Option<[f64; 2]>) -> Result<[f64; 2]> {
         // Where the foot is about known, only a nearer one is looked for.
         let guess = near.map(|near| self.local.polished(near, p, 0.05));
-        let guess = guess.and_then(|(uv, step)| (step < 1e-9).then_some(uv));
+        let guess = guess.and_then(|(uv, step)| (step < SETTLED_FOOT).then_some(uv));
         let reach = guess.map(|uv| self.image(Point3::new(uv[0], uv[1], 0.0)).distance_to(p));
         let reach = reach.filter(|reach| reach.is_finite());
         let found = match reach {
-            Some(reach) => self.index.nearest_within(p, (1.0 - 1e-9) * reach)?,
+            Some(reach) => self.index.nearest_within(p, (1.0 - NEARER_ONLY) * reach)?,
             None => Some(self.index.nearest(p)?),
         };
         let Some(found) = found else {
@@ -49,7 +51,7 @@ impl<'a> Foot<'a> {
                     Direction::U => [Side::South, Side::North],
                     Direction::V => [Side::West, Side::East],
                 };
-                let least = 1e-9 * across.length();
+                let least = thresholds::SAME_PARAMETER * across.length();
                 if ((other - across.start).abs() < least && self.local.surface.is_singular(sides[0]))
                     || ((other - across.end).abs() < least && self.local.surface.is_singular(sides[1]))
                 {
@@ -57,7 +59,7 @@ impl<'a> Foot<'a> {
                 }
             }
         }
-        let (uv, _) = self.local.polished(uv, p, 1e-5);
+        let (uv, _) = self.local.polished(uv, p, FOOT_STEP);
         self.last = Some(uv);
         Ok(uv)
     }

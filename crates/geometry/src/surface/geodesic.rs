@@ -8,6 +8,7 @@ pub(crate) use shoot::{Shot, shot};
 
 use super::Surface;
 use crate::curve::traced::{Sample, joined};
+use crate::thresholds;
 use crate::{Curve, Direction, Error, Interval, Point3, Result, SurfaceDerivatives, Tolerance, Vector3};
 
 /// A way on a surface.
@@ -89,7 +90,7 @@ impl Surface {
             }
             for d in 0..2 {
                 let domain = sheet.domains[d];
-                let slack = 1e-9 * domain.length();
+                let slack = thresholds::SAME_PARAMETER * domain.length();
                 if !(domain.start - slack <= uv[d] && uv[d] <= domain.end + slack) {
                     return Err(Error::OutOfRange {
                         what: "parameter on the surface",
@@ -102,10 +103,10 @@ impl Surface {
         let ends = [from, to].map(|uv| sheet.point(uv));
         let first = network::way(&sheet, from, to);
         let rough: f64 = first.windows(2).map(|w| sheet.point(w[0]).distance_to(sheet.point(w[1]))).sum();
-        if !(rough > 1e-12 * (1.0 + ends[0].to_vector().length())) {
+        if !(rough > thresholds::ROUNDING * (1.0 + ends[0].to_vector().length())) {
             return Err(Error::degenerate("places on the surface", "they are the same point"));
         }
-        let limit = tolerance.absolute.max(1e-9 * rough);
+        let limit = tolerance.absolute.max(thresholds::SAME_POINT * rough);
         let mut way = relax::spread(&sheet, &first, 17);
         relax::relax(&sheet, &mut way);
         loop {
@@ -123,7 +124,8 @@ impl Surface {
             }
         }
         let samples = samples(&sheet, &way);
-        let curve = joined(&[samples], 1e-9 * rough, std::f64::consts::PI)?.into_iter().next();
+        let curve =
+            joined(&[samples], thresholds::SAME_POINT * rough, std::f64::consts::PI)?.into_iter().next();
         let curve = curve.ok_or(Error::degenerate("places on the surface", "they are the same point"))?;
         let length = curve.length();
         Ok(Geodesic { curve, length })

@@ -2,6 +2,7 @@
 
 use super::Surface;
 use crate::isoline::{Isoline, isolines};
+use crate::thresholds;
 use crate::{Direction, Error, Point2, Point3, PolylineCurve, Result, Vector3};
 
 /// Cells of the grid on which the lines are looked for, along each direction.
@@ -108,7 +109,7 @@ impl<'a> Bend<'a> {
             }
             x = (x - here * gx / square).clamp(0.0, 1.0);
             y = (y - here * gy / square).clamp(0.0, 1.0);
-            if far < 1e-12 {
+            if far < thresholds::EXACT_PARAMETER {
                 break;
             }
         }
@@ -127,7 +128,7 @@ impl<'a> Bend<'a> {
         for pair in places.windows(2) {
             self.between(pair[0], pair[1], tolerance, HALVINGS, &mut points);
         }
-        points.dedup_by(|b, a| a.distance_to(*b) <= 1e-9 * self.size);
+        points.dedup_by(|b, a| a.distance_to(*b) <= thresholds::SAME_POINT * self.size);
         let length: f64 = points.windows(2).map(|p| p[0].distance_to(p[1])).sum();
         (points.len() > 1 && length > tolerance).then(|| PolylineCurve::new(points))
     }

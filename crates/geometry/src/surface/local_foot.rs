@@ -1,5 +1,7 @@
 //! The foot of a perpendicular on a surface, from a place near it.
 
+use crate::surface::thresholds::{FLAT_TO_ROUNDING, RIGHT_ANGLE};
+use crate::thresholds;
 use crate::{Direction, Point3, Surface, Vector3};
 
 /// A derivative is 0 that is smaller than the other by so much, each over the whole of its domain.
@@ -46,14 +48,14 @@ impl LocalFoot<'_> {
         let d = self.surface.derivatives(u, v, 2, self.surface.inner_quadrant(u, v));
         let (a, b) = (d.get(1, 0), d.get(0, 1));
         let (e, f, g) = (a.dot(a), a.dot(b), b.dot(b));
-        if !(e * g - f * f > 1e-12 * e * g) || self.is_pole(e, g) {
+        if !(e * g - f * f > thresholds::ROUNDING * e * g) || self.is_pole(e, g) {
             return None;
         }
         let away = place - d.point().to_vector();
         let (p, q) = (velocity.dot(a), velocity.dot(b));
         let held = [self.is_beyond(0, u, away, a), self.is_beyond(1, v, away, b)];
         let along = |rate: f64, square: f64, bend: f64| {
-            rate / if square - bend > 1e-6 * square { square - bend } else { square }
+            rate / if square - bend > FLAT_TO_ROUNDING * square { square - bend } else { square }
         };
         let (bend_u, bend_v) = (away.dot(d.get(2, 0)), away.dot(d.get(0, 2)));
         match held {
@@ -64,7 +66,7 @@ impl LocalFoot<'_> {
         }
         // At a centre of curvature the foot has no derivative: there that on the surface has to do.
         let bent = [e - bend_u, f - away.dot(d.get(1, 1)), g - bend_v];
-        let stable = bent[0] > 0.0 && bent[0] * bent[2] - bent[1] * bent[1] > 1e-6 * e * g;
+        let stable = bent[0] > 0.0 && bent[0] * bent[2] - bent[1] * bent[1] > FLAT_TO_ROUNDING * e * g;
         let [e, f, g] = if stable { bent } else { [e, f, g] };
         let determinant = e * g - f * f;
         Some([(g * p - f * q) / determinant, (e * q - f * p) / determinant])
@@ -106,10 +108,10 @@ impl LocalFoot<'_> {
     /// Whether a point with its foot at parameter `t` lies beyond the side of the domain there, by the way to it.
     fn is_beyond(&self, k: usize, t: f64, away: Vector3, tangent: Vector3) -> bool {
         let domain = self.surface.domain(Direction::BOTH[k]);
-        let near = 1e-12 * domain.length();
+        let near = thresholds::EXACT_PARAMETER * domain.length();
         let out = away.dot(tangent);
         // A right angle but for rounding is none of it.
-        let clear = 1e-6 * away.length() * tangent.length();
+        let clear = RIGHT_ANGLE * away.length() * tangent.length();
         self.periods[k].is_none()
             && ((t <= domain.start + near && out < -clear) || (t >= domain.end - near && out > clear))
     }

@@ -1,6 +1,7 @@
 //! Normals, also where derivatives vanish, and frames.
 
 use super::Surface;
+use crate::surface::thresholds::{ANISOTROPY, NORMAL_LENGTH, NORMAL_SERIES};
 use crate::{Direction, Interval, NurbsSurface, Plane, Point3, Quadrant, SurfaceDerivatives, Vector3};
 
 /// The highest order of derivatives that the search for a limit normal looks at.
@@ -42,7 +43,7 @@ pub(super) trait Evaluate {
         let d = self.jet(u, v, 1, self.inner(u, v));
         let [lu, lv] = self.lengths();
         let (du, dv) = (d.get(1, 0) * lu, d.get(0, 1) * lv);
-        let x_axis = if du.length() > 1.5e-8 * dv.length() {
+        let x_axis = if du.length() > ANISOTROPY * dv.length() {
             du.rejected_from(z_axis).and_then(Vector3::unitized)?
         } else {
             dv.cross(z_axis).unitized()?
@@ -126,11 +127,11 @@ pub(super) fn regular_normal(d: &SurfaceDerivatives, [lu, lv]: [f64; 2]) -> Opti
     let (a, b) = (du.length(), dv.length());
     // A derivative this much smaller than the other is noise of the sum that made it; openNURBS draws the same line
     // at the square root of the machine epsilon.
-    if !(a > 1.5e-8 * b && b > 1.5e-8 * a) {
+    if !(a > ANISOTROPY * b && b > ANISOTROPY * a) {
         return None;
     }
     let normal = du.unitized()?.cross(dv.unitized()?);
-    if normal.length() <= 1e-9 { None } else { normal.unitized() }
+    if normal.length() <= NORMAL_LENGTH { None } else { normal.unitized() }
 }
 
 /// The direction of Su × Sv close to a point where it vanishes: on the diagonal (±t, ±t) into the quadrant both
@@ -166,6 +167,6 @@ fn limit_normal(d: &SurfaceDerivatives, side: Quadrant, [lu, lv]: [f64; 2]) -> O
                 .take(n + 1)
                 .fold(Vector3::ZERO, |sum, (a, b)| sum + a.cross(*b))
         })
-        .find(|c| c.length() > 1e-10 * scale)
+        .find(|c| c.length() > NORMAL_SERIES * scale)
         .and_then(Vector3::unitized)
 }

@@ -2,6 +2,8 @@
 
 use super::{Cone, Cylinder, Sphere, Surface, Torus};
 use crate::linear::symmetric_eigen;
+use crate::surface::thresholds::{FLAT_SCATTER, RECOGNISED};
+use crate::thresholds;
 use crate::{Circle, Direction, Interval, Plane, Point3, Vector3};
 
 /// At most so many points a direction are looked at.
@@ -99,7 +101,7 @@ impl Surface {
             }
         }
         let (values, vectors) = symmetric_eigen(m);
-        if !(values[0] > 1e-9 * values[2]) {
+        if !(values[0] > FLAT_SCATTER * values[2]) {
             return None;
         }
         let right = Vector3::from(right);
@@ -157,7 +159,7 @@ impl Surface {
 
 /// Nothing, unless all deviations are within the tolerance, or within rounding of the size.
 fn within(deviations: impl IntoIterator<Item = f64>, tolerance: f64, size: f64) -> Option<()> {
-    let limit = tolerance.max(1e-13 * size);
+    let limit = tolerance.max(RECOGNISED * size);
     deviations.into_iter().all(|d| d.abs() <= limit).then_some(())
 }
 
@@ -173,7 +175,7 @@ fn least_spread(vectors: impl Iterator<Item = Vector3>) -> Option<Vector3> {
         }
     }
     let (values, axes) = symmetric_eigen(m);
-    if !(values[1] > 1e-12 * values[2] && values[2] > 0.0) {
+    if !(values[1] > thresholds::ROUNDING * values[2] && values[2] > 0.0) {
         return None;
     }
     Some(axes[0].into())

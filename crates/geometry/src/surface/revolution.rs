@@ -1,3 +1,5 @@
+use crate::surface::thresholds::{EXACT_RIGHT_ANGLE, FULL_REVOLUTION};
+use crate::thresholds;
 use std::f64::consts::TAU;
 
 use super::sum::check_curve;
@@ -30,9 +32,9 @@ struct Arm {
 /// Sine and cosine, without the 6e-17 where a 0 belongs.
 fn sin_cos(angle: f64) -> (f64, f64) {
     let (sin, cos) = angle.sin_cos();
-    if sin.abs() < 4e-16 {
+    if sin.abs() < EXACT_RIGHT_ANGLE {
         (0.0, cos.signum())
-    } else if cos.abs() < 4e-16 {
+    } else if cos.abs() < EXACT_RIGHT_ANGLE {
         (sin.signum(), 0.0)
     } else {
         (sin, cos)
@@ -89,7 +91,7 @@ impl RevolutionSurface {
         }
         let unit =
             axis.unit_direction().ok_or(Error::degenerate("axis of revolution", "it has no direction"))?;
-        if !angle.is_increasing() || angle.length() > TAU * (1.0 + 1e-12) {
+        if !angle.is_increasing() || angle.length() > TAU * (1.0 + thresholds::WHOLE_TURN) {
             return Err(Error::OutOfRange {
                 what: "angle of revolution",
                 value: angle.length(),
@@ -133,7 +135,7 @@ impl RevolutionSurface {
 
     /// Whether the angle goes all the way round.
     pub fn is_full_turn(&self) -> bool {
-        (self.angle.length() - TAU).abs() <= 1e-10
+        (self.angle.length() - TAU).abs() <= FULL_REVOLUTION
     }
 
     /// The range of one parameter.
@@ -304,7 +306,7 @@ impl RevolutionSurface {
         let Arm { foot, arm, .. } = self.arm(w);
         let radius = arm.length();
         let on_axis = Error::degenerate("isocurve", "it is a single point on the axis");
-        if radius <= 1e-14 * (w.length() + 1e-300) {
+        if radius <= thresholds::FEW_ROUNDINGS * (w.length() + thresholds::LEAST_DIVISOR) {
             return Err(on_axis);
         }
         // A short arm is what is left of long vectors, and not quite upright on the axis.

@@ -1,5 +1,6 @@
 //! Spheres, cylinders and cones among surfaces, told by how they are made: what lines and curves meet in closed form.
 
+use crate::surface::thresholds::{CONE_SLOPE, SAME_HEIGHT};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{RevolutionSurface, SumSurface, Surface};
@@ -74,7 +75,7 @@ impl Round {
                 let x_axis = if ra > rb { a.1 } else { b.1 }.unitized()?;
                 // Both ends on one side of the axis, in one plane with it.
                 let skew = |arm: Vector3| (arm - x_axis * arm.length()).length();
-                if skew(a.1).max(skew(b.1)) > EXACT * size || (b.0 - a.0).abs() <= 1e-6 * size {
+                if skew(a.1).max(skew(b.1)) > EXACT * size || (b.0 - a.0).abs() <= SAME_HEIGHT * size {
                     return None;
                 }
                 let frame_at = |height: f64| frame(axis.from + unit * height, x_axis, unit);
@@ -85,7 +86,7 @@ impl Round {
                 let slope = (rb - ra) / (b.0 - a.0);
                 let apex = a.0 - ra / slope;
                 // A cone that is nearly a cylinder has its apex too far away.
-                if !(slope.abs() > 1e-6) {
+                if !(slope.abs() > CONE_SLOPE) {
                     return None;
                 }
                 let along = Interval::new(a.0 - apex, b.0 - apex);

@@ -4,7 +4,6 @@ mod fit;
 mod follow;
 mod newton;
 mod proof;
-pub(crate) mod thresholds;
 
 pub(crate) use fit::{fitted, fitted_within};
 pub(crate) use follow::{Cubic, End, Followed, Limits, followed};
@@ -12,7 +11,7 @@ pub(crate) use newton::{Condition, solved};
 pub(crate) use proof::Box4;
 
 use crate::Vector3;
-use crate::chart::Chart;
+use crate::chart::{Chart, thresholds};
 
 /// The parameters on both surfaces: u and v on the first, then on the second.
 pub(crate) type Four = [f64; 4];

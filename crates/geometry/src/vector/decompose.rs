@@ -1,6 +1,7 @@
 //! Signed angles, averages and components.
 
-use crate::{Plane, Point3, Vector3};
+use crate::Vector3;
+use crate::thresholds;
 
 impl Vector3 {
     /// The angle in radians from this vector to `other`, −π…π, positive when the turn is counter-clockwise about
@@ -48,17 +49,11 @@ impl Vector3 {
     pub fn components_along(self, x: Self, y: Self, z: Self) -> Option<[f64; 3]> {
         let (u, v, w) = (x.unitized()?, y.unitized()?, z.unitized()?);
         let volume = u.triple_product(v, w);
-        if !(volume.abs() > 1e-14) {
+        if !(volume.abs() > thresholds::FEW_ROUNDINGS) {
             return None;
         }
         let by = |a: Self, b: Self, length: f64| self.dot(a.cross(b)) / volume / length;
         Some([by(v, w, x.length()), by(w, u, y.length()), by(u, v, z.length())])
-    }
-
-    /// The part of this vector in a plane.
-    #[must_use]
-    pub fn projected_into(self, plane: &Plane) -> Self {
-        self - plane.z_axis * self.dot(plane.z_axis)
     }
 
     /// This vector reflected at a plane through the origin with the given normal; `None` when that has no direction.
@@ -72,21 +67,5 @@ impl Vector3 {
         (self.x - v.x).abs() <= tolerance
             && (self.y - v.y).abs() <= tolerance
             && (self.z - v.z).abs() <= tolerance
-    }
-}
-
-impl Point3 {
-    /// The mean of points; `None` for none.
-    pub fn mean(points: &[Self]) -> Option<Self> {
-        let n = points.len() as f64;
-        (!points.is_empty()).then(|| points.iter().map(|p| p.to_vector() / n).sum::<Vector3>().to_point())
-    }
-
-    /// Whether three points lie on a line: the distance of the one in the middle from the line through the outer two is
-    /// at most `tolerance`.
-    pub fn are_collinear(a: Self, b: Self, c: Self, tolerance: f64) -> bool {
-        let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
-        let longest = sides.iter().copied().fold(0.0, f64::max);
-        longest <= tolerance || (b - a).cross(c - a).length() <= tolerance * longest
     }
 }

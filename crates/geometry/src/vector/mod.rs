@@ -1,9 +1,9 @@
 mod angle;
 mod decompose;
+mod thresholds;
 
+use crate::vector::thresholds::SAFE_SQUARE;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-
-use crate::Point3;
 
 /// A direction with a magnitude. It has no place: all arrows of equal direction and length are one vector.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -32,12 +32,6 @@ impl Vector3 {
         Self { x, y, z }
     }
 
-    /// The point at the tip of this vector when it starts at the origin.
-    #[inline]
-    pub const fn to_point(self) -> Point3 {
-        Point3::new(self.x, self.y, self.z)
-    }
-
     /// The scalar product a·b = |a||b| cos θ.
     #[inline]
     pub fn dot(self, other: Self) -> f64 {
@@ -64,7 +58,7 @@ impl Vector3 {
     #[inline]
     pub fn length(self) -> f64 {
         let squared = self.length_squared();
-        if squared > 1e-290 && squared < 1e290 {
+        if squared > SAFE_SQUARE[0] && squared < SAFE_SQUARE[1] {
             return squared.sqrt();
         }
         if squared.is_nan() {

@@ -1,5 +1,6 @@
 //! Rotations by three angles.
 
+use crate::xform::thresholds::{LOCKED, ROTATION};
 use crate::{Point3, Vector3, Xform};
 
 /// The rotation about a world axis through the origin.
@@ -37,7 +38,7 @@ impl Xform {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
         let cos = r[0][0].hypot(r[1][0]);
         let pitch = (-r[2][0]).atan2(cos);
-        Some(if cos <= 1e-12 {
+        Some(if cos <= LOCKED {
             [(-r[0][1]).atan2(r[1][1]), pitch, 0.0]
         } else {
             [r[1][0].atan2(r[0][0]), pitch, r[2][1].atan2(r[2][2])]
@@ -50,7 +51,7 @@ impl Xform {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
         let sin = r[0][2].hypot(r[1][2]);
         let beta = sin.atan2(r[2][2]);
-        Some(if sin <= 1e-12 {
+        Some(if sin <= LOCKED {
             // Turned over, α counts backwards in the first column.
             [(-r[0][1]).atan2(r[1][1]), beta, 0.0]
         } else {
@@ -64,7 +65,7 @@ impl Xform {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
         let cos = r[0][1].hypot(r[1][1]);
         let tilt = -r[2][1].atan2(cos);
-        Some(if cos <= 1e-12 {
+        Some(if cos <= LOCKED {
             [-r[1][0].atan2(r[0][0]), tilt, 0.0]
         } else {
             [-(-r[0][1]).atan2(r[1][1]), tilt, -(-r[2][0]).atan2(r[2][2])]
@@ -90,7 +91,7 @@ impl Xform {
         let repeat = Vector3::new(rows[0].length(), rows[1].length(), rows[2].length());
         let [a, b, c] = [rows[0].unitized()?, rows[1].unitized()?, rows[2].unitized()?];
         let turn = Self::from_columns(a, b, c, Point3::ORIGIN).transposed();
-        let [z, y, x] = turn.yaw_pitch_roll(1e-9)?;
+        let [z, y, x] = turn.yaw_pitch_roll(ROTATION)?;
         let inverse = self.inverse()?;
         let offset = Vector3::new(inverse.rows[0][3], inverse.rows[1][3], inverse.rows[2][3]);
         Some([offset, repeat, Vector3::new(x, y, z)])

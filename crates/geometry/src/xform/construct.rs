@@ -1,5 +1,7 @@
 //! Transforms from what they do.
 
+use crate::thresholds;
+use crate::xform::thresholds::NO_TURN;
 use crate::{Error, Plane, Point3, Result, Vector3, Xform};
 
 impl Xform {
@@ -76,7 +78,7 @@ impl Xform {
         let b = to.unitized().ok_or(Error::degenerate("end direction", "it has no length"))?;
         let cross = a.cross(b);
         let (sin, cos) = (cross.length(), a.dot(b));
-        if sin <= 1e-15 {
+        if sin <= NO_TURN {
             if cos > 0.0 {
                 return Ok(Self::IDENTITY);
             }
@@ -110,7 +112,7 @@ impl Xform {
         let d = direction.unitized().ok_or(Error::degenerate("direction", "it has no length"))?;
         let n = plane.z_axis;
         let along = n.dot(d);
-        if along.abs() < 1e-12 {
+        if along.abs() < thresholds::NO_DIRECTION {
             return Err(Error::degenerate("direction", "it lies in the plane"));
         }
         let column = |e: Vector3| e - d * (n.dot(e) / along);

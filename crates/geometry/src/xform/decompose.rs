@@ -1,6 +1,8 @@
 //! Maps taken apart.
 
 use crate::linear::symmetric_eigen;
+use crate::thresholds;
+use crate::xform::thresholds::{JACOBI, NO_INVERSE};
 use crate::{Point3, Vector3, Xform};
 
 /// An affine map as moves, turns and scales: translation · rotation · axes · scale · axesᵀ.
@@ -149,14 +151,14 @@ impl Xform {
         for _ in 0..60 {
             let [a, b, c] = columns;
             let determinant = a.dot(b.cross(c));
-            if !(determinant.abs() > 1e-15) {
+            if !(determinant.abs() > NO_INVERSE) {
                 return None;
             }
             let dual = [b.cross(c) / determinant, c.cross(a) / determinant, a.cross(b) / determinant];
             let next: [Vector3; 3] = std::array::from_fn(|i| (columns[i] + dual[i]) * 0.5);
             let moved = (0..3).map(|i| (next[i] - columns[i]).length()).fold(0.0, f64::max);
             columns = next;
-            if moved <= 1e-15 {
+            if moved <= thresholds::NEWTON_DONE {
                 break;
             }
         }
@@ -221,7 +223,7 @@ fn singular_values(columns: [Vector3; 3]) -> Option<([Vector3; 3], [f64; 3], [Ve
         let mut turned = false;
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             let (alpha, beta, gamma) = (a[p].length_squared(), a[q].length_squared(), a[p].dot(a[q]));
-            if gamma == 0.0 || gamma.abs() <= 1e-16 * (alpha * beta).sqrt() {
+            if gamma == 0.0 || gamma.abs() <= JACOBI * (alpha * beta).sqrt() {
                 continue;
             }
             turned = true;

@@ -1,6 +1,7 @@
 //! Inverse, determinant and transpose.
 
 use crate::Xform;
+use crate::xform::thresholds::NO_INVERSE;
 
 impl Xform {
     /// The matrix with rows and columns exchanged.
@@ -53,7 +54,7 @@ impl Xform {
         }
         let [a, b, c] = unit.map(crate::Vector3::from);
         let determinant = a.dot(b.cross(c));
-        if !(determinant.abs() > 1e-15) {
+        if !(determinant.abs() > NO_INVERSE) {
             return None;
         }
         // The columns of the inverse of rows a, b, c are b×c, c×a, a×b over the determinant.
@@ -86,7 +87,7 @@ impl Xform {
             a.swap(k, pivot);
             b.swap(k, pivot);
             let p = a[k][k];
-            if !(p.abs() > 1e-15) {
+            if !(p.abs() > NO_INVERSE) {
                 return None;
             }
             for j in 0..4 {

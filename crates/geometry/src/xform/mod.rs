@@ -3,7 +3,9 @@ mod classify;
 mod construct;
 mod decompose;
 mod inverse;
+mod planes;
 mod points;
+mod thresholds;
 mod view;
 
 pub use decompose::AffineParts;

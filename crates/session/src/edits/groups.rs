@@ -6,9 +6,9 @@ use katydid_definition::archive::Item;
 use katydid_definition::document::{Object, Special, ids};
 use uuid::Uuid;
 
-use super::controls::{argb, border};
 use super::{bounded, make};
 use crate::Refusal;
+use crate::controls::{argb, border};
 use crate::editor::Draft;
 use crate::protocol::{BorderView, Colour, GroupChange};
 use crate::view::inside;
@@ -88,7 +88,7 @@ fn all<'a>(objects: impl Iterator<Item = &'a Object>) -> HashMap<Uuid, Vec<Uuid>
 }
 
 /// Gives a group another face and other members: as a control it knows only itself.
-pub(super) fn shape(
+pub(crate) fn shape(
     object: &mut Object,
     label: &str,
     colour: Colour,

@@ -1,14 +1,13 @@
 //! New objects, as Grasshopper writes them.
 
 use katydid_component::{Component, registry};
-use katydid_data::DateTime;
-use katydid_definition::archive::{Chunk, Colour, Decimal, ItemValue};
+use katydid_definition::archive::{Chunk, Colour, ItemValue};
 use katydid_definition::document::{NewPort, Object, Side, ids};
 use katydid_definition::kd::{self, Catalogue, Facts, PortFacts};
 use uuid::{Uuid, uuid};
 
 use crate::view::size;
-use crate::{Refusal, Registry};
+use crate::{Refusal, Registry, controls};
 
 const ENTWINE: Uuid = uuid!("c9785b8e-2f30-4f90-8ee3-cca710f82402");
 const SORT_LIST: Uuid = uuid!("6f93d366-919f-4dda-a35e-ba03dd62799b");
@@ -188,150 +187,10 @@ fn hook(component: Uuid, name: &str, nickname: &str, id: Uuid) -> Object {
     Object::new_parameter(component, name, nickname, id)
 }
 
-/// A number as those controls keep it that count in tenths.
-pub(super) fn decimal(x: f64, places: u32) -> ItemValue {
-    Decimal::from_f64(x, places).map_or(ItemValue::Double(x), ItemValue::Decimal)
-}
-
-/// What controls are when they are new, by the measures of Grasshopper.
+/// What controls are when they are new.
 fn begin(object: &mut Object) {
-    let component = object.component;
-    let container = object.container_mut();
-    match component {
-        ids::NUMBER_SLIDER => {
-            let mut slider = Chunk::new("Slider");
-            slider.set("Digits", 3);
-            slider.set("GripDisplay", 1);
-            slider.set("Interval", 0);
-            slider.set("Max", 1.0);
-            slider.set("Min", 0.0);
-            slider.set("SnapCount", 0);
-            slider.set("Value", 0.25);
-            container.set_child(slider);
-        }
-        ids::PANEL => {
-            container.set("ScrollRatio", 0.0);
-            container.set("UserText", "Double click to edit panel content…");
-            let mut panel = Chunk::new("PanelProperties");
-            panel.set("Colour", Colour::new(255, 255, 250, 90));
-            for (name, on) in [
-                ("DrawIndices", true),
-                ("DrawPaths", true),
-                ("Multiline", true),
-                ("SpecialCodes", false),
-                ("Stream", false),
-                ("Wrap", true),
-            ] {
-                panel.set(name, on);
-            }
-            container.set_child(panel);
-        }
-        ids::BOOLEAN_TOGGLE => container.set("ToggleValue", false),
-        ids::BOOLEAN_TOGGLE_2 => container.set("SwitchValue", false),
-        ids::BUTTON => {
-            container.set("ExpressionNormal", "False");
-            container.set("ExpressionPressed", "True");
-        }
-        ids::COLOUR_SWATCH => container.set("SwatchColor", Colour::new(255, 255, 255, 255)),
-        ids::COLOUR_PICKER => container.set("PickedColour", Colour::new(255, 0, 0, 0)),
-        ids::VALUE_LIST => {
-            let items = ["One", "Two", "Three", "Four"];
-            for (k, name) in (0..).zip(items) {
-                let mut item = Chunk::indexed("ListItem", k);
-                item.set("Expression", (k + 1).to_string());
-                item.set("Name", name);
-                item.set("Selected", k == 0);
-                container.set_child(item);
-            }
-            container.set("ListCount", 4);
-            container.set("ListMode", 1);
-        }
-        ids::MD_SLIDER => {
-            container.set("SliderMode", 2);
-            container.set("slider_value", ItemValue::Point3d([0.5, 0.5, 0.5]));
-            for axis in ["x_domain", "y_domain", "z_domain"] {
-                container.set(axis, ItemValue::Interval1d([0.0, 1.0]));
-            }
-        }
-        ids::CONTROL_KNOB => {
-            let mut dial = Chunk::new("DialData");
-            dial.set("Decimals", 2);
-            dial.set("Limit", false);
-            dial.set("Maximum", 100.0);
-            dial.set("Minimum", 0.0);
-            dial.set("Range", 10.0);
-            dial.set("Value", 0.0);
-            container.set_child(dial);
-        }
-        ids::DIGIT_SCROLLER => {
-            let mut scroller = Chunk::new("Scroller");
-            scroller.set("Digits", 12);
-            scroller.set("Prefix", "");
-            scroller.set("Radix", 6);
-            scroller.set("Suffix", "");
-            scroller.set("Value", decimal(0.0, 6));
-            container.set_child(scroller);
-        }
-        // The hand that places one sets it to the present.
-        ids::CALENDAR => {
-            let day = DateTime::on([2000, 1, 1]).unwrap_or_default();
-            container.set("LocalDate", ItemValue::Date(day.ticks + 1));
-            let mut attributes = Chunk::new("Attributes");
-            attributes.set("DisplayMonth", decimal(1.0, 0));
-            attributes.set("DisplayYear", decimal(2000.0, 0));
-            container.set_child(attributes);
-        }
-        ids::CLOCK => container.set("LocalTime", ItemValue::Date(DateTime::DAY / 2)),
-        ids::GENE_POOL => {
-            let mut pool = Chunk::new("GeneData");
-            pool.set("Count", 10);
-            pool.set("Decimals", 2);
-            pool.set("Maximum", 100.0);
-            pool.set("Minimum", 0.0);
-            for k in 0..10 {
-                pool.set_at("Value", k, decimal(50.0, 2));
-            }
-            container.set_child(pool);
-        }
-        ids::GRAPH_MAPPER => {
-            let mut domain = Chunk::new("Domain");
-            for (name, x) in [("x0", 0.0), ("x1", 1.0), ("y0", 0.0), ("y1", 1.0)] {
-                domain.set(name, x);
-            }
-            let mut graph = Chunk::new("LocalGraph");
-            graph.set("LockGrips", false);
-            graph.set_child(domain);
-            container.set_child(graph);
-        }
-        ids::GRADIENT => super::lists::put_gradient(
-            container,
-            &[(0.0, [255, 0, 0, 255]), (0.5, [255, 255, 0, 255]), (1.0, [0, 255, 0, 255])],
-        ),
-        ids::EXPRESSION => container.set("Expression", "x + y"),
-        ids::DATA_RECORDER => {
-            container.set("RecordData", true);
-            container.set("DataLimit", -1);
-        }
-        ids::PATH_MAPPER => {
-            let mut rules = Chunk::new("lexers");
-            rules.set("lexer_count", 0);
-            container.set_child(rules);
-        }
-        ids::CHERRY_PICKER => {
-            let mut path = Chunk::new("TreePath");
-            path.set("path", "{0}");
-            container.set_child(path);
-            container.set("ListIndex", 0);
-        }
-        ids::IMAGE_SAMPLER => {
-            container.set("FilePath", "");
-            container.set("SaveInFile", false);
-            container.set("Filter", "Colour");
-            for (name, x) in [("Umin", 0.0), ("Umax", 1.0), ("Vmin", 0.0), ("Vmax", 1.0)] {
-                container.set(name, x);
-            }
-        }
-        _ => {}
+    if let Some(row) = controls::of(object.component) {
+        (row.begin)(object.container_mut());
     }
     object.refresh();
 }

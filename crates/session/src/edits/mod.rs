@@ -7,10 +7,8 @@ mod controls;
 mod explode;
 mod geometry;
 mod given;
-mod graphs;
 mod groups;
 mod keep;
-mod lists;
 mod make;
 mod objects;
 mod panel;
@@ -23,12 +21,15 @@ mod transformed;
 mod wires;
 
 use crate::Refusal;
+use crate::controls::finite;
 use crate::editor::Draft;
 use crate::protocol::Edit;
 
 pub(crate) use clipboard::copy;
 pub(crate) use clusters::tie_ports;
+pub(crate) use groups::shape as shape_group;
 pub use make::object as new_object;
+pub(crate) use panel::property as panel_property;
 pub(crate) use player::published;
 pub(crate) use settings::rules_of;
 
@@ -74,7 +75,7 @@ pub(crate) fn carry_out(edit: &Edit, draft: &mut Draft<'_>) -> Result<(), Refusa
 }
 
 /// Refuses numbers that no canvas has.
-fn sound(numbers: &[f32]) -> Result<(), Refusal> {
+pub(crate) fn sound(numbers: &[f32]) -> Result<(), Refusal> {
     const FARTHEST: f32 = 1e7;
     if numbers.iter().all(|x| x.abs() <= FARTHEST) {
         Ok(())
@@ -82,15 +83,6 @@ fn sound(numbers: &[f32]) -> Result<(), Refusal> {
         Err(Refusal::Senseless(
             "a place on the canvas must be finite and within ten million units".to_owned(),
         ))
-    }
-}
-
-/// Refuses numbers that are not finite.
-fn finite(numbers: &[f64]) -> Result<(), Refusal> {
-    if numbers.iter().all(|x| x.is_finite()) {
-        Ok(())
-    } else {
-        Err(Refusal::Senseless("a number must be finite".to_owned()))
     }
 }
 

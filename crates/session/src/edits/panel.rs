@@ -5,8 +5,8 @@ use katydid_definition::document::special::Panel;
 use katydid_definition::document::{Object, Special, ids};
 use uuid::Uuid;
 
-use super::controls::{argb, part, unfit};
 use crate::Refusal;
+use crate::controls::{argb, part, unfit};
 use crate::editor::Draft;
 use crate::protocol::PanelChange;
 
@@ -24,7 +24,7 @@ pub(super) fn change(draft: &mut Draft<'_>, id: Uuid, change: &PanelChange) -> R
     Ok(())
 }
 
-pub(super) fn property(object: &mut Object, change: &PanelChange) -> Result<(), Refusal> {
+pub(crate) fn property(object: &mut Object, change: &PanelChange) -> Result<(), Refusal> {
     let Some(Special::Panel(panel)) = object.special() else {
         return Err(unfit(object, "it is not a Panel"));
     };

@@ -5,8 +5,8 @@ use katydid_definition::archive::Chunk;
 use katydid_definition::document::{Object, PortRef, Side, TypeHint, ids};
 use uuid::{Uuid, uuid};
 
-use super::controls::{short, unfit};
 use crate::Refusal;
+use crate::controls::{short, unfit};
 use crate::protocol::AccessView;
 
 /// The parameter type of an input of Grasshopper 1's script components.

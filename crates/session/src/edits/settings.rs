@@ -6,9 +6,9 @@ use katydid_data::units;
 use katydid_definition::archive::{Chunk, ItemValue};
 use katydid_definition::document::Document;
 
-use super::controls::argb;
 use super::finite;
 use crate::Refusal;
+use crate::controls::argb;
 use crate::editor::Draft;
 use crate::protocol::Edit;
 

@@ -13,9 +13,9 @@ use std::collections::{HashMap, HashSet};
 use katydid_definition::document::{Difference, Document, Object, Special, ids};
 use uuid::Uuid;
 
-pub(crate) use control::colour;
 pub(crate) use port::{is_removable, is_variable, kind, parameter_kind};
 
+use crate::controls::colour;
 use crate::protocol::{
     Colour, DocumentState, DocumentView, Event, ObjectKindView, ObjectView, Problem, Support,
 };

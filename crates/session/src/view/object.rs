@@ -5,6 +5,7 @@ use katydid_definition::archive::Limits;
 use katydid_definition::document::{Annotation, ClusterContent, Document, Object, ObjectKind, Side, ids};
 
 use crate::check::is_run;
+use crate::controls;
 use crate::protocol::{ObjectKindView, ObjectView, Support};
 use crate::view::implied::Names;
 use crate::view::{control, port, size, strip};
@@ -19,7 +20,7 @@ pub(super) fn view(document: &Document, object: &Object, names: &Names) -> Objec
         ObjectKind::Annotation(Annotation::Sketch) => ObjectKindView::Sketch,
         _ if object.component == ids::RELAY => ObjectKindView::Relay,
         _ if object.component == ids::CLUSTER => ObjectKindView::Cluster,
-        _ if is_control(object) => ObjectKindView::Control,
+        _ if controls::of(object.component).is_some_and(|row| row.has_face) => ObjectKindView::Control,
         ObjectKind::Parameter => ObjectKindView::Parameter,
         ObjectKind::Component => ObjectKindView::Component,
     };
@@ -41,30 +42,6 @@ pub(super) fn view(document: &Document, object: &Object, names: &Names) -> Objec
         strip: strip::strip(object),
         control,
     }
-}
-
-/// Whether an object is drawn with a face of its own.
-fn is_control(object: &Object) -> bool {
-    matches!(
-        object.component,
-        ids::NUMBER_SLIDER
-            | ids::PANEL
-            | ids::BOOLEAN_TOGGLE
-            | ids::BOOLEAN_TOGGLE_2
-            | ids::BUTTON
-            | ids::COLOUR_SWATCH
-            | ids::COLOUR_PICKER
-            | ids::VALUE_LIST
-            | ids::MD_SLIDER
-            | ids::CONTROL_KNOB
-            | ids::DIGIT_SCROLLER
-            | ids::CALENDAR
-            | ids::CLOCK
-            | ids::GENE_POOL
-            | ids::GRAPH_MAPPER
-            | ids::GRADIENT
-            | ids::IMAGE_SAMPLER
-    )
 }
 
 /// Whether an object can have geometry to show: one of its outputs gives some, or it draws by itself.

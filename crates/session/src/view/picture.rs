@@ -16,7 +16,7 @@ fn media_type(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// The name by which faces ask for a picture; none for bytes that are no picture.
-pub(super) fn hash(bytes: &[u8]) -> Option<String> {
+pub(crate) fn hash(bytes: &[u8]) -> Option<String> {
     media_type(bytes).map(|_| blake3::hash(bytes).to_hex().chars().take(32).collect())
 }
 

@@ -4,6 +4,8 @@
 use katydid_definition::document::{Object, Port, Side, Special, ids};
 use uuid::Uuid;
 
+use crate::controls;
+
 /// The room between the edge of a capsule and its ports.
 const EDGE: f32 = 2.0;
 /// The band in the middle of a capsule, with the room beside it.
@@ -63,7 +65,7 @@ fn hung(object: &Object, [x, y]: [f32; 2]) -> [f32; 4] {
 /// Where in its rectangle the point is that an object hangs from: the middle of the band, the middle of a parameter, the
 /// corner of a control.
 pub(crate) fn hang(object: &Object, [w, h]: [f32; 2]) -> [f32; 2] {
-    if has_face(object) {
+    if controls::settings(object).is_some_and(|(row, _)| row.hangs_from_corner) {
         [0.0, 0.0]
     } else if object.is_floating() {
         [0.5 * w, 0.5 * h]
@@ -72,42 +74,15 @@ pub(crate) fn hang(object: &Object, [w, h]: [f32; 2]) -> [f32; 2] {
     }
 }
 
-/// Whether an object is a rectangle of a size of its own.
-fn has_face(object: &Object) -> bool {
-    matches!(object.special(), Some(special) if !matches!(
-        special,
-        Special::Expression(_) | Special::PathMapper(_) | Special::CherryPicker(_) | Special::DataRecorder(_)
-            | Special::Contextual(_) | Special::Trigger(_)
-    ))
-}
-
 /// The width and height that a new object gets.
 pub(crate) fn natural(object: &Object) -> [f32; 2] {
     let name = text(object.title());
-    match object.special() {
-        Some(Special::Slider(_)) => [(name + 160.0).clamp(180.0, 400.0), ROW],
-        Some(Special::Panel(panel)) => panel_size(&panel.text),
-        Some(Special::Toggle(_) | Special::Button(_)) => [name + 72.0, 22.0],
-        Some(Special::Colour(_)) => [name + 52.0, ROW],
-        Some(Special::ValueList(list)) => {
-            let longest = list.items.iter().map(|item| text(&item.name)).fold(0.0, f32::max);
-            [(name + longest + 50.0).clamp(80.0, 400.0), 22.0]
-        }
-        Some(Special::MdSlider(_)) => [200.0, 200.0],
-        Some(Special::Knob(_)) => [128.0, 148.0],
-        Some(Special::DigitScroller(_)) => [250.0, ROW],
-        // As files have it.
-        Some(Special::Calendar(_)) => [214.0, 262.0],
-        Some(Special::Clock(_)) => [160.0, 184.0],
-        Some(Special::GenePool(pool)) => {
-            let rows = u16::try_from(pool.values.len().clamp(1, 20)).map_or(1.0, f32::from);
-            [146.0, rows * 20.0 + 32.0]
-        }
-        Some(Special::GraphMapper(_)) => [150.0, 150.0],
-        Some(Special::Gradient(_)) => [250.0, 64.0],
-        Some(Special::ImageSampler(_)) => [150.0, 150.0],
-        _ if object.component == ids::RELAY => [40.0, 16.0],
-        _ if draws(object.component) => [150.0, 100.0],
+    if let Some(size) = controls::size(object, name) {
+        return size;
+    }
+    match object.component {
+        ids::RELAY => [40.0, 16.0],
+        component if draws(component) => [150.0, 100.0],
         _ if object.is_floating() => [(name + 18.0).max(50.0), ROW],
         _ => {
             let [left, right] =
@@ -123,13 +98,6 @@ pub(crate) fn natural(object: &Object) -> [f32; 2] {
 fn draws(component: Uuid) -> bool {
     [ids::QUICK_GRAPH, ids::BAR_GRAPH, ids::PIE_CHART, ids::IMAGE_GALLERY, ids::VALUE_TRACKER]
         .contains(&component)
-}
-
-/// As large as a text wants to be read, within what is usual.
-fn panel_size(content: &str) -> [f32; 2] {
-    let longest = content.lines().take(200).map(text).fold(0.0, f32::max);
-    let lines = u16::try_from(content.lines().count()).map_or(1e5, f32::from);
-    [(longest + 30.0).clamp(160.0, 400.0), (lines * 14.0 + 30.0).clamp(100.0, 400.0)]
 }
 
 /// The width of a column of ports.
@@ -174,22 +142,8 @@ fn letter(letter: char) -> f32 {
 
 /// Whether an object shows the grips of a side: nothing can be wired into what its user sets, or out of what only shows.
 pub(crate) fn shows(object: &Object, side: Side) -> bool {
-    let set_by_hand = matches!(
-        object.component,
-        ids::NUMBER_SLIDER
-            | ids::BOOLEAN_TOGGLE
-            | ids::BOOLEAN_TOGGLE_2
-            | ids::BUTTON
-            | ids::VALUE_LIST
-            | ids::MD_SLIDER
-            | ids::CONTROL_KNOB
-            | ids::DIGIT_SCROLLER
-            | ids::CALENDAR
-            | ids::CLOCK
-            | ids::GENE_POOL
-            | ids::COLOUR_PICKER
-            | ids::CLUSTER_INPUT
-    );
+    let set_by_hand = object.component == ids::CLUSTER_INPUT
+        || controls::of(object.component).is_some_and(|row| row.is_set_by_hand);
     match side {
         Side::Input => !set_by_hand || object.inputs.iter().any(|port| !port.sources.is_empty()),
         Side::Output => object.component != ids::CLUSTER_OUTPUT,

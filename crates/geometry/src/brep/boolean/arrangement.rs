@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::operands::{Face, Operands};
 use super::pieces::{OfEdge, Pieces};
 use super::refusal::RefusalClass;
-use super::thresholds::{ACROSS_SEAM, HALVINGS, NEWTON, SAME_PARAMETER, SAMPLES};
+use super::thresholds::{ACROSS_SEAM, HALVINGS, NEWTON, SAME_DISTANCE, SAME_PARAMETER, SAMPLES};
 use crate::brep::build::with_ends;
 use crate::region::Outline;
 use crate::{Curve, Direction, Interval, Line, Plane, Point3, Result, Side};
@@ -141,7 +141,7 @@ pub(super) fn trim_parameter(face: &Face, trim: &Curve, guess: f64, p: Point3) -
         .map(|k| domain.at(k as f64 / SAMPLES as f64))
         .min_by(|a, b| off(*a).total_cmp(&off(*b)))
         .map_or(first, newton);
-    if off(first) <= off(best) * (1.0 + 1e-9) + f64::MIN_POSITIVE { first } else { best }
+    if off(first) <= off(best) * (1.0 + SAME_DISTANCE) + f64::MIN_POSITIVE { first } else { best }
 }
 
 /// The loops around every region of a face, and the pieces drawn on it that divide nothing.

@@ -25,7 +25,7 @@ mod oriented;
 mod pieces;
 mod pulled;
 mod radial;
-mod refusal;
+mod refuse;
 mod regions;
 mod report;
 mod sections;
@@ -35,26 +35,18 @@ mod tests;
 mod thresholds;
 mod vertices;
 
-pub use refusal::{Refusal, RefusalClass};
+pub use crate::error::{FaceName, Refusal, RefusalClass};
 pub use report::{Decision, DecisionKind};
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::error::refusal;
 use crate::{Brep, Curve, Result, Tolerance, cancellation};
 use cells::Sheet;
 use operands::Operands;
 use pieces::Pieces;
 use regions::Region;
 use shells::{Chosen, Shells};
-
-/// A face of an operand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct FaceName {
-    /// The operand's place among all of the call.
-    pub operand: usize,
-    /// The face's place in the operand.
-    pub face: usize,
-}
 
 /// A brep that a boolean made.
 #[derive(Debug, Clone, PartialEq)]

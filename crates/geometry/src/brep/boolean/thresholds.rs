@@ -32,6 +32,8 @@ pub(super) const PARALLEL: f64 = 1e-10;
 pub(super) const ONE_PLANE: f64 = 0.999;
 /// Parameters nearer than this part of a domain are one.
 pub(super) const SAME_PARAMETER: f64 = 1e-7;
+/// Two distances that part by this part of themselves are one: either place will do.
+pub(super) const SAME_DISTANCE: f64 = 1e-9;
 /// Two places of one vertex in the parameter plane are on different sides of a seam when they are farther apart than
 /// this part of the domain.
 pub(super) const ACROSS_SEAM: f64 = 0.25;

@@ -2,7 +2,7 @@
 
 mod ends;
 
-pub(crate) use ends::with_ends;
+pub(crate) use crate::curve::with_ends;
 
 use super::validity::refusal;
 use super::{Brep, CurvePart, Edge, Face, Loop, LoopKind, Parts, Trim, TrimKind, Vertex};

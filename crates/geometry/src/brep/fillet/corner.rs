@@ -2,7 +2,9 @@
 //! where edges are cut off straight.
 
 use super::FilletBlend;
+use crate::brep::fillet::thresholds::FROM_POLE;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
+use crate::thresholds;
 use crate::{
     Circle, Curve, Error, Interval, Line, LineCurve, Plane, PlaneSurface, Point3, Result, RevolutionSurface,
     Surface, Tolerance, Vector3,
@@ -60,7 +62,7 @@ pub(super) fn add(
         let [p, q, r] = [0, 1, 2].map(|n| arm(starts[(k + n) % 3]));
         p.dot(q).abs().max(p.dot(r).abs())
     };
-    let pole = (0..3).find(|k| more.is_empty() && off(*k) <= 1e-12);
+    let pole = (0..3).find(|k| more.is_empty() && off(*k) <= thresholds::NO_DIRECTION);
     let Some(pole) = pole else { return add_any(builder, &walk, centre, radius, outward, tolerance) };
     // From the pole down to the first, along to the second, up to the pole.
     let sides = [walk[pole], walk[(pole + 1) % 3], walk[(pole + 2) % 3]];
@@ -70,7 +72,7 @@ pub(super) fn add(
         return Err(Error::degenerate("fillet", "a corner without area"));
     };
     let angle = x.cross(toward).dot(top).atan2(x.dot(toward));
-    if !(angle > 1e-9) {
+    if !(angle > thresholds::PARALLEL) {
         return Err(Error::degenerate("fillet", "a corner without area"));
     }
     // The meridian through the first corner, turned about the pole; latitudes run along v.
@@ -142,8 +144,8 @@ fn add_any(
     let from = (longitudes.start - margin).max(-std::f64::consts::PI);
     let to = (longitudes.end + margin).min(std::f64::consts::PI);
     if !(longitudes.length() < std::f64::consts::PI
-        && latitudes.start > -half + 1e-3
-        && latitudes.end < half - 1e-3)
+        && latitudes.start > -half + FROM_POLE
+        && latitudes.end < half - FROM_POLE)
     {
         return Err(none());
     }

@@ -1,5 +1,7 @@
 //! Where a rounded edge ends: across, or along its section with a surface.
 
+use crate::brep::fillet::thresholds::{ALONG_FACE, FLAT_CARRIER};
+use crate::thresholds;
 use std::cell::RefCell;
 
 use super::newton::{linear, solve};
@@ -59,7 +61,7 @@ impl Cut {
         limit: f64,
     ) -> Result<Self> {
         let size = strip.wedge.size;
-        if let (Some(way), Some(plane)) = (strip.straight_way(), surface.plane(1e-10 * size)) {
+        if let (Some(way), Some(plane)) = (strip.straight_way(), surface.plane(FLAT_CARRIER * size)) {
             return Self::of_plane(strip, way, plane.origin, plane.z_axis, at);
         }
         let domains = Direction::BOTH.map(|d| surface.domain(d));
@@ -74,7 +76,11 @@ impl Cut {
                 }
             })
         };
-        let steps = [1e-5 * strip.ends.length(), 1e-5 * domains[0].length(), 1e-5 * domains[1].length()];
+        let steps = [
+            thresholds::DIFFERENCE_STEP * strip.ends.length(),
+            thresholds::DIFFERENCE_STEP * domains[0].length(),
+            thresholds::DIFFERENCE_STEP * domains[1].length(),
+        ];
         let lost = || strip.wedge.refused("its rounding does not run out on the face at its end");
         let start = match touched(strip, surface, at, uv) {
             true => beyond(strip, surface, at).ok_or_else(lost)?,
@@ -145,7 +151,7 @@ impl Cut {
         if range.length() <= SAME * strip.ends.length().max(size) {
             return Self::across(strip, range.middle());
         }
-        let flat = followed(&[UNIT], limit / fastest.max(1e-300), |w, _| {
+        let flat = followed(&[UNIT], limit / fastest.max(thresholds::LEAST_DIVISOR), |w, _| {
             let x = found(w).ok_or_else(lost)?;
             let (_, slope) = slope_at(w, &x).ok_or_else(lost)?;
             Ok((strip.place(w, x[0]), strip.place(1.0, slope).to_vector()))
@@ -160,7 +166,7 @@ impl Cut {
         let oblique = || strip.wedge.refused("the face at its end runs along it");
         let columns = strip.straight_columns().ok_or_else(oblique)?;
         let rate = way.dot(normal);
-        if rate.abs() < 1e-3 {
+        if rate.abs() < ALONG_FACE {
             return Err(oblique());
         }
         let level = origin.to_vector().dot(normal);

@@ -5,6 +5,8 @@ use super::cut::Cut;
 use super::joint::{Outlet, Stub};
 use super::weave::{End, Insert, Piece, Weave};
 use crate::brep::Along;
+use crate::brep::fillet::thresholds::FLAT_CARRIER;
+use crate::thresholds;
 use crate::{Interval, Point3, Result};
 
 /// Halvings until a place across the strip is found.
@@ -23,7 +25,7 @@ impl Weave<'_> {
         let strip = self.strip(stub)?;
         // Only straight strips know their section with a plane at every place across.
         let flat = |o: &Outlet| {
-            self.brep.face_surface(o.face).is_some_and(|s| s.plane(1e-10 * strip.wedge.size).is_some())
+            self.brep.face_surface(o.face).is_some_and(|s| s.plane(FLAT_CARRIER * strip.wedge.size).is_some())
         };
         if strip.straight_way().is_none() || !outlets.iter().all(flat) {
             return Err(self.unsupported(&[stub]));
@@ -54,7 +56,7 @@ impl Weave<'_> {
         // The strip ends on whichever face comes first; where that is not its own the faces turn in.
         let toward = if stub.1 { 1.0 } else { -1.0 };
         let nearest = parts.iter().zip(&cuts).all(|(part, own)| {
-            part.length() > 1e-9
+            part.length() > thresholds::SAME_PARAMETER
                 && cuts
                     .iter()
                     .all(|cut| toward * (place(cut, part.middle()) - place(own, part.middle())) >= -slack)

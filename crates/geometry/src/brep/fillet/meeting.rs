@@ -1,6 +1,8 @@
 //! Where three or more rounded edges meet and no others: on one ball that touches all of their faces, or, cut off
 //! straight, in the flat facet between the points where the cuts of each face cross.
 
+use crate::brep::fillet::thresholds::FLAT_CARRIER;
+use crate::thresholds;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::FilletBlend;
@@ -28,7 +30,7 @@ impl Weave<'_> {
     fn are_flat(&self, stubs: &[Stub]) -> Result<bool> {
         for stub in stubs {
             let strip = self.strip(*stub)?;
-            let flat = |k: usize| strip.wedge.surfaces[k].plane(1e-10 * strip.wedge.size).is_some();
+            let flat = |k: usize| strip.wedge.surfaces[k].plane(FLAT_CARRIER * strip.wedge.size).is_some();
             if strip.straight_way().is_none() || !flat(0) || !flat(1) {
                 return Ok(false);
             }
@@ -136,8 +138,8 @@ impl Weave<'_> {
             // From a place on the edge as far from the corner as the ball is large.
             let reach = strips[0].ball(start)?.1 * strips[0].ends.length() / strips[0].wedge.size;
             let t = if stubs[0].1 { start - reach } else { start + reach };
-            let steps = Direction::BOTH.map(|d| 1e-5 * surface.domain(d).length());
-            let steps = [1e-5 * strips[0].ends.length(), steps[0], steps[1]];
+            let steps = Direction::BOTH.map(|d| thresholds::DIFFERENCE_STEP * surface.domain(d).length());
+            let steps = [thresholds::DIFFERENCE_STEP * strips[0].ends.length(), steps[0], steps[1]];
             let normal = |u: f64, v: f64| {
                 let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
                 d.get(1, 0).cross(d.get(0, 1)).unitized()

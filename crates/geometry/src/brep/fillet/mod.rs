@@ -28,10 +28,12 @@ mod order;
 mod rebuild;
 mod section;
 mod strip;
+mod thresholds;
 mod weave;
 mod wedge;
 mod widen;
 
+use crate::brep::fillet::thresholds::LEAST_SLANT;
 use std::collections::{BTreeMap, BTreeSet};
 
 use joint::{Fans, Joint, Link, Outlet, Stub};
@@ -344,7 +346,7 @@ fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joi
         }
         _ => None,
     });
-    if let Some(slant) = slanted.filter(|slant| *slant > 1e-6 && *slant < 0.95) {
+    if let Some(slant) = slanted.filter(|slant| *slant > LEAST_SLANT && *slant < 0.95) {
         // The ball leaves the face beside before the vertex, or beyond it.
         let Some((points, _, corner)) = Strip::hull_at(wedge, blend, stub.1) else { return 0.0 };
         let across = points.iter().map(|p| p.distance_to(corner)).fold(0.0, f64::max);
@@ -373,7 +375,10 @@ fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joi
         return 0.0;
     }
     let beyond = points.iter().map(|p| (corner - *p).dot(normal) / rate).fold(0.0, f64::max);
-    if beyond <= 1e-9 * wedge.size && beyond >= 0.0 && is_flat_square(fans, stub, joints, rate) {
+    if beyond <= crate::thresholds::SAME_POINT * wedge.size
+        && beyond >= 0.0
+        && is_flat_square(fans, stub, joints, rate)
+    {
         return 0.0;
     }
     let across = points.first().zip(points.last()).map_or(0.0, |(a, b)| a.distance_to(*b));
@@ -384,10 +389,12 @@ fn reach(fans: &Fans<'_>, wedge: &Wedge<'_>, blend: FilletBlend, stub: Stub, joi
 fn is_flat_square(fans: &Fans<'_>, stub: Stub, joints: &[Joint], rate: f64) -> bool {
     let flat = joints.iter().any(|joint| match joint {
         Joint::Third { stub: own, outlets, .. } => {
-            let flat = |o: &Outlet| fans.brep.face_surface(o.face).is_some_and(|s| s.plane(1e-12).is_some());
+            let flat = |o: &Outlet| {
+                fans.brep.face_surface(o.face).is_some_and(|s| s.plane(crate::thresholds::ROUNDING).is_some())
+            };
             *own == stub && outlets.len() == 1 && outlets.iter().all(flat)
         }
         _ => false,
     });
-    flat && (rate.abs() - 1.0).abs() < 1e-12
+    flat && (rate.abs() - 1.0).abs() < crate::thresholds::ROUNDING
 }

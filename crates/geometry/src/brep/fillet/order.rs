@@ -10,6 +10,7 @@
 //! "Constant-radius blending in solid modeling", *Computers in Mechanical Engineering* 3 (1984), and in the survey of
 //! Vida, Martin and Varady (1994).
 
+use crate::brep::fillet::thresholds::EQUAL_RADII;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::FilletBlend;
@@ -161,7 +162,7 @@ fn leaders(
             }
             let reaches = [foot(fans, p, a, b)?, foot(fans, q, b, a)?];
             Ok(match reaches {
-                [Some(s), Some(t)] if (s - t).abs() <= 1e-6 * s.max(t) => Vec::new(),
+                [Some(s), Some(t)] if (s - t).abs() <= EQUAL_RADII * s.max(t) => Vec::new(),
                 [Some(s), Some(t)] => vec![if s > t { a } else { b }],
                 _ => Vec::new(),
             })

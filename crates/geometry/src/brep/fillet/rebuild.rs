@@ -1,5 +1,7 @@
 //! The old faces, with rails in place of the rounded edges and the edges beside them shortened.
 
+use crate::brep::fillet::thresholds::BOX_REACH;
+use crate::thresholds;
 use std::collections::BTreeMap;
 
 use super::weave::Weave;
@@ -98,7 +100,7 @@ impl Weave<'_> {
             edges.insert(place, (self.builder.edge(curve, ends), None, ends));
             return Ok(());
         }
-        let least = 1e-9 * domain.length();
+        let least = thresholds::SAME_PARAMETER * domain.length();
         if !(range.end - range.start > least) {
             return Err(crate::Error::Invalid {
                 what: "fillet",
@@ -235,7 +237,7 @@ impl Weave<'_> {
                 .refused(edge, "the radius is too large: its rounding runs into other edges of its faces")
         };
         let size = Direction::BOTH.map(|d| surface.domain(d).length());
-        let least = 1e-9 * size[0].min(size[1]);
+        let least = thresholds::SAME_PARAMETER * size[0].min(size[1]);
         let boxes: Vec<BoundingBox> = all.iter().map(|step| step.path.curve.bounding_box()).collect();
         let apart = |i: usize, j: usize| are_apart(&boxes[i].inflated(least), &boxes[j]);
         for (i, a) in all.iter().enumerate() {
@@ -244,7 +246,7 @@ impl Weave<'_> {
             // An inset rail may run into itself, as that of a narrow bay does.
             if let Some(edge) = a.made_by {
                 let met = curve_self(p, least)?;
-                let reach = 1e-5 * boxes[i].diagonal().length();
+                let reach = BOX_REACH * boxes[i].diagonal().length();
                 let at_seam =
                     |c: &Crossing| c.point.distance_to(p.start()).max(c.point.distance_to(p.end())) <= reach;
                 if !met.overlaps.is_empty() || met.crossings.iter().any(|c| !at_seam(c)) {
@@ -254,7 +256,7 @@ impl Weave<'_> {
             for (j, b) in all.iter().enumerate().skip(i + 1) {
                 let Some(by) = a.made_by.or(b.made_by).filter(|_| !apart(i, j)) else { continue };
                 let q = &b.path.curve;
-                let reach = 1e-5 * (boxes[i].diagonal().length() + boxes[j].diagonal().length());
+                let reach = BOX_REACH * (boxes[i].diagonal().length() + boxes[j].diagonal().length());
                 let met = curve_curve(p, q, least)?;
                 let at_joint = |point: Point3| {
                     let ends = |c: &Curve| [c.start(), c.end()];
@@ -343,7 +345,7 @@ fn near(surface: &Surface, flat: &Curve, p: Point3, guess: f64) -> f64 {
             break;
         }
         let next = domain.clamp(s + by);
-        let done = (next - s).abs() <= 1e-15 * domain.length();
+        let done = (next - s).abs() <= thresholds::NEWTON_DONE * domain.length();
         s = next;
         if done {
             break;

@@ -2,6 +2,7 @@
 
 use super::FilletBlend;
 use super::wedge::{Station, Wedge};
+use crate::brep::fillet::thresholds::SECTION_STEP;
 use crate::{Arc, ArcCurve, Curve, Interval, Line, LineCurve, NurbsCurve, Point3, Result, Vector3};
 
 /// The homogeneous control points (x·w, y·w, z·w, w) of the Bézier curve from the first contact to the second.
@@ -37,7 +38,7 @@ pub(super) fn slopes(
     slope: &[f64; 5],
     blend: FilletBlend,
 ) -> Option<Vec<[f64; 4]>> {
-    let step = 1e-3 * wedge.curve.domain().length();
+    let step = SECTION_STEP * wedge.curve.domain().length();
     let at = |h: f64| -> Option<Vec<[f64; 4]>> {
         let moved: [f64; 5] = std::array::from_fn(|k| x[k] + h * slope[k]);
         Some(columns(wedge, &wedge.of(&moved)?, blend))

@@ -7,6 +7,8 @@
 use super::FilletBlend;
 use super::section::{bezier, columns, simplest, slopes};
 use super::wedge::{Station, Unknowns, Wedge};
+use crate::brep::fillet::thresholds::{BEND_STEP, FORWARD, TANGENT_STEP};
+use crate::thresholds;
 use crate::{
     Circle, Curve, Direction, Interval, Line, LineCurve, NurbsSurface, Plane, PlaneSurface, Point3, Result,
     RevolutionSurface, SumSurface, Surface, Tolerance, Vector3, Xform,
@@ -107,7 +109,7 @@ impl<'a> Strip<'a> {
         match self.course {
             Course::Free(_) => {
                 let whole = self.surface.domain(Direction::V);
-                let slack = 1e-12 * whole.length();
+                let slack = thresholds::EXACT_PARAMETER * whole.length();
                 let near = |t: f64, end: f64| if (t - end).abs() <= slack { end } else { t };
                 let range = Interval::new(near(range.start, whole.start), near(range.end, whole.end));
                 if !whole.includes(range, false) {
@@ -119,7 +121,7 @@ impl<'a> Strip<'a> {
                     self.surface.trimmed(Direction::V, range)
                 }
             }
-            Course::Turned(_) if range.length() > std::f64::consts::TAU * (1.0 + 1e-12) => {
+            Course::Turned(_) if range.length() > std::f64::consts::TAU * (1.0 + thresholds::WHOLE_TURN) => {
                 Err(self.wedge.refused("it would meet itself at its ends"))
             }
             _ => self.exact(range),
@@ -183,7 +185,7 @@ impl<'a> Strip<'a> {
     /// The place along the edge where the ball has a given centre, near a place.
     pub(super) fn place_of(&self, centre: Point3, near: f64) -> Option<f64> {
         let mut t = near;
-        let step = 1e-6 * self.ends.length();
+        let step = TANGENT_STEP * self.ends.length();
         for _ in 0..30 {
             let here = self.ball(t)?.0;
             let slope = (self.ball(t + step)?.0 - self.ball(t - step)?.0) / (2.0 * step);
@@ -192,7 +194,7 @@ impl<'a> Strip<'a> {
                 return None;
             }
             t += by;
-            if by.abs() <= 1e-15 * self.ends.length() {
+            if by.abs() <= thresholds::NEWTON_DONE * self.ends.length() {
                 break;
             }
         }
@@ -235,12 +237,12 @@ impl<'a> Strip<'a> {
                 };
                 let own = arm(wedge.curve.point_at(wedge.curve.domain().middle()));
                 // A rail that passes the axis would run backwards.
-                good &= station.contacts.iter().all(|p| arm(*p).dot(own) > 1e-6 * own.length_squared());
+                good &= station.contacts.iter().all(|p| arm(*p).dot(own) > FORWARD * own.length_squared());
             }
             Course::Straight(_) => {}
             Course::Free(_) => {
                 if let Some((slope, t)) = slope {
-                    let step = 1e-4 * wedge.curve.domain().length();
+                    let step = BEND_STEP * wedge.curve.domain().length();
                     let moved: Unknowns = std::array::from_fn(|k| station.unknowns[k] + step * slope[k]);
                     let [_, velocity] = wedge.curve.jet_at::<2>(t, false);
                     good &= wedge.of(&moved).is_some_and(|next| {
@@ -265,7 +267,7 @@ impl<'a> Strip<'a> {
         let domain = wedge.curve.domain();
         let speed = |t: f64| wedge.curve.jet_at::<2>(t, t > domain.middle())[1].length();
         let beyond = |length: f64, t: f64| {
-            let by = length / speed(t).max(1e-300);
+            let by = length / speed(t).max(thresholds::LEAST_DIVISOR);
             if by.is_finite() { by.min(domain.length()) } else { 0.0 }
         };
         let whole = Interval::new(
@@ -305,7 +307,7 @@ impl<'a> Strip<'a> {
         }
         for pair in starts.windows(2) {
             let [(s, a), (t, b)] = [pair[0], pair[1]];
-            let inner = 1e-9 * (t - s);
+            let inner = thresholds::SAME_PARAMETER * (t - s);
             let first = match points[0] && s == whole.start {
                 true => tip(wedge, false).ok_or_else(too_large)?,
                 false => self.node(s, inner, &a)?,

@@ -1,5 +1,6 @@
 //! The parts of the new brep: where strips end, what the edges beside them become, and the faces put together.
 
+use crate::thresholds;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::FilletBlend;
@@ -225,7 +226,9 @@ impl<'a> Weave<'a> {
             let p = strip.point(w, t);
             let near = index.nearest(p)?;
             let apart = curve.point_at(near.parameter) - p;
-            if apart.length() <= if step == 0 { 0.1 * self.limit } else { 1e-12 * strip.wedge.size } {
+            if apart.length()
+                <= if step == 0 { 0.1 * self.limit } else { thresholds::ROUNDING * strip.wedge.size }
+            {
                 break;
             }
             let [along, run] =
@@ -316,7 +319,7 @@ impl<'a> Weave<'a> {
             let (Some(start), Some(end)) = ends else {
                 return Err(self.names.refused(*edge, "it has no ends"));
             };
-            let slack = 1e-9 * strip.ends.length();
+            let slack = thresholds::SAME_PARAMETER * strip.ends.length();
             if !(start.range.end + slack < end.range.start) {
                 return Err(self.names.refused(
                     *edge,

@@ -4,6 +4,8 @@ use super::FilletRail;
 use super::joint::Fans;
 use super::names::Names;
 use super::newton::{jacobian, linear, solve};
+use crate::brep::fillet::thresholds::{DISTINCT, LEAST_ANGLE, TOUCH_SINE};
+use crate::thresholds;
 use crate::{Brep, ClosestOnSurface, Curve, Direction, Point3, Result, Surface, Tolerance, Vector3};
 
 /// Places along an edge where its faces are looked at.
@@ -121,8 +123,8 @@ impl<'a> Wedge<'a> {
         let steps = {
             let [u1, v1, u2, v2] =
                 [(0, Direction::U), (0, Direction::V), (1, Direction::U), (1, Direction::V)]
-                    .map(|(k, d): (usize, _)| 1e-5 * surfaces[k].domain(d).length());
-            [u1, v1, u2, v2, 1e-5 * radius.largest()]
+                    .map(|(k, d): (usize, _)| thresholds::DIFFERENCE_STEP * surfaces[k].domain(d).length());
+            [u1, v1, u2, v2, thresholds::DIFFERENCE_STEP * radius.largest()]
         };
         let mut wedge = Self {
             edge,
@@ -148,7 +150,7 @@ impl<'a> Wedge<'a> {
     fn look(&mut self, brep: &Brep, tolerance: &Tolerance) -> Result<()> {
         let domain = self.curve.domain();
         let feet = [ClosestOnSurface::new(self.surfaces[0])?, ClosestOnSurface::new(self.surfaces[1])?];
-        let least = tolerance.angle.clamp(1e-6, 0.5).sin();
+        let least = tolerance.angle.clamp(LEAST_ANGLE, 0.5).sin();
         for n in 0..LOOKS {
             // The middle last, so that what it tells stays.
             let x = if n + 1 == LOOKS { 0.5 } else { (n as f64 + 0.5) / LOOKS as f64 };
@@ -270,7 +272,7 @@ impl<'a> Wedge<'a> {
     fn grown(&self, t: f64, near: &Unknowns, radius: f64) -> Option<Station> {
         let x = solve(*near, &self.steps, self.size, |x| self.residual(x, t, radius))?;
         let station = self.station_of(&x)?.0;
-        let distinct = station.contacts[0].distance_to(station.contacts[1]) > 1e-6 * radius;
+        let distinct = station.contacts[0].distance_to(station.contacts[1]) > DISTINCT * radius;
         (x[4] > 0.0 && distinct).then_some(station)
     }
 
@@ -339,7 +341,7 @@ impl<'a> Wedge<'a> {
             normals[k] = self.normal(k, near.u, near.v)? * self.sides[k];
         }
         let middle = (normals[0] + normals[1]).unitized()?;
-        let touch = normals[0].cross(normals[1]).length() <= 1e-3;
+        let touch = normals[0].cross(normals[1]).length() <= TOUCH_SINE;
         let centre = p + middle * unknowns[4];
         touch.then_some(Station { unknowns, contacts: [p; 2], centre, radius: unknowns[4] })
     }
@@ -356,7 +358,7 @@ impl<'a> Wedge<'a> {
     /// The derivative of the unknowns along the edge.
     pub(super) fn slope(&self, x: &Unknowns, t: f64) -> Option<Unknowns> {
         let slopes = jacobian(x, &self.steps, |x| self.residual(x, t, self.radius_at(t)))?;
-        let step = 1e-5 * self.curve.domain().length();
+        let step = thresholds::DIFFERENCE_STEP * self.curve.domain().length();
         let ahead = self.residual(x, t + step, self.radius_at(t + step))?;
         let behind = self.residual(x, t - step, self.radius_at(t - step))?;
         let along: Unknowns = std::array::from_fn(|k| (behind[k] - ahead[k]) / (2.0 * step));

@@ -2,6 +2,7 @@
 
 use super::super::edges::taken;
 use super::super::{CurvePart, Parts, Vertex};
+use crate::thresholds;
 use crate::{BoundingBox, ClosestOnCurve, Curve, Interval, Point3, Result, Surface, cancellation};
 
 /// Places of a trim that are looked at for the one nearest to a point.
@@ -125,7 +126,7 @@ impl Parts {
         let own = taken(flat, &trim.part)?;
         let at = nearest_image(&own, surface, point);
         let domain = own.domain();
-        let least = 1e-9 * domain.length();
+        let least = thresholds::SAME_PARAMETER * domain.length();
         if !(at > domain.start + least && at < domain.end - least) {
             return Ok(None);
         }

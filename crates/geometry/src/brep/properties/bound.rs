@@ -9,6 +9,7 @@ use super::rule::Work;
 use super::strip::{Far, Near, Strip};
 use crate::brep::Brep;
 use crate::brep::pulled::pulled;
+use crate::brep::thresholds::LEAST_SHARE_OF_EDGE;
 use crate::{ClosestOnCurve, Curve, Error, Line, Point3, Result, Surface};
 
 /// What counts as near.
@@ -166,7 +167,7 @@ fn pairs(surface: &Surface, flat: &Curve, edge: &Curve, gap: f64) -> Vec<[f64; 2
     }
     let index = ClosestOnCurve::new(edge);
     let mut out = vec![ends[0]];
-    let least = 1e-6 / count as f64 * other.length();
+    let least = LEAST_SHARE_OF_EDGE / count as f64 * other.length();
     for (x, image) in samples {
         let Ok(near) = index.nearest(image) else { continue };
         let before = out.last().map_or(other.start, |pair| pair[1]);

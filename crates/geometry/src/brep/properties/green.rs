@@ -1,5 +1,7 @@
 //! Integrals over faces as integrals along their trims.
 
+use crate::brep::thresholds::LEAST_RANGE;
+use crate::thresholds;
 use std::f64::consts::FRAC_PI_3;
 
 use super::bound::{Bound, Nearness, bound};
@@ -288,12 +290,14 @@ fn stops(curve: &Curve, spans: &[Vec<f64>; 2]) -> Vec<f64> {
                 _ => {
                     let Ok(plane) = Plane::from_normal((normal * at).to_point(), normal) else { continue };
                     let size = (high - low).max(f64::MIN_POSITIVE);
-                    out.extend(curve.intersect_plane(&plane, 1e-12 * size).unwrap_or_default());
+                    out.extend(
+                        curve.intersect_plane(&plane, thresholds::ROUNDING * size).unwrap_or_default(),
+                    );
                 }
             }
         }
     }
-    let least = 1e-13 * domain.length();
+    let least = LEAST_RANGE * domain.length();
     out.retain(|t| t.is_finite() && domain.start + least < *t && *t < domain.end - least);
     out.push(domain.start);
     out.push(domain.end);

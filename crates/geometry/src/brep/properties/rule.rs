@@ -1,5 +1,6 @@
 //! Adaptive Gauss–Legendre rules for several functions at once.
 
+use crate::brep::thresholds::LEAST_PART_OF_TOLERANCE;
 use crate::quadrature::{GAUSS_6, GAUSS_10};
 use crate::{Error, Result};
 
@@ -102,7 +103,7 @@ pub(super) fn integral(
         let mut stack = vec![part([w[0], w[1]], 0, f)?];
         while let Some(found) = stack.pop() {
             let [a, b] = found.range;
-            let share = tolerance * ((b - a).abs() / length).max(1e-3);
+            let share = tolerance * ((b - a).abs() / length).max(LEAST_PART_OF_TOLERANCE);
             looked += 1;
             if found.error > share && found.depth < DEEPEST && looked < RANGES {
                 let middle = 0.5 * (a + b);

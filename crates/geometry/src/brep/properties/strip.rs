@@ -2,6 +2,7 @@
 
 use super::rule::{Work, integral};
 use super::{Frame, Measure};
+use crate::brep::thresholds::LEAST_RANGE;
 use crate::quadrature::GAUSS_6;
 use crate::{Curve, Interval, Point3, Quadrant, Result, Surface, Vector3};
 
@@ -94,7 +95,7 @@ impl Strip {
         }
         out.retain(|t| domain.start <= *t && *t <= domain.end);
         out.sort_by(f64::total_cmp);
-        out.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * domain.length());
+        out.dedup_by(|a, b| (*a - *b).abs() <= LEAST_RANGE * domain.length());
         out
     }
 

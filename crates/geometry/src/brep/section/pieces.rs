@@ -3,6 +3,7 @@
 use super::super::build::with_ends;
 use super::super::inside::Sheet;
 use super::{BrepSection, BrepSections, EdgeContacts, lies_in};
+use crate::thresholds;
 use crate::{Curve, Line, Plane, Point3, Result, Surface, intersect::surface_plane};
 
 /// A face and a plane that comes near it.
@@ -81,7 +82,7 @@ impl Cut<'_> {
     fn inside(&self, curve: &Curve, ends: &[(Point3, f64)], flat: &[&Curve]) -> Result<Vec<Curve>> {
         let tolerance = self.sections.tolerance.absolute;
         let domain = curve.domain();
-        let least = 1e-9 * domain.length();
+        let least = thresholds::SAME_PARAMETER * domain.length();
         let mut stops = vec![domain.start, domain.end];
         for (p, off) in ends {
             if let Some(near) = curve.closest_point_within(*p, 4.0 * (tolerance + off))? {

@@ -3,7 +3,9 @@
 use super::super::build::{Along, NewEdge, NewVertex, Path};
 use super::super::{Brep, Builder, LoopKind};
 use super::lift::lifted;
+use crate::brep::thresholds::SAME_RANGE;
 use crate::region::{Face as Cell, Region};
+use crate::thresholds;
 use crate::{Curve, Direction, Interval, Line, LineCurve, Point3, Result, Side, Surface, Tolerance};
 
 /// Ends nearer than this part of the face's size are one vertex.
@@ -47,7 +49,7 @@ fn of_cell(surface: &Surface, reversed: bool, cell: &Cell, tolerance: &Tolerance
 fn pieces(surface: &Surface, curve: &Curve, tolerance: &Tolerance) -> Result<Vec<Piece>> {
     let mut out = Vec::new();
     for piece in curve.smooth_runs(tolerance)?.iter().flat_map(parts) {
-        let piece = match piece.as_line(1e-12 * piece.bounding_box().diagonal().length()) {
+        let piece = match piece.as_line(thresholds::ROUNDING * piece.bounding_box().diagonal().length()) {
             Some(line) => LineCurve { line, domain: piece.domain() }.into(),
             None => piece,
         };
@@ -77,7 +79,7 @@ fn on_side(surface: &Surface, piece: Curve) -> Piece {
         let (along, at_end) = side.along();
         let across = surface.domain(along.other());
         let value = if at_end { across.end } else { across.start };
-        let least = 1e-9 * across.length();
+        let least = thresholds::SAME_PARAMETER * across.length();
         let of = |p: Point3| if along == Direction::U { p.y } else { p.x };
         if (of(line.from) - value).abs() <= least && (of(line.to) - value).abs() <= least {
             let moved = |p: Point3| match along {
@@ -121,7 +123,7 @@ fn cut_at_partners(surface: &Surface, loops: &mut [Vec<Piece>]) -> Result<()> {
                 out.push(piece);
                 continue;
             };
-            let least = 1e-9 * range.length().abs();
+            let least = thresholds::SAME_PARAMETER * range.length().abs();
             let (low, high) = (range.min(), range.max());
             let mut cuts: Vec<f64> = known
                 .iter()
@@ -198,7 +200,7 @@ impl<'a> Maker<'a> {
     fn edge(&mut self, piece: &Piece, ends: [NewVertex; 2]) -> Result<Along> {
         let seam = range_of(piece).filter(|(side, _)| self.surface.is_closed(side.along().0.other()));
         if let Some((side, range)) = seam {
-            let near = |a: f64, b: f64| (a - b).abs() <= 1e-8 * range.length().abs();
+            let near = |a: f64, b: f64| (a - b).abs() <= SAME_RANGE * range.length().abs();
             let partner = self.seams.iter().find(|(other, r, _)| {
                 *other == opposite(side) && near(r.start, range.end) && near(r.end, range.start)
             });

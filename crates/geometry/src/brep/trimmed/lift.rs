@@ -1,6 +1,7 @@
 //! Curves of the parameter plane lifted to their surface.
 
 use crate::brep::with_ends;
+use crate::thresholds;
 use crate::{
     ClosestOnSurface, Curve, Direction, Error, Interval, LineCurve, NurbsCurve, Point3, Result, Surface,
     Tolerance, Vector3, Xform,
@@ -46,7 +47,7 @@ impl Surface {
         let reach = [(bounds.min.x, bounds.max.x), (bounds.min.y, bounds.max.y)];
         for (direction, (low, high)) in Direction::BOTH.into_iter().zip(reach) {
             let domain = self.domain(direction);
-            let near = 1e-9 * domain.length();
+            let near = thresholds::SAME_PARAMETER * domain.length();
             if !(low >= domain.start - near && high <= domain.end + near) {
                 return Err(Error::degenerate("parameter curve", "it leaves the domain of the surface"));
             }
@@ -75,7 +76,7 @@ impl Surface {
         let domain = curve.domain();
         let formula = |t: f64, below: bool| -> Result<(Point3, Vector3)> {
             // The slope by differences, from the side that the stretch lies on.
-            let h = 1e-5 * domain.length();
+            let h = thresholds::DIFFERENCE_STEP * domain.length();
             let (a, b) = match below {
                 _ if t - h < domain.start => (t, t + h),
                 _ if t + h > domain.end => (t - h, t),

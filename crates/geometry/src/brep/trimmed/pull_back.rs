@@ -3,7 +3,9 @@
 use super::lift::{ending, in_parameter_plane};
 use super::rim::with_straight_sides;
 use crate::brep::flatten::flattened;
+use crate::brep::thresholds::STRAIGHT_TRIM;
 use crate::surface::Foot;
+use crate::thresholds;
 use crate::{
     Curve, Direction, Error, Interval, Line, LineCurve, NurbsCurve, Point3, PolyCurve, Result, Surface,
 };
@@ -142,12 +144,12 @@ impl Surface {
         for k in 0..2 {
             let domain = self.domain(Direction::BOTH[k]);
             let mut constant = middle[k];
-            let near = |x: f64| (x - constant).abs() <= 1e-9 * domain.length();
+            let near = |x: f64| (x - constant).abs() <= thresholds::SAME_PARAMETER * domain.length();
             if !(near(ends[0][k]) && near(ends[1][k])) {
                 continue;
             }
             for side in [domain.start, domain.end] {
-                if (constant - side).abs() <= 1e-9 * domain.length() {
+                if (constant - side).abs() <= thresholds::SAME_PARAMETER * domain.length() {
                     constant = side;
                 }
             }
@@ -157,11 +159,11 @@ impl Surface {
                 let mut on_line = uv;
                 on_line[k] = constant;
                 let [p, q] = [uv, on_line].map(|uv| foot.image(Point3::new(uv[0], uv[1], 0.0)));
-                straight &= p.distance_to(q) <= 1e-6 * limit;
+                straight &= p.distance_to(q) <= STRAIGHT_TRIM * limit;
             }
             let other = 1 - k;
-            let moves =
-                (ends[0][other] - ends[1][other]).abs() > 1e-9 * self.domain(Direction::BOTH[other]).length();
+            let moves = (ends[0][other] - ends[1][other]).abs()
+                > thresholds::SAME_PARAMETER * self.domain(Direction::BOTH[other]).length();
             if straight && moves {
                 let end = |uv: [f64; 2]| {
                     let mut uv = uv;

@@ -1,5 +1,6 @@
 //! A rail as places along it with their tangents, and how much a ruling between two rails twists.
 
+use crate::thresholds;
 use crate::{Curve, Error, Point3, Result, Tolerance, Vector3};
 
 /// A place on a rail.
@@ -101,7 +102,7 @@ pub(super) fn turned(a: Vector3, b: Vector3, angle: f64) -> bool {
 pub(super) fn twist(a: &Station, b: &Station) -> f64 {
     let ruling = b.point - a.point;
     let (n, m) = (a.tangent.cross(ruling), b.tangent.cross(ruling));
-    let least = 1e-9 * ruling.length();
+    let least = thresholds::SAME_PARAMETER * ruling.length();
     if n.length() <= least || m.length() <= least { 0.0 } else { n.angle_to(m).unwrap_or(0.0) }
 }
 
@@ -121,7 +122,7 @@ pub(super) fn begun_at_flat_ruling(first: &Curve, second: &Curve, tolerance: &To
     let rails = [Rail::of(first, 8, &[], tolerance)?, Rail::of(second, PLACES, &[], tolerance)?];
     let start = rails[0].stations[0];
     let along = &rails[1].stations;
-    if twist(&start, &along[0]) <= 1e-9 {
+    if twist(&start, &along[0]) <= thresholds::PARALLEL {
         return Ok(second.clone());
     }
     let mut best: Option<(f64, f64)> = None;

@@ -3,6 +3,7 @@
 use super::pieces::Piece;
 use super::rail::Rail;
 use crate::construct::loft::collapsed;
+use crate::construct::thresholds::SAME_SHARE;
 use crate::{Brep, Curve, Interval, NurbsCurve, NurbsSurface, Point3, Result, Tolerance, Vector3};
 
 /// The most places at which a strip is held to its rails.
@@ -39,7 +40,7 @@ fn strip(rails: &[Rail; 2], rulings: &[[f64; 2]], limit: f64) -> Result<NurbsSur
     let (first, last) = (rulings[0], rulings[rulings.len() - 1]);
     let ranges = [0, 1].map(|side| Interval::new(first[side], last[side]));
     let same_pace =
-        rulings.iter().all(|r| (ranges[0].normalized(r[0]) - ranges[1].normalized(r[1])).abs() <= 1e-7);
+        rulings.iter().all(|r| (ranges[0].normalized(r[0]) - ranges[1].normalized(r[1])).abs() <= SAME_SHARE);
     if same_pace {
         let part = |side: usize| -> Result<NurbsCurve> {
             let part = rails[side].curve.trimmed(ranges[side])?;

@@ -1,6 +1,7 @@
 //! The cheapest way through the rectangle of two rails' parameters.
 
 use super::rail::{Rail, twist};
+use crate::construct::thresholds::WAY_COST;
 
 /// How a ruling goes on to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +79,7 @@ pub(super) fn cheapest(rails: &[Rail; 2], from: Node, to: Node) -> Vec<Node> {
     let span = rails.iter().map(|rail| rail.curve.bounding_box().diagonal().length()).sum::<f64>();
     let reach = |i: usize, j: usize| {
         let (a, b) = (&rails[0].stations[from[0] + i], &rails[1].stations[from[1] + j]);
-        1e-7 * (1.0 + 0.01 * a.point.distance_to(b.point) / span.max(f64::MIN_POSITIVE))
+        WAY_COST * (1.0 + 0.01 * a.point.distance_to(b.point) / span.max(f64::MIN_POSITIVE))
     };
     // For each ruling and each last step to it: the cost, and the step before.
     let mut best = vec![[(f64::INFINITY, None::<Step>); STEPS.len()]; twists.len()];

@@ -4,7 +4,9 @@ use super::super::check;
 use super::run::{Corner, Kind, Run, Upright, connect, runs};
 use super::section::Sections;
 use super::skinning::Motion;
+use crate::construct::thresholds::AT_RUN_END;
 use crate::nurbs::{Skinning, skinned};
+use crate::thresholds;
 use crate::{
     ArcLength, Brep, Curve, Direction, Error, Interval, Line, NurbsCurve, Result, RevolutionSurface, Surface,
     Tolerance, Vector3,
@@ -98,7 +100,9 @@ pub fn sweep_one(
 /// A closed rail that starts where the first section stands.
 fn seam_at(rail: &Curve, section: &Curve) -> Result<Curve> {
     let (t, domain) = (rail.closest_point(section.start())?.parameter, rail.domain());
-    let at_end = [domain.start, domain.end].iter().any(|e| (t - e).abs() <= 1e-9 * domain.length());
+    let at_end = [domain.start, domain.end]
+        .iter()
+        .any(|e| (t - e).abs() <= thresholds::SAME_PARAMETER * domain.length());
     if at_end { Ok(rail.clone()) } else { rail.with_seam(t) }
 }
 
@@ -153,7 +157,7 @@ fn parts(run: &Run, places: &[f64], whole: bool) -> Vec<Interval> {
     if let ([first, _, ..], Some(last), false) = (places, places.last(), whole) {
         for place in [first, last] {
             let inside = *place - run.reach.start;
-            if inside > 1e-6 * run.reach.length() && inside < (1.0 - 1e-6) * run.reach.length() {
+            if inside > AT_RUN_END * run.reach.length() && inside < (1.0 - AT_RUN_END) * run.reach.length() {
                 cuts.extend(run.curve.parameter_at_length(inside));
             }
         }

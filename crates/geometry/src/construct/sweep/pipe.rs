@@ -4,6 +4,7 @@ use super::super::check;
 use super::run::{Corner, EXACT, Kind, Run, Upright, connect, runs};
 use super::section::Frame;
 use super::skinning::Motion;
+use crate::construct::thresholds::SAME_AXIS;
 use crate::nurbs::{Skinning, skinned};
 use crate::{
     Arc, ArcCurve, ArcLength, Brep, Circle, Curve, Direction, Error, Interval, Line, NurbsCurve, Plane,
@@ -249,7 +250,7 @@ fn tube(run: &Run, domain: Interval, radius: &Radius, closed: bool, limit: f64) 
     // Frames that do not close after a round give an open seam, whose rims meet all the same.
     let meets = closed && domain == run.curve.domain() && {
         let [a, b] = [run.end_plane(false, Upright::Free)?, run.end_plane(true, Upright::Free)?];
-        a.x_axis.dot(b.x_axis) > 1.0 - 1e-18
+        a.x_axis.dot(b.x_axis) > 1.0 - SAME_AXIS
     };
     let motion = Motion { domain, breaks, closed: meets && square, at: &at };
     Ok(motion.surface(0.5 * limit)?.into())

@@ -1,6 +1,8 @@
 //! A rail as runs without kinks, and how a frame moves along them.
 
 use super::section::Frame;
+use crate::construct::thresholds::{KINK_ANGLE, NO_TURN, OPPOSITE, UPRIGHT_PART};
+use crate::thresholds;
 use crate::{Arc, Curve, Error, Interval, Line, Plane, Result, Tolerance, Vector3};
 
 /// Kinks below this angle are none.
@@ -81,7 +83,7 @@ fn gather(curve: &Curve, out: &mut Vec<Curve>) -> Result<()> {
                 out.extend(points.windows(2).filter(|w| w[0] != w[1]).map(|w| Line::new(w[0], w[1]).into()));
                 return Ok(());
             }
-            out.extend(curve.smooth_runs(&Tolerance { absolute: f64::INFINITY, angle: 1e-4 })?);
+            out.extend(curve.smooth_runs(&Tolerance { absolute: f64::INFINITY, angle: KINK_ANGLE })?);
             Ok(())
         }
     }
@@ -148,7 +150,7 @@ impl Run {
 fn upright_plane(origin: crate::Point3, tangent: Vector3, up: Vector3) -> Result<Plane> {
     let y = up
         .rejected_from(tangent)
-        .filter(|y| y.length() > 1e-6 * up.length())
+        .filter(|y| y.length() > UPRIGHT_PART * up.length())
         .and_then(Vector3::unitized)
         .ok_or(Error::degenerate("rail", "it runs along the direction that is kept upright"))?;
     Ok(Plane { origin, x_axis: y.cross(tangent), y_axis: y, z_axis: tangent })
@@ -186,7 +188,7 @@ pub(super) fn connect(
         let first = runs[0].end_plane(false, upright)?;
         let lack = angle_about(&carried, &first);
         let whole = runs[count - 1].reach.end;
-        if lack.abs() > 1e-12 {
+        if lack.abs() > thresholds::WHOLE_TURN {
             for run in runs.iter_mut() {
                 run.turn += lack * run.reach.start / whole;
                 run.twist = lack * run.reach.length() / whole;
@@ -210,7 +212,7 @@ pub(super) fn connect(
 fn carried(plane: &Plane, tangent: Vector3) -> Plane {
     let axis = plane.z_axis.cross(tangent);
     let angle = axis.length().atan2(plane.z_axis.dot(tangent));
-    let turned = |v: Vector3| if axis.length() < 1e-15 { v } else { v.rotated(angle, axis).unwrap_or(v) };
+    let turned = |v: Vector3| if axis.length() < NO_TURN { v } else { v.rotated(angle, axis).unwrap_or(v) };
     Plane {
         origin: plane.origin,
         x_axis: turned(plane.x_axis),
@@ -236,7 +238,7 @@ fn set_turn(run: &mut Run, wanted: &Plane, upright: Upright) -> Result<()> {
 /// What the axes of a section change by at a kink from direction `a` to `b`, in the coordinates of a frame there.
 fn slant(plane: &Plane, a: Vector3, b: Vector3, corner: Corner) -> Result<[Vector3; 3]> {
     let back = Error::degenerate("rail", "it turns straight back");
-    let between = (a + b).unitized().filter(|_| (a + b).length() > 1e-6).ok_or(back)?;
+    let between = (a + b).unitized().filter(|_| (a + b).length() > OPPOSITE).ok_or(back)?;
     let inner = |v: Vector3| Vector3::new(v.dot(plane.x_axis), v.dot(plane.y_axis), v.dot(plane.z_axis));
     let n = inner(between);
     Ok(match corner {

@@ -1,5 +1,6 @@
 //! Sections in the coordinates of a moving frame, and what lies between them.
 
+use crate::construct::thresholds::NO_WIDTH;
 use crate::nurbs::{Skinning, skinned};
 use crate::{
     Direction, Error, NurbsCurve, NurbsSurface, Point3, Result, Vector3, cancellation, compatible_curves,
@@ -28,7 +29,7 @@ impl Frame {
         let [x, y, z] = self.axes;
         let volume = x.dot(y.cross(z));
         let size = x.length() * y.length() * z.length();
-        if !(volume.abs() > 1e-9 * size) {
+        if !(volume.abs() > NO_WIDTH * size) {
             return Err(Error::degenerate("section", "it stands where the sweep has no width"));
         }
         moved(curve, |[a, b, c, w]| {

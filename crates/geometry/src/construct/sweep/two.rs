@@ -3,6 +3,8 @@
 use super::super::check;
 use super::section::{Frame, Sections};
 use super::skinning::Motion;
+use crate::construct::thresholds::{KINK_ANGLE, ROOM_ON_RAILS, SAME_PLACE_ON_RAILS};
+use crate::thresholds;
 use crate::{
     ArcLength, Brep, Continuity, Curve, Error, Interval, NurbsCurve, Result, Tolerance, Vector3, cancellation,
 };
@@ -35,8 +37,9 @@ pub fn sweep_two(
     }
     placed.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     if closed
-        && let Some((curve, _)) =
-            placed.first_mut().filter(|(_, at)| at.iter().all(|s| *s < 1e-6 || *s > 1.0 - 1e-6))
+        && let Some((curve, _)) = placed
+            .first_mut()
+            .filter(|(_, at)| at.iter().all(|s| *s < SAME_PLACE_ON_RAILS || *s > 1.0 - SAME_PLACE_ON_RAILS))
     {
         let again = curve.clone();
         placed[0].1 = [0.0; 2];
@@ -51,7 +54,7 @@ pub fn sweep_two(
         local.push(frame.local(&section.to_nurbs()?)?);
         places.push(at[0]);
     }
-    if places.windows(2).any(|w| !(w[1] - w[0] > 1e-6)) {
+    if places.windows(2).any(|w| !(w[1] - w[0] > SAME_PLACE_ON_RAILS)) {
         return Err(Error::degenerate("sections", "two of them stand at one place of the rails"));
     }
     let sections = Sections::new(&local, &places)?;
@@ -80,7 +83,10 @@ fn matched(rails: [&Curve; 2], section: &Curve) -> Result<[Curve; 2]> {
         let swapped = away(first, ends[1])? < away(first, ends[0])?;
         for (rail, p) in out.iter_mut().zip(if swapped { [ends[1], ends[0]] } else { ends }) {
             let (t, domain) = (rail.closest_point(p)?.parameter, rail.domain());
-            if [domain.start, domain.end].iter().all(|e| (t - e).abs() > 1e-9 * domain.length()) {
+            if [domain.start, domain.end]
+                .iter()
+                .all(|e| (t - e).abs() > thresholds::SAME_PARAMETER * domain.length())
+            {
                 *rail = rail.with_seam(t)?;
             }
         }
@@ -140,13 +146,13 @@ impl<'a> Pair<'a> {
         let mut stops: Vec<[f64; 2]> = vec![[0.0; 2]];
         for (_, at) in placed {
             let before = stops.last().copied().unwrap_or_default();
-            let room = |k: usize| at[k] - before[k] > 1e-4 && at[k] < 1.0 - 1e-4;
+            let room = |k: usize| at[k] - before[k] > ROOM_ON_RAILS && at[k] < 1.0 - ROOM_ON_RAILS;
             if room(0) && room(1) {
                 stops.push(*at);
             }
         }
         stops.push([1.0; 2]);
-        let tight = Tolerance { absolute: f64::INFINITY, angle: 1e-4 };
+        let tight = Tolerance { absolute: f64::INFINITY, angle: KINK_ANGLE };
         let corners = [0, 1].map(|k: usize| rails[k].discontinuities(Continuity::G1, &tight));
         Ok(Self { rails, lengths, stops, keep_height, corners })
     }
@@ -166,7 +172,7 @@ impl<'a> Pair<'a> {
                 return rail.domain().end;
             }
             let found = self.lengths[k].parameter_at(shares[k] * self.lengths[k].total());
-            let (corners, least) = (&self.corners[k], 1e-9 * rail.domain().length());
+            let (corners, least) = (&self.corners[k], thresholds::SAME_PARAMETER * rail.domain().length());
             let first = corners.partition_point(|t| *t < found - least);
             corners.get(first).copied().filter(|t| *t <= found + least).unwrap_or(found)
         })
@@ -209,7 +215,7 @@ impl<'a> Pair<'a> {
         }
         cuts.retain(|c| (0.0..=1.0).contains(c));
         cuts.sort_by(f64::total_cmp);
-        cuts.dedup_by(|b, a| *b - *a < 1e-6);
+        cuts.dedup_by(|b, a| *b - *a < SAME_PLACE_ON_RAILS);
         if let Some(last) = cuts.last_mut() {
             *last = 1.0;
         }

@@ -1,8 +1,8 @@
 //! The surface without ends on which a surface lies.
 
 use super::Axis;
+use crate::chart::thresholds::SAME_BEND;
 use crate::surface::{Round, RoundForm};
-use crate::trace::thresholds::SAME_BEND;
 use crate::{Direction, Point3, Surface, Vector3};
 
 /// A plane, sphere, cylinder, cone or torus without ends.

@@ -2,7 +2,7 @@
 
 use super::overlap::Overlaps;
 use crate::Point3;
-use crate::trace::thresholds::SAME_PARAMETER;
+use crate::chart::thresholds::SAME_PARAMETER;
 use crate::trace::{Box4, Pair};
 
 /// So many places of an image stand for it between two of its knots.

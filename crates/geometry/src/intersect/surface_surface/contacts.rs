@@ -3,7 +3,7 @@
 use super::touch::{Bends, bends, touching};
 use super::{SurfaceContact, SurfaceContactKind};
 use crate::Point3;
-use crate::trace::thresholds::{CLUSTER, MOST_DAMPING, NEAREST_DAMPING, POINT};
+use crate::chart::thresholds::{CLUSTER, MOST_DAMPING, NEAREST_DAMPING, POINT};
 use crate::trace::{Box4, Four, Pair, on};
 
 /// The contacts that undecided boxes of parameters belong to.

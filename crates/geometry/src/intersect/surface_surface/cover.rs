@@ -1,7 +1,7 @@
 //! Every leaf of the search is shown to hold nothing, or is crossed by a curve that was followed.
 
 use super::search::{Leaf, Search};
-use crate::trace::thresholds::{MET, ROOM};
+use crate::chart::thresholds::{MET, ROOM};
 use crate::trace::{Condition, End, Followed, Four, Limits, Pair, Place, followed};
 use crate::{Direction, Result, cancellation};
 

@@ -5,7 +5,7 @@
 
 use super::rows::Row;
 use super::{SurfaceContact, SurfaceContactKind};
-use crate::trace::thresholds::{AT_CONTACT, INTO_CONTACT, SAME_PLACE};
+use crate::chart::thresholds::{AT_CONTACT, INTO_CONTACT, SAME_PLACE};
 use crate::trace::{Four, Pair, Place, on};
 
 /// Adds the crossing to each end of an open curve that stops before it.

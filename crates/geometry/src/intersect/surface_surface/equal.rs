@@ -1,8 +1,8 @@
 //! Surfaces that are the same one, whatever way their parameters run.
 
 use super::{SurfaceContact, SurfaceContactKind};
+use crate::chart::thresholds::{MET, SAME_PARAMETER};
 use crate::trace::Pair;
-use crate::trace::thresholds::{MET, SAME_PARAMETER};
 use crate::{Direction, NurbsSurface};
 
 /// The contact over the whole of both surfaces, if the second is the first with its directions reversed or exchanged, or as it

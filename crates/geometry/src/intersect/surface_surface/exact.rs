@@ -3,10 +3,10 @@
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, images, overlap};
 use crate::chart::smooth_pieces;
-use crate::intersect::{Carrier, CarrierCurve, CarrierMeeting, Conic, carrier_carrier, curve_curve};
-use crate::trace::thresholds::{
+use crate::chart::thresholds::{
     EXACT, EXACT_OF_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ON_CARRIER, ONE_PLANE, noise,
 };
+use crate::intersect::{Carrier, CarrierCurve, CarrierMeeting, Conic, carrier_carrier, curve_curve};
 use crate::{
     BoundingBox, Curve, Direction, NurbsSurface, Point3, Result, Surface, Tolerance, Xform, cancellation,
 };

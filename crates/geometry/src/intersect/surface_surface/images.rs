@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch};
-use crate::trace::thresholds::{BESIDE_POLE, RATE};
+use crate::chart::thresholds::{BESIDE_POLE, RATE};
 use crate::{Curve, Interval, NurbsCurve, Point3, Result, Vector3, cancellation};
 
 /// Steps are not shorter than this part of the domain: what then is not exact has a leap in it.

@@ -5,9 +5,9 @@ use super::cover::Curves;
 use super::search::{boxes_apart, corner_normal, hull};
 use super::{BranchKind, SurfaceBranch, SurfaceContactKind, SurfaceMeeting, rows, shifted};
 use crate::chart::Chart;
+use crate::chart::thresholds::{AT_POLE, MET, SAME_PLACE, SMALLEST, TINY};
 use crate::intersect::judge::separated;
 use crate::intersect::patch_tree::{PatchNode, PatchTree};
-use crate::trace::thresholds::{AT_POLE, MET, SAME_PLACE, SMALLEST, TINY};
 use crate::trace::{Box4, Condition, Four, Limits, Pair, Place, fitted_within};
 use crate::{Error, NurbsSurface, Result, Tolerance, Vector3, Xform, cancellation};
 

@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::{SurfaceBranch, SurfaceMeeting, exact, images, surface_surface};
-use crate::trace::thresholds::{ABOVE_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ROUNDING_OF_SIZE};
+use crate::chart::thresholds::{ABOVE_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ROUNDING_OF_SIZE};
 use crate::{Result, Surface, Tolerance};
 
 /// The curves in which two surfaces of any kind meet, and the places in which they touch, as [`surface_surface()`] finds them,

@@ -24,8 +24,8 @@ use cover::Curves;
 use search::Search;
 use tangent_curve::tangent_curve;
 
+use crate::chart::thresholds::{AT_CONTACT, AT_POLE, MET, ON_CURVE, SAME_PLACE, SMALLEST};
 use crate::chart::{Chart, smooth_pieces};
-use crate::trace::thresholds::{AT_CONTACT, AT_POLE, MET, ON_CURVE, SAME_PLACE, SMALLEST};
 use crate::trace::{Limits, Pair, fitted, fitted_within};
 use crate::{
     Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Surface, Tolerance, Vector3, Xform, cancellation,

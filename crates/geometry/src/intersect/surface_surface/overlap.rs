@@ -2,9 +2,9 @@
 
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch, SurfaceContact, SurfaceContactKind, exact, images};
+use crate::chart::thresholds::{EXACT, IMAGE, IMAGE_OF_TOLERANCE, INWARD, MET, ON_CARRIER, SAME_END};
 use crate::intersect::{curve_curve, curve_with_surface};
 use crate::trace::Pair;
-use crate::trace::thresholds::{EXACT, IMAGE, IMAGE_OF_TOLERANCE, INWARD, MET, ON_CARRIER, SAME_END};
 use crate::{Curve, Direction, Interval, Point3, Result, Surface};
 
 /// The common areas of two surfaces, and curves in which their sides lie on each other without one.

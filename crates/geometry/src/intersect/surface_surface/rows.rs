@@ -1,6 +1,6 @@
 //! Curves that go on across seams and lines between pieces, as one.
 
-use crate::trace::thresholds::{MET, SAME_END, SAME_PARAMETER, SAME_PLACE, SMOOTH};
+use crate::chart::thresholds::{MET, SAME_END, SAME_PARAMETER, SAME_PLACE, SMOOTH};
 use crate::trace::{End, Followed, Four, Pair, Place};
 
 /// The places of a whole curve.

@@ -5,8 +5,8 @@ use super::super::judge::separated;
 use super::super::patch_tree::{PatchNode, PatchTree};
 use super::area::{Area, Lies};
 use super::overlap::{self, Overlaps};
+use crate::chart::thresholds::{AT_BORDER, MET, TINY};
 use crate::intersect::SurfaceIntersections;
-use crate::trace::thresholds::{AT_BORDER, MET, TINY};
 use crate::trace::{Box4, Pair};
 use crate::{Curve, Result, Vector3, cancellation};
 

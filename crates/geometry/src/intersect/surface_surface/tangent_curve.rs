@@ -1,7 +1,7 @@
 //! Curves along which two surfaces touch, followed in the direction in which they stay together.
 
 use super::touch::{bends, touching};
-use crate::trace::thresholds::{RATE, SAME_PLACE};
+use crate::chart::thresholds::{RATE, SAME_PLACE};
 use crate::trace::{Condition, Cubic, Four, Limits, Pair, Place, on};
 use crate::{Result, cancellation};
 

@@ -2,7 +2,7 @@
 
 use crate::Vector3;
 use crate::chart::Chart;
-use crate::trace::thresholds::{FOUND, LEAST_BEND, NO_BEND, ONE_PLANE, TOUCH_DAMPING};
+use crate::chart::thresholds::{FOUND, LEAST_BEND, NO_BEND, ONE_PLANE, TOUCH_DAMPING};
 use crate::trace::{Condition, Four, Pair, on, solved};
 
 /// Newton's method on a regular place is done in far fewer steps.

@@ -1,3 +1,4 @@
+use crate::mesh::thresholds::NO_FLIP;
 use std::collections::{HashMap, HashSet};
 
 use super::{Remeshed, too_many};
@@ -336,7 +337,7 @@ impl Net {
         let [a, b, c] = t.map(|i| if i == corner { place } else { self.at(i) });
         let (old, new) = (self.normal(f), (b - a).cross(c - a));
         let sides = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
-        new.length() > 1e-3 * sides && old.dot(new) > LEAST_COSINE * old.length() * new.length()
+        new.length() > NO_FLIP * sides && old.dot(new) > LEAST_COSINE * old.length() * new.length()
     }
 
     fn collapse(&mut self, stays: u32, goes: u32, place: Point3, sides: &[u32]) {

@@ -6,6 +6,7 @@ use super::network::MultiPipeNetwork;
 use super::node::{Node, nodes};
 use super::{CAGE, MultiPipe, MultiPipeCap, Ring};
 use crate::cloud::convex_hull_3d;
+use crate::subd::thresholds::BETTER;
 use crate::subd::{SubDEdgeTag, SubDNet};
 use crate::{Error, Mesh, MeshFace, Point3, Result, Vector3};
 
@@ -225,7 +226,7 @@ impl Pipe<'_> {
         let fit = |shift: usize| -> f64 {
             (0..4).map(|k| (a[k].to_vector() - m).dot(b[(k + shift) % 4].to_vector() - n)).sum()
         };
-        let best = (0..4).fold(0, |best, shift| if fit(shift) > fit(best) + 1e-12 { shift } else { best });
+        let best = (0..4).fold(0, |best, shift| if fit(shift) > fit(best) + BETTER { shift } else { best });
         std::array::from_fn(|k| to[(k + best) % 4])
     }
 

@@ -1,5 +1,6 @@
 //! Nodes that are cubes.
 
+use crate::subd::thresholds::BETTER_COSINE;
 use crate::{Point3, Vector3};
 
 /// The angle between the axis of a cube through the middle of a side and that through a corner, in radians.
@@ -50,7 +51,7 @@ pub(super) fn fitted(directions: &[Vector3], fit: f64) -> Option<[Vector3; 3]> {
     if !(2..=6).contains(&directions.len()) {
         return None;
     }
-    let least = (fit.min(1.0) * CORNER).cos() - 1e-9;
+    let least = (fit.min(1.0) * CORNER).cos() - BETTER_COSINE;
     let mut best: Option<([Vector3; 3], f64)> = None;
     for (i, a) in directions.iter().enumerate() {
         for b in directions.iter().skip(i + 1) {
@@ -61,7 +62,7 @@ pub(super) fn fitted(directions: &[Vector3], fit: f64) -> Option<[Vector3; 3]> {
                 let (side, cosine) = side_of(&axes, *direction);
                 worst = if std::mem::replace(&mut taken[side], true) { -1.0 } else { worst.min(cosine) };
             }
-            if worst >= least && best.is_none_or(|(_, known)| worst > known + 1e-9) {
+            if worst >= least && best.is_none_or(|(_, known)| worst > known + BETTER_COSINE) {
                 best = Some((axes, worst));
             }
         }

@@ -1,5 +1,6 @@
 //! Nodes and the struts between them.
 
+use crate::subd::thresholds::SETTLED;
 use std::collections::{HashMap, HashSet};
 
 use super::MultiPipe;
@@ -126,7 +127,7 @@ impl MultiPipeNetwork {
                 moved = moved.max((new - radii[node]).abs());
                 radii[node] = new;
             }
-            if moved <= 1e-9 * mean {
+            if moved <= SETTLED * mean {
                 break;
             }
         }

@@ -2,6 +2,8 @@
 
 use super::Unrolled;
 use crate::Vector3;
+use crate::surface::thresholds::{FIRST_DAMPING, LEAST_DAMPING};
+use crate::thresholds;
 
 type Place = [f64; 2];
 type Block = [[f64; 2]; 2];
@@ -64,7 +66,7 @@ pub(super) fn relax(sheet: &Unrolled<'_>, way: &mut Vec<Place>) {
     for x in way.iter_mut() {
         *x = kept(*x);
     }
-    let mut damping = 1e-6;
+    let mut damping = FIRST_DAMPING;
     let mut here = energy(sheet, way);
     for _ in 0..60 {
         let system = System::new(sheet, way);
@@ -78,7 +80,7 @@ pub(super) fn relax(sheet: &Unrolled<'_>, way: &mut Vec<Place>) {
                 let there = energy(sheet, &next);
                 if there < here {
                     moved = Some((next, there));
-                    damping = (damping * 0.2).max(1e-12);
+                    damping = (damping * 0.2).max(LEAST_DAMPING);
                     break;
                 }
             }
@@ -87,7 +89,7 @@ pub(super) fn relax(sheet: &Unrolled<'_>, way: &mut Vec<Place>) {
         let Some((next, there)) = moved else { return };
         let gain = here - there;
         (*way, here) = (next, there);
-        if gain <= 1e-14 * here {
+        if gain <= thresholds::FEW_ROUNDINGS * here {
             return;
         }
     }
@@ -126,7 +128,7 @@ impl System {
             let mut weight: Place = t.map(|t| t.length_squared());
             let mut link: Block =
                 std::array::from_fn(|a| std::array::from_fn(|b| -t[a].dot(tangents[i + 1][b])));
-            let least = 1e-12 * (weight[0] + weight[1]) + f64::MIN_POSITIVE;
+            let least = thresholds::ROUNDING * (weight[0] + weight[1]) + f64::MIN_POSITIVE;
             for d in 0..2 {
                 let domain = sheet.domains[d];
                 let held = !sheet.closed[d]

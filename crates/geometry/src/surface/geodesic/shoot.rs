@@ -1,6 +1,8 @@
 //! Straight walks on surfaces.
 
 use super::Unrolled;
+use crate::surface::thresholds::NO_DETERMINANT;
+use crate::thresholds;
 use crate::{Point3, Vector3};
 
 /// Where a straight walk on a surface ends.
@@ -40,7 +42,8 @@ pub(crate) fn shot(sheet: &Unrolled<'_>, from: [f64; 2], direction: Vector3, dis
             // To rounding it may still be on the side.
             let slack = (0..2).all(|d| {
                 let domain = sheet.domains[d];
-                sheet.closed[d] || (x[d] - domain.clamp(x[d])).abs() <= 1e-9 * domain.length()
+                sheet.closed[d]
+                    || (x[d] - domain.clamp(x[d])).abs() <= thresholds::SAME_PARAMETER * domain.length()
             });
             if !slack {
                 return None;
@@ -58,7 +61,7 @@ pub(crate) fn shot(sheet: &Unrolled<'_>, from: [f64; 2], direction: Vector3, dis
 fn components(su: Vector3, sv: Vector3, v: Vector3) -> Option<[f64; 2]> {
     let (e, f, g) = (su.length_squared(), su.dot(sv), sv.length_squared());
     let determinant = e * g - f * f;
-    if !(determinant > 1e-18 * e * g) || determinant == 0.0 {
+    if !(determinant > NO_DETERMINANT * e * g) || determinant == 0.0 {
         return None;
     }
     let (a, b) = (v.dot(su), v.dot(sv));

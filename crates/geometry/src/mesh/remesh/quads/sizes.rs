@@ -1,5 +1,6 @@
 //! How large cells are where.
 
+use crate::mesh::thresholds::FLAT_EVERYWHERE;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -49,7 +50,7 @@ impl Sizes {
         let usual = mean(&curvatures);
         let points: Vec<Point3> = vertices.iter().map(|&v| net.at(v)).collect();
         // What is flat everywhere has nothing to adapt to: a turn of a thousandth over a whole cell.
-        if !(usual * side > 1e-3) {
+        if !(usual * side > FLAT_EVERYWHERE) {
             return Self::even();
         }
         let most = MOST.powf(adaptive);

@@ -1,0 +1,14 @@
+//! Refusals made.
+
+use crate::error::{FaceName, Refusal, RefusalClass};
+use crate::{Error, Point3, cancellation};
+
+impl Refusal {
+    /// A refusal about some faces at a place; where nobody waits any more, the work was stopped.
+    pub(super) fn at(class: RefusalClass, faces: &[FaceName], place: Option<Point3>) -> Error {
+        if cancellation::was_given_up() {
+            return Error::Stopped;
+        }
+        Error::Refused(Box::new(Self { class, faces: faces.to_vec(), place }))
+    }
+}
