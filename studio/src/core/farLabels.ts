@@ -4,15 +4,13 @@
  */
 
 import type { FarBox, FarLabel, FarList } from "./far";
-import { meets, type Rect } from "./geometry";
+import { meets, STRUCTURE_BELOW, type Rect } from "./geometry";
 import { cut, HALF_BOLD, textWidth } from "./text";
 
 /** The least size of letters, in pixels. */
 const LEAST = 9;
 /** The most that a name may reach beyond its box, in pixels. */
 const LONGEST = 110;
-/** Below this zoom there is only room for headings: labels of groups and scribbles. */
-export const STRUCTURE_BELOW = 0.15;
 const LINE = 1.25;
 
 export interface PlacedLabel {
@@ -40,10 +38,13 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
   };
   const texts = list.boxes.filter(({ kind }) => kind === "text");
   const span = spanOf([...list.groups, ...list.boxes]);
-  const headings = (boxes: readonly FarBox[]) => {
+  const headings = (boxes: readonly FarBox[], taken?: Occupied) => {
     for (const box of bySize(boxes)) {
       if (zoom < STRUCTURE_BELOW && isSign(box)) continue;
-      for (const heading of headingsOf(box, least, zoom, span)) if (put(heading, around(heading))) break;
+      const places = headingsOf(box, least, zoom, span);
+      // Rather where no object stands; but over one where there is no other place.
+      const free = places.filter((heading) => !taken?.meets(around(heading)));
+      for (const heading of [...free, ...places]) if (put(heading, around(heading))) break;
     }
   };
   if (zoom < STRUCTURE_BELOW) {
@@ -57,9 +58,9 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
     const text = linesIn(box, box.label, least);
     if (text) put(text, around(text));
   }
-  headings(list.groups);
   const taken = new Occupied(least);
   for (const { kind, rect } of list.boxes) if (kind === "box") taken.add(rect);
+  headings(list.groups, taken);
   for (const box of bySize(list.boxes)) {
     if (box.kind !== "box" || box.label?.lines !== "one") continue;
     for (const label of namesOf(box, box.label, least, zoom)) {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import type { FarBox, FarList } from "../../src/core/far";
-import { placeLabels, STRUCTURE_BELOW } from "../../src/core/farLabels";
-import type { Rect } from "../../src/core/geometry";
+import { placeLabels } from "../../src/core/farLabels";
+import { STRUCTURE_BELOW, type Rect } from "../../src/core/geometry";
 import { textWidth } from "../../src/core/text";
 
 function box(id: string, rect: Rect, text: string, change: Partial<FarBox> = {}): FarBox {
@@ -88,5 +88,12 @@ describe("words of the far view", () => {
     low.label = { ...(low.label as NonNullable<FarBox["label"]>), short: "10" };
     expect(placeLabels(list([low]), 0.3)[0]).toMatchObject({ lines: ["10"], on: "over" });
     expect(placeLabels(list([{ ...low, rect: [0, 0, 120, 60] }]), 0.3)[0]).toMatchObject({ on: "box" });
+  });
+  it("of a group stand where no object is, if there is such a place", () => {
+    const group = box("g", [0, 0, 400, 300], "Waves", { kind: "group" });
+    const slider = box("s", [10, 10, 200, 20], "");
+    slider.label = undefined;
+    expect(placeLabels(list([], [group]), 0.3)[0]?.at[1]).toBeGreaterThan(0);
+    expect(placeLabels(list([slider], [group]), 0.3)[0]?.at[1]).toBeLessThan(0);
   });
 });
