@@ -2,7 +2,7 @@
 
 import { around, firstLook, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
 import { FAR_BELOW } from "../core/far";
-import { frameOf } from "../core/places";
+import { frameOf, seenFrameOf } from "../core/places";
 import { documentStore } from "../state/document";
 import { uiStore } from "../state/ui";
 import { glide } from "./gliding";
@@ -171,7 +171,7 @@ export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
   const rects: Rect[] = [];
   for (const id of wanted) {
     const object = objects.get(id);
-    if (object) rects.push(frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+    if (object) rects.push(seenFrameOf(object, objects, canvasStore.getState().shifts, fullNames));
   }
   const all = around(rects);
   const { size, margin } = roomOfPane();
@@ -190,13 +190,18 @@ export function keepLook(): void {
   isSeen = true;
 }
 
+/** Where so many objects have a heading among them, groups and scribbles tell what is where when names cannot be read. */
+const A_HEADING_FOR = 20;
+
 /** Shows a document whole, or the beginning of one that is too long for that. */
 function lookFirst(): void {
   const { objects } = documentStore.getState();
   const { fullNames } = uiStore.getState();
-  const rects = [...objects.values()].map((object) => frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+  const all = [...objects.values()];
+  const headings = all.filter(({ control }) => (control?.is === "group" && control.label.trim() !== "") || control?.is === "scribble");
+  const rects = all.map((object) => seenFrameOf(object, objects, canvasStore.getState().shifts, fullNames));
   const { size, margin } = roomOfPane();
-  const first = firstLook(rects, size, margin);
+  const first = firstLook(rects, size, margin, headings.length * A_HEADING_FOR >= all.length);
   if (first) turn(first, false);
 }
 

@@ -102,15 +102,16 @@ const TOO_FAR = 0.08;
 const FIRST_LOOK: readonly [least: number, most: number] = [STRUCTURE_BELOW, 0.5];
 
 /**
- * What is seen of a definition at first: all of it; most of it from its beginning, where names could not be read else; or
+ * What is seen of a definition at first: all of it; most of it from its beginning, where names could not be read else and
+ * no headings stand for them; or
  * the beginning of one that is so long that nothing of it could be read, as wide as the window where that is near enough.
  * Where that is too wide, it is where most of its beginning stands.
  */
-export function firstLook(rects: readonly Rect[], [width, height]: Point, margin: number): Lens | undefined {
+export function firstLook(rects: readonly Rect[], [width, height]: Point, margin: number, areHeaded = false): Lens | undefined {
   const all = around(rects);
   if (!all) return undefined;
   const whole = fitted(all, [width, height], 1, margin);
-  if (whole.zoom >= STRUCTURE_BELOW) return whole;
+  if (whole.zoom >= (areHeaded ? TOO_FAR : STRUCTURE_BELOW)) return whole;
   const room: Point = [Math.max(width - 2 * margin, 1), Math.max(height - 2 * margin, 1)];
   const nearer = clamp(Math.max(room[0] / Math.max(all[2], 1), room[1] / Math.max(all[3], 1)), ...FIRST_LOOK);
   const zoom = whole.zoom >= TOO_FAR ? STRUCTURE_BELOW : nearer;

@@ -66,6 +66,8 @@ describe("the window onto the canvas", () => {
       const seen = firstLook(wide, size, 35);
       expect(fitted([0, 0, 6200, 500], size, 1, 35).zoom).toBeLessThan(STRUCTURE_BELOW);
       expect(seen?.zoom).toBe(STRUCTURE_BELOW);
+      // Headings can be read from farther away.
+      expect(firstLook(wide, size, 35, true)).toEqual(fitted([0, 0, 6200, 500], size, 1, 35));
       expect(seen && toWindow(seen, [0, 250])).toEqual([expect.closeTo(35), expect.closeTo(size[1] / 2)]);
     });
     test("a long column is seen from its top, in the middle", () => {

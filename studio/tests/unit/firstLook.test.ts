@@ -2,6 +2,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 
 import { forgetLook, keepLook, lens, panBy, setFlow, setPane, zoomExtents } from "../../src/canvas/view";
 import type { Lens } from "../../src/core/geometry";
+import { textWidth } from "../../src/core/text";
 import { documentStore } from "../../src/state/document";
 import { object } from "./make";
 
@@ -71,4 +72,16 @@ test("a place that somebody went to stays, until another document comes", () => 
   forgetLook();
   keepLook();
   expect(lens()).not.toEqual(there);
+});
+
+test("the label of a group is in sight, also where it is longer than its members reach", () => {
+  const member = object("m", { bounds: [0, 0, 60, 20] });
+  const control = { is: "group", label: "A label that is much longer than the group", members: ["m"], border: "box", colour: [0, 0, 0, 50] } as unknown as ReturnType<typeof object>["control"];
+  const group = object("g", { kind: "group", control, bounds: [-10, -20, 80, 50] });
+  documentStore.setState({ objects: new Map([member, group].map((each) => [each.id, each])), order: ["g", "m"] });
+  forgetLook();
+  resize(300, 200);
+  keepLook();
+  const end = -10 + 8 + textWidth("A label that is much longer than the group", 12);
+  expect(end * now.zoom + now.x).toBeLessThanOrEqual(300);
 });
