@@ -79,12 +79,13 @@ test("what a panel shows is aligned, wrapped, and drawn without its indices, by 
   await expect(list).toHaveCSS("text-align", "left");
   await choose("Alignment", "Right");
   await expect(list).toHaveCSS("text-align", "right");
+  await expect(list.locator(".index")).toHaveText("0");
   await choose("Draw indices");
-  await expect(list).not.toContainText("0");
+  await expect(list.locator(".index")).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   await expect(list).toHaveCSS("text-align", "left");
-  await expect(list).toContainText("0");
+  await expect(list.locator(".index")).toHaveText("0");
 });
 
 test("while the canvas is panned a picture of it is moved; at rest and when it is zoomed it is drawn", async ({ page }) => {
@@ -95,8 +96,16 @@ test("while the canvas is panned a picture of it is moved; at rest and when it i
   expect(await kept()).toBe("auto");
   await page.mouse.move(before.x + 40, before.y + 200);
   await page.mouse.down({ button: "right" });
-  await page.mouse.move(before.x + 60, before.y + 215, { steps: 4 });
-  expect(await kept()).toBe("transform");
+  // It is kept for a moment after each move: the hand goes on moving until it was looked at in time.
+  let step = 0;
+  await expect
+    .poll(async () => {
+      step += 1;
+      await page.mouse.move(before.x + 50 + (step % 2) * 4, before.y + 207);
+      return await kept();
+    })
+    .toBe("transform");
+  await page.mouse.move(before.x + 60, before.y + 215);
   await page.mouse.up({ button: "right" });
   await expect.poll(kept).toBe("auto");
   const after = await centre(slider);
