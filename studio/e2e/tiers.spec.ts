@@ -67,7 +67,7 @@ test("the canvas is kept as a picture", async ({ page }) => {
   expect(text).toContain("sum");
 });
 
-test("what a panel shows is aligned, wrapped, and drawn without its indices, by its menu", async ({ page }) => {
+test("what a panel shows is aligned, and drawn without its indices, by its menu", async ({ page }) => {
   await openText(page, "chain.kd", CHAIN);
   const list = page.getByRole("group", { name: /^list/ });
   await expect(list).toContainText("5");
