@@ -49,6 +49,18 @@ for (const [name, text, says] of DEFINITIONS) {
   });
 }
 
+test("what the viewport says stands above the picture, and the camera frames what is below", async ({ page }, info) => {
+  await openText(page, "partly.kd", kd("q = Geometry Pipeline(types = [curve])", "d = Divide Curve(q, 8)", "c = Circle(_, 10)", "e = Extrude(c, (0, 0, 40))"));
+  const said = page.locator(".viewport-telling");
+  await expect(said).toHaveText(/needs 1 .* of a Rhino model/);
+  await expect.poll(async () => (await share(page))?.reach).toBeGreaterThan(0.5);
+  expect((await share(page))?.reach).toBeLessThanOrEqual(1.001);
+  await page.screenshot({ path: info.outputPath("partly.png") });
+  const [row, host] = [await said.boundingBox(), await page.locator(".viewport-host").boundingBox()];
+  expect(row?.y).toBeLessThan(host?.y ?? 0);
+  expect((row?.y ?? 0) + (row?.height ?? 0)).toBeLessThanOrEqual((host?.y ?? 0) + 0.5);
+});
+
 test("geometry that comes later is in the picture, until a hand takes the camera", async ({ page }) => {
   await openText(page, "grows.kd", kd("r = Number Slider(5.0, 1..900)", "c = Circle(_, r)"));
   await expect.poll(async () => (await share(page))?.reach).toBeGreaterThan(0.5);

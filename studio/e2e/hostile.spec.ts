@@ -100,6 +100,32 @@ test("ten thousand objects can be opened, looked over, changed and taken back", 
   await expect(page.getByRole("complementary", { name: "Outline" })).toContainText("10000 objects");
 });
 
+test("what is asked for while many objects are opening is not undone by the first look at them", async ({ page }) => {
+  await page.addInitScript(() => {
+    // Frames that the page asks for wait until the test lets them go: the first look comes with one of them.
+    const held: FrameRequestCallback[] = [];
+    const plain = window.requestAnimationFrame.bind(window);
+    let holds = location.search.includes("document");
+    window.requestAnimationFrame = (frame) => (holds ? held.push(frame) : plain(frame));
+    Object.assign(window, {
+      letFramesGo() {
+        holds = false;
+        for (const frame of held) plain(frame);
+      },
+    });
+  });
+  const lines = ["katydid 1"];
+  for (let row = 0; row < 100; row++) for (let k = 0; k < 30; k++) lines.push(`p${row}_${k} = Construct Point(${row}, ${k}, 0)`);
+  await openText(page, "many.kd", lines.join("\n"));
+  await expect(page.getByRole("heading", { level: 1 })).toContainText("many");
+  await ground(page).press("Control+0");
+  await page.evaluate(() => (window as unknown as { letFramesGo(): void }).letFramesGo());
+  await expect(page.locator("canvas.far")).toHaveCount(1);
+  await page.waitForTimeout(500);
+  const zoom = await page.getByRole("button", { name: /^Zoom, / }).textContent();
+  expect(Number.parseFloat(zoom ?? "")).toBeLessThan(10);
+});
+
 test("a definition without end is cancelled, by its button and by Escape, and solves once it is short", async ({ page }) => {
   // A formula that may give a text is worked out item by item.
   const slow = String.raw`"if(x > -1e9, sin(x) * cos(x) + sqrt(abs(x)), \"\")"`;

@@ -66,3 +66,51 @@ test("the canvas is kept as a picture", async ({ page }) => {
   expect(text).toMatch(/^<svg|^<\?xml/);
   expect(text).toContain("sum");
 });
+
+test("what a panel shows is aligned, and drawn without its indices, by its menu", async ({ page }) => {
+  await openText(page, "chain.kd", CHAIN);
+  const list = page.getByRole("group", { name: /^list/ });
+  await expect(list).toContainText("5");
+  const choose = async (...names: string[]) => {
+    await list.click({ button: "right", position: { x: 60, y: 6 } });
+    for (const name of names.slice(0, -1)) await page.getByRole("menuitem", { name, exact: true }).hover();
+    // What is on has a tick before its name.
+    await page.getByRole("menuitemcheckbox", { name: new RegExp(`^(✓ ?)?${names.at(-1)}$`) }).click();
+  };
+  await expect(list).toHaveCSS("text-align", "left");
+  await choose("Alignment", "Right");
+  await expect(list).toHaveCSS("text-align", "right");
+  await expect(list.locator(".index")).toHaveText("0");
+  await choose("Draw indices");
+  await expect(list.locator(".index")).toHaveCount(0);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(list).toHaveCSS("text-align", "left");
+  await expect(list.locator(".index")).toHaveText("0");
+});
+
+test("while the canvas is panned a picture of it is moved; at rest and when it is zoomed it is drawn", async ({ page }) => {
+  await openText(page, "chain.kd", CHAIN);
+  const kept = () => page.locator(".react-flow__viewport").evaluate((element) => getComputedStyle(element).willChange);
+  const slider = page.getByRole("group", { name: /^a,/ });
+  const before = await centre(slider);
+  expect(await kept()).toBe("auto");
+  await page.mouse.move(before.x + 40, before.y + 200);
+  await page.mouse.down({ button: "right" });
+  // It is kept for a moment after each move: the hand goes on moving until it was looked at in time.
+  let step = 0;
+  await expect
+    .poll(async () => {
+      step += 1;
+      await page.mouse.move(before.x + 50 + (step % 2) * 4, before.y + 207);
+      return await kept();
+    })
+    .toBe("transform");
+  await page.mouse.move(before.x + 60, before.y + 215);
+  await page.mouse.up({ button: "right" });
+  await expect.poll(kept).toBe("auto");
+  const after = await centre(slider);
+  expect([after.x - before.x, after.y - before.y].map(Math.round)).toEqual([20, 15]);
+  await page.mouse.wheel(0, -120);
+  expect(await kept()).toBe("auto");
+});

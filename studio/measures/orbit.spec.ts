@@ -11,7 +11,7 @@ test("turning about the twisted tower with 60 floors", async ({ page }) => {
   await expect.poll(() => page.evaluate(() => window.__studio?.viewport?.stats()?.triangles)).toBeGreaterThan(35_000);
   for (const mode of ["shaded", "ghosted", "rendered"]) {
     await page.locator(".viewport-popover > button").first().click();
-    await page.getByRole("radiogroup").getByText(new RegExp(`^${mode}$`, "i")).click();
+    await page.getByRole("radiogroup").getByRole("radio", { name: new RegExp(`^${mode}$`, "i") }).check();
     await page.keyboard.press("Escape");
     await page.waitForTimeout(1500);
     const found = await page.evaluate((turns) => {

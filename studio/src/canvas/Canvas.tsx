@@ -11,12 +11,12 @@ import "./more.css";
 import "./colours.css";
 
 import { ReactFlow, ReactFlowProvider, useReactFlow, useStore as useFlowStore, useStoreApi, type EdgeTypes, type NodeTypes } from "@xyflow/react";
-import { useEffect, useRef, useState, type PointerEvent, type ReactNode } from "react";
+import { useEffect, useLayoutEffect, useRef, useState, type PointerEvent, type ReactNode } from "react";
 import { useStore } from "zustand";
 
 import "../actions/canvas";
 import { paste } from "../actions/canvasEdit";
-import { FARTHEST, type Lens } from "../core/geometry";
+import { FARTHEST } from "../core/geometry";
 import { t } from "../i18n";
 import { loadCatalogue } from "../state/catalogue";
 import { documentStore } from "../state/document";
@@ -42,7 +42,7 @@ import { focusCanvas } from "./open";
 import { Overlay } from "./Overlay";
 import { Ribbon } from "./Ribbon";
 import { tellEdits } from "./tell";
-import { lens, lookFirst, setFlow, setPane, takeLens } from "./view";
+import { forgetLook, keepLook, lens, setFlow, setPane, takeLens } from "./view";
 import { loadViews } from "./views";
 import { Wire } from "./wires/Wire";
 import { ZoomBox } from "./ZoomBox";
@@ -159,6 +159,7 @@ function Ground({ children }: { children: ReactNode }) {
       <p id="canvas-help" className="unseen">
         {t("canvas.help")}
       </p>
+      <div className="grid" aria-hidden="true" />
       {children}
       <Hints />
       <Boxes />
@@ -247,11 +248,12 @@ function useFirstLook(): boolean {
   const within = useStore(documentStore, (mirror) => mirror.within.join());
   const here = useStore(documentStore, (mirror) => mirror.document !== undefined);
   const [looked, setLooked] = useState<string | undefined>(undefined);
+  useLayoutEffect(forgetLook, [here, within]);
   useEffect(() => {
     if (!here || looked === within) return undefined;
     // The window has its size only after the first drawing.
     const request = requestAnimationFrame(() => {
-      lookFirst();
+      keepLook();
       takeLens(lens());
       setLooked(within);
     });
@@ -268,22 +270,17 @@ function useFirstLook(): boolean {
 function useRefit(seen: boolean): void {
   const width = useFlowStore((flow) => flow.width);
   const height = useFlowStore((flow) => flow.height);
-  const left = useRef<(Lens & { revision: number }) | undefined>(undefined);
+  /** The revision that was looked at first. */
+  const looked = useRef<number | undefined>(undefined);
   useEffect(() => {
-    if (!seen) {
-      left.current = undefined;
+    const { revision } = documentStore.getState();
+    if (!seen || looked.current === undefined) {
+      looked.current = seen ? revision : undefined;
       return;
     }
-    const { revision } = documentStore.getState();
-    const now = lens();
-    const before = left.current;
-    const isMoved = before && (before.x !== now.x || before.y !== now.y || before.zoom !== now.zoom);
-    if (isMoved || (before && before.revision !== revision)) return;
-    if (before) {
-      lookFirst();
-      takeLens(lens());
-    }
-    left.current = { ...lens(), revision };
+    if (looked.current !== revision) return;
+    keepLook();
+    takeLens(lens());
   }, [seen, width, height]);
 }
 

@@ -149,6 +149,9 @@ function paintIcon(context: CanvasRenderingContext2D, { icon, rect, look }: FarB
   context.drawImage(image, x + (w - size) / 2, y + (h - size) / 2, size, size);
 }
 
+/** What is left free beside a number that stands over a box, in pixels. */
+const GAP = 4;
+
 function paintLabels(
   context: CanvasRenderingContext2D,
   labels: readonly PlacedLabel[],
@@ -172,10 +175,17 @@ function paintLabels(
       context.fillStyle = colours.band;
       context.fillRect(...on);
     }
-    const ink = on === "box" ? inkOn(box, colours) : on === "ground" ? colours.ink : colours.bandInk;
+    const isFree = on === "ground" || on === "over";
+    const ink = on === "box" ? inkOn(box, colours) : isFree ? colours.ink : colours.bandInk;
+    if (on === "over") {
+      // A gap in the box: an end of it right beside a number would be read as a minus.
+      const gap = context.measureText(lines[0] ?? "").width + 2 * GAP * pixel;
+      context.fillStyle = colours.ground;
+      context.fillRect(x - gap / 2, y - size / 2, gap, size);
+    }
     lines.forEach((line, k) => {
       const down = y + k * size * 1.25;
-      if (on === "ground") {
+      if (isFree) {
         // A halo keeps words apart from the wires below them.
         context.strokeStyle = colours.ground;
         context.lineWidth = 3 * pixel;

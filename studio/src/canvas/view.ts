@@ -2,7 +2,7 @@
 
 import { around, firstLook, fitted, toCanvas, toWindow, zoomed, type Lens, type Point, type Rect } from "../core/geometry";
 import { FAR_BELOW } from "../core/far";
-import { frameOf } from "../core/places";
+import { frameOf, seenFrameOf } from "../core/places";
 import { documentStore } from "../state/document";
 import { uiStore } from "../state/ui";
 import { glide } from "./gliding";
@@ -47,9 +47,29 @@ export function paneSize(): Point {
 
 const STILL = "(prefers-reduced-motion: reduce)";
 
+/**
+ * What the window is to show as it grows or shrinks: what is seen of a document at first, all of it, or the place that
+ * somebody went to.
+ */
+type Shown = "first" | "all" | "place";
+
+let shown: Shown = "first";
+/** Whether the first look was taken. Before it nothing is drawn, so there is nothing to glide away from. */
+let isSeen = false;
+
+/** Another document, or the inside of a cluster, came: nobody has looked at it yet. */
+export function forgetLook(): void {
+  [shown, isSeen] = ["first", false];
+}
+
 /** Looks elsewhere; smoothly where people want movement. */
 export function look(to: Lens, smoothly = false): void {
-  const duration = smoothly && !matchMedia(STILL).matches ? 180 : 0;
+  shown = "place";
+  turn(to, smoothly);
+}
+
+function turn(to: Lens, smoothly: boolean): void {
+  const duration = smoothly && isSeen && !matchMedia(STILL).matches ? 180 : 0;
   flow?.setViewport(to, duration > 0 ? { duration } : {});
 }
 
@@ -59,13 +79,44 @@ const SQUARE = 120;
 /** Called when the lens has changed. */
 export function takeLens({ x, y, zoom }: Lens): void {
   const square = SQUARE * zoom * 2 ** Math.max(0, Math.ceil(Math.log2(60 / (SQUARE * zoom))));
-  const ground = pane?.querySelector<HTMLElement>(".react-flow");
-  if (ground) {
-    ground.style.backgroundPosition = `${x}px ${y}px`;
-    ground.style.backgroundSize = `${square}px ${square}px`;
+  const grid = pane?.querySelector<HTMLElement>(".grid");
+  if (grid) {
+    // It reaches a square beyond the upper left: moved by less than a square it covers the pane, wherever that looks.
+    grid.style.inset = `${-square}px 0 0 ${-square}px`;
+    grid.style.backgroundSize = `${square}px ${square}px`;
+    grid.style.transform = `translate(${within(x, square)}px, ${within(y, square)}px)`;
   }
   const distance = zoom < FAR_BELOW ? "far" : zoom > NEAR_ABOVE ? "near" : "usual";
   if (canvasStore.getState().distance !== distance) canvasStore.setState({ distance });
+}
+
+/** What is left of a length when whole squares are taken from it: from 0 to less than a square. */
+function within(length: number, square: number): number {
+  return length - Math.floor(length / square) * square;
+}
+
+/** What slides rests when it has not been moved for so long, in milliseconds: a hand that is slow goes on sliding. */
+const SLIDE_REST = 300;
+let resting: ReturnType<typeof setTimeout> | undefined;
+let zoomedAt = -Infinity;
+
+/**
+ * While the canvas is panned the browser keeps what is on it as a picture of its own and moves that: else it would draw
+ * each word and shadow in sight anew for each frame. At rest, and while it is zoomed, words must be sharp: then it is drawn.
+ */
+function slide(isSliding: boolean): void {
+  const { dataset } = pane ?? {};
+  if (!dataset) return;
+  if (!isSliding) {
+    zoomedAt = performance.now();
+    delete dataset.sliding;
+    return;
+  }
+  // Two fingers pan and zoom in turns.
+  if (performance.now() - zoomedAt < SLIDE_REST) return;
+  clearTimeout(resting);
+  dataset.sliding = "";
+  resting = setTimeout(() => delete dataset.sliding, SLIDE_REST);
 }
 
 /** A pixel of the page as one of the pane. */
@@ -84,12 +135,14 @@ export function windowPoint(at: Point): Point {
 
 export function panBy([dx, dy]: Point): void {
   glide();
+  slide(true);
   const { x, y, zoom } = lens();
   look({ x: x + dx, y: y + dy, zoom });
 }
 
 export function zoomAt(pixel: Point, factor: number): void {
   glide();
+  slide(false);
   look(zoomed(lens(), pixel, factor));
 }
 
@@ -118,21 +171,38 @@ export function zoomExtents(ids?: Iterable<string>, smoothly = true): void {
   const rects: Rect[] = [];
   for (const id of wanted) {
     const object = objects.get(id);
-    if (object) rects.push(frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+    if (object) rects.push(seenFrameOf(object, objects, canvasStore.getState().shifts, fullNames));
   }
   const all = around(rects);
   const { size, margin } = roomOfPane();
-  if (all) look(fitted(all, size, ids ? 1.5 : 1, margin), smoothly);
+  if (!all) return;
+  look(fitted(all, size, ids ? 1.5 : 1, margin), smoothly);
+  if (!ids) shown = "all";
 }
 
-/** Shows a document that has just come: whole, or the beginning of one that is too long for that. */
-export function lookFirst(): void {
+/**
+ * Takes the first look at a document that has just come, and keeps what it showed in a window that became another. Where
+ * somebody already went to a place it stays there: a large document takes a moment to come, and keys are heard meanwhile.
+ */
+export function keepLook(): void {
+  if (shown === "first") lookFirst();
+  else if (shown === "all") zoomExtents(undefined, false);
+  isSeen = true;
+}
+
+/** Where so many objects have a heading among them, groups and scribbles tell what is where when names cannot be read. */
+const A_HEADING_FOR = 20;
+
+/** Shows a document whole, or the beginning of one that is too long for that. */
+function lookFirst(): void {
   const { objects } = documentStore.getState();
   const { fullNames } = uiStore.getState();
-  const rects = [...objects.values()].map((object) => frameOf(object, objects, canvasStore.getState().shifts, fullNames));
+  const all = [...objects.values()];
+  const headings = all.filter(({ control }) => (control?.is === "group" && control.label.trim() !== "") || control?.is === "scribble");
+  const rects = all.map((object) => seenFrameOf(object, objects, canvasStore.getState().shifts, fullNames));
   const { size, margin } = roomOfPane();
-  const first = firstLook(rects, size, margin);
-  if (first) look(first);
+  const first = firstLook(rects, size, margin, headings.length * A_HEADING_FOR >= all.length);
+  if (first) turn(first, false);
 }
 
 /** The part of the window that is free for what is shown whole, and what is left free around it. */

@@ -4,15 +4,13 @@
  */
 
 import type { FarBox, FarLabel, FarList } from "./far";
-import { meets, type Rect } from "./geometry";
+import { meets, STRUCTURE_BELOW, type Rect } from "./geometry";
 import { cut, HALF_BOLD, textWidth } from "./text";
 
 /** The least size of letters, in pixels. */
 const LEAST = 9;
 /** The most that a name may reach beyond its box, in pixels. */
 const LONGEST = 110;
-/** Below this zoom there is only room for headings: labels of groups and scribbles. */
-export const STRUCTURE_BELOW = 0.15;
 const LINE = 1.25;
 
 export interface PlacedLabel {
@@ -23,8 +21,8 @@ export interface PlacedLabel {
   at: readonly [number, number];
   across: FarLabel["across"];
   bold: boolean;
-  /** In its box, on the ground, or on a dark band of this rectangle below the box. */
-  on: "box" | "ground" | Rect;
+  /** In its box, on the ground, over a box that is lower than it, or on a dark band of this rectangle below the box. */
+  on: "box" | "ground" | "over" | Rect;
 }
 
 /** The words to be drawn at a zoom, in canvas units; panning changes nothing about them. */
@@ -38,20 +36,33 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
     placed.push(label);
     return true;
   };
-  for (const box of bySize([...list.groups, ...list.boxes.filter(({ kind }) => kind === "text")])) {
-    const heading = zoom < STRUCTURE_BELOW && isSign(box) ? undefined : headingOf(box, least, zoom);
-    if (heading) put(heading, around(heading));
+  const texts = list.boxes.filter(({ kind }) => kind === "text");
+  const span = spanOf([...list.groups, ...list.boxes]);
+  const headings = (boxes: readonly FarBox[], taken?: Occupied) => {
+    for (const box of bySize(boxes)) {
+      if (zoom < STRUCTURE_BELOW && isSign(box)) continue;
+      const places = headingsOf(box, least, zoom, span);
+      // Rather where no object stands; but over one where there is no other place.
+      const free = places.filter((heading) => !taken?.meets(around(heading)));
+      for (const heading of [...free, ...places]) if (put(heading, around(heading))) break;
+    }
+  };
+  if (zoom < STRUCTURE_BELOW) {
+    headings([...list.groups, ...texts]);
+    return placed;
   }
-  if (zoom < STRUCTURE_BELOW) return placed;
+  // Scribbles and what panels show have one place; the label of a group finds another.
+  headings(texts);
+  for (const box of bySize(list.boxes)) {
+    if (box.kind !== "box" || box.label?.lines !== "many") continue;
+    const text = linesIn(box, box.label, least);
+    if (text) put(text, around(text));
+  }
   const taken = new Occupied(least);
   for (const { kind, rect } of list.boxes) if (kind === "box") taken.add(rect);
+  headings(list.groups, taken);
   for (const box of bySize(list.boxes)) {
-    if (box.kind !== "box" || !box.label) continue;
-    if (box.label.lines !== "one") {
-      const text = linesIn(box, box.label, least);
-      if (text) placed.push(text);
-      continue;
-    }
+    if (box.kind !== "box" || box.label?.lines !== "one") continue;
     for (const label of namesOf(box, box.label, least, zoom)) {
       const rect = around(label);
       const isFree = label.on === "box" || !taken.meets(rect, box.rect);
@@ -62,6 +73,13 @@ export function placeLabels(list: FarList, zoom: number): PlacedLabel[] {
   }
   return placed;
 }
+
+/** Where everything begins and ends across: words go no farther, as the window that shows everything does not. */
+function spanOf(boxes: readonly FarBox[]): Span {
+  return boxes.reduce<Span>(([start, end], { rect: [x, , w] }) => [Math.min(start, x), Math.max(end, x + w)], [Infinity, -Infinity]);
+}
+
+type Span = readonly [start: number, end: number];
 
 /** Words beside each other do not read as one. */
 function withGap([x, y, w, h]: Rect, least: number): Rect {
@@ -90,18 +108,31 @@ function around({ lines, size, at: [x, y], across, bold, on }: PlacedLabel): Rec
   return [left, y - size * 0.6, wide, size * (1.2 + LINE * (lines.length - 1))];
 }
 
-/** The label of a group stands at its upper left, within it where it is high enough, else above. */
-function headingOf(box: FarBox, least: number, zoom: number): PlacedLabel | undefined {
+/**
+ * The label of a group stands at its upper left, within it where it is high enough, else above it. What is longer than its
+ * box and would go beyond the end of everything begins farther to the left.
+ */
+function headingsOf(box: FarBox, least: number, zoom: number, [start, end]: Span): PlacedLabel[] {
   const { label, rect } = box;
-  if (!label) return undefined;
+  if (!label) return [];
   const [x, y, w, h] = rect;
   const size = Math.max(label.size, least * (box.kind === "text" ? 1 : 1.1));
-  const lines = label.text.split("\n").slice(0, 4);
   const room = Math.max(w, LONGEST / zoom);
-  const shown = lines.map((line) => cut(line, size * HALF_BOLD, room));
-  const isIn = box.kind === "text" || h > size * 2.4;
-  const at: [number, number] = isIn ? [x + Math.min(6, w / 8), y + size * 0.8] : [x, y - size * 0.6];
-  return { box, lines: isIn ? shown : shown.slice(0, 1), size, at, across: "left", bold: label.bold, on: "ground" };
+  const lines = label.text.split("\n").slice(0, 4).map((line) => cut(line, size * HALF_BOLD, room));
+  const at = (shown: string[], left: number, top: number): PlacedLabel => ({
+    box, lines: shown, size, at: [left, top], across: "left", bold: label.bold, on: "ground",
+  });
+  const both = (shown: string[], left: number, top: number): PlacedLabel[] => {
+    const long = Math.max(...shown.map((line) => width(line, size, label.bold)));
+    const back = Math.min(left, Math.max(end - long, start));
+    return back < left ? [at(shown, back, top), at(shown, left, top)] : [at(shown, left, top)];
+  };
+  const inside = both(lines, x + Math.min(6, w / 8), y + size * 0.8);
+  const above = both(lines.slice(0, 1), x, y - size * 0.6);
+  if (box.kind === "text") return inside;
+  if (h <= size * 2.4) return above;
+  // From farthest away words above a box would be taken for those of another.
+  return zoom < STRUCTURE_BELOW ? inside : [...inside, ...above];
 }
 
 /** The first lines of a text, as many as its box holds. */
@@ -125,13 +156,13 @@ function* namesOf(box: FarBox, label: FarLabel, least: number, zoom: number): Ge
   const size = Math.max(label.size, least);
   const middle = x + w / 2;
   const long = width(label.text, size, label.bold);
-  const one = (text: string, at: number, on: "box" | "ground"): PlacedLabel => ({
+  const one = (text: string, at: number, on: "box" | "ground" | "over"): PlacedLabel => ({
     box, lines: [text], size, at: [middle, at], across: "centre", bold: label.bold, on,
   });
   if (long <= w - 2 && h >= size * 0.9) yield one(label.text, y + h / 2, "box");
   // The value of a slider says more than its name.
   if (label.short !== undefined && width(label.short, size, label.bold) <= w - 2) {
-    yield one(label.short, y + h / 2, h >= size * 0.9 ? "box" : "ground");
+    yield one(label.short, y + h / 2, h >= size * 0.9 ? "box" : "over");
   }
   const text = cut(label.text, size, Math.max(w, LONGEST / zoom));
   yield one(text, y - size * 0.65, "ground");

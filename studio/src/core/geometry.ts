@@ -95,21 +95,26 @@ export function zoomed(lens: Lens, at: Point, factor: number): Lens {
   return { x: at[0] - (at[0] - lens.x) * scale, y: at[1] - (at[1] - lens.y) * scale, zoom };
 }
 
+/** Below this zoom there is only room for headings: labels of groups and scribbles. */
+export const STRUCTURE_BELOW = 0.15;
 /** Farther away than this headings lie over each other; what is first seen of a long definition is nearer, within limits. */
 const TOO_FAR = 0.08;
-const FIRST_LOOK: readonly [least: number, most: number] = [0.15, 0.5];
+const FIRST_LOOK: readonly [least: number, most: number] = [STRUCTURE_BELOW, 0.5];
 
 /**
- * What is seen of a definition at first: all of it, or the beginning of one that is so long that nothing of it could be
- * read, as wide as the window where that is near enough. Where that is too wide, it is where most of its beginning stands.
+ * What is seen of a definition at first: all of it; most of it from its beginning, where names could not be read else and
+ * no headings stand for them; or
+ * the beginning of one that is so long that nothing of it could be read, as wide as the window where that is near enough.
+ * Where that is too wide, it is where most of its beginning stands.
  */
-export function firstLook(rects: readonly Rect[], [width, height]: Point, margin: number): Lens | undefined {
+export function firstLook(rects: readonly Rect[], [width, height]: Point, margin: number, areHeaded = false): Lens | undefined {
   const all = around(rects);
   if (!all) return undefined;
   const whole = fitted(all, [width, height], 1, margin);
-  if (whole.zoom >= TOO_FAR) return whole;
+  if (whole.zoom >= (areHeaded ? TOO_FAR : STRUCTURE_BELOW)) return whole;
   const room: Point = [Math.max(width - 2 * margin, 1), Math.max(height - 2 * margin, 1)];
-  const zoom = clamp(Math.max(room[0] / Math.max(all[2], 1), room[1] / Math.max(all[3], 1)), ...FIRST_LOOK);
+  const nearer = clamp(Math.max(room[0] / Math.max(all[2], 1), room[1] / Math.max(all[3], 1)), ...FIRST_LOOK);
+  const zoom = whole.zoom >= TOO_FAR ? STRUCTURE_BELOW : nearer;
   const [w, h] = [room[0] / zoom, room[1] / zoom];
   const begins = rects.filter((rect) => rect[1] < all[1] + h);
   const x = all[2] <= w ? all[0] - (w - all[2]) / 2 : crowded(begins.map((rect) => [rect[0], rect[0] + rect[2]]), w);

@@ -5,6 +5,7 @@ import { groupFrame, isGroup, type Objects } from "./groups";
 import { moved, type Point, type Rect } from "./geometry";
 import type { Grip, Strung } from "./hit";
 import type { ObjectView } from "./protocol/ObjectView";
+import { HALF_BOLD, textWidth } from "./text";
 
 /** What stands elsewhere than the document says, and by how far: what is being dragged. */
 export type Shifts = ReadonlyMap<string, Point>;
@@ -24,6 +25,18 @@ export function rectOf(object: ObjectView, shifts: Shifts, full: boolean): Rect 
 export function frameOf(object: ObjectView, objects: Objects, shifts: Shifts, full: boolean): Rect {
   if (!isGroup(object)) return rectOf(object, shifts, full);
   return groupFrame(object.id, objects, (member) => rectOf(member, shifts, full)) ?? object.bounds;
+}
+
+/** Where the label of a group begins within it, and its size. */
+const LABEL = { left: 8, size: 12 } as const;
+
+/** What is seen of an object: of a group its label too, which may be longer than its members reach. */
+export function seenFrameOf(object: ObjectView, objects: Objects, shifts: Shifts, full: boolean): Rect {
+  const [x, y, w, h] = frameOf(object, objects, shifts, full);
+  const label = object.control?.is === "group" ? object.control.label.trim() : "";
+  if (label === "") return [x, y, w, h];
+  const lines = label.split("\n").map((line) => textWidth(line, LABEL.size) * HALF_BOLD);
+  return [x, y, Math.max(w, LABEL.left + Math.max(...lines)), h];
 }
 
 /** The grips of an object. The session leaves ports out that nobody can wire, such as a slider's input. */

@@ -15,7 +15,10 @@ import { PlaceList } from "./toolbar/PlaceList";
 import { Toolbar } from "./toolbar/Toolbar";
 import "./viewport.css";
 
-/** The model of the document that is open, with its toolbar unless it is plain. It needs only the stores. */
+/**
+ * The model of the document that is open, with its toolbar unless it is plain. It needs only the stores. The children stand
+ * in a row above the picture and take their room from it: they cover nothing of the model.
+ */
 export function ViewportPane({ options, children, isPlain = false }: { options?: Options; children?: ReactNode; isPlain?: boolean }) {
   const host = useRef<HTMLDivElement>(null);
   const [hasGraphics, setGraphics] = useState(true);
@@ -32,10 +35,11 @@ export function ViewportPane({ options, children, isPlain = false }: { options?:
   return (
     <div className="viewport">
       {!isPlain && <Toolbar />}
+      {!isPicking && children}
       <div className="viewport-stage">
         <div className="viewport-host" ref={host} hidden={!hasGraphics} />
         {!hasGraphics && <p className="viewport-notice">{t("viewport.noGraphics")}</p>}
-        {isPicking ? <PickBar /> : children}
+        {isPicking && <PickBar />}
         <Legend />
         <div className="viewport-notes">
           <CombLegend />

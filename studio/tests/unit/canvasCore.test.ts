@@ -6,7 +6,7 @@ import { tabs } from "../../src/core/catalogue";
 import { fromHex, gradientCss, hex, inkOn } from "../../src/core/colours";
 import { farList } from "../../src/core/far";
 import { found } from "../../src/core/find";
-import { firstLook, fitted, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
+import { firstLook, fitted, STRUCTURE_BELOW, toCanvas, toWindow, zoomed, type Rect } from "../../src/core/geometry";
 import { draggable, withHandle } from "../../src/core/graph";
 import { blobPath, depths, groupFrame, hull, leaves } from "../../src/core/groups";
 import { gripAt, topmost, wireAt } from "../../src/core/hit";
@@ -60,6 +60,15 @@ describe("the window onto the canvas", () => {
       const short: Rect = [10, 20, 4000, 900];
       expect(firstLook([short], size, 35)).toEqual(fitted(short, size, 1, 35));
       expect(firstLook([], size, 35)).toBeUndefined();
+    });
+    test("most is seen of what could not be read if all were", () => {
+      const wide: Rect[] = [[0, 0, 100, 40], [6000, 100, 200, 400]];
+      const seen = firstLook(wide, size, 35);
+      expect(fitted([0, 0, 6200, 500], size, 1, 35).zoom).toBeLessThan(STRUCTURE_BELOW);
+      expect(seen?.zoom).toBe(STRUCTURE_BELOW);
+      // Headings can be read from farther away.
+      expect(firstLook(wide, size, 35, true)).toEqual(fitted([0, 0, 6200, 500], size, 1, 35));
+      expect(seen && toWindow(seen, [0, 250])).toEqual([expect.closeTo(35), expect.closeTo(size[1] / 2)]);
     });
     test("a long column is seen from its top, in the middle", () => {
       const column = Array.from({ length: 400 }, (_, k): Rect => [-50, 80 + 90 * k, 440, 60]);

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import type { FarBox, FarList } from "../../src/core/far";
-import { placeLabels, STRUCTURE_BELOW } from "../../src/core/farLabels";
-import type { Rect } from "../../src/core/geometry";
+import { placeLabels } from "../../src/core/farLabels";
+import { STRUCTURE_BELOW, type Rect } from "../../src/core/geometry";
 import { textWidth } from "../../src/core/text";
 
 function box(id: string, rect: Rect, text: string, change: Partial<FarBox> = {}): FarBox {
@@ -59,5 +59,41 @@ describe("words of the far view", () => {
     expect(words([panel], 0.2)[0]?.text).toBe("first|second");
     expect(words([box("m", [0, 0, 80, 60], "Rotate", { strip: "Degrees" })], 0.3).map(({ text }) => text)).toContain("Degrees");
     expect(words([], 0.04, [box("g", [0, 0, 900, 600], "Towers", { kind: "group" })])[0]?.text).toBe("Towers");
+  });
+  it("of a group go above it where a panel is read, and no words lie over those of a panel", () => {
+    const panel = box("p", [0, 0, 300, 40], "Figure 26: the domain of a curve", { colour: "#ff0" });
+    if (panel.label) panel.label.lines = "many";
+    const group = box("g", [-10, -10, 400, 300], "Curve domain", { kind: "group" });
+    const placed = placeLabels(list([panel], [group]), 0.3);
+    expect(placed.map(({ box }) => box.id).sort()).toEqual(["g", "p"]);
+    expect(placed.find(({ box }) => box.id === "g")?.at[1]).toBeLessThan(-10);
+    // A scribble on the panel has no other place.
+    const scribble = box("s", [0, 10, 200, 30], "a remark", { kind: "text" });
+    expect(words([panel, scribble], 0.3).map(({ text }) => text)).toEqual(["a remark"]);
+  });
+  it("do not go beyond the end of everything, which is the end of the window when all is shown", () => {
+    const group = box("g", [2900, 0, 100, 300], "The last of all outputs", { kind: "group" });
+    const first = box("f", [0, 0, 100, 300], "Inputs", { kind: "group" });
+    for (const zoom of [0.1, 0.3]) {
+      const placed = placeLabels(list([], [first, group]), zoom);
+      expect(placed).toHaveLength(2);
+      for (const { lines, size, at, box: { rect } } of placed) {
+        expect(at[0] + textWidth(lines[0] ?? "", size)).toBeLessThanOrEqual(3000 + 1e-6);
+        expect(at[0]).toBeLessThanOrEqual(rect[0] + 6);
+      }
+    }
+  });
+  it("over a slider that is lower than they are leave a gap beside the number", () => {
+    const low = box("s", [0, 0, 120, 10], "Count 10");
+    low.label = { ...(low.label as NonNullable<FarBox["label"]>), short: "10" };
+    expect(placeLabels(list([low]), 0.3)[0]).toMatchObject({ lines: ["10"], on: "over" });
+    expect(placeLabels(list([{ ...low, rect: [0, 0, 120, 60] }]), 0.3)[0]).toMatchObject({ on: "box" });
+  });
+  it("of a group stand where no object is, if there is such a place", () => {
+    const group = box("g", [0, 0, 400, 300], "Waves", { kind: "group" });
+    const slider = box("s", [10, 10, 200, 20], "");
+    slider.label = undefined;
+    expect(placeLabels(list([], [group]), 0.3)[0]?.at[1]).toBeGreaterThan(0);
+    expect(placeLabels(list([slider], [group]), 0.3)[0]?.at[1]).toBeLessThan(0);
   });
 });

@@ -6,6 +6,7 @@ import { modifiers, portName, sign } from "../../core/ports";
 import type { Control } from "../../core/protocol/Control";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { PortView } from "../../core/protocol/PortView";
+import { textWidth } from "../../core/text";
 import { t } from "../../i18n";
 import { Icon } from "../../icons/Icon";
 import { addPort, removePort, reshape } from "../edits";
@@ -76,13 +77,18 @@ interface PortNameProps {
   full: boolean;
 }
 
+/** From the edge of a capsule to the names of its ports. */
+const PORT_EDGE = 6;
+
 const PortName = memo(
   function PortName({ port, side, style, full }: PortNameProps) {
     const marks = modifiers(port);
+    const name = portName(port, full);
+    const isCut = marks.length > 0 || textWidth(name, style.fontSize) > style.width - PORT_EDGE;
     return (
-      <span className={`port ${side}`} style={style} data-name-of={port.id} data-side={side}>
+      <span className={isCut ? `port ${side} is-cut` : `port ${side}`} style={style} data-name-of={port.id} data-side={side}>
         {side === "output" ? <Marks marks={marks} /> : null}
-        {portName(port, full)}
+        {name}
         {side === "input" ? <Marks marks={marks} /> : null}
       </span>
     );

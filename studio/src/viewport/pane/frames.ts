@@ -12,6 +12,10 @@ export interface FrameActions {
   look(pane: Pane, view: ViewName): void;
 }
 
+/** Smaller than this, in pixels, a pane has a small view cube: as on a phone, where the usual one covers the model. */
+const SMALL_WIDTH = 420;
+const SMALL_HEIGHT = 200;
+
 interface Frame {
   element: HTMLElement;
   title: HTMLButtonElement;
@@ -45,7 +49,7 @@ export class PaneFrames {
       const { element, title, cube } = this.#frames.get(pane) ?? this.#make(pane);
       Object.assign(element.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
       element.classList.toggle("is-active", isFour && pane === active);
-      element.classList.toggle("is-small", width < 260 || height < 200);
+      element.classList.toggle("is-small", width < SMALL_WIDTH || height < SMALL_HEIGHT);
       title.hidden = !isFour;
       title.setAttribute("aria-pressed", String(pane === active));
       cube.turn(pane.rig);
