@@ -204,17 +204,17 @@ class Program:
             made += [lambda: self.block(level + 1)] * 2
         return self.dice.choice(made)()
 
-    def few(self):
-        """Two short statements for a method that expressions call."""
+    def few(self, otherwise):
+        """Two short statements for a method that expressions call, and what it gives after many calls."""
         self.depth = DEEPEST - 1
-        text = f"if (++P.Calls > 40) return %s; {FEW}{self.statement(1)} {self.statement(1)} "
+        text = f"if (++P.Calls > 40) return {otherwise}; {FEW}{self.statement(1)} {self.statement(1)} "
         self.depth = 0
         return text
 
     def text(self):
-        own = self.few() % "1" + "return a.X + h.At.Y + z;"
+        own = self.few("1") + "return a.X + h.At.Y + z;"
         own = re.sub(r"(?<![.\w])(W|Same|Two|MakeBig|Set|Change)\(", r"P.\1(", own)
-        change = self.few() % "new V()" + "return c;"
+        change = self.few("new V()") + "return c;"
         body = "\n".join(f"        {self.statement()}" for _ in range(STATEMENTS))
         first = self.pick("h.At", "h.Arr[1]", "H.S", "h.B.A", "h.Bigs[0].B", "h.Grid[0, 1]")
         second = self.pick("h.B", "h.Bigs[1]", "H.T")

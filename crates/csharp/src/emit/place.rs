@@ -327,14 +327,17 @@ impl Emitter<'_> {
         self.store(&place, v, value.ty)
     }
 
-    /// Whether a variable is a struct whose object stays when it is set: there are references to its parts.
+    /// Whether a variable is a struct whose object stays when it is set: there are references to it or to its parts.
     pub(super) fn stays(&mut self, id: crate::bound::LocalId) -> bool {
         let body = self.body.clone();
         let Some(local) = body.locals.get(id.0 as usize).filter(|_| body.uses().stays.contains(&id)) else {
             return false;
         };
         let ty = self.ty(local.ty);
-        self.program.sema.is_struct(ty) && local.passing == Passing::Value && !local.is_reference
+        self.program.sema.is_struct(ty)
+            && !self.program.is_native_type(ty)
+            && local.passing == Passing::Value
+            && !local.is_reference
     }
 
     /// Whether a place is a field of a struct in a variable: it is the variable as the value leaves it.

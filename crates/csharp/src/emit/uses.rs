@@ -161,9 +161,7 @@ impl Look {
     /// A place that a reference is handed over to.
     fn referenced(&mut self, place: &Expr) {
         self.keep_whole(place);
-        if matches!(place.kind, Kind::Field(..)) {
-            self.uses.stays.extend(variable_of(place));
-        }
+        self.uses.stays.extend(variable_of(place));
     }
 
     /// The object of a call.
