@@ -28,7 +28,7 @@ programs:
 module: programs
 	cp $(BUILT)/lib_katydid$(if $(filter Darwin,$(shell uname)),.dylib,.so) python/katydid/_katydid.abi3.so
 
-# The licences of what is linked into the wheel, with their texts.
+# The licences of the wheel and of what is linked into it, with their texts.
 third-party:
 	$(PYTHON) python/third_party.py
 

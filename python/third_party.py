@@ -1,4 +1,5 @@
-"""Writes THIRD-PARTY: the licences of all that is linked into the wheel, with their texts.
+"""Writes what the wheel has of licences: THIRD-PARTY, those of all that is linked into it, with their texts; beside it
+copies of the two that Katydid itself is under.
 
     python third_party.py [FILE]
 
@@ -8,10 +9,13 @@ have. A crate whose archive has no text is named with its authors. `make wheel` 
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+#: The licences of the project itself.
+OWN = ("LICENSE-APACHE", "LICENSE-MIT")
 #: How files of licences begin.
 WORDS = ("license", "licence", "copying", "copyright", "notice", "unlicense")
 
@@ -79,6 +83,8 @@ def main():
     found = packages()
     with open(target, "w", encoding="utf-8") as file:
         file.write(document(found))
+    for name in OWN:
+        shutil.copyfile(os.path.join(ROOT, name), os.path.join(os.path.dirname(os.path.abspath(target)), name))
     print("%s: %d crates" % (target, len(found)))
 
 

@@ -29,3 +29,17 @@ def test_every_crate_is_named_and_has_a_text():
     # Names stand at the top, and each crate over a text.
     for one in found:
         assert text.count("%s %s" % (one["name"], one["version"])) >= 2, one["name"]
+
+
+def test_the_wheel_has_the_licences_of_the_project(tmp_path, monkeypatch):
+    spec = importlib.util.spec_from_file_location("third_party", SOURCE)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    monkeypatch.setattr(module, "packages", list)
+    monkeypatch.setattr(module.sys, "argv", ["third_party.py", str(tmp_path / "THIRD-PARTY")])
+    module.main()
+    for name in ("THIRD-PARTY", "LICENSE-APACHE", "LICENSE-MIT"):
+        assert (tmp_path / name).stat().st_size > 0, name
+        # What is not named is not taken into the wheel.
+        with open(os.path.join(os.path.dirname(PACKAGE), "pyproject.toml"), encoding="utf-8") as file:
+            assert '"katydid/%s"' % name in file.read(), name

@@ -35,8 +35,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     if let Some(bytes) = args.limit_bytes {
         options.limits = options.limits.with_bytes(bytes);
     }
-    // A report shows every output.
-    options.skip_unread = args.json.is_none();
+    // A report shows every output, and what is saved has what is previewed, which no wire need read.
+    options.skip_unread = args.json.is_none() && args.output.is_empty();
     let whole = ticks::solve(&mut session, &args.definition);
 
     let failed = complain(&session) || !whole;

@@ -138,3 +138,13 @@ fn runs_that_write_the_same_output_do_not_mix_it() {
     let names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert!(names.iter().all(|name| !name.to_string_lossy().ends_with(".part")), "{names:?}");
 }
+
+#[test]
+fn what_no_wire_reads_is_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let (definition, model) = (folder.path().join("grid.kd"), folder.path().join("grid.3dm"));
+    // 3 × 4 cells, and the 4 × 5 points at their corners.
+    fs::write(&definition, "katydid 1\nr = Rectangular(_, 2, 1, 3, 4)\n").unwrap();
+    let saved = said(&katydid(&["run", text(&definition), "-o", text(&model)]));
+    assert!(saved.contains("32 objects written"), "{saved}");
+}

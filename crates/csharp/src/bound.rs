@@ -343,6 +343,8 @@ pub(crate) struct Uses {
     /// Those that must stand in one place: references to them are handed over, properties of theirs are set, or what
     /// comes after an exception may look at them.
     pub whole: HashSet<LocalId>,
+    /// Those that references are handed over to, or to a part of them: the object of a struct stays when it is set.
+    pub stays: HashSet<LocalId>,
     /// Methods that are called on variables.
     pub called: Vec<(LocalId, MethodId)>,
 }

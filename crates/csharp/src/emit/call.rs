@@ -71,8 +71,9 @@ impl Emitter<'_> {
         let count = args.len() as u32 + u32::from(receiver.is_some());
         // What the library does to structs of its own neither keeps nor changes its arguments.
         let info = self.program.sema.method(method.id);
-        let copies = !(matches!(info.body, crate::sema::Body::Extern(_))
+        let keeps = !(matches!(info.body, crate::sema::Body::Extern(_))
             && self.program.sema.def(info.owner).kind == crate::syntax::ast::TypeKind::Struct);
+        let copies = keeps || !self.rest_is_quiet(args.iter().map(|(_, arg)| arg));
         // A struct in its parts is put together for the call, and taken apart again: the method may have changed it. Below
         // the window of the call it is not lost.
         let apart = match receiver.and_then(|receiver| self.parts_of(receiver)) {
@@ -110,11 +111,16 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    /// Whether the object of a call is a struct in a variable: the call is given its place, so what the arguments do to it
-    /// is seen.
+    /// Whether the object of a call is a struct in a variable, or one in such a struct: the call is given its place, so what
+    /// the arguments do to it is seen.
     pub(super) fn is_struct_variable(&mut self, receiver: &Expr) -> bool {
         let ty = self.ty(receiver.ty);
-        matches!(receiver.kind, Kind::Local(_) | Kind::This) && self.program.sema.is_struct(ty)
+        self.program.sema.is_struct(ty)
+            && match &receiver.kind {
+                Kind::Local(_) | Kind::This => true,
+                Kind::Field(Some(of), _) => self.is_struct_variable(of),
+                _ => false,
+            }
     }
 
     /// The object that a method is called on: a struct in its place, unless it came from a property.

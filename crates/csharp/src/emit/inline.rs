@@ -77,6 +77,15 @@ impl Emitter<'_> {
                 let regs = self.operand_list(args)?;
                 (Some(self.operand(receiver, std::iter::empty())?), regs)
             }
+            // A struct in a field or an element is looked at where it is, after the arguments.
+            Some(receiver)
+                if matches!(receiver.kind, Kind::Field(..) | Kind::Element(..) | Kind::Deref(_))
+                    && self.is_a_struct(receiver)
+                    && !self.rest_is_quiet(args.iter().map(|(_, e)| e)) =>
+            {
+                let this = self.fresh(receiver)?;
+                (Some(Operand::Whole(this)), self.operand_list(args)?)
+            }
             Some(receiver) => {
                 let this = self.operand(receiver, args.iter().map(|(_, e)| e))?;
                 (Some(this), self.operand_list(args)?)
@@ -96,6 +105,11 @@ impl Emitter<'_> {
             self.op(Op::Init { i });
         }
         Ok((this, regs))
+    }
+
+    fn is_a_struct(&mut self, e: &Expr) -> bool {
+        let ty = self.ty(e.ty);
+        self.program.sema.is_struct(ty)
     }
 
     /// A new struct whose constructor sets each field, from its fields at once; false where it must be a call.

@@ -212,7 +212,23 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    fn store(&mut self, place: &Place, v: Reg) -> Emitted<()> {
+    /// Sets a place to a value of a type. The object of a struct in a field or an element stays: others may be at it.
+    fn store(&mut self, place: &Place, v: Reg, ty: Ty) -> Emitted<()> {
+        let ty = self.ty(ty);
+        if self.program.sema.is_struct(ty) {
+            let put = match *place {
+                Place::Field(o, i) => Some(Op::PutField { o, i, v }),
+                Place::Static(s) => Some(Op::PutStatic { s, v }),
+                Place::Element(a, i) => Some(Op::PutElem { a, i, v }),
+                Place::Elements(a, first) => Some(Op::PutElems { a, first, v }),
+                Place::Reference(a) => Some(Op::PutRef { a, v }),
+                _ => None,
+            };
+            if let Some(put) = put {
+                self.op(put);
+                return Ok(());
+            }
+        }
         match place {
             Place::Register(d) => self.op(Op::Move { d: *d, a: v }),
             Place::Parts(parts) => self.take_apart(*parts, v),
@@ -267,7 +283,10 @@ impl Emitter<'_> {
             && let Some(reg) = self.regs.get(&id).copied()
         {
             // Straight into the variable.
-            if self.sets_locals(value) || mentions(value, id) {
+            if self.stays(id) {
+                let a = self.copied(value, None)?;
+                self.op(Op::StoreRef { a: reg, v: a });
+            } else if self.sets_locals(value) || mentions(value, id) {
                 let v = self.copied(value, None)?;
                 self.op(Op::Move { d: reg, a: v });
             } else {
@@ -288,7 +307,7 @@ impl Emitter<'_> {
             place
         };
         self.pos = pos;
-        self.store(&place, v)?;
+        self.store(&place, v, value.ty)?;
         self.op(Op::Move { d, a: v });
         Ok(())
     }
@@ -300,12 +319,25 @@ impl Emitter<'_> {
             let v = self.fresh_copy(value)?;
             let place = self.place(place, None)?;
             self.pos = pos;
-            return self.store(&place, v);
+            return self.store(&place, v, value.ty);
         }
         let place = self.place(place, Some(value))?;
         let v = self.copied(value, None)?;
         self.pos = pos;
-        self.store(&place, v)
+        self.store(&place, v, value.ty)
+    }
+
+    /// Whether a variable is a struct whose object stays when it is set: there are references to it or to its parts.
+    pub(super) fn stays(&mut self, id: crate::bound::LocalId) -> bool {
+        let body = self.body.clone();
+        let Some(local) = body.locals.get(id.0 as usize).filter(|_| body.uses().stays.contains(&id)) else {
+            return false;
+        };
+        let ty = self.ty(local.ty);
+        self.program.sema.is_struct(ty)
+            && !self.program.is_native_type(ty)
+            && local.passing == Passing::Value
+            && !local.is_reference
     }
 
     /// Whether a place is a field of a struct in a variable: it is the variable as the value leaves it.
@@ -338,14 +370,16 @@ impl Emitter<'_> {
             }
             return Ok(());
         }
-        let written = matches!(place.kind, Kind::Field(..)).then_some(place);
+        let written = place;
         let place = self.place(place, Some(value))?;
         if let (Place::Register(reg), false) = (&place, post) {
             // `i += 1` in the variable's own register.
             self.held.insert(number, *reg);
             let v = self.copied(value, None)?;
             self.pos = pos;
-            if v != *reg {
+            if matches!(written.kind, Kind::Local(id) if self.stays(id)) {
+                self.op(Op::StoreRef { a: *reg, v });
+            } else if v != *reg {
                 self.op(Op::Move { d: *reg, a: v });
             }
             if d != *reg {
@@ -355,16 +389,20 @@ impl Emitter<'_> {
         }
         let old = self.alloc()?;
         self.load(&place, old)?;
+        let ty = self.ty(value.ty);
+        if post && self.program.sema.is_struct(ty) {
+            // The struct that is there takes the new value, and the old one is the result.
+            self.op(Op::Copy { d: old, a: old });
+        }
         self.held.insert(number, old);
         let v = self.copied(value, None)?;
-        let place = match written {
-            Some(written) if self.is_of_variable(written) && self.sets_locals(value) => {
-                self.place(written, None)?
-            }
-            _ => place,
+        let place = if self.is_of_variable(written) && self.sets_locals(value) {
+            self.place(written, None)?
+        } else {
+            place
         };
         self.pos = pos;
-        self.store(&place, v)?;
+        self.store(&place, v, ty)?;
         self.op(Op::Move { d, a: if post { old } else { v } });
         Ok(())
     }
@@ -445,6 +483,10 @@ impl Emitter<'_> {
             // Variables that references are handed over to stand in one place (`Uses::whole`).
             Place::Parts(_) => {
                 return Err(Refused(e.pos, "A reference to this variable is not supported".to_owned()));
+            }
+            // A struct that stays is its own reference.
+            Place::Register(a) if matches!(e.kind, Kind::Local(id) if self.stays(id)) => {
+                self.op(Op::Move { d, a });
             }
             Place::Register(a) => self.op(Op::RefLocal { d, a }),
             Place::Reference(a) | Place::This(a) => self.op(Op::Move { d, a }),

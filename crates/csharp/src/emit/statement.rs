@@ -187,6 +187,11 @@ impl Emitter<'_> {
             if !self.fixed.contains(local) && !shared.contains(local) && !has_one && !self.split(*local)? {
                 let reg = self.alloc()?;
                 self.regs.insert(*local, reg);
+                if self.stays(*local) {
+                    let ty = body.locals.get(local.0 as usize).map_or(crate::sema::Ty::ERROR, |l| l.ty);
+                    let ty = self.ty(ty);
+                    self.default_into(reg, ty);
+                }
             }
         }
         if shared.is_empty() {

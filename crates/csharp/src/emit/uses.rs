@@ -158,6 +158,12 @@ impl Look {
         self.uses.whole.extend(variable_of(place));
     }
 
+    /// A place that a reference is handed over to.
+    fn referenced(&mut self, place: &Expr) {
+        self.keep_whole(place);
+        self.uses.stays.extend(variable_of(place));
+    }
+
     /// The object of a call.
     fn object(&mut self, object: &Expr, method: Option<&crate::bound::MethodRef>) {
         match (&object.kind, method) {
@@ -169,7 +175,7 @@ impl Look {
     fn arguments(&mut self, args: &[Arg]) {
         for (passing, arg) in args {
             if *passing != Passing::Value {
-                self.keep_whole(arg);
+                self.referenced(arg);
             }
         }
     }
@@ -203,10 +209,10 @@ impl Look {
             | Kind::New(_, args) => {
                 self.arguments(args);
             }
-            Kind::Ref(place) => self.keep_whole(place),
+            Kind::Ref(place) => self.referenced(place),
             Kind::Bind(local, place) => {
                 self.uses.whole.insert(*local);
-                self.keep_whole(place);
+                self.referenced(place);
             }
             Kind::Dynamic(_, operands) => operands.iter().for_each(|e| self.keep_whole(e)),
             _ => {}

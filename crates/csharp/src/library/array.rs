@@ -116,9 +116,14 @@ pub(super) fn find(key: &str) -> Option<Native> {
                 },
                 _ => Vec::new(),
             };
+            if made.len() == n as usize && !matches!(old, Value::Null) {
+                return Ok(Value::Null);
+            }
             cx.st.reserve(n as usize * 16)?;
             cx.st.spend(n as usize / 16)?;
             made.truncate(n as usize);
+            // Others may hold the old array still.
+            made = copied(cx, made);
             while made.len() < n as usize {
                 let first = first_value(cx, element);
                 made.push(first);

@@ -53,6 +53,38 @@ pub(crate) fn copy(program: &Program, st: &mut State, value: Value) -> Value {
     Value::Ref(st.heap.add(Obj::Inst(ty, fields)))
 }
 
+/// Gives a struct in its place the fields of another, as deep as structs stand in it; false where what is there is no
+/// such struct and has to be replaced.
+pub(super) fn overwrite(program: &Program, st: &mut State, there: Value, new: Value) -> bool {
+    let (Value::Ref(there), Value::Ref(new)) = (there, new) else { return false };
+    if there == new {
+        return true;
+    }
+    let (Obj::Inst(ty, old), Obj::Inst(new_ty, fields)) = (st.heap.get(there), st.heap.get(new)) else {
+        return false;
+    };
+    let Some(Some(layout)) = program.layouts.get(ty.0 as usize) else { return false };
+    if ty != new_ty || !layout.is_struct {
+        return false;
+    }
+    let mut fields: Fields = fields.clone();
+    if !layout.structs.is_empty() {
+        let old: Fields = old.clone();
+        for i in &layout.structs {
+            let at = usize::from(*i);
+            if let (Some(inner), Some(slot)) = (old.get(at), fields.get_mut(at))
+                && overwrite(program, st, *inner, *slot)
+            {
+                *slot = *inner;
+            }
+        }
+    }
+    if let Some(Obj::Inst(_, slots)) = st.heap.get_mut(there) {
+        *slots = fields;
+    }
+    true
+}
+
 /// The place of an element in an array of several dimensions.
 pub(super) fn flat(st: &State, array: Value, first: usize) -> Result<(Handle, usize), Raise> {
     let Value::Ref(handle) = array else { return Err(null_reference()) };

@@ -1,5 +1,6 @@
 //! Calls, iterators, and references to variables.
 
+use super::array::overwrite;
 use super::heap::{GenState, Generator, Obj};
 use super::op::LOW;
 use super::state::{FUEL, Frame, Raise, State, Stop};
@@ -79,18 +80,9 @@ impl State {
                 }
                 _ => {}
             },
-            Value::Ref(target) => {
-                // `this = other` in a struct: its fields become those of the other.
-                let fields = match value {
-                    Value::Ref(source) => match self.heap.get(source) {
-                        Obj::Inst(_, fields) => fields.clone(),
-                        _ => return,
-                    },
-                    _ => return,
-                };
-                if let Some(Obj::Inst(_, slot)) = self.heap.get_mut(target) {
-                    *slot = fields;
-                }
+            // `this = other` in a struct: its fields become those of the other.
+            Value::Ref(_) => {
+                overwrite(program, self, reference, value);
             }
             _ => {}
         }

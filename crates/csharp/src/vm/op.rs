@@ -340,6 +340,31 @@ pub enum Op {
         a: Reg,
         v: Reg,
     },
+    /// The `Put` operations set a place that holds a struct: its object stays and takes the fields of the new one, so that
+    /// whoever is at the place sees them.
+    PutField {
+        o: Reg,
+        i: Reg,
+        v: Reg,
+    },
+    PutStatic {
+        s: u32,
+        v: Reg,
+    },
+    PutElem {
+        a: Reg,
+        i: Reg,
+        v: Reg,
+    },
+    PutElems {
+        a: Reg,
+        first: Reg,
+        v: Reg,
+    },
+    PutRef {
+        a: Reg,
+        v: Reg,
+    },
     TypeOf {
         d: Reg,
         ty: Ty,

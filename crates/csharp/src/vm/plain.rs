@@ -1,12 +1,12 @@
 //! Operations that neither jump nor call.
 
 use super::arith;
-use super::array::{copy, flat, new_array};
+use super::array::{copy, flat, new_array, overwrite};
 use super::heap::{Fields, Obj};
 use super::machine::{null_reference, out_of_range};
 use super::op::Op;
 use super::state::{Raise, State, Stop};
-use super::value::Value;
+use super::value::{Handle, Value};
 use crate::decimal;
 use crate::library;
 use crate::program::Program;
@@ -321,12 +321,73 @@ pub(super) fn plain(
         Op::RefStatic { d, s } => r!(d) = Value::StaticRef(s),
         Op::LoadRef { d, a } => r!(d) = st.read_ref(r!(a), program),
         Op::StoreRef { a, v } => st.write_ref(r!(a), r!(v), program),
+        Op::PutField { o, i, v } => {
+            let Value::Ref(handle) = r!(o) else { return Err(null_reference()) };
+            let value = r!(v);
+            let Obj::Inst(_, fields) = st.heap.get(handle) else { return Err(null_reference()) };
+            let Some(there) = fields.get(i as usize).copied() else { return Err(null_reference()) };
+            if !overwrite(program, st, there, value)
+                && let Some(Obj::Inst(_, fields)) = st.heap.get_mut(handle)
+                && let Some(slot) = fields.get_mut(i as usize)
+            {
+                *slot = value;
+            }
+        }
+        Op::PutStatic { s, v } => {
+            let value = r!(v);
+            let there = program.static_values.get(s as usize).copied().unwrap_or(Value::Null);
+            if !overwrite(program, st, there, value)
+                && let Some(slot) = program.static_values.get_mut(s as usize)
+            {
+                *slot = value;
+            }
+        }
+        Op::PutElem { a, i, v } => {
+            let Value::Ref(handle) = r!(a) else { return Err(null_reference()) };
+            let Value::I32(index) = r!(i) else { return Err(out_of_range()) };
+            let at = usize::try_from(index).map_err(|_| out_of_range())?;
+            put_element(program, st, handle, at, r!(v))?;
+        }
+        Op::PutElems { a, first, v } => {
+            let (handle, at) = flat(st, r!(a), base + first as usize)?;
+            put_element(program, st, handle, at, r!(v))?;
+        }
+        Op::PutRef { a, v } => {
+            let (reference, value) = (r!(a), r!(v));
+            // A variable in a register may hold what an earlier one left there.
+            let is_register = matches!(reference, Value::StackRef(_));
+            let there = st.read_ref(reference, program);
+            if is_register || !overwrite(program, st, there, value) {
+                st.write_ref(reference, value, program);
+            }
+        }
         Op::TypeOf { d, ty } => r!(d) = Value::Ref(st.heap.add(Obj::Type(ty))),
         Op::NotSupported { k } => {
             let what = program.funcs[fi].messages.get(k as usize).cloned().unwrap_or_default();
             return Err(Raise::Stop(Stop::NotSupported(what)));
         }
         _ => return Err(Raise::Stop(Stop::Refused("An operation is not known".to_owned()))),
+    }
+    Ok(())
+}
+
+/// Sets an element that is a struct.
+fn put_element(
+    program: &Program,
+    st: &mut State,
+    handle: Handle,
+    at: usize,
+    value: Value,
+) -> Result<(), Raise> {
+    let there = match st.heap.get(handle) {
+        Obj::Array(_, data, _) => data.get(at),
+        _ => None,
+    };
+    let there = there.ok_or_else(out_of_range)?;
+    if !overwrite(program, st, there, value)
+        && let Some(Obj::Array(_, data, _)) = st.heap.get_mut(handle)
+    {
+        data.set(at, value);
     }
     Ok(())
 }
