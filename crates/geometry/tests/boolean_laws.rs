@@ -144,7 +144,10 @@ fn nearly_sharing(
 ) -> Result<Option<([Brep; 2], f64)>, TestCaseError> {
     let tau = tolerance().absolute;
     let place = |(at, off): (u8, f64)| [0.0, 0.001, 0.3, 0.999, 1.0][usize::from(at) % 5] + off * tau;
-    let [x, y, z] = [0, 2, 4].map(|k| [place(sides[k]), place(sides[k + 1])]);
+    let [x, y, z] = [0, 2, 4].map(|k| {
+        let [a, b] = [place(sides[k]), place(sides[k + 1])];
+        [a.min(b), a.max(b)]
+    });
     let plane = placed(turn);
     let unit = Interval::new(0.0, 1.0);
     let clipped = |[from, to]: [f64; 2]| (to.min(1.0) - from.max(0.0)).max(0.0);
