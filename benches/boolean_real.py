@@ -5,7 +5,7 @@
 
 With cadquery-ocp (benches/work/requirements.txt). FOLDER holds .3dm files; PAIRS is how many pairs are tried (2000), SEED
 where the random numbers start (1). For each pair the common part and the difference are asked of both kernels. Where both
-answer, and their volumes are apart by more than 1e-4 of the smaller operand, points inside the box that both operands have
+answer, and their volumes are apart by more than 1e-4 of the smaller operand's and twice the model's tolerance times its area, points inside the box that both operands have
 in common tell who is right: how many lie in both, by their place in each operand alone. Each disagreement is printed with
 its verdict. The exit status is 1 when Katydid's volume is outside of what the points allow.
 
@@ -23,7 +23,7 @@ import time
 
 import katydid
 
-# Volumes agree within this part of the smaller operand's.
+# Volumes agree within this part of the smaller operand's, beside what the tolerance allows.
 AGREE = 1e-4
 # Points for the verdict; the volume that they tell is off by more than four deviations once in 16,000 times.
 POINTS = 20_000
@@ -202,7 +202,8 @@ def main():
         for number in range(pairs):
             name, first, tolerance = rng.choice(solids)
             kind, second = tool(rng, first, solids)
-            least = min(first.volume, second.volume)
+            least = min((first, second), key=lambda brep: brep.volume)
+            near = AGREE * least.volume + 2 * tolerance * least.area
             mine = ours(first, second, tolerance)
             for path, brep in zip(paths, (first, second)):
                 katydid.write(path, [brep])
@@ -213,22 +214,23 @@ def main():
                     count("refused by Katydid" + (", and by Open CASCADE" if isinstance(its, str) else ""))
                     reason = own.split(":")[1].strip() if own.startswith("boolean refused") else own[:60]
                     reasons[reason] = reasons.get(reason, 0) + 1
+                    print(f"{number}: {name} and {kind}, {operation}: {own}", flush=True)
                     continue
                 # The volume in common is what a difference takes away.
                 shared = own[0] if operation == "common" else first.volume - own[0]
                 theirs_shared = None
                 if not isinstance(its, str):
                     theirs_shared = its[0] if operation == "common" else theirs["operands"][0] - its[0]
-                    if abs(shared - theirs_shared) <= AGREE * least:
+                    if abs(shared - theirs_shared) <= near:
                         count("agree")
                         ratios.append(own[1] / its[1])
                         continue
                 volume, deviation = seen(rng, first, second)
-                right = abs(shared - volume) <= DEVIATIONS * deviation + AGREE * least
+                right = abs(shared - volume) <= DEVIATIONS * deviation + near
                 if theirs_shared is None:
                     count("Katydid alone, right by points" if right else "Katydid alone, wrong by points")
                 else:
-                    fits = abs(theirs_shared - volume) <= DEVIATIONS * deviation + AGREE * least
+                    fits = abs(theirs_shared - volume) <= DEVIATIONS * deviation + near
                     count(f"disagree: Katydid {'right' if right else 'WRONG'}, Open CASCADE {'right' if fits else 'wrong'}")
                 wrong |= not right
                 print(f"{number}: {name} and {kind}, {operation}: {own[0]:.9g}, Open CASCADE {its}; in common "
