@@ -225,7 +225,7 @@ def main():
                         count("agree")
                         ratios.append(own[1] / its[1])
                         continue
-                volume, deviation = seen(rng, first, second)
+                volume, deviation = seen(random.Random(number), first, second)
                 right = abs(shared - volume) <= DEVIATIONS * deviation + near
                 if theirs_shared is None:
                     count("Katydid alone, right by points" if right else "Katydid alone, wrong by points")
