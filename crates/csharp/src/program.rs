@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::bind;
 use crate::bound::{self, MethodRef};
 use crate::sema::{Body, DefId, Kind, MAX_TYPE_DEPTH, MAX_TYPES, MethodId, Sema, Ty};
-use crate::syntax::ast::{Name, TypeKind};
+use crate::syntax::ast::{Name, Passing, TypeKind};
 use crate::vm::heap::ZERO;
 use crate::vm::op::{Function, Op};
 use crate::vm::value::{Handle, Value};
@@ -58,6 +58,8 @@ pub(crate) struct Layout {
 pub(crate) struct NativeRef {
     pub(crate) key: Name,
     pub(crate) params: u16,
+    /// A bit for each argument that is a reference to a variable, from the lowest.
+    pub(crate) references: u64,
     pub(crate) kind: NativeKind,
 }
 
@@ -308,8 +310,8 @@ impl Program {
         (before + self.sema.field(field).index as usize) as u16
     }
 
-    /// The number of something the library or host does.
-    pub(crate) fn native(&mut self, key: &Name, params: usize) -> u32 {
+    /// The number of something the library or host does. `references` are the places of arguments that are `ref` or `out`.
+    pub(crate) fn native(&mut self, key: &Name, params: usize, references: &[usize]) -> u32 {
         if let Some(number) = self.native_keys.get(key) {
             return *number;
         }
@@ -319,7 +321,8 @@ impl Program {
             (None, None) => NativeKind::Missing,
         };
         let number = self.natives.len() as u32;
-        self.natives.push(NativeRef { key: key.clone(), params: params as u16, kind });
+        let references = references.iter().filter(|i| **i < 64).fold(0, |bits, i| bits | 1 << i);
+        self.natives.push(NativeRef { key: key.clone(), params: params as u16, references, kind });
         self.native_keys.insert(key.clone(), number);
         number
     }
@@ -333,8 +336,13 @@ impl Program {
                 "Iterator.MoveNext()" => Target::GenNext,
                 "Iterator.Dispose()" => Target::GenDispose,
                 _ => {
-                    let count = params + usize::from(!is_static);
-                    let number = self.native(&key, count);
+                    let first = usize::from(!is_static);
+                    let params_of = self.sema.method(method.id).params.iter().enumerate();
+                    let references: Vec<usize> = params_of
+                        .filter(|(_, p)| matches!(p.passing, Passing::Ref | Passing::Out))
+                        .map(|(i, _)| first + i)
+                        .collect();
+                    let number = self.native(&key, first + params, &references);
                     let ty = method.args.first().copied().unwrap_or(method.owner);
                     Target::Native(number, ty)
                 }

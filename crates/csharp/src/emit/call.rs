@@ -366,7 +366,7 @@ impl Emitter<'_> {
             .def_of(ty)
             .map(|def| self.program.sema.def(def).name.to_string())
             .unwrap_or_default();
-        let n = self.program.native(&format!("{name}.new()").into(), 1);
+        let n = self.program.native(&format!("{name}.new()").into(), 1, &[]);
         let base = self.alloc()?;
         self.op(Op::Native { n, base, ty });
         self.op(Op::Move { d, a: base });

@@ -65,6 +65,7 @@ pub struct Cx<'a> {
     pub(crate) program: &'a mut Program,
     pub(crate) at: usize,
     pub(crate) count: usize,
+    pub(crate) references: u64,
     /// The type that the member belongs to, or the first type argument of its method.
     pub ty: Ty,
 }
@@ -83,6 +84,11 @@ impl Cx<'_> {
     /// An argument; of instance members the first is the object. Constructors begin at 1.
     pub fn arg(&self, i: usize) -> Value {
         self.st.stack.get(self.at + i).copied().unwrap_or(Value::Null)
+    }
+
+    /// Whether an argument is a reference to a variable, `ref` or `out`: a struct may stand for itself there.
+    pub fn is_reference(&self, i: usize) -> bool {
+        i < 64 && self.references >> i & 1 == 1
     }
 
     /// A whole number.

@@ -12,8 +12,8 @@ use crate::sema::Ty;
 /// Calls what the library or the host does; the result goes into the first register of the window.
 pub(super) fn native(program: &mut Program, st: &mut State, n: u32, at: usize, ty: Ty) -> Result<(), Raise> {
     let Some(found) = program.natives.get(n as usize) else { return Ok(()) };
-    let (kind, count) = (found.kind, usize::from(found.params));
-    let mut cx = Cx { st, program, at, count, ty };
+    let (kind, count, references) = (found.kind, usize::from(found.params), found.references);
+    let mut cx = Cx { st, program, at, count, references, ty };
     let value = match kind {
         NativeKind::Library(function) => function(&mut cx)?,
         NativeKind::Host(member) => {

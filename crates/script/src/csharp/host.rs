@@ -125,14 +125,12 @@ impl Host for ScriptHost {
         let first = usize::from(name.ends_with(".new"));
         let (mut arguments, mut outs) = (Vec::new(), Vec::new());
         for place in first..cx.len() {
-            match cx.arg(place) {
-                Net::StackRef(_) | Net::PartRef(..) | Net::StaticRef(_) => outs.push(place),
-                value => {
-                    let refused =
-                        |what| Raise::new("ArgumentException", format!("{name} does not take {what}"));
-                    arguments.push(from_csharp(cx, value).map_err(refused)?);
-                }
+            if cx.is_reference(place) {
+                outs.push(place);
+                continue;
             }
+            let refused = |what| Raise::new("ArgumentException", format!("{name} does not take {what}"));
+            arguments.push(from_csharp(cx, cx.arg(place)).map_err(refused)?);
         }
         let (value, changed) = match breps::call(name, &arguments, &mut self.extracted) {
             Some(given) => given.map_err(raised)?,
