@@ -6,7 +6,7 @@
 //! they lie in.
 
 use super::operands::{Face, Operands};
-use super::pieces::Pieces;
+use super::pieces::{OnFace, Pieces};
 use super::refusal::RefusalClass;
 use super::thresholds::{ASIDE, CAPTURE};
 use crate::{Containment, Curve, Error, Point3, Result};
@@ -16,7 +16,7 @@ use crate::{Containment, Curve, Error, Point3, Result};
 pub(super) fn refuse_dividing(
     all: &Operands,
     pieces: &Pieces,
-    [face, piece]: [usize; 2],
+    OnFace { face, piece }: OnFace,
     told: impl Fn([f64; 2], usize) -> Option<Containment>,
 ) -> Result<()> {
     let (Some(own), Some(idle)) = (all.faces.get(face), pieces.list.get(piece)) else { return Ok(()) };

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::aside;
 use super::operands::Operands;
-use super::pieces::Pieces;
+use super::pieces::{OnFace, Pieces};
 use super::refusal::RefusalClass;
 use super::regions::Region;
 use super::thresholds::ONE_PLANE;
@@ -27,7 +27,7 @@ pub(super) struct Sheet {
     pub(super) sides: Sides,
 }
 
-/// All regions, those upon each other as one, with what is on their sides. `idle` are faces and pieces on them that
+/// All regions, those upon each other as one, with what is on their sides. `idle` are pieces on faces that
 /// divide nothing.
 ///
 /// # Errors
@@ -36,14 +36,14 @@ pub(super) fn sheets(
     all: &Operands,
     pieces: &Pieces,
     regions: &[Region],
-    idle: &[(usize, usize)],
+    idle: &[OnFace],
 ) -> Result<Vec<Sheet>> {
     let groups = coincident(all, regions)?;
     let inside = memberships(all, pieces, regions, &groups)?;
-    for &(face, piece) in idle {
+    for &place in idle {
         cancellation::check()?;
-        aside::refuse_dividing(all, pieces, [face, piece], |uv, solid| {
-            let own = |r: usize| regions.get(r).is_some_and(|r| r.face == face && r.covers(uv));
+        aside::refuse_dividing(all, pieces, place, |uv, solid| {
+            let own = |r: usize| regions.get(r).is_some_and(|r| r.face == place.face && r.covers(uv));
             let group = groups.iter().position(|g| own(g.region) || g.twins.iter().any(|t| own(t.0)))?;
             if groups.get(group)?.holds(all, regions, solid) {
                 return Some(Containment::On);

@@ -98,7 +98,7 @@ impl Fuse {
         let found = sections::sections(&mut all, &pairs)?;
         let found = sections::pieces(&mut all, found)?;
         let pieces = Pieces::new(&all, found, &pairs)?;
-        let (regions, idle) = regions::all_regions(&all, &pieces)?;
+        let regions::Cut { regions, idle } = regions::all_regions(&all, &pieces)?;
         cancellation::check_now()?;
         let sheets = cells::sheets(&all, &pieces, &regions, &idle)?;
         Ok(Self { all, pieces, regions, sheets })

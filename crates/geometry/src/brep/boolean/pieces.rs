@@ -32,6 +32,13 @@ pub(super) struct OfEdge {
     pub(super) range: Interval,
 }
 
+/// A piece on a face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OnFace {
+    pub(super) face: usize,
+    pub(super) piece: usize,
+}
+
 /// All pieces, where they are on edges, and which of them are drawn on faces.
 #[derive(Debug)]
 pub(super) struct Pieces {
@@ -41,8 +48,8 @@ pub(super) struct Pieces {
     pub(super) of_edge: Vec<Vec<OfEdge>>,
     /// The pieces that are drawn on every face, besides its border, in order.
     pub(super) on_face: Vec<BTreeSet<usize>>,
-    /// Faces and pieces that run along their border without being a part of it, and are not drawn.
-    pub(super) beside: Vec<(usize, usize)>,
+    /// Pieces that run along the border of a face without being a part of it, and are not drawn.
+    pub(super) beside: Vec<OnFace>,
     limit: f64,
 }
 
@@ -184,7 +191,7 @@ impl Pieces {
                     }
                     match lies(all, face, &p.curve)? {
                         Lies::Outside => continue,
-                        Lies::Beside => self.beside.push((other, piece)),
+                        Lies::Beside => self.beside.push(OnFace { face: other, piece }),
                         Lies::Inside => self.on_face.get_mut(other).into_iter().for_each(|list| {
                             list.insert(piece);
                         }),

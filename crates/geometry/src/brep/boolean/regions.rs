@@ -2,7 +2,7 @@
 
 use super::arrangement::{Loops, Track, regions};
 use super::operands::{Face, Operands};
-use super::pieces::Pieces;
+use super::pieces::{OnFace, Pieces};
 use super::refusal::RefusalClass;
 use super::thresholds::SAMPLES;
 use crate::region::Outline;
@@ -43,9 +43,16 @@ impl Region {
     }
 }
 
-/// Cuts every face into its regions, by the places of the faces; with them faces and the pieces on them that divide
-/// nothing.
-pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<(Vec<Region>, Vec<(usize, usize)>)> {
+/// All faces, cut.
+pub(super) struct Cut {
+    /// The regions, by the places of the faces.
+    pub(super) regions: Vec<Region>,
+    /// The pieces on faces that divide nothing.
+    pub(super) idle: Vec<OnFace>,
+}
+
+/// Cuts every face into its regions.
+pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<Cut> {
     let mut out = Vec::new();
     let mut idle = pieces.beside.clone();
     for (place, face) in all.faces.iter().enumerate() {
@@ -54,9 +61,9 @@ pub(super) fn all_regions(all: &Operands, pieces: &Pieces) -> Result<(Vec<Region
         for loops in found {
             out.push(region(all, place, face, loops)?);
         }
-        idle.extend(lost.into_iter().map(|piece| (place, piece)));
+        idle.extend(lost.into_iter().map(|piece| OnFace { face: place, piece }));
     }
-    Ok((out, idle))
+    Ok(Cut { regions: out, idle })
 }
 
 fn region(all: &Operands, place: usize, face: &Face, loops: Loops) -> Result<Region> {
