@@ -68,13 +68,22 @@ pub struct Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.class.words())?;
-        for (k, name) in self.faces.iter().enumerate() {
-            let before = if k == 0 { ": " } else { " and " };
-            write!(f, "{before}face {} of operand {}", name.face, name.operand)?;
-        }
-        if let Some(p) = self.place {
-            write!(f, ", near ({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)?;
-        }
-        Ok(())
+        write_where(f, &self.faces, self.place)
     }
+}
+
+/// Writes which faces something is about, and where it is.
+pub(crate) fn write_where(
+    f: &mut fmt::Formatter<'_>,
+    faces: &[FaceName],
+    place: Option<Point3>,
+) -> fmt::Result {
+    for (k, name) in faces.iter().enumerate() {
+        let before = if k == 0 { ": " } else { " and " };
+        write!(f, "{before}face {} of operand {}", name.face, name.operand)?;
+    }
+    if let Some(p) = place {
+        write!(f, ", near ({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)?;
+    }
+    Ok(())
 }

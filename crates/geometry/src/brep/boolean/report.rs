@@ -6,6 +6,7 @@ use super::FaceName;
 use super::operands::Operands;
 use super::pieces::Pieces;
 use super::thresholds::ROUNDING;
+use crate::error::refusal::write_where;
 use crate::{BoundingBox, Point3};
 
 /// What was taken as one.
@@ -41,14 +42,7 @@ impl fmt::Display for Decision {
             DecisionKind::Surfaces => "surfaces",
         };
         write!(f, "{what} {:e} apart were taken as one", self.distance)?;
-        for (k, name) in self.faces.iter().enumerate() {
-            let before = if k == 0 { ": " } else { " and " };
-            write!(f, "{before}face {} of operand {}", name.face, name.operand)?;
-        }
-        if let Some(p) = self.place {
-            write!(f, ", near ({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)?;
-        }
-        Ok(())
+        write_where(f, &self.faces, self.place)
     }
 }
 
