@@ -30,14 +30,14 @@ export interface Options {
 }
 
 /** What a graphics card draws in one go, and what software does. */
-const CARD: Budget = { wide: 300_000, points: Infinity, areInstances: true, areDraftsThin: false };
-const SOFTWARE: Budget = { wide: 4_000, points: 2_500, areInstances: false, areDraftsThin: true };
+const CARD: Budget = { wide: 300_000, points: Infinity, edges: Infinity, areInstances: true, areDraftsThin: false };
+const SOFTWARE: Budget = { wide: 4_000, points: 2_500, edges: 10_000, areInstances: false, areDraftsThin: true };
 /** From this many triangles and segments on software draws a quick picture first, and the right one when it rests. */
 const HEAVY = 10_000;
 /** A turn of the turntable takes so many milliseconds. */
 const TURNTABLE = 24_000;
 /** A quick picture has so many of the pixels of a fine one along each side: what moves is not looked at closely. */
-const QUICK_SHARE = 0.6;
+const QUICK_SHARE = 0.5;
 const REST = 350;
 
 export class Viewport {

@@ -1,7 +1,7 @@
-import { Vector3 } from "three";
+import { Vector3, type Mesh } from "three";
 import { describe, expect, it } from "vitest";
 
-import type { Point3, PreviewPart, Rgba } from "../../src/core/preview";
+import type { Point3, Preview, PreviewPart, Rgba } from "../../src/core/preview";
 import type { ObjectView } from "../../src/core/protocol/ObjectView";
 import type { PortView } from "../../src/core/protocol/PortView";
 import { CameraRig } from "../../src/viewport/camera";
@@ -11,6 +11,7 @@ import { makeDrawable, type Budget } from "../../src/viewport/scene/drawable";
 import { lookOf, readable, type Layers, type ObjectState, type Palette } from "../../src/viewport/scene/looks";
 import { Materials } from "../../src/viewport/scene/materials";
 import { alone, merge, segmentSlots, segmentsOf, type Member } from "../../src/viewport/scene/merge";
+import { Model } from "../../src/viewport/scene/model";
 import { readSettings } from "../../src/viewport/settings";
 import { parseColour } from "../../src/viewport/theme";
 import { pieceAt } from "../../src/viewport/tools/picking";
@@ -60,7 +61,7 @@ describe("a batch", () => {
   });
 
   it("is of lines of one pixel in software as long as any of it is a draft", () => {
-    const software: Budget = { wide: 10, points: 10, areInstances: false, areDraftsThin: true };
+    const software: Budget = { wide: 10, points: 10, edges: 10, areInstances: false, areDraftsThin: true };
     const materials = new Materials(new ColourTable());
     const positions = Float32Array.from([0, 0, 0, 1, 0, 0]);
     const fine = member(0, [0, 0, 0], { positions });
@@ -94,6 +95,47 @@ describe("a batch", () => {
     expect(table.get(599)).toEqual([0, 0, 0, 0]);
     expect(table.take()).toBe(599);
     expect(table.uniform.value.image.data?.length).toBe(256 * 4 * 4);
+  });
+});
+
+describe("a quick picture", () => {
+  const preview = (parts: PreviewPart[]): Preview => ({ origin: [0, 0, 0], bounds: null, parts, draft: false }) as unknown as Preview;
+  const segments = (count: number) => Float32Array.from({ length: count * 6 }, (_, k) => k % 7);
+  const of = (edges: number) => {
+    const model = new Model({ wide: 0, points: 10, edges, areInstances: false, areDraftsThin: true }, () => 1);
+  const triangle = { kind: "mesh", positions: Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0]) } as const;
+    const parts = { edge: part({ kind: "edges", positions: segments(4) }), isocurve: part({ kind: "isocurves", positions: segments(5) }),
+      curve: part({ kind: "curves", positions: segments(50) }), surface: part(triangle) };
+    for (const [id, each] of Object.entries(parts)) {
+      for (const entry of model.put(id, preview([each])).parts) model.setColour(entry, [10, 20, 30, 100]);
+    }
+    model.settle();
+    return model;
+  };
+  const shown = (model: Model, id: string) => model.objects.get(id)!.parts[0]!.batch!.drawable!.objects.filter(({ visible }) => visible);
+
+  it("leaves out edges and isocurves that are many, and lines behind surfaces", () => {
+    const lines = (edges: number, isFine: boolean) => {
+      const model = of(edges);
+      model.choosePasses("own", isFine);
+      return ["edge", "isocurve", "curve"].map((id) => shown(model, id).length);
+    };
+    expect(lines(9, false)).toEqual([1, 1, 1]);
+    expect(lines(8, false)).toEqual([0, 0, 1]);
+    expect(lines(8, true)).toEqual([2, 2, 2]);
+  });
+
+  it("finds light at the vertices, but where surfaces are analysed", () => {
+    const model = of(9);
+    const material = () => (model.objects.get("surface")!.parts[0]!.batch!.drawable!.surface!.colour as Mesh).material;
+    model.choosePasses("own", false);
+    expect(material()).toBe(model.materials.quick.translucent);
+    model.choosePasses("through", false);
+    expect(material()).toBe(model.materials.quick.translucent);
+    model.choosePasses("solid", false);
+    expect(material()).toBe(model.materials.translucent);
+    model.choosePasses("own", true);
+    expect(material()).toBe(model.materials.translucent);
   });
 });
 

@@ -63,6 +63,8 @@ export interface Budget {
   wide: number;
   /** So many points in a quick picture. */
   points: number;
+  /** So many segments of edges and isocurves in a quick picture, or none: their surfaces are seen without. */
+  edges: number;
   /** Whether the card draws one thing many times in one go. */
   areInstances: boolean;
   /** Whether curves that will be finer are lines of one pixel until they are. */
@@ -143,9 +145,9 @@ function surfaceOf(merged: Merged, geometry: BufferGeometry, materials: Material
   setValues(merged.values);
   const make = (material: RawShaderMaterial) => {
     const mesh = new Mesh(geometry, material);
-    mesh.onBeforeRender = () => {
-      materials.setLook(material, slots);
-      uniform(material, "uHas", has);
+    mesh.onBeforeRender = (_renderer, _scene, _camera, _geometry, drawn) => {
+      materials.setLook(drawn as RawShaderMaterial, slots);
+      uniform(drawn as RawShaderMaterial, "uHas", has);
     };
     return still(mesh);
   };

@@ -1,6 +1,6 @@
 /** The grid of a view: a plane through the model's origin, as fine as the view shows it well. */
 
-import { BufferAttribute, BufferGeometry, GLSL3, Matrix4, Mesh, RawShaderMaterial, Sphere, Vector2, Vector3, type Camera } from "three";
+import { BufferAttribute, BufferGeometry, GLSL3, Matrix4, Mesh, RawShaderMaterial, Sphere, Vector2, Vector3, Vector4, type Camera } from "three";
 
 import { gridSteps } from "../../core/gridSteps";
 import type { Point3 } from "../../core/preview";
@@ -43,7 +43,7 @@ export class Grid {
       transparent: true,
       depthWrite: false,
       uniforms: {
-        uToWorld: value(new Matrix4()), uToView: value(new Matrix4()), uEye: value(new Vector3()),
+        uToWorld: value(new Matrix4()), uDepth: value(new Vector4()), uWeight: value(new Vector4()), uEye: value(new Vector3()),
         uU: value(new Vector3()), uV: value(new Vector3()), uW: value(new Vector3()), uOffset: value(0),
         uStart: value(new Vector2()), uAxes: value(new Vector2()), uMinor: value(1), uStrength: value(1), uReach: value(1),
         uMinorColour: value(new Vector3()), uMajorColour: value(new Vector3()),
@@ -65,7 +65,7 @@ export class Grid {
     // Only the rest after whole thick steps matters for where lines are: single precision is enough for that.
     const start = new Vector2(-(origin[u] % major), -(origin[v] % major));
     const set: Record<string, unknown> = {
-      uToWorld: toView.clone().invert(), uToView: toView, uEye: new Vector3(...rig.pose.target).sub(new Vector3(...origin)),
+      uToWorld: toView.clone().invert(), uDepth: row(toView, 2), uWeight: row(toView, 3), uEye: new Vector3(...rig.pose.target).sub(new Vector3(...origin)),
       uU: unit(u), uV: unit(v), uW: unit(w), uOffset: -origin[w], uStart: start,
       uAxes: new Vector2(-origin[u], -origin[v]), uMinor: minor, uStrength: strength, uReach: rig.pose.height * REACH,
       uMinorColour: colours.minor, uMajorColour: colours.major,
@@ -79,4 +79,8 @@ export class Grid {
     this.mesh.geometry.dispose();
     this.#material.dispose();
   }
+}
+
+function row({ elements }: Matrix4, at: number): Vector4 {
+  return new Vector4(elements[at], elements[at + 4], elements[at + 8], elements[at + 12]);
 }

@@ -8,7 +8,7 @@ import {
 import { colourRamp } from "../../core/falseColour";
 import type { ColourTable } from "./colourTable";
 import { HEAD_FRAGMENT, HEAD_VERTEX, LINE_FRAGMENT, THIN_VERTEX, WIDE_FRAGMENT, WIDE_VERTEX } from "../shaders/line";
-import { MESH_FRAGMENT, MESH_VERTEX } from "../shaders/mesh";
+import { MESH_FRAGMENT, MESH_VERTEX, QUICK_FRAGMENT, QUICK_VERTEX } from "../shaders/mesh";
 import { SHADOW_FRAGMENT, SHADOW_VERTEX } from "../shaders/shadow";
 import { POINT_FRAGMENT, POINT_VERTEX } from "../shaders/point";
 
@@ -63,6 +63,8 @@ export class Materials {
   /** Only the depth of surfaces that shine through: after it only the nearest of them are seen. */
   readonly depth: RawShaderMaterial;
   readonly translucent: RawShaderMaterial;
+  /** Both in quick pictures, shaded or rendered. */
+  readonly quick: { opaque: RawShaderMaterial; translucent: RawShaderMaterial };
   readonly thin: RawShaderMaterial;
   readonly wide: RawShaderMaterial;
   readonly head: RawShaderMaterial;
@@ -74,20 +76,24 @@ export class Materials {
     this.#table = table;
     this.shared = sharedUniforms(table.uniform);
     const mesh = (pass: number) => this.#make(MESH_VERTEX, MESH_FRAGMENT, pass, { uHas: { value: 0 } });
+    const quick = (pass: number) => this.#make(QUICK_VERTEX, QUICK_FRAGMENT, pass, { uHas: { value: 0 } });
     this.opaque = mesh(0);
-    // The canvas may be transparent where nothing is drawn.
-    this.opaque.defines = { HIDES: "" };
     this.depth = mesh(1);
     this.translucent = mesh(1);
-    for (const material of [this.opaque, this.depth, this.translucent]) {
+    this.quick = { opaque: quick(0), translucent: quick(1) };
+    // The canvas may be transparent where nothing is drawn.
+    for (const material of [this.opaque, this.quick.opaque]) material.defines = { HIDES: "" };
+    for (const material of [this.opaque, this.depth, this.translucent, this.quick.opaque, this.quick.translucent]) {
       material.polygonOffset = true;
       material.polygonOffsetFactor = 1;
       material.polygonOffsetUnits = 1;
     }
     this.depth.colorWrite = false;
     this.depth.transparent = true;
-    this.translucent.transparent = true;
-    this.translucent.depthFunc = LessEqualDepth;
+    for (const material of [this.translucent, this.quick.translucent]) {
+      material.transparent = true;
+      material.depthFunc = LessEqualDepth;
+    }
     this.shadow = this.#make(SHADOW_VERTEX, SHADOW_FRAGMENT, 2, { uReach: { value: 1 } });
     const line = (vertex: string, fragment: string) => {
       const material = this.#make(vertex, fragment, 2, { uWidth: { value: 1 }, uFade: { value: 1 } });
@@ -120,7 +126,8 @@ export class Materials {
   }
 
   dispose(): void {
-    for (const material of [this.opaque, this.depth, this.translucent, this.thin, this.wide, this.head, this.points, this.shadow]) {
+    const { opaque, translucent } = this.quick;
+    for (const material of [opaque, translucent, this.opaque, this.depth, this.translucent, this.thin, this.wide, this.head, this.points, this.shadow]) {
       material.dispose();
     }
     this.shared.uRamp.value.dispose();

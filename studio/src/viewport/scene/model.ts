@@ -148,8 +148,10 @@ export class Model {
    * without sorting out what is behind what in one surface.
    */
   choosePasses(how: Passes, isFine: boolean): void {
-    this.materials.opaque.uniforms["uPass"]!.value = how === "solid" ? 2 : 0;
-    this.materials.translucent.uniforms["uPass"]!.value = how === "through" ? 2 : 1;
+    // The quick lights are those of surfaces that are shaded or rendered: what analyses is drawn with all care.
+    const { opaque, translucent } = !isFine && how !== "solid" ? this.materials.quick : this.materials;
+    opaque.uniforms["uPass"]!.value = how === "solid" ? 2 : 0;
+    translucent.uniforms["uPass"]!.value = how === "through" ? 2 : 1;
     const solid = new Set<Drawable>();
     const through = new Set<Drawable>();
     for (const { parts } of this.objects.values()) {
@@ -162,15 +164,20 @@ export class Model {
       }
     }
     this.hides = solid.size > 0;
+    const isOnSurface = ({ kind }: Drawable) => kind === "edges" || kind === "isocurves";
+    const edges = [...this.#drawables].reduce((sum, each) => sum + (isOnSurface(each) ? each.segments : 0), 0);
     for (const drawable of this.#drawables) {
-      // A quick picture does without very many lines, and very many are not drawn behind surfaces too.
+      // A quick picture does without very many lines, and without those behind surfaces; very many are never drawn there.
       const isMany = drawable.segments > MANY_LINES;
       if (!drawable.surface) {
-        for (const object of drawable.objects) object.visible = isFine || !isMany;
-        for (const object of drawable.behind) object.visible = through.size > 0 && !isMany;
+        const isLeftOut = isMany || (isOnSurface(drawable) && edges > this.#budget.edges);
+        for (const object of drawable.objects) object.visible = isFine || !isLeftOut;
+        for (const object of drawable.behind) object.visible = through.size > 0 && isFine && !isMany;
         for (const object of isFine ? drawable.few : drawable.fine) object.visible = false;
         continue;
       }
+      drawable.surface.solid.material = opaque;
+      drawable.surface.colour.material = translucent;
       drawable.surface.solid.visible = solid.has(drawable);
       drawable.surface.colour.visible = through.has(drawable);
       drawable.surface.depth.visible = through.has(drawable) && how === "own" && isFine;

@@ -49,7 +49,7 @@ export class Painter {
   /** Makes ready for a picture of all panes. A quick one does not sort out what is behind what in one surface. */
   prepare(settings: ViewportSettings, theme: Theme, range: readonly [number, number] | undefined, isQuick: boolean): void {
     const { analysis, mode, stripes, across, shown } = settings;
-    const { shared, translucent } = this.#model.materials;
+    const { shared, translucent, quick } = this.#model.materials;
     const isPaper = mode === "technical" && analysis === "none";
     const isGhosted = mode === "ghosted" && analysis === "none";
     shared.uShade.value = shadeOf(settings);
@@ -59,7 +59,7 @@ export class Painter {
     shared.uPaper.value.copy(theme.paper);
     shared.uInk.value.copy(theme.inkVector);
     shared.uAlpha.value = isGhosted ? GHOST : 1;
-    translucent.depthWrite = !isGhosted;
+    for (const material of [translucent, quick.translucent]) material.depthWrite = !isGhosted;
     const isSolid = isPaper || analysis !== "none";
     this.#model.materials.isQuick = isQuick;
     this.#model.choosePasses(isSolid ? "solid" : isGhosted ? "through" : "own", !isQuick);

@@ -2,66 +2,16 @@
 
 import { COMMON_VERTEX } from "./common";
 
-export const MESH_VERTEX = /* glsl */ `
-${COMMON_VERTEX}
-uniform mat3 normalMatrix;
-uniform int uHas;
-in vec3 position;
-in vec3 normal;
-in vec4 colour;
-in float value;
-out vec3 vView;
-out vec3 vNormal;
-out float vValue;
-out float vBeyond;
-
-void main() {
-  vLook = look();
-  if (!drawn(vLook)) {
-    gl_Position = NOWHERE;
-    return;
-  }
-  if ((uHas & 2) != 0) vLook = vec4(colour.rgb, vLook.a * colour.a);
-  vec4 view = modelViewMatrix * vec4(position, 1.0);
-  vView = view.xyz;
-  vBeyond = beyond(view.xyz);
-  vNormal = (uHas & 1) != 0 ? normalMatrix * normal : vec3(0.0);
-  vValue = value;
-  gl_Position = projectionMatrix * view;
-}
-`;
-
 /** The numbers of `uShade`. */
 export const SHADE = { shaded: 0, rendered: 1, technical: 2, falseColour: 3, zebra: 4 } as const;
 
-export const MESH_FRAGMENT = /* glsl */ `
-precision highp float;
-precision highp int;
-uniform mat4 projectionMatrix;
-uniform mat4 viewMatrix;
-uniform int uShade;
-uniform int uHas;
-uniform float uAlpha;
-uniform vec2 uRange;
-uniform sampler2D uRamp;
-uniform float uStripes;
-uniform int uStripesAcross;
-uniform vec3 uPaper;
-uniform vec3 uInk;
-in vec4 vLook;
-in vec3 vView;
-in vec3 vNormal;
-in float vValue;
-in float vBeyond;
-layout(location = 0) out vec4 oColour;
-
-vec3 toEye() {
-  return projectionMatrix[3][3] > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-vView);
+/** How light falls on a surface, in the coordinates of the eye. */
+const LIGHTS = /* glsl */ `
+vec3 toEye(vec3 view) {
+  return projectionMatrix[3][3] > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-view);
 }
 
-vec3 facing(vec3 eye) {
-  // Without normals of its own a triangle is flat.
-  vec3 normal = dot(vNormal, vNormal) > 0.01 ? normalize(vNormal) : normalize(cross(dFdx(vView), dFdy(vView)));
+vec3 turned(vec3 normal, vec3 eye) {
   return dot(normal, eye) < 0.0 ? -normal : normal;
 }
 
@@ -104,6 +54,68 @@ vec3 rendered(vec3 colour, vec3 normal, vec3 eye) {
   return pow(light, vec3(1.0 / 2.2));
 }
 
+vec3 shaded(vec3 colour, vec3 normal, vec3 eye) {
+  return lit(colour, headlight(normal) + 0.22 * gloss(normal, eye, 28.0));
+}
+`;
+
+export const MESH_VERTEX = /* glsl */ `
+${COMMON_VERTEX}
+uniform mat3 normalMatrix;
+uniform int uHas;
+in vec3 position;
+in vec3 normal;
+in vec4 colour;
+in float value;
+out vec3 vView;
+out vec3 vNormal;
+out float vValue;
+out float vBeyond;
+
+void main() {
+  vLook = look();
+  if (!drawn(vLook)) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  if ((uHas & 2) != 0) vLook = vec4(colour.rgb, vLook.a * colour.a);
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  vView = view.xyz;
+  vBeyond = beyond(view.xyz);
+  vNormal = (uHas & 1) != 0 ? normalMatrix * normal : vec3(0.0);
+  vValue = value;
+  gl_Position = projectionMatrix * view;
+}
+`;
+
+export const MESH_FRAGMENT = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform mat4 projectionMatrix;
+uniform mat4 viewMatrix;
+uniform int uShade;
+uniform int uHas;
+uniform float uAlpha;
+uniform vec2 uRange;
+uniform sampler2D uRamp;
+uniform float uStripes;
+uniform int uStripesAcross;
+uniform vec3 uPaper;
+uniform vec3 uInk;
+in vec4 vLook;
+in vec3 vView;
+in vec3 vNormal;
+in float vValue;
+in float vBeyond;
+layout(location = 0) out vec4 oColour;
+
+${LIGHTS}
+
+// Without normals of its own a triangle is flat.
+vec3 across() {
+  return dot(vNormal, vNormal) > 0.01 ? normalize(vNormal) : normalize(cross(dFdx(vView), dFdy(vView)));
+}
+
 // A contour where a surface turns away from the eye, about as wide as a line.
 float contour(vec3 eye) {
   if (dot(vNormal, vNormal) < 0.01) return 0.0;
@@ -114,8 +126,8 @@ float contour(vec3 eye) {
 
 void main() {
   if (vBeyond > 0.0) discard;
-  vec3 eye = toEye();
-  vec3 normal = facing(eye);
+  vec3 eye = toEye(vView);
+  vec3 normal = turned(across(), eye);
   vec4 colour = vec4(vLook.rgb, vLook.a * uAlpha);
   if (uShade == ${SHADE.rendered}) {
     colour.rgb = rendered(colour.rgb, normal, eye);
@@ -132,11 +144,78 @@ void main() {
     float stripe = clamp((abs(fract(wave) - 0.5) - 0.25) / soft + 0.5, 0.0, 1.0);
     colour = vec4(mix(vec3(0.08), vec3(0.97), stripe) * (0.75 + 0.25 * headlight(normal)), 1.0);
   } else {
-    colour.rgb = lit(colour.rgb, headlight(normal) + 0.22 * gloss(normal, eye, 28.0));
+    colour.rgb = shaded(colour.rgb, normal, eye);
   }
 #ifdef HIDES
   colour.a = 1.0;
 #endif
   oColour = colour;
+}
+`;
+
+/**
+ * Surfaces in quick pictures, shaded or rendered: light is found at the vertices, where they have normals. Software takes as
+ * long as the lights of all pixels take.
+ */
+export const QUICK_VERTEX = /* glsl */ `
+${COMMON_VERTEX}
+uniform mat3 normalMatrix;
+uniform mat4 viewMatrix;
+uniform int uHas;
+uniform int uShade;
+uniform float uAlpha;
+in vec3 position;
+in vec3 normal;
+in vec4 colour;
+out vec3 vView;
+out float vBeyond;
+
+${LIGHTS}
+
+void main() {
+  vLook = look();
+  if (!drawn(vLook)) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  if ((uHas & 2) != 0) vLook = vec4(colour.rgb, vLook.a * colour.a);
+  vLook.a *= uAlpha;
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  vView = view.xyz;
+  vBeyond = beyond(view.xyz);
+  if ((uHas & 1) != 0) {
+    vec3 eye = toEye(view.xyz);
+    vec3 up = turned(normalize(normalMatrix * normal), eye);
+    vLook.rgb = uShade == ${SHADE.rendered} ? rendered(vLook.rgb, up, eye) : shaded(vLook.rgb, up, eye);
+  }
+  gl_Position = projectionMatrix * view;
+}
+`;
+
+export const QUICK_FRAGMENT = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform mat4 projectionMatrix;
+uniform mat4 viewMatrix;
+uniform int uHas;
+uniform int uShade;
+in vec4 vLook;
+in vec3 vView;
+in float vBeyond;
+layout(location = 0) out vec4 oColour;
+
+${LIGHTS}
+
+void main() {
+  if (vBeyond > 0.0) discard;
+  oColour = vLook;
+  if ((uHas & 1) == 0) {
+    vec3 eye = toEye(vView);
+    vec3 normal = turned(normalize(cross(dFdx(vView), dFdy(vView))), eye);
+    oColour.rgb = uShade == ${SHADE.rendered} ? rendered(oColour.rgb, normal, eye) : shaded(oColour.rgb, normal, eye);
+  }
+#ifdef HIDES
+  oColour.a = 1.0;
+#endif
 }
 `;
