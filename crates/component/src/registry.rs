@@ -69,6 +69,6 @@ pub fn by_name(name: &str) -> Option<&'static Component> {
 /// All components, ordered by tab, panel, name, age and id; those that stand for plug-ins' after Grasshopper's own.
 pub fn all() -> Vec<&'static Component> {
     let mut all: Vec<_> = inventory::iter::<Component>.into_iter().collect();
-    all.sort_by_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
+    all.sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
     all
 }
