@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use katydid_script::{Examiner, Interpreter, find};
-use katydid_session::{Check, check as examine};
+use katydid_session::{Check, KnownOfPlugin, check as examine};
 use serde_json::json;
 
 use crate::args::CheckArgs;
@@ -141,6 +141,25 @@ fn entry(file: &Path, result: &Result<Check, String>) -> serde_json::Value {
     }
 }
 
+/// What a file knows of an object of a plug-in, in a line.
+fn told(known: &KnownOfPlugin) -> String {
+    let mut parts = Vec::new();
+    let by = [&known.version, &known.author];
+    let by: Vec<&str> = by.into_iter().map(|part| part.trim()).filter(|part| !part.is_empty()).collect();
+    if !by.is_empty() {
+        parts.push(by.join(" by "));
+    }
+    let about: String = known.description.split_whitespace().collect::<Vec<_>>().join(" ");
+    if !about.is_empty() {
+        parts.push(about);
+    }
+    parts.push(format!("{} → {}", known.inputs.join(", "), known.outputs.join(", ")));
+    if known.others_run {
+        parts.push("other components of this plug-in run".to_owned());
+    }
+    parts.join("; ")
+}
+
 fn print(results: &[(PathBuf, Result<Check, String>)]) {
     let (mut objects, mut missing, mut runnable) = (0, 0, 0);
     for (file, result) in results {
@@ -160,6 +179,9 @@ fn print(results: &[(PathBuf, Result<Check, String>)]) {
                     let why = missing.plugin.as_deref().or(missing.reason.as_deref());
                     let plugin = why.map(|why| format!(" ({why})")).unwrap_or_default();
                     say(&format!("         {:>4} × {}{DIM}{plugin}{DIM:#}", missing.count, missing.name));
+                    if let Some(known) = &missing.known {
+                        say(&format!("              {DIM}{}{DIM:#}", told(known)));
+                    }
                 }
                 missing += count;
             }

@@ -39,6 +39,7 @@ pub mod registry;
 mod rhino_content;
 mod rhino_model;
 mod shortened;
+mod stand_in;
 pub mod stored;
 pub mod testing;
 mod trust;
@@ -57,6 +58,7 @@ pub use output::{Each, ItemOrList};
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};
 pub use shortened::shortened;
+pub use stand_in::{Plugin, PortNames, StandIn, plugin_of_library, plugin_of_tab, plugins, stand_in};
 pub use trust::{Origin, Trust};
 
 /// What the [`component`] attribute writes code against; not for use by hand.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use uuid::Uuid;
 
-use crate::Component;
+use crate::{Component, plugin_of_tab};
 
 static BY_GUID: LazyLock<HashMap<Uuid, &'static Component>> = LazyLock::new(|| {
     let mut map = HashMap::new();
@@ -58,16 +58,17 @@ pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
 }
 
 /// The first component of that name, in order of tab, panel and name, its newest version; a parameter only where no
-/// component has the name. Case does not matter.
+/// component has the name, one that stands for a plug-in's only where nothing of Grasshopper's own has it. Case does not
+/// matter.
 pub fn by_name(name: &str) -> Option<&'static Component> {
     let all = all().into_iter().filter(|c| c.name.eq_ignore_ascii_case(name));
     // The first of equals is the least.
-    all.min_by_key(|c| (c.floating, c.old))
+    all.min_by_key(|c| (plugin_of_tab(c.tab).is_some(), c.floating, c.old))
 }
 
-/// All components, ordered by tab, panel, name, age and id.
+/// All components, ordered by tab, panel, name, age and id; those that stand for plug-ins' after Grasshopper's own.
 pub fn all() -> Vec<&'static Component> {
     let mut all: Vec<_> = inventory::iter::<Component>.into_iter().collect();
-    all.sort_by_key(|c| (c.tab, c.panel, c.name, c.old, c.guid));
+    all.sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
     all
 }

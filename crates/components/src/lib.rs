@@ -23,11 +23,13 @@ mod transform;
 mod unsupported;
 mod vector;
 
-/// Makes sure that the components are linked into the program, and tells how many there are.
+/// Makes sure that the components are linked into the program, with those that stand for plug-ins', and tells how many
+/// there are.
 ///
 /// ```
 /// assert!(katydid_components::link() > 100);
 /// ```
 pub fn link() -> usize {
+    katydid_components_more::link();
     katydid_component::registry::all().len()
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use katydid_component::{
-    Access, Account, Budget, Call, Cancel, Component, Deadline, Level, Limits, Port, registry,
+    Access, Account, Budget, Call, Cancel, Component, Deadline, Level, Limits, Port, plugin_of_tab, registry,
 };
 use katydid_data::cast::{self, Rules};
 use katydid_data::{Column, Path, Tree, TreeBuilder};
@@ -24,7 +24,10 @@ pub(crate) struct Components {
 
 impl Registry for Components {
     fn components(&self) -> Value {
+        // Names of plug-ins' components are not theirs alone: Angle is Grasshopper's own.
+        let own = |component: &&Component| plugin_of_tab(component.tab).is_none();
         let offered = registry::all().into_iter().filter(|component| !component.old && !component.floating);
+        let offered = offered.filter(own);
         Value::List(offered.map(entry).collect())
     }
 

@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 
-use katydid_component::registry;
+use katydid_component::{plugin_of_library, registry};
 use katydid_definition::archive::Limits;
-use katydid_definition::document::{ClusterContent, Document, Object, Script, ScriptLanguage};
+use katydid_definition::document::{ClusterContent, Document, Object, Script, ScriptLanguage, Side};
 use serde::Serialize;
 use uuid::Uuid;
 
@@ -43,6 +43,7 @@ impl Check {
                 name: what.to_owned(),
                 component: object.component,
                 plugin: None,
+                known: None,
                 reason,
                 count: 1,
             }),
@@ -60,10 +61,43 @@ pub struct Unsupported {
     pub component: Uuid,
     /// The plug-in it comes from.
     pub plugin: Option<String>,
+    /// What the file knows of the plug-in and of the component; none for what is of no plug-in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub known: Option<KnownOfPlugin>,
     /// Why it cannot be had, where that is known.
     pub reason: Option<String>,
     /// How many objects are of this type.
     pub count: usize,
+}
+
+/// What a file knows of an object of a plug-in.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct KnownOfPlugin {
+    /// Who made the plug-in; empty where the file does not say.
+    pub author: String,
+    /// The version of the plug-in; empty where the file does not say.
+    pub version: String,
+    /// What the component does, in its author's words; empty where the file does not say.
+    pub description: String,
+    /// The names of its inputs.
+    pub inputs: Vec<String>,
+    /// The names of its outputs.
+    pub outputs: Vec<String>,
+    /// Whether Katydid stands for other components of the plug-in.
+    pub others_run: bool,
+}
+
+fn known(document: &Document, object: &Object) -> Option<KnownOfPlugin> {
+    let library = document.library(object.lib?)?;
+    let names = |side: Side| object.ports(side).iter().map(|port| port.name.clone()).collect();
+    Some(KnownOfPlugin {
+        author: library.author.clone(),
+        version: library.version.clone(),
+        description: object.description.clone(),
+        inputs: names(Side::Input),
+        outputs: names(Side::Output),
+        others_run: plugin_of_library(&library.name).is_some(),
+    })
 }
 
 /// Looks through a document and the clusters in it.
@@ -82,7 +116,7 @@ fn count(
 ) -> usize {
     let mut objects = 0;
     for object in &document.objects {
-        if object.is_annotation() {
+        if object.is_annotation() || katydid_solver::is_note(document, object) {
             continue;
         }
         if let Some(script) = object.script().filter(is_run) {
@@ -103,7 +137,7 @@ fn count(
             Some(Ok(ClusterContent::Locked)) => Some("the cluster is locked by a password".to_owned()),
             Some(Ok(ClusterContent::File(path))) => Some(format!("the cluster is in another file, {path}")),
             Some(Err(error)) => Some(format!("the cluster is broken: {error}")),
-            None if registry::by_guid(object.component).is_some() => {
+            None if katydid_solver::of_object(document, object).is_some() => {
                 objects += 1;
                 continue;
             }
@@ -116,6 +150,7 @@ fn count(
             name: object.name.clone(),
             component: object.component,
             plugin,
+            known: known(document, object),
             reason,
             count: 0,
         };

@@ -44,7 +44,7 @@ mod view;
 pub use bake::{BakeOptions, Baked, bake};
 pub use catalogue::Registry;
 pub use change::{Change, Refusal};
-pub use check::{Check, ScriptObject, Unsupported, check};
+pub use check::{Check, KnownOfPlugin, ScriptObject, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
 pub use input::{InputError, assign as assign_input, find as find_input, inputs};

@@ -1,6 +1,5 @@
 //! What objects read, asked for after a solve.
 
-use katydid_component::registry;
 use katydid_data::Tree;
 use katydid_definition::document::Lookup;
 
@@ -25,11 +24,11 @@ impl<'a> Inputs<'a> {
     /// object that is not there.
     pub fn of(&self, index: usize) -> Vec<Tree> {
         let Some(object) = self.engine.document().objects.get(index) else { return Vec::new() };
-        let component = registry::by_guid(object.component);
+        let found = crate::of_object(self.engine.document(), object);
         let options = self.engine.options();
         let mut inputs = Vec::with_capacity(object.inputs.len());
         for (k, port) in object.inputs.iter().enumerate() {
-            let declared = component.and_then(|component| component.input(k));
+            let declared = found.as_ref().and_then(|found| found.input(k));
             if let Some(tree) = self.engine.given.get(&(index, k)) {
                 inputs.push(collect::brought(object, port, declared, tree, options).tree);
                 continue;
@@ -41,8 +40,10 @@ impl<'a> Inputs<'a> {
             let wired: Vec<&Tree> = port.sources.iter().filter_map(source).collect();
             inputs.push(collect::port(object, port, declared, &wired, options).tree);
         }
+        let Some(found) = found else { return inputs };
+        let mut inputs = found.arranged(inputs);
         // An old file may know fewer inputs than the component has today.
-        let missing = component.map_or(&[][..], |component| component.inputs).iter().skip(inputs.len());
+        let missing = found.component.inputs.iter().skip(inputs.len());
         let defaults = missing.filter(|port| !port.many).map(|port| port.default);
         inputs.extend(defaults.map(|default| default.map_or_else(Tree::empty, |default| default())));
         inputs

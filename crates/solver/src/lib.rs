@@ -32,6 +32,7 @@ mod update;
 
 pub use engine::{Engine, Summary};
 pub use inputs::Inputs;
+pub use object::{is_note, of_object};
 pub use options::{Finished, Listener, Options, Progress, ResultListener};
 pub use refused::Refused;
 pub use remote::{HOPS, Question, Remote, Solved};

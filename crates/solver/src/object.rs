@@ -4,7 +4,10 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use katydid_component::{Access, Account, Budget, Call, Component, Deadline, Message, registry};
+use katydid_component::{
+    Access, Account, Budget, Call, Deadline, Message, PortNames, StandIn, plugin_of_library, registry,
+    stand_in,
+};
 use katydid_data::{Column, Kind, Path, Tree};
 use katydid_definition::document::{Document, Object, Side, Special, ids};
 
@@ -34,8 +37,8 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>], budget:
     let Some(object) = turn.document.objects.get(index) else {
         return ObjectReport::idle(Status::Ok, Vec::new(), 0);
     };
-    if object.is_annotation() {
-        return ObjectReport::idle(Status::Ok, Vec::new(), 0);
+    if object.is_annotation() || is_note(turn.document, object) {
+        return ObjectReport::idle(Status::Ok, Vec::new(), object.outputs.len());
     }
     if object.locked {
         return ObjectReport::idle(Status::Disabled, Vec::new(), object.outputs.len());
@@ -57,10 +60,29 @@ pub(crate) fn solve(turn: &Turn<'_>, index: usize, wired: &[Vec<&Tree>], budget:
     if let Some(report) = script::solve(turn, object, wired, budget) {
         return report;
     }
-    match registry::by_guid(object.component) {
-        Some(component) => run(turn, index, object, component, wired, budget),
+    match of_object(turn.document, object) {
+        Some(found) => run(turn, index, object, &found, wired, budget),
         None => unsupported(turn.document, object),
     }
+}
+
+/// Whether an object is of a plug-in whose objects are there for the reader of the canvas only.
+pub fn is_note(document: &Document, object: &Object) -> bool {
+    let library = object.lib.and_then(|lib| document.library(lib));
+    library.and_then(|library| plugin_of_library(&library.name)).is_some_and(|plugin| plugin.only_notes)
+}
+
+/// The component that runs an object: Grasshopper's own, or one that stands for a plug-in's.
+pub fn of_object(document: &Document, object: &Object) -> Option<StandIn> {
+    if let Some(component) = registry::by_guid(object.component) {
+        return Some(StandIn::from(component));
+    }
+    let library = document.library(object.lib?)?;
+    let names = |side: Side| -> Vec<PortNames<'_>> {
+        object.ports(side).iter().map(|port| (port.name.as_str(), port.nickname.as_str())).collect()
+    };
+    let (inputs, outputs) = (names(Side::Input), names(Side::Output));
+    stand_in(object.component, Some(&library.name), &object.name, &inputs, &outputs)
 }
 
 /// An object of a type that Katydid does not have gives a null on each output.
@@ -104,18 +126,19 @@ fn run(
     turn: &Turn<'_>,
     index: usize,
     object: &Object,
-    component: &'static Component,
+    found: &StandIn,
     wired: &[Vec<&Tree>],
     budget: &Budget,
 ) -> ObjectReport {
     let rules = turn.options.rules;
+    let component = found.component;
     let mut messages = Vec::new();
     let mut inputs = Vec::with_capacity(object.inputs.len());
     let mut missing = false;
     let records = object.component == ids::DATA_RECORDER;
     let memory = turn.memory.filter(|_| records || object.component == ids::VALUE_TRACKER);
     for (k, port) in object.inputs.iter().enumerate() {
-        let declared = component.input(k);
+        let declared = found.input(k);
         let wires = wired.get(k).map_or(&[][..], Vec::as_slice);
         let collected = match turn.brought.get(&(index, k)) {
             Some(tree) => collect::brought(object, port, declared, tree, turn.options),
@@ -135,20 +158,22 @@ fn run(
         }
         inputs.push(collected.tree);
     }
+    missing |= found.is_short_of_inputs(object.inputs.len());
+    let mut inputs = found.arranged(inputs);
     // An old file may know fewer inputs than the component has today: those have their defaults.
-    for declared in component.inputs.iter().skip(object.inputs.len()).filter(|d| !d.many) {
+    for declared in component.inputs.iter().skip(inputs.len()).filter(|d| !d.many) {
         inputs.push(declared.default.map_or_else(Tree::empty, |default| default()));
-        missing |= declared.default.is_none() && !declared.optional;
     }
     if missing {
         return ObjectReport::idle(Status::NoData, messages, object.outputs.len());
     }
     let names: Vec<String> = object.inputs.iter().map(|port| port.nickname.clone()).collect();
+    let by_name = found.is_by_name();
     let call = Call {
         inputs: &inputs,
         input_names: &names,
-        output_count: object.outputs.len(),
-        wanted: turn.wanted,
+        output_count: if by_name { component.outputs.len() } else { object.outputs.len() },
+        wanted: if by_name { &[] } else { turn.wanted },
         settings: object.container(),
         rules,
         budget,
@@ -168,10 +193,9 @@ fn run(
     // A tracker hands on what came, a recorder what it has recorded.
     let given = recorded.clone().filter(|_| records);
     let trees = given.map_or(outcome.outputs, |tree| vec![tree]);
-    let mut trees = trees.into_iter();
-    let outputs: Vec<Tree> = (0..object.outputs.len())
-        .map(|k| output(object, k, trees.next().unwrap_or_default(), turn.options, &mut messages))
-        .collect();
+    let given = |k: usize| found.output_place(k).and_then(|j| trees.get(j)).cloned().unwrap_or_default();
+    let outputs: Vec<Tree> =
+        (0..object.outputs.len()).map(|k| output(object, k, given(k), turn.options, &mut messages)).collect();
     let mut status = ObjectReport::status_of(&messages);
     if status == Status::Ok && object.is_floating() && outputs.iter().all(Tree::is_empty) {
         let text = format!("Floating parameter {} failed to collect data", object.title());

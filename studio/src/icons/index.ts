@@ -7,6 +7,7 @@ import { intersect } from "./table/intersect";
 import { maths, scalar } from "./table/maths";
 import { meshes } from "./table/mesh";
 import { params } from "./table/params";
+import * as plugins from "./table/plugins";
 import { rhino } from "./table/rhino";
 import { sets } from "./table/sets";
 import { special, unknown } from "./table/special";
@@ -28,6 +29,12 @@ const TABS: Readonly<Record<string, Tab>> = {
   Transform: transform,
   Display: display,
   Rhino: rhino,
+  Human: plugins.human,
+  Kangaroo2: plugins.kangaroo2,
+  LunchBox: plugins.lunchbox,
+  MeshEdit: plugins.meshedit,
+  Telepathy: plugins.telepathy,
+  Weaverbird: plugins.weaverbird,
 };
 
 /** The part of the plane that a picture is shown from: see README.md. */

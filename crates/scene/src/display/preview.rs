@@ -19,7 +19,20 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("059b72b0-9bb3-4542-a805-2dcd27493164"), cloud),
     (uuid!("62d5ead4-53c4-4d0b-b5ce-6bd6e0850ab8"), symbol),
     (uuid!("eeb8f5d3-2c5e-46bd-a368-10f0f9576fe9"), custom_curve),
+    // Human's previews with line weights and with materials.
+    (uuid!("a77d0879-94c2-4101-be44-e4a616ffeb0c"), weighted_preview),
+    (uuid!("ff7300b2-a4c7-4651-8fa9-79a328f41e3c"), weighted_preview),
+    (uuid!("e407f858-6c25-4550-a010-76cfa112e6bd"), custom_preview),
 ];
+
+fn weighted_preview(painter: &mut Painter<'_>, object: &Object, row: &Row<'_>) {
+    let (Some(Geometry(value)), Some(material)) = (row.item::<Geometry>(0), row.item::<Material>(1)) else {
+        return;
+    };
+    let width = row.item::<f64>(2).filter(|width| width.is_finite()).unwrap_or(1.0).clamp(0.1, 100.0);
+    let look = Look { width, ..values::look(&material, painter.look) };
+    painter.values.add(&mut painter.scene, &value, look, painter.rules, object.title());
+}
 
 fn custom_preview(painter: &mut Painter<'_>, object: &Object, row: &Row<'_>) {
     let (Some(Geometry(value)), Some(material)) = (row.item::<Geometry>(0), row.item::<Material>(1)) else {

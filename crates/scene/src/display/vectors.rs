@@ -20,7 +20,16 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("0ad9f1ab-2204-45bb-b282-474469e2fa7b"), point_order),
     (uuid!("08619b6d-f9c4-4cb2-adcd-90959f08dc0d"), tensors),
     (uuid!("7376fe41-74ec-497e-b367-1ffe5072608b"), curvature_graph),
+    // Kangaroo's DotDisplay.
+    (uuid!("d27b55c6-9d5f-4d05-be7b-b91009aad383"), dots),
 ];
+
+fn dots(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let points: Vec<Point3> = row.list(0);
+    for p in points {
+        painter.scene.add(Form::Point(p), painter.look);
+    }
+}
 
 fn vector(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
     arrow(painter, row, painter.look);

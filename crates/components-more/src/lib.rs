@@ -1,0 +1,107 @@
+//! Components of our own that answer to the objects of plug-ins in files: a folder a plug-in, a function a component.
+//!
+//! Names, ports and ids are facts from files and from public lists of components. What each computes is our own work from
+//! papers, talks and documentation; where nothing tells, the help says that it is our reading. A plug-in whose ids no file at
+//! hand shows is told by its name and those of its components ([`katydid_component::stand_in`]).
+
+#![allow(
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::type_complexity,
+    clippy::too_many_arguments,
+    reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its ports"
+)]
+
+mod human;
+mod kangaroo;
+mod lunchbox;
+mod mesh_edit;
+mod polygons;
+mod telepathy;
+mod weaverbird;
+
+use katydid_component::Plugin;
+
+/// A plug-in with its author.
+macro_rules! plugins {
+    ($($name:literal by $author:literal as $library:literal;)*) => {
+        $(katydid_component::parts::inventory::submit! {
+            Plugin { name: $name, author: $author, library: $library, only_notes: false }
+        })*
+    };
+}
+
+plugins! {
+    "Human" by "Andrew Heumann" as "human";
+    "Kangaroo2" by "Daniel Piker" as "kangaroo2";
+    "LunchBox" by "Proving Ground" as "lunchbox";
+    "MeshEdit" by "[uto]" as "meshedit";
+    "Telepathy" by "Andrew Heumann" as "telepathy";
+    "Weaverbird" by "Giulio Piacentino" as "weaverbird";
+}
+
+// Its objects write names beside others on the canvas, and compute nothing.
+katydid_component::parts::inventory::submit! {
+    Plugin { name: "Bifocals", author: "Andrew Heumann", library: "bifocals", only_notes: true }
+}
+
+/// Makes sure that these components are linked into the program, and tells how many plug-ins they stand for.
+///
+/// ```
+/// assert!(katydid_components_more::link() > 1);
+/// ```
+pub fn link() -> usize {
+    katydid_component::plugins().count()
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::parts::Uuid;
+    use katydid_component::{registry, stand_in};
+    use katydid_data::{Tree, Value};
+
+    /// An id that nobody has.
+    const STRANGE: Uuid = Uuid::from_u128(0x7357);
+
+    #[test]
+    fn objects_are_found_by_names() {
+        let inputs = [("Level", "L"), ("Mesh/Curves", "M"), ("Smooth Naked Edges", "S")];
+        let outputs = [("Output Mesh/Curves", "O")];
+        let find = |library, name| stand_in(STRANGE, library, name, &inputs, &outputs);
+        let found = find(Some("Weaverbird.Gh"), "Weaverbird's Catmull-Clark Subdivision").unwrap();
+        assert_eq!(found.component.name, "Catmull-Clark Subdivision");
+        // The ports stand in another order in the file.
+        assert_eq!([0, 1, 2].map(|k| found.input_place(k)), [Some(1), Some(0), Some(2)]);
+        let level = Tree::item(Value::Integer(3));
+        let arranged = found.arranged(vec![level.clone(), Tree::empty()]);
+        assert_eq!(arranged[1], level);
+        assert_eq!(arranged.len(), 3);
+        assert!(find(Some("Weaverbird"), "wbCatmullClark").is_some());
+        assert!(find(Some("Weaverbird"), "Number").is_none());
+        assert!(find(Some("Some Library"), "Catmull-Clark Subdivision").is_none());
+        assert!(find(None, "Catmull-Clark Subdivision").is_none());
+    }
+
+    #[test]
+    fn of_versions_the_one_with_the_same_ports_is_found() {
+        let inputs: Vec<(&str, &str)> =
+            ["GoalObjects", "Points", "Reset", "Restart", "Parallel", "Threshold", "On"]
+                .map(|name| (name, name))
+                .to_vec();
+        let found = stand_in(STRANGE, Some("Kangaroo2 Components"), "Solver", &inputs, &[]).unwrap();
+        assert_eq!(found.component.inputs.len(), 9);
+        let known = registry::by_guid(found.component.guid).unwrap();
+        assert_eq!(known.name, "Solver");
+    }
+
+    #[test]
+    fn every_component_says_whose_it_stands_for() {
+        let mut count = 0;
+        for component in registry::all() {
+            assert!(katydid_component::plugin_of_tab(component.tab).is_some(), "{}", component.name);
+            let help: Vec<&str> = component.help.split_whitespace().collect();
+            assert!(help.join(" ").contains("Stands for"), "{}", component.name);
+            count += 1;
+        }
+        assert!(count > 120, "{count}");
+    }
+}

@@ -1,0 +1,226 @@
+/** The pictures of components that stand for those of plug-ins: what a panel works on, and two letters of the name. */
+
+import { circle, dot, hotDot, line, poly, rect } from "../lines";
+import * as mark from "../marks";
+import { faint, hot, ink, shade, small, tint, type Drawing } from "../piece";
+import * as s from "../shapes";
+import type { Tab } from "./tab";
+
+/** A picture of a panel: its subject, small, with letters in the corner. */
+const of = (subject: Drawing) => (letters: string): Drawing => [small(subject), mark.sign(letters)];
+
+const pulled = of([ink(line(4, 18, 18, 6)), hotDot(4, 18, 18, 6)]);
+const body = of([s.bareBox, dot(12, 11)]);
+const bent = of([ink(line(3, 19, 12, 7, 21, 17)), hot("M8 12C10 15 14 15 16 12")]);
+const round = of([faint(circle(12, 12, 8)), dot(12, 4, 20, 12, 12, 20, 4, 12)]);
+const apart = of([ink(circle(8, 12, 5), circle(18, 12, 5)), hot(line(13, 4, 13, 20))]);
+const taut = of([ink(line(3, 12, 21, 12)), hotDot(3, 12, 21, 12)]);
+const net = of([ink(s.netRing), faint(s.netLines), hotDot(12, 12)]);
+const held = of([s.wave, hotDot(12, 12)]);
+const pinned = of([ink(line(12, 4, 12, 16)), hotDot(12, 18), tint(poly(6, 2, 18, 2, 12, 6))]);
+const rest = of([ink("M3 4C5 22 19 22 21 4"), hotDot(3, 4, 21, 4), dot(12, 17.5)]);
+const mesh = of(s.mesh);
+const points = of([dot(6, 6, 18, 5, 13, 12, 5, 17, 19, 18)]);
+const panels = of([shade(rect(3, 3, 9, 9), rect(12, 12, 9, 9)), ink(rect(3, 3, 18, 18), line(12, 3, 12, 21), line(3, 12, 21, 12))]);
+const frame = of([ink(rect(3, 3, 18, 18), line(3, 3, 21, 21), line(21, 3, 3, 21))]);
+const shown = of([ink("M2 12C6 5 18 5 22 12C18 19 6 19 2 12Z", circle(12, 12, 3))]);
+const wave = of(s.wave);
+const soft = of(s.subd);
+const solid = of(s.box);
+
+export const human: Tab = {
+  Display: {
+    "Custom Preview Lineweights": shown("CP"),
+    "Custom Preview Materials": shown("CM"),
+  },
+};
+
+export const kangaroo2: Tab = {
+  "Goals-6dof": {
+    RigidPointSet: body("RP"),
+  },
+  "Goals-Angle": {
+    Angle: bent("An"),
+    AngleSnap: bent("AS"),
+    ClampAngle: bent("CA"),
+    EqualAngle: bent("EA"),
+    Rod: bent("Ro"),
+  },
+  "Goals-Co": {
+    CoCircular: round("CC"),
+    CoLinear: round("CL"),
+    CoPlanar: round("CP"),
+    CoSpherical: round("CS"),
+  },
+  "Goals-Col": {
+    Collider: apart("Co"),
+    CurvePointCollide: apart("Ci"),
+    SolidPointCollide: apart("SP"),
+    SphereCollide: apart("SC"),
+  },
+  "Goals-Lin": {
+    ClampLength: taut("Ce"),
+    ConstantTension: taut("CT"),
+    Direction: taut("Di"),
+    DynamicWeight1d: taut("DW"),
+    EqualLength: taut("EL"),
+    "Length(Line)": taut("LL"),
+    LengthRatio: taut("LR"),
+    LengthSnap: taut("LS"),
+    PlasticLength: taut("PL"),
+  },
+  "Goals-Mesh": {
+    CyclicQuad: net("CQ"),
+    EdgeLengths: net("Ee"),
+    Hinge: net("Hi"),
+    NoFoldThrough: net("NF"),
+    Planarize: net("Pl"),
+    PlasticHinge: net("PH"),
+    PolygonArea: net("PA"),
+    Pressure: net("Pr"),
+    Smooth: net("Sm"),
+    SoapFilm: net("SF"),
+    TangentialSmooth: net("TS"),
+    VertexLoads: net("VL"),
+    Volume: net("Vo"),
+    Wind: net("Wi"),
+    TangentIncircles: net("TI"),
+  },
+  "Goals-On": {
+    OnCurve: held("OC"),
+    OnMesh: held("OM"),
+    OnPlane: held("OP"),
+  },
+  "Goals-Pt": {
+    Anchor: pinned("Ac"),
+    AnchorXYZ: pinned("AX"),
+    Bomb: pinned("Bo"),
+    Coincident: pinned("Cn"),
+    Floor: pinned("Fl"),
+    FloorFriction: pinned("FF"),
+    Load: pinned("Lo"),
+    MagnetSnap: pinned("MS"),
+    PlasticAnchor: pinned("Pn"),
+    Transform: pinned("Tr"),
+  },
+  Goals: {
+    "Length(Pts)": pulled("LP"),
+    RigidBody: pulled("RB"),
+  },
+  Main: {
+    BouncySolver: rest("BS"),
+    Grab: rest("Gr"),
+    Show: rest("Sh"),
+    "Soft & Hard Solver": rest("SH"),
+    Solver: rest("So"),
+    StepSolver: rest("SS"),
+    ZombieSolver: rest("ZS"),
+  },
+  Mesh: {
+    Bipartite: mesh("Bi"),
+    ByParent: mesh("BP"),
+    Checkerboard: mesh("Ch"),
+    "Combine&Clean": mesh("Cl"),
+    Diagonalize: mesh("Da"),
+    FoldAngle: mesh("FA"),
+    HingePoints: mesh("HP"),
+    MeshCorners: mesh("MC"),
+    MeshTurn: mesh("MT"),
+    NakedVertices: mesh("NV"),
+    PlanarityAnalysis: mesh("Pa"),
+    Refine: mesh("Re"),
+    Stripper: mesh("St"),
+    Unroller: mesh("Un"),
+    VertexNeighbours: mesh("VN"),
+    WarpWeft: mesh("WW"),
+  },
+  Utility: {
+    DotDisplay: points("DD"),
+    SplitAtCorners: points("SA"),
+    interconnectPoints: points("iP"),
+    removeDuplicateLines: points("rD"),
+    removeDuplicatePts: points("rP"),
+  },
+};
+
+export const lunchbox: Tab = {
+  "LunchBox Panels": {
+    "Diamond Panels": panels("DP"),
+    "Hexagon Cells": panels("HC"),
+    "Quad Panels": panels("QP"),
+    "Random Quad Panels": panels("RQ"),
+    "Skewed Quads": panels("SQ"),
+    "Staggered Quad Panels": panels("SP"),
+    "Triangle Panels B": panels("TP"),
+    "Triangle Panels C": panels("TC"),
+    "Triangular Panels A": panels("TA"),
+  },
+  "LunchBox Structure": {
+    "Braced Grid 1D Structure": frame("BG"),
+    "Braced Grid 2D Structure": frame("BS"),
+    "Diagrid Structure": frame("DS"),
+    "Grid Structure": frame("GS"),
+  },
+};
+
+export const meshedit: Tab = {
+  Analysis: {
+    "Mesh Area": mesh("MA"),
+    "Mesh NakedEdge": mesh("MN"),
+    "Mesh Volume": mesh("MV"),
+  },
+  Create: {
+    "Mesh from Points": mesh("Mf"),
+  },
+  Edit: {
+    "Mesh ConvertQuads": mesh("MC"),
+    "Mesh CullUnusedVertices": mesh("Mu"),
+    "Mesh Explode": mesh("ME"),
+    "Mesh Flip": mesh("MF"),
+    "Mesh Triangulate": mesh("MT"),
+    "Mesh WeldVertices": mesh("MW"),
+  },
+};
+
+export const telepathy: Tab = {
+  Params: {
+    "Remote Receiver": wave("RR"),
+    "Remote Sender": wave("RS"),
+  },
+};
+
+export const weaverbird: Tab = {
+  "Wb Extract": {
+    "Dual graph": mesh("Dg"),
+    "Face Polylines": mesh("FP"),
+    "Join Meshes and Weld": mesh("oi"),
+    "Mesh Edges": mesh("ME"),
+    "Naked boundary": mesh("Nb"),
+    "Unify face windings": mesh("Uf"),
+    "Vertices Component": mesh("VC"),
+  },
+  "Wb Smoothen": {
+    "Laplacian Smoothing": soft("LS"),
+    "LaplacianHC Smoothing": soft("LH"),
+  },
+  "Wb SubD": {
+    "Catmull-Clark Subdivision": soft("CC"),
+    "Constant Quads Split Subdivision": soft("CQ"),
+    "Inner Polygons Subdivision": soft("IP"),
+    "Loop Subdivision": soft("Lu"),
+    "Midedge Subdivision": soft("MS"),
+    "Sierpinski Triangles Subdivision": soft("ST"),
+    "Split Polygons Subdivision": soft("SP"),
+    "Split Triangles Subdivision": soft("SS"),
+  },
+  "Wb Transform": {
+    "Bevel Edges": solid("BE"),
+    "Bevel Vertices": solid("BV"),
+    "Mesh Thicken": solid("MT"),
+    "Mesh Window": solid("MW"),
+    "Offset Mesh": solid("OM"),
+    "Picture Frame": solid("PF"),
+    "Sierpinski Carpet": solid("SC"),
+    "Stellate/Cumulation": solid("Su"),
+  },
+};
