@@ -29,7 +29,7 @@ const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 function native(path) {
   const model = join(scratch, "model.3dm");
   rmSync(model, { force: true });
-  const words = ["run", path, "--json", "values", "-o", model, "--limit-seconds", String(SECONDS)];
+  const words = ["run", path, "--json=values", "-o", model, "--limit-seconds", String(SECONDS)];
   const begin = performance.now();
   let text;
   try {

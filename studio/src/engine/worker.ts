@@ -8,6 +8,8 @@ import { Shelf, type Stored } from "./shelf";
 
 /** What the journal has waiting is written after so long. */
 const SOON = 160;
+/** Another window has a document where it does not let go of it in so many milliseconds. */
+const LOCK_WAIT = 2000;
 
 const host = globalThis as unknown as { postMessage(message: FromWorker, transfer?: Transferable[]): void; katydidProgress?: (event: string) => void };
 const post = (message: FromWorker, ...transfer: Transferable[]) => host.postMessage(message, transfer);
@@ -87,14 +89,17 @@ function plan(): void {
   }, 0);
 }
 
-/** Lets nobody else write the journal of a document, as long as this worker is there; `false` where another does. */
+/**
+ * Lets nobody else write the journal of a document, as long as this worker is there; `false` where another does. A page that
+ * is loaded anew waits for the worker of the page before to let go.
+ */
 function lock(id: string): Promise<boolean> {
   return new Promise((resolve) => {
-    const held = (lock: Lock | null) => {
-      resolve(lock !== null);
-      return lock ? new Promise<never>(() => undefined) : undefined;
+    const held = () => {
+      resolve(true);
+      return new Promise<never>(() => undefined);
     };
-    navigator.locks.request(`katydid ${id}`, { ifAvailable: true }, held).catch(() => resolve(true));
+    navigator.locks.request(`katydid ${id}`, { signal: AbortSignal.timeout(LOCK_WAIT) }, held).catch(() => resolve(false));
   });
 }
 
@@ -102,8 +107,8 @@ async function join(id: string, known: boolean, locked: boolean): Promise<void> 
   await ready;
   const stored = await (await shelf).get(id);
   if (!stored) throw new Error("there is no such document in this browser");
-  const isKept = await lock(id);
-  const journal = isKept ? await (await shelf).journal(id) : new Uint8Array();
+  const isKept = shown?.id === id ? shown.isKept : await lock(id);
+  const journal = await (await shelf).journal(id);
   const bytes = stored.bytes && new Uint8Array(stored.bytes);
   shown?.document.free();
   const document = new raw.Document(stored.name, bytes, journal, stored.isLocked || locked);
