@@ -15,6 +15,18 @@ extern "C" {
     fn host_progress(event: &str) -> Result<(), JsValue>;
 }
 
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = console, js_name = error)]
+    fn console_error(text: &str);
+}
+
+/// What a fault says is written to the console before it ends the module, which by itself says no more than where.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|fault| console_error(&fault.to_string())));
+}
+
 fn progress(event: &str) {
     let _ = host_progress(event);
 }

@@ -34,10 +34,10 @@ export class Client implements Engine {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#take(data);
     // A fault of the engine ends it: a new one has the document as it was kept.
-    worker.onerror = (event) => {
+    worker.onerror = (event: ErrorEvent) => {
       event.preventDefault();
-      this.#end(event.message || t("engine.failed"));
-      this.#line?.broken();
+      this.#end(t("engine.failed"));
+      this.#line?.broken(t("engine.failed"));
     };
     this.#worker = worker;
     return worker;
@@ -232,17 +232,21 @@ class WorkerLine implements Line {
     clearTimeout(this.#patience);
     this.#patience = setTimeout(() => {
       this.#end(t("status.cancelled"));
-      this.broken();
+      this.broken(t("status.cancelled"));
     }, PATIENCE);
     const heard = () => clearTimeout(this.#patience);
     answer.then(heard, heard);
   }
 
   /** The worker is gone: a new one has the document as it was kept, and solves nothing until somebody says so. */
-  broken(): void {
+  broken(reason: string): void {
     if (this.#isClosed) return;
+    const wasOpen = this.#isOpen;
     this.#isOpen = false;
-    this.#waiters.fail(t("status.cancelled"));
+    this.#waiters.fail(reason);
+    this.#tell("error", reason);
+    // What breaks the engine when it is opened would do so again.
+    if (!wasOpen) return this.#listener.state("closed");
     this.#listener.state("lost");
     this.#join(true);
   }

@@ -66,6 +66,13 @@ function complain(error: unknown): void {
   post({ is: "event", text: JSON.stringify(notice) });
 }
 
+/** A fault of the engine ends it: the page hears of it as of any error that nobody catches. */
+function fatal(error: unknown): void {
+  setTimeout(() => {
+    throw error;
+  });
+}
+
 /** Does what is due once all requests that have come are carried out. */
 function plan(): void {
   if (!shown) return;
@@ -79,13 +86,15 @@ function plan(): void {
   if (isPlanned || !shown.document.isDue()) return;
   isPlanned = true;
   setTimeout(() => {
-    void written.then(() => {
-      isPlanned = false;
-      if (!shown?.document.isDue()) return;
-      shown.document.work();
-      flush();
-      plan();
-    });
+    written
+      .then(() => {
+        isPlanned = false;
+        if (!shown?.document.isDue()) return;
+        shown.document.work();
+        flush();
+        plan();
+      })
+      .catch(fatal);
   }, 0);
 }
 
@@ -219,6 +228,7 @@ async function answer(number: number, name: CallName, words: unknown[]): Promise
     post({ is: "done", number, value });
   } catch (error) {
     post({ is: "failed", number, reason: reasonOf(error) });
+    if (error instanceof WebAssembly.RuntimeError) return fatal(error);
   }
   flush();
   plan();
