@@ -26,7 +26,7 @@ export type ToWorker =
   | { is: "call"; number: number; name: CallName; words: unknown[] }
   /** `known` where this page had the document before it was loaded anew: what is restored are its own edits. */
   | { is: "join"; document: string; known: boolean; locked: boolean }
-  | { is: "ask"; request: string };
+  | { is: "ask"; request: string; forgetsModel: boolean };
 
 export type FromWorker =
   | { is: "done"; number: number; value: unknown }

@@ -212,7 +212,7 @@ class WorkerLine implements Line {
     if (!this.#isOpen) throw new Refusal(t("line.lost"));
     if (ask.ask === "save") return await this.#save();
     const [seq, answer] = this.#waiters.wait();
-    this.#client.send({ is: "ask", request: JSON.stringify({ seq, ask }) });
+    this.#client.send({ is: "ask", request: JSON.stringify({ seq, ask }), forgetsModel: ask.ask === "detachModel" });
     if (ask.ask === "cancel") this.#watch(answer);
     return await answer;
   }

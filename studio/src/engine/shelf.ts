@@ -8,6 +8,8 @@ export interface Stored {
   name: string;
   /** The definition as it was read or saved; none of an empty document. */
   bytes: ArrayBuffer | undefined;
+  /** The Rhino model beside it. */
+  model: { name: string; bytes: ArrayBuffer } | undefined;
   /** The file that it is saved to. */
   file: string | undefined;
   isLocked: boolean;

@@ -123,6 +123,7 @@ async function join(id: string, known: boolean, locked: boolean): Promise<void> 
   const document = new raw.Document(stored.name, bytes, journal, stored.isLocked || locked);
   if (stored.file !== undefined) document.isKeptIn(stored.file);
   if (known) document.keepRestored();
+  if (stored.model) document.attach(stored.model.name, new Uint8Array(stored.model.bytes));
   shown = { id, document, stored, isKept };
   document.join();
   flush();
@@ -152,9 +153,17 @@ function stem(name: string): string {
 async function store(name: string, bytes: ArrayBuffer | undefined, isLocked: boolean): Promise<string> {
   const id = crypto.randomUUID();
   const changes = await shelf;
-  await changes.put({ id, name, bytes, file: undefined, isLocked, isChanged: false, at: Date.now() });
+  await changes.put({ id, name, bytes, model: undefined, file: undefined, isLocked, isChanged: false, at: Date.now() });
   await changes.tidy();
   return id;
+}
+
+/** Keeps the Rhino model beside a document, or forgets it. */
+async function keepModel(id: string, model: Stored["model"]): Promise<void> {
+  const stored = shown?.id === id ? shown.stored : await (await shelf).get(id);
+  if (!stored) throw new Error("there is no such document in this browser");
+  stored.model = model;
+  await (await shelf).put({ ...stored });
 }
 
 type Answers = { [name in CallName]: (...words: Parameters<Calls[name]>) => Promise<ReturnType<Calls[name]>> | ReturnType<Calls[name]> };
@@ -182,9 +191,10 @@ const answers: Answers = {
     raw.convert(new Uint8Array(bytes), "gh");
     return await store(stem(name), bytes, isLocked);
   },
-  attach(document, name, bytes) {
-    if (shown?.id !== document) throw new Error("the document is not open");
-    shown.document.attach(name, new Uint8Array(bytes));
+  async attach(id, name, bytes) {
+    const isShown = shown?.id === id;
+    if (isShown) shown?.document.attach(name, new Uint8Array(bytes));
+    await keepModel(id, { name, bytes });
   },
   bytes: (id, format) =>
     withDocument(id, (document) => ({ name: `${stem(document.name())}.${format}`, bytes: own(document.bytes(format)) })),
@@ -245,6 +255,7 @@ addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
       );
     case "ask":
       shown?.document.ask(data.request);
+      if (shown && data.forgetsModel) void keepModel(shown.id, undefined).catch(complain);
       flush();
       plan();
   }
