@@ -6,8 +6,8 @@ import test from "node:test";
 import { components, convert, open, raw, version } from "../index.js";
 
 const SUM = `katydid 1
-a = Number Slider(3, 0, 10)
-b = Number Slider(4, 0, 10)
+a = Number Slider(3.0, 0..10)
+b = Number Slider(4.0, 0..10)
 sum = Addition(a, b)
 points = Construct Point(a, b, sum)
 `;

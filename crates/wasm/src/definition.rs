@@ -235,7 +235,7 @@ fn numbers(column: &Column) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
 
-    const SUM: &str = "katydid 1\na = Number Slider(3, 0, 10)\nb = Series(a, 2, 4)\n";
+    const SUM: &str = "katydid 1\na = Number Slider(3.0, 0..10)\nb = Series(a, 2, 4)\n";
 
     #[test]
     fn a_series_by_its_numbers() {
