@@ -2,7 +2,6 @@
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Value};
-use katydid_elementary::Elementary;
 use katydid_geometry::{Box3, Curve, Interval, Plane, Point3, Rectangle, Vector3, Xform};
 
 use super::transformed;
@@ -130,7 +129,7 @@ fn shear_angle(
     #[port("Angle Y", "Ay", default = 0.0)]
     ay: f64,
 ) -> Result<(Option<Geometry>, Option<Value>), Message> {
-    let lean = base.x_axis * ax.tangent() + base.y_axis * ay.tangent();
+    let lean = base.x_axis * ax.tan() + base.y_axis * ay.tan();
     transformed(context, geometry, Xform::in_frame(&base, base.x_axis, base.y_axis, base.z_axis + lean))
 }
 

@@ -5,8 +5,6 @@ mod equation;
 pub(crate) use construct::principal_axes;
 pub use equation::PlaneEquation;
 
-use katydid_elementary::Elementary;
-
 use crate::thresholds;
 use crate::{Error, Point3, Result, Vector3};
 
@@ -108,7 +106,7 @@ impl Plane {
     /// The plane turned about its own normal, counter-clockwise by `angle` radians.
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
-        let (sin, cos) = angle.sine_cosine();
+        let (sin, cos) = angle.sin_cos();
         Self {
             x_axis: self.x_axis * cos + self.y_axis * sin,
             y_axis: self.y_axis * cos - self.x_axis * sin,

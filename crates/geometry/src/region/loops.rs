@@ -3,8 +3,6 @@
 use crate::region::thresholds::CIRCLE_CROSSING;
 use std::collections::HashMap;
 
-use katydid_elementary::Elementary;
-
 use super::nodes::Nodes;
 use super::sources::Sources;
 use super::strands::{Member, Strand};
@@ -120,7 +118,7 @@ impl Walk<'_> {
         let t = if from_start { places.reduce(f64::min) } else { places.reduce(f64::max) };
         let [x, y] =
             flat(&self.sources.plane.with_origin(center), curve.point_at(t.unwrap_or(m.range.middle())));
-        Ok(y.arctangent_of(x))
+        Ok(y.atan2(x))
     }
 
     /// After each arrival comes the departure next to it clockwise: the other border of the same sector.

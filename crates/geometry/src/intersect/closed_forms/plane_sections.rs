@@ -2,8 +2,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use katydid_elementary::Elementary;
-
 use super::{Axis, CarrierCurve, CarrierMeeting, Conic};
 use crate::{Circle, Ellipse, Plane, Tolerance, Vector3};
 
@@ -74,9 +72,9 @@ pub(super) fn of_cone(
     let s = shadow.length();
     let e = shadow.unitized()?;
     let f = n.cross(e);
-    let (sin, cos) = half_angle.sine_cosine();
+    let (sin, cos) = half_angle.sin_cos();
     // How much steeper the plane is than the rulings, in radians.
-    let steep = s.arctangent_of(c.abs()) - (FRAC_PI_2 - half_angle);
+    let steep = s.atan2(c.abs()) - (FRAC_PI_2 - half_angle);
     let d = (s - cos) * (s + cos);
     let apex = axis.origin;
     if h <= tolerance.absolute {
@@ -136,7 +134,7 @@ pub(super) fn of_torus(
                 circle(level, major, minor)?,
             ]));
         }
-        if (slope.arctangent_of(rise.abs()) - (minor / major).arcsine()).abs() <= tolerance.angle {
+        if (slope.atan2(rise.abs()) - (minor / major).asin()).abs() <= tolerance.angle {
             return Some(CarrierMeeting::curves(vec![
                 circle(level, -minor, major)?,
                 circle(level, minor, major)?,
