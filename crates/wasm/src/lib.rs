@@ -7,7 +7,7 @@
 //! Everything here is plain Rust that also compiles outside of a page. There is one thread: who has something solved
 //! waits for it, and results come in one piece.
 
-mod bindings;
+pub mod bindings;
 mod definition;
 mod document;
 mod journal;
@@ -15,7 +15,7 @@ mod opening;
 mod outgoing;
 
 pub use definition::{Data, Definition, Put};
-pub use document::Document;
+pub use document::{Document, Progress};
 pub use journal::{Written, written};
 pub use opening::{Opened, form_of, open, options};
 pub use outgoing::Message;

@@ -23,6 +23,7 @@ use crate::journal::{self, Queue, Queued, Written};
 use crate::opening::{self, Opened};
 use crate::outgoing::{Message, Named, Outgoing};
 use shown::Seen;
+pub use work::Progress;
 use work::{End, Work};
 
 /// The one client.
