@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -103,6 +103,32 @@ test-browser: test-studio programs
 studio/node_modules/installed: studio/package-lock.json
 	studio/with-node npm ci --no-audit --no-fund
 	touch $@
+
+# The engine for web pages and Node, in wasm/pkg. It takes the installed library for wasm32-unknown-unknown, or Debian's
+# compiler and source (`wasm/build`); cold, ten minutes of a processor.
+wasm: studio/node_modules/installed
+	wasm/build
+
+# The npm package as a file, wasm/katydid-engine-….tgz.
+wasm-package: wasm
+	studio/with-node npm pack $(CURDIR)/wasm --pack-destination $(CURDIR)/wasm
+
+# The package in Node; then all definitions of the book, the examples and the shared data, in it and in the program: the
+# same values to the last bit. Not part of `make test`: it builds the engine, and the program optimised.
+test-wasm: wasm
+	cargo build --release -p katydid
+	studio/with-node node --test $(CURDIR)/wasm/tests/api.test.mjs
+	studio/with-node node $(CURDIR)/wasm/tests/same.mjs $(RELEASED)/katydid $(CURDIR)/book $(CURDIR)/examples \
+		$(wildcard $(abspath ../shared/data/gh))
+
+# The studio without a server, a folder of files for any host: site/.
+site: wasm
+	studio/with-node npm run build:site
+	studio/with-node node $(CURDIR)/wasm/site.mjs $(CURDIR)/site
+
+# That folder in Chromium. Not part of `make test`: it builds the engine.
+test-site: site
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:site
 
 # The same command without `make` serves the same program: one with other features would be built beside it.
 # Builds what is missing and opens the studio on the book's sum of vectors.

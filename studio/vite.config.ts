@@ -1,3 +1,5 @@
+import { fileURLToPath } from "node:url";
+
 import react from "@vitejs/plugin-react";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
@@ -25,10 +27,45 @@ function policy(): Plugin {
   };
 }
 
-export default defineConfig({
-  plugins: [react(), policy()],
+/**
+ * What a page without a server allows itself. It stands in the page: whoever serves the folder need not know of it. A module
+ * is compiled where the policy names that (`wasm-unsafe-eval`); nothing is asked of any other address.
+ */
+const ALLOWED = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self' data: blob:",
+  "font-src 'self' data:",
+  "worker-src 'self' blob:",
+  "object-src 'none'",
+  "base-uri 'none'",
+].join("; ");
+
+/** The page of the site: its policy, and the worker that keeps it for when there is no network. */
+function site(): Plugin {
+  return {
+    name: "page-of-the-site",
+    transformIndexHtml: () => [
+      { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: ALLOWED }, injectTo: "head-prepend" },
+    ],
+  };
+}
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** `vite build --mode site` makes the studio without a server (`make site`). */
+export default defineConfig(({ mode }) => ({
+  plugins: [react(), policy(), ...(mode === "site" ? [site()] : [])],
   base: "./",
-  build: { outDir: "dist", target: "es2022", chunkSizeWarningLimit: 1600 },
+  resolve: {
+    alias: {
+      "#engine": here(mode === "site" ? "src/engine/index.ts" : "src/engine/none.ts"),
+      "katydid-engine": here("../wasm/index.js"),
+    },
+  },
+  worker: { format: "es" },
+  build: { outDir: mode === "site" ? "../site" : "dist", emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 1600 },
   server: {
     proxy: {
       "/api": asked,
@@ -38,4 +75,4 @@ export default defineConfig({
     },
   },
   test: { include: ["tests/unit/**/*.test.ts", "tests/studio/**/*.test.{ts,tsx}"], environment: "node" },
-});
+}));

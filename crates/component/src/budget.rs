@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use katydid_geometry::CancellationToken;
 use katydid_memory::Account;
+use web_time::Instant;
 
 use crate::Message;
 
@@ -223,7 +224,7 @@ impl Default for Budget {
 
 /// A moment after which a solve stops.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Deadline(#[cfg(not(target_family = "wasm"))] Option<std::time::Instant>);
+pub struct Deadline(Option<Instant>);
 
 impl Deadline {
     /// No deadline.
@@ -231,29 +232,17 @@ impl Deadline {
         Self::default()
     }
 
-    /// The moment `time` from now. There is no clock in a bare web page: there it never comes.
+    /// The moment `time` from now.
     pub fn after(time: Option<Duration>) -> Self {
-        #[cfg(not(target_family = "wasm"))]
-        return Self(time.and_then(|t| std::time::Instant::now().checked_add(t)));
-        #[cfg(target_family = "wasm")]
-        {
-            let _ = time;
-            Self()
-        }
+        Self(time.and_then(|t| Instant::now().checked_add(t)))
     }
 
     /// The time until then, if there is such a moment.
     pub fn left(self) -> Option<Duration> {
-        #[cfg(not(target_family = "wasm"))]
-        return self.0.map(|at| at.saturating_duration_since(std::time::Instant::now()));
-        #[cfg(target_family = "wasm")]
-        None
+        self.0.map(|at| at.saturating_duration_since(Instant::now()))
     }
 
     fn is_over(self) -> bool {
-        #[cfg(not(target_family = "wasm"))]
-        return self.0.is_some_and(|at| std::time::Instant::now() >= at);
-        #[cfg(target_family = "wasm")]
-        false
+        self.0.is_some_and(|at| Instant::now() >= at)
     }
 }

@@ -6,9 +6,11 @@ use std::any::Any;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 #[cfg(feature = "parallel")]
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use katydid_data::Tree;
+#[cfg(feature = "parallel")]
+use web_time::Instant;
 
 use crate::input::Row;
 use crate::matching::{Matching, Ranges};

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use web_time::Instant;
+
 /// The most steps between two looks: a step may be long that comes after short ones.
 const MOST: u32 = 64;
 /// Looks come closer together when more than this lies between them, and farther apart when less than half of it does.
@@ -13,18 +15,12 @@ const APART: Duration = Duration::from_millis(2);
 pub(crate) struct Pace {
     left: u32,
     every: u32,
-    #[cfg(not(target_family = "wasm"))]
-    looked: std::time::Instant,
+    looked: Instant,
 }
 
 impl Default for Pace {
     fn default() -> Self {
-        Self {
-            left: 1,
-            every: 1,
-            #[cfg(not(target_family = "wasm"))]
-            looked: std::time::Instant::now(),
-        }
+        Self { left: 1, every: 1, looked: Instant::now() }
     }
 }
 
@@ -36,19 +32,15 @@ impl Pace {
         if self.left > 0 {
             return false;
         }
-        #[cfg(not(target_family = "wasm"))]
-        {
-            let now = std::time::Instant::now();
-            self.every = next(self.every, now - self.looked);
-            self.looked = now;
-        }
+        let now = Instant::now();
+        self.every = next(self.every, now - self.looked);
+        self.looked = now;
         self.left = self.every;
         true
     }
 }
 
 /// The number of steps between looks, when so many took so long.
-#[cfg(not(target_family = "wasm"))]
 fn next(every: u32, took: Duration) -> u32 {
     if took > APART {
         // As many as would have taken that long.

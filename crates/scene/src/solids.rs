@@ -2,11 +2,12 @@
 //! brought.
 
 use std::sync::Arc as Shared;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use katydid_3dm::{Hatch, Limits, Model, ModelObject, Object, RawObject};
 use katydid_exchange::{Label, LabelSize, Scene as Exchanged, Shape};
 use katydid_geometry::{Brep, Curve, MeshSettings, Plane, Point3, Xform};
+use web_time::Instant;
 
 use crate::display::hatches;
 use crate::{Facets, Form, Place, leader, tessellated};

@@ -4,14 +4,12 @@ use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, Weak};
 
 use bytes::Bytes;
+use katydid_studio::{framed_size, write_frame};
 
 use crate::lock::held;
 
 /// What was shown a moment ago is kept up to so many bytes: a client may be fetching it.
 const LINGERING: usize = 128 << 20;
-
-/// How many bytes of a hash name geometry.
-const HASH_BYTES: usize = 16;
 
 /// The geometry of an object.
 #[derive(Debug)]
@@ -23,32 +21,14 @@ pub(crate) struct Geometry {
 }
 
 impl Geometry {
-    /// Writes the geometry behind others that go through the socket in one frame: the 16 bytes of its hash, its length
-    /// (`u32`), four zeros, its bytes, and zeros up to a multiple of 8. `false` where the hash is none.
+    /// Writes the geometry behind others that go through the socket in one frame ([`write_frame`]).
     pub(crate) fn write(&self, frame: &mut Vec<u8>) -> bool {
-        let (Some(hash), Ok(length)) = (self.hash_bytes(), u32::try_from(self.bytes.len())) else {
-            return false;
-        };
-        frame.reserve(self.framed_size());
-        frame.extend_from_slice(&hash);
-        frame.extend_from_slice(&u64::from(length).to_le_bytes());
-        frame.extend_from_slice(&self.bytes);
-        frame.resize(frame.len().next_multiple_of(8), 0);
-        true
+        write_frame(&self.hash, &self.bytes, frame)
     }
 
     /// How many bytes it takes in a frame.
     pub(crate) fn framed_size(&self) -> usize {
-        HASH_BYTES + 8 + self.bytes.len().next_multiple_of(8)
-    }
-
-    fn hash_bytes(&self) -> Option<[u8; HASH_BYTES]> {
-        let mut hash = [0; HASH_BYTES];
-        let pairs = self.hash.as_bytes().chunks(2);
-        for (byte, pair) in hash.iter_mut().zip(pairs) {
-            *byte = u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok()?;
-        }
-        (self.hash.len() == 2 * HASH_BYTES).then_some(hash)
+        framed_size(&self.bytes)
     }
 }
 

@@ -15,7 +15,6 @@
 //!
 //! The other speaks as Rhino.Compute does: [`compute`].
 
-mod catalogue;
 pub mod compute;
 mod config;
 mod document;

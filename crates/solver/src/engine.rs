@@ -6,6 +6,7 @@ use std::time::Duration;
 use katydid_component::{Account, Budget, Deadline, Message};
 use katydid_data::Tree;
 use katydid_definition::document::{Document, Object};
+use web_time::Instant;
 
 use crate::graph::Graph;
 use crate::object::{Turn, solve};
@@ -144,7 +145,7 @@ impl Engine {
     }
 
     fn solve_dirty(&mut self) -> Summary {
-        let watch = Watch::start();
+        let watch = Instant::now();
         let most = self.options.limits.solve_bytes;
         let account = Arc::new(match &self.options.memory {
             Some(whole) => Account::part_of(whole.clone(), most),
@@ -226,7 +227,7 @@ fn solve_graph(
         if cancelled() {
             return None;
         }
-        let watch = Watch::start();
+        let watch = Instant::now();
         let tree = |source: &crate::graph::Source| -> Option<&Tree> {
             let report = match todo.place(source.object) {
                 Some(place) => results[place].get().and_then(Option::as_ref),
@@ -286,23 +287,4 @@ fn in_loop(document: &Document, members: &[usize], member: usize) -> ObjectRepor
     };
     let outputs = document.objects.get(member).map_or(0, |o| o.outputs.len());
     ObjectReport::idle(Status::Error, vec![Message::error(text)], outputs)
-}
-
-/// A stopwatch; without a clock it stands still.
-struct Watch(#[cfg(not(target_family = "wasm"))] std::time::Instant);
-
-impl Watch {
-    fn start() -> Self {
-        Self(
-            #[cfg(not(target_family = "wasm"))]
-            std::time::Instant::now(),
-        )
-    }
-
-    fn elapsed(&self) -> Duration {
-        #[cfg(not(target_family = "wasm"))]
-        return self.0.elapsed();
-        #[cfg(target_family = "wasm")]
-        Duration::ZERO
-    }
 }

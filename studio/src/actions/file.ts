@@ -1,4 +1,6 @@
-import { goTo } from "../app/files";
+import { engine } from "#engine";
+
+import { goTo, linkOf } from "../app/files";
 import { chooseToInsert } from "../app/insert";
 import { chooseModel } from "../app/model";
 import { place } from "../app/place";
@@ -6,7 +8,8 @@ import { forgetTemplate, keepTemplate, openNew, template } from "../app/template
 import { showDialog } from "../dialogs/store";
 import { documentStore } from "../state/document";
 import { modelStore } from "../state/model";
-import { ask } from "../state/session";
+import { ask, lineStore } from "../state/session";
+import { t } from "../i18n";
 import { register } from "./registry";
 
 const isOpen = () => documentStore.getState().document !== undefined;
@@ -74,6 +77,24 @@ register(
     isEnabled: isOpen,
     run: () => goTo(place(location.search).document, true),
   },
+  ...(engine
+    ? [
+        {
+          id: "file.link",
+          label: "action.link" as const,
+          group: "file" as const,
+          isEnabled: isOpen,
+          async run() {
+            try {
+              await navigator.clipboard.writeText(await linkOf(place(location.search).document ?? ""));
+              lineStore.setState({ complaint: t("link.copied") });
+            } catch (error) {
+              lineStore.setState({ complaint: error instanceof Error ? error.message : String(error) });
+            }
+          },
+        },
+      ]
+    : []),
   {
     id: "file.template",
     label: "action.template",

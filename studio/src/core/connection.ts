@@ -18,20 +18,53 @@ export interface Listener {
   state(state: ConnectionState): void;
 }
 
+/** A line to a document: over a socket, or to the page's own engine. */
+export interface Line {
+  /** Sends a request; gives what came of it. */
+  ask(ask: Ask): Promise<Answer>;
+  close(): void;
+}
+
 interface Waiting {
   resolve(answer: Answer): void;
   reject(reason: Error): void;
 }
 
+/** Those who wait for answers, by the numbers of their requests. */
+export class Waiters {
+  #seq = 0;
+  #waiting = new Map<number, Waiting>();
+
+  /** A new request: its number, and what will come of it. */
+  wait(): [number, Promise<Answer>] {
+    const seq = ++this.#seq;
+    return [seq, new Promise((resolve, reject) => this.#waiting.set(seq, { resolve, reject }))];
+  }
+
+  /** Gives an answer to who waits for it. */
+  take(event: Event): void {
+    if (!("seq" in event)) return;
+    const waiting = this.#waiting.get(event.seq);
+    this.#waiting.delete(event.seq);
+    if (event.event === "refused") waiting?.reject(new Refusal(event.reason));
+    else waiting?.resolve(event);
+  }
+
+  /** No answer will come any more. */
+  fail(reason: string): void {
+    for (const waiting of this.#waiting.values()) waiting.reject(new Refusal(reason));
+    this.#waiting.clear();
+  }
+}
+
 const FIRST_WAIT = 250;
 const LONGEST_WAIT = 5000;
 
-export class Connection {
+export class Connection implements Line {
   #url: string;
   #listener: Listener;
   #socket: WebSocket | undefined;
-  #seq = 0;
-  #waiting = new Map<number, Waiting>();
+  #waiters = new Waiters();
   #wait = FIRST_WAIT;
   #closed = false;
 
@@ -41,18 +74,15 @@ export class Connection {
     this.#join();
   }
 
-  /** Sends a request; gives what came of it. */
   ask(ask: Ask): Promise<Answer> {
     const socket = this.#socket;
     if (!socket || socket.readyState !== WebSocket.OPEN) {
       return Promise.reject(new Refusal("The connection to Katydid is lost"));
     }
-    const seq = ++this.#seq;
+    const [seq, answer] = this.#waiters.wait();
     const request: Request = { seq, ask };
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(seq, { resolve, reject });
-      socket.send(JSON.stringify(request));
-    });
+    socket.send(JSON.stringify(request));
+    return answer;
   }
 
   close(): void {
@@ -79,16 +109,11 @@ export class Connection {
 
   #take(event: Event): void {
     this.#listener.event(event);
-    if (!("seq" in event)) return;
-    const waiting = this.#waiting.get(event.seq);
-    this.#waiting.delete(event.seq);
-    if (event.event === "refused") waiting?.reject(new Refusal(event.reason));
-    else waiting?.resolve(event);
+    this.#waiters.take(event);
   }
 
   #lost(): void {
-    for (const waiting of this.#waiting.values()) waiting.reject(new Refusal("The connection to Katydid is lost"));
-    this.#waiting.clear();
+    this.#waiters.fail("The connection to Katydid is lost");
     if (this.#closed) return;
     this.#listener.state("lost");
     setTimeout(() => this.#join(), this.#wait);

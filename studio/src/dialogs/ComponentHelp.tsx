@@ -1,3 +1,4 @@
+import { engine } from "#engine";
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 
@@ -11,6 +12,10 @@ type Answer = { is: "asked" } | { is: "failed" } | { is: "here"; help: Help };
 
 async function helpOn(component: string): Promise<Answer> {
   try {
+    if (engine) {
+      const help = readHelp(await engine.help(component));
+      return help ? { is: "here", help } : { is: "failed" };
+    }
     const query = new URLSearchParams({ component, ...(token() ? { token: token() } : {}) });
     const response = await fetch(`api/help?${query.toString()}`);
     const help = response.ok ? readHelp(await response.json()) : undefined;

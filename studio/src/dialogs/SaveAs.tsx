@@ -1,3 +1,4 @@
+import { engine } from "#engine";
 import { useState, type FormEvent } from "react";
 import { useStore } from "zustand";
 
@@ -41,7 +42,7 @@ export function SaveAs() {
   };
   return (
     <Dialog title={t("saveAs.title")}>
-      <form onSubmit={(event) => void save(event)}>
+      {!engine && <form onSubmit={(event) => void save(event)}>
         <label>
           {t("saveAs.path")}
           <input type="text" autoFocus spellCheck={false} value={path} onChange={(e) => setPath(e.target.value)} />
@@ -50,7 +51,7 @@ export function SaveAs() {
         <button type="submit" className="primary" disabled={path.trim() === ""}>
           {t("saveAs.save")}
         </button>
-      </form>
+      </form>}
       <h3>{t("saveAs.download")}</h3>
       <div className="row">
         {FORMATS.map(({ format, label }) => (

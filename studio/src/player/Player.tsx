@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from "react";
 import { useStore } from "zustand";
 
 import { followKeys } from "../actions/keys";
-import { goTo, token } from "../app/files";
+import { goTo, linkOf, token } from "../app/files";
 import { Telling } from "../app/Telling";
 import type { ObjectView } from "../core/protocol/ObjectView";
 import { Dialogs } from "../dialogs";
@@ -27,16 +27,17 @@ function useStart(inputs: readonly ObjectView[]): Start | undefined {
 }
 
 /** Gives the address away: by what the system shares with, where it has that, else to the clipboard. */
-async function share(told: (done: boolean) => void): Promise<void> {
-  const url = location.href;
+async function share(id: string, told: (done: boolean) => void): Promise<void> {
   try {
+    const url = await linkOf(id);
     if (navigator.share) await navigator.share({ title: document.title, url });
     else {
       await navigator.clipboard.writeText(url);
       told(true);
     }
-  } catch {
-    // Who thinks better of it shares nothing.
+  } catch (error) {
+    // Who thinks better of it shares nothing; what is too large for a link is told.
+    if (error instanceof RangeError) lineStore.setState({ complaint: error.message });
   }
 }
 
@@ -87,7 +88,7 @@ export function Player({ id }: { id: string }) {
           <button type="button" disabled={changes.length === 0} onClick={() => reset(changes)}>
             {t("player.reset")}
           </button>
-          <button type="button" onClick={() => void share(setShared)}>
+          <button type="button" onClick={() => void share(id, setShared)}>
             {t("player.share")}
           </button>
           <button type="button" className="primary" onClick={() => showDialog("export")}>

@@ -1,5 +1,6 @@
 /** The components that can be placed. They do not change while the server runs. */
 
+import { engine } from "#engine";
 import { createStore } from "zustand/vanilla";
 
 import type { CatalogueEntry } from "../core/catalogue";
@@ -18,6 +19,7 @@ export async function loadCatalogue(): Promise<void> {
   if (state === "asked" || state === "here") return;
   catalogueStore.setState({ state: "asked" });
   try {
+    if (engine) return takeCatalogue(await engine.components());
     const answer = await fetch("api/components");
     if (!answer.ok) throw new Error(String(answer.status));
     takeCatalogue((await answer.json()) as CatalogueEntry[]);

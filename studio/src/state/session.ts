@@ -1,6 +1,8 @@
 /** The one connection of this page, and the short ways to ask for something over it. */
 
-import { Connection, Refusal, type Answer, type ConnectionState } from "../core/connection";
+import { engine } from "#engine";
+
+import { Connection, Refusal, type Answer, type ConnectionState, type Line as Wire, type Listener } from "../core/connection";
 import type { Ask } from "../core/protocol/Ask";
 import type { Edit } from "../core/protocol/Edit";
 import { createStore } from "zustand/vanilla";
@@ -21,15 +23,12 @@ export interface Line {
 
 export const lineStore = createStore<Line>(() => ({ state: "closed", complaint: undefined, edited: undefined }));
 
-let connection: Connection | undefined;
+let connection: Wire | undefined;
 
-/** Joins a document of the server. */
+/** Joins a document of the server, or of the page's own engine. */
 export function join(document: string, token: string): void {
   connection?.close();
-  const url = new URL("socket", location.href);
-  url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
-  url.search = new URLSearchParams({ document, token }).toString();
-  connection = new Connection(url.toString(), {
+  const listener: Listener = {
     event(event) {
       takeDocument(event);
       takeRun(event);
@@ -39,7 +38,15 @@ export function join(document: string, token: string): void {
     },
     geometry: takeGeometry,
     state: (state) => lineStore.setState({ state }),
-  });
+  };
+  connection = engine ? engine.connect(document, listener) : new Connection(socketOf(document, token), listener);
+}
+
+function socketOf(document: string, token: string): string {
+  const url = new URL("socket", location.href);
+  url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
+  url.search = new URLSearchParams({ document, token }).toString();
+  return url.toString();
 }
 
 /** Asks; a refusal is shown and thrown. */

@@ -3,6 +3,8 @@
  * others are fetched by their hash; what is newer stops what is older, and what is already here is not fetched.
  */
 
+import { engine } from "#engine";
+
 import { placeOf, type Framed, type Frames } from "../core/frames";
 import { decodePreview, type Preview } from "../core/preview";
 import type { GeometrySink } from "../state/preview";
@@ -37,6 +39,7 @@ const NOTHING: Entry = { shown: undefined, preview: undefined, wanted: undefined
 export type Fetcher = (hash: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 
 export const fetchGeometry: Fetcher = async (hash, signal) => {
+  if (engine) return engine.geometry(hash);
   const response = await fetch(`geometry/${encodeURIComponent(hash)}`, { signal, credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
   return response.arrayBuffer();

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
 
 use katydid_component::{Account, Cancel, Limits};
 use katydid_geometry::{CancellationToken, Tolerance};
 use serde_json::Value as Json;
+use web_time::Instant;
 
 use super::call::Call;
 use crate::wire::{Read, Script, Wire};

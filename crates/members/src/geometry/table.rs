@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
-use std::time::Instant;
 
 use serde_json::{Map, Value as Json};
+use web_time::Instant;
 
 use super::argument::Waiting;
 use super::call::{Arguments, Call, CallReply, Given};

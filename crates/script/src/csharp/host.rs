@@ -1,7 +1,6 @@
 //! What a C# script is run for: the members of the table, and the limits of the solve.
 
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
-use std::time::Instant;
 
 use katydid_component::{Cancel, Limits};
 use katydid_csharp::vm::heap::Obj;
@@ -11,6 +10,7 @@ use katydid_data::cast::Rules;
 use katydid_geometry::CancellationToken;
 use katydid_members::geometry::{Waiting, change_in_place, changes_in_place, endpoints};
 use katydid_members::{Cause, Fault, Geometry, Value};
+use web_time::Instant;
 
 use super::breps::{self, Extracted};
 use super::convert::{from_csharp, to_csharp};

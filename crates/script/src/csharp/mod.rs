@@ -12,11 +12,11 @@ mod structs;
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
 
 use katydid_definition::document::{Object, Script, ScriptLanguage};
 use katydid_solver::{Refused, ScriptDone, ScriptMaker, ScriptTask, Scripts, Unrun};
 use uuid::Uuid;
+use web_time::Instant;
 
 use crate::from_script::Outward;
 use crate::keeper::Keepers;

@@ -11,9 +11,9 @@ use katydid_definition::document::{Object, ids};
 use katydid_session::protocol::{Event, Notice, ResultView};
 use katydid_session::{Change, Editor, Solution, result_view};
 use katydid_solver::{ObjectReport, Options};
+use katydid_studio::Finding;
 use uuid::Uuid;
 
-use super::analyses::Finding;
 use super::clients::Clients;
 use super::drawn::Seen;
 use super::journal::Keeper;

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
 use katydid_session::{Digits, Refusal, Solution, rows};
 use katydid_solver::Inputs;
+use katydid_studio::pictures;
 use uuid::Uuid;
 
 use super::actor::Actor;
 use super::solving::Work;
-use super::thumbnails::pictures;
 use super::worker::Job;
 use super::{ClientId, Download};
 use crate::files::{self, Form};

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_session::display::Preview;
+use katydid_studio::{About, Analysed};
 use uuid::Uuid;
 
 use super::ClientId;
 use super::actor::Actor;
-use super::analyses::{About, Analysed};
 use crate::geometry::Geometry;
 
 /// What a client sees of the form of curves and surfaces.

@@ -5,10 +5,8 @@
 //! to hear.
 
 mod actor;
-mod analyses;
 mod asked;
 mod clients;
-mod drafts;
 mod drawn;
 mod journal;
 mod model;
@@ -16,7 +14,6 @@ mod outbox;
 mod scripts;
 mod solving;
 mod source;
-mod thumbnails;
 mod worker;
 
 use std::sync::Arc;
@@ -33,11 +30,9 @@ use katydid_session::protocol::Request;
 
 pub(crate) use clients::Standing;
 pub(crate) use journal::left_behind;
+pub(crate) use katydid_studio::ClientId;
 pub(crate) use outbox::{Message, Outbox};
 pub(crate) use source::{Source, id_of};
-
-/// The number of a client among those of a document.
-pub(crate) type ClientId = u64;
 
 /// What a document is asked or told.
 pub(crate) enum Command {

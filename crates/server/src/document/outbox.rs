@@ -10,10 +10,10 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use katydid_session::protocol::{Event, ResultView};
+use katydid_studio::About;
 use tokio::sync::Notify;
 use uuid::Uuid;
 
-use super::analyses::About;
 use crate::geometry::Geometry;
 use crate::lock::held;
 

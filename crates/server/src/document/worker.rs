@@ -3,7 +3,6 @@
 //! It has an engine of its own and follows the editor by differences. What it is told waits in line; of several requests
 //! to solve only the last counts. All it finds it tells the document's own thread.
 
-use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
@@ -15,10 +14,9 @@ use katydid_session::Change;
 use katydid_session::display::{ModelPreview, Preview, encode_model};
 use katydid_session::protocol::{AnalysisView, Probe};
 use katydid_solver::{Engine, Finished, ObjectReport, Options, Scripts};
+use katydid_studio::{Analyses, Drafts, Finding, touched};
 use uuid::Uuid;
 
-use super::analyses::{Analyses, Finding};
-use super::drafts::Drafts;
 use super::{ClientId, Command, Inquiry};
 
 /// What the worker is told.
@@ -270,27 +268,4 @@ fn inside<T: Send>(pool: Option<&rayon::ThreadPool>, work: impl FnOnce() -> T + 
         Some(pool) => pool.install(work),
         None => work(),
     }
-}
-
-/// The objects that a step puts, takes away, shows or hides. What else a step makes of them is found when they are
-/// solved; where they stand on the canvas does not count.
-fn touched(difference: &Difference, before: &Document) -> Vec<Uuid> {
-    let old: HashMap<Uuid, &Object> = difference
-        .removed
-        .iter()
-        .filter_map(|at| before.objects.get(*at))
-        .map(|object| (object.id, object))
-        .collect();
-    let new: HashMap<Uuid, &Object> = difference.put.iter().map(|(_, object)| (object.id, object)).collect();
-    let changed = |id: &&Uuid| match (old.get(*id), new.get(*id)) {
-        (Some(old), Some(new)) => !shown_alike(old, new),
-        _ => true,
-    };
-    old.keys().chain(new.keys().filter(|id| !old.contains_key(*id))).filter(changed).copied().collect()
-}
-
-fn shown_alike(old: &Object, new: &Object) -> bool {
-    let hidden = |object: &Object| object.outputs.iter().map(|port| port.hidden).collect::<Vec<_>>();
-    (old.hidden, old.locked, old.component) == (new.hidden, new.locked, new.component)
-        && hidden(old) == hidden(new)
 }

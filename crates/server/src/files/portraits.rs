@@ -5,26 +5,15 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::time::{Duration, SystemTime};
+use std::time::SystemTime;
 
-use katydid_component::{Limits, Trust};
-use katydid_data::{Colour, Tree};
-use katydid_picture::{HiddenLines, canvas, result};
-use katydid_solver::{Engine, Options};
+use katydid_component::Trust;
+use katydid_solver::Options;
+use katydid_studio::portrait;
 
 use crate::document::Source;
 use crate::lock::held;
 
-/// Width and height in pixels: twice those of a tile, for screens of high density.
-const SIZE: [u32; 2] = [640, 400];
-/// Solving for a picture takes no longer.
-const TIME: Duration = Duration::from_secs(5);
-/// It takes no more memory.
-const BYTES: u64 = 512 << 20;
-/// No component puts out more items for a picture.
-const ITEMS: u64 = 1_000_000;
-/// Of more items than this no picture is drawn: drawing has no limit of time.
-const MOST_DRAWN: usize = 50_000;
 /// So many pictures are kept.
 const MOST: usize = 300;
 /// Raised when pictures are drawn otherwise, so that old ones are not shown.
@@ -105,27 +94,8 @@ fn forget_oldest(folder: &Path) {
 /// Solves a definition and draws it.
 fn made(source: Source, trust: &Trust) -> Option<Vec<u8>> {
     let files = trust.files(source.origin());
-    let limits = Limits { items: ITEMS, time: Some(TIME), ..Limits::default().with_bytes(BYTES) };
-    let options = Options { rules: source.rules, files, limits, ..Options::default() };
-    let mut engine = Engine::new(source.document, options);
     let drawn = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-        engine.solve();
-        let reports = (0..engine.document().objects.len()).filter_map(|at| engine.report(at));
-        let items: usize = reports.flat_map(|report| &report.outputs).map(Tree::item_count).sum();
-        if items > MOST_DRAWN {
-            return None;
-        }
-        let options = katydid_picture::Options {
-            size: SIZE,
-            background: Some(Colour::rgb(255, 255, 255)),
-            hidden_lines: HiddenLines::Natural,
-            ..katydid_picture::Options::default()
-        };
-        let picture = result(&engine, &options);
-        let drawing = if picture.is_empty { canvas(&engine, &options) } else { picture.drawing };
-        let [width, height] = drawing.size;
-        let factor = f64::min(f64::from(SIZE[0]) / width.max(1.0), f64::from(SIZE[1]) / height.max(1.0));
-        drawing.scaled(factor.min(1.0)).to_png().ok()
+        portrait(source.document, Options { rules: source.rules, files, ..Options::default() })
     }));
     drawn.ok().flatten()
 }
@@ -165,7 +135,7 @@ mod tests {
         let trust = Trust::shared(Vec::new());
         let empty = Portraits::new(None).of(&text, &trust, || Ok(Source::empty()));
         // An empty canvas is a picture too, no larger than a tile's.
-        assert!(empty.is_none_or(|png| size_of(&png).0 <= SIZE[0]));
+        assert!(empty.is_none_or(|png| size_of(&png).0 <= 640));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
 use katydid_component::RhinoModel;
+use katydid_studio::catalogue;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use uuid::Uuid;
@@ -19,8 +20,8 @@ use uuid::Uuid;
 use super::State;
 use super::answer::Refused;
 use crate::document::{Attached, Command, Source, left_behind};
+use crate::files;
 use crate::files::{Form, Gallery, Wishes};
-use crate::{catalogue, files};
 
 type Answer<T> = Result<T, Refused>;
 type Question<T> = Result<Query<T>, QueryRejection>;

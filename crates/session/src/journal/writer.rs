@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use katydid_definition::document::{Difference, Document};
+use web_time::{Instant, SystemTime};
 
 use super::record::{Begin, MAGIC, Record, Step, write};
 use super::{Source, Store};
@@ -260,42 +261,26 @@ fn head(document: &Document, source: &Source, saved: bool) -> Result<Record, kat
     })))
 }
 
-/// Seconds since 1970; 0 where there is no clock.
+/// Seconds since 1970.
 fn now() -> u64 {
-    #[cfg(not(target_family = "wasm"))]
-    {
-        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0, |time| time.as_secs())
-    }
-    #[cfg(target_family = "wasm")]
-    0
+    SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |time| time.as_secs())
 }
 
-/// A moment; where there is no clock all are long ago.
+/// A moment, or none that is known: long ago.
 #[derive(Debug, Clone, Copy)]
-struct Moment(#[cfg(not(target_family = "wasm"))] Option<std::time::Instant>);
+struct Moment(Option<Instant>);
 
 impl Moment {
     fn long_ago() -> Self {
-        Self(
-            #[cfg(not(target_family = "wasm"))]
-            None,
-        )
+        Self(None)
     }
 
     fn now() -> Self {
-        Self(
-            #[cfg(not(target_family = "wasm"))]
-            Some(std::time::Instant::now()),
-        )
+        Self(Some(Instant::now()))
     }
 
+    /// Whether so much time has gone by since.
     fn is_past(self, time: Duration) -> bool {
-        #[cfg(not(target_family = "wasm"))]
-        return self.0.is_none_or(|at| at.elapsed() >= time);
-        #[cfg(target_family = "wasm")]
-        {
-            let _ = time;
-            true
-        }
+        self.0.is_none_or(|at| at.elapsed() >= time)
     }
 }

@@ -1,14 +1,41 @@
+import { engine } from "#engine";
+import { useEffect, useState } from "react";
+
 import { pathNumbers, treePicture } from "../../core/treePicture";
 import type { ObjectView } from "../../core/protocol/ObjectView";
 import { t } from "../../i18n";
 import { useOutput } from "../hooks";
 import { usePaths, type PathRow } from "../paths";
 
+/** Where the page finds a picture of the document; nothing until it is there. */
+function usePicture(hash: string | null): string | undefined {
+  const [found, setFound] = useState<string>();
+  useEffect(() => {
+    if (!engine || hash === null) return;
+    let made: string | undefined;
+    let isHere = true;
+    const take = (address: string) => {
+      made = address;
+      if (isHere) setFound(address);
+      else URL.revokeObjectURL(address);
+    };
+    // One that is gone is not shown.
+    engine.picture(hash).then(take, () => undefined);
+    return () => {
+      isHere = false;
+      if (made !== undefined) URL.revokeObjectURL(made);
+      setFound(undefined);
+    };
+  }, [hash]);
+  return engine ? found : `image/${hash}`;
+}
+
 /** An Image Sampler: the picture that it reads. */
 export function ImageFace({ object, file, hash }: { object: ObjectView; file: string; hash: string | null }) {
   const name = file.split(/[\\/]/).at(-1) ?? file;
+  const picture = usePicture(hash);
   return hash ? (
-    <img className="picture" src={`image/${hash}`} alt={name} draggable={false} />
+    <img className="picture" src={picture} alt={name} draggable={false} />
   ) : (
     <span className="no-picture">{name === "" ? t("canvas.image.none", { name: object.name }) : name}</span>
   );

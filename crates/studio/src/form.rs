@@ -10,7 +10,7 @@ use katydid_session::Registry;
 
 /// A form of a definition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub enum Form {
     /// Grasshopper's binary archive.
     Gh,
     /// Grasshopper's XML archive.
@@ -21,7 +21,7 @@ pub(crate) enum Form {
 
 impl Form {
     /// The form of files with that extension, without the dot.
-    pub(crate) fn from_extension(extension: &str) -> Option<Self> {
+    pub fn from_extension(extension: &str) -> Option<Self> {
         match extension.to_lowercase().as_str() {
             "gh" => Some(Self::Gh),
             "ghx" => Some(Self::Ghx),
@@ -31,12 +31,12 @@ impl Form {
     }
 
     /// The form of a file of that name.
-    pub(crate) fn of(path: &Path) -> Option<Self> {
+    pub fn of(path: &Path) -> Option<Self> {
         Self::from_extension(path.extension()?.to_str()?)
     }
 
     /// The extension, without the dot.
-    pub(crate) fn extension(self) -> &'static str {
+    pub fn extension(self) -> &'static str {
         match self {
             Self::Gh => "gh",
             Self::Ghx => "ghx",
@@ -46,7 +46,10 @@ impl Form {
 }
 
 /// A definition from bytes, with its unit where a text names one. Objects without a place on the canvas get one.
-pub(crate) fn read(form: Form, bytes: &[u8]) -> Result<(Document, Option<Units>), String> {
+///
+/// # Errors
+/// What is wrong with the bytes, and where.
+pub fn read(form: Form, bytes: &[u8]) -> Result<(Document, Option<Units>), String> {
     match form {
         Form::Gh | Form::Ghx => {
             let document = Document::read(bytes, &Limits::default()).map_err(|error| error.to_string())?;
@@ -63,7 +66,10 @@ pub(crate) fn read(form: Form, bytes: &[u8]) -> Result<(Document, Option<Units>)
 }
 
 /// A definition as bytes, and what the form cannot hold.
-pub(crate) fn write(form: Form, document: &Document) -> Result<(Vec<u8>, Vec<String>), String> {
+///
+/// # Errors
+/// Why it cannot be written.
+pub fn write(form: Form, document: &Document) -> Result<(Vec<u8>, Vec<String>), String> {
     let told = |error: katydid_definition::Error| error.to_string();
     match form {
         Form::Gh => Ok((archive::write_gh(&document.to_archive().root).map_err(told)?, Vec::new())),

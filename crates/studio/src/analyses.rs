@@ -12,28 +12,33 @@ use katydid_session::protocol::{AnalysisView, CombMeasure, Probe, Probed};
 use katydid_solver::{Engine, Inputs};
 use uuid::Uuid;
 
-use super::ClientId;
+/// The number of a client among those of a document.
+pub type ClientId = u64;
 
 /// An analysis for a client.
 #[derive(Debug)]
-pub(crate) struct Analysed {
-    pub(crate) is_draft: bool,
+pub struct Analysed {
+    /// Whether it is as coarse as it may be.
+    pub is_draft: bool,
     /// The objects of which it is another; nothing for those that show nothing any more.
-    pub(crate) objects: Vec<(Uuid, Option<Geometry>)>,
-    pub(crate) about: About,
+    pub objects: Vec<(Uuid, Option<Geometry>)>,
+    /// What is said of it.
+    pub about: About,
 }
 
 /// What is said of an analysis besides what is drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct About {
-    pub(crate) comb: Option<CombMeasure>,
+pub struct About {
+    /// How the combs were measured.
+    pub comb: Option<CombMeasure>,
     /// What there was too much of.
-    pub(crate) left_out: Vec<String>,
+    pub left_out: Vec<String>,
 }
 
 /// What a client is to be told.
 #[derive(Debug)]
-pub(crate) enum Finding {
+pub enum Finding {
+    /// An analysis.
     Analysed(Analysed),
     /// The answers of a round.
     Probed(u32, Vec<Option<Probed>>),
@@ -41,7 +46,7 @@ pub(crate) enum Finding {
 
 /// What clients look at.
 #[derive(Debug, Default)]
-pub(super) struct Analyses {
+pub struct Analyses {
     clients: HashMap<ClientId, Asked>,
     /// The curves and surfaces of objects, as far as they were looked at.
     subjects: HashMap<Uuid, Arc<Subjects>>,
@@ -67,7 +72,7 @@ struct Asked {
 
 impl Analyses {
     /// What a client looks at from now on.
-    pub(super) fn analyse(&mut self, client: ClientId, analysis: Option<AnalysisView>) {
+    pub fn analyse(&mut self, client: ClientId, analysis: Option<AnalysisView>) {
         let asked = self.clients.entry(client).or_default();
         let look =
             |view: &Option<AnalysisView>| view.clone().map(|view| AnalysisView { objects: None, ..view });
@@ -79,20 +84,20 @@ impl Analyses {
     }
 
     /// The places that a client asks about from now on.
-    pub(super) fn probe(&mut self, client: ClientId, round: u32, probes: Vec<Probe>) {
+    pub fn probe(&mut self, client: ClientId, round: u32, probes: Vec<Probe>) {
         let asked = self.clients.entry(client).or_default();
         (asked.round, asked.probes) = (round, probes);
         asked.is_due[1] = true;
     }
 
     /// A client is gone.
-    pub(super) fn leave(&mut self, client: ClientId) {
+    pub fn leave(&mut self, client: ClientId) {
         self.clients.remove(&client);
         self.tidy();
     }
 
     /// These objects have other data, or are shown otherwise.
-    pub(super) fn touch(&mut self, objects: &[Uuid]) {
+    pub fn touch(&mut self, objects: &[Uuid]) {
         if objects.is_empty() {
             return;
         }
@@ -103,7 +108,7 @@ impl Analyses {
     }
 
     /// Everything is to be looked at again.
-    pub(super) fn touch_all(&mut self) {
+    pub fn touch_all(&mut self) {
         self.subjects.clear();
         self.all_due();
     }
@@ -115,7 +120,7 @@ impl Analyses {
     }
 
     /// Whether things are being dragged.
-    pub(super) fn set_draft(&mut self, is_draft: bool) {
+    pub fn set_draft(&mut self, is_draft: bool) {
         self.is_draft = is_draft;
         if !is_draft {
             self.clients
@@ -126,21 +131,17 @@ impl Analyses {
     }
 
     /// Whether a client looks at colours of curvatures, or at stripes.
-    pub(super) fn has_colours(&self) -> bool {
+    pub fn has_colours(&self) -> bool {
         self.clients.values().any(|asked| asked.analysis.as_ref().is_some_and(|view| view.colours))
     }
 
     /// Whether there is something to look at again.
-    pub(super) fn is_due(&self) -> bool {
+    pub fn is_due(&self) -> bool {
         self.clients.values().any(|asked| asked.is_due.contains(&true))
     }
 
     /// Looks at what is due; what `go_on` denies stays due.
-    pub(super) fn look(
-        &mut self,
-        engine: &Engine,
-        go_on: impl Fn() -> bool + Sync,
-    ) -> Vec<(ClientId, Finding)> {
+    pub fn look(&mut self, engine: &Engine, go_on: impl Fn() -> bool + Sync) -> Vec<(ClientId, Finding)> {
         let Self { clients, subjects, is_draft } = self;
         let mut collection = Collection::new(engine, subjects);
         let mut findings = Vec::new();

@@ -9,9 +9,9 @@ use uuid::Uuid;
 
 /// How a file is made.
 #[derive(Debug, Clone, Default, serde::Deserialize)]
-pub(crate) struct Wishes {
+pub struct Wishes {
     /// The extension of the format.
-    pub(crate) format: String,
+    pub format: String,
     /// Of pictures, in pixels.
     width: Option<u32>,
     height: Option<u32>,
@@ -37,7 +37,10 @@ impl Wishes {
 const LONGEST: f64 = 8192.0;
 
 /// The bytes of a file in that format, and their type.
-pub(crate) fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'static str), String> {
+///
+/// # Errors
+/// What is wrong with the wishes, or why the file cannot be written.
+pub fn export(engine: &Engine, wishes: &Wishes) -> Result<(Vec<u8>, &'static str), String> {
     match wishes.format.as_str() {
         "3dm" => {
             let baked = bake(engine, wishes.baking()?);

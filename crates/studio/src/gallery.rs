@@ -18,18 +18,22 @@ struct Examples;
 
 /// A definition of the gallery.
 #[derive(Debug, Clone, Serialize)]
-pub(crate) struct Gallery {
-    pub(crate) id: String,
+pub struct Gallery {
+    /// What it is asked for by.
+    pub id: String,
     /// What a document is called that is opened from it.
-    pub(crate) name: String,
-    pub(crate) title: String,
-    pub(crate) group: String,
-    pub(crate) description: String,
+    pub name: String,
+    /// Its title.
+    pub title: String,
+    /// The heading that it stands under.
+    pub group: String,
+    /// A sentence about it.
+    pub description: String,
 }
 
 impl Gallery {
     /// All of them: the examples, then the book in the order of its own table.
-    pub(crate) fn all() -> &'static [Self] {
+    pub fn all() -> &'static [Self] {
         static ALL: LazyLock<Vec<Gallery>> = LazyLock::new(|| {
             let text = Book::get("README.md").map(|file| file.data.into_owned()).unwrap_or_default();
             let mut all: Vec<Gallery> = Examples::iter().filter_map(|name| example(&name)).collect();
@@ -40,13 +44,13 @@ impl Gallery {
     }
 
     /// The text of one.
-    pub(crate) fn text(&self) -> Option<Vec<u8>> {
+    pub fn text(&self) -> Option<Vec<u8>> {
         let file = Book::get(&format!("{}/definition.kd", self.id));
         file.or_else(|| Examples::get(&format!("{}.kd", self.id))).map(|file| file.data.into_owned())
     }
 
     /// The one of that id.
-    pub(crate) fn find(id: &str) -> Option<&'static Self> {
+    pub fn find(id: &str) -> Option<&'static Self> {
         Self::all().iter().find(|one| one.id == id)
     }
 }
@@ -96,7 +100,7 @@ mod tests {
         assert!(Gallery::all().len() >= 40, "{}", Gallery::all().len());
         for one in Gallery::all() {
             let text = one.text().unwrap_or_default();
-            assert!(super::super::read(super::super::Form::Kd, &text).is_ok(), "{}", one.id);
+            assert!(crate::read(crate::Form::Kd, &text).is_ok(), "{}", one.id);
             assert!(!one.group.is_empty() && !one.title.is_empty());
         }
         assert!(Gallery::find("../V1").is_none());

@@ -9,7 +9,7 @@ use uuid::Uuid;
 
 /// What of the geometry is up to date.
 #[derive(Debug, Default)]
-pub(super) struct Drafts {
+pub struct Drafts {
     /// The objects whose geometry is older than their data.
     stale: HashSet<Uuid>,
     /// The objects that were drawn more coarsely than the document asks for.
@@ -23,36 +23,37 @@ pub(super) struct Drafts {
 
 impl Drafts {
     /// These objects have other data, or are shown otherwise.
-    pub(super) fn touch(&mut self, objects: impl IntoIterator<Item = Uuid>) {
+    pub fn touch(&mut self, objects: impl IntoIterator<Item = Uuid>) {
         self.stale.extend(objects);
     }
 
     /// Everything is to be drawn anew.
-    pub(super) fn touch_all(&mut self, document: &Document) {
+    pub fn touch_all(&mut self, document: &Document) {
         self.stale.extend(document.objects.iter().map(|object| object.id));
     }
 
     /// Whether things are being dragged.
-    pub(super) fn set_draft(&mut self, is_draft: bool) {
+    pub fn set_draft(&mut self, is_draft: bool) {
         self.is_draft = is_draft;
     }
 
     /// Whether somebody looks at colours of curvatures, or at stripes.
-    pub(super) fn set_colours(&mut self, has_colours: bool) {
+    pub fn set_colours(&mut self, has_colours: bool) {
         self.has_colours = has_colours;
     }
 
-    pub(super) fn is_draft(&self) -> bool {
+    /// Whether what is drawn now is as coarse as it may be.
+    pub fn is_draft(&self) -> bool {
         self.is_draft
     }
 
     /// Whether there is something to draw.
-    pub(super) fn is_due(&self) -> bool {
+    pub fn is_due(&self) -> bool {
         !self.stale.is_empty() || !self.is_draft && !self.coarse.is_empty()
     }
 
     /// Draws what is due; what `go_on` denies stays due. Objects that are gone come back without geometry.
-    pub(super) fn draw(&mut self, engine: &Engine, go_on: impl Fn() -> bool + Sync) -> Vec<Preview> {
+    pub fn draw(&mut self, engine: &Engine, go_on: impl Fn() -> bool + Sync) -> Vec<Preview> {
         let mut due = self.stale.clone();
         if !self.is_draft {
             due.extend(&self.coarse);

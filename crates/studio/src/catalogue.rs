@@ -2,7 +2,6 @@
 
 use std::sync::LazyLock;
 
-use bytes::Bytes;
 use katydid_component::{Access, Component, Port, registry};
 use serde_json::{Value, json};
 use uuid::Uuid;
@@ -73,16 +72,16 @@ fn keywords(component: &Component) -> Vec<&'static str> {
 }
 
 /// All components, as a JSON array.
-pub(crate) fn all() -> Bytes {
-    static ALL: LazyLock<Bytes> = LazyLock::new(|| {
+pub fn all() -> &'static str {
+    static ALL: LazyLock<String> = LazyLock::new(|| {
         let list: Vec<Value> = registry::all().into_iter().map(entry).collect();
-        Bytes::from(serde_json::to_vec(&list).unwrap_or_default())
+        serde_json::to_string(&list).unwrap_or_default()
     });
-    ALL.clone()
+    &ALL
 }
 
 /// One component with the ids it had before, or why there is none.
-pub(crate) fn help(guid: Uuid) -> Option<Value> {
+pub fn help(guid: Uuid) -> Option<Value> {
     match registry::by_guid(guid) {
         Some(component) => {
             let mut entry = entry(component);

@@ -39,7 +39,7 @@ struct Room {
 
 /// What a gallery shows of each of its items: files of pictures, as far as the definition may read them, and coloured
 /// meshes are small pictures; colours are themselves; of all else there is the name.
-pub(super) fn pictures(tree: &Tree, files: &Files, style: &text::Style) -> Vec<PictureView> {
+pub fn pictures(tree: &Tree, files: &Files, style: &text::Style) -> Vec<PictureView> {
     let values: Vec<Value> = tree.column().iter().flatten().take(MOST).collect();
     let side = if values.len() < MANY { SIDE } else { SMALL_SIDE };
     let mut room = Room { bytes: MOST_BYTES_IN_ALL, pixels: MOST_PIXELS_IN_ALL };

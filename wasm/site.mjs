@@ -1,0 +1,29 @@
+// What the site has besides the page: pictures of the gallery's definitions, and the worker that keeps all of it for when
+// there is no network. `node wasm/site.mjs FOLDER`, after the page was built into the folder.
+import { createHash } from "node:crypto";
+import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
+import { join, relative, sep } from "node:path";
+
+import { init, raw } from "./index.js";
+
+const folder = process.argv[2];
+if (!folder) throw new Error("node wasm/site.mjs FOLDER");
+
+await init();
+await mkdir(join(folder, "portraits"), { recursive: true });
+for (const { id } of JSON.parse(raw.gallery())) {
+  const picture = raw.portrait(raw.galleryText(id));
+  if (picture) await writeFile(join(folder, "portraits", `${id}.png`), picture);
+}
+
+const files = (await readdir(folder, { recursive: true, withFileTypes: true }))
+  .filter((entry) => entry.isFile() && entry.name !== "sw.js")
+  .map((entry) => relative(folder, join(entry.parentPath, entry.name)).split(sep).join("/"))
+  .sort();
+const hash = createHash("sha256");
+for (const file of files) hash.update(file).update(await readFile(join(folder, file)));
+const worker = await readFile(new URL("sw.js", import.meta.url), "utf8");
+const list = JSON.stringify(files, undefined, 1);
+const version = hash.digest("hex").slice(0, 16);
+await writeFile(join(folder, "sw.js"), worker.replace("const FILES = [];", `const FILES = ${list};`).replace("VERSION", version));
+console.log(`${files.length} files, version ${version}`);
