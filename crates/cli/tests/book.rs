@@ -17,7 +17,7 @@ fn rows() -> Vec<(String, PathBuf)> {
     let mut rows: Vec<_> = std::fs::read_dir(BOOK)
         .unwrap()
         .map(|entry| entry.unwrap().path())
-        .filter(|path| path.is_dir())
+        .filter(|path| path.join("definition.kd").exists())
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), path.join("definition.kd")))
         .collect();
     rows.sort();
