@@ -1,4 +1,4 @@
-//! Has the page embedded anew when it was built anew.
+//! Has the page and the book embedded anew when they were built anew.
 
 use std::path::Path;
 
@@ -10,5 +10,7 @@ fn main() {
     if page.is_dir() {
         println!("cargo:rerun-if-changed={}", page.display());
     }
+    // Pages of the book that are new are embedded too.
+    println!("cargo:rerun-if-changed={}", Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book").display());
     println!("cargo:rerun-if-changed=build.rs");
 }

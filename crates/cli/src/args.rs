@@ -49,6 +49,8 @@ pub(crate) enum Command {
     Components(ComponentsArgs),
     /// Make a picture of what a definition shows, or of the definition itself
     View(ViewArgs),
+    /// Build the pages of a live book from a folder of Markdown and definitions
+    Book(BookArgs),
     /// Open the studio in the browser: the definition on a canvas, its geometry beside it
     Studio(StudioArgs),
     /// Answer the clients of Rhino.Compute and Hops: definitions solved over HTTP
@@ -60,6 +62,18 @@ pub(crate) enum Command {
     /// Answer the calls of a script's process: members of RhinoCommon, by name, in the form of katydid-members' codec
     #[command(hide = true)]
     Members(MembersArgs),
+}
+
+/// A book and where its pages go.
+#[derive(Debug, Args)]
+pub(crate) struct BookArgs {
+    /// The folder of the book: contents.md, and a folder a page with page.md and its definitions
+    #[arg(value_name = "FOLDER")]
+    pub(crate) folder: PathBuf,
+
+    /// The folder for the pages; without it the book is only checked
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// The files whose scripts may run.
@@ -187,6 +201,10 @@ pub(crate) struct RunArgs {
     /// Print how long each object took, the slowest first
     #[arg(long)]
     pub(crate) timings: bool,
+
+    /// Print the steps of the objects whose result the kernel can tell step by step (Evaluate Curve, closest points, planes from axes, products of matrices), or with =NAME of one object
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", require_equals = true)]
+    pub(crate) explain: Option<String>,
 
     /// The number of threads; as many as the machine has processors when not given
     #[arg(long, value_name = "N")]
@@ -473,6 +491,10 @@ pub(crate) struct StudioArgs {
     /// Show the inputs and the model alone
     #[arg(long, requires = "file")]
     pub(crate) player: bool,
+
+    /// The folder of a book to show at /learn, in place of Katydid's own
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) book: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) scripts: StudioScriptArgs,

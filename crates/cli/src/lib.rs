@@ -3,11 +3,13 @@
 //! It is a library so that the Python package carries the same command as the program `katydid`.
 
 mod args;
+mod book;
 mod check;
 mod components;
 mod convert;
 mod convert_model;
 mod diff;
+mod explain;
 mod fmt;
 mod info;
 mod members;
@@ -58,6 +60,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Fmt(args) => fmt::fmt(args),
         Command::Components(args) => components::components(args),
         Command::View(args) => view::view(args),
+        Command::Book(args) => book::book(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
         Command::Trust(args) => scripts::trust(args),

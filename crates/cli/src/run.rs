@@ -12,7 +12,7 @@ use katydid_solver::Status;
 use crate::args::{JsonForm, RunArgs};
 use crate::convert_model::model_extensions;
 use crate::output::{BOLD, DIM, GREEN, RED, YELLOW, extension, note, say, write_file};
-use crate::{open, scene_file, ticks};
+use crate::{explain, open, scene_file, ticks};
 
 pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     for path in &args.output {
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         options.limits = options.limits.with_bytes(bytes);
     }
     // A report shows every output, and what is saved has what is previewed, which no wire need read.
-    options.skip_unread = args.json.is_none() && args.output.is_empty();
+    options.skip_unread = args.json.is_none() && args.output.is_empty() && args.explain.is_none();
     let whole = ticks::solve(&mut session, &args.definition);
 
     let failed = complain(&session) || !whole;
@@ -44,6 +44,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         save(&session, args, path)?;
     }
     write_panels(&session, args.panels.as_deref())?;
+    if let Some(name) = &args.explain {
+        explain::explain(&session, name)?;
+    }
     match args.json {
         Some(form) => {
             let items = if form == JsonForm::Values { Items::Values } else { Items::Texts };

@@ -15,6 +15,7 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         file: args.file.clone(),
         model: args.model.clone(),
         player: args.player,
+        book: args.book.clone(),
         state: Config::usual_state(),
         scripts: Some(args.scripts.for_studio()),
         ..Config::default()

@@ -17,7 +17,7 @@ fn rows() -> Vec<(String, PathBuf)> {
     let mut rows: Vec<_> = std::fs::read_dir(BOOK)
         .unwrap()
         .map(|entry| entry.unwrap().path())
-        .filter(|path| path.is_dir())
+        .filter(|path| path.join("definition.kd").exists())
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), path.join("definition.kd")))
         .collect();
     rows.sort();
@@ -196,4 +196,41 @@ fn every_row_opens_readable() {
             }
         }
     }
+}
+
+/// The steps of de Boor's construction, with the book's own numbers as exact fractions.
+#[test]
+fn the_steps_of_a_point_are_told() {
+    let file = Path::new(BOOK).join("C10/definition.kd");
+    let output = katydid(&["run", text(&file), "--explain"]);
+    let told = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    for line in ["share of B = (u − U3) / (U6 − U3) = 8/15", "B = 7/15 P2 + 8/15 P3", "F = 2/5 D + 3/5 E"]
+    {
+        assert!(told.contains(line), "{line}: {told}");
+    }
+    let none = katydid(&["run", text(&file), "--explain=nothing"]);
+    assert_eq!(none.status.code(), Some(2));
+}
+
+#[test]
+fn a_book_of_ones_own_is_built_or_its_faults_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("one");
+    std::fs::create_dir(&page).unwrap();
+    std::fs::copy(Path::new(BOOK).join("C9/definition.kd"), page.join("definition.kd")).unwrap();
+    let contents = "---\ntitle: Mine\nsummary: Small.\n---\n\n## Chapter\n\n- one\n";
+    std::fs::write(folder.path().join("contents.md"), contents).unwrap();
+    let words = "---\ntitle: One\nsummary: A page.\n---\n\nR is {{ R }}.\n\n\
+        ```figure\nid: main\ncontrols: t\nsay: R is {{ R }}.\nalt: A curve.\n```\n";
+    std::fs::write(page.join("page.md"), words).unwrap();
+    let out = folder.path().join("out");
+    let output = katydid(&["book", text(folder.path()), "-o", text(&out)]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let html = std::fs::read_to_string(out.join("one/index.html")).unwrap();
+    assert!(html.contains("(0.91, 1.13, 0)"), "{html}");
+    std::fs::write(page.join("page.md"), words.replace("{{ R }}.\n\n", "{{ S }}.\n\n")).unwrap();
+    let output = katydid(&["book", text(folder.path())]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(said(&output).contains("one/page.md:6: the definition has no output 'S'"), "{}", said(&output));
 }

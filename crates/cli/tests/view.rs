@@ -20,7 +20,8 @@ const WITHOUT_GEOMETRY: [&str; 3] = ["M1", "V11", "V9"];
 const CANVASES: [&str; 2] = ["C5", "N11"];
 
 fn rows() -> Vec<(String, PathBuf)> {
-    let folders = fs::read_dir(BOOK).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
+    let folders = fs::read_dir(BOOK).unwrap().map(|entry| entry.unwrap().path());
+    let folders = folders.filter(|path| path.join("definition.kd").exists());
     let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
     let mut rows: Vec<_> = folders.map(|path| (name(&path), path.join("definition.kd"))).collect();
     rows.sort();

@@ -47,6 +47,7 @@ mod curve;
 pub mod drawing;
 mod ellipse;
 mod error;
+pub mod explain;
 pub mod field;
 #[cfg(any(feature = "glam", feature = "nalgebra"))]
 mod foreign;

@@ -70,7 +70,7 @@ const LAYERS: [(&str, &[&str]); 7] = [
         &["intersect", "offset", "pull", "region", "longest_rectangle", "lettering"],
     ),
     ("Breps", &["brep", "meshing", "subd", "morph", "silhouette", "drawing"]),
-    ("construction, and forms for other crates", &["construct", "serde_forms", "foreign"]),
+    ("construction, and forms for other crates", &["construct", "explain", "serde_forms", "foreign"]),
 ];
 
 fn sources(at: &Path, out: &mut Vec<PathBuf>) {

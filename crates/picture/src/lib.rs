@@ -43,7 +43,7 @@ pub use camera::View;
 pub use canvas::canvas;
 pub use drawing::Drawing;
 pub use error::Error;
-pub use result::{Picture, result};
+pub use result::{Paint, Picture, result, result_with};
 
 /// How a picture is made.
 #[derive(Debug, Clone, PartialEq)]

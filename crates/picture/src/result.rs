@@ -1,7 +1,7 @@
 //! What a solved definition shows: the geometry of every object whose preview is on, and what display components draw.
 
 use katydid_data::Colour;
-use katydid_definition::document::Document;
+use katydid_definition::document::{Document, Object};
 use katydid_geometry::BoundingBox;
 use katydid_scene::colour::of_archive;
 use katydid_scene::{Form, Look, Painter, Scene, legends};
@@ -27,14 +27,37 @@ const PREVIEW: Colour = Colour::argb(100, 150, 0, 0);
 /// The picture of what a solved definition makes: the geometry of all objects with their preview on, in the document's
 /// preview colour or the material of a Custom Preview, and what display components draw.
 pub fn result(engine: &Engine, options: &Options) -> Picture {
+    result_with(engine, options, |_| Paint::Own)
+}
+
+/// How an object is painted in a picture that is made for a purpose: a figure in a text, say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Paint {
+    /// As in the studio.
+    Own,
+    /// In this colour, where it has none of its own.
+    Colour(Colour),
+    /// Not at all.
+    Nothing,
+}
+
+/// The same, with what the caller says about each object.
+pub fn result_with(engine: &Engine, options: &Options, paint: impl Fn(&Object) -> Paint) -> Picture {
     let document = engine.document();
     let look = Look::of(document.header.preview_normal.map_or(PREVIEW, of_archive));
     let mut painter = Painter::for_picture(&engine.options().rules, look);
     let inputs = Inputs::new(engine);
     for (index, object) in document.objects.iter().enumerate() {
-        if let Some(report) = engine.report(index) {
-            painter.object(object, &report.outputs, || inputs.of(index));
+        let Some(report) = engine.report(index) else { continue };
+        match paint(object) {
+            Paint::Nothing => continue,
+            Paint::Own => painter.set_look(look),
+            Paint::Colour(colour) => {
+                // Faces stay as clear as they would be.
+                painter.set_look(Look::of(Colour { a: look.fill.a, ..colour }));
+            }
         }
+        painter.object(object, &report.outputs, || inputs.of(index));
     }
     if options.legend {
         painter.scene.legends.extend(legends(document, &inputs));

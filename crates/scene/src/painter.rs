@@ -38,6 +38,11 @@ impl<'a> Painter<'a> {
         Self { scene: Scene::default(), values: Values::new(false), rules, look }
     }
 
+    /// The look of what comes next and has no colours of its own.
+    pub fn set_look(&mut self, look: Look) {
+        self.look = look;
+    }
+
     /// What could not be shown, in words.
     pub fn left_out(&self) -> &[String] {
         &self.values.left_out

@@ -26,6 +26,8 @@ pub struct Config {
     pub state: Option<PathBuf>,
     /// What runs the scripts of definitions once somebody lets them; without it none run.
     pub scripts: Option<ScriptConfig>,
+    /// The folder of the book whose pages stand at `/learn`; without it Katydid's own book does.
+    pub book: Option<PathBuf>,
     /// The most bytes of a file that is sent.
     pub most_upload: usize,
     /// The most documents that are open at a time.
@@ -59,6 +61,7 @@ impl Default for Config {
             player: false,
             state: None,
             scripts: None,
+            book: None,
             most_upload: 256 << 20,
             most_documents: 64,
         }

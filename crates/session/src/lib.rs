@@ -28,6 +28,7 @@ mod controls;
 pub mod display;
 mod editor;
 mod edits;
+mod explain;
 mod input;
 pub mod journal;
 #[cfg(not(target_family = "wasm"))]
@@ -47,6 +48,7 @@ pub use change::{Change, Refusal};
 pub use check::{Check, KnownOfPlugin, ScriptObject, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
+pub use explain::{explain, explainable, nurbs_of};
 pub use input::{InputError, assign as assign_input, find as find_input, inputs};
 #[cfg(not(target_family = "wasm"))]
 pub use output_file::{OutputFile, write_file};

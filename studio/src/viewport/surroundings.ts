@@ -14,6 +14,8 @@ export interface Surroundings {
   only: ReadonlySet<string> | undefined;
   /** The colours of the Rhino model's layers by their ids. */
   layers: ReadonlyMap<string, Rgba>;
+  /** Objects that are drawn in a colour of their own in place of `normal`: in a figure of the book. */
+  colours?: ReadonlyMap<string, Rgba>;
 }
 
 export function isHidden({ hidden, only }: Surroundings, object: string): boolean {
@@ -26,6 +28,7 @@ export function areAlike(one: Surroundings, other: Surroundings): boolean {
   return (
     one.hovered === other.hovered &&
     one.layers === other.layers &&
+    one.colours === other.colours &&
     areSameColour(one.normal, other.normal) &&
     areSameColour(one.selected, other.selected) &&
     isSameSet(one.selection, other.selection) &&

@@ -42,6 +42,8 @@ pub(super) struct Actor {
     pub(super) keeper: Keeper,
     /// Where the document is kept.
     pub(super) path: Option<PathBuf>,
+    /// Whether it is only shown for a while.
+    is_passing: bool,
     /// What objects show, as clients know it.
     pub(super) shown: HashMap<Uuid, Arc<Geometry>>,
     /// What of objects could not be shown, as clients know it.
@@ -81,14 +83,15 @@ impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
         let files = shared.trust.files(source.origin());
-        let Source { document, name, path, hash, fingerprint, rules, model, is_locked, id } = source;
-        let (mut editor, keeper) =
-            Keeper::open(document, rules, shared.journals.as_deref(), &id, path.as_deref(), hash);
+        let Source { document, name, path, hash, fingerprint, rules, model, is_locked, is_passing, id } =
+            source;
+        let journals = shared.journals.as_deref().filter(|_| !is_passing);
+        let (mut editor, keeper) = Keeper::open(document, rules, journals, &id, path.as_deref(), hash);
         editor.about_mut().name = name;
         editor.about_mut().locked = is_locked;
         editor.about_mut().path = path.as_ref().map(|path| shared.trust.told(path));
         let known = fingerprint.filter(|_| editor.found().is_none());
-        let scripting = Scripting::new(shared.scripts.clone(), known, path.clone());
+        let scripting = Scripting::new(shared.scripts.clone().filter(|_| !is_passing), known, path.clone());
         editor.about_mut().scripts = scripting.view(editor.document());
         let scripts = Some(scripting.scripts());
         let beside = Beside::new(model);
@@ -107,6 +110,7 @@ impl Actor {
             shared,
             keeper,
             path,
+            is_passing,
             shown: HashMap::new(),
             left_out: HashMap::new(),
             model: beside,
@@ -222,7 +226,9 @@ impl Actor {
 
     fn about(&self) -> About {
         let name = self.editor.about().name.clone();
-        About { name, changed: self.editor.is_changed(), clients: self.clients.count() }
+        let is_passing = self.is_passing;
+        let changed = self.editor.is_changed() && !is_passing;
+        About { name, changed, is_passing, clients: self.clients.count() }
     }
 
     /// Asks for work; where edits wait for somebody to say so, for drawing alone.

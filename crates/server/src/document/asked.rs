@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use katydid_geometry::explain::Algorithm;
 use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
 use katydid_session::{Digits, Refusal, Solution, rows};
 use katydid_solver::Inputs;
@@ -104,6 +105,8 @@ impl Actor {
                 let wanted = Wanted { port, from, count, digits: Digits::of(exact) };
                 return self.rows(id, seq, wanted, &within);
             }
+            Ask::Explain { object, algorithm } => return self.explain(id, seq, object, algorithm.as_deref()),
+            Ask::Nurbs { port } => return Ok(self.nurbs(id, seq, port)),
             Ask::Pictures { port, within } => return Ok(self.pictures(id, seq, port, within)),
             Ask::Copy { objects, within } => {
                 let text = self.editor.copy(&objects, &within).map_err(told)?;
@@ -178,6 +181,47 @@ impl Actor {
         };
         self.inquire(Box::new(inquiry));
         Ok(Answer::Later)
+    }
+
+    /// How the result of an object comes about, when the worker comes to it.
+    fn explain(
+        &mut self,
+        id: ClientId,
+        seq: u64,
+        object: Uuid,
+        algorithm: Option<&str>,
+    ) -> Result<Answer, String> {
+        let algorithm = algorithm
+            .map(|name| Algorithm::from_name(name).ok_or_else(|| format!("there is no algorithm {name}")))
+            .transpose()?;
+        let Some(outbox) = self.clients.get(id).map(|client| Arc::clone(&client.outbox)) else {
+            return Ok(Answer::Later);
+        };
+        self.inquire(Box::new(move |engine: &katydid_solver::Engine| {
+            let place = engine.document().objects.iter().position(|one| one.id == object);
+            let told = place.ok_or_else(|| "there is no such object".to_owned());
+            outbox.put(match told.and_then(|place| katydid_session::explain(engine, place, algorithm)) {
+                Ok(told) => Event::Explained { seq, explanation: (&told).into() },
+                Err(reason) => Event::Refused { seq, reason },
+            });
+        }));
+        Ok(Answer::Later)
+    }
+
+    /// The control points and knots of a curve, when the worker comes to it.
+    fn nurbs(&mut self, id: ClientId, seq: u64, port: Uuid) -> Answer {
+        let Some(outbox) = self.clients.get(id).map(|client| Arc::clone(&client.outbox)) else {
+            return Answer::Later;
+        };
+        self.inquire(Box::new(move |engine: &katydid_solver::Engine| {
+            let place = engine.document().lookup().output(port);
+            let told = place.ok_or_else(|| "there is no such output".to_owned());
+            outbox.put(match told.and_then(|at| katydid_session::nurbs_of(engine, at.object, at.port)) {
+                Ok(curve) => Event::Nurbs { seq, curve },
+                Err(reason) => Event::Refused { seq, reason },
+            });
+        }));
+        Answer::Later
     }
 
     /// Small pictures of the data of a port, when the worker comes to it: it knows which files the document may read.

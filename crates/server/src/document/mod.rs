@@ -82,6 +82,8 @@ pub(crate) struct Download {
 pub(crate) struct About {
     pub(crate) name: String,
     pub(crate) changed: bool,
+    /// Whether it is only shown for a while.
+    pub(crate) is_passing: bool,
     /// How many clients show it.
     pub(crate) clients: usize,
 }

@@ -107,7 +107,15 @@ pub(crate) struct Parcel {
 }
 
 fn is_answer(event: &Event) -> bool {
-    matches!(event, Event::Done { .. } | Event::Refused { .. } | Event::Rows { .. } | Event::Copied { .. })
+    matches!(
+        event,
+        Event::Done { .. }
+            | Event::Refused { .. }
+            | Event::Rows { .. }
+            | Event::Copied { .. }
+            | Event::Explained { .. }
+            | Event::Nurbs { .. }
+    )
 }
 
 impl Outbox {

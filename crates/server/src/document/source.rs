@@ -32,6 +32,8 @@ pub(crate) struct Source {
     pub(crate) model: Option<Attached>,
     /// Whether edits, and the definition itself, wait until somebody has them solved.
     pub(crate) is_locked: bool,
+    /// Whether it is only shown for a while, as in a figure of the book: nothing of it is kept.
+    pub(crate) is_passing: bool,
     /// The id that it is known by.
     pub(crate) id: String,
 }
@@ -53,6 +55,7 @@ impl Source {
             rules: Rules { now: now(), ..Rules::default() },
             model: None,
             is_locked: false,
+            is_passing: false,
             id: chance(),
         }
     }

@@ -50,6 +50,7 @@ pub(crate) async fn start(Extract(state): Extract<Arc<State>>) -> Answer<Json<Va
     let about = state.documents.about().await;
     let mut open: Vec<Value> = about
         .iter()
+        .filter(|(_, about)| !about.is_passing)
         .map(|(id, about)| json!({"id": id, "name": about.name, "changed": about.changed}))
         .collect();
     if let Some(journals) = state.shared.journals.clone().filter(|_| state.shared.trust.names_paths()) {
@@ -189,6 +190,9 @@ pub(crate) struct Sending {
     /// Whether a definition is only to be looked at: nothing is solved until somebody says so.
     #[serde(default)]
     locked: bool,
+    /// Whether it is only shown for a while: edits are not kept, and it goes when nobody shows it.
+    #[serde(default)]
+    passing: bool,
 }
 
 pub(crate) async fn upload(
@@ -197,7 +201,7 @@ pub(crate) async fn upload(
     headers: HeaderMap,
     body: Request,
 ) -> Answer<Json<Value>> {
-    let Sending { name, document, locked } = asked(query)?;
+    let Sending { name, document, locked, passing } = asked(query)?;
     let too_large = || {
         let most = state.most_upload >> 20;
         Refused::new(StatusCode::PAYLOAD_TOO_LARGE, format!("more than {most} MB cannot be sent"))
@@ -227,7 +231,7 @@ pub(crate) async fn upload(
     let form =
         Form::of(Path::new(&name)).ok_or_else(|| Refused::bad("a definition is a .gh, .ghx or .kd file"))?;
     let source = blocking(move || Source::sent(&name, form, &bytes)).await?;
-    opened(&state, Source { is_locked: locked, ..source }).await
+    opened(&state, Source { is_locked: locked, is_passing: passing, ..source }).await
 }
 
 /// Which document, in which form.

@@ -4,6 +4,7 @@ mod answer;
 mod api;
 mod documents;
 mod guard;
+mod learn;
 mod page;
 mod socket;
 
@@ -28,6 +29,7 @@ pub(crate) struct State {
     pub(crate) guard: Guard,
     pub(crate) documents: Documents,
     pub(crate) shared: Arc<Shared>,
+    pub(crate) book: learn::Shelf,
     most_upload: usize,
 }
 
@@ -48,6 +50,7 @@ impl State {
             guard: Guard::new(&config, port),
             documents: Documents::new(Arc::clone(&shared), config.most_documents),
             shared,
+            book: learn::Shelf::new(config.book.clone()),
             most_upload: config.most_upload,
         }
     }
@@ -71,6 +74,9 @@ pub(crate) fn router(state: Arc<State>) -> Router {
         .route("/geometry/{hash}", get(api::geometry))
         .route("/image/{hash}", get(api::image))
         .route("/socket", get(socket::join))
+        .route("/learn", get(learn::enter))
+        .route("/learn/", get(learn::serve))
+        .route("/learn/{*path}", get(learn::serve))
         .fallback(page::serve)
         .layer(DefaultBodyLimit::max(MOST_QUESTION))
         .layer(middleware::from_fn_with_state(Arc::clone(&state), guard::check))

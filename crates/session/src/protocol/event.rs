@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{Colour, CombMeasure, DocumentView, ModelView, ObjectView, Probed};
+use super::{Colour, CombMeasure, DocumentView, ExplanationView, ModelView, NurbsView, ObjectView, Probed};
 
 /// What the session tells a client.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,6 +34,10 @@ pub enum Event {
     Refused { seq: u64, reason: String },
     /// Rows of data, in answer to `Rows`.
     Rows { seq: u64, page: Page },
+    /// The steps of a result, in answer to `Explain`.
+    Explained { seq: u64, explanation: ExplanationView },
+    /// A curve, in answer to `Nurbs`.
+    Nurbs { seq: u64, curve: NurbsView },
     /// Small pictures, in answer to `Pictures`.
     Pictures { seq: u64, pictures: Vec<PictureView> },
     /// The scripts that run only where somebody lets them, in answer to `Scripts`.

@@ -14,6 +14,7 @@ mod analysis;
 mod control;
 mod edit;
 mod event;
+mod explain;
 mod geometry;
 mod model;
 mod preview;
@@ -31,6 +32,7 @@ pub use event::{
     DocumentState, Event, MessageView, ModelLackView, Notice, OutputView, Page, PictureView, Problem,
     Restored, ResultView, Row, ScriptView, Structure,
 };
+pub use explain::{ExplanationView, NumberView, NurbsView, QuantityView, StepView, TermView};
 pub use geometry::{Drawing, GeometrySource, PlaneView};
 pub use model::{ModelLayerView, ModelObjectView, ModelView};
 pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType};

@@ -53,6 +53,10 @@ pub enum Ask {
         #[serde(default)]
         within: Vec<Uuid>,
     },
+    /// The steps by which the result of an object comes about: by the algorithm of that name, or its first.
+    Explain { object: Uuid, algorithm: Option<String> },
+    /// The control points and knots of the first curve that an output gives.
+    Nurbs { port: Uuid },
     /// What an Image Gallery shows of the data of a port.
     Pictures {
         port: Uuid,

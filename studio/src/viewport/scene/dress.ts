@@ -23,12 +23,13 @@ export function dress(model: Model, around: Surroundings, settings: ViewportSett
       for (const entry of parts) model.setColour(entry, layerLook(entry.part.kind, colour, settings.mode, palette, settings.shown));
       continue;
     }
+    const own = around.colours?.get(id);
     const state: ObjectState = { selected: selection.has(id), hovered: hovered === id, hidden: isHidden(around, id) };
     for (const entry of parts) {
       const { kind, colour } = entry.part;
       // Most parts look like many others, and to find a colour that is seen on the background takes a while.
-      const name = [kind, colour, state.selected, state.hovered, state.hidden].join();
-      const look = looks.get(name) ?? lookOf(kind, colour, state, settings.mode, palette, settings.shown);
+      const name = [kind, colour, own, state.selected, state.hovered, state.hidden].join();
+      const look = looks.get(name) ?? lookOf(kind, colour, state, settings.mode, own ? { ...palette, normal: own } : palette, settings.shown);
       looks.set(name, look);
       model.setColour(entry, look);
     }

@@ -1,0 +1,139 @@
+/** The picture of a figure: the studio's viewport, with hands and a keyboard of its own. */
+
+import type { Rgba } from "../core/preview";
+import { Viewport } from "../viewport/Viewport";
+import type { ViewName } from "../viewport/views";
+import { parseColour } from "../viewport/theme";
+import { make } from "./elements";
+import type { Lesson } from "./lesson";
+import type { FigureData } from "./data";
+import { Grips } from "./grips";
+
+const NOTHING: ReadonlySet<string> = new Set();
+/** The usual colour of previews: a clear dark red, as in the studio. */
+const PREVIEW: Rgba = [150, 0, 0, 100];
+const STEP = 24;
+const ZOOM = 1.15;
+
+export class Stage {
+  readonly viewport: Viewport;
+  readonly host: HTMLElement;
+  #lesson: Lesson;
+  #data: FigureData;
+  #hovered: string | undefined;
+  #grips: Grips;
+  #stop: (() => void)[] = [];
+  #colours = new Map<string, Rgba>();
+
+  constructor(stage: HTMLElement, lesson: Lesson, data: FigureData) {
+    this.#lesson = lesson;
+    this.#data = data;
+    this.host = make("div", { class: "live-stage", tabindex: 0, role: "application", "aria-label": data.alt });
+    stage.append(this.host);
+    this.viewport = new Viewport(this.host, this.#around());
+    this.viewport.canvas.setAttribute("aria-hidden", "true");
+    this.viewport.panes.look(data.view as ViewName, false, true);
+    this.#grips = new Grips(this, lesson, data);
+    this.viewport.afterDraw = () => this.#grips.place();
+    this.#stop.push(
+      lesson.geometry.listen({
+        put: (object, preview) => this.viewport.put(object, preview),
+        drop: (object) => this.viewport.drop(object),
+        clear: () => this.viewport.clear(),
+        failed: () => undefined,
+      }),
+    );
+    this.retheme();
+    this.#hands();
+  }
+
+  /** Marks an object, as its symbol is pointed at. */
+  hover(object: string | undefined): void {
+    this.#hovered = object;
+    this.viewport.surround(this.#around());
+  }
+
+  retheme(): void {
+    const probe = make("span");
+    this.host.append(probe);
+    this.#colours = new Map();
+    for (const [name, hue] of Object.entries(this.#data.colours)) {
+      const object = this.#lesson.named(name);
+      probe.style.color = `var(--${hue})`;
+      if (object) this.#colours.set(object.id, parseColour(getComputedStyle(probe).color));
+    }
+    probe.remove();
+    this.viewport.surround(this.#around());
+    this.viewport.retheme();
+  }
+
+  dispose(): void {
+    for (const stop of this.#stop) stop();
+    this.viewport.dispose();
+    this.host.remove();
+  }
+
+  #around() {
+    const only = this.#data.only.flatMap((name) => this.#lesson.named(name)?.id ?? []);
+    return {
+      normal: PREVIEW,
+      selected: [0, 130, 60, 140] as Rgba,
+      selection: this.#hovered ? new Set([this.#hovered]) : NOTHING,
+      hovered: undefined,
+      hidden: NOTHING,
+      only: only.length > 0 ? new Set(only) : undefined,
+      layers: new Map<string, Rgba>(),
+      colours: this.#colours,
+    };
+  }
+
+  #hands(): void {
+    const { host, viewport } = this;
+    const { panes } = viewport;
+    let last: [number, number] | undefined;
+    host.addEventListener("pointerdown", (event) => {
+      if (event.target !== viewport.canvas) return;
+      last = [event.clientX, event.clientY];
+      host.setPointerCapture(event.pointerId);
+    });
+    host.addEventListener("pointermove", (event) => {
+      if (!last) return;
+      this.#move(event.clientX - last[0], event.clientY - last[1], event.shiftKey || event.buttons === 4);
+      last = [event.clientX, event.clientY];
+    });
+    const end = () => (last = undefined);
+    host.addEventListener("pointerup", end);
+    host.addEventListener("pointercancel", end);
+    host.addEventListener("wheel", (event) => {
+      // The wheel belongs to the page, unless it is asked for.
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      this.#zoom(event.deltaY > 0 ? ZOOM : 1 / ZOOM);
+    }, { passive: false });
+    host.addEventListener("keydown", (event) => {
+      if (event.target !== host) return;
+      const moves: Record<string, [number, number]> = { ArrowLeft: [-STEP, 0], ArrowRight: [STEP, 0], ArrowUp: [0, -STEP], ArrowDown: [0, STEP] };
+      const move = moves[event.key];
+      if (move) this.#move(...move, event.shiftKey);
+      else if (event.key === "+") this.#zoom(1 / ZOOM);
+      else if (event.key === "-") this.#zoom(ZOOM);
+      else if (event.key === "Home") {
+        panes.look(this.#data.view as ViewName, false, true);
+        viewport.zoomExtents(true);
+      } else return;
+      event.preventDefault();
+    });
+  }
+
+  #move(dx: number, dy: number, isPan: boolean): void {
+    const { panes } = this.viewport;
+    if (isPan || this.#data.view !== "perspective") panes.pan(panes.active, dx, dy);
+    else panes.orbit(panes.active, dx, dy);
+  }
+
+  #zoom(factor: number): void {
+    const { panes } = this.viewport;
+    const [x, y, z] = panes.active.rig.pose.target;
+    panes.zoom(panes.active, panes.active.rig.eye().set(x, y, z), factor);
+  }
+}
