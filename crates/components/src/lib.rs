@@ -29,5 +29,5 @@ mod vector;
 /// assert!(katydid_components::link() > 100);
 /// ```
 pub fn link() -> usize {
-    katydid_component::registry::all().len()
+    katydid_component::registry::count()
 }
