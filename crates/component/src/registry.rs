@@ -3,13 +3,16 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use foldhash::fast::RandomState;
 use uuid::Uuid;
 
 use crate::{Component, plugin_of_tab};
 
-static BY_GUID: LazyLock<HashMap<Uuid, &'static Component>> = LazyLock::new(|| {
-    let mut map = HashMap::new();
-    for component in inventory::iter::<Component> {
+/// By id: made once a process, before anything runs, and so with a hash that is quick. The ids are the program's own.
+static BY_GUID: LazyLock<HashMap<Uuid, &'static Component, RandomState>> = LazyLock::new(|| {
+    // About every other component has an earlier id too.
+    let mut map = HashMap::with_capacity_and_hasher(2 * count(), RandomState::default());
+    for component in unordered() {
         map.insert(component.guid, component);
         for &guid in component.also {
             map.insert(guid, component);
@@ -61,14 +64,30 @@ pub fn by_guid(guid: Uuid) -> Option<&'static Component> {
 /// component has the name, one that stands for a plug-in's only where nothing of Grasshopper's own has it. Case does not
 /// matter.
 pub fn by_name(name: &str) -> Option<&'static Component> {
-    let all = all().into_iter().filter(|c| c.name.eq_ignore_ascii_case(name));
+    let mut all: Vec<_> = unordered().filter(|c| c.name.eq_ignore_ascii_case(name)).collect();
+    sort(&mut all);
     // The first of equals is the least.
-    all.min_by_key(|c| (plugin_of_tab(c.tab).is_some(), c.floating, c.old))
+    all.into_iter().min_by_key(|c| (plugin_of_tab(c.tab).is_some(), c.floating, c.old))
 }
 
 /// All components, ordered by tab, panel, name, age and id; those that stand for plug-ins' after Grasshopper's own.
 pub fn all() -> Vec<&'static Component> {
-    let mut all: Vec<_> = inventory::iter::<Component>.into_iter().collect();
-    all.sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
+    let mut all: Vec<_> = unordered().collect();
+    sort(&mut all);
     all
+}
+
+/// Brings some components into the order of [`all`].
+pub fn sort(components: &mut [&'static Component]) {
+    components.sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
+}
+
+/// All components in no order.
+pub fn unordered() -> impl Iterator<Item = &'static Component> {
+    inventory::iter::<Component>.into_iter()
+}
+
+/// How many components there are.
+pub fn count() -> usize {
+    unordered().count()
 }

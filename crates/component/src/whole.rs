@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use katydid_data::{Item, Tree};
 
-use crate::{Call, Outcome};
+use crate::matching::{Matching, Ranges};
+use crate::{Access, Call, Outcome};
 
 /// A piece that is worth a thread.
 const PIECE: usize = 16 * 1024;
@@ -98,7 +99,7 @@ fn of_columns(
     Some(Outcome { outputs, messages: Vec::new() })
 }
 
-/// The items of two inputs through `f`, as output 0. Inputs are as in [`numbers`].
+/// The items of two inputs through `f`, as output 0, for each place where two of them meet.
 pub fn two<A: Item + Copy, B: Item + Copy, R: Item>(
     call: &Call<'_>,
     f: impl Fn(A, B) -> R + Sync,
@@ -106,9 +107,10 @@ pub fn two<A: Item + Copy, B: Item + Copy, R: Item>(
     let [a, b] = call.inputs else { return None };
     let (a, b) = (A::slice(a.column())?, B::slice(b.column())?);
     each(call, |i| Some(f(at(a, i)?, at(b, i)?)))
+        .or_else(|| matched(call, |[i, j]| Some(f(*a.get(i)?, *b.get(j)?))))
 }
 
-/// The items of three inputs through `f`, as output 0. Inputs are as in [`numbers`].
+/// The items of three inputs through `f`, as output 0, for each place where three of them meet.
 pub fn three<A: Item + Copy, B: Item + Copy, C: Item + Copy, R: Item>(
     call: &Call<'_>,
     f: impl Fn(A, B, C) -> R + Sync,
@@ -116,6 +118,7 @@ pub fn three<A: Item + Copy, B: Item + Copy, C: Item + Copy, R: Item>(
     let [a, b, c] = call.inputs else { return None };
     let (a, b, c) = (A::slice(a.column())?, B::slice(b.column())?, C::slice(c.column())?);
     each(call, |i| Some(f(at(a, i)?, at(b, i)?, at(c, i)?)))
+        .or_else(|| matched(call, |[i, j, k]| Some(f(*a.get(i)?, *b.get(j)?, *c.get(k)?))))
 }
 
 /// Item `i` of a column, or the one that serves for all.
@@ -130,6 +133,88 @@ fn each<R: Item>(call: &Call<'_>, f: impl Fn(usize) -> Option<R> + Sync) -> Opti
     let mut outputs = vec![Tree::empty(); call.output_count];
     *outputs.first_mut()? = lead.with_column(R::column(results, None));
     Some(Outcome { outputs, messages: Vec::new() })
+}
+
+/// A result for each place where items of all inputs meet: `f` is given where they lie in their columns. `None` where an
+/// input is empty or has nulls, the matching is another, or the budget does not allow it.
+fn matched<const N: usize, R: Item>(
+    call: &Call<'_>,
+    f: impl Fn([usize; N]) -> Option<R> + Sync,
+) -> Option<Outcome> {
+    let is_plain = |tree: &Tree| tree.item_count() > 0 && !tree.column().has_nulls();
+    if call.inputs.len() != N
+        || call.settings.i32("PrincipalIndex").is_some()
+        || !call.inputs.iter().all(is_plain)
+    {
+        return None;
+    }
+    call.budget.bytes(Matching::bytes(call.inputs)).ok()?;
+    call.budget.check().ok()?;
+    let matching = Matching::new(call.inputs, &[Access::Item; N], None);
+    let total = matching.iterations();
+    call.budget.items(total).ok()?;
+    let results = matched_pieces(&matching, total, f)?;
+    let mut outputs = vec![Tree::empty(); call.output_count];
+    *outputs.first_mut()? =
+        Tree::from_parts(matching.paths.clone(), matching.ends.clone(), R::column(results, None));
+    Some(Outcome { outputs, messages: Vec::new() })
+}
+
+fn matched_pieces<const N: usize, R: Item>(
+    matching: &Matching<'_>,
+    total: usize,
+    f: impl Fn([usize; N]) -> Option<R> + Sync,
+) -> Option<Vec<R>> {
+    #[cfg(feature = "parallel")]
+    if total >= 2 * PIECE && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let mut results = vec![R::placeholder(); total];
+        let fill = |(k, piece): (usize, &mut [R])| {
+            let start = k * PIECE;
+            let mut places = piece.iter_mut();
+            for_each_meeting(matching, start..start + places.len(), |at| {
+                *places.next()? = f(at)?;
+                Some(())
+            })
+        };
+        let filled = results.par_chunks_mut(PIECE).enumerate().map(fill);
+        return filled.all(|piece| piece.is_some()).then_some(results);
+    }
+    let mut results = Vec::with_capacity(total);
+    for_each_meeting(matching, 0..total, |at| {
+        results.push(f(at)?);
+        Some(())
+    })?;
+    Some(results)
+}
+
+/// Calls `f` for a run of iterations with the places of their items in the columns of the inputs; ends where it gives
+/// `None`.
+fn for_each_meeting<const N: usize>(
+    matching: &Matching<'_>,
+    run: Range<usize>,
+    mut f: impl FnMut([usize; N]) -> Option<()>,
+) -> Option<()> {
+    let mut ranges = Ranges::new();
+    let mut set = matching.set_of(run.start);
+    let mut at = run.start;
+    while at < run.end {
+        let iterations = matching.set_range(set);
+        matching.ranges(set, &mut ranges);
+        let mut first = [0; N];
+        let mut last = [0; N];
+        for ((first, last), range) in first.iter_mut().zip(&mut last).zip(&ranges) {
+            (*first, *last) = (range.start, range.end.saturating_sub(1));
+        }
+        for i in at..iterations.end.min(run.end) {
+            let step = i - iterations.start;
+            // The last one again where a list is shorter than the others.
+            f(std::array::from_fn(|k| (first[k] + step).min(last[k])))?;
+        }
+        at = iterations.end.max(at);
+        set += 1;
+    }
+    Some(())
 }
 
 fn filled<R: Item>(n: usize, f: impl Fn(usize) -> Option<R> + Sync) -> Option<Vec<R>> {

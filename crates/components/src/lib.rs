@@ -31,5 +31,5 @@ mod vector;
 /// ```
 pub fn link() -> usize {
     katydid_components_more::link();
-    katydid_component::registry::all().len()
+    katydid_component::registry::count()
 }

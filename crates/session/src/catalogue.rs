@@ -1,7 +1,7 @@
 //! The components, as the text form wants to know them.
 
 use std::collections::HashMap;
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use katydid_component::{Access, Component, Port, registry};
 use katydid_data::{Kind, Tree, Value};
@@ -14,52 +14,90 @@ use uuid::Uuid;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Registry;
 
-/// What is known of each component, by its address in the registry.
-static FACTS: LazyLock<HashMap<Uuid, Arc<Facts>>> = LazyLock::new(|| {
-    let types = types();
-    registry::all()
-        .into_iter()
-        .map(|component| (component.guid, Arc::new(facts(component, &types))))
-        .collect()
-});
+/// What was asked for of a component, by its id: a definition names a few of a thousand.
+static FACTS: LazyLock<Mutex<HashMap<Uuid, Arc<Facts>>>> = LazyLock::new(Mutex::default);
+
+/// What a name in lower case finds, for those that were asked for.
+static NAMES: LazyLock<Mutex<HashMap<String, Found>>> = LazyLock::new(Mutex::default);
+
+/// The parameter of each kind of data.
+static TYPES: LazyLock<HashMap<Kind, Uuid>> = LazyLock::new(types);
+
+/// So many names are kept. Each file brings some that there are, and may bring any number of others.
+const MOST_NAMES: usize = 4096;
 
 /// What a name without its panel means where that is not the first of that name: the one that everybody means, and the
 /// one that had the name first, so that files keep their meaning when a component of a known name is added.
 const MEANT: [(&str, &str); 3] =
     [("Addition", "Operators"), ("Mass Addition", "Operators"), ("Project", "Affine")];
 
-/// By name in lower case, with and without the panel before it: what the name finds, and the parameter of that name.
-static NAMES: LazyLock<HashMap<String, (Uuid, Option<Uuid>)>> = LazyLock::new(|| {
-    let mut names: HashMap<String, (&Component, Option<Uuid>)> = HashMap::new();
-    // The first of a name is the one meant; a parameter gives way to a component.
-    for component in registry::all() {
-        let parameter = component.floating.then_some(component.guid);
-        for name in [component.name.to_owned(), format!("{}/{}", component.panel, component.name)] {
-            let (found, floating) = names.entry(name.to_lowercase()).or_insert((component, parameter));
+/// What a name finds, and the parameter of that name.
+#[derive(Debug, Clone, Copy, Default)]
+struct Found {
+    any: Option<&'static Component>,
+    parameter: Option<&'static Component>,
+}
+
+impl Found {
+    /// The components of a name in lower case, with or without the panel before it.
+    fn of(name: &str) -> Self {
+        let mut named: Vec<_> = registry::unordered().filter(|component| is_named(component, name)).collect();
+        registry::sort(&mut named);
+        let mut found = Self::default();
+        // The first of a name is the one meant; a parameter gives way to a component.
+        for component in named {
             let is_meant = MEANT.contains(&(component.name, component.panel)) && !component.old;
-            if found.floating && !component.floating || is_meant {
-                *found = component;
+            if found.any.is_none_or(|any| any.floating && !component.floating) || is_meant {
+                found.any = Some(component);
             }
-            *floating = floating.or(parameter);
+            if component.floating {
+                found.parameter = found.parameter.or(Some(component));
+            }
         }
+        found
     }
-    names.into_iter().map(|(name, (component, floating))| (name, (component.guid, floating))).collect()
-});
+}
+
+/// Whether a component has this name, which is in lower case, alone or behind its panel and a slash.
+fn is_named(component: &Component, name: &str) -> bool {
+    let behind_panel = || {
+        let at = component.panel.len();
+        name.len() == at + 1 + component.name.len()
+            && name.as_bytes().get(at) == Some(&b'/')
+            && name.get(..at).is_some_and(|panel| panel.eq_ignore_ascii_case(component.panel))
+            && name.get(at + 1..).is_some_and(|rest| rest.eq_ignore_ascii_case(component.name))
+    };
+    if component.name.is_ascii() && component.panel.is_ascii() {
+        return name.eq_ignore_ascii_case(component.name) || behind_panel();
+    }
+    name == component.name.to_lowercase()
+        || name == format!("{}/{}", component.panel, component.name).to_lowercase()
+}
 
 /// The parameter of each kind of data.
 fn types() -> HashMap<Kind, Uuid> {
     let mut types = HashMap::from([(Kind::Generic, ids::DATA), (Kind::Geometry, ids::GEOMETRY)]);
-    for component in registry::all() {
-        let plain = component.floating && ["Geometry", "Primitive"].contains(&component.panel);
-        if let Some(port) = component.outputs.first().filter(|_| plain && !component.old) {
+    let is_plain = |component: &&Component| {
+        component.floating && !component.old && ["Geometry", "Primitive"].contains(&component.panel)
+    };
+    let mut plain: Vec<_> = registry::unordered().filter(is_plain).collect();
+    registry::sort(&mut plain);
+    for component in plain {
+        if let Some(port) = component.outputs.first() {
             types.entry(port.kind).or_insert(component.guid);
         }
     }
     types
 }
 
-fn facts(component: &Component, types: &HashMap<Kind, Uuid>) -> Facts {
-    let ports = |ports: &[Port]| ports.iter().map(|port| port_facts(port, types)).collect();
+/// What is known of a component, made once.
+fn known(component: &'static Component) -> Arc<Facts> {
+    let mut known = FACTS.lock().unwrap_or_else(PoisonError::into_inner);
+    known.entry(component.guid).or_insert_with(|| Arc::new(facts(component))).clone()
+}
+
+fn facts(component: &Component) -> Facts {
+    let ports = |ports: &[Port]| ports.iter().map(port_facts).collect();
     Facts {
         guid: component.guid,
         name: component.name.to_owned(),
@@ -72,7 +110,7 @@ fn facts(component: &Component, types: &HashMap<Kind, Uuid>) -> Facts {
     }
 }
 
-fn port_facts(port: &Port, types: &HashMap<Kind, Uuid>) -> PortFacts {
+fn port_facts(port: &Port) -> PortFacts {
     PortFacts {
         name: port.name.to_owned(),
         nickname: port.nick.to_owned(),
@@ -89,7 +127,7 @@ fn port_facts(port: &Port, types: &HashMap<Kind, Uuid>) -> PortFacts {
             Kind::Vector => Expect::Vector,
             _ => Expect::Anything,
         },
-        type_id: types.get(&port.kind).copied(),
+        type_id: TYPES.get(&port.kind).copied(),
         default: port.default.and_then(|default| persistent(&default())),
     }
 }
@@ -152,12 +190,24 @@ pub(crate) fn stored(value: &Value) -> Option<Stored> {
 
 impl Catalogue for Registry {
     fn by_guid(&self, guid: Uuid) -> Option<Arc<Facts>> {
-        FACTS.get(&registry::by_guid(guid)?.guid).cloned()
+        registry::by_guid(guid).map(known)
     }
 
     fn by_name(&self, name: &str, parameter: bool) -> Option<Arc<Facts>> {
-        let (any, floating) = NAMES.get(&name.to_lowercase())?;
-        FACTS.get(if parameter { floating.as_ref()? } else { any }).cloned()
+        let name = name.to_lowercase();
+        let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = match names.get(&name) {
+            Some(found) => *found,
+            None => {
+                let found = Found::of(&name);
+                if names.len() < MOST_NAMES {
+                    names.insert(name, found);
+                }
+                found
+            }
+        };
+        drop(names);
+        if parameter { found.parameter } else { found.any }.map(known)
     }
 
     fn names(&self) -> Vec<String> {

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use indexmap::{IndexMap, IndexSet};
+use indexmap::IndexMap;
 use katydid_component::{Context, List, Message};
 use katydid_data::{Content, Path, Value};
 use uuid::Uuid;
@@ -29,25 +29,16 @@ pub(super) enum Key {
     Object(usize),
 }
 
-/// A value for each of some members, in the order in which they came. The hash of a member is kept: texts are read again
-/// only where hashes are the same.
+/// A value for each of some members. The hash of a member is kept: texts are read again only where hashes are the same.
 pub(super) type KeyMap<V> = IndexMap<Key, V, foldhash::fast::RandomState>;
-
-/// Some members, in the order in which they came.
-pub(super) type KeySet = IndexSet<Key, foldhash::fast::RandomState>;
 
 /// No members, with room for `n`.
 pub(super) fn map_for<V>(n: usize) -> KeyMap<V> {
     KeyMap::with_capacity_and_hasher(n, foldhash::fast::RandomState::default())
 }
 
-/// No members, with room for `n`.
-pub(super) fn set_for(n: usize) -> KeySet {
-    KeySet::with_capacity_and_hasher(n, foldhash::fast::RandomState::default())
-}
-
 /// The bits of a number, with one zero and one NaN.
-fn bits(x: f64) -> u64 {
+pub(super) fn bits(x: f64) -> u64 {
     if x.is_nan() {
         f64::NAN.to_bits()
     } else if x == 0.0 {

@@ -1,9 +1,10 @@
 //! Sets / Sets.
 
 use katydid_component::{Context, List, Message, component};
-use katydid_data::{Tree, TreeBuilder, Value};
+use katydid_data::{Column, Tree, TreeBuilder, Value};
 
-use crate::sets::key::{Key, KeyMap, KeySet, map_for, places, same, set_for};
+use crate::sets::key::{Key, map_for, places, same};
+use crate::sets::numbered::{Numbered, picked};
 use crate::sets::{integer, room};
 
 /// Asks for room for a table of the keys of a list.
@@ -11,31 +12,18 @@ fn ask(context: &Context<'_>, list: &List<'_, Value>) -> Result<(), Message> {
     context.bytes(list.len().saturating_mul(2 * size_of::<(Key, Value)>()))
 }
 
-/// The different members of a list in order of their first appearance, each by its key. Nulls are no members.
-fn members(context: &Context<'_>, list: &List<'_, Value>) -> Result<KeyMap<Value>, Message> {
-    ask(context, list)?;
-    let mut members = map_for(list.len());
-    for item in list.present() {
-        members.entry(Key::of(Some(&item))).or_insert(item);
-    }
-    Ok(members)
-}
-
-fn keys(context: &Context<'_>, list: &List<'_, Value>) -> Result<KeySet, Message> {
-    ask(context, list)?;
-    let mut keys = set_for(list.len());
-    keys.extend(list.present().map(|item| Key::of(Some(&item))));
-    Ok(keys)
-}
-
-/// The members of a list for which `keep` says so.
-fn filtered(
+/// The members of some lists by their numbers.
+fn numbered<const N: usize>(
     context: &Context<'_>,
-    list: &List<'_, Value>,
-    keep: impl Fn(&Key) -> bool,
-) -> Result<Vec<Value>, Message> {
-    let all = members(context, list)?;
-    Ok(all.into_iter().filter_map(|(key, item)| keep(&key).then_some(item)).collect())
+    lists: [&List<'_, Value>; N],
+) -> Result<Numbered<N>, Message> {
+    lists.iter().try_for_each(|list| ask(context, list))?;
+    Ok(Numbered::of(lists))
+}
+
+/// Whether a member is in a set, by its number.
+fn has(set: &[bool], number: usize) -> bool {
+    set.get(number).copied().unwrap_or(false)
 }
 
 /// Makes a set of a list: every different item once, in the order they first appear.
@@ -55,18 +43,13 @@ fn create_set(
     /// The list.
     #[port("List", "L")]
     list: List<Value>,
-) -> Result<(Vec<Value>, Vec<Option<i32>>), Message> {
+) -> Result<(Column, Vec<Option<i32>>), Message> {
     context.items(list.len().saturating_mul(2))?;
-    ask(context, &list)?;
-    let mut members = map_for(list.len());
-    let mut place = |item: Value| {
-        let entry = members.entry(Key::of(Some(&item)));
-        let place = integer(entry.index());
-        entry.or_insert(item);
-        place
-    };
-    let map = list.iter().map(|item| item.map(&mut place)).collect();
-    Ok((members.into_values().collect(), map))
+    let all = numbered(context, [&list])?;
+    let members = picked(&list, &all.firsts(0, &mut all.none_seen(), |_| true));
+    // Members are numbered in the order in which they come.
+    let [numbers] = all.lists;
+    Ok((members, numbers.into_iter().map(|number| number.map(integer)).collect()))
 }
 
 /// All members of two sets, each once: those of A, then the new ones of B.
@@ -86,11 +69,11 @@ fn set_union(
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Result<Vec<Value>, Message> {
-    ask(context, &a)?;
-    ask(context, &b)?;
-    let mut seen = set_for(a.len().max(b.len()));
-    Ok(a.present().chain(b.present()).filter(|item| seen.insert(Key::of(Some(item)))).collect())
+) -> Result<Column, Message> {
+    let all = numbered(context, [&a, &b])?;
+    let mut seen = all.none_seen();
+    let (in_a, in_b) = (all.firsts(0, &mut seen, |_| true), all.firsts(1, &mut seen, |_| true));
+    Ok(Column::concat(&[&picked(&a, &in_a), &picked(&b, &in_b)]))
 }
 
 /// The members that two sets have in common, in the order of A.
@@ -110,9 +93,10 @@ fn set_intersection(
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Result<Vec<Value>, Message> {
-    let others = keys(context, &b)?;
-    filtered(context, &a, |key| others.contains(key))
+) -> Result<Column, Message> {
+    let all = numbered(context, [&a, &b])?;
+    let in_b = all.within(1);
+    Ok(picked(&a, &all.firsts(0, &mut all.none_seen(), |number| has(&in_b, number))))
 }
 
 /// The members of a set that are not in another.
@@ -131,9 +115,10 @@ fn set_difference(
     /// What is taken away.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Result<Vec<Value>, Message> {
-    let others = keys(context, &b)?;
-    filtered(context, &a, |key| !others.contains(key))
+) -> Result<Column, Message> {
+    let all = numbered(context, [&a, &b])?;
+    let in_b = all.within(1);
+    Ok(picked(&a, &all.firsts(0, &mut all.none_seen(), |number| !has(&in_b, number))))
 }
 
 /// The members that are in one of two sets only: those of A, then those of B.
@@ -152,11 +137,13 @@ fn symmetric_difference(
     /// The second set.
     #[port("Set B", "B")]
     b: List<Value>,
-) -> Result<Vec<Value>, Message> {
-    let (in_a, in_b) = (keys(context, &a)?, keys(context, &b)?);
-    let mut result = filtered(context, &a, |key| !in_b.contains(key))?;
-    result.extend(filtered(context, &b, |key| !in_a.contains(key))?);
-    Ok(result)
+) -> Result<Column, Message> {
+    let all = numbered(context, [&a, &b])?;
+    let (in_a, in_b) = (all.within(0), all.within(1));
+    let mut seen = all.none_seen();
+    let only_a = picked(&a, &all.firsts(0, &mut seen, |number| !has(&in_b, number)));
+    let only_b = picked(&b, &all.firsts(1, &mut seen, |number| !has(&in_a, number)));
+    Ok(Column::concat(&[&only_a, &only_b]))
 }
 
 /// The members that are in at least two of three sets, in order of their first appearance.
@@ -178,15 +165,14 @@ fn set_majority(
     /// The third set.
     #[port("Set C", "C")]
     c: List<Value>,
-) -> Result<Vec<Value>, Message> {
-    let sets = [keys(context, &a)?, keys(context, &b)?, keys(context, &c)?];
-    let mut seen = set_for(0);
-    let wanted = |key: &Key| sets.iter().filter(|set| set.contains(key)).count() > 1;
-    let several = a.present().chain(b.present()).filter(|item| {
-        let key = Key::of(Some(item));
-        wanted(&key) && seen.insert(key)
-    });
-    Ok(several.collect())
+) -> Result<Column, Message> {
+    let all = numbered(context, [&a, &b, &c])?;
+    let sets = [0, 1, 2].map(|k| all.within(k));
+    let wanted = |number: usize| sets.iter().filter(|set| has(set, number)).count() > 1;
+    let mut seen = all.none_seen();
+    // What is in C and in another one is in A or B.
+    let (in_a, in_b) = (all.firsts(0, &mut seen, wanted), all.firsts(1, &mut seen, wanted));
+    Ok(Column::concat(&[&picked(&a, &in_a), &picked(&b, &in_b)]))
 }
 
 /// Tells whether two sets have no member in common.
@@ -201,7 +187,8 @@ fn disjoint(
     #[port("Set B", "B")]
     b: List<Value>,
 ) -> Result<bool, Message> {
-    Ok(keys(context, &a)?.is_disjoint(&keys(context, &b)?))
+    let all = numbered(context, [&a, &b])?;
+    Ok(!all.within(0).into_iter().zip(all.within(1)).any(|(in_a, in_b)| in_a && in_b))
 }
 
 /// Tells whether all members of B are in A too.
@@ -216,7 +203,8 @@ fn subset(
     #[port("Set B", "B")]
     b: List<Value>,
 ) -> Result<bool, Message> {
-    Ok(keys(context, &b)?.is_subset(&keys(context, &a)?))
+    let all = numbered(context, [&a, &b])?;
+    Ok(all.within(0).into_iter().zip(all.within(1)).all(|(in_a, in_b)| in_a || !in_b))
 }
 
 /// Finds all places of a member in a list.

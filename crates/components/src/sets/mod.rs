@@ -6,6 +6,7 @@ pub(crate) mod dotnet_random;
 mod key;
 mod list;
 mod members;
+mod numbered;
 mod sequence;
 mod similar;
 mod text;

@@ -344,6 +344,26 @@ mod tests {
         assert_eq!(middle.item(0.5).texts(0), ["{0}: {0.5, 1, 1.5}"]);
     }
 
+    /// Lists of different lengths, over branches of different counts, so many that several threads take part.
+    #[test]
+    fn many_coordinates_meet_as_few_do() {
+        let mut x = katydid_data::TreeBuilder::<f64>::new();
+        for branch in 0..400 {
+            x.branch(format!("{{0;{branch}}}").parse().unwrap());
+            x.push(Some(f64::from(branch)));
+        }
+        let trial = Trial::of("Construct Point").tree(x.finish()).list((0..100).map(f64::from));
+        let crossed = trial.list([1.0, 2.0, 3.0]).run().outputs.swap_remove(0);
+        assert_eq!((crossed.branch_count(), crossed.item_count()), (400, 40_000));
+        assert_eq!(crossed.paths()[399].to_string(), "{0;399}");
+        assert_eq!(crossed.range(7), 700..800);
+        let points: &[Point3] = katydid_data::Item::slice(crossed.column()).unwrap();
+        for (at, point) in points.iter().enumerate() {
+            let (branch, i) = (at / 100, at % 100);
+            assert_eq!(*point, Point3::new(branch as f64, i as f64, 1.0 + i.min(2) as f64));
+        }
+    }
+
     /// Columns that are taken as a whole, and those that are too uneven for that.
     #[test]
     fn columns_of_coordinates() {

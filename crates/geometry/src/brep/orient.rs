@@ -89,6 +89,22 @@ fn is_even_along_v(surface: &Surface) -> bool {
     }
 }
 
+/// The places at which a whole turn is looked at.
+const TURN_PLACES: usize = 4;
+
+/// Whether a straight trim goes round a surface of revolution once, all at one height. Along such a one position · normal is a
+/// constant and a sine of the angle, whatever the origin, and their sum over any even division of the turn in three or more
+/// is exact.
+fn is_whole_turn(surface: &Surface, curve: &Curve, part: &CurvePart) -> bool {
+    let (Surface::Revolution(s), Curve::Line(_)) = (surface, curve) else { return false };
+    if s.angle_direction() != Direction::U || !s.is_full_turn() {
+        return false;
+    }
+    let [a, b] = [part.domain.start, part.domain.end].map(|t| part.point_at(curve, t));
+    let domain = surface.domain(Direction::U);
+    a.y == b.y && [a.x.min(b.x), a.x.max(b.x)] == [domain.min(), domain.max()]
+}
+
 /// A third of position · normal, by the area of parameters.
 fn density(surface: &Surface, u: f64, v: f64, origin: Point3) -> f64 {
     let d = surface.derivatives(u, v, 1, surface.inner_quadrant(u, v));
@@ -143,17 +159,24 @@ impl Parts {
         let floor = surface.domain(Direction::V).start;
         let density = |u: f64, v: f64| density(surface, u, v, origin);
         let speed = part.range.length() / part.domain.length() * if part.reversed { -1.0 } else { 1.0 };
-        -integral(part.domain, &stops(surface, curve, part), |t| {
+        let share = |t: f64| {
             let [place, slope] = curve.jet_at::<2>(part.to_curve_parameter(t), false);
             let slope = slope.x * speed;
-            if slope == 0.0 {
+            // Between the floor and itself there is nothing.
+            if slope == 0.0 || place.y == floor {
                 return 0.0;
             }
             if even {
                 return slope * (place.y - floor) * density(place.x, floor);
             }
             slope * integral(Interval::new(floor, place.y), &rows, |v| density(place.x, v))
-        })
+        };
+        if is_whole_turn(surface, curve, part) {
+            let step = (part.domain.end - part.domain.start) / TURN_PLACES as f64;
+            let places = (0..TURN_PLACES).map(|k| part.domain.start + step * (k as f64 + 0.5));
+            return -step * places.map(share).sum::<f64>();
+        }
+        -integral(part.domain, &stops(surface, curve, part), share)
     }
 }
 

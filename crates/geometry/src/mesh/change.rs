@@ -1,6 +1,8 @@
 //! One vertex or face set or added in the mesh itself: loops set them one by one, and a new mesh for each would make the
 //! loop quadratic.
 
+use std::sync::Arc;
+
 use super::{Mesh, MeshFace};
 use crate::{Error, Point3, Result};
 
@@ -51,7 +53,7 @@ impl Mesh {
             let why = format!("face {index} refers to a vertex beyond the {count} there are");
             return Err(Error::Invalid { what: "mesh", why });
         }
-        self.faces.push(face);
+        Arc::make_mut(&mut self.faces).push(face);
         Ok(index)
     }
 }

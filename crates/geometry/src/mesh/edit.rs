@@ -1,5 +1,7 @@
 //! Meshes joined, welded, flipped and transformed.
 
+use std::sync::Arc;
+
 use super::Mesh;
 use crate::mesh::thresholds::{CREASE, SAME_ANGLE};
 use crate::{Error, Point3, Result, Vector3, Xform};
@@ -43,7 +45,7 @@ impl Mesh {
     pub fn flipped(&self) -> Self {
         Self {
             vertices: self.vertices.clone(),
-            faces: self.faces.iter().map(|f| f.flipped()).collect(),
+            faces: Arc::new(self.faces.iter().map(|f| f.flipped()).collect()),
             normals: self.normals.iter().map(|&n| -n).collect(),
             colours: self.colours.clone(),
         }
@@ -56,9 +58,14 @@ impl Mesh {
     /// A vertex is sent to infinity.
     pub fn transformed(&self, xform: &Xform) -> Result<Self> {
         let vertices: Vec<Point3> = self.vertices.iter().map(|&p| xform.point(p)).collect();
+        if let Some(i) = vertices.iter().position(|p| !p.is_finite()) {
+            return Err(Error::Invalid { what: "mesh", why: format!("vertex {i} is not finite") });
+        }
         let mirrors = xform.determinant() < 0.0;
-        let faces =
-            if mirrors { self.faces.iter().map(|f| f.flipped()).collect() } else { self.faces.clone() };
+        let faces = match mirrors {
+            true => Arc::new(self.faces.iter().map(|f| f.flipped()).collect()),
+            false => self.faces.clone(),
+        };
         let normals = match xform.inverse() {
             _ if self.normals.is_empty() => Vec::new(),
             Some(inverse) if xform.is_affine() => {
@@ -67,8 +74,11 @@ impl Mesh {
             }
             _ => Vec::new(),
         };
+        if normals.iter().any(|n| !n.is_finite()) {
+            return Err(Error::NotFinite("mesh normal"));
+        }
         let had_normals = !self.normals.is_empty();
-        let image = Self::from_parts(vertices, faces, normals, self.colours.clone())?;
+        let image = Self { vertices, faces, normals, colours: self.colours.clone() };
         Ok(if had_normals && image.normals.is_empty() { image.with_normals() } else { image })
     }
 
@@ -98,7 +108,7 @@ impl Mesh {
                 }
             }
         }
-        let mut faces = self.faces.clone();
+        let mut faces = self.faces.to_vec();
         let (mut vertices, mut colours) = (Vec::new(), Vec::new());
         for list in corners.iter().filter(|l| !l.is_empty()) {
             let mut groups: Vec<Vec<(usize, usize)>> = Vec::new();
@@ -127,7 +137,7 @@ impl Mesh {
                 }
             }
         }
-        Self { vertices, faces, normals: Vec::new(), colours }.with_normals()
+        Self { vertices, faces: Arc::new(faces), normals: Vec::new(), colours }.with_normals()
     }
 
     /// The vertex that face `g` uses in the place of a list of corners.
@@ -141,7 +151,7 @@ impl Mesh {
     pub fn unwelded(&self, angle: f64) -> Self {
         let mut vertices = Vec::new();
         let mut colours = Vec::new();
-        let mut faces = self.faces.clone();
+        let mut faces = self.faces.to_vec();
         for face in &mut faces {
             for k in 0..face.indices().len() {
                 let old = face.indices()[k] as usize;
@@ -150,7 +160,7 @@ impl Mesh {
                 colours.extend(self.colours.get(old));
             }
         }
-        let apart = Self { vertices, faces, normals: Vec::new(), colours };
+        let apart = Self { vertices, faces: Arc::new(faces), normals: Vec::new(), colours };
         apart.welded((angle - CREASE).max(0.0))
     }
 }

@@ -51,6 +51,8 @@ pub use smooth::Smoothing;
 pub use topology::MeshEdge;
 pub use tree::MeshTree;
 
+use std::sync::Arc;
+
 use crate::{Error, Point3, Result, Vector3};
 
 /// A mesh: vertices, faces that index them, and per vertex, if at all, a normal and a colour.
@@ -59,7 +61,8 @@ use crate::{Error, Point3, Result, Vector3};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     vertices: Vec<Point3>,
-    faces: Vec<MeshFace>,
+    /// Shared by all copies and images that have the same.
+    faces: Arc<Vec<MeshFace>>,
     normals: Vec<Vector3>,
     colours: Vec<[u8; 4]>,
 }
@@ -103,7 +106,7 @@ impl Mesh {
         if !colours.is_empty() && colours.len() != count {
             return invalid(format!("{} colours for {count} vertices", colours.len()));
         }
-        Ok(Self { vertices, faces, normals, colours })
+        Ok(Self { vertices, faces: Arc::new(faces), normals, colours })
     }
 
     /// The vertices.

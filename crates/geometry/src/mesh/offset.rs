@@ -47,7 +47,7 @@ impl Mesh {
             *p + moves.get(*m as usize).copied().unwrap_or(Vector3::ZERO) * distance
         };
         let vertices = self.vertices.iter().zip(&merged).map(shift).collect();
-        Ok(Self::from_parts(vertices, self.faces.clone(), Vec::new(), self.colours.clone())?.with_normals())
+        Ok(Self::from_parts(vertices, self.faces.to_vec(), Vec::new(), self.colours.clone())?.with_normals())
     }
 
     /// The mesh given a thickness: itself turned round, its offset, and a quad along each naked edge. For a positive
@@ -61,7 +61,7 @@ impl Mesh {
         let near = Self { normals: Vec::new(), ..self.clone() };
         let both = Self::join(&[near.flipped(), Self { normals: Vec::new(), ..far }])?;
         let shift = u32::try_from(self.vertices.len()).unwrap_or(u32::MAX);
-        let mut faces = both.faces;
+        let mut faces = both.faces.to_vec();
         let naked = self.edges().into_iter().filter(|e| e.faces == 1);
         faces.extend(naked.map(|e| {
             // The edge is named in the direction in which its face walks it.

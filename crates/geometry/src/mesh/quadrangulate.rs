@@ -1,5 +1,7 @@
 //! Pairs of triangles merged to quads.
 
+use std::sync::Arc;
+
 use crate::mesh::thresholds::SAME_ANGLE;
 use std::collections::HashMap;
 
@@ -47,7 +49,7 @@ impl Mesh {
                 }
             }
         }
-        (Self { faces: state.into_iter().flatten().collect(), ..self.clone() }, made)
+        (Self { faces: Arc::new(state.into_iter().flatten().collect()), ..self.clone() }, made)
     }
 
     fn quad_candidates(&self, angle: f64, ratio: f64) -> Vec<Candidate> {

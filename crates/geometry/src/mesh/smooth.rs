@@ -72,7 +72,7 @@ impl Mesh {
             }
         }
         let at: Vec<Point3> = near.spread(at);
-        Ok(Self::from_parts(at, self.faces.clone(), Vec::new(), self.colours.clone())?.with_normals())
+        Ok(Self::from_parts(at, self.faces.to_vec(), Vec::new(), self.colours.clone())?.with_normals())
     }
 
     /// The mesh with each vertex colour the mean of itself and those of the neighbours along edges, `iterations`

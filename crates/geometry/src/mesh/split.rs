@@ -38,7 +38,7 @@ impl Mesh {
         let heights: Vec<f64> = self.vertices.iter().map(|&p| height(p)).collect();
         let at = |i: u32| heights.get(i as usize).copied().unwrap_or(0.0);
         let mut sides = [Side::default(), Side::default()];
-        for face in &self.faces {
+        for face in self.faces.iter() {
             let signs = || face.indices().iter().map(|&i| at(i));
             let above = signs().any(|h| h > 0.0);
             let below = signs().any(|h| h < 0.0);

@@ -70,7 +70,7 @@ impl Mesh {
                 }
             }
         }
-        let mut faces = self.faces.clone();
+        let mut faces = self.faces.to_vec();
         let mut vertices = self.vertices.clone();
         let (mut normals, mut colours) = (self.normals.clone(), self.colours.clone());
         let mut taken: HashMap<u32, usize> = HashMap::new();

@@ -36,6 +36,10 @@ impl Surface {
     /// # Errors
     /// As [`Surface::extent_along`].
     pub fn bounding_box(&self) -> Result<BoundingBox> {
+        if let Self::Revolution(s) = self {
+            // Converted once for all three.
+            return Self::Nurbs(s.to_nurbs()?).bounding_box();
+        }
         let (x, y, z) =
             (self.extent_along(Vector3::X)?, self.extent_along(Vector3::Y)?, self.extent_along(Vector3::Z)?);
         Ok(BoundingBox { min: Point3::new(x.start, y.start, z.start), max: Point3::new(x.end, y.end, z.end) })

@@ -1,5 +1,6 @@
 //! Sets / List.
 
+mod ascending;
 mod edit;
 mod lengths;
 mod nulls;

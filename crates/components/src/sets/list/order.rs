@@ -3,6 +3,7 @@
 use katydid_component::{Context, Each, List, ManyLists, Message, component};
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value};
 
+use super::ascending::ascending;
 use crate::sets::room;
 
 /// Turns a list round: the last item becomes the first.
@@ -115,14 +116,23 @@ fn sort_list(
     values: ManyLists<Value>,
 ) -> Result<(Vec<f64>, Each<Column>), Message> {
     context.items(keys.len().saturating_mul(values.len() + 1))?;
-    let mut order: Vec<(f64, usize)> =
-        keys.iter().enumerate().filter_map(|(i, key)| Some((key.filter(|x| !x.is_nan())?, i))).collect();
-    if order.len() < keys.len() {
-        context.warn("Some keys are null or not a number: they are left out");
-    }
-    // A stable sort; minus zero is zero.
-    order.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-    let indices: Vec<usize> = order.iter().map(|&(_, i)| i).collect();
+    let (sorted_keys, indices) = match keys.as_slice().filter(|keys| !keys.iter().any(|x| x.is_nan())) {
+        Some(keys) => {
+            let indices = ascending(keys);
+            (indices.iter().filter_map(|&i| keys.get(i).copied()).collect(), indices)
+        }
+        None => {
+            let numbers = keys.iter().enumerate();
+            let (numbers, places): (Vec<f64>, Vec<usize>) =
+                numbers.filter_map(|(i, key)| Some((key.filter(|x| !x.is_nan())?, i))).unzip();
+            if numbers.len() < keys.len() {
+                context.warn("Some keys are null or not a number: they are left out");
+            }
+            let order = ascending(&numbers);
+            let keys: Vec<f64> = order.iter().filter_map(|&k| numbers.get(k).copied()).collect();
+            (keys, order.iter().filter_map(|&k| places.get(k).copied()).collect())
+        }
+    };
     let sorted = values.iter().enumerate().map(|(k, list)| {
         if list.is_empty() && !context.has_data(k + 1) {
             return Column::nulls(0);
@@ -133,7 +143,7 @@ fn sort_list(
         list.gather(&indices)
     });
     let sorted = sorted.collect();
-    Ok((order.into_iter().map(|(key, _)| key).collect(), Each(sorted)))
+    Ok((sorted_keys, Each(sorted)))
 }
 
 #[cfg(test)]

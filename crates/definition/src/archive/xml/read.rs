@@ -205,7 +205,7 @@ impl Tree<'_> {
             Some(Open::Item(parts)) => parts.text.push_str(text),
             Some(Open::Field { text: all, .. }) => all.push_str(text),
             Some(Open::Foreign) => {}
-            _ if text.trim_matches(['\u{feff}', ' ', '\t', '\r', '\n']).is_empty() => {}
+            _ if is_blank(text) => {}
             None => return Err(self.error("there is text outside the archive")),
             Some(_) => self.note("text between the elements was left out".to_owned()),
         }
@@ -271,6 +271,12 @@ impl Tree<'_> {
         };
         Ok(Open::Item(ItemParts { name, index, code, text: String::new(), fields: Vec::new() }))
     }
+}
+
+/// Whether a text is only what stands between elements, as most texts of a usual file are. They are told byte by byte.
+fn is_blank(text: &str) -> bool {
+    text.bytes().all(|b| matches!(b, b' ' | b'\t' | b'\r' | b'\n'))
+        || text.chars().all(|c| matches!(c, '\u{feff}' | ' ' | '\t' | '\r' | '\n'))
 }
 
 /// Enough of a text to recognise it in a message.
