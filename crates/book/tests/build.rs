@@ -166,3 +166,33 @@ fn our_own_book() {
         assert_eq!(text.matches("<h1>").count(), 1, "{name}");
     }
 }
+
+/// Every row of the book has its page with a figure, a formula or steps, and an exercise; every figure of the guide is on some page.
+#[test]
+fn no_page_and_no_figure_is_missing() {
+    katydid_components::link();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book");
+    let files = Files::folder(&folder).unwrap();
+    let rows = [("V", 14), ("M", 9), ("C", 10), ("N", 13), ("S", 4)];
+    for (letter, count) in rows {
+        for number in 1..=count {
+            let page = files.get(&format!("{letter}{number}/page.md"));
+            let page =
+                String::from_utf8(page.unwrap_or_else(|| panic!("{letter}{number}")).to_vec()).unwrap();
+            for part in ["```figure", "```exercise", "```predict", "## Sources"] {
+                assert!(page.contains(part), "{letter}{number} has no {part}");
+            }
+        }
+    }
+    let book = Book::read(files).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let pages = book.pages();
+    for (letter, count) in rows {
+        for number in 1..=count {
+            assert!(
+                pages.contains(&format!("{letter}{number}").as_str()),
+                "{letter}{number} is not among the contents"
+            );
+        }
+    }
+    assert_eq!(book.numbers(), (1..=75).collect());
+}

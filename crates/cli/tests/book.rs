@@ -14,7 +14,17 @@ const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book");
 
 /// The rows that have a folder, by their ids.
 fn rows() -> Vec<(String, PathBuf)> {
-    let mut rows: Vec<_> = std::fs::read_dir(BOOK)
+    definitions(Path::new(BOOK))
+}
+
+/// Figures that no row has, by number, and those of pages that the guide lacks, by name.
+fn figures() -> Vec<(String, PathBuf)> {
+    ["figures", "more"].iter().flat_map(|folder| definitions(&Path::new(BOOK).join(folder))).collect()
+}
+
+/// The folders with a definition in a folder, by their names.
+fn definitions(folder: &Path) -> Vec<(String, PathBuf)> {
+    let mut rows: Vec<_> = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.join("definition.kd").exists())
@@ -68,10 +78,10 @@ fn agrees(found: &Value, expected: &Value) -> bool {
 }
 
 #[test]
-fn every_row_gives_its_numbers() {
-    let rows = rows();
-    assert!(!rows.is_empty());
-    for (row, file) in rows {
+fn every_row_and_figure_gives_its_numbers() {
+    let (rows, figures) = (rows(), figures());
+    assert!(!rows.is_empty() && !figures.is_empty());
+    for (row, file) in rows.into_iter().chain(figures) {
         let expected = std::fs::read_to_string(file.with_file_name("expected.json")).unwrap();
         let expected: Value = serde_json::from_str(&expected).unwrap();
         assert!(expected["from"].is_string(), "{row}: where the numbers come from");

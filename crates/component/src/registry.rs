@@ -79,7 +79,8 @@ pub fn all() -> Vec<&'static Component> {
 
 /// Brings some components into the order of [`all`].
 pub fn sort(components: &mut [&'static Component]) {
-    components.sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
+    components
+        .sort_by_cached_key(|c| (plugin_of_tab(c.tab).is_some(), c.tab, c.panel, c.name, c.old, c.guid));
 }
 
 /// All components in no order.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use katydid_geometry::explain::Algorithm;
 use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
 use katydid_session::{Digits, Refusal, Solution, rows};
 use katydid_solver::Inputs;
@@ -118,6 +119,23 @@ impl Document {
             }
             Ask::Save { .. } => {
                 return Err("a page has no files of its own: download the definition instead".to_owned());
+            }
+            Ask::Explain { object, algorithm } => {
+                let algorithm = algorithm
+                    .map(|name| {
+                        Algorithm::from_name(&name).ok_or_else(|| format!("there is no algorithm {name}"))
+                    })
+                    .transpose()?;
+                let objects = &self.engine.document().objects;
+                let place =
+                    objects.iter().position(|one| one.id == object).ok_or("there is no such object")?;
+                let told = katydid_session::explain(&self.engine, place, algorithm)?;
+                return Ok(Answer::Event(Box::new(Event::Explained { seq, explanation: (&told).into() })));
+            }
+            Ask::Nurbs { port } => {
+                let at = self.engine.document().lookup().output(port).ok_or("there is no such output")?;
+                let curve = katydid_session::nurbs_of(&self.engine, at.object, at.port)?;
+                return Ok(Answer::Event(Box::new(Event::Nurbs { seq, curve })));
             }
             Ask::DetachModel => self.detach(),
             Ask::Settle { keep } => {
