@@ -6,7 +6,7 @@ use katydid_component::{Context, List, Message, component};
 use katydid_geometry::{Curve, Line, Mesh, Plane, Point3, Vector3, intersect, region};
 
 use super::planes;
-use crate::vector::hit;
+use crate::prepared;
 
 /// A place in a plane's coordinates.
 fn coordinates(plane: &Plane, p: Point3) -> Point3 {
@@ -254,19 +254,21 @@ fn plane_plane_plane(
 #[output("Point", "X", "The first point of the mesh on the ray; null when there is none.")]
 #[output("Hit", "H", "Whether there is one.")]
 fn mesh_ray(
+    context: &Context<'_>,
     /// The mesh.
     #[port("Mesh", "M")]
-    mesh: &Mesh,
+    mesh: Shared<Mesh>,
     /// Where the ray begins.
     #[port("Point", "P")]
     start: Point3,
     /// Its direction; the length does not count.
     #[port("Direction", "D")]
     direction: Vector3,
-) -> (Option<Point3>, bool) {
-    let places = hit::triangles(mesh).filter_map(|t| hit::through_triangle(t, start, direction));
-    let first = places.filter(|&t| t >= 0.0).min_by(f64::total_cmp);
-    (first.map(|t| start + direction * t), first.is_some())
+) -> Result<(Option<Point3>, bool), Message> {
+    // Mostly many rays are sent at one mesh: its tree is made once.
+    let hits = prepared::mesh(context, &mesh)?.tree.line_hits(start, direction, [0.0, f64::INFINITY])?;
+    let first = hits.first().map(|hit| hit.point);
+    Ok((first, first.is_some()))
 }
 
 /// The part of a plane around its origin that other planes cut off.
@@ -376,6 +378,14 @@ mod tests {
             (ray(2.0).texts(0), ray(2.0).texts(1)),
             (vec!["{0}: null".into()], vec!["{0}: False".into()])
         );
+        // From inside and from the face itself, and without a direction.
+        let from = |z: f64, along: f64| {
+            let trial = Trial::of("Mesh | Ray").item(cube.clone()).item(p(0.25, 0.5, z));
+            trial.item(Vector3::new(0.0, 0.0, along)).texts(0)
+        };
+        assert_eq!(from(0.5, 3.0), ["{0}: {0.25, 0.5, 1}"]);
+        assert_eq!(from(1.0, 3.0), ["{0}: {0.25, 0.5, 1}"]);
+        assert_eq!(from(0.5, 0.0), ["{0}: null"]);
     }
 
     #[test]
