@@ -97,6 +97,7 @@ mod tests {
 
     #[test]
     fn every_row_of_the_book_can_be_opened() {
+        katydid_components::link();
         assert!(Gallery::all().len() >= 40, "{}", Gallery::all().len());
         for one in Gallery::all() {
             let text = one.text().unwrap_or_default();
