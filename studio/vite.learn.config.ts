@@ -1,13 +1,9 @@
 /** The script of the book's pages, built beside the studio's page into the same folder. */
-import { fileURLToPath } from "node:url";
-
 import { defineConfig } from "vite";
 
 export default defineConfig({
   base: "./",
   publicDir: false,
-  // These pages are answered by a server, or by what a page without one says (`transport.ts`).
-  resolve: { alias: { "#engine": fileURLToPath(new URL("src/engine/none.ts", import.meta.url)) } },
   build: {
     outDir: "dist/learn",
     emptyOutDir: true,
