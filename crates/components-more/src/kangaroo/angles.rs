@@ -6,7 +6,7 @@ use katydid_geometry::{Curve, Line, Point3, Vector3};
 
 use super::goal::finite;
 use super::lines::stretch;
-use super::thresholds::SHORTEST;
+use super::thresholds::{FOLDED, SHORTEST, STRAIGHT};
 use super::{Goal, Pull, Rule};
 
 /// Turns two segments in their plane so that the angle between them comes nearer to `rest`.
@@ -20,7 +20,7 @@ fn turn(points: &[Point3], rest: f64, strength: f64, pulls: &mut [Pull]) {
     let (first, second, both) = (u.length(), v.length(), (u + v).length());
     let Some(angle) = u.angle_to(v) else { return };
     // Segments that turn back on each other have no length together: the sum of theirs is as good.
-    let both = both.max(1e-3 * (first + second));
+    let both = both.max(FOLDED * (first + second));
     if !(first > SHORTEST && second > SHORTEST) {
         return;
     }
@@ -28,7 +28,7 @@ fn turn(points: &[Point3], rest: f64, strength: f64, pulls: &mut [Pull]) {
     // Straight segments lie in no plane: any plane through them does.
     let across = |u: Vector3, v: Vector3| {
         let off = v - u * (v.dot(u) / u.length_squared());
-        let whole = off.length() > 1e-9 * v.length();
+        let whole = off.length() > STRAIGHT * v.length();
         if whole { off.unitized() } else { u.perpendicular() }
     };
     let (Some(x), Some(mut y)) = (across(u, v), across(v, u)) else { return };

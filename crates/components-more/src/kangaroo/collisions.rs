@@ -10,7 +10,7 @@ use katydid_geometry::{
 };
 
 use super::goal::finite;
-use super::thresholds::{MOST_COLLIDERS, MOST_PAIRS, SHORTEST};
+use super::thresholds::{DEPENDENT, MOST_COLLIDERS, MOST_PAIRS, ON_CURVE, SHORTEST};
 use super::{Goal, Pull, Rule};
 
 /// Adds a pull to one that is there: the weighted mean of both.
@@ -109,8 +109,11 @@ fn nearest([a, b]: [Point3; 2], [c, d]: [Point3; 2]) -> [f64; 2] {
     }
     let uv = u.dot(v);
     let determinant = uu * vv - uv * uv;
-    let s =
-        if determinant > 1e-12 * uu * vv { ((uv * vw - uw * vv) / determinant).clamp(0.0, 1.0) } else { 0.0 };
+    let s = if determinant > DEPENDENT * uu * vv {
+        ((uv * vw - uw * vv) / determinant).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     let t = (uv * s + vw) / vv;
     if t < 0.0 {
         [(-uw / uu).clamp(0.0, 1.0), 0.0]
@@ -236,7 +239,7 @@ impl Rule for BesideCurve {
         let search = ClosestOnCurve::new(&self.curve);
         for (p, pull) in points.iter().zip(pulls) {
             let flat = self.plane.closest_point(*p);
-            let Ok(side) = self.curve.contains_in_plane(flat, &self.plane, 1e-9) else { continue };
+            let Ok(side) = self.curve.contains_in_plane(flat, &self.plane, ON_CURVE) else { continue };
             let wrong = match side {
                 Containment::Inside => !self.inside,
                 Containment::Outside => self.inside,

@@ -5,7 +5,7 @@ use katydid_data::Value;
 use katydid_geometry::{Circle, Line, Mesh, MeshFace, Plane, Point3, Vector3};
 
 use super::goal::finite;
-use super::thresholds::SHORTEST;
+use super::thresholds::{DEPENDENT, SHORTEST, SMALLEST_TURN};
 use super::{Goal, Pull, Rule};
 
 /// What points are fitted with.
@@ -48,7 +48,7 @@ fn circle_in(plane: &Plane, points: &[Point3]) -> Option<Circle> {
         ww += w;
     }
     let determinant = uu * vv - uv * uv;
-    if !(determinant.abs() > 1e-12 * (uu + vv) * (uu + vv)) {
+    if !(determinant.abs() > DEPENDENT * (uu + vv) * (uu + vv)) {
         return None;
     }
     let (a, b) = (0.5 * (uw * vv - vw * uv) / determinant, 0.5 * (vw * uu - uw * uv) / determinant);
@@ -72,7 +72,7 @@ fn sphere_of(points: &[Point3]) -> Option<(Point3, f64)> {
     let [a, b, c] = m.map(|[x, y, z]| Vector3::new(x, y, z));
     let determinant = a.dot(b.cross(c));
     let scale = sum / 3.0;
-    if !(determinant.abs() > 1e-12 * scale * scale * scale) {
+    if !(determinant.abs() > DEPENDENT * scale * scale * scale) {
         return None;
     }
     // Cramer's rule on rows of a symmetric matrix: its inverse has the cross products as columns.
@@ -338,7 +338,7 @@ impl Rule for Rigid {
             }
             let omega = across / (along.abs() + SHORTEST);
             let angle = omega.length();
-            if !(angle > 1e-13) {
+            if !(angle > SMALLEST_TURN) {
                 break;
             }
             let half = 0.5 * angle;

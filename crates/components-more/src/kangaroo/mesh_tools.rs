@@ -6,6 +6,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message, component};
 use katydid_geometry::{Line, Mesh, MeshFace, Point3, Vector3};
 
+use super::thresholds::{SAME_CORNER, SMALLEST_CELL};
 use crate::polygons::{Polygons, edge, sides};
 
 /// The most levels of refinement: each makes four times the faces.
@@ -687,7 +688,7 @@ fn turned(neighbour: &[Point3], [p, q]: [Point3; 2], face: &[Point3], share: f64
 /// Points within rounding of one before them are put there.
 fn rounded(loops: &[Vec<Point3>]) -> Vec<Vec<Point3>> {
     let size = loops.iter().flatten().map(|p| p.to_vector().length()).fold(0.0, f64::max);
-    let cell = (size * 1e-9).max(1e-300);
+    let cell = (size * SAME_CORNER).max(SMALLEST_CELL);
     let mut first: HashMap<[i64; 3], Point3> = HashMap::new();
     loops
         .iter()

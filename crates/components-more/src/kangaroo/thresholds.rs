@@ -19,3 +19,18 @@ pub(super) const HOLD: f64 = 10_000.0;
 pub(super) const MOST_PAIRS: usize = 20_000_000;
 /// More thick segments than this, all in one place, would take longer than anybody waits for one step.
 pub(super) const MOST_COLLIDERS: usize = 20_000;
+/// A determinant below this part of the product of what it is made of is rounding: points in one line have no circle, points
+/// in one plane no sphere, parallel segments no one place where they are nearest.
+pub(super) const DEPENDENT: f64 = 1e-12;
+/// A turn below this angle, in radians, changes nothing any more.
+pub(super) const SMALLEST_TURN: f64 = 1e-13;
+/// Two segments that turn back on each other count as so long together, as a part of the sum of their lengths.
+pub(super) const FOLDED: f64 = 1e-3;
+/// The part of a segment's length that it must leave the other's line by, for both to lie in one plane alone.
+pub(super) const STRAIGHT: f64 = 1e-9;
+/// Corners of unrolled strips within this part of the model's size are one corner.
+pub(super) const SAME_CORNER: f64 = 1e-9;
+/// The edge of a cell of a search by cells where nothing has a size: it only keeps divisions from overflow.
+pub(super) const SMALLEST_CELL: f64 = 1e-300;
+/// A place within this distance of a curve, in units of the model, is on it: neither side pulls.
+pub(super) const ON_CURVE: f64 = 1e-9;

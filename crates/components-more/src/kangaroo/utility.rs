@@ -5,6 +5,7 @@ use katydid_data::Value;
 use katydid_geometry::{Curve, Line, Point3, PolylineCurve};
 
 use super::collisions::pairs;
+use super::thresholds::SMALLEST_CELL;
 
 /// A polyline as an item; none of fewer than two points.
 pub(super) fn polyline(points: Vec<Point3>) -> Option<Value> {
@@ -24,7 +25,7 @@ struct Met {
 
 impl Met {
     fn new(tolerance: f64) -> Self {
-        Self { size: tolerance.max(1e-300), cells: Default::default() }
+        Self { size: tolerance.max(SMALLEST_CELL), cells: Default::default() }
     }
 
     fn cell(&self, p: Point3) -> [i64; 3] {

@@ -16,12 +16,13 @@ impl Named {
     }
 }
 
-/// The control points of a curve, three numbers each, or four (x w, y w, z w, w) where it is rational.
+/// The control points of a curve, three numbers each, or four (x w, y w, z w, w) where some weight is not 1.
 pub(super) fn controls(curve: &NurbsCurve, name: impl Fn(usize) -> String) -> Vec<Named> {
+    let is_weighted = curve.weights().iter().any(|&weight| weight != 1.0);
     let numbers = |i: usize| -> Vec<Number> {
         let [x, y, z, w] = curve.homogeneous_point(i).unwrap_or([0.0, 0.0, 0.0, 1.0]);
         let all = [x, y, z, w].map(Number::given);
-        if curve.is_rational() { all.to_vec() } else { all.into_iter().take(3).collect() }
+        if is_weighted { all.to_vec() } else { all.into_iter().take(3).collect() }
     };
     (0..curve.point_count()).map(|i| Named { name: name(i), numbers: numbers(i) }).collect()
 }

@@ -187,5 +187,11 @@ mod tests {
         let told = de_casteljau(&curve, 0.5).unwrap();
         assert!((told.result[0].numbers[0].value - w).abs() < 1e-15);
         assert!((told.result[0].numbers[1].value - w).abs() < 1e-15);
+        // Weights that are all 1 say nothing: points are told as they are.
+        let plain = NurbsCurve::with_weights(2, &points, &[1.0; 3], vec![0.0, 0.0, 1.0, 1.0]).unwrap();
+        let told = de_casteljau(&plain, 0.5).unwrap();
+        let points: Vec<_> =
+            told.rounds.iter().flat_map(|round| &round.steps).map(|step| &step.made).collect();
+        assert!(!points.is_empty() && points.iter().all(|made| made.numbers.len() == 3), "{points:?}");
     }
 }
