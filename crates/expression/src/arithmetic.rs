@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Point3, Vector3};
 
 use crate::compare;
@@ -290,7 +291,7 @@ pub(crate) fn angle(p: Point3, q: Point3) -> Evaluated {
         })
     };
     let (a, b) = (unit(p)?, unit(q)?);
-    Ok(Variant::Number(a.cross(b).length().atan2(a.dot(b))))
+    Ok(Variant::Number(a.cross(b).length().arctangent_of(a.dot(b))))
 }
 
 pub(crate) fn unitize(p: Point3) -> Evaluated {

@@ -1,5 +1,7 @@
 //! Complex arithmetic on (re, im) pairs.
 
+use katydid_elementary::Elementary;
+
 pub(crate) type Complex = (f64, f64);
 
 pub(crate) fn multiply(a: Complex, b: Complex) -> Complex {
@@ -23,17 +25,17 @@ pub(crate) fn divide(a: Complex, b: Complex) -> Option<Complex> {
 }
 
 pub(crate) fn modulus(a: Complex) -> f64 {
-    a.0.hypot(a.1)
+    a.0.hypotenuse(a.1)
 }
 
 pub(crate) fn exp(a: Complex) -> Complex {
-    let r = a.0.exp();
-    (r * a.1.cos(), r * a.1.sin())
+    let r = a.0.exponential();
+    (r * a.1.cosine(), r * a.1.sine())
 }
 
 /// The principal logarithm, argument in -π..π.
 pub(crate) fn ln(a: Complex) -> Complex {
-    (modulus(a).ln(), a.1.atan2(a.0))
+    (modulus(a).logarithm(), a.1.arctangent_of(a.0))
 }
 
 /// The principal power exp(b ln a); zero to any power but zero is zero.
@@ -61,9 +63,9 @@ pub(crate) fn sqrt(a: Complex) -> Complex {
 }
 
 pub(crate) fn sin(a: Complex) -> Complex {
-    (a.0.sin() * a.1.cosh(), a.0.cos() * a.1.sinh())
+    (a.0.sine() * a.1.hyperbolic_cosine(), a.0.cosine() * a.1.hyperbolic_sine())
 }
 
 pub(crate) fn cos(a: Complex) -> Complex {
-    (a.0.cos() * a.1.cosh(), -a.0.sin() * a.1.sinh())
+    (a.0.cosine() * a.1.hyperbolic_cosine(), -a.0.sine() * a.1.hyperbolic_sine())
 }

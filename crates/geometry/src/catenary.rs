@@ -1,5 +1,7 @@
 //! Hanging chains.
 
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::{Curve, Error, KnotSpacing, NurbsCurve, Point3, PolylineCurve, Result, Vector3};
 
@@ -39,7 +41,7 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
     let z = half_width((length * length - rise * rise).sqrt() / width);
     let scale = width / (2.0 * z);
     // The lowest point, measured from a: tanh of the middle between both ends is rise/length.
-    let lowest = 0.5 * width - scale * (rise / length).atanh();
+    let lowest = 0.5 * width - scale * (rise / length).area_tangent();
     let (first, last) = (-lowest / scale, (width - lowest) / scale);
     let steps = 96;
     let point = |k: i32| {
@@ -49,10 +51,11 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
             return b;
         }
         let t = first + (last - first) * f64::from(k) / f64::from(steps);
-        a + x_axis * (scale * (t - first)) + up * (scale * (t.cosh() - first.cosh()))
+        a + x_axis * (scale * (t - first))
+            + up * (scale * (t.hyperbolic_cosine() - first.hyperbolic_cosine()))
     };
     let points: Vec<Point3> = (0..=steps).map(point).collect();
-    let slope = |t: f64| x_axis / t.cosh() + up * t.tanh();
+    let slope = |t: f64| x_axis / t.hyperbolic_cosine() + up * t.hyperbolic_tangent();
     let ends = [Some(slope(first)), Some(slope(last))];
     Ok(NurbsCurve::interpolate(3, &points, KnotSpacing::Chord, ends[0], ends[1])?.into())
 }
@@ -60,7 +63,7 @@ pub fn catenary(a: Point3, b: Point3, length: f64, gravity: Vector3) -> Result<C
 /// The z with sinh(z)/z = `ratio`, which is above 1: bisection, with ends that hold the root.
 fn half_width(ratio: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    let value = |z: f64| if z < SERIES { 1.0 + z * z / 6.0 } else { z.sinh() / z };
+    let value = |z: f64| if z < SERIES { 1.0 + z * z / 6.0 } else { z.hyperbolic_sine() / z };
     while value(high) < ratio && high < 700.0 {
         high *= 2.0;
     }

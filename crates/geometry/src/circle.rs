@@ -1,6 +1,8 @@
 use crate::thresholds;
 use std::f64::consts::{PI, TAU};
 
+use katydid_elementary::Elementary;
+
 use crate::{Error, Interval, Line, Plane, Point3, Result, Vector3, Xform};
 
 /// A full circle in a plane.
@@ -86,7 +88,7 @@ impl Circle {
     /// The point at an angle in radians, counter-clockwise from the plane's x axis.
     #[inline]
     pub fn at(&self, angle: f64) -> Point3 {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         self.plane.at(self.radius * cos, self.radius * sin, 0.0)
     }
 
@@ -146,7 +148,7 @@ impl Arc {
     pub fn through(a: Point3, b: Point3, c: Point3) -> Result<Self> {
         let circle = Circle::through(a, b, c)?;
         let [x, y, _] = circle.plane.coordinates(c);
-        let angle = y.atan2(x);
+        let angle = y.arctangent_of(x);
         Self::new(circle, Interval::new(0.0, if angle <= 0.0 { angle + TAU } else { angle }))
     }
 
@@ -165,7 +167,7 @@ impl Arc {
         let x_axis = -plane.y_axis;
         let frame = Plane { origin: center, x_axis, y_axis: plane.x_axis, z_axis: plane.z_axis };
         let circle = Circle::new(frame, radius).map_err(|_| why)?;
-        let angle = x.atan2(radius - y);
+        let angle = x.arctangent_of(radius - y);
         Self::new(circle, Interval::new(0.0, if angle <= 0.0 { angle + TAU } else { angle }))
     }
 
@@ -218,6 +220,6 @@ impl Arc {
     /// The area between the arc and its chord.
     pub fn segment_area(&self) -> f64 {
         let a = self.angle.length().abs().min(2.0 * PI);
-        0.5 * self.circle.radius.powi(2) * (a - a.sin())
+        0.5 * self.circle.radius.powi(2) * (a - a.sine())
     }
 }

@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::{Circle, Error, Plane, Point3, Result, Vector3, Xform};
 
@@ -29,7 +31,7 @@ impl Ellipse {
     /// The point at the eccentric angle in radians: (rx cos, ry sin) in the plane.
     #[inline]
     pub fn at(&self, angle: f64) -> Point3 {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         self.plane.at(self.rx * cos, self.ry * sin, 0.0)
     }
 
@@ -62,7 +64,7 @@ impl Ellipse {
     pub fn from_conjugate_radii(center: Point3, p: Vector3, q: Vector3) -> Result<Self> {
         let (pp, qq, pq) = (p.length_squared(), q.length_squared(), p.dot(q));
         // |p cos t + q sin t|² is (pp + qq)/2 + (pp − qq)/2 cos 2t + pq sin 2t.
-        let (sin, cos) = (0.5 * pq.atan2(0.5 * (pp - qq))).sin_cos();
+        let (sin, cos) = (0.5 * pq.arctangent_of(0.5 * (pp - qq))).sine_cosine();
         let (long, short) = (p * cos + q * sin, q * cos - p * sin);
         let plane = Plane::from_axes(center, long, short)
             .map_err(|_| Error::degenerate("conjugate radii", "they are parallel or have no length"))?;

@@ -1,5 +1,7 @@
 //! Fields of force, and the lines along them.
 
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::{Box3, Error, Line, Plane, Point3, Result, Vector3};
 
@@ -64,12 +66,12 @@ impl Force {
         let force = match self.source {
             Source::Point { location, charge, decay } => {
                 let v = p - location;
-                v.unitized().map_or(Vector3::ZERO, |u| u * (charge / v.length().powf(decay)))
+                v.unitized().map_or(Vector3::ZERO, |u| u * (charge / v.length().raised_to(decay)))
             }
             Source::Segment { line, charge } => segment(&line, p) * charge,
             Source::Spin { plane, strength, radius, decay } => {
                 let [x, y, _] = plane.coordinates(p);
-                let fade = (1.0 + plane.origin.distance_to(p) / radius).powf(-decay);
+                let fade = (1.0 + plane.origin.distance_to(p) / radius).raised_to(-decay);
                 (plane.y_axis * x - plane.x_axis * y)
                     .unitized()
                     .map_or(Vector3::ZERO, |u| u * (strength * fade))
@@ -101,7 +103,7 @@ fn segment(line: &Line, p: Point3) -> Vector3 {
     let (a, b) = ((line.from - p).dot(u), (line.to - p).dot(u));
     let n = (p - line.from) + u * a;
     let r = n.length();
-    let (ra, rb) = (a.hypot(r), b.hypot(r));
+    let (ra, rb) = (a.hypotenuse(r), b.hypotenuse(r));
     if ra == 0.0 || rb == 0.0 {
         return Vector3::ZERO;
     }
@@ -267,7 +269,7 @@ impl Field {
                 p = next;
                 done += size;
             }
-            let grown = 0.9 * (tolerance / error.max(thresholds::LEAST_DIVISOR)).powf(0.2);
+            let grown = 0.9 * (tolerance / error.max(thresholds::LEAST_DIVISOR)).raised_to(0.2);
             size *= grown.clamp(0.2, 5.0);
         }
         None

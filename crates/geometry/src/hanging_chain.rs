@@ -1,5 +1,7 @@
 //! Chains of stiff links.
 
+use katydid_elementary::Elementary;
+
 use crate::{Error, Point3, Result, Vector3};
 
 /// A chain that is longer than its chord by no more than this part of it is taut.
@@ -85,22 +87,22 @@ pub fn hanging_chain(
     // The rise of the chain grows with the upward force at its start, and its width, at the right rise, with the pull:
     // both are slopes of one convex function.
     let upward = |pull: f64| {
-        let rise_at = |v: f64| links.iter().map(|[l, c]| l * (v + c) / pull.hypot(v + c)).sum::<f64>();
+        let rise_at = |v: f64| links.iter().map(|[l, c]| l * (v + c) / pull.hypotenuse(v + c)).sum::<f64>();
         let reach = 1.0 + pull * 1e6;
         bisect(-reach, reach, |v| rise_at(v) < rise)
     };
     let width_at = |pull: f64| {
         let v = upward(pull);
-        links.iter().map(|[l, c]| l * pull / pull.hypot(v + c)).sum::<f64>()
+        links.iter().map(|[l, c]| l * pull / pull.hypotenuse(v + c)).sum::<f64>()
     };
-    let pull = bisect(-35.0, 20.0, |x| width_at(x.exp()) < width).exp();
+    let pull = bisect(-35.0, 20.0, |x| width_at(x.exponential()) < width).exponential();
     let x = [pull, upward(pull)];
     let mut joints = Vec::with_capacity(links.len() + 1);
     let mut here = a;
     joints.push(here);
     for ([_, c], length) in links.iter().zip(lengths) {
         let s = x[1] + c;
-        let force = x[0].hypot(s).max(LEAST_FORCE);
+        let force = x[0].hypotenuse(s).max(LEAST_FORCE);
         here += (axis * (x[0] / force) + up * (s / force)) * *length;
         joints.push(here);
     }

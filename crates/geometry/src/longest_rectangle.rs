@@ -1,5 +1,7 @@
 //! The longest board that lies flat in a room.
 
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::{Curve, Error, Interval, Plane, Point2, PolylineLimits, Rectangle, Result};
 
@@ -50,7 +52,9 @@ pub fn longest_rectangle(room: &Curve, width: f64, samples: usize, tolerance: f6
     let mut angles: Vec<f64> = (0..samples).map(|i| half_turn * i as f64 / samples as f64).collect();
     let mut sides: Vec<(f64, f64)> = room
         .sides()
-        .map(|(a, b)| ((b.x - a.x).hypot(b.y - a.y), (b.y - a.y).atan2(b.x - a.x).rem_euclid(half_turn)))
+        .map(|(a, b)| {
+            ((b.x - a.x).hypotenuse(b.y - a.y), (b.y - a.y).arctangent_of(b.x - a.x).rem_euclid(half_turn))
+        })
         .collect();
     sides.sort_by(|a, b| b.0.total_cmp(&a.0));
     angles.extend(sides.iter().take(24).map(|s| s.1));
@@ -81,7 +85,7 @@ pub fn longest_rectangle(room: &Curve, width: f64, samples: usize, tolerance: f6
     }
     let (angle, [from, to, low]) =
         best.ok_or(Error::degenerate("rectangle", "none of this width fits into the room"))?;
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     let x_axis = plane.x_axis * cos + plane.y_axis * sin;
     let own = Plane::from_axes(plane.origin, x_axis, plane.z_axis.cross(x_axis))?;
     Ok(Rectangle { plane: own, x: Interval::new(from, to), y: Interval::new(low, low + width) })
@@ -100,7 +104,7 @@ impl Room {
 
     /// The longest place in one direction, in turned coordinates: from x, to x, from y.
     fn longest_along(&self, angle: f64) -> Option<[f64; 3]> {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         let turned: Vec<[f64; 2]> =
             self.corners.iter().map(|p| [p.x * cos + p.y * sin, p.y * cos - p.x * sin]).collect();
         let strip = Strip { corners: &turned, width: self.width };

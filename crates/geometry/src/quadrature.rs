@@ -1,5 +1,7 @@
 //! Adaptive numerical integration.
 
+use katydid_elementary::Elementary;
+
 /// Half of the abscissae and weights of the Gauss–Legendre rules of 6 and 10 points on −1…1, by the distance from the
 /// middle (M. Abramowitz, I. Stegun, *Handbook of Mathematical Functions*, 1964, table 25.4).
 pub(crate) const GAUSS_6: [[f64; 2]; 3] = [
@@ -144,7 +146,8 @@ pub(crate) fn integrate<const N: usize>(
         budget -= 1;
         // The 15-point value is far better than the difference tells: QUADPACK's estimate (200 e)^1.5.
         let scale = value.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let estimate = if scale > 0.0 { error.min(scale * (200.0 * error / scale).powf(1.5)) } else { error };
+        let estimate =
+            if scale > 0.0 { error.min(scale * (200.0 * error / scale).raised_to(1.5)) } else { error };
         let fine = estimate <= tolerance || !estimate.is_finite();
         if fine || depth >= 48 || budget <= 0 {
             for c in 0..N {

@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use katydid_elementary::Elementary;
+
 use crate::{Error, Plane, Point3, Result, Vector3, Xform};
 
 /// Below this angle, in radians, the way between two rotations is straight to rounding.
@@ -61,7 +63,7 @@ impl Quaternion {
             return Err(Error::NotFinite("rotation angle"));
         }
         let k = axis.unitized().ok_or(Error::degenerate("rotation axis", "it has no direction"))?;
-        let (sin, cos) = (0.5 * angle).sin_cos();
+        let (sin, cos) = (0.5 * angle).sine_cosine();
         Ok(Self::from_parts(cos, k * sin))
     }
 
@@ -132,7 +134,7 @@ impl Quaternion {
     pub fn angle_and_axis(self) -> Option<(f64, Vector3)> {
         let q = self.unitized()?;
         let sin = q.vector().length();
-        Some((2.0 * sin.atan2(q.w), q.vector().unitized().unwrap_or(Vector3::Z)))
+        Some((2.0 * sin.arctangent_of(q.w), q.vector().unitized().unwrap_or(Vector3::Z)))
     }
 
     /// The four numbers as a scalar product.
@@ -144,7 +146,7 @@ impl Quaternion {
     /// The length.
     pub fn length(self) -> f64 {
         let v = self.vector().length();
-        if self.w.abs() > v { self.w.abs() * (v / self.w).hypot(1.0) } else { v.hypot(self.w) }
+        if self.w.abs() > v { self.w.abs() * (v / self.w).hypotenuse(1.0) } else { v.hypotenuse(self.w) }
     }
 
     /// The quaternion of length 1 in the same direction; `None` for one without length or not finite.
@@ -174,8 +176,8 @@ impl Quaternion {
     /// e^q.
     #[must_use]
     pub fn exp(self) -> Self {
-        let (angle, size) = (self.vector().length(), self.w.exp());
-        let (sin, cos) = angle.sin_cos();
+        let (angle, size) = (self.vector().length(), self.w.exponential());
+        let (sin, cos) = angle.sine_cosine();
         let factor = if angle > 0.0 { sin / angle } else { 1.0 };
         Self::from_parts(size * cos, self.vector() * (size * factor))
     }
@@ -187,9 +189,9 @@ impl Quaternion {
             return None;
         }
         let sin = self.vector().length();
-        let angle = sin.atan2(self.w);
+        let angle = sin.arctangent_of(self.w);
         let v = if sin > 0.0 { self.vector() * (angle / sin) } else { Vector3::X * angle };
-        Some(Self::from_parts(length.ln(), v))
+        Some(Self::from_parts(length.logarithm(), v))
     }
 
     /// The power q^t = e^(t·ln q); `None` for a quaternion without length.
@@ -207,12 +209,12 @@ impl Quaternion {
             b = -b;
         }
         // Half of the angle between them by the lengths of sum and difference, which is exact for small angles.
-        let angle = 2.0 * (a - b).length().atan2((a + b).length());
-        let sin = angle.sin();
+        let angle = 2.0 * (a - b).length().arctangent_of((a + b).length());
+        let sin = angle.sine();
         if angle < STRAIGHT_ANGLE || sin == 0.0 {
             return (a * (1.0 - t) + b * t).unitized();
         }
-        (a * (((1.0 - t) * angle).sin() / sin) + b * ((t * angle).sin() / sin)).unitized()
+        (a * (((1.0 - t) * angle).sine() / sin) + b * ((t * angle).sine() / sin)).unitized()
     }
 
     /// This rotation turned towards another by at most `angle` radians, along the shorter way. `None` when one of them
@@ -221,14 +223,14 @@ impl Quaternion {
         let (a, b) = (self.unitized()?, other.unitized()?);
         let nearest = if a.dot(b) < 0.0 { -b } else { b };
         // The rotation turns by twice the angle between the quaternions.
-        let whole = 4.0 * (a - nearest).length().atan2((a + nearest).length());
+        let whole = 4.0 * (a - nearest).length().arctangent_of((a + nearest).length());
         if whole <= angle { Some(b) } else { a.slerp(b, angle / whole) }
     }
 
     /// Roll about x, then pitch about y, then yaw about z, in radians: as [`Xform::rotation_zyx`].
     pub fn from_yaw_pitch_roll(yaw: f64, pitch: f64, roll: f64) -> Self {
         let about = |angle: f64, axis: Vector3| {
-            let (sin, cos) = (0.5 * angle).sin_cos();
+            let (sin, cos) = (0.5 * angle).sine_cosine();
             Self::from_parts(cos, axis * sin)
         };
         about(yaw, Vector3::Z) * about(pitch, Vector3::Y) * about(roll, Vector3::X)

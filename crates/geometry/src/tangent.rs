@@ -1,5 +1,7 @@
 //! Lines that touch circles.
 
+use katydid_elementary::Elementary;
+
 use crate::{Circle, Line, Point3};
 
 impl Circle {
@@ -7,11 +9,11 @@ impl Circle {
     /// that touches on the left of the way to the centre. `None` for a point inside.
     pub fn tangents_from(&self, p: Point3) -> Option<[Line; 2]> {
         let [x, y, _] = self.plane.coordinates(p);
-        let distance = x.hypot(y);
+        let distance = x.hypotenuse(y);
         if !(distance > self.radius) {
             return None;
         }
-        let (toward, half) = (y.atan2(x), (self.radius / distance).acos());
+        let (toward, half) = (y.arctangent_of(x), (self.radius / distance).arccosine());
         let from = self.plane.at(x, y, 0.0);
         // Seen on the way to the centre, smaller angles about it lie to the left.
         Some([Line::new(from, self.at(toward - half)), Line::new(from, self.at(toward + half))])
@@ -33,13 +35,13 @@ impl Circle {
     /// Both kinds: the touching points lie at the same angle on both circles, or opposite (a negative radius there).
     fn common_tangents(&self, other: &Self, reach: f64, radius: f64) -> Option<[Line; 2]> {
         let [x, y, _] = self.plane.coordinates(other.center());
-        let distance = x.hypot(y);
+        let distance = x.hypotenuse(y);
         if !(distance > reach.abs()) {
             return None;
         }
-        let (toward, half) = (y.atan2(x), (reach / distance).acos());
+        let (toward, half) = (y.arctangent_of(x), (reach / distance).arccosine());
         let line = |angle: f64| {
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = angle.sine_cosine();
             Line::new(self.at(angle), self.plane.at(x + radius * cos, y + radius * sin, 0.0))
         };
         Some([line(toward + half), line(toward - half)])

@@ -1,5 +1,7 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use katydid_elementary::Elementary;
+
 use crate::Vector3;
 
 /// A direction with a magnitude in a plane.
@@ -53,7 +55,7 @@ impl Vector2 {
     /// The length, without overflow.
     #[inline]
     pub fn length(self) -> f64 {
-        self.x.hypot(self.y)
+        self.x.hypotenuse(self.y)
     }
 
     /// The vector of length 1 in the same direction; `None` for a vector without direction.
@@ -73,7 +75,7 @@ impl Vector2 {
     /// This vector turned left by `angle` radians.
     #[must_use]
     pub fn rotated(self, angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         Self::new(self.x * cos - self.y * sin, self.x * sin + self.y * cos)
     }
 
@@ -81,7 +83,7 @@ impl Vector2 {
     /// direction.
     pub fn signed_angle_to(self, other: Self) -> Option<f64> {
         let (a, b) = (self.unitized()?, other.unitized()?);
-        Some(a.cross(b).atan2(a.dot(b)))
+        Some(a.cross(b).arctangent_of(a.dot(b)))
     }
 
     /// Whether both components are finite.

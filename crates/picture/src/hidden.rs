@@ -1,5 +1,7 @@
 //! Which stretches of lines lie behind faces: each line is held against the faces that it crosses on the picture.
 
+use katydid_elementary::Elementary;
+
 use crate::drawing::{Face, Solids, SpaceLine};
 
 /// The least and the greatest side of the cells of the index over the picture, in pixels.
@@ -45,7 +47,7 @@ pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
                     behind.extend(cover.hides(at(a), at(b)));
                 }
             });
-            let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+            let length = (b[0] - a[0]).hypotenuse(b[1] - a[1]);
             for (from, to, is_hidden) in stretches(behind, SHORTEST / length.max(SHORTEST)) {
                 if short {
                     lengths[usize::from(is_hidden)] += (to - from) * length;
@@ -71,7 +73,7 @@ pub(crate) fn part(solids: &Solids, nearer: f64) -> [Vec<SpaceLine>; 2] {
 /// Whether a line is a part of a sign.
 pub(crate) fn is_short(line: &SpaceLine) -> bool {
     let length = |w: &[[f64; 3]]| match w {
-        [a, b] => (b[0] - a[0]).hypot(b[1] - a[1]),
+        [a, b] => (b[0] - a[0]).hypotenuse(b[1] - a[1]),
         _ => 0.0,
     };
     line.points.windows(2).map(length).sum::<f64>() <= SIGN
@@ -151,7 +153,7 @@ impl<'a> Cover<'a> {
         let corners = &self.face.corners;
         for (k, corner) in corners.iter().enumerate() {
             let (p, q) = (corner.at, corners.get((k + 1) % corners.len())?.at);
-            let rim = RIM * (q[0] - p[0]).hypot(q[1] - p[1]);
+            let rim = RIM * (q[0] - p[0]).hypotenuse(q[1] - p[1]);
             let left = |x: [f64; 3]| (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]);
             let inside = |x: [f64; 3]| self.sense * left(x) + rim;
             range = cut(range, inside(a), inside(b))?;

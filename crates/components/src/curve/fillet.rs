@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Arc, Curve, Line, Point3, PolyCurve, PolylineCurve};
 
 use super::{shared, warning};
@@ -41,7 +42,7 @@ pub(super) fn rounded(points: &[Point3], cut: Cut, only: Option<usize>) -> Resul
         };
         let half = 0.5 * u.angle_to(v).unwrap_or(0.0);
         let reach = match cut {
-            Cut::Radius(r) => r * half.tan(),
+            Cut::Radius(r) => r * half.tangent(),
             Cut::Distance(d) => d,
         };
         let free = |s: usize| length(s) - taken.get(s).copied().unwrap_or(0.0);

@@ -2,6 +2,7 @@
 
 use katydid_component::component;
 use katydid_data::Colour;
+use katydid_elementary::Elementary;
 
 /// A part of 0 to 1 as a byte; what lies outside counts as the nearer end.
 fn byte(x: f64) -> u8 {
@@ -48,7 +49,7 @@ fn hue(colour: Colour) -> (f64, f64, f64) {
 
 /// The byte of a part of linear light, by the transfer curve of sRGB (IEC 61966-2-1).
 fn encoded(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.raised_to(1.0 / 2.4) - 0.055 }
 }
 
 /// The colour of CIE stimuli, white being that of daylight (D65) with Y = 1.
@@ -111,7 +112,7 @@ fn colour_lch(
     #[port("Hue", "H", default = 0.0)]
     hue: f64,
 ) -> Colour {
-    let (sin, cos) = (std::f64::consts::TAU * hue).sin_cos();
+    let (sin, cos) = (std::f64::consts::TAU * hue).sine_cosine();
     of_lab(alpha, [luminance, chroma * cos, chroma * sin].map(|x| 100.0 * x))
 }
 

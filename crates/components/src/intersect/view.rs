@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
+use katydid_elementary::Elementary;
 use katydid_geometry::brep::ClosestOnBrep;
 use katydid_geometry::intersect::curve_curve;
 use katydid_geometry::{Curve, Line, MeshTree, Plane, Point3, Vector3};
@@ -120,7 +121,7 @@ fn around(
     for k in 0..n {
         context.check()?;
         let angle = std::f64::consts::TAU * k as f64 / n as f64;
-        let direction = plane.x_axis * angle.cos() + plane.y_axis * angle.sin();
+        let direction = plane.x_axis * angle.cosine() + plane.y_axis * angle.sine();
         out.push(seen(context, &obstacles, plane.origin, direction, radius)?);
     }
     Ok(out)

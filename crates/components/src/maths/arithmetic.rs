@@ -2,6 +2,7 @@
 
 use katydid_component::Message;
 use katydid_data::{Colour, Complex, Value, cast};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Interval, Matrix, Point3, Vector3};
 
 type Result = std::result::Result<Value, Message>;
@@ -253,7 +254,7 @@ pub(super) fn absolute(a: &Value) -> Result {
         Value::Integer(i) => {
             i.checked_abs().map_or_else(|| Value::Number(f64::from(i).abs()), Value::Integer)
         }
-        Value::Complex(z) => Value::Number(z.re.hypot(z.im)),
+        Value::Complex(z) => Value::Number(z.re.hypotenuse(z.im)),
         Value::Vector(v) => Value::Vector(Vector3::new(v.x.abs(), v.y.abs(), v.z.abs())),
         Value::Point(p) => Value::Point(Point3::new(p.x.abs(), p.y.abs(), p.z.abs())),
         other => return Err(Message::error(format!("{} has no absolute value", other.kind()))),

@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary;
 
 use super::comparison;
 use super::linear::Numbers;
@@ -44,7 +45,7 @@ fn means(
     let over = |f: fn(f64) -> f64| input.present().map(f).sum::<f64>() / n;
     let positive = input.present().all(|x| x > 0.0);
     let harmonic = || over(f64::recip).recip();
-    (Some(over(|x| x)), positive.then(|| over(f64::ln).exp()), positive.then(harmonic))
+    (Some(over(|x| x)), positive.then(|| over(f64::logarithm).exponential()), positive.then(harmonic))
 }
 
 /// The mean of a list in which each value counts as much as its weight.

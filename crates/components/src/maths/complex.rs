@@ -1,6 +1,7 @@
 //! Functions of a complex number, principal values throughout.
 
 use katydid_data::Complex;
+use katydid_elementary::Elementary;
 
 pub(super) const I: Complex = Complex { re: 0.0, im: 1.0 };
 
@@ -38,22 +39,22 @@ pub(super) fn divide(a: Complex, b: Complex) -> Complex {
 }
 
 pub(super) fn modulus(a: Complex) -> f64 {
-    a.re.hypot(a.im)
+    a.re.hypotenuse(a.im)
 }
 
 /// The angle from the positive real axis, -π to π.
 pub(super) fn argument(a: Complex) -> f64 {
-    a.im.atan2(a.re)
+    a.im.arctangent_of(a.re)
 }
 
 pub(super) fn exp(a: Complex) -> Complex {
-    let size = a.re.exp();
+    let size = a.re.exponential();
     // exp(x) is real, also where the sine of 0 meets infinity.
-    if a.im == 0.0 { real(size) } else { Complex { re: size * a.im.cos(), im: size * a.im.sin() } }
+    if a.im == 0.0 { real(size) } else { Complex { re: size * a.im.cosine(), im: size * a.im.sine() } }
 }
 
 pub(super) fn ln(a: Complex) -> Complex {
-    Complex { re: modulus(a).ln(), im: argument(a) }
+    Complex { re: modulus(a).logarithm(), im: argument(a) }
 }
 
 /// The root with a real part that is not negative.
@@ -82,11 +83,11 @@ pub(super) fn power(a: Complex, b: Complex) -> Complex {
 }
 
 pub(super) fn sin(a: Complex) -> Complex {
-    Complex { re: a.re.sin() * a.im.cosh(), im: a.re.cos() * a.im.sinh() }
+    Complex { re: a.re.sine() * a.im.hyperbolic_cosine(), im: a.re.cosine() * a.im.hyperbolic_sine() }
 }
 
 pub(super) fn cos(a: Complex) -> Complex {
-    Complex { re: a.re.cos() * a.im.cosh(), im: -a.re.sin() * a.im.sinh() }
+    Complex { re: a.re.cosine() * a.im.hyperbolic_cosine(), im: -a.re.sine() * a.im.hyperbolic_sine() }
 }
 
 pub(super) fn tan(a: Complex) -> Complex {

@@ -2,6 +2,7 @@
 
 use katydid_component::{Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary;
 
 use super::complex;
 use super::unary::{self, functions};
@@ -19,29 +20,29 @@ functions! {
     square_root, "ad476cb7-b6d1-41c8-986b-0df243a64146", "Square Root", "Sqrt", ["5a22dc1a-907c-4e2f-b8da-0e496c4e25bb"], f64::sqrt, complex::sqrt;
 
     /// The number that gives x when cubed, negative for a negative x.
-    cube_root, "5b0be57a-31f5-4446-a11a-ae0d348bca90", "Cube Root", "Cbrt", [], f64::cbrt,
+    cube_root, "5b0be57a-31f5-4446-a11a-ae0d348bca90", "Cube Root", "Cbrt", [], f64::cube_root,
         |z| complex::power(z, complex::real(1.0 / 3.0));
 
     /// One divided by x, which must not be zero.
     one_over_x, "797d922f-3a1d-46fe-9155-358b009b5997", "One Over X", "1/x", [], f64::recip, |z| complex::divide(complex::real(1.0), z);
 
     /// The number e to the power x.
-    power_of_e, "c717f26f-e4a0-475c-8e1c-b8f77af1bc99", "Power of E", "Eº", ["5f212b16-82a0-4699-be4c-11529a9810ae", "582f96c6-ed0c-4710-9b5e-a05addba9f42"], f64::exp, complex::exp;
+    power_of_e, "c717f26f-e4a0-475c-8e1c-b8f77af1bc99", "Power of E", "Eº", ["5f212b16-82a0-4699-be4c-11529a9810ae", "582f96c6-ed0c-4710-9b5e-a05addba9f42"], f64::exponential, complex::exp;
 
     /// 10 to the power x.
-    power_of_10, "2ebb82ef-1f90-4ac9-9a71-1fe0f4ef7044", "Power of 10", "10º", ["ed766861-662d-4462-90f6-29f87f8529cf"], |x| 10f64.powf(x),
+    power_of_10, "2ebb82ef-1f90-4ac9-9a71-1fe0f4ef7044", "Power of 10", "10º", ["ed766861-662d-4462-90f6-29f87f8529cf"], |x| 10f64.raised_to(x),
         |z| complex::power(complex::real(10.0), z);
 
     /// 2 to the power x.
-    power_of_2, "7a1e5fd7-b7da-4244-a261-f1da66614992", "Power of 2", "2º", ["a8bc9c24-1bce-4b92-b7ba-abced2457c22"], f64::exp2,
+    power_of_2, "7a1e5fd7-b7da-4244-a261-f1da66614992", "Power of 2", "2º", ["a8bc9c24-1bce-4b92-b7ba-abced2457c22"], f64::power_of_two,
         |z| complex::power(complex::real(2.0), z);
 
     /// The power that makes x out of 10. Numbers of 0 and below have none.
-    logarithm, "27d6f724-a701-4585-992f-3897488abf08", "Logarithm", "Log", ["bc4a27fc-cbb9-4802-bd4a-17ab33ad1826", "d0787f37-d976-48c9-a4b0-29d6c4059cf3"], f64::log10,
+    logarithm, "27d6f724-a701-4585-992f-3897488abf08", "Logarithm", "Log", ["bc4a27fc-cbb9-4802-bd4a-17ab33ad1826", "d0787f37-d976-48c9-a4b0-29d6c4059cf3"], f64::logarithm_10,
         |z| complex::scale(complex::ln(z), std::f64::consts::LOG10_E);
 
     /// The power that makes x out of the number e. Numbers of 0 and below have none.
-    natural_logarithm, "23afc7aa-2d2f-4ae7-b876-bf366246b826", "Natural logarithm", "Ln", ["8b62751f-6fb4-4d03-a238-11ad6db7483e"], f64::ln, complex::ln;
+    natural_logarithm, "23afc7aa-2d2f-4ae7-b876-bf366246b826", "Natural logarithm", "Ln", ["8b62751f-6fb4-4d03-a238-11ad6db7483e"], f64::logarithm, complex::ln;
 }
 
 /// The power that makes a number out of a base.
@@ -57,7 +58,7 @@ fn log_n(
     #[port("Base", "B")]
     base: f64,
 ) -> Result<f64, Message> {
-    let result = number.ln() / base.ln();
+    let result = number.logarithm() / base.logarithm();
     if result.is_finite() {
         return Ok(result);
     }

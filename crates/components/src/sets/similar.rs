@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary;
 
 use crate::sets::integer;
 use crate::sets::key::same;
@@ -59,7 +60,7 @@ fn distance(a: &Value, b: &Value) -> f64 {
     match (a, b) {
         (Value::Point(a), Value::Point(b)) => a.distance_to(*b),
         (Value::Vector(a), Value::Vector(b)) => a.to_point().distance_to(b.to_point()),
-        (Value::Complex(a), Value::Complex(b)) => (a.re - b.re).hypot(a.im - b.im),
+        (Value::Complex(a), Value::Complex(b)) => (a.re - b.re).hypotenuse(a.im - b.im),
         (Value::Domain(a), Value::Domain(b)) => (a.start - b.start).abs() + (a.end - b.end).abs(),
         (Value::Colour(a), Value::Colour(b)) => [(a.a, b.a), (a.r, b.r), (a.g, b.g), (a.b, b.b)]
             .into_iter()

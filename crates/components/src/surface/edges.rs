@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Brep, Curve, Line, Point3, Vector3, brep::ClosestOnBrep};
 
 use super::warning;
@@ -321,7 +322,7 @@ fn convex_edges(
     brep: Shared<Brep>,
 ) -> Result<(Vec<i32>, Vec<i32>, Vec<i32>), Message> {
     const PLACES: i32 = 8;
-    let least = context.tolerance().angle.sin();
+    let least = context.tolerance().angle.sine();
     let (mut convex, mut concave, mut mixed) = (Vec::new(), Vec::new(), Vec::new());
     for (place, curve) in all(&brep)? {
         context.check()?;

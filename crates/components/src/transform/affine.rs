@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Geometry, Value};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Box3, Curve, Interval, Plane, Point3, Rectangle, Vector3, Xform};
 
 use super::transformed;
@@ -129,7 +130,7 @@ fn shear_angle(
     #[port("Angle Y", "Ay", default = 0.0)]
     ay: f64,
 ) -> Result<(Option<Geometry>, Option<Value>), Message> {
-    let lean = base.x_axis * ax.tan() + base.y_axis * ay.tan();
+    let lean = base.x_axis * ax.tangent() + base.y_axis * ay.tangent();
     transformed(context, geometry, Xform::in_frame(&base, base.x_axis, base.y_axis, base.z_axis + lean))
 }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use katydid_component::{Context, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Interval, Plane, Point3, Rectangle, Vector3};
 
 use crate::sets::{count, dotnet_random::DotNetRandom};
@@ -86,7 +87,7 @@ fn spherical_cloud(
     let mut direction = || {
         let (z, turn) = (2.0 * random.next_double() - 1.0, TAU * random.next_double());
         let r = (1.0 - z * z).max(0.0).sqrt();
-        Vector3::new(r * turn.cos(), r * turn.sin(), z)
+        Vector3::new(r * turn.cosine(), r * turn.sine(), z)
     };
     let normals: Vec<Vector3> = (0..n).map(|_| direction()).collect();
     Ok((normals.iter().map(|v| center + *v * radius).collect(), normals))

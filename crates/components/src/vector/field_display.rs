@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use katydid_component::{Context, Message, component};
 use katydid_data::Colour;
+use katydid_elementary::Elementary;
 use katydid_geometry::{Field, Mesh, Plane, Rectangle, Vector3};
 
 use crate::display::of_hue;
@@ -110,7 +111,7 @@ fn direction_display(
             if x == 0.0 && y == 0.0 {
                 Colour::rgb(128, 128, 128)
             } else {
-                from_hue(y.atan2(x) / std::f64::consts::TAU)
+                from_hue(y.arctangent_of(x) / std::f64::consts::TAU)
             }
         };
         forces.iter().map(hue).collect()

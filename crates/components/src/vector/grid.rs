@@ -5,6 +5,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
 use katydid_data::{Item, Tree, TreeBuilder};
+use katydid_elementary::Elementary;
 use katydid_geometry::{
     Arc, Circle, Curve, Interval, Line, Plane, Point3, PolyCurve, PolylineCurve, Rectangle,
 };
@@ -160,7 +161,7 @@ fn hexagonal(
             outline(
                 (0..6)
                     .map(|k| {
-                        let (sin, cos) = (TAU / 6.0 * f64::from(k)).sin_cos();
+                        let (sin, cos) = (TAU / 6.0 * f64::from(k)).sine_cosine();
                         plane.at(x + size * cos, y + size * sin, 0.0)
                     })
                     .collect(),
@@ -301,7 +302,7 @@ fn radial(
     }
     let step = TAU / sectors as f64;
     let at = |ring: f64, sector: f64| {
-        let (sin, cos) = (step * (sector % sectors as f64)).sin_cos();
+        let (sin, cos) = (step * (sector % sectors as f64)).sine_cosine();
         plane.at(ring * size * cos, ring * size * sin, 0.0)
     };
     let cells = columns(context, rings, sectors, |ring, sector| {

@@ -2,6 +2,7 @@
 
 use katydid_component::{Call, List, Message, Outcome, component, whole};
 use katydid_data::Value;
+use katydid_elementary::Elementary;
 use katydid_geometry::{Plane, Point3};
 
 /// A point from its three coordinates.
@@ -201,7 +202,7 @@ fn point_cylindrical(
     #[port("Elevation", "E", default = 0.0)]
     elevation: f64,
 ) -> Point3 {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     plane.at(radius * cos, radius * sin, elevation)
 }
 
@@ -222,7 +223,7 @@ fn point_polar(
     #[port("Offset", "d", default = 1.0)]
     offset: f64,
 ) -> Point3 {
-    let ((sin, cos), (up, flat)) = (xy.sin_cos(), z.sin_cos());
+    let ((sin, cos), (up, flat)) = (xy.sine_cosine(), z.sine_cosine());
     plane.at(offset * flat * cos, offset * flat * sin, offset * up)
 }
 
@@ -240,9 +241,9 @@ fn to_polar(
     system: Plane,
 ) -> (f64, f64, f64) {
     let [x, y, z] = system.coordinates(point);
-    let phi = y.atan2(x);
+    let phi = y.arctangent_of(x);
     let phi = if phi < 0.0 { phi + std::f64::consts::TAU } else { phi };
-    (phi, z.atan2(x.hypot(y)), point.distance_to(system.origin))
+    (phi, z.arctangent_of(x.hypotenuse(y)), point.distance_to(system.origin))
 }
 
 /// Which coordinates a mask picks: a text such as `XYZ` or `xz`. Files store the usual mask as the number 4.

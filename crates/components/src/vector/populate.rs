@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Geometry, Kind, Value, cast};
+use katydid_elementary::Elementary;
 use katydid_geometry::{
     ArcLength, Box3, Brep, Interval, MeshSettings, Plane, Point2, Point3, Rectangle, Vector3,
 };
@@ -150,7 +151,7 @@ fn populate_3d(
     #[port("Points", "P", optional)]
     points: List<Point3>,
 ) -> Result<Vec<Point3>, Message> {
-    let size = (region.volume().abs() / f64::from(count.max(1))).cbrt();
+    let size = (region.volume().abs() / f64::from(count.max(1))).cube_root();
     strew(context, (count, seed), points.present(), size, |random| {
         let (u, v, w) = (random.next_double(), random.next_double(), random.next_double());
         Some(region.at(u, v, w))
@@ -187,7 +188,7 @@ fn freeform_cloud(
         extent *= side;
         dimensions += 1;
     }
-    let size = (extent / f64::from(count.max(1))).powf(1.0 / f64::from(dimensions.max(1)));
+    let size = (extent / f64::from(count.max(1))).raised_to(1.0 / f64::from(dimensions.max(1)));
     let cloud = strew(context, (count, 1), std::iter::empty(), size, |random| {
         let (u, v, w) = (random.next_double(), random.next_double(), random.next_double());
         Some(around.at(u, v, w))

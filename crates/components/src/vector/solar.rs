@@ -2,6 +2,7 @@
 
 use katydid_component::component;
 use katydid_data::{Colour, DateTime, Location};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Plane, Vector3};
 
 /// The sun's direction at a place, as the parts of a unit vector to the east, to the north and up.
@@ -12,18 +13,18 @@ fn sun(place: Location, time: DateTime) -> [f64; 3] {
     // Days since noon of 1 January 2000; year 1 of the calendar begins at Julian date 1 721 425.5.
     let n = time.ticks as f64 / 864e9 + 1_721_425.5 - 2_451_545.0;
     let anomaly = (357.528 + 0.985_600_3 * n).to_radians();
-    let longitude = 280.460 + 0.985_647_4 * n + 1.915 * anomaly.sin() + 0.020 * (2.0 * anomaly).sin();
+    let longitude = 280.460 + 0.985_647_4 * n + 1.915 * anomaly.sine() + 0.020 * (2.0 * anomaly).sine();
     let longitude = longitude.to_radians();
     let obliquity = (23.439 - 4e-7 * n).to_radians();
-    let ascension = (obliquity.cos() * longitude.sin()).atan2(longitude.cos());
-    let declination = (obliquity.sin() * longitude.sin()).asin();
+    let ascension = (obliquity.cosine() * longitude.sine()).arctangent_of(longitude.cosine());
+    let declination = (obliquity.sine() * longitude.sine()).arcsine();
     let sidereal_hours = 18.697_374_558 + 24.065_709_824_419_08 * n;
     let hour_angle = (sidereal_hours.rem_euclid(24.0) * 15.0 + place.longitude).to_radians() - ascension;
     let latitude = place.latitude.to_radians();
     [
-        -declination.cos() * hour_angle.sin(),
-        latitude.cos() * declination.sin() - latitude.sin() * declination.cos() * hour_angle.cos(),
-        latitude.sin() * declination.sin() + latitude.cos() * declination.cos() * hour_angle.cos(),
+        -declination.cosine() * hour_angle.sine(),
+        latitude.cosine() * declination.sine() - latitude.sine() * declination.cosine() * hour_angle.cosine(),
+        latitude.sine() * declination.sine() + latitude.cosine() * declination.cosine() * hour_angle.cosine(),
     ]
 }
 
@@ -64,7 +65,7 @@ fn solar_incidence(
 ) -> (Vector3, f64, bool, Colour) {
     let [east, north, up] = sun(location, time);
     let towards = plane.x_axis * east + plane.y_axis * north + plane.z_axis * up;
-    let elevation = up.clamp(-1.0, 1.0).asin();
+    let elevation = up.clamp(-1.0, 1.0).arcsine();
     (-towards, elevation, elevation > 0.0, colour(elevation))
 }
 

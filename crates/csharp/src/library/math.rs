@@ -1,5 +1,7 @@
 //! `System.Math`.
 
+use katydid_elementary::Elementary;
+
 use super::{Cx, Native};
 use crate::vm::Raise;
 use crate::vm::value::Value;
@@ -11,26 +13,26 @@ pub(super) fn find(key: &str) -> Option<Native> {
         };
     }
     Some(match key {
-        "Math.Sin(Double)" => real!(f64::sin),
-        "Math.Cos(Double)" => real!(f64::cos),
-        "Math.Tan(Double)" => real!(f64::tan),
-        "Math.Asin(Double)" => real!(f64::asin),
-        "Math.Acos(Double)" => real!(f64::acos),
-        "Math.Atan(Double)" => real!(f64::atan),
-        "Math.Sinh(Double)" => real!(f64::sinh),
-        "Math.Cosh(Double)" => real!(f64::cosh),
-        "Math.Tanh(Double)" => real!(f64::tanh),
-        "Math.Exp(Double)" => real!(f64::exp),
+        "Math.Sin(Double)" => real!(f64::sine),
+        "Math.Cos(Double)" => real!(f64::cosine),
+        "Math.Tan(Double)" => real!(f64::tangent),
+        "Math.Asin(Double)" => real!(f64::arcsine),
+        "Math.Acos(Double)" => real!(f64::arccosine),
+        "Math.Atan(Double)" => real!(f64::arctangent),
+        "Math.Sinh(Double)" => real!(f64::hyperbolic_sine),
+        "Math.Cosh(Double)" => real!(f64::hyperbolic_cosine),
+        "Math.Tanh(Double)" => real!(f64::hyperbolic_tangent),
+        "Math.Exp(Double)" => real!(f64::exponential),
         "Math.Sqrt(Double)" => real!(f64::sqrt),
-        "Math.Cbrt(Double)" => real!(f64::cbrt),
-        "Math.Log(Double)" => real!(f64::ln),
-        "Math.Log10(Double)" => real!(f64::log10),
+        "Math.Cbrt(Double)" => real!(f64::cube_root),
+        "Math.Log(Double)" => real!(f64::logarithm),
+        "Math.Log10(Double)" => real!(f64::logarithm_10),
         "Math.Floor(Double)" => real!(f64::floor),
         "Math.Ceiling(Double)" => real!(f64::ceil),
         "Math.Truncate(Double)" => real!(f64::trunc),
         "Math.Abs(Double)" => real!(f64::abs),
         "Math.Round(Double)" => real!(f64::round_ties_even),
-        "Math.Atan2(Double,Double)" => |cx| Ok(Value::F64(cx.real(0).atan2(cx.real(1)))),
+        "Math.Atan2(Double,Double)" => |cx| Ok(Value::F64(cx.real(0).arctangent_of(cx.real(1)))),
         "Math.Pow(Double,Double)" => |cx| Ok(Value::F64(power(cx.real(0), cx.real(1)))),
         "Math.IEEERemainder(Double,Double)" => |cx| {
             let (x, y) = (cx.real(0), cx.real(1));
@@ -51,7 +53,7 @@ fn power(x: f64, y: f64) -> f64 {
     if x.abs() == 1.0 && y.is_infinite() {
         return if x == -1.0 { f64::NAN } else { 1.0 };
     }
-    x.powf(y)
+    x.raised_to(y)
 }
 
 /// The Framework's rounding: scaled by a power of ten, rounded, scaled back.

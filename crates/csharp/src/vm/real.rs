@@ -1,5 +1,7 @@
 //! Functions of one number that are operations of their own.
 
+use katydid_elementary::Elementary;
+
 /// A function of `System.Math`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "their names say it")]
@@ -38,12 +40,12 @@ impl Real {
     #[inline]
     pub fn of(self, x: f64) -> f64 {
         match self {
-            Self::Sin => x.sin(),
-            Self::Cos => x.cos(),
-            Self::Tan => x.tan(),
+            Self::Sin => x.sine(),
+            Self::Cos => x.cosine(),
+            Self::Tan => x.tangent(),
             Self::Sqrt => x.sqrt(),
-            Self::Exp => x.exp(),
-            Self::Log => x.ln(),
+            Self::Exp => x.exponential(),
+            Self::Log => x.logarithm(),
             Self::Abs => x.abs(),
             Self::Floor => x.floor(),
             Self::Ceiling => x.ceil(),

@@ -1,15 +1,17 @@
 //! Colours: screens show sRGB (IEC 61966-2-1), glTF states light.
 
+use katydid_elementary::Elementary;
+
 /// A part of a colour on the screen, of 255, as a share of light.
 pub(super) fn to_light(part: u8) -> f64 {
     let c = f64::from(part) / 255.0;
-    if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).raised_to(2.4) }
 }
 
 /// A share of light as a part of a colour on the screen, of 255.
 pub(super) fn to_screen(light: f64) -> u8 {
     let c = light.clamp(0.0, 1.0);
-    let c = if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
+    let c = if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.raised_to(1.0 / 2.4) - 0.055 };
     (c * 255.0).round() as u8
 }
 

@@ -6,6 +6,7 @@ use katydid_3dm::{
     Annotation, Annotation2, Annotation2Kind, Annotation5, Annotation5Kind, AnnotationKind, Hatch, HatchFill,
     Model, StoredPlane, TextDot,
 };
+use katydid_elementary::Elementary;
 use katydid_geometry::{Plane, Vector3, Xform};
 use uuid::Uuid;
 
@@ -58,7 +59,7 @@ impl Styles {
             _ => 1.0,
         };
         let mut label = label(text, &annotation.plane, height, [across, upward]);
-        let (sin, cos) = content.rotation.sin_cos();
+        let (sin, cos) = content.rotation.sine_cosine();
         let [x, y] = label.axes;
         label.axes = [x * cos + y * sin, y * cos - x * sin];
         shown(label)

@@ -1,5 +1,6 @@
 //! Curves that are no cubics as cubic Béziers within a tolerance.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Curve, NurbsCurve, Vector3};
 
 use super::path::{Place, place};
@@ -34,7 +35,7 @@ fn divide(curve: &Curve, [from, to]: [f64; 2], tolerance: f64, halvings: u32, ou
         let s = f64::from(i) / f64::from(SAMPLES + 1);
         let [x, y] = at(&cubic, s);
         let [p, q] = place(curve.point_at(from + (to - from) * s));
-        (x - p).hypot(y - q) <= tolerance
+        (x - p).hypotenuse(y - q) <= tolerance
     });
     if is_near || halvings == 0 || !(from < middle && middle < to) {
         out.push([cubic[1], cubic[2], cubic[3]]);

@@ -1,5 +1,7 @@
 //! Circles seen from any side, and conics, as ellipses with their axes.
 
+use katydid_elementary::Elementary;
+
 use super::path::Place;
 
 /// The places center + u·cos t + v·sin t: an ellipse by two conjugate radii.
@@ -25,7 +27,7 @@ const ROUNDEST: f64 = 1e-12;
 
 impl Ellipse {
     pub(super) fn at(&self, angle: f64) -> Place {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         [0, 1].map(|i| self.center[i] + self.u[i] * cos + self.v[i] * sin)
     }
 
@@ -39,7 +41,7 @@ impl Ellipse {
     pub(super) fn axes(&self) -> Option<Axes> {
         let ([a, c], [b, d]) = (self.u, self.v);
         let (e, f, g, h) = ((a + d) / 2.0, (a - d) / 2.0, (c + b) / 2.0, (c - b) / 2.0);
-        let (q, r) = (e.hypot(h), f.hypot(g));
+        let (q, r) = (e.hypotenuse(h), f.hypotenuse(g));
         let (major, minor) = (q + r, (q - r).abs());
         if minor <= THINNEST * major {
             return None;
@@ -47,15 +49,16 @@ impl Ellipse {
         if minor >= major * (1.0 - ROUNDEST) {
             return Some(Axes { major, minor: major, degrees: 0.0 });
         }
-        let angle = (h.atan2(e) + g.atan2(f)) / 2.0;
+        let angle = (h.arctangent_of(e) + g.arctangent_of(f)) / 2.0;
         Some(Axes { major, minor, degrees: angle.to_degrees() })
     }
 
     /// The angles between two at which the ellipse, seen as a line, turns back.
     pub(super) fn turns(&self, from: f64, to: f64) -> Vec<f64> {
-        let along = if self.u[0].hypot(self.u[1]) > self.v[0].hypot(self.v[1]) { self.u } else { self.v };
+        let along =
+            if self.u[0].hypotenuse(self.u[1]) > self.v[0].hypotenuse(self.v[1]) { self.u } else { self.v };
         let dot = |a: Place| a[0] * along[0] + a[1] * along[1];
-        let first = dot(self.v).atan2(dot(self.u));
+        let first = dot(self.v).arctangent_of(dot(self.u));
         let (low, high) = (from.min(to), from.max(to));
         let pi = std::f64::consts::PI;
         let start = ((low - first) / pi).ceil();
@@ -84,7 +87,7 @@ pub(super) fn conic([p0, p1, p2]: [Place; 3], weights: &[f64]) -> Option<(Ellips
     let u = [0, 1].map(|i| shoulder[i] - center[i]);
     let v = [0, 1].map(|i| (p2[i] - p0[i]) / (2.0 * rest.sqrt()));
     let ellipse = Ellipse { center, u, v };
-    ellipse.axes().map(|_| (ellipse, w.acos()))
+    ellipse.axes().map(|_| (ellipse, w.arccosine()))
 }
 
 #[cfg(test)]

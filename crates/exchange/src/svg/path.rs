@@ -1,5 +1,6 @@
 //! The data of a path: moves, lines, elliptic arcs, quadratic and cubic Béziers.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{ArcCurve, Curve, NurbsCurve, Point3};
 
 use super::cubic::cubics;
@@ -169,5 +170,5 @@ impl<'t, 'o> Path<'t, 'o> {
 /// Whether two places are the same but for rounding.
 fn near(a: Place, b: Place) -> bool {
     let size = a.iter().chain(&b).fold(0.0_f64, |most, x| most.max(x.abs()));
-    (a[0] - b[0]).hypot(a[1] - b[1]) <= 1e-9 * size
+    (a[0] - b[0]).hypotenuse(a[1] - b[1]) <= 1e-9 * size
 }

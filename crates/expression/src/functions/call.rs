@@ -1,5 +1,6 @@
 use std::sync::Arc;
 
+use katydid_elementary::Elementary;
 use katydid_geometry::Point3;
 
 use super::{Function, numeric, text};
@@ -65,7 +66,7 @@ pub(crate) fn call(function: Function, values: &[Variant]) -> Evaluated {
         Function::Distance => Ok(Variant::Number(a.point(0)?.distance_to(a.point(1)?))),
         Function::DistanceXY => {
             let (p, q) = (a.point(0)?, a.point(1)?);
-            Ok(Variant::Number((q.x - p.x).hypot(q.y - p.y)))
+            Ok(Variant::Number((q.x - p.x).hypotenuse(q.y - p.y)))
         }
         Function::Angle => arithmetic::angle(a.point(0)?, a.point(1)?),
         Function::CrossProduct => {

@@ -3,6 +3,8 @@
 //! Outside its domain a function gives NaN or infinity, or `None` where that would hide the reason; the caller
 //! makes an error of it.
 
+use katydid_elementary::Elementary;
+
 use super::Function;
 use crate::circular;
 
@@ -17,22 +19,22 @@ pub(crate) fn of_one(function: Function) -> Option<fn(f64) -> f64> {
     Some(match function {
         Function::Sin => circular::sin,
         Function::Cos => circular::cos,
-        Function::Tan => f64::tan,
-        Function::ASin => f64::asin,
-        Function::ACos => f64::acos,
-        Function::ATan => f64::atan,
+        Function::Tan => f64::tangent,
+        Function::ASin => f64::arcsine,
+        Function::ACos => f64::arccosine,
+        Function::ATan => f64::arctangent,
         Function::Sec => |x| 1.0 / circular::cos(x),
         Function::Csc => |x| 1.0 / circular::sin(x),
         Function::Cot => |x| circular::cos(x) / circular::sin(x),
         Function::Sinc => |x| if x == 0.0 { 1.0 } else { circular::sin(x) / x },
-        Function::Sinh => f64::sinh,
-        Function::Cosh => f64::cosh,
-        Function::Tanh => f64::tanh,
+        Function::Sinh => f64::hyperbolic_sine,
+        Function::Cosh => f64::hyperbolic_cosine,
+        Function::Tanh => f64::hyperbolic_tangent,
         Function::Sqrt => f64::sqrt,
-        Function::Exp => f64::exp,
-        Function::Pow10 => |x| 10f64.powf(x),
-        Function::Ln => f64::ln,
-        Function::Log | Function::Log10 => f64::log10,
+        Function::Exp => f64::exponential,
+        Function::Pow10 => |x| 10f64.raised_to(x),
+        Function::Ln => f64::logarithm,
+        Function::Log | Function::Log10 => f64::logarithm_10,
         Function::Floor | Function::Int => f64::floor,
         Function::Ceiling => f64::ceil,
         Function::Fix | Function::Trunc => f64::trunc,
@@ -56,9 +58,9 @@ pub(crate) fn sweeping(function: Function) -> Option<fn(&mut [f64])> {
 /// A function of two numbers.
 pub(crate) fn of_two(function: Function) -> Option<OfTwo> {
     Some(match function {
-        Function::ATan2 => |y, x| Some(y.atan2(x)),
+        Function::ATan2 => |y, x| Some(y.arctangent_of(x)),
         Function::Pow => |x, n| Some(power(x, n)),
-        Function::LogN => |x, base| Some(x.ln() / base.ln()),
+        Function::LogN => |x, base| Some(x.logarithm() / base.logarithm()),
         Function::Round => round_to,
         _ => return None,
     })
@@ -73,7 +75,7 @@ pub(crate) fn of_many(function: Function) -> Option<OfMany> {
         Function::Mean => |v| Some(v.iter().copied().reduce(|a, b| a + b)? / v.len() as f64),
         Function::GMean => |v| {
             let product = v.iter().copied().reduce(|a, b| a * b)?;
-            Some(product.powf(1.0 / v.len() as f64))
+            Some(product.raised_to(1.0 / v.len() as f64))
         },
         Function::HMean => |v| {
             if v.contains(&0.0) {
@@ -97,7 +99,7 @@ pub(crate) fn of_many(function: Function) -> Option<OfMany> {
 /// The power; a square is a product, which is exact to the last bit and many times faster.
 #[inline]
 pub(crate) fn power(x: f64, n: f64) -> f64 {
-    if n == 2.0 { x * x } else { x.powf(n) }
+    if n == 2.0 { x * x } else { x.raised_to(n) }
 }
 
 /// Rounded to a number of decimals as .NET's `Math.Round(x, digits)` does it: scaled by the power of ten,

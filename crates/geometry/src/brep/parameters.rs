@@ -1,6 +1,8 @@
 //! What becomes of trims when a surface takes a form with other parameters: a surface of revolution, or a sum with an
 //! arc in it, as a NURBS surface. Each parameter moves for itself, and only along arcs.
 
+use katydid_elementary::Elementary;
+
 use super::trimmed::followed;
 use crate::{Arc, Curve, Direction, Interval, Line, LineCurve, Plane, Point3, Result, Surface, Vector3};
 
@@ -23,7 +25,7 @@ impl ArcStretch {
     fn new(angle: f64, domain: Interval) -> Self {
         let spans = Arc::spans_of(angle);
         let half = angle.abs() / (2.0 * spans as f64);
-        Self { domain, spans: spans as f64, quarter: (0.5 * half).tan(), half }
+        Self { domain, spans: spans as f64, quarter: (0.5 * half).tangent(), half }
     }
 
     /// The conic's parameter for the arc's, and how fast the one grows with the other.
@@ -38,12 +40,12 @@ impl ArcStretch {
             return (t, self.pace(2.0 * local - 1.0));
         }
         let from_middle = 2.0 * local - 1.0;
-        let tangent = (0.5 * self.half * from_middle).tan() / self.quarter;
+        let tangent = (0.5 * self.half * from_middle).tangent() / self.quarter;
         (self.domain.at((span + 0.5 * (1.0 + tangent)) / self.spans), self.pace(from_middle))
     }
 
     fn pace(&self, from_middle: f64) -> f64 {
-        let cos = (0.5 * self.half * from_middle).cos();
+        let cos = (0.5 * self.half * from_middle).cosine();
         0.5 * self.half / (self.quarter * cos * cos)
     }
 }

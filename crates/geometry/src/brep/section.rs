@@ -6,6 +6,7 @@ use crate::brep::thresholds::{PLANE_ROUNDING, SECTION_GAP, SIDE_STEP, SIDE_STEPS
 use crate::thresholds;
 use std::sync::Arc as Shared;
 
+use katydid_elementary::Elementary;
 use pieces::Cut;
 
 use super::{Brep, ClosestOnBrep};
@@ -157,7 +158,7 @@ impl BrepSections {
         // The face lies to the left of its trims.
         let inward = crate::Vector3::new(-along.y, along.x, 0.0).unitized()?;
         let spans = crate::Direction::BOTH.map(|d| surface.domain(d).length());
-        let reach = (inward.x.abs() / spans[0]).hypot(inward.y.abs() / spans[1]).recip();
+        let reach = (inward.x.abs() / spans[0]).hypotenuse(inward.y.abs() / spans[1]).recip();
         for part in SIDE_STEPS {
             let p = at + inward * (part * reach);
             let height = plane.signed_distance(surface.point_at(p.x, p.y));

@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::{check_points2, turn};
 use crate::thresholds;
 use crate::{
@@ -133,7 +135,7 @@ pub(super) fn outline(
         let inside = ring.iter().zip(next).all(|(&a, &b)| (b - a).cross(center - a) >= 0.0);
         return Ok(inside.then(|| circle.into()));
     }
-    let angle = |p: Point2| (p.y - center.y).atan2(p.x - center.x);
+    let angle = |p: Point2| (p.y - center.y).arctangent_of(p.x - center.x);
     let mut pieces: Vec<Curve> = Vec::with_capacity(2 * sides.len());
     for (&(a, b), &(c, _)) in sides.iter().zip(sides.iter().cycle().skip(1)) {
         pieces.push(Line::new(at(a), at(b)).into());

@@ -1,5 +1,7 @@
 //! Surfaces near curves and points.
 
+use katydid_elementary::Elementary;
+
 use crate::linear::Banded;
 use crate::nurbs::clamped_uniform_knots;
 use crate::region::{FillRule, Region};
@@ -158,7 +160,7 @@ impl Heights {
 fn heights(local: &[([f64; 3], f64)], domains: [Interval; 2], options: &PatchOptions) -> Result<Heights> {
     let counts = options.spans.map(|n| n + DEGREE);
     let knots = [knots(domains[0], counts[0])?, knots(domains[1], counts[1])?];
-    let size = domains[0].length().hypot(domains[1].length());
+    let size = domains[0].length().hypotenuse(domains[1].length());
     // Heights in units of the size.
     let (rows, columns) = (counts[0], counts[1]);
     let mut system = Banded::new(rows * columns, DEGREE * columns + DEGREE, vec![[0.0; 3]; rows * columns])?;

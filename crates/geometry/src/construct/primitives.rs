@@ -4,6 +4,8 @@ use crate::construct::thresholds::ROUND_TOLERANCE;
 use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use katydid_elementary::Elementary;
+
 use crate::brep::{Along, Builder, LoopKind, Path};
 use crate::{
     Box3, Brep, Circle, Cone, Curve, Cylinder, Error, Interval, Line, LineCurve, NurbsSurface, Plane,
@@ -116,7 +118,7 @@ pub fn quad_sphere(shape: &Sphere) -> Result<Brep> {
 /// of radius √2, 15° to both sides of the middle. A rational biquadratic patch of the plane with these arcs as its
 /// sides, lifted back, is biquartic and exact.
 fn side_of_sphere() -> Result<NurbsSurface> {
-    let (corner, weight) = (0.5 * (3.0_f64.sqrt() - 1.0), (std::f64::consts::PI / 12.0).cos());
+    let (corner, weight) = (0.5 * (3.0_f64.sqrt() - 1.0), (std::f64::consts::PI / 12.0).cosine());
     let middle = 2.0_f64.sqrt() / weight - 1.0;
     let flat = |i: usize, j: usize| -> [f64; 3] {
         let sign = |k: usize| k as f64 - 1.0;

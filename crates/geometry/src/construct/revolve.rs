@@ -1,5 +1,7 @@
 //! Curves turned about an axis.
 
+use katydid_elementary::Elementary;
+
 use super::check;
 use crate::construct::thresholds::NO_ANGLE;
 use crate::nurbs::check_net;
@@ -105,6 +107,6 @@ pub fn rail_revolve(
 fn foot_of(profile: &crate::NurbsCurve, frame: &Plane) -> (f64, f64) {
     let domain = profile.domain();
     let [a, b] = [domain.start, domain.end].map(|t| frame.coordinates(profile.point_at(t)));
-    let nearer = if a[0].hypot(a[1]) <= b[0].hypot(b[1]) { a } else { b };
+    let nearer = if a[0].hypotenuse(a[1]) <= b[0].hypotenuse(b[1]) { a } else { b };
     (nearer[2], (a[2] - b[2]).abs())
 }

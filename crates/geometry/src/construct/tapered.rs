@@ -1,5 +1,7 @@
 //! Polygons extruded with sides that lean.
 
+use katydid_elementary::Elementary;
+
 use crate::construct::thresholds::UPRIGHT;
 use crate::thresholds;
 use crate::{Brep, Error, Plane, Point3, PolylineCurve, Result, Tolerance, Vector3};
@@ -43,7 +45,7 @@ pub fn extrude_angled(
         .map(|a| {
             let fits = a.is_finite() && a.abs() < right - UPRIGHT;
             if fits {
-                Ok(a.tan())
+                Ok(a.tangent())
             } else {
                 Err(Error::OutOfRange { what: "angle", value: a, must: "less than a right angle" })
             }
@@ -150,7 +152,7 @@ fn crosses_itself(ring: &[Point3], plane: &Plane, limit: f64) -> bool {
         .collect();
     let side = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
         let cross = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = (b[0] - a[0]).hypotenuse(b[1] - a[1]);
         if cross.abs() <= limit * length { 0.0 } else { cross.signum() }
     };
     (0..n).any(|i| {

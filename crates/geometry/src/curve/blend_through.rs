@@ -1,5 +1,7 @@
 //! Curves that lead from one curve end to another by way of a point.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use super::blend::blend_between;
 use crate::curve::thresholds::{FIRST_DAMPING, LEAST_DAMPING};
@@ -25,8 +27,9 @@ impl Curve {
         if !point.is_finite() {
             return Err(Error::NotFinite("point to blend through"));
         }
-        let blend =
-            |x: [f64; 2]| -> Result<Self> { Ok(blend_between(self, next, orders, x.map(f64::exp))?.into()) };
+        let blend = |x: [f64; 2]| -> Result<Self> {
+            Ok(blend_between(self, next, orders, x.map(f64::exponential))?.into())
+        };
         let mut x = [0.0_f64; 2];
         let mut best = blend(x)?;
         let mut near = best.closest_point(point)?;

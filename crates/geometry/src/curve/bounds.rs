@@ -1,5 +1,7 @@
 //! How far a curve reaches.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use super::piece::Shape;
 use crate::bernstein::{BUDGET, halves};
@@ -20,7 +22,7 @@ impl Curve {
             take(along(piece.end()));
             if let Shape::Arc(arc) = piece.shape {
                 let plane = &arc.circle.plane;
-                let top = plane.y_axis.dot(direction).atan2(plane.x_axis.dot(direction));
+                let top = plane.y_axis.dot(direction).arctangent_of(plane.x_axis.dot(direction));
                 for angle in [top, top + std::f64::consts::PI] {
                     let turn = std::f64::consts::TAU;
                     let first = angle + ((arc.angle.min() - angle) / turn).ceil() * turn;

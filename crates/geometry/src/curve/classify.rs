@@ -1,5 +1,7 @@
 //! What kind of curve a curve is.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use crate::curve::thresholds::{ABOUT_WHOLE_TURN, NO_X_AXIS, SAME_BEND, STRAIGHT_END_FLOOR, TIE_BREAK};
 use crate::thresholds;
@@ -85,7 +87,7 @@ impl Curve {
             Self::Line(_) => line.length() > 0.0,
             Self::Arc(c) => {
                 let half = 0.5 * c.arc.angle.length().abs();
-                let rise = c.arc.circle.radius * (1.0 - half.cos());
+                let rise = c.arc.circle.radius * (1.0 - half.cosine());
                 half < std::f64::consts::FRAC_PI_2 && rise <= tolerance && line.length() > tolerance
             }
             _ => {
@@ -154,7 +156,7 @@ impl Curve {
                 {
                     return None;
                 }
-                let mut angle = y.atan2(x);
+                let mut angle = y.arctangent_of(x);
                 angle += ((last - angle) / turn).round() * turn;
                 if angle < last - tolerance / circle.radius || angle > last + turn / 2.0 {
                     return None;

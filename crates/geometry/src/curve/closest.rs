@@ -1,5 +1,7 @@
 //! The point of a curve nearest to a given one.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use super::closest_part::{Best, Parts};
 use super::piece::{Piece, Shape};
@@ -166,7 +168,7 @@ fn hull_of(piece: &Piece<'_>) -> Bounds {
             let (r, plane) = (arc.circle.radius, &arc.circle.plane);
             let centre = xyz(plane.origin);
             let (x, y): ([f64; 3], [f64; 3]) = (plane.x_axis.into(), plane.y_axis.into());
-            let reach = |c: usize| r * x[c].hypot(y[c]) * (1.0 + WIDER_BOX);
+            let reach = |c: usize| r * x[c].hypotenuse(y[c]) * (1.0 + WIDER_BOX);
             [std::array::from_fn(|c| centre[c] - reach(c)), std::array::from_fn(|c| centre[c] + reach(c))]
         }
         Shape::Span(curve, j) => bounds_of(curve.span_hull(j).map(xyz)),
@@ -230,7 +232,7 @@ impl Arc {
         }
         let (low, high) = (self.angle.min(), self.angle.max());
         let turn = std::f64::consts::TAU;
-        let mut angle = y.atan2(x);
+        let mut angle = y.arctangent_of(x);
         // The representative at or after the lower end.
         angle += ((low - angle) / turn).ceil() * turn;
         if angle <= high {

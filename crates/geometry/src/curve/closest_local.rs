@@ -1,5 +1,7 @@
 //! All the points of a curve that are nearer to a given one than their neighbours.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use super::closest::CurvePoint;
 use super::piece::{Piece, Shape};
@@ -46,7 +48,7 @@ fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
     if x.abs() <= tiny && y.abs() <= tiny {
         return Course { inside: Vec::new(), start: 0.0, end: 0.0 };
     }
-    let direction = y.atan2(x);
+    let direction = y.arctangent_of(x);
     let (low, high) = (arc.angle.min(), arc.angle.max());
     let turn = std::f64::consts::TAU;
     let first = direction + ((low - direction) / turn).ceil() * turn;
@@ -54,7 +56,7 @@ fn along_arc(arc: &crate::Arc, q: Point3) -> Course {
     let forward = if arc.angle.start <= arc.angle.end { 1.0 } else { -1.0 };
     // At an end that is nearest or farthest itself, as just inside.
     let slope = |angle: f64, inward: f64| {
-        let (sine, cosine) = (angle - direction).sin_cos();
+        let (sine, cosine) = (angle - direction).sine_cosine();
         match forward * sign(sine, thresholds::FEW_ROUNDINGS) {
             0.0 if cosine > 0.0 => inward,
             0.0 => -inward,

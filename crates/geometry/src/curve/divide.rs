@@ -1,5 +1,7 @@
 //! Points along a curve at equal lengths or distances.
 
+use katydid_elementary::Elementary;
+
 use super::piece::Shape;
 use super::{ArcLength, Curve};
 use crate::bernstein::{first_rise, squared_distance, value};
@@ -158,7 +160,7 @@ impl LocatedBezier<'_> {
                 let (low, high) = (arc.angle.at(self.part as f64 / self.parts as f64), arc.angle.end);
                 let [u, v, _] = arc.circle.plane.coordinates(point);
                 let turn = std::f64::consts::TAU;
-                let angle = v.atan2(u);
+                let angle = v.arctangent_of(u);
                 (angle + ((low - angle) / turn).ceil() * turn).min(high)
             }
             _ => self.piece.own.at((self.part as f64 + x) / self.parts as f64),

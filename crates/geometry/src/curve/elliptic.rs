@@ -3,6 +3,8 @@
 use crate::curve::thresholds::{NO_ELLIPSE, NO_PIVOT, OVER_TURN, WHOLE_ELLIPSE};
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use crate::{Ellipse, Interval, NurbsCurve, Plane, Point3, Result, Vector3, Xform};
 
@@ -68,11 +70,11 @@ impl Curve {
         let mut first = 0.0;
         for &(_, _, p) in &samples {
             let [x, y, z] = ellipse.plane.coordinates(p);
-            let angle = (y / ellipse.ry).atan2(x / ellipse.rx);
+            let angle = (y / ellipse.ry).arctangent_of(x / ellipse.rx);
             // First-order distance: the implicit function over its gradient.
             let (u, v) = (x / ellipse.rx, y / ellipse.ry);
             let value = u * u + v * v - 1.0;
-            let gradient = 2.0 * (u / ellipse.rx).hypot(v / ellipse.ry);
+            let gradient = 2.0 * (u / ellipse.rx).hypotenuse(v / ellipse.ry);
             if !(value.abs() <= tolerance * gradient && z.abs() <= tolerance) {
                 return None;
             }
@@ -131,8 +133,8 @@ fn fitted(samples: &[(f64, f64, Point3)], plane: &Plane) -> Option<Ellipse> {
     let (x0, y0) = ((cb * ce - 2.0 * cc * cd) / determinant, (cb * cd - 2.0 * ca * ce) / determinant);
     let level = -(ca * x0 * x0 + cb * x0 * y0 + cc * y0 * y0 + cd * x0 + ce * y0 + cf);
     // The axes are those of the quadratic form.
-    let half = 0.5 * cb.atan2(ca - cc);
-    let (sin, cos) = half.sin_cos();
+    let half = 0.5 * cb.arctangent_of(ca - cc);
+    let (sin, cos) = half.sine_cosine();
     let big = ca * cos * cos + cb * cos * sin + cc * sin * sin;
     let small = ca * sin * sin - cb * cos * sin + cc * cos * cos;
     let (r_big, r_small) = ((level / big).sqrt() * size, (level / small).sqrt() * size);

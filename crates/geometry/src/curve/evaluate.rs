@@ -4,6 +4,8 @@ use crate::curve::thresholds::{STRAIGHT_FRAME, VANISHES};
 use crate::thresholds;
 use std::f64::consts::FRAC_PI_2;
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use crate::{Circle, Line, Plane, Point3, Vector3};
 
@@ -52,7 +54,7 @@ impl Curve {
                         c.point_at(t).to_vector()
                     } else {
                         size *= speed;
-                        let (sin, cos) = (angle + FRAC_PI_2 * (k % 4) as f64).sin_cos();
+                        let (sin, cos) = (angle + FRAC_PI_2 * (k % 4) as f64).sine_cosine();
                         plane.x_axis * (size * cos) + plane.y_axis * (size * sin)
                     };
                 }

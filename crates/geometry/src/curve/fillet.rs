@@ -1,5 +1,7 @@
 //! Corners rounded and cut.
 
+use katydid_elementary::Elementary;
+
 use super::{ArcLength, Continuity, Curve, PolyCurve};
 use crate::curve::thresholds::{
     BALL_MOVES, FILLET_ROOM, FOUND_AT_LEAST, FOUND_FIRST, SHORTEST_STEP, SINGULAR, UNITS_IN_LAST_PLACE,
@@ -70,7 +72,7 @@ impl Curve {
             }
             let wanted = (done + step).min(radius);
             // A first guess by the straight corner: both feet move back by r·tan(turn/2).
-            let back = (wanted - done) * (0.5 * turn).tan();
+            let back = (wanted - done) * (0.5 * turn).tangent();
             let (va, vb) = (jet(self, at.s, true).1.length(), jet(next, at.t, false).1.length());
             let mut guess = Contact { s: at.s - back / va, t: at.t + back / vb };
             let mut found = false;
@@ -107,7 +109,7 @@ impl Curve {
                     break;
                 }
             }
-            let jump = 4.0 * (wanted - done) * (1.0 + (0.5 * turn).tan());
+            let jump = 4.0 * (wanted - done) * (1.0 + (0.5 * turn).tangent());
             let moved = self.point_at(guess.s).distance_to(self.point_at(at.s));
             if found && moved <= jump.max(BALL_MOVES) && guess.s <= at.s && guess.t >= at.t {
                 at = guess;
@@ -179,7 +181,7 @@ impl Curve {
         let arriving = self.tangent_on_side(self.domain().end, true).ok_or_else(none)?;
         let leaving = next.tangent_on_side(next.domain().start, false).ok_or_else(none)?;
         let cross = arriving.cross(leaving);
-        let turn = cross.length().atan2(arriving.dot(leaving));
+        let turn = cross.length().arctangent_of(arriving.dot(leaving));
         if !(cross.length() > thresholds::PARALLEL) {
             return Err(Error::degenerate("corner", "the curves run on smoothly or straight back"));
         }
@@ -241,7 +243,7 @@ impl Curve {
     /// the distance grows with the radius.
     fn fillet_reaching(&self, next: &Self, distance: f64, tolerance: &Tolerance) -> Result<CornerPiece> {
         let (_, turn) = self.corner_with(next, tolerance)?;
-        let mut radius = distance / (0.5 * turn).tan();
+        let mut radius = distance / (0.5 * turn).tangent();
         for _ in 0..50 {
             let made = self.fillet_with(next, radius, tolerance)?;
             let corner = self.end();
@@ -361,6 +363,6 @@ fn arc_between(center: Point3, p: Point3, q: Point3, normal: Vector3) -> Result<
     let frame = Plane::from_axes(center, x, normal.cross(x))?;
     let circle = Circle::new(frame, x.length())?;
     let [u, v, _] = frame.coordinates(q);
-    let angle = v.atan2(u);
+    let angle = v.arctangent_of(u);
     Arc::new(circle, Interval::new(0.0, if angle <= 0.0 { angle + std::f64::consts::TAU } else { angle }))
 }

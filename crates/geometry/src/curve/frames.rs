@@ -1,5 +1,7 @@
 //! Frames along a curve that do not twist about it.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use crate::curve::thresholds::{NO_HORIZONTAL, NO_ROTATION};
 use crate::{Plane, Vector3, cancellation};
@@ -98,7 +100,7 @@ fn double_reflection(back: Vector3, old_t: Vector3, old_x: Vector3, new_t: Vecto
 /// `x` turned by the smallest rotation from `a` to `b`.
 fn turned(x: Vector3, a: Vector3, b: Vector3) -> Option<Vector3> {
     let axis = a.cross(b);
-    if axis.length() < NO_ROTATION { Some(x) } else { x.rotated(axis.length().atan2(a.dot(b)), axis) }
+    if axis.length() < NO_ROTATION { Some(x) } else { x.rotated(axis.length().arctangent_of(a.dot(b)), axis) }
 }
 
 #[cfg(test)]

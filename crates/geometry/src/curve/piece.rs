@@ -1,5 +1,7 @@
 //! Any curve as a list of smooth pieces: segments, arcs and single NURBS spans.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use crate::{Arc, Interval, NurbsCurve, Point3, Vector3};
 
@@ -30,7 +32,7 @@ impl Piece<'_> {
         match self.shape {
             Shape::Segment(a, b) => [a.lerp(b, u).to_vector(), b - a, Vector3::ZERO],
             Shape::Arc(arc) => {
-                let (sin, cos) = u.sin_cos();
+                let (sin, cos) = u.sine_cosine();
                 let (r, plane) = (arc.circle.radius, &arc.circle.plane);
                 let out = plane.x_axis * (r * cos) + plane.y_axis * (r * sin);
                 let along = plane.y_axis * (r * cos) - plane.x_axis * (r * sin);

@@ -1,5 +1,7 @@
 //! The speed |C′| along single spans, in a form that is cheap to evaluate and to integrate.
 
+use katydid_elementary::Elementary;
+
 use crate::NurbsCurve;
 use crate::bernstein::binomial;
 use crate::curve::thresholds::SAFE_SIZE;
@@ -170,7 +172,7 @@ impl Speed<'_> {
             parts += 1;
             // The finer value is far better than the difference tells; (200 e)^1.5 is QUADPACK's estimate of how far.
             let estimate =
-                if value > 0.0 { error.min(value * (200.0 * error / value).powf(1.5)) } else { error };
+                if value > 0.0 { error.min(value * (200.0 * error / value).raised_to(1.5)) } else { error };
             let fine = !(estimate > relative * value.max(floor));
             if fine || depth >= DEEPEST || parts >= MOST_PARTS {
                 sum += value;

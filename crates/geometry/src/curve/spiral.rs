@@ -3,6 +3,8 @@
 use crate::thresholds;
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use super::{ArcLength, Curve};
 use crate::{Error, Interval, KnotSpacing, NurbsCurve, Point3, Result};
 
@@ -50,13 +52,13 @@ impl Curve {
         let none = || Error::degenerate("curve of the spiral", "it has no direction somewhere");
         let first = frames.first().copied().flatten().ok_or_else(none)?;
         let [x, y, _] = first.coordinates(toward);
-        if !(x.hypot(y) > thresholds::ROUNDING * (toward - first.origin).length()) {
+        if !(x.hypotenuse(y) > thresholds::ROUNDING * (toward - first.origin).length()) {
             return Err(Error::degenerate("radius point", "it lies on the axis"));
         }
-        let begin = y.atan2(x);
+        let begin = y.arctangent_of(x);
         let at = |(share, frame): (&f64, &Option<crate::Plane>)| {
             let frame = frame.ok_or_else(none)?;
-            let (sin, cos) = (begin + TAU * turns * share).sin_cos();
+            let (sin, cos) = (begin + TAU * turns * share).sine_cosine();
             let radius = radii[0] + (radii[1] - radii[0]) * share;
             Ok(frame.at(radius * cos, radius * sin, 0.0))
         };
@@ -64,7 +66,7 @@ impl Curve {
         // How it sets out and arrives: out by the growth, round by the turn, along by the length.
         let way = |share: f64, frame: &Option<crate::Plane>| {
             let frame = frame.ok_or_else(none)?;
-            let (sin, cos) = (begin + TAU * turns * share).sin_cos();
+            let (sin, cos) = (begin + TAU * turns * share).sine_cosine();
             let (out, round) =
                 (frame.x_axis * cos + frame.y_axis * sin, frame.y_axis * cos - frame.x_axis * sin);
             let radius = radii[0] + (radii[1] - radii[0]) * share;

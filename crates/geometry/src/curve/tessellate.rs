@@ -1,5 +1,7 @@
 //! Curves as polylines within a tolerance, with proof.
 
+use katydid_elementary::Elementary;
+
 use super::piece::Shape;
 use super::{Curve, PolylineCurve};
 use crate::bernstein::halves;
@@ -84,12 +86,12 @@ impl Curve {
                 Shape::Arc(arc) => {
                     let (sweep, r) = (arc.angle.length().abs(), arc.circle.radius);
                     // A chord over an angle a leaves the arc r(1 − cos a/2) high.
-                    let mut step = 2.0 * (1.0 - (limits.distance / r).min(1.0)).acos();
+                    let mut step = 2.0 * (1.0 - (limits.distance / r).min(1.0)).arccosine();
                     step = step.min(limits.angle.unwrap_or(f64::INFINITY)).min(2.0);
                     if let Some(longest) = limits.longest {
-                        step = step.min(2.0 * (0.5 * longest / r).min(1.0).asin());
+                        step = step.min(2.0 * (0.5 * longest / r).min(1.0).arcsine());
                     }
-                    let short = 2.0 * (0.5 * limits.shortest / r).min(1.0).asin();
+                    let short = 2.0 * (0.5 * limits.shortest / r).min(1.0).arcsine();
                     // Halving stops once a segment is shorter than the shortest: the next above it stays.
                     count((sweep / step.max(0.5 * short)).max(if sweep > 4.0 { 3.0 } else { 1.0 }))?;
                 }

@@ -1,5 +1,7 @@
 //! Curves from points and directions that a formula gives.
 
+use katydid_elementary::Elementary;
+
 use super::Curve;
 use super::join::chains;
 use crate::curve::thresholds::{ARC_OVER_TURN, ARC_TURN, CLOSE_SAMPLES};
@@ -36,7 +38,7 @@ impl Span {
             _ => 0.0,
         };
         let half = 0.5 * turn;
-        let stretch = if half > ARC_TURN && half < 1.5 { half / half.sin() } else { 1.0 };
+        let stretch = if half > ARC_TURN && half < 1.5 { half / half.sine() } else { 1.0 };
         Self { from, to, length: chord.length() * stretch }
     }
 
@@ -301,7 +303,7 @@ fn round(samples: &[Sample], exact: f64) -> Option<Curve> {
     // Samples are less than a half turn apart: they must all run the same way round.
     let turns = samples.windows(2).map(|w| {
         let (u, v) = (w[0].point - circle.center(), w[1].point - circle.center());
-        u.cross(v).dot(circle.plane.z_axis).atan2(u.dot(v))
+        u.cross(v).dot(circle.plane.z_axis).arctangent_of(u.dot(v))
     });
     let total: f64 = turns.clone().sum();
     if turns.clone().any(|t| t * total <= 0.0) || total.abs() > std::f64::consts::TAU * (1.0 + ARC_OVER_TURN)

@@ -2,6 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use katydid_elementary::Elementary;
+
 use super::crossing::{Segments, box_of, share_of};
 use super::feature::{Feature, distance};
 use crate::Interval;
@@ -31,7 +33,7 @@ impl<'a> Pictures<'a> {
     fn covers(&self, index: usize, feature: &Feature, t: f64) -> bool {
         let (p, d) = feature.jet(t);
         let depth = feature.depth(t);
-        let length = d[0].hypot(d[1]);
+        let length = d[0].hypotenuse(d[1]);
         let mut found = false;
         self.segments.near(&box_of(p, p, self.tolerance), |j, k| {
             let Some(other) = self.features.get(j) else {
@@ -44,7 +46,7 @@ impl<'a> Pictures<'a> {
             let s = other.nearest(p, a.t + (b.t - a.t) * share);
             let (q, e) = other.jet(s);
             let sine = (d[0] * e[1] - d[1] * e[0]).abs();
-            let along = sine <= ALONG * length * e[0].hypot(e[1]);
+            let along = sine <= ALONG * length * e[0].hypotenuse(e[1]);
             if along && distance(p, q) <= self.tolerance {
                 let nearer = other.depth(s) - depth;
                 let slack = 4.0 * self.tolerance;

@@ -4,6 +4,8 @@ use crate::drawing::thresholds::{LEAST_SPAN, STEP_DONE};
 use crate::thresholds;
 use std::ops::ControlFlow;
 
+use katydid_elementary::Elementary;
+
 use super::feature::{Feature, distance};
 use super::occluder::Occluders;
 use crate::Result;
@@ -138,7 +140,7 @@ fn crossing(one: &Feature, k: usize, other: &Feature, l: usize, tolerance: f64) 
     let [c, d] = [other.samples.get(l)?, other.samples.get(l + 1)?];
     let (r, s) = ([b.at[0] - a.at[0], b.at[1] - a.at[1]], [d.at[0] - c.at[0], d.at[1] - c.at[1]]);
     let det = r[0] * s[1] - r[1] * s[0];
-    let lengths = [r[0].hypot(r[1]), s[0].hypot(s[1])];
+    let lengths = [r[0].hypotenuse(r[1]), s[0].hypotenuse(s[1])];
     // Curves that run along each other are split where they end.
     if det.abs() <= thresholds::PARALLEL * lengths[0] * lengths[1] {
         return None;

@@ -1,5 +1,7 @@
 //! Curves in space with their pictures.
 
+use katydid_elementary::Elementary;
+
 use super::{DrawingOptions, View};
 use crate::drawing::thresholds::STEP_DONE;
 use crate::silhouette::SilhouetteKind;
@@ -137,7 +139,7 @@ impl Feature {
     pub(super) fn folds(&self) -> Vec<f64> {
         let speed = |t: f64| {
             let (_, d) = self.jet(t);
-            d[0].hypot(d[1])
+            d[0].hypotenuse(d[1])
         };
         let mut out = Vec::new();
         for w in self.samples.windows(3) {
@@ -211,7 +213,7 @@ impl Feature {
 }
 
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    (a[0] - b[0]).hypotenuse(a[1] - b[1])
 }
 
 /// The parts of a curve on the positive side of a plane.

@@ -3,6 +3,8 @@
 use crate::drawing::thresholds::{FOOT_FOUND, ON_SHEET};
 use std::ops::ControlFlow;
 
+use katydid_elementary::Elementary;
+
 use super::feature::Feature;
 use super::sheet::Sheet;
 use super::{DrawingOptions, Drawn, View};
@@ -181,7 +183,7 @@ impl Occluders {
             return Ok(sight);
         }
         let (_, d) = feature.jet(t);
-        let length = d[0].hypot(d[1]);
+        let length = d[0].hypotenuse(d[1]);
         if !(length > 0.0) {
             return Ok(sight);
         }

@@ -3,6 +3,8 @@
 //! Lines are infinite, with their own parameter (0 at the start, 1 at the end), and planes without bounds. All
 //! solutions are found. `tolerance` is a distance: what comes nearer than that touches, and touching counts once.
 
+use katydid_elementary::Elementary;
+
 use super::thresholds::{ON_OTHER, PARALLEL};
 use crate::{Arc, BoundingBox, Box3, Circle, Interval, Line, Plane, Point3, Vector3};
 
@@ -118,7 +120,7 @@ fn positive(angle: f64) -> f64 {
 /// The parameters where the plane line from + t·d meets the circle of radius r about the origin; `None` for a line
 /// without direction.
 fn flat_line_circle(from: [f64; 2], d: [f64; 2], r: f64, tolerance: f64) -> Option<UpToTwo<f64>> {
-    let length = d[0].hypot(d[1]);
+    let length = d[0].hypotenuse(d[1]);
     if !(length > 0.0 && length.is_finite()) {
         return None;
     }
@@ -142,7 +144,7 @@ pub fn line_circle(line: &Line, circle: &Circle, tolerance: f64) -> UpToTwo<Line
     let [fx, fy, fz] = plane.coordinates(line.from);
     let [dx, dy, dz] = [plane.x_axis, plane.y_axis, plane.z_axis].map(|axis| direction.dot(axis));
     let hit = |s: f64| {
-        let angle = positive((fy + s * dy).atan2(fx + s * dx));
+        let angle = positive((fy + s * dy).arctangent_of(fx + s * dx));
         LineCircleHit { on_line: s / length, angle }
     };
     let across = flat_line_circle([fx, fy], [dx, dy], circle.radius, tolerance).unwrap_or(UpToTwo::None);
@@ -153,7 +155,7 @@ pub fn line_circle(line: &Line, circle: &Circle, tolerance: f64) -> UpToTwo<Line
     }
     // A steep line: the crossing with the plane decides.
     let s = -fz / dz;
-    let off = (fx + s * dx).hypot(fy + s * dy) - circle.radius;
+    let off = (fx + s * dx).hypotenuse(fy + s * dy) - circle.radius;
     if off.abs() <= tolerance { UpToTwo::One(hit(s)) } else { UpToTwo::None }
 }
 
@@ -205,8 +207,8 @@ pub fn line_cylinder(line: &Line, circle: &Circle, tolerance: f64) -> LineCylind
     let [fx, fy, fz] = plane.coordinates(line.from);
     let [dx, dy, dz] = [plane.x_axis, plane.y_axis, plane.z_axis].map(|axis| direction.dot(axis));
     // Parallel to the axis, up to rounding: it turns by less than the tolerance over many radii.
-    if dx.hypot(dy) <= PARALLEL || dx.hypot(dy) * (r + fz.abs()) <= ON_OTHER * tolerance {
-        let on = (fx.hypot(fy) - r).abs() <= tolerance && dz != 0.0;
+    if dx.hypotenuse(dy) <= PARALLEL || dx.hypotenuse(dy) * (r + fz.abs()) <= ON_OTHER * tolerance {
+        let on = (fx.hypotenuse(fy) - r).abs() <= tolerance && dz != 0.0;
         return if on { LineCylinder::OnSurface } else { none };
     }
     let length = line.length();
@@ -257,18 +259,18 @@ pub fn plane_circle(plane: &Plane, circle: &Circle, tolerance: f64) -> PlaneCirc
     let frame = &circle.plane;
     let h = plane.signed_distance(frame.origin);
     let (a, b) = (frame.x_axis.dot(plane.z_axis), frame.y_axis.dot(plane.z_axis));
-    let reach = circle.radius * a.hypot(b);
+    let reach = circle.radius * a.hypotenuse(b);
     if h.abs() + reach <= tolerance {
         return PlaneCircle::InPlane;
     }
-    let low = b.atan2(a);
+    let low = b.arctangent_of(a);
     PlaneCircle::At(if h.abs() > reach + tolerance {
         UpToTwo::None
     } else if h.abs() >= reach - tolerance {
         UpToTwo::One(positive(if h > 0.0 { low + std::f64::consts::PI } else { low }))
     } else {
         // cos(θ − low) = −h / reach; by the half chord, which keeps its digits near a touch.
-        let half = ((reach - h) * (reach + h)).sqrt().atan2(-h);
+        let half = ((reach - h) * (reach + h)).sqrt().arctangent_of(-h);
         let (s, t) = (positive(low - half), positive(low + half));
         UpToTwo::Two(s.min(t), s.max(t))
     })
@@ -347,7 +349,7 @@ fn coplanar(a: &Circle, b: &Circle, tolerance: f64) -> bool {
 pub fn circle_circle(a: &Circle, b: &Circle, tolerance: f64) -> CircleCircle {
     let angle = |c: &Circle, p: Point3| {
         let [x, y, _] = c.plane.coordinates(p);
-        positive(y.atan2(x))
+        positive(y.arctangent_of(x))
     };
     if !coplanar(a, b, tolerance) {
         let meet = |tolerance_of_plane: f64| {
@@ -366,17 +368,21 @@ pub fn circle_circle(a: &Circle, b: &Circle, tolerance: f64) -> CircleCircle {
         return CircleCircle::At(if found.count() == 0 { meet(0.0) } else { found });
     }
     let [x, y, _] = a.plane.coordinates(b.center());
-    let (distance, ra, rb) = (x.hypot(y), a.radius, b.radius);
+    let (distance, ra, rb) = (x.hypotenuse(y), a.radius, b.radius);
     if distance + (ra - rb).abs() <= tolerance {
         return CircleCircle::Same;
     }
     if distance == 0.0 || distance > ra + rb + tolerance || distance < (ra - rb).abs() - tolerance {
         return CircleCircle::At(UpToTwo::None);
     }
-    let toward = y.atan2(x);
+    let toward = y.arctangent_of(x);
     let (along, half) = triangle(distance, ra, rb);
     let touches = distance >= ra + rb - tolerance || distance <= (ra - rb).abs() + tolerance;
-    let turn = if touches { if along < 0.0 { std::f64::consts::PI } else { 0.0 } } else { half.atan2(along) };
+    let turn = if touches {
+        if along < 0.0 { std::f64::consts::PI } else { 0.0 }
+    } else {
+        half.arctangent_of(along)
+    };
     let hit = |t: f64| [positive(t), angle(b, a.at(t))];
     if touches {
         return CircleCircle::At(UpToTwo::One(hit(toward + turn)));
@@ -408,7 +414,7 @@ fn share(a: &Arc, b: &Arc, tolerance: f64, out: &mut ArcArc) {
     // The angle on a is `offset` ± the angle on b.
     let same_way = a.circle.plane.z_axis.dot(b.circle.plane.z_axis) > 0.0;
     let x: Vector3 = b.circle.plane.x_axis;
-    let offset = x.dot(a.circle.plane.y_axis).atan2(x.dot(a.circle.plane.x_axis));
+    let offset = x.dot(a.circle.plane.y_axis).arctangent_of(x.dot(a.circle.plane.x_axis));
     let sign = if same_way { 1.0 } else { -1.0 };
     let there = Interval::new(offset + sign * b.angle.min(), offset + sign * b.angle.max()).ordered();
     let slack = tolerance / a.circle.radius;

@@ -3,6 +3,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use katydid_elementary::Elementary;
+
 use super::thresholds::TOGETHER;
 use crate::curve::{Piece, Shape};
 use crate::nurbs::{MAX_DEGREE, project};
@@ -280,6 +282,6 @@ fn halve<T: Copy>(row: &mut [T], out: &mut Vec<T>, mean: impl Fn(T, T) -> T) {
 fn arc_hull(arc: &Arc, from: f64, to: f64) -> [Vector3; 3] {
     let half = 0.5 * (to - from);
     let middle = arc.circle.at(from + half) - arc.circle.center();
-    let corner = arc.circle.center() + middle / half.cos();
+    let corner = arc.circle.center() + middle / half.cosine();
     [arc.circle.at(from), corner, arc.circle.at(to)].map(|p| p.to_vector())
 }

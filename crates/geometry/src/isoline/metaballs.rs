@@ -1,6 +1,8 @@
 use crate::isoline::thresholds::{LEAST_SQUARE, ON_LEVEL, SHORTEST};
 use std::collections::HashMap;
 
+use katydid_elementary::Elementary;
+
 use super::Isoline;
 use super::cell::{is_way, ways};
 use super::far::Far;
@@ -113,7 +115,7 @@ impl Metaballs {
         // Beyond this distance from all balls the field is too weak.
         let reach = (total / level).sqrt();
         let side = (max.x - min.x).max(max.y - min.y) + 2.0 * reach + 2.0 * accuracy;
-        let depth = (side / accuracy).log2().ceil().max(0.0);
+        let depth = (side / accuracy).logarithm_2().ceil().max(0.0);
         if !(depth <= f64::from(DEEPEST)) {
             return Err(too_many());
         }

@@ -3,6 +3,8 @@
 use crate::thresholds;
 use std::f64::consts::{PI, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::{Mesh, MeshFace};
 use crate::{Box3, Error, Interval, Plane, Point3, Rectangle, Result};
 
@@ -128,9 +130,9 @@ impl Mesh {
         }
         let mut vertices = vec![plane.at(0.0, 0.0, -radius)];
         for j in 1..up {
-            let (z, r) = (PI * (j as f64 / up as f64 - 0.5)).sin_cos();
+            let (z, r) = (PI * (j as f64 / up as f64 - 0.5)).sine_cosine();
             for i in 0..around {
-                let (sin, cos) = (TAU * i as f64 / around as f64).sin_cos();
+                let (sin, cos) = (TAU * i as f64 / around as f64).sine_cosine();
                 vertices.push(plane.at(radius * r * cos, radius * r * sin, radius * z));
             }
         }

@@ -4,6 +4,7 @@ use crate::mesh::thresholds::{LIGHT_ALONG, SHADOW_STRAIGHT};
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use katydid_elementary::Elementary;
 use manifold_rust::cross_section::CrossSection;
 use manifold_rust::linalg::Vec2;
 
@@ -132,7 +133,7 @@ fn cleaned(outline: &[Vec2]) -> Vec<Vec2> {
     let turns = |k: usize| {
         let [a, b, c] = [(k + n - 1) % n, k, (k + 1) % n].map(|k| outline[k]);
         let (u, v) = ([b.x - a.x, b.y - a.y], [c.x - b.x, c.y - b.y]);
-        let longest = u[0].hypot(u[1]).max(v[0].hypot(v[1]));
+        let longest = u[0].hypotenuse(u[1]).max(v[0].hypotenuse(v[1]));
         let cross = u[0] * v[1] - u[1] * v[0];
         let ahead = u[0] * v[0] + u[1] * v[1];
         // Off the line by more than a few cells of the grid.

@@ -3,6 +3,8 @@
 use crate::mesh::thresholds::HIT_MARGIN;
 use std::ops::ControlFlow;
 
+use katydid_elementary::Elementary;
+
 use super::Mesh;
 use super::closest::closest_on_triangle;
 use crate::box_tree::{Bounds, BoxTree, bounds_of};
@@ -151,7 +153,7 @@ impl MeshTree {
             let [a, b, c] = t.map(|p| p - q);
             let (la, lb, lc) = (a.length(), b.length(), c.length());
             let scale = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-            2.0 * a.dot(b.cross(c)).atan2(scale)
+            2.0 * a.dot(b.cross(c)).arctangent_of(scale)
         };
         self.triangles.iter().map(solid_angle).sum::<f64>() / (4.0 * std::f64::consts::PI)
     }
@@ -212,7 +214,7 @@ fn ray_meets(bounds: &Bounds, origin: &[f64; 3], inverse: &[f64; 3]) -> bool {
 /// Directions spread over the sphere, none along an axis: points of a spiral with the golden angle.
 fn direction(k: u32) -> Vector3 {
     let z = 1.0 - (2.0 * f64::from(k) + 0.613) / f64::from(DIRECTIONS);
-    let (sin, cos) = (2.399_963_229_728_653 * f64::from(k) + 0.737).sin_cos();
+    let (sin, cos) = (2.399_963_229_728_653 * f64::from(k) + 0.737).sine_cosine();
     let r = (1.0 - z * z).max(0.0).sqrt();
     Vector3::new(r * cos, r * sin, z)
 }

@@ -12,6 +12,8 @@
 use crate::meshing::thresholds::{NO_METRIC, PROBE_INSET};
 use std::borrow::Cow;
 
+use katydid_elementary::Elementary;
+
 use super::patch::{Bases, Patch};
 use crate::{NurbsSurface, Quadrant, Surface, Vector3};
 
@@ -192,8 +194,8 @@ impl<'a> Bender<'a> {
         // The normal turns by the curvature along each parameter and by the twist.
         let per = |x: f64, by: f64| if by > 0.0 { x / by } else { 0.0 };
         let turn = [
-            per(second[0].normal, shortest[0]).hypot(per(second[1].normal, shortest[1])),
-            per(second[2].normal, shortest[1]).hypot(per(second[1].normal, shortest[0])),
+            per(second[0].normal, shortest[0]).hypotenuse(per(second[1].normal, shortest[1])),
+            per(second[2].normal, shortest[1]).hypotenuse(per(second[1].normal, shortest[0])),
         ];
         Bend { off, along, speed: first, turn }
     }

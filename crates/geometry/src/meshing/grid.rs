@@ -1,5 +1,7 @@
 //! Cells over the parameters of a face: a grid of lines, and cells halved where the limits ask for it.
 
+use katydid_elementary::Elementary;
+
 use super::bend::{Bend, Bender};
 use super::need;
 use super::probes::Probes;
@@ -270,8 +272,8 @@ fn counts(probes: &Probes, breaks: &[Vec<f64>; 2], d: usize, limits: &Limits) ->
             }
         }
         let most = (most - COUNT_SLACK).ceil().max(1.0);
-        let halvings = (most / least.max(1.0)).log2().floor().clamp(0.0, 9.0);
-        out.push((most / halvings.exp2()).ceil().clamp(1.0, 1e6) as u32);
+        let halvings = (most / least.max(1.0)).logarithm_2().floor().clamp(0.0, 9.0);
+        out.push((most / halvings.power_of_two()).ceil().clamp(1.0, 1e6) as u32);
     }
     out
 }

@@ -2,6 +2,7 @@
 //! both borders (spade's, with exact predicates), with more points inside where the limits ask for them.
 
 use crate::meshing::thresholds::VANISHING;
+use katydid_elementary::Elementary;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Triangulation};
 
 use super::fill::{Filling, PlaceMap, State};
@@ -260,7 +261,7 @@ impl Ring<'_, '_> {
         let own = [range(corners.map(|p| p.x)), range(corners.map(|p| p.y))];
         let bend = self.filling.grid.bend(own);
         let [h, k] = own.map(|[a, b]| b - a);
-        let long = (h * bend.speed[0]).hypot(k * bend.speed[1]);
+        let long = (h * bend.speed[0]).hypotenuse(k * bend.speed[1]);
         if long < 2.0 * self.limits.min_edge {
             return false;
         }

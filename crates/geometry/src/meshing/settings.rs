@@ -3,6 +3,8 @@
 use crate::meshing::thresholds::{FINEST, SHORT_OF_SIZE};
 use std::f64::consts::SQRT_2;
 
+use katydid_elementary::Elementary;
+
 use crate::{Error, Result};
 
 /// What is too short to be divided, as a part of the greatest distance.
@@ -103,7 +105,8 @@ impl MeshSettings {
     pub(super) fn limits(&self, size: f64) -> Limits {
         let off = |x: f64| if x > 0.0 { x } else { f64::INFINITY };
         let share = if self.relative_tolerance > 0.0 {
-            (0.5 * 10_f64.powf(-1.0 - 3.0 * self.relative_tolerance.min(1.0)) * size).max(self.min_distance)
+            (0.5 * 10_f64.raised_to(-1.0 - 3.0 * self.relative_tolerance.min(1.0)) * size)
+                .max(self.min_distance)
         } else {
             0.0
         };

@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::{Morph, finite};
 use crate::{Arc, Error, Line, Plane, Point3, Result, Vector3};
 
@@ -40,7 +42,7 @@ impl Morph for Bend {
     fn image(&self, p: Point3) -> Result<Point3> {
         let [s, inwards, side] = self.frame.coordinates(p);
         let along = s.clamp(0.0, self.length);
-        let (sin, cos) = (along / self.radius).sin_cos();
+        let (sin, cos) = (along / self.radius).sine_cosine();
         let Plane { x_axis: x, y_axis: y, z_axis: z, .. } = self.frame;
         let center = self.frame.origin + y * self.radius;
         let (outwards, tangent): (Vector3, Vector3) = (x * sin - y * cos, x * cos + y * sin);

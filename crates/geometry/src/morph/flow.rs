@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::{Morph, finite};
 use crate::curve::ClosestOnCurve;
 use crate::morph::thresholds::NO_SIDE;
@@ -62,7 +64,7 @@ impl<'a> Spine<'a> {
 fn carried(x: Vector3, a: Vector3, b: Vector3) -> Vector3 {
     let axis = a.cross(b);
     let turned = if axis.length() > thresholds::NO_DIRECTION {
-        x.rotated(axis.length().atan2(a.dot(b)), axis)
+        x.rotated(axis.length().arctangent_of(a.dot(b)), axis)
     } else if a.dot(b) < 0.0 {
         let axis = Vector3::Z.rejected_from(a).filter(|v| v.length() > NO_SIDE).or_else(|| a.perpendicular());
         axis.and_then(|axis| x.rotated(std::f64::consts::PI, axis))

@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::{Morph, finite};
 use crate::{Error, Plane, Point3, Result};
 
@@ -31,11 +33,11 @@ impl Maelstrom {
 impl Morph for Maelstrom {
     fn image(&self, p: Point3) -> Result<Point3> {
         let [x, y, z] = self.plane.coordinates(p);
-        let part = ((x.hypot(y) - self.second) / (self.first - self.second)).clamp(0.0, 1.0);
+        let part = ((x.hypotenuse(y) - self.second) / (self.first - self.second)).clamp(0.0, 1.0);
         if part == 0.0 {
             return finite(p);
         }
-        let (sin, cos) = (self.angle * part).sin_cos();
+        let (sin, cos) = (self.angle * part).sine_cosine();
         finite(self.plane.at(x * cos - y * sin, x * sin + y * cos, z))
     }
 }

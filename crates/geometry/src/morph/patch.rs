@@ -1,5 +1,7 @@
 //! Maps onto surfaces.
 
+use katydid_elementary::Elementary;
+
 use super::{Morph, finite};
 use crate::thresholds;
 use crate::{ClosestOnSurface, Direction, Error, Interval, Plane, Point3, Result, Surface, Vector3};
@@ -157,7 +159,7 @@ impl Splop {
 impl Morph for Splop {
     fn image(&self, p: Point3) -> Result<Point3> {
         let [x, y, z] = self.plane.coordinates(p);
-        let (sin, cos) = self.angle.sin_cos();
+        let (sin, cos) = self.angle.sine_cosine();
         self.anchor.over([x * cos - y * sin, x * sin + y * cos], z)
     }
 }

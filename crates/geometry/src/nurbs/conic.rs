@@ -4,6 +4,8 @@ use crate::nurbs::thresholds::OPEN_QUARTER;
 use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::NurbsCurve;
 use crate::{Arc, Circle, Ellipse, Interval, Plane, Result};
 
@@ -15,7 +17,7 @@ fn conic(plane: &Plane, rx: f64, ry: f64, angle: Interval, domain: Interval) -> 
     let sweep = angle.length();
     let spans = Arc::spans_of(sweep);
     let half = sweep / (2 * spans) as f64;
-    let weight = half.cos();
+    let weight = half.cosine();
     let at = |theta: f64, w: f64| {
         // Quadrant points of a whole conic are exact: no 6e-17 where a 0 belongs.
         let (sin, cos) = exact_sin_cos(theta);
@@ -50,7 +52,7 @@ fn exact_sin_cos(theta: f64) -> (f64, f64) {
             _ => (-1.0, 0.0),
         };
     }
-    theta.sin_cos()
+    theta.sine_cosine()
 }
 
 impl Arc {

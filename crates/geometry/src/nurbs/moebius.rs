@@ -1,5 +1,7 @@
 //! Another parameter by a linear-fractional map, which leaves the shape, and with it the weights of the ends.
 
+use katydid_elementary::Elementary;
+
 use super::NurbsCurve;
 use crate::{Error, Result};
 
@@ -38,7 +40,7 @@ impl NurbsCurve {
             return Err(Error::degenerate("NURBS curve", "it has no control points"));
         };
         let factor = start / first;
-        let c = (last * factor / end).powf(1.0 / self.degree as f64);
+        let c = (last * factor / end).raised_to(1.0 / self.degree as f64);
         let moved = if (c - 1.0).abs() <= 4.0 * f64::EPSILON { curve } else { curve.moebius(c)? };
         let mut points: Vec<[f64; 4]> =
             moved.homogeneous_points().iter().map(|p| p.map(|x| x * factor)).collect();

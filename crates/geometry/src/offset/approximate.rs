@@ -1,5 +1,7 @@
 //! The offset of a smooth NURBS curve by certified cubics.
 
+use katydid_elementary::Elementary;
+
 use crate::offset::thresholds::{OFFSET_ROUNDING, SHORTEST_SPAN, STANDS_STILL};
 use crate::polynomial::Polynomial;
 use crate::thresholds;
@@ -157,7 +159,7 @@ fn end_data(points: &[Flat]) -> ([f64; 2], [f64; 2], f64) {
     let curvature = points.get(2).map_or(0.0, |p2| {
         let c = place(p2);
         let area = leg[0] * (c[1] - b[1]) - leg[1] * (c[0] - b[0]);
-        let length = leg[0].hypot(leg[1]);
+        let length = leg[0].hypotenuse(leg[1]);
         (degree - 1.0) / degree * p0[2] * p2[2] / (p1[2] * p1[2]) * area / (length * length * length)
     });
     (a, derivative, if curvature.is_finite() { curvature } else { 0.0 })
@@ -218,15 +220,15 @@ fn hermite(points: &[Flat], distance: f64) -> Option<[[f64; 2]; 4]> {
         let (p, d, k) = end_data(points);
         // A curve that stands still at its end leaves it towards the next control point.
         let legs = points.iter().map(|q| [q[0] / q[2] - p[0], q[1] / q[2] - p[1]]);
-        let reach = legs.clone().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
-        let direction = legs.clone().find(|v| v[0].hypot(v[1]) > STANDS_STILL * reach)?;
-        let length = direction[0].hypot(direction[1]);
+        let reach = legs.clone().map(|v| v[0].hypotenuse(v[1])).fold(0.0, f64::max);
+        let direction = legs.clone().find(|v| v[0].hypotenuse(v[1]) > STANDS_STILL * reach)?;
+        let length = direction[0].hypotenuse(direction[1]);
         let unit = [direction[0] / length, direction[1] / length];
         // Walked backwards, right is left and curvature changes its sign: its product with the distance does not.
         let d_side = sign * distance;
         let factor = 1.0 + d_side * k;
         let place = [p[0] + d_side * unit[1], p[1] - d_side * unit[0]];
-        let still = legs.clone().nth(1).is_some_and(|v| v[0].hypot(v[1]) <= STANDS_STILL * reach);
+        let still = legs.clone().nth(1).is_some_and(|v| v[0].hypotenuse(v[1]) <= STANDS_STILL * reach);
         let speed =
             if still { [0, 1].map(|i| unit[i] * d_side * swing(points)) } else { d.map(|x| x * factor) };
         Some((place, speed.map(|x| x / 3.0)))

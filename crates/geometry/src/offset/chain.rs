@@ -4,6 +4,8 @@ use crate::offset::thresholds::{INSIDE, NO_GAP, REVERSED};
 use crate::thresholds;
 use std::collections::HashMap;
 
+use katydid_elementary::Elementary;
+
 use super::RawPart;
 use super::restyle::{Chain, Link};
 use crate::intersect::curve_curve;
@@ -240,7 +242,7 @@ impl Border<'_> {
     /// How far an edge turns away from the side where the border goes on; where loops touch, each stays its own.
     fn turn(&self, arriving: Vector3, k: usize) -> f64 {
         let leaving = self.tangent(&self.edges[k], false);
-        let angle = arriving.cross(leaving).dot(self.plane.z_axis).atan2(arriving.dot(leaving));
+        let angle = arriving.cross(leaving).dot(self.plane.z_axis).arctangent_of(arriving.dot(leaving));
         if angle.abs() > std::f64::consts::PI - REVERSED { std::f64::consts::PI } else { angle * self.side }
     }
 

@@ -1,5 +1,7 @@
 //! What fills the outside of a corner.
 
+use katydid_elementary::Elementary;
+
 use super::validity::Cap;
 use super::{OffsetCorner, RawPart, right_of};
 use crate::offset::thresholds::SHARPEST;
@@ -76,7 +78,7 @@ fn round(vertex: Point3, a: Point3, b: Point3, distance: f64, plane: &Plane) -> 
     let frame = Plane::from_axes(vertex, from, z.cross(from))?;
     let circle = crate::Circle::new(frame, distance.abs())?;
     let [x, y, _] = frame.coordinates(b);
-    let angle = y.atan2(x);
+    let angle = y.arctangent_of(x);
     // A reversal is half a turn, on whichever side rounding puts it.
     let angle = if angle <= 0.0 { angle + std::f64::consts::TAU } else { angle };
     Arc::new(circle, crate::Interval::new(0.0, angle))

@@ -1,5 +1,7 @@
 //! The offset of a polygon with sharp corners, where no loop has to be removed.
 
+use katydid_elementary::Elementary;
+
 use super::simple::right_of;
 use crate::curve::{Curve, PolylineCurve};
 use crate::{Plane, Point2, Point3};
@@ -87,7 +89,7 @@ fn distance_to([a, b]: [Point2; 2], p: Point2) -> f64 {
     let (u, v) = ([b.x - a.x, b.y - a.y], [p.x - a.x, p.y - a.y]);
     let squared = u[0] * u[0] + u[1] * u[1];
     let t = if squared > 0.0 { ((u[0] * v[0] + u[1] * v[1]) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    (v[0] - t * u[0]).hypot(v[1] - t * u[1])
+    (v[0] - t * u[0]).hypotenuse(v[1] - t * u[1])
 }
 
 #[cfg(test)]

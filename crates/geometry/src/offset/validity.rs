@@ -1,5 +1,7 @@
 //! What lies inside the border that an offset draws.
 
+use katydid_elementary::Elementary;
+
 use super::RawPart;
 use crate::box_tree::{BoxTree, bounds_of};
 use crate::curve::ClosestOnCurve;
@@ -25,7 +27,7 @@ impl Cap {
     /// Whether a point lies in the wedge, without regard to how far out.
     fn holds(&self, q: Point3) -> bool {
         let [x, y, _] = self.frame.coordinates(q);
-        let angle = y.atan2(x);
+        let angle = y.arctangent_of(x);
         let angle = if angle < -thresholds::PARALLEL { angle + std::f64::consts::TAU } else { angle };
         angle <= self.turn + thresholds::PARALLEL
     }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use crate::{Plane, Vector3};
 
 impl Vector3 {
@@ -13,7 +15,7 @@ impl Vector3 {
             Self::new(x, y, 0.0).unitized()
         };
         let (a, b) = (flat(self)?, flat(other)?);
-        let angle = (a.x * b.y - a.y * b.x).atan2(a.dot(b));
+        let angle = (a.x * b.y - a.y * b.x).arctangent_of(a.dot(b));
         let positive = if angle < 0.0 { angle + TAU } else { angle };
         // −1e-17 + 2π rounds to 2π itself, which is the angle 0.
         Some(if positive >= TAU { 0.0 } else { positive })

@@ -5,6 +5,8 @@ mod equation;
 pub(crate) use construct::principal_axes;
 pub use equation::PlaneEquation;
 
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::{Error, Point3, Result, Vector3};
 
@@ -106,7 +108,7 @@ impl Plane {
     /// The plane turned about its own normal, counter-clockwise by `angle` radians.
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         Self {
             x_axis: self.x_axis * cos + self.y_axis * sin,
             y_axis: self.y_axis * cos - self.x_axis * sin,

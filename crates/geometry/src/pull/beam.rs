@@ -1,5 +1,7 @@
 //! Lines in one direction through a curve, and where they meet a surface.
 
+use katydid_elementary::Elementary;
+
 use super::lines::{LineIndex, Met};
 use crate::curve::traced::Sample;
 use crate::pull::thresholds::{ALONG_SURFACE, FOUND, MISSES, NEAR_WAY, ON_LINE};
@@ -149,7 +151,7 @@ impl<'a> Beam<'a> {
         for _ in 0..20 {
             let jet = self.sheet.jet(uv, 1);
             let miss = self.across.map(|a| (jet.point() - target).dot(a));
-            if miss[0].hypot(miss[1]) <= FOUND * self.size {
+            if miss[0].hypotenuse(miss[1]) <= FOUND * self.size {
                 return Some(uv);
             }
             let [a, b] = self.across.map(|x| [jet.get(1, 0).dot(x), jet.get(0, 1).dot(x)]);
@@ -170,7 +172,7 @@ impl<'a> Beam<'a> {
     /// How far a place of the surface is from the line through a point.
     fn miss(&self, target: Point3, uv: [f64; 2]) -> f64 {
         let [a, b] = self.across.map(|a| (self.sheet.point(uv) - target).dot(a));
-        a.hypot(b)
+        a.hypotenuse(b)
     }
 
     /// The point on the surface for a parameter of the curve, and its direction, next to a guess.

@@ -6,6 +6,7 @@ mod thresholds;
 
 use crate::pull::thresholds::{EXACT_OFFSET, LEAST_ANGLE, LEAST_GAP, LEVEL, NO_TURN, SAME_END};
 use beam::Beam;
+use katydid_elementary::Elementary;
 pub(crate) use lines::LineIndex;
 
 use crate::curve::traced::{Sample, joined, sampled};
@@ -201,14 +202,14 @@ impl Surface {
             };
             let (at, normal, before) = first;
             let after = second.2;
-            let turn = before.cross(after).dot(normal).atan2(before.dot(after));
+            let turn = before.cross(after).dot(normal).arctangent_of(before.dot(after));
             if turn.abs() < NO_TURN {
                 continue;
             }
             if turn * sign < 0.0 {
                 // The outer side: round the corner.
                 let fan = |x: f64| {
-                    let (sin, cos) = (turn * x).sin_cos();
+                    let (sin, cos) = (turn * x).sine_cosine();
                     let flat = before * cos + normal.cross(before) * sin;
                     Ok(walk(at, normal.cross(flat) * sign))
                 };

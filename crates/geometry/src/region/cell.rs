@@ -1,5 +1,7 @@
 //! The part of a plane that other planes bound.
 
+use katydid_elementary::Elementary;
+
 use crate::region::thresholds::CONVEX_TURN;
 use crate::thresholds;
 use crate::{Error, Plane, Point3, PolylineCurve, Result};
@@ -21,7 +23,7 @@ pub fn plane_cell(plane: &Plane, bounds: &[Plane]) -> Result<PolylineCurve> {
         }
         let n = bound.z_axis;
         let line = [n.dot(plane.x_axis), n.dot(plane.y_axis)];
-        let slope = line[0].hypot(line[1]);
+        let slope = line[0].hypotenuse(line[1]);
         if slope <= thresholds::NO_DIRECTION {
             continue;
         }
@@ -42,7 +44,7 @@ pub fn plane_cell(plane: &Plane, bounds: &[Plane]) -> Result<PolylineCurve> {
     for (a, b) in hull.iter().zip(hull.iter().cycle().skip(1)) {
         // The origin must lie left of every side.
         let turn = cross(*a, *b);
-        let size = a[0].hypot(a[1]) * b[0].hypot(b[1]);
+        let size = a[0].hypotenuse(a[1]) * b[0].hypotenuse(b[1]);
         if hull.len() < 3 || !(turn > thresholds::ROUNDING * size) {
             return Err(open());
         }
@@ -65,7 +67,7 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         for p in points {
             while let [.., a, b] = chain[..] {
                 let turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-                let size = (b[0] - a[0]).hypot(b[1] - a[1]) * (p[0] - a[0]).hypot(p[1] - a[1]);
+                let size = (b[0] - a[0]).hypotenuse(b[1] - a[1]) * (p[0] - a[0]).hypotenuse(p[1] - a[1]);
                 if turn > CONVEX_TURN * size {
                     break;
                 }

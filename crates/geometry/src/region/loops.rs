@@ -3,6 +3,8 @@
 use crate::region::thresholds::CIRCLE_CROSSING;
 use std::collections::HashMap;
 
+use katydid_elementary::Elementary;
+
 use super::nodes::Nodes;
 use super::sources::Sources;
 use super::strands::{Member, Strand};
@@ -118,7 +120,7 @@ impl Walk<'_> {
         let t = if from_start { places.reduce(f64::min) } else { places.reduce(f64::max) };
         let [x, y] =
             flat(&self.sources.plane.with_origin(center), curve.point_at(t.unwrap_or(m.range.middle())));
-        Ok(y.atan2(x))
+        Ok(y.arctangent_of(x))
     }
 
     /// After each arrival comes the departure next to it clockwise: the other border of the same sector.

@@ -1,5 +1,7 @@
 //! Curves cut by the border of a region.
 
+use katydid_elementary::Elementary;
+
 use super::Region;
 use super::combine::checked;
 use super::sources::in_plane;
@@ -106,7 +108,7 @@ fn original_parameter(curve: &Curve, shadow: &Curve, t: f64) -> f64 {
             let [x, y, _] = c.arc.circle.plane.coordinates(exact.point_at(t));
             let turn = std::f64::consts::TAU;
             let middle = c.arc.angle.middle();
-            let angle = y.atan2(x);
+            let angle = y.arctangent_of(x);
             let angle = angle + ((middle - angle) / turn).round() * turn;
             c.domain.at(c.arc.angle.normalized(c.arc.angle.clamp(angle)))
         }

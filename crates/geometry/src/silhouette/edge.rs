@@ -1,5 +1,7 @@
 //! Edges of Breps, told by how the faces beside them are seen.
 
+use katydid_elementary::Elementary;
+
 use super::{Silhouette, SilhouetteKind, SilhouettePart, Viewpoint};
 use crate::silhouette::thresholds::{ASIDE, FOOT_FOUND, INSIDE_ENDS, SIGHT_STEP};
 use crate::{Brep, Curve, Direction, Interval, Point3, Result, Surface, Tolerance, Vector3};
@@ -93,7 +95,7 @@ impl<'a> Beside<'a> {
             return Seen { sign: 0, normal };
         };
         let spans = Direction::BOTH.map(|d| self.surface.domain(d).length());
-        let reach = (inward.x.abs() / spans[0]).hypot(inward.y.abs() / spans[1]).recip();
+        let reach = (inward.x.abs() / spans[0]).hypotenuse(inward.y.abs() / spans[1]).recip();
         for part in INSIDE {
             let q = at + inward * (part * reach);
             let facing = self

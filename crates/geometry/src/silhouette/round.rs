@@ -4,6 +4,8 @@ use crate::silhouette::thresholds::LEVEL_SINE;
 use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::Viewpoint;
 use crate::surface::{Round, RoundForm};
 use crate::{Arc, Circle, Curve, Interval, Line, Plane, Point3, Vector3};
@@ -23,7 +25,7 @@ pub(super) fn silhouettes(round: &Round, viewpoint: Viewpoint, limit: f64) -> Op
         Viewpoint::Perspective(eye) => round.frame.coordinates(eye),
     };
     let parallel = matches!(viewpoint, Viewpoint::Parallel(_));
-    let across = eye[0].hypot(eye[1]);
+    let across = eye[0].hypotenuse(eye[1]);
     match round.form {
         RoundForm::Sphere(radius) => sphere(round, radius, eye, parallel, limit),
         RoundForm::Cylinder(radius) => {
@@ -54,7 +56,7 @@ fn rulings(round: &Round, eye: [f64; 3], cosine: f64) -> Option<Vec<Curve>> {
     if !(cosine.abs() <= 1.0 - NEAR_ONE) {
         return None;
     }
-    let (middle, half) = (eye[1].atan2(eye[0]), cosine.acos());
+    let (middle, half) = (eye[1].arctangent_of(eye[0]), cosine.arccosine());
     let mut out = Vec::with_capacity(2);
     let mut turns = [middle - half, middle + half].map(|angle| (angle - round.angle.start).rem_euclid(TAU));
     turns.sort_by(f64::total_cmp);
@@ -69,7 +71,7 @@ fn rulings(round: &Round, eye: [f64; 3], cosine: f64) -> Option<Vec<Curve>> {
                 RoundForm::Cone(slope) => slope * height.abs(),
                 RoundForm::Cylinder(radius) | RoundForm::Sphere(radius) => radius,
             };
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = angle.sine_cosine();
             round.frame.at(radius * cos, radius * sin, height)
         };
         out.push(Line::new(at(round.along.start), at(round.along.end)).into());

@@ -7,6 +7,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::{SubD, SubDEdgeTag, SubDNet, SubDVertexTag};
 use crate::{Mesh, MeshFace, Point3, Result, Vector3};
 
@@ -139,7 +141,7 @@ impl Cage {
                 } else if stored > 0.0 && stored < 1.0 {
                     1.0 - stored
                 } else {
-                    0.5 - self.angle(at, vertex, side.index).cos() / 3.0
+                    0.5 - self.angle(at, vertex, side.index).cosine() / 3.0
                 };
                 self.edges[side.index].weights[end] = weight;
             }
@@ -179,7 +181,7 @@ impl Cage {
         let n = corners.len();
         let to = |i: usize| self.points[corners[i % n]] - self.points[at];
         let (a, b) = (to(i + 1), to(i + n - 1));
-        a.cross(b).length().atan2(a.dot(b))
+        a.cross(b).length().arctangent_of(a.dot(b))
     }
 
     /// The cage of four times as many faces: vertices, then a point of each edge, then one of each face.

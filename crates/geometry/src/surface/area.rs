@@ -1,5 +1,7 @@
 //! The area of a surface, where its middle is, and how it is spread.
 
+use katydid_elementary::Elementary;
+
 use super::Surface;
 use crate::quadrature::{GAUSS_6, GAUSS_10};
 use crate::surface::thresholds::{AREA_SHARE, FINEST_AREA};
@@ -61,7 +63,7 @@ impl NurbsSurface {
             // The finer rule has gained at least half as many digits again as the two have in common.
             let scale = fine[0].abs();
             let estimate =
-                if scale > 0.0 { error.min(scale * (100.0 * error / scale).powf(1.5)) } else { error };
+                if scale > 0.0 { error.min(scale * (100.0 * error / scale).raised_to(1.5)) } else { error };
             let allowed = fraction * fine[0].max(0.1 * share * total);
             if !(estimate > allowed) || depth >= DEEPEST || looked >= MOST {
                 (0..10).for_each(|k| sum[k] += fine[k]);

@@ -6,6 +6,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::Surface;
 use super::closest::SurfacePoint;
 use crate::{
@@ -119,7 +121,7 @@ fn nearest_turned(surface: &RevolutionSurface, plane: &Plane, q: Point3) -> Resu
     let [x, height, depth] = plane.coordinates(q);
     // The way that angles grow is against the plane's normal.
     let (radius, around) =
-        (x.hypot(depth), if x == 0.0 && depth == 0.0 { range.start } else { (-depth).atan2(x) });
+        (x.hypotenuse(depth), if x == 0.0 && depth == 0.0 { range.start } else { (-depth).arctangent_of(x) });
     let mut best: Option<(CurvePoint, f64)> = None;
     let mut offer = |place: Point3, angle: f64| -> Result<()> {
         let found = surface.profile().closest_point(place)?;
@@ -137,7 +139,7 @@ fn nearest_turned(surface: &RevolutionSurface, plane: &Plane, q: Point3) -> Resu
     }
     if !full {
         for angle in [range.start, range.end] {
-            let (sin, cos) = (around - angle).sin_cos();
+            let (sin, cos) = (around - angle).sine_cosine();
             offer(plane.at(radius * cos, height, -radius * sin), angle)?;
         }
     }

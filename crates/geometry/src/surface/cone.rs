@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::RevolutionSurface;
 use super::sphere::{check_plane, check_radius, full_angle};
 use crate::{Error, Interval, Line, LineCurve, NurbsSurface, Plane, Point3, Result, Vector3};
@@ -35,13 +37,13 @@ impl Cone {
 
     /// The angle between axis and rulings, in radians.
     pub fn half_angle(&self) -> f64 {
-        self.radius.atan2(self.height.abs())
+        self.radius.arctangent_of(self.height.abs())
     }
 
     /// The unit normal, outwards; at the apex that of the ruling at the angle.
     pub fn normal_at(&self, angle: f64) -> Vector3 {
-        let (sin, cos) = angle.sin_cos();
-        let (slant, p) = (self.radius.hypot(self.height), &self.plane);
+        let (sin, cos) = angle.sine_cosine();
+        let (slant, p) = (self.radius.hypotenuse(self.height), &self.plane);
         let across = self.height.abs() / slant;
         let along = -self.radius * self.height.signum() / slant;
         p.x_axis * (cos * across) + p.y_axis * (sin * across) + p.z_axis * along
@@ -50,7 +52,7 @@ impl Cone {
     /// The point at an angle and a distance from the apex along the axis.
     pub fn point_at(&self, angle: f64, height: f64) -> Point3 {
         let r = height / self.height * self.radius;
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         self.plane.at(r * cos, r * sin, height)
     }
 
@@ -58,8 +60,8 @@ impl Cone {
     pub fn closest_parameters(&self, p: Point3) -> (f64, f64) {
         let [x, y, z] = self.plane.coordinates(p);
         // On the ruling's line (r, h)·s the foot of (arm, z).
-        let (arm, r, h) = (x.hypot(y), self.radius, self.height);
-        let slant = r.hypot(h);
+        let (arm, r, h) = (x.hypotenuse(y), self.radius, self.height);
+        let slant = r.hypotenuse(h);
         let s = ((arm * (r / slant) + z * (h / slant)) / slant).clamp(0.0, 1.0);
         (full_angle(x, y), s * h)
     }

@@ -1,5 +1,7 @@
 //! How surfaces bend: fundamental forms, principal, Gaussian and mean curvature, and normal sections.
 
+use katydid_elementary::Elementary;
+
 use super::Surface;
 use super::normal::{Evaluate, regular_normal};
 use crate::surface::thresholds::SAME_CURVATURE;
@@ -69,14 +71,14 @@ impl SurfaceCurvature {
         let w12 = (m / a - b * w11) / c;
         let w22 = (n / c - b * (2.0 * w12 + b * w11 / c)) / c;
         let half = 0.5 * (w11 - w22);
-        let spread = half.hypot(w12);
+        let spread = half.hypotenuse(w12);
         let mean = 0.5 * (w11 + w22);
         if !(mean.is_finite() && spread.is_finite()) {
             return None;
         }
         // Half the angle of (half, w12); of an umbilic's rounding noise that is 0.
-        let angle = if spread <= SAME_CURVATURE * mean.abs() { 0.0 } else { 0.5 * w12.atan2(half) };
-        let (sin, cos) = angle.sin_cos();
+        let angle = if spread <= SAME_CURVATURE * mean.abs() { 0.0 } else { 0.5 * w12.arctangent_of(half) };
+        let (sin, cos) = angle.sine_cosine();
         let first = e1 * cos + e2 * sin;
         Some(Self {
             point: d.point(),
@@ -202,6 +204,6 @@ fn cut_curvature(d: &SurfaceDerivatives, plane: &Plane) -> Option<f64> {
     let (x1, y1) = (first.dot(plane.x_axis), first.dot(plane.y_axis));
     let (x2, y2) = (second.dot(plane.x_axis), second.dot(plane.y_axis));
     // Walked along +x, so that bending towards +y is positive.
-    let curvature = (x1 * y2 - y1 * x2) / x1.hypot(y1).powi(3) * x1.signum();
+    let curvature = (x1 * y2 - y1 * x2) / x1.hypotenuse(y1).powi(3) * x1.signum();
     curvature.is_finite().then_some(curvature)
 }

@@ -1,3 +1,5 @@
+use katydid_elementary::Elementary;
+
 use super::RevolutionSurface;
 use super::sphere::{check_plane, check_radius, full_angle};
 use crate::{Error, Interval, Line, LineCurve, NurbsSurface, Plane, Point3, Result, Vector3};
@@ -31,13 +33,13 @@ impl Cylinder {
 
     /// The unit normal, outwards.
     pub fn normal_at(&self, angle: f64) -> Vector3 {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         self.plane.x_axis * cos + self.plane.y_axis * sin
     }
 
     /// The point at an angle and height.
     pub fn point_at(&self, angle: f64, height: f64) -> Point3 {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         self.plane.at(self.radius * cos, self.radius * sin, height)
     }
 

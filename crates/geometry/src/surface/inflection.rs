@@ -1,5 +1,7 @@
 //! Where a surface changes from a dome to a saddle.
 
+use katydid_elementary::Elementary;
+
 use super::Surface;
 use crate::isoline::{Isoline, isolines};
 use crate::thresholds;
@@ -52,7 +54,7 @@ impl Surface {
 fn share(i: usize) -> f64 {
     const OFF: f64 = 0.0137;
     let x = i as f64 / CELLS as f64;
-    x + OFF / CELLS as f64 * (std::f64::consts::PI * x).sin()
+    x + OFF / CELLS as f64 * (std::f64::consts::PI * x).sine()
 }
 
 /// The share at a place between places of the grid.

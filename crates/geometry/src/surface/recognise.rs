@@ -1,5 +1,7 @@
 //! Spheres, cylinders, cones and tori behind other surfaces.
 
+use katydid_elementary::Elementary;
+
 use super::{Cone, Cylinder, Sphere, Surface, Torus};
 use crate::linear::symmetric_eigen;
 use crate::surface::thresholds::{FLAT_SCATTER, RECOGNISED};
@@ -115,7 +117,7 @@ impl Surface {
         let frame = Plane::from_normal(apex, axis).ok()?;
         let polar = |p: Point3| {
             let [x, y, z] = frame.coordinates(p);
-            (x.hypot(y), z)
+            (x.hypotenuse(y), z)
         };
         let (r, z) = samples.iter().map(|s| polar(s.point)).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
         let slope = r / z;

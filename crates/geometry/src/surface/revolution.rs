@@ -2,6 +2,8 @@ use crate::surface::thresholds::{EXACT_RIGHT_ANGLE, FULL_REVOLUTION};
 use crate::thresholds;
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use super::sum::check_curve;
 use crate::nurbs::Controls;
 use crate::{
@@ -31,7 +33,7 @@ struct Arm {
 
 /// Sine and cosine, without the 6e-17 where a 0 belongs.
 fn sin_cos(angle: f64) -> (f64, f64) {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     if sin.abs() < EXACT_RIGHT_ANGLE {
         (0.0, cos.signum())
     } else if cos.abs() < EXACT_RIGHT_ANGLE {
@@ -53,7 +55,7 @@ impl Ring {
     /// The place, as a vector from the origin, and the derivatives by the angle's parameter and the profile's, at an angle
     /// in radians.
     pub(crate) fn at(&self, angle: f64) -> [Vector3; 3] {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         let Arm { foot, arm, turned } = &self.at;
         let place = self.start + *foot + *arm * cos + *turned * sin;
         let around = (*turned * cos - *arm * sin) * self.speed;

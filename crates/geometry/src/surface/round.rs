@@ -3,6 +3,8 @@
 use crate::surface::thresholds::{CONE_SLOPE, SAME_HEIGHT};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::{RevolutionSurface, SumSurface, Surface};
 use crate::polynomial::Polynomial;
 use crate::{Curve, Interval, Plane, Point3, Vector3};
@@ -105,7 +107,7 @@ impl Round {
                 let x_axis = (middle - unit * middle.dot(unit)).unitized()?;
                 let latitude = |angle: f64| {
                     let p = circle.at(angle) - center;
-                    p.dot(unit).atan2(p.dot(x_axis))
+                    p.dot(unit).arctangent_of(p.dot(x_axis))
                 };
                 let ends = Interval::new(latitude(c.arc.angle.start), latitude(c.arc.angle.end));
                 let within = |x: f64| x.abs() <= FRAC_PI_2 + EXACT;
@@ -167,14 +169,14 @@ impl Round {
     pub(crate) fn parameters(&self, p: Point3) -> Option<[f64; 2]> {
         let [x, y, z] = self.frame.coordinates(p);
         let height = match self.form {
-            RoundForm::Sphere(_) => z.atan2(x.hypot(y)),
+            RoundForm::Sphere(_) => z.arctangent_of(x.hypotenuse(y)),
             _ => z,
         };
         let share = self.along.normalized(height);
         if !(-BEYOND..=1.0 + BEYOND).contains(&share) {
             return None;
         }
-        let turns = (y.atan2(x) - self.angle.start).rem_euclid(TAU) / self.angle.length();
+        let turns = (y.arctangent_of(x) - self.angle.start).rem_euclid(TAU) / self.angle.length();
         let turns = if turns * self.angle.length() > TAU * (1.0 - BEYOND) { 0.0 } else { turns };
         if turns > 1.0 + BEYOND {
             return None;

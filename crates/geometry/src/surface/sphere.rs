@@ -1,11 +1,13 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use katydid_elementary::Elementary;
+
 use super::RevolutionSurface;
 use crate::{Arc, ArcCurve, Circle, Error, Interval, Line, NurbsSurface, Plane, Point3, Result, Vector3};
 
 /// The angle of a direction in a plane, from 0 up to a turn.
 pub(super) fn full_angle(x: f64, y: f64) -> f64 {
-    let angle = y.atan2(x);
+    let angle = y.arctangent_of(x);
     let angle = if angle < 0.0 { angle + TAU } else { angle };
     // A tiny negative angle rounds up to a whole turn.
     if angle >= TAU { 0.0 } else { angle }
@@ -58,7 +60,7 @@ impl Sphere {
 
     /// The unit normal, outwards.
     pub fn normal_at(&self, longitude: f64, latitude: f64) -> Vector3 {
-        let ((su, cu), (sv, cv)) = (longitude.sin_cos(), latitude.sin_cos());
+        let ((su, cu), (sv, cv)) = (longitude.sine_cosine(), latitude.sine_cosine());
         let p = &self.plane;
         p.x_axis * (cu * cv) + p.y_axis * (su * cv) + p.z_axis * sv
     }
@@ -72,11 +74,11 @@ impl Sphere {
     /// equally near, `None`.
     pub fn closest_parameters(&self, p: Point3) -> Option<(f64, f64)> {
         let [x, y, z] = self.plane.coordinates(p);
-        let arm = x.hypot(y);
+        let arm = x.hypotenuse(y);
         if !(arm.max(z.abs()) > 0.0) {
             return None;
         }
-        Some((if arm > 0.0 { full_angle(x, y) } else { 0.0 }, z.atan2(arm)))
+        Some((if arm > 0.0 { full_angle(x, y) } else { 0.0 }, z.arctangent_of(arm)))
     }
 
     /// The nearest point of the sphere; for the centre the point at longitude and latitude 0.

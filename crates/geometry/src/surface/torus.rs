@@ -1,5 +1,7 @@
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use super::RevolutionSurface;
 use super::sphere::{check_plane, check_radius, full_angle};
 use crate::{Arc, ArcCurve, Circle, Error, Interval, Line, NurbsSurface, Plane, Point3, Result, Vector3};
@@ -37,14 +39,14 @@ impl Torus {
 
     /// The unit normal, out of the tube.
     pub fn normal_at(&self, major_angle: f64, minor_angle: f64) -> Vector3 {
-        let ((su, cu), (sv, cv)) = (major_angle.sin_cos(), minor_angle.sin_cos());
+        let ((su, cu), (sv, cv)) = (major_angle.sine_cosine(), minor_angle.sine_cosine());
         let p = &self.plane;
         p.x_axis * (cu * cv) + p.y_axis * (su * cv) + p.z_axis * sv
     }
 
     /// The point at two angles.
     pub fn point_at(&self, major_angle: f64, minor_angle: f64) -> Point3 {
-        let (sin, cos) = major_angle.sin_cos();
+        let (sin, cos) = major_angle.sine_cosine();
         self.plane.at(self.major_radius * cos, self.major_radius * sin, 0.0)
             + self.normal_at(major_angle, minor_angle) * self.minor_radius
     }
@@ -52,7 +54,7 @@ impl Torus {
     /// The angles of the nearest point; 0 where a whole circle is equally near.
     pub fn closest_parameters(&self, p: Point3) -> (f64, f64) {
         let [x, y, z] = self.plane.coordinates(p);
-        (full_angle(x, y), full_angle(x.hypot(y) - self.major_radius, z))
+        (full_angle(x, y), full_angle(x.hypotenuse(y) - self.major_radius, z))
     }
 
     /// The nearest point of the torus.

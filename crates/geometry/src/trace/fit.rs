@@ -1,5 +1,7 @@
 //! Curves through the places that were followed: in space and in both domains, of one parameter.
 
+use katydid_elementary::Elementary;
+
 use super::thresholds::{ALONG, FLAT_ARC, SAME_PLACE};
 use super::{Condition, Cubic, Four, Pair, Place};
 use crate::curve::traced::{Sample, shape};
@@ -142,7 +144,7 @@ fn measured(pair: &Pair<'_>, places: &[Place]) -> Result<(Fitted, Vec<f64>)> {
     for w in places.windows(2) {
         // The length of an arc with these tangents.
         let half = 0.5 * w[0].tangent.angle_to(w[1].tangent).unwrap_or(0.0);
-        let stretch = if half > FLAT_ARC { half / half.sin() } else { 1.0 };
+        let stretch = if half > FLAT_ARC { half / half.sine() } else { 1.0 };
         lengths.push(lengths.last().copied().unwrap_or(0.0) + stretch * (w[1].point - w[0].point).length());
     }
     let samples: Vec<Sample> =

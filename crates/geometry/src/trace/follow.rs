@@ -1,5 +1,7 @@
 //! From a place of the common curve to its end.
 
+use katydid_elementary::Elementary;
+
 use super::proof::Box4;
 use super::thresholds::{ABOVE_NOISE, ASIDE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST, SLOWEST};
 use super::{Condition, Four, Pair, Place};
@@ -223,7 +225,7 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     if !pair.is_graph(bounds, along) {
         return None;
     }
-    let growth = (0.3 * limits.tolerance / miss.max(f64::MIN_POSITIVE)).powf(0.25).clamp(0.5, 2.0);
+    let growth = (0.3 * limits.tolerance / miss.max(f64::MIN_POSITIVE)).raised_to(0.25).clamp(0.5, 2.0);
     let proved = Proved { bounds, through: from.point, across: along, reach };
     Some(Step { to, proved, at_border, growth })
 }

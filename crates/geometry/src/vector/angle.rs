@@ -1,5 +1,7 @@
 //! Angles, projections and rotations of vectors.
 
+use katydid_elementary::Elementary;
+
 use crate::Vector3;
 
 impl Vector3 {
@@ -9,7 +11,7 @@ impl Vector3 {
     /// product loses half of them.
     pub fn angle_to(self, other: Self) -> Option<f64> {
         let (a, b) = (self.unitized()?, other.unitized()?);
-        Some(a.cross(b).length().atan2(a.dot(b)))
+        Some(a.cross(b).length().arctangent_of(a.dot(b)))
     }
 
     /// The part of this vector along `direction`; `None` when `direction` has none.
@@ -56,7 +58,7 @@ impl Vector3 {
     /// the axis has no direction.
     pub fn rotated(self, angle: f64, axis: Self) -> Option<Self> {
         let k = axis.unitized()?;
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         Some(self * cos + k.cross(self) * sin + k * (k.dot(self) * (1.0 - cos)))
     }
 

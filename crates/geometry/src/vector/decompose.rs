@@ -1,5 +1,7 @@
 //! Signed angles, averages and components.
 
+use katydid_elementary::Elementary;
+
 use crate::Vector3;
 use crate::thresholds;
 
@@ -39,7 +41,7 @@ impl Vector3 {
     /// Whether the vectors meet at a right angle within `angle` radians; never for one without direction.
     pub fn is_perpendicular_to(self, other: Self, angle: f64) -> bool {
         match (self.unitized(), other.unitized()) {
-            (Some(a), Some(b)) => a.dot(b).abs() <= angle.sin(),
+            (Some(a), Some(b)) => a.dot(b).abs() <= angle.sine(),
             _ => false,
         }
     }

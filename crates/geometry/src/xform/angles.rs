@@ -1,11 +1,13 @@
 //! Rotations by three angles.
 
+use katydid_elementary::Elementary;
+
 use crate::xform::thresholds::{LOCKED, ROTATION};
 use crate::{Point3, Vector3, Xform};
 
 /// The rotation about a world axis through the origin.
 fn about(angle: f64, axis: usize) -> Xform {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     let mut m = Xform::IDENTITY;
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     m.rows[i][i] = cos;
@@ -36,12 +38,12 @@ impl Xform {
     /// within `tolerance`. The pitch is between −π/2 and π/2; straight up or down the roll is 0.
     pub fn yaw_pitch_roll(&self, tolerance: f64) -> Option<[f64; 3]> {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
-        let cos = r[0][0].hypot(r[1][0]);
-        let pitch = (-r[2][0]).atan2(cos);
+        let cos = r[0][0].hypotenuse(r[1][0]);
+        let pitch = (-r[2][0]).arctangent_of(cos);
         Some(if cos <= LOCKED {
-            [(-r[0][1]).atan2(r[1][1]), pitch, 0.0]
+            [(-r[0][1]).arctangent_of(r[1][1]), pitch, 0.0]
         } else {
-            [r[1][0].atan2(r[0][0]), pitch, r[2][1].atan2(r[2][2])]
+            [r[1][0].arctangent_of(r[0][0]), pitch, r[2][1].arctangent_of(r[2][2])]
         })
     }
 
@@ -49,13 +51,13 @@ impl Xform {
     /// within `tolerance`. β is between 0 and π; where it is one of these γ is 0.
     pub fn euler_zyz(&self, tolerance: f64) -> Option<[f64; 3]> {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
-        let sin = r[0][2].hypot(r[1][2]);
-        let beta = sin.atan2(r[2][2]);
+        let sin = r[0][2].hypotenuse(r[1][2]);
+        let beta = sin.arctangent_of(r[2][2]);
         Some(if sin <= LOCKED {
             // Turned over, α counts backwards in the first column.
-            [(-r[0][1]).atan2(r[1][1]), beta, 0.0]
+            [(-r[0][1]).arctangent_of(r[1][1]), beta, 0.0]
         } else {
-            [r[1][2].atan2(r[0][2]), beta, r[2][1].atan2(-r[2][0])]
+            [r[1][2].arctangent_of(r[0][2]), beta, r[2][1].arctangent_of(-r[2][0])]
         })
     }
 
@@ -63,12 +65,12 @@ impl Xform {
     /// within `tolerance`. The tilt is between −π/2 and π/2; at these ends the roll is 0.
     pub fn kml_angles(&self, tolerance: f64) -> Option<[f64; 3]> {
         let r = self.is_rotation(tolerance).then_some(&self.rows)?;
-        let cos = r[0][1].hypot(r[1][1]);
-        let tilt = -r[2][1].atan2(cos);
+        let cos = r[0][1].hypotenuse(r[1][1]);
+        let tilt = -r[2][1].arctangent_of(cos);
         Some(if cos <= LOCKED {
-            [-r[1][0].atan2(r[0][0]), tilt, 0.0]
+            [-r[1][0].arctangent_of(r[0][0]), tilt, 0.0]
         } else {
-            [-(-r[0][1]).atan2(r[1][1]), tilt, -(-r[2][0]).atan2(r[2][2])]
+            [-(-r[0][1]).arctangent_of(r[1][1]), tilt, -(-r[2][0]).arctangent_of(r[2][2])]
         })
     }
 

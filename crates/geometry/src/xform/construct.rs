@@ -1,5 +1,7 @@
 //! Transforms from what they do.
 
+use katydid_elementary::Elementary;
+
 use crate::thresholds;
 use crate::xform::thresholds::NO_TURN;
 use crate::{Error, Plane, Point3, Result, Vector3, Xform};
@@ -50,7 +52,7 @@ impl Xform {
     /// # Errors
     /// When the axis has no direction.
     pub fn rotation(angle: f64, axis: Vector3, center: Point3) -> Result<Self> {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = angle.sine_cosine();
         Self::rotation_sin_cos(sin, cos, axis, center)
     }
 

@@ -1,5 +1,7 @@
 //! Maps taken apart.
 
+use katydid_elementary::Elementary;
+
 use crate::linear::symmetric_eigen;
 use crate::thresholds;
 use crate::xform::thresholds::{JACOBI, NO_INVERSE};
@@ -228,8 +230,8 @@ fn singular_values(columns: [Vector3; 3]) -> Option<([Vector3; 3], [f64; 3], [Ve
             }
             turned = true;
             let zeta = (beta - alpha) / (2.0 * gamma);
-            let t = 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypot(1.0));
-            let c = 1.0 / t.hypot(1.0);
+            let t = 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypotenuse(1.0));
+            let c = 1.0 / t.hypotenuse(1.0);
             let s = c * t;
             (a[p], a[q]) = (a[p] * c - a[q] * s, a[p] * s + a[q] * c);
             (v[p], v[q]) = (v[p] * c - v[q] * s, v[p] * s + v[q] * c);

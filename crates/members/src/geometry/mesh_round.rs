@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Cone, Cylinder, Mesh, MeshFace, Plane, Point3, Sphere, Torus, Vector3};
 
 use super::answer::Outcome;
@@ -82,7 +83,7 @@ impl Rings {
     fn ring(&mut self, radius: f64, height: f64) -> Outcome<u32> {
         let first = number(self.vertices.len())?;
         for k in 0..self.around {
-            let (sin, cos) = (TAU * f64::from(k) / f64::from(self.around)).sin_cos();
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(self.around)).sine_cosine();
             self.vertices.push(self.plane.at(radius * cos, radius * sin, height));
         }
         Ok(first)
@@ -164,7 +165,7 @@ fn torus(shape: Torus, Count(tube): Around, Count(around): Around) -> Outcome<Me
     let mut rings = Rings::new(shape.plane, around)?;
     let mut firsts = Vec::with_capacity(tube);
     for k in 0..tube {
-        let (sin, cos) = (TAU * k as f64 / tube as f64).sin_cos();
+        let (sin, cos) = (TAU * k as f64 / tube as f64).sine_cosine();
         firsts.push(rings.ring(shape.major_radius + shape.minor_radius * cos, shape.minor_radius * sin)?);
     }
     let next = firsts.iter().cycle().skip(1);

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Arc, Circle, Curve, NurbsCurve, Plane, Point3, Vector3, compatible_curves};
 
 use super::answer::Outcome;
@@ -86,7 +87,7 @@ fn spiral(
     let (growth, rise, sweep) = (r1 - r0, pitch * turns.abs(), TAU * turns);
     for k in 0..=pieces {
         let s = f64::from(k) / f64::from(pieces);
-        let (radius, (sin, cos)) = (r0 + growth * s, (sweep * s).sin_cos());
+        let (radius, (sin, cos)) = (r0 + growth * s, (sweep * s).sine_cosine());
         points.push(frame.at(radius * cos, radius * sin, rise * s));
         let x = growth * cos - radius * sweep * sin;
         let y = growth * sin + radius * sweep * cos;
@@ -117,8 +118,8 @@ fn parabola(vertex: Point3, start: Point3, end: Point3) -> Outcome<Option<Curve>
 fn axis_of(a: Vector3, b: Vector3, normal: Vector3) -> Option<Vector3> {
     let x = a.unitized()?;
     let y = normal.cross(x);
-    let span = b.dot(y).atan2(b.dot(x));
-    let direction = |angle: f64| x * angle.cos() + y * angle.sin();
+    let span = b.dot(y).arctangent_of(b.dot(x));
+    let direction = |angle: f64| x * angle.cosine() + y * angle.sine();
     let miss = |angle: f64| {
         let axis = direction(angle);
         let across = axis.cross(normal);

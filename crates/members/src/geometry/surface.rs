@@ -1,5 +1,6 @@
 //! Surfaces: extrusions, offsets, nearest points, and curves on them.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::construct::{extrude_to_point, offset_surface, offset_surface_variably};
 use katydid_geometry::{
     Curve, Direction, Interval, NurbsSurface, Point2, Point3, SumSurface, Surface, Tolerance, Vector3,
@@ -67,7 +68,7 @@ pub(super) fn enter(table: &mut Endpoints) {
 fn nearest_from(surface: Surface, point: Point3, u: f64, v: f64) -> Outcome<(bool, f64, f64)> {
     let [us, vs] = Direction::BOTH.map(|direction| surface.domain(direction).length());
     let found = surface.local_closest_points(point)?;
-    let far = |a: f64, b: f64| ((a - u) / us).hypot((b - v) / vs);
+    let far = |a: f64, b: f64| ((a - u) / us).hypotenuse((b - v) / vs);
     let best = found.points.iter().min_by(|a, b| far(a.u, a.v).total_cmp(&far(b.u, b.v)));
     Ok(best.map_or((false, 0.0, 0.0), |best| (true, best.u, best.v)))
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use katydid_data::{Colour, Tree, Value, text};
 use katydid_definition::document::ids;
+use katydid_elementary::Elementary;
 use katydid_geometry::{BoundingBox, Mesh};
 
 use super::capsule::{grips, middle, window};
@@ -142,7 +143,7 @@ fn sectors(one: &Placed<'_>, tree: &Tree, [x, y, w, h]: [f64; 4]) -> Vec<Item> {
     let (centre, r) = ([x + 0.5 * w, y + 0.5 * h], 0.46 * w.min(h));
     let on = |turn: f64, r: f64| {
         // From the top, the way of clocks.
-        let (sin, cos) = (TAU * turn).sin_cos();
+        let (sin, cos) = (TAU * turn).sine_cosine();
         [centre[0] + r * sin, centre[1] - r * cos]
     };
     let mut labels = Vec::new();

@@ -5,6 +5,7 @@ use katydid_definition::document::Special;
 use katydid_definition::document::special::{
     Gradient, Graph, GraphMapper, Knob, ListMode, MdSlider, Rounding, Slider, ValueList,
 };
+use katydid_elementary::Elementary;
 use uuid::{Uuid, uuid};
 
 use super::capsule::{body, grips, middle, titled, window};
@@ -159,7 +160,7 @@ fn knob(one: &Placed<'_>, knob: &Knob) -> Vec<Item> {
     let (cx, cy, r) = (x + 0.5 * w, y + 0.5 * h, 0.38 * w.min(h));
     items.push(Shape::filled(Path::circle([cx, cy], r), theme::PAPER).outlined(theme::EDGE, 1.0).into());
     let range = if knob.range.abs() > 0.0 { knob.range } else { 1.0 };
-    let (sin, cos) = (std::f64::consts::TAU * (knob.value / range)).sin_cos();
+    let (sin, cos) = (std::f64::consts::TAU * (knob.value / range)).sine_cosine();
     if sin.is_finite() {
         let tip = [cx + 0.9 * r * sin, cy - 0.9 * r * cos];
         items.push(Shape::stroked(Path::polyline([[cx, cy], tip]), theme::EDGE, 1.6).into());
@@ -192,7 +193,7 @@ fn graph(one: &Placed<'_>, mapper: &GraphMapper) -> Vec<Item> {
         |f: &dyn Fn(f64) -> f64| Path::polyline((0..=48).map(|k| f64::from(k) / 48.0).map(|u| at([u, f(u)])));
     let wave = |[[x0, y0], [x1, y1]]: [[f64; 2]; 2], u: f64| {
         let middle = 0.5 * (y0 + y1);
-        middle + (y0 - middle) * (std::f64::consts::PI * (u - x0) / (x1 - x0)).cos()
+        middle + (y0 - middle) * (std::f64::consts::PI * (u - x0) / (x1 - x0)).cosine()
     };
     let path = match &mapper.graph {
         Some(Graph::Bezier(points)) => Path::cubic(points.map(at)),
@@ -204,7 +205,7 @@ fn graph(one: &Placed<'_>, mapper: &GraphMapper) -> Vec<Item> {
             sampled(&|u| origin[1] + a * (u - origin[0]).powi(2))
         }
         Some(Graph::Gaussian { mean, deviation, factor }) => {
-            sampled(&|u| factor * (-0.5 * ((u - mean) / deviation).powi(2)).exp())
+            sampled(&|u| factor * (-0.5 * ((u - mean) / deviation).powi(2)).exponential())
         }
         Some(Graph::Other(name, _)) => {
             items.push(middle([x + 0.5 * w, y + 0.5 * h], font::fitted(name, 10.0, w), 10.0, theme::INK));
@@ -214,7 +215,7 @@ fn graph(one: &Placed<'_>, mapper: &GraphMapper) -> Vec<Item> {
             items.push(middle([x + 0.5 * w, y + 0.5 * h], "Perlin".to_owned(), 10.0, theme::INK));
             return items;
         }
-        Some(Graph::Power { power, .. }) => sampled(&|u| u.powf(*power)),
+        Some(Graph::Power { power, .. }) => sampled(&|u| u.raised_to(*power)),
         _ => return items,
     };
     items.push(Shape::stroked(path, theme::RED, 1.4).into());

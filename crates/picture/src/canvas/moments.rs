@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use katydid_data::DateTime;
 use katydid_definition::document::special::{Calendar, Clock};
+use katydid_elementary::Elementary;
 
 use super::capsule::{body, middle, window};
 use super::{Placed, theme};
@@ -73,7 +74,7 @@ pub(super) fn clock(one: &Placed<'_>, clock: &Clock) -> Vec<Item> {
     items.push(Shape::filled(Path::circle([cx, cy], r), theme::PAPER).outlined(theme::EDGE, 1.0).into());
     // Turns are counted from the top, clockwise.
     let place = |turn: f64, share: f64| {
-        let (sin, cos) = (TAU * turn).sin_cos();
+        let (sin, cos) = (TAU * turn).sine_cosine();
         [cx + share * r * sin, cy - share * r * cos]
     };
     for hour in 0..12 {

@@ -2,6 +2,7 @@
 
 use katydid_definition::document::special::{Group, Scribble, Sketch};
 use katydid_definition::document::{Document, Special};
+use katydid_elementary::Elementary;
 use uuid::Uuid;
 
 use super::frame::union;
@@ -85,7 +86,7 @@ pub(super) fn scribble(one: &Placed<'_>, scribble: &Scribble) -> Vec<Item> {
     // The corners of a turned scribble say where its text runs.
     let [a, b, ..] = scribble.corners.map(|p| p.map(f64::from));
     let along = [b[0] - a[0], b[1] - a[1]];
-    let length = along[0].hypot(along[1]);
+    let length = along[0].hypotenuse(along[1]);
     let turned = length > 1.0 && length.is_finite() && along[1].abs() > 0.01 * length;
     let (start, [c, s]) = if turned { (a, along.map(|k| k / length)) } else { ([x, y], [1.0, 0.0]) };
     let step = if turned { 1.3 * size } else { (h / lines.len().max(1) as f64).clamp(size, 1.6 * size) };

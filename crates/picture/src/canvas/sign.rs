@@ -1,5 +1,6 @@
 //! What is wrong with an object, by a sign of its own shape beside its colour.
 
+use katydid_elementary::Elementary;
 use katydid_solver::Status;
 
 use super::{Placed, theme};
@@ -16,7 +17,7 @@ pub(super) fn of(one: &Placed<'_>) -> Vec<Item> {
     let (cx, cy) = (x + w - 3.0, y - 2.0);
     let corners = |n: u32, turn: f64| {
         (0..n).map(move |k| {
-            let (sin, cos) = (std::f64::consts::TAU * (f64::from(k) + turn) / f64::from(n)).sin_cos();
+            let (sin, cos) = (std::f64::consts::TAU * (f64::from(k) + turn) / f64::from(n)).sine_cosine();
             [cx + R * sin, cy - R * cos]
         })
     };

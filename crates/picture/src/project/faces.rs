@@ -1,6 +1,7 @@
 //! Lit faces: meshes, surfaces, tiles.
 
 use katydid_data::Colour;
+use katydid_elementary::Elementary;
 use katydid_geometry::{Mesh, Point3, Vector3};
 
 use super::{BEFORE, Canvas};
@@ -29,7 +30,7 @@ impl Canvas {
         let edges = mesh.edges();
         let on_picture = |line: &katydid_geometry::Line| {
             let (a, b) = (self.camera.project(line.from)?, self.camera.project(line.to)?);
-            Some((a[0] - b[0]).hypot(a[1] - b[1]))
+            Some((a[0] - b[0]).hypotenuse(a[1] - b[1]))
         };
         let lines = || edges.iter().filter_map(|edge| Some((edge, mesh.edge_line(edge)?)));
         let total: f64 = lines().filter_map(|(_, line)| on_picture(&line)).sum();

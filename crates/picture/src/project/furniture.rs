@@ -1,6 +1,7 @@
 //! Grid, axes and legends.
 
 use katydid_data::Colour;
+use katydid_elementary::Elementary;
 use katydid_geometry::{BoundingBox, Point3, Vector3};
 
 use super::Canvas;
@@ -80,7 +81,7 @@ pub(super) fn grid(canvas: &Canvas, view: View, points: &[Point3], options: &Opt
 
 /// 1, 2 or 5 times a power of ten, not less than `x`.
 fn round_step(x: f64) -> f64 {
-    let power = 10.0_f64.powf(x.log10().floor());
+    let power = 10.0_f64.raised_to(x.logarithm_10().floor());
     let step = [1.0, 2.0, 5.0].map(|k| k * power).into_iter().find(|step| *step >= x * (1.0 - 1e-9));
     step.unwrap_or(10.0 * power)
 }
@@ -93,7 +94,7 @@ pub(super) fn triad(canvas: &mut Canvas) {
         .into_iter()
         .map(|v| canvas.camera.direction(v))
         .zip(AXES)
-        .filter(|([x, y, _], _)| x.hypot(*y) > 0.05)
+        .filter(|([x, y, _], _)| x.hypotenuse(*y) > 0.05)
         .collect();
     // The one that comes nearest is on top.
     arms.sort_by(|a, b| a.0[2].total_cmp(&b.0[2]));
@@ -101,7 +102,7 @@ pub(super) fn triad(canvas: &mut Canvas) {
     for ([x, y, _], (colour, letter)) in arms {
         let at = |k: f64| [origin[0] + k * LENGTH * x, origin[1] + k * LENGTH * y];
         items.push(Shape::stroked(Path::polyline([origin, at(1.0)]), colour, 1.8).into());
-        let reach = x.hypot(y);
+        let reach = x.hypotenuse(y);
         let [u, v] = [x / reach, y / reach];
         let tip = at(1.0);
         let head = [

@@ -1,6 +1,7 @@
 //! Signs of one size on the picture: crosses, dots, symbols, heads of arrows. They have the depth of their place.
 
 use katydid_data::{Colour, Symbol};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Plane, Point3, Vector3};
 
 use super::{BEFORE, Canvas, PLANE};
@@ -84,7 +85,7 @@ impl Canvas {
         };
         let [a, b] = [*a, *b].map(|p| [p[0], p[1], p[2] + BEFORE]);
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = dx.hypot(dy);
+        let length = dx.hypotenuse(dy);
         if along.length() < SHORT * self.camera.unit(tip) {
             self.stroke(vec![a, b], colour, width);
             return;
@@ -129,7 +130,7 @@ impl Canvas {
     /// The head of an arrow alone; none where there is no room for one.
     pub(super) fn tip(&mut self, at: Point3, way: Vector3, colour: Colour, width: f64) {
         let (Some(a), Some(b)) = (self.camera.project(at - way), self.camera.project(at)) else { return };
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = (b[0] - a[0]).hypotenuse(b[1] - a[1]);
         let scale = self.head_size(width).min(length / HEAD[0]);
         if !(scale > 0.2) {
             return;
@@ -151,7 +152,7 @@ impl Canvas {
         }
         let r = r.min(SYMBOL);
         let turned = |u: f64, v: f64| {
-            let (sin, cos) = symbol.rotation.sin_cos();
+            let (sin, cos) = symbol.rotation.sine_cosine();
             [x + r * (u * cos - v * sin), y + r * (u * sin + v * cos), z]
         };
         let square = |r: f64, nearer: f64| {
@@ -212,7 +213,7 @@ impl Canvas {
 /// Cosine and sine around a circle.
 fn ring(n: u32) -> impl Iterator<Item = [f64; 2]> {
     (0..n).map(move |k| {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(n)).sin_cos();
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(n)).sine_cosine();
         [cos, sin]
     })
 }
@@ -222,8 +223,9 @@ fn heart() -> Vec<[f64; 2]> {
     (0..24)
         .map(|k| {
             let t = std::f64::consts::TAU * f64::from(k) / 24.0;
-            let x = t.sin().powi(3);
-            let y = 13.0 * t.cos() - 5.0 * (2.0 * t).cos() - 2.0 * (3.0 * t).cos() - (4.0 * t).cos();
+            let x = t.sine().powi(3);
+            let y =
+                13.0 * t.cosine() - 5.0 * (2.0 * t).cosine() - 2.0 * (3.0 * t).cosine() - (4.0 * t).cosine();
             [x, -y / 16.0]
         })
         .collect()

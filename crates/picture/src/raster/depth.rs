@@ -1,6 +1,7 @@
 //! The software renderer: a depth buffer with nine samples a pixel, a band of rows at a time.
 
 use katydid_data::Colour;
+use katydid_elementary::Elementary;
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use crate::drawing::{Corner, Face, Solids, SpaceLine};
@@ -137,7 +138,7 @@ fn ribbon(line: &SpaceLine, out: &mut Vec<Triangle>) {
     for w in line.points.windows(2) {
         let [a, b] = *w else { continue };
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = dx.hypot(dy);
+        let length = dx.hypotenuse(dy);
         if length > 0.0 {
             let (nx, ny) = (-dy / length * radius, dx / length * radius);
             let at = |p: [f64; 3], side: f64| [p[0] + side * nx, p[1] + side * ny, p[2]];
@@ -149,7 +150,7 @@ fn ribbon(line: &SpaceLine, out: &mut Vec<Triangle>) {
         for p in &line.points {
             let disc: Vec<[f64; 3]> = (0..8)
                 .map(|k| {
-                    let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4).sin_cos();
+                    let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4).sine_cosine();
                     [p[0] + radius * cos, p[1] + radius * sin, p[2]]
                 })
                 .collect();

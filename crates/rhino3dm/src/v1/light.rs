@@ -1,5 +1,6 @@
 //! Lights of version 1: spotlights, as a cone from its base.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Point3, Vector3};
 use uuid::Uuid;
 
@@ -31,7 +32,11 @@ impl Spotlight {
         Ok(Self {
             location: origin + axis * height,
             direction: if height > 0.0 { direction * height } else { direction },
-            angle: if radius > 0.0 && height > 0.0 { (radius / height).atan().to_degrees() } else { 180.0 },
+            angle: if radius > 0.0 && height > 0.0 {
+                (radius / height).arctangent().to_degrees()
+            } else {
+                180.0
+            },
         })
     }
 

@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_definition::document::Object;
+use katydid_elementary::Elementary;
 use katydid_expression::{Dialect, Variant, format};
 use katydid_geometry::{Arc, Circle, Line, Mesh, Plane, Point3, Vector3};
 use uuid::{Uuid, uuid};
@@ -71,7 +72,7 @@ fn swept(
     size: f64,
 ) {
     let at = |t: f64| {
-        let (sin, cos) = t.sin_cos();
+        let (sin, cos) = t.sine_cosine();
         plane.at(radius * cos, radius * sin, 0.0)
     };
     let points: Vec<Point3> =
@@ -202,7 +203,7 @@ fn circular(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
     };
     let angle = |p: Point3| {
         let [x, y, _] = circle.plane.coordinates(p);
-        y.atan2(x)
+        y.arctangent_of(x)
     };
     let from = angle(a);
     let sweep = (angle(b) - from).rem_euclid(std::f64::consts::TAU);

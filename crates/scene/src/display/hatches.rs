@@ -4,6 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_data::Colour;
 use katydid_definition::document::Object;
+use katydid_elementary::Elementary;
 use katydid_geometry::{Curve, Line, Plane, Point3};
 use uuid::{Uuid, uuid};
 
@@ -81,7 +82,7 @@ pub(crate) fn lines(curves: &[Shared<Curve>], number: i32, scale: f64, angle: f6
     let step = if number == 0 { 0.1 } else { SPACING } * scale.abs();
     let turns: &[f64] = if number > 0 && number % 2 == 0 { &[0.25, 0.75] } else { &[0.25] };
     for turn in turns {
-        let (sin, cos) = (angle + turn * std::f64::consts::PI).sin_cos();
+        let (sin, cos) = (angle + turn * std::f64::consts::PI).sine_cosine();
         let (along, across) = ([cos, sin], [-sin, cos]);
         let Some([low, high]) = region.reach(across) else { return found };
         if !(step > 0.0 && (high - low) / step <= MOST_LINES) {
@@ -106,7 +107,7 @@ fn gradient(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
     let second = row.item::<Colour>(3).unwrap_or_default();
     let flat = |p: Point3| region.plane.coordinates(p);
     let ([a, b, _], [c, d, _]) = (flat(axis.from), flat(axis.to));
-    let length = (c - a).hypot(d - b);
+    let length = (c - a).hypotenuse(d - b);
     if !(length > 0.0) {
         return;
     }

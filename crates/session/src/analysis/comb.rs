@@ -3,6 +3,7 @@
 
 use std::sync::Arc as Shared;
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{BoundingBox, CurvatureSample, Curve, Point3};
 use katydid_scene::Origin;
 
@@ -104,7 +105,7 @@ impl Survey {
         if !(scale.is_finite() && scale > 0.0) {
             return 0.0;
         }
-        let power = 10.0_f64.powf(scale.log10().floor());
+        let power = 10.0_f64.raised_to(scale.logarithm_10().floor());
         let step = [5.0, 2.0].into_iter().find(|step| step * power <= scale * (1.0 + 1e-12)).unwrap_or(1.0);
         step * power
     }

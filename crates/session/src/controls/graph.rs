@@ -4,6 +4,7 @@ use katydid_data::Value;
 use katydid_definition::archive::Chunk;
 use katydid_definition::document::special::{Graph, GraphMapper};
 use katydid_definition::document::{Document, Object, Persistent, Special, Stored, ids};
+use katydid_elementary::Elementary;
 use katydid_solver::{Engine, Options};
 use uuid::{Uuid, uuid};
 
@@ -176,7 +177,7 @@ fn fill(chunk: &mut Chunk, name: &str, handles: &[[f64; 2]]) -> Option<()> {
 
 /// The exponent of the power through a point of the unit square.
 fn power(x: f64, y: f64) -> Option<f64> {
-    let power = y.ln() / x.ln();
+    let power = y.logarithm() / x.logarithm();
     (x > 0.0 && x < 1.0 && y > 0.0 && y < 1.0 && power.is_finite()).then_some(power)
 }
 

@@ -1,6 +1,7 @@
 //! Parts as bytes: the head in JSON, then the arrays.
 
 use katydid_data::Path;
+use katydid_elementary::Elementary;
 use katydid_geometry::{BoundingBox, Point3};
 use uuid::Uuid;
 
@@ -49,7 +50,7 @@ fn origin(bounds: &BoundingBox) -> Point3 {
     if !(size > 0.0 && size.is_finite()) {
         return if middle.is_finite() { middle } else { Point3::ORIGIN };
     }
-    let step = (size / 8.0).log2().ceil().exp2();
+    let step = (size / 8.0).logarithm_2().ceil().power_of_two();
     let round = |x: f64| Some((x / step).round() * step).filter(|x| x.is_finite()).unwrap_or(0.0);
     Point3::new(round(middle.x), round(middle.y), round(middle.z))
 }

@@ -4,6 +4,7 @@
 //! the legs between them. Spans that follow each other are one segment as long as all their control points are near it
 //! and no leg turns away from it; nothing but the ends of segments is computed of the curve itself.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Curve, NurbsCurve, Point3, PolylineLimits, Vector3};
 
 /// A segment stands for so many spans at most.
@@ -87,7 +88,7 @@ fn is_straight(hull: &[Point3], from: Point3, to: Point3, limits: Limits) -> boo
     }
     let along = chord / length;
     let near = |point: &Point3| (*point - from).cross(along).length() <= limits.distance;
-    let least = (0.5 * limits.angle).cos();
+    let least = (0.5 * limits.angle).cosine();
     let ahead = |leg: &[Point3]| {
         let leg = leg[1] - leg[0];
         leg.dot(along) >= least * leg.length()

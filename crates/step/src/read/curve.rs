@@ -6,6 +6,7 @@ use super::entity::{DEEPEST, Record};
 use super::place::Space;
 use super::spline;
 use crate::Result;
+use katydid_elementary::Elementary;
 use katydid_geometry::{
     Arc, ArcCurve, Circle, Curve, Interval, Line, LineCurve, NurbsCurve, Plane, Point3, PolyCurve,
     PolylineCurve, Vector3, Xform,
@@ -33,7 +34,7 @@ impl Carrier {
             Self::Ellipse { plane, radii } => {
                 let angle = |p: Point3| {
                     let [x, y, _] = plane.coordinates(p);
-                    (y / radii[1]).atan2(x / radii[0])
+                    (y / radii[1]).arctangent_of(x / radii[0])
                 };
                 let from = angle(start);
                 let mut turn = (angle(end) - from).rem_euclid(TAU);
@@ -74,7 +75,7 @@ impl Carrier {
     fn parameter(&self, p: Point3) -> f64 {
         match self {
             Self::Parabola { plane, focus } => plane.coordinates(p)[1] / (2.0 * focus),
-            Self::Hyperbola { plane, radii } => (plane.coordinates(p)[1] / radii[1]).asinh(),
+            Self::Hyperbola { plane, radii } => (plane.coordinates(p)[1] / radii[1]).area_sine(),
             _ => 0.0,
         }
     }
@@ -88,8 +89,10 @@ impl Carrier {
                 ([at(a * a, a), at(a * b, middle), at(b * b, b)], 1.0)
             }
             Self::Hyperbola { plane, radii } => {
-                let at = |t: f64, w: f64| plane.at(radii[0] * t.cosh() / w, radii[1] * t.sinh() / w, 0.0);
-                ([at(a, 1.0), at(middle, half.cosh()), at(b, 1.0)], half.cosh())
+                let at = |t: f64, w: f64| {
+                    plane.at(radii[0] * t.hyperbolic_cosine() / w, radii[1] * t.hyperbolic_sine() / w, 0.0)
+                };
+                ([at(a, 1.0), at(middle, half.hyperbolic_cosine()), at(b, 1.0)], half.hyperbolic_cosine())
             }
             _ => return self.whole(),
         };
@@ -263,10 +266,12 @@ impl Space<'_> {
         let p = match carrier {
             Carrier::Line { point, along } => *point + *along * t,
             Carrier::Ellipse { plane, radii } => {
-                plane.at(radii[0] * angle.cos(), radii[1] * angle.sin(), 0.0)
+                plane.at(radii[0] * angle.cosine(), radii[1] * angle.sine(), 0.0)
             }
             Carrier::Parabola { plane, focus } => plane.at(focus * t * t, 2.0 * focus * t, 0.0),
-            Carrier::Hyperbola { plane, radii } => plane.at(radii[0] * t.cosh(), radii[1] * t.sinh(), 0.0),
+            Carrier::Hyperbola { plane, radii } => {
+                plane.at(radii[0] * t.hyperbolic_cosine(), radii[1] * t.hyperbolic_sine(), 0.0)
+            }
             Carrier::Bounded(curve) => curve.point_at(curve.domain().clamp(t)),
         };
         p.is_finite().then_some(p)

@@ -7,6 +7,7 @@ use super::entity::{DEEPEST, Record};
 use super::place::Space;
 use super::spline;
 use crate::Result;
+use katydid_elementary::Elementary;
 use katydid_geometry::{
     Arc, ArcCurve, BoundingBox, Circle, ClosestOnSurface, Curve, Direction, Interval, Line, LineCurve, Plane,
     PlaneSurface, Point3, Quadrant, RevolutionSurface, Side, SumSurface, Surface, Vector3,
@@ -117,7 +118,7 @@ impl Support {
     pub(super) fn parameters(&self, p: Point3) -> Result<[f64; 2]> {
         let round = |plane: &Plane| {
             let [x, y, z] = plane.coordinates(p);
-            (y.atan2(x), x.hypot(y), z)
+            (y.arctangent_of(x), x.hypotenuse(y), z)
         };
         Ok(match &self.form {
             Form::Plane(plane) => {
@@ -130,11 +131,11 @@ impl Support {
             }
             Form::Sphere { plane, .. } => {
                 let (u, r, z) = round(plane);
-                [u, z.atan2(r)]
+                [u, z.arctangent_of(r)]
             }
             Form::Torus { plane, major, .. } => {
                 let (u, r, z) = round(plane);
-                [u, z.atan2(r - major)]
+                [u, z.arctangent_of(r - major)]
             }
             Form::Free { closest, .. } => {
                 let near = closest.nearest(p)?;
@@ -324,7 +325,7 @@ impl Space<'_> {
                 if !(radius >= 0.0 && half.abs() > SAME && half.abs() < FRAC_PI_2 - SAME) {
                     return Err(record.refuse("its angle is not between 0 and a right angle"));
                 }
-                Form::Cone { plane: plane()?, radius, slope: half.tan() }
+                Form::Cone { plane: plane()?, radius, slope: half.tangent() }
             }
             "SPHERICAL_SURFACE" => Form::Sphere { plane: plane()?, radius: radius(2)? },
             "TOROIDAL_SURFACE" => {

@@ -6,6 +6,7 @@ use super::chart::{Chart, linear};
 use super::{curve, direction, flag, frame, point};
 use crate::Result;
 use crate::part21::{Id, Sheet, list, real};
+use katydid_elementary::Elementary;
 use katydid_geometry::{
     Arc, ArcCurve, Curve, Direction, LineCurve, NurbsSurface, Plane, RevolutionSurface, SumSurface, Surface,
     Vector3,
@@ -234,7 +235,7 @@ impl Turned<'_> {
         let Plane { origin, x_axis, y_axis, z_axis } = self.frame(height, x);
         let place = Plane { origin, x_axis, y_axis: y_axis * turn, z_axis: z_axis * turn };
         let frame = frame(sheet, &place);
-        let half = ((r1 - r0) / (h1 - h0)).abs().atan();
+        let half = ((r1 - r0) / (h1 - h0)).abs().arctangent();
         let radius = if self.is_small(radius) { 0.0 } else { radius };
         let id = sheet.put(format_args!("CONICAL_SURFACE('',{frame},{},{})", real(radius), real(half)));
         let ends = [h0, h1].map(|h| turn * (h - height));
@@ -261,7 +262,7 @@ impl Turned<'_> {
             return None;
         }
         let sense = normal.dot(x.cross(self.axis)).signum();
-        let start = cx.dot(self.axis).atan2(cx.dot(x));
+        let start = cx.dot(self.axis).arctangent_of(cx.dot(x));
         let mut ends = [profile.arc.angle.start, profile.arc.angle.end].map(|angle| start + sense * angle);
         let turns = TAU * (0.5 * (ends[0] + ends[1]) / TAU).round();
         ends = ends.map(|angle| angle - turns);

@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{List, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Circle, Curve, Ellipse, Plane, Point3, Vector3};
 
 use crate::curve::{shared, warning};
@@ -145,8 +146,8 @@ fn inellipse(
     let center = a + ((b - a) + (c - a)) / 3.0;
     // It is the affine image of a circle; the two conjugate radii are turned until they stand at right angles.
     let (f, g) = ((c - center) / 2.0, (a - b) / 12f64.sqrt());
-    let turn = 0.5 * (2.0 * f.dot(g)).atan2(f.length_squared() - g.length_squared());
-    let (sin, cos) = turn.sin_cos();
+    let turn = 0.5 * (2.0 * f.dot(g)).arctangent_of(f.length_squared() - g.length_squared());
+    let (sin, cos) = turn.sine_cosine();
     let (x, y) = (f * cos + g * sin, g * cos - f * sin);
     let plane = Plane::from_axes(center, x, y).map_err(warning)?;
     let ellipse = Ellipse::new(plane, x.length(), y.length()).map_err(warning)?;

@@ -4,6 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary;
 use katydid_geometry::{Curve, Interval, Plane, Point3, Rectangle, Vector3, regular_polygon};
 
 use crate::curve::{fillet, shared, warning};
@@ -137,7 +138,7 @@ fn polygon(
         return Err(Message::error("The corner radius must not be negative"));
     }
     // At the radius of the circle within, round corners meet in the middles of the sides.
-    let largest = radius * (std::f64::consts::PI / sides as f64).cos();
+    let largest = radius * (std::f64::consts::PI / sides as f64).cosine();
     let cut = fillet::Cut::Radius(fillet_radius.min(largest));
     let curve = shared(fillet::rounded(outline.points(), cut, None)?);
     let length = curve.length();
@@ -176,7 +177,7 @@ fn polygon_edge(
     let plane = Plane::from_points(start, end, point).map_err(warning)?;
     let edge = start.distance_to(end);
     let half = std::f64::consts::PI / sides as f64;
-    let (corner, side) = (edge / (2.0 * half.sin()), edge / (2.0 * half.tan()));
+    let (corner, side) = (edge / (2.0 * half.sine()), edge / (2.0 * half.tangent()));
     let center = start.lerp(end, 0.5) + plane.y_axis * side;
     let toward: Vector3 = start - center;
     let own = Plane::from_axes(center, toward, plane.z_axis.cross(toward)).map_err(warning)?;

@@ -2,6 +2,7 @@
 
 use katydid_component::{Message, component};
 use katydid_data::{Complex, Value, cast};
+use katydid_elementary::Elementary;
 
 use super::super::complex;
 
@@ -43,7 +44,7 @@ fn power(
     b: Value,
 ) -> Result<Value, Message> {
     if let (Some(x), Some(y)) = (number(&a), number(&b)) {
-        let power = x.powf(y);
+        let power = x.raised_to(y);
         if power.is_nan() || (power.is_infinite() && x.is_finite() && y.is_finite()) {
             return Err(Message::error(format!(
                 "{x} to the power {y} is not a real number that can be written"

@@ -5,6 +5,7 @@ mod triangles;
 
 use katydid_component::{Message, component};
 use katydid_data::{Complex, Value};
+use katydid_elementary::Elementary;
 use katydid_expression::circular;
 
 use super::complex::{self, divide, real};
@@ -24,7 +25,7 @@ functions! {
     cosine, "d2d2a900-780c-4d58-9a35-1f9d8d35df6f", "Cosine", "Cos", ["7874f26c-6f76-4da8-b527-2d567184b2bd", "12278a4b-c131-4735-a3ee-bcb783083856"], circular::cos, complex::cos, circular::cosines;
 
     /// The tangent of an angle in radians: its sine over its cosine.
-    tangent, "0f31784f-7177-4104-8500-1f4f4a306df4", "Tangent", "Tan", ["0bc93049-e1a7-44b5-8068-c7ddc85a9f46", "002b2feb-5d1b-41ea-913f-9f203c615792"], f64::tan, complex::tan;
+    tangent, "0f31784f-7177-4104-8500-1f4f4a306df4", "Tangent", "Tan", ["0bc93049-e1a7-44b5-8068-c7ddc85a9f46", "002b2feb-5d1b-41ea-913f-9f203c615792"], f64::tangent, complex::tan;
 
     /// One over the cosine of an angle in radians.
     secant, "60103def-1bb7-4700-b294-3a89100525c4", "Secant", "Sec", ["d879e74c-6fe3-4cbf-b3fa-60a7c48b73e7"], |x| circular::cos(x).recip(), |z| one_over(complex::cos, z);
@@ -41,13 +42,13 @@ functions! {
         |z| if z == real(0.0) { real(1.0) } else { divide(complex::sin(z), z) };
 
     /// The angle in radians, -π/2 to π/2, whose sine is x. A real x lies between -1 and 1.
-    arcsine, "cc15ba56-fae7-4f05-b599-cb7c43b60e11", "ArcSine", "ASin", ["f18091e9-3264-4dd4-9ba6-32c77fca0ac0", "22bba82d-32e8-448c-a59c-f054c8843ee3"], f64::asin, complex::asin;
+    arcsine, "cc15ba56-fae7-4f05-b599-cb7c43b60e11", "ArcSine", "ASin", ["f18091e9-3264-4dd4-9ba6-32c77fca0ac0", "22bba82d-32e8-448c-a59c-f054c8843ee3"], f64::arcsine, complex::asin;
 
     /// The angle in radians, 0 to π, whose cosine is x. A real x lies between -1 and 1.
-    arccosine, "49584390-d541-41f7-b5f6-1f9515ac0f73", "ArcCosine", "ACos", ["8640c519-9bf6-4e9a-a108-75f9d89b2c58", "cfc280bb-332a-4828-bb4e-aca6d88859aa"], f64::acos, complex::acos;
+    arccosine, "49584390-d541-41f7-b5f6-1f9515ac0f73", "ArcCosine", "ACos", ["8640c519-9bf6-4e9a-a108-75f9d89b2c58", "cfc280bb-332a-4828-bb4e-aca6d88859aa"], f64::arccosine, complex::acos;
 
     /// The angle in radians, -π/2 to π/2, whose tangent is x.
-    arctangent, "b4647919-d041-419e-99f5-fa0dc0ddb8b6", "ArcTangent", "ATan", ["4e8aad42-9111-470c-9acd-7ae365d8bba4", "7b312903-4782-438f-aa37-ba43f5083460"], f64::atan, complex::atan;
+    arctangent, "b4647919-d041-419e-99f5-fa0dc0ddb8b6", "ArcTangent", "ATan", ["4e8aad42-9111-470c-9acd-7ae365d8bba4", "7b312903-4782-438f-aa37-ba43f5083460"], f64::arctangent, complex::atan;
 }
 
 /// Turns an angle in degrees into radians.

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use katydid_component::{Message, component};
+use katydid_elementary::Elementary;
 
 /// Lengths and angles that were given may differ from the result by this part of themselves.
 const SAME: f64 = 1e-6;
@@ -57,16 +58,16 @@ fn right_trigonometry(
         (Some(p), Some(q), _, _) => (p, q),
         (Some(p), None, Some(r), _) => (p, other_leg(p, r)),
         (None, Some(q), Some(r), _) => (other_leg(q, r), q),
-        (Some(p), None, None, Some(a)) => (p, p / a.tan()),
-        (None, Some(q), None, Some(a)) => (q * a.tan(), q),
-        (None, None, Some(r), Some(a)) => (r * a.sin(), r * a.cos()),
+        (Some(p), None, None, Some(a)) => (p, p / a.tangent()),
+        (None, Some(q), None, Some(a)) => (q * a.tangent(), q),
+        (None, None, Some(r), Some(a)) => (r * a.sine(), r * a.cosine()),
         _ => return Err(Message::error("Two parts must be given, one a length")),
     };
     if !(p1 > 0.0 && q1 > 0.0 && p1.is_finite() && q1.is_finite()) {
         return Err(impossible());
     }
-    let a = p1.atan2(q1);
-    let result = [a, FRAC_PI_2 - a, p1, q1, p1.hypot(q1)];
+    let a = p1.arctangent_of(q1);
+    let result = [a, FRAC_PI_2 - a, p1, q1, p1.hypotenuse(q1)];
     if !agrees([alpha, beta, p, q, r], result) {
         return Err(impossible());
     }
@@ -76,7 +77,7 @@ fn right_trigonometry(
 
 /// The angle opposite `a` by the law of cosines.
 fn angle(a: f64, b: f64, c: f64) -> f64 {
-    ((b * b + c * c - a * a) / (2.0 * b * c)).clamp(-1.0, 1.0).acos()
+    ((b * b + c * c - a * a) / (2.0 * b * c)).clamp(-1.0, 1.0).arccosine()
 }
 
 /// The three sides from what is known; side k is opposite angle k.
@@ -100,20 +101,20 @@ fn sides(mut angles: [Option<f64>; 3], sides: [Option<f64>; 3]) -> Result<[f64; 
         let found = match (turn(&sides), turn(&angles)) {
             ([Some(a), Some(b), Some(c)], _) => [a, b, c],
             ([Some(a), _, _], [Some(x), Some(y), Some(z)]) => {
-                [a, a * y.sin() / x.sin(), a * z.sin() / x.sin()]
+                [a, a * y.sine() / x.sine(), a * z.sine() / x.sine()]
             }
             // Two sides and the angle between them.
             ([None, Some(b), Some(c)], [Some(x), _, _]) => {
-                [(b * b + c * c - 2.0 * b * c * x.cos()).max(0.0).sqrt(), b, c]
+                [(b * b + c * c - 2.0 * b * c * x.cosine()).max(0.0).sqrt(), b, c]
             }
             // Two sides and an angle opposite one of them: of two triangles the one with the acute angle.
             ([Some(a), Some(b), None], [Some(x), None, None]) => {
-                let y = (b * x.sin() / a).asin();
-                [a, b, a * (PI - x - y).sin() / x.sin()]
+                let y = (b * x.sine() / a).arcsine();
+                [a, b, a * (PI - x - y).sine() / x.sine()]
             }
             ([Some(a), None, Some(c)], [Some(x), None, None]) => {
-                let z = (c * x.sin() / a).asin();
-                [a, a * (PI - x - z).sin() / x.sin(), c]
+                let z = (c * x.sine() / a).arcsine();
+                [a, a * (PI - x - z).sine() / x.sine(), c]
             }
             _ => continue,
         };

@@ -2,6 +2,7 @@
 
 use katydid_component::Message;
 use katydid_definition::archive::Chunk;
+use katydid_elementary::Elementary;
 
 /// A graph in the unit square.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,10 +67,10 @@ impl Graph {
                 let t = (x - ox) / (px - ox);
                 if t.is_finite() { oy + (py - oy) * t * t } else { *oy }
             }
-            Self::Power(power) => x.powf(*power),
+            Self::Power(power) => x.raised_to(*power),
             Self::Gaussian { mean, deviation, factor } => {
                 let t = (x - mean) / deviation;
-                factor / (deviation * std::f64::consts::TAU.sqrt()) * (-0.5 * t * t).exp()
+                factor / (deviation * std::f64::consts::TAU.sqrt()) * (-0.5 * t * t).exponential()
             }
             Self::Waves(waves) => {
                 let sum: f64 = waves.iter().map(|[a, b]| cosine(*a, *b, x)).sum();
@@ -92,7 +93,7 @@ fn wave(equation: &Chunk) -> Option<[[f64; 2]; 2]> {
 fn cosine(a: [f64; 2], b: [f64; 2], x: f64) -> f64 {
     let phase = std::f64::consts::PI * (x - a[0]) / (b[0] - a[0]);
     let middle = 0.5 * (a[1] + b[1]);
-    if phase.is_finite() { middle - 0.5 * (b[1] - a[1]) * phase.cos() } else { middle }
+    if phase.is_finite() { middle - 0.5 * (b[1] - a[1]) * phase.cosine() } else { middle }
 }
 
 /// The height of a Bézier curve at the first place where it reaches `x`.

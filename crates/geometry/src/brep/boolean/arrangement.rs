@@ -6,6 +6,8 @@
 
 use std::collections::BTreeSet;
 
+use katydid_elementary::Elementary;
+
 use super::operands::{Face, Operands};
 use super::pieces::{OfEdge, Pieces};
 use super::refusal::RefusalClass;
@@ -391,7 +393,7 @@ impl<'a> Plan<'a> {
             return;
         }
         let from = self.along(list[0], 0.0);
-        let distance = |q: [f64; 2]| (q[0] - from[0]).hypot(q[1] - from[1]);
+        let distance = |q: [f64; 2]| (q[0] - from[0]).hypotenuse(q[1] - from[1]);
         let step = |k: usize| k as f64 / SAMPLES as f64;
         let reach =
             |half: usize| (1..=SAMPLES).map(|k| distance(self.along(half, step(k)))).fold(0.0, f64::max);
@@ -411,7 +413,7 @@ impl<'a> Plan<'a> {
                 if distance(self.along(half, middle)) > radius { high = middle } else { low = middle }
             }
             let q = self.along(half, high);
-            (q[1] - from[1]).atan2(q[0] - from[0])
+            (q[1] - from[1]).arctangent_of(q[0] - from[0])
         };
         let mut keyed: Vec<(f64, usize)> = list.iter().map(|half| (angle(*half), *half)).collect();
         keyed.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));

@@ -1,5 +1,7 @@
 //! The order of the regions around a piece.
 
+use katydid_elementary::Elementary;
+
 use super::arrangement::{Track, trim_parameter};
 use super::shells::{Shells, Use};
 use super::thresholds::{RADIAL_APART, RADIAL_AT, RADIAL_STEP};
@@ -25,7 +27,7 @@ impl Shells<'_> {
         let mut keyed: Vec<(f64, Use)> = Vec::with_capacity(uses.len());
         for own in uses {
             let way = self.leaving(own, p, axis, RADIAL_STEP * reach).ok_or_else(refused)?;
-            keyed.push((way.dot(y).atan2(way.dot(x)), *own));
+            keyed.push((way.dot(y).arctangent_of(way.dot(x)), *own));
         }
         keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Faces that leave together are not in an order that can be relied on.

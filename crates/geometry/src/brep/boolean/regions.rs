@@ -1,5 +1,7 @@
 //! The regions into which faces are cut, and points inside of them.
 
+use katydid_elementary::Elementary;
+
 use super::arrangement::{Loops, Track, regions};
 use super::operands::{Face, Operands};
 use super::pieces::{OnFace, Pieces};
@@ -173,7 +175,7 @@ fn clearance(face: &Face, outline: &[Vec<[f64; 2]>], uv: [f64; 2]) -> f64 {
             } else {
                 0.0
             };
-            least = least.min((from[0] + t * way[0]).hypot(from[1] + t * way[1]));
+            least = least.min((from[0] + t * way[0]).hypotenuse(from[1] + t * way[1]));
         }
     }
     least

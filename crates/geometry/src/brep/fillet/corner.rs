@@ -1,6 +1,8 @@
 //! The patch where rounded edges of one radius meet: a part of the ball that touches all of their faces, or a flat facet
 //! where edges are cut off straight.
 
+use katydid_elementary::Elementary;
+
 use super::FilletBlend;
 use crate::brep::fillet::thresholds::FROM_POLE;
 use crate::brep::{Along, Builder, LoopKind, NewEdge, NewVertex, Path};
@@ -71,7 +73,7 @@ pub(super) fn add(
     let (Some(x), Some(toward)) = (flat(first), flat(second)) else {
         return Err(Error::degenerate("fillet", "a corner without area"));
     };
-    let angle = x.cross(toward).dot(top).atan2(x.dot(toward));
+    let angle = x.cross(toward).dot(top).arctangent_of(x.dot(toward));
     if !(angle > thresholds::PARALLEL) {
         return Err(Error::degenerate("fillet", "a corner without area"));
     }
@@ -130,7 +132,9 @@ fn add_any(
     let top = middle.cross(first).unitized().ok_or_else(none)?;
     let side = top.cross(middle);
     let (mut longitudes, mut latitudes): (Option<Interval>, Option<Interval>) = (None, None);
-    let place = |arm: Vector3| (arm.dot(side).atan2(arm.dot(middle)), arm.dot(top).clamp(-1.0, 1.0).asin());
+    let place = |arm: Vector3| {
+        (arm.dot(side).arctangent_of(arm.dot(middle)), arm.dot(top).clamp(-1.0, 1.0).arcsine())
+    };
     for arm in arms {
         let (u, v) = place(arm);
         longitudes = Some(longitudes.map_or(Interval::new(u, u), |all| all.including(u)));
@@ -149,7 +153,7 @@ fn add_any(
     {
         return Err(none());
     }
-    let x = middle * from.cos() + side * from.sin();
+    let x = middle * from.cosine() + side * from.sine();
     let plane = Plane::from_axes(centre, x, top)?;
     let range = Interval::new(low, high);
     let arc = crate::Arc::new(Circle::new(plane, radius)?, range)?;

@@ -4,6 +4,8 @@
 //! cone. Elsewhere the columns of the section (homogeneous control points) are cubics of class C1 through stations,
 //! halved until the surface is within the tolerance of the section between them, in place and in direction.
 
+use katydid_elementary::Elementary;
+
 use super::FilletBlend;
 use super::section::{bezier, columns, simplest, slopes};
 use super::wedge::{Station, Unknowns, Wedge};
@@ -538,7 +540,7 @@ fn exact_course(wedge: &Wedge<'_>, first: &Station) -> Option<(Course, Interval,
     }
     let angle = |p: Point3| {
         let [x, y, _] = circle.plane.coordinates(p);
-        let angle = y.atan2(x) - start;
+        let angle = y.arctangent_of(x) - start;
         angle - (angle / turn).floor() * turn
     };
     let own = angle(middle);

@@ -1,5 +1,7 @@
 //! The two faces along an edge, and the ball between them.
 
+use katydid_elementary::Elementary;
+
 use super::FilletRail;
 use super::joint::Fans;
 use super::names::Names;
@@ -150,7 +152,7 @@ impl<'a> Wedge<'a> {
     fn look(&mut self, brep: &Brep, tolerance: &Tolerance) -> Result<()> {
         let domain = self.curve.domain();
         let feet = [ClosestOnSurface::new(self.surfaces[0])?, ClosestOnSurface::new(self.surfaces[1])?];
-        let least = tolerance.angle.clamp(LEAST_ANGLE, 0.5).sin();
+        let least = tolerance.angle.clamp(LEAST_ANGLE, 0.5).sine();
         for n in 0..LOOKS {
             // The middle last, so that what it tells stays.
             let x = if n + 1 == LOOKS { 0.5 } else { (n as f64 + 0.5) / LOOKS as f64 };
@@ -285,10 +287,10 @@ impl<'a> Wedge<'a> {
         let guess = |radius: f64| -> Option<Unknowns> {
             let ball = match self.rail {
                 FilletRail::RollingBall => radius,
-                FilletRail::DistanceFromEdge => radius * half.tan(),
-                FilletRail::DistanceBetweenRails => 0.5 * radius / half.cos(),
+                FilletRail::DistanceFromEdge => radius * half.tangent(),
+                FilletRail::DistanceBetweenRails => 0.5 * radius / half.cosine(),
             };
-            let reach = ball / half.tan();
+            let reach = ball / half.tangent();
             let mut x = [0.0, 0.0, 0.0, 0.0, ball];
             for k in 0..2 {
                 let surface = self.surfaces[k];

@@ -1,5 +1,7 @@
 //! Adaptive Gauss–Legendre rules for several functions at once.
 
+use katydid_elementary::Elementary;
+
 use crate::brep::thresholds::LEAST_PART_OF_TOLERANCE;
 use crate::quadrature::{GAUSS_6, GAUSS_10};
 use crate::{Error, Result};
@@ -62,8 +64,11 @@ fn part(range: [f64; 2], depth: u32, f: &mut dyn FnMut(f64) -> Result<[f64; 10]>
     let difference = coarse.iter().zip(&value).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let scale = value.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     // The rule of 10 points is far better than its difference from that of 6 tells.
-    let error =
-        if scale > 0.0 { difference.min(scale * (100.0 * difference / scale).powf(1.5)) } else { difference };
+    let error = if scale > 0.0 {
+        difference.min(scale * (100.0 * difference / scale).raised_to(1.5))
+    } else {
+        difference
+    };
     Ok(Part { range, depth, value, error })
 }
 

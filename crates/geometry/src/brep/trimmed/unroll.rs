@@ -1,5 +1,7 @@
 //! Developable faces laid flat.
 
+use katydid_elementary::Elementary;
+
 use super::lift::followed;
 use super::no_face;
 use crate::{
@@ -184,7 +186,7 @@ impl<'a> Development<'a> {
         let sum = |f: fn(f64) -> f64| {
             h * (a.speed * f(from.angle) + 4.0 * b.speed * f(middle) + c.speed * f(last)) / 6.0
         };
-        Ok(Place { x: from.x + sum(f64::cos), y: from.y + sum(f64::sin), angle: last })
+        Ok(Place { x: from.x + sum(f64::cosine), y: from.y + sum(f64::sine), angle: last })
     }
 
     /// Lays the directrix into the plane, with steps that are halved until nothing moves by more than a limit.
@@ -201,7 +203,7 @@ impl<'a> Development<'a> {
                 count *= 2;
                 let finer = self.walk(place, from, length, count)?;
                 let ends = known.last().zip(finer.last());
-                let moved = ends.map_or(0.0, |((_, a), (_, b))| (a.x - b.x).hypot(a.y - b.y));
+                let moved = ends.map_or(0.0, |((_, a), (_, b))| (a.x - b.x).hypotenuse(a.y - b.y));
                 known = finer;
                 if moved <= limit {
                     break;
@@ -238,7 +240,7 @@ impl<'a> Development<'a> {
         let origin = derivatives(self.surface, self.across, u, self.start, false).0;
         let d = self.surface.derivatives(uv.x, uv.y, 1, self.surface.inner_quadrant(uv.x, uv.y));
         let moved = d.get(1, 0) * slope.x + d.get(0, 1) * slope.y;
-        let (sin, cos) = place.angle.sin_cos();
+        let (sin, cos) = place.angle.sine_cosine();
         let flat = |w: Vector3| {
             let (a, b) = (w.dot(rule.tangent), w.dot(rule.side));
             Vector3::new(a * cos - b * sin, a * sin + b * cos, 0.0)

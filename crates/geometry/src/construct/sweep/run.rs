@@ -1,5 +1,7 @@
 //! A rail as runs without kinks, and how a frame moves along them.
 
+use katydid_elementary::Elementary;
+
 use super::section::Frame;
 use crate::construct::thresholds::{KINK_ANGLE, NO_TURN, OPPOSITE, UPRIGHT_PART};
 use crate::thresholds;
@@ -211,7 +213,7 @@ pub(super) fn connect(
 /// A frame turned by the smallest rotation so that z points along a tangent.
 fn carried(plane: &Plane, tangent: Vector3) -> Plane {
     let axis = plane.z_axis.cross(tangent);
-    let angle = axis.length().atan2(plane.z_axis.dot(tangent));
+    let angle = axis.length().arctangent_of(plane.z_axis.dot(tangent));
     let turned = |v: Vector3| if axis.length() < NO_TURN { v } else { v.rotated(angle, axis).unwrap_or(v) };
     Plane {
         origin: plane.origin,
@@ -223,7 +225,7 @@ fn carried(plane: &Plane, tangent: Vector3) -> Plane {
 
 /// The angle by which the first frame must be turned about z to have the second's x axis.
 fn angle_about(from: &Plane, to: &Plane) -> f64 {
-    to.x_axis.dot(from.y_axis).atan2(to.x_axis.dot(from.x_axis))
+    to.x_axis.dot(from.y_axis).arctangent_of(to.x_axis.dot(from.x_axis))
 }
 
 fn set_turn(run: &mut Run, wanted: &Plane, upright: Upright) -> Result<()> {

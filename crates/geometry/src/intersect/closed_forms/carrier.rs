@@ -1,5 +1,7 @@
 //! The surface without ends on which a surface lies.
 
+use katydid_elementary::Elementary;
+
 use super::Axis;
 use crate::chart::thresholds::SAME_BEND;
 use crate::surface::{Round, RoundForm};
@@ -72,7 +74,7 @@ impl Carrier {
         match round.form {
             RoundForm::Sphere(radius) => Self::Sphere { center: axis.origin, radius },
             RoundForm::Cylinder(radius) => Self::Cylinder { axis, radius },
-            RoundForm::Cone(slope) => Self::Cone { axis, half_angle: slope.atan() },
+            RoundForm::Cone(slope) => Self::Cone { axis, half_angle: slope.arctangent() },
         }
     }
 
@@ -121,14 +123,14 @@ impl Carrier {
             Self::Cylinder { axis, radius } => (axis.split(p).1.length() - radius).abs(),
             Self::Cone { axis, half_angle } => {
                 let (height, way) = axis.split(p);
-                let (sin, cos) = half_angle.sin_cos();
+                let (sin, cos) = half_angle.sine_cosine();
                 // On the side of the nearer nappe; beyond the ruling's start the apex is nearest.
                 let (r, z) = (way.length(), height.abs());
-                if r * sin + z * cos <= 0.0 { r.hypot(z) } else { (r * cos - z * sin).abs() }
+                if r * sin + z * cos <= 0.0 { r.hypotenuse(z) } else { (r * cos - z * sin).abs() }
             }
             Self::Torus { axis, major_radius, minor_radius } => {
                 let (height, way) = axis.split(p);
-                ((way.length() - major_radius).hypot(height) - minor_radius).abs()
+                ((way.length() - major_radius).hypotenuse(height) - minor_radius).abs()
             }
         }
     }
@@ -142,7 +144,7 @@ impl Carrier {
             Self::Cylinder { axis, .. } => axis.split(p).1,
             Self::Cone { axis, half_angle } => {
                 let (height, way) = axis.split(p);
-                let (sin, cos) = half_angle.sin_cos();
+                let (sin, cos) = half_angle.sine_cosine();
                 let out = way.unitized().unwrap_or(Vector3::ZERO);
                 out * cos - axis.direction * (sin * height.signum())
             }

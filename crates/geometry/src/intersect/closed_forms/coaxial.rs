@@ -1,5 +1,7 @@
 //! Surfaces of revolution about one axis: the points that their profiles have in common, turned.
 
+use katydid_elementary::Elementary;
+
 use super::{Axis, Carrier, CarrierCurve, CarrierMeeting, Conic, parallel};
 use crate::intersect::analytic::triangle;
 use crate::{Circle, Plane, Tolerance};
@@ -40,8 +42,9 @@ pub(super) fn meeting(a: &Carrier, b: &Carrier, tolerance: &Tolerance) -> Option
                 .or_else(|| common(q, p, tolerance.absolute))
                 .unwrap_or_default()
             {
-                let near =
-                    |h: &Hit| (h.at[0] - hit.at[0]).hypot(h.at[1] - hit.at[1]) <= 2.0 * tolerance.absolute;
+                let near = |h: &Hit| {
+                    (h.at[0] - hit.at[0]).hypotenuse(h.at[1] - hit.at[1]) <= 2.0 * tolerance.absolute
+                };
                 // A cone's two rays begin in one point.
                 if hit.at[0] >= -tolerance.absolute && !hits.iter().any(near) {
                     hits.push(hit);
@@ -116,7 +119,7 @@ fn profiles(surface: &Carrier, axis: &Axis) -> Vec<Profile> {
         }
         Carrier::Cylinder { radius, .. } => vec![Profile::Beside(*radius)],
         Carrier::Cone { axis: own, half_angle } => {
-            let (sin, cos) = half_angle.sin_cos();
+            let (sin, cos) = half_angle.sine_cosine();
             [cos, -cos].map(|cos| Profile::Ray { from: height(own.origin), sin, cos }).to_vec()
         }
         Carrier::Torus { axis: own, major_radius, minor_radius } => {
@@ -216,7 +219,7 @@ fn rays(from: [f64; 2], sin: [f64; 2], cos: [f64; 2], tolerance: f64) -> Vec<Hit
 
 fn rounds(middles: [[f64; 2]; 2], radii: [f64; 2], tolerance: f64) -> Vec<Hit> {
     let way = [middles[1][0] - middles[0][0], middles[1][1] - middles[0][1]];
-    let (d, [r, s]) = (way[0].hypot(way[1]), radii);
+    let (d, [r, s]) = (way[0].hypotenuse(way[1]), radii);
     if d == 0.0 || d > r + s + tolerance || d < (r - s).abs() - tolerance {
         return Vec::new();
     }

@@ -1,5 +1,7 @@
 //! Cylinders and cones whose common curves are plane: around one sphere, moved along, or from one apex.
 
+use katydid_elementary::Elementary;
+
 use super::{Axis, Carrier, CarrierCurve, CarrierMeeting, Conic, parallel, plane_sections};
 use crate::{Plane, Point3, Tolerance, Vector3};
 
@@ -39,7 +41,7 @@ fn inscribed(surface: &Carrier, center: Point3) -> Option<(f64, Linear)> {
             Some((*radius, Linear { gradient: axis.direction, value: 0.0 }))
         }
         Carrier::Cone { axis, half_angle } => {
-            let (sin, cos) = half_angle.sin_cos();
+            let (sin, cos) = half_angle.sine_cosine();
             let height = axis.split(center).0;
             let value = height * sin * sin / cos;
             Some((height.abs() * sin, Linear { gradient: axis.direction / cos, value }))
@@ -90,7 +92,7 @@ fn around_one_sphere(
 fn moved(a: &Carrier, p: &Axis, q: &Axis, half_angle: f64, tolerance: &Tolerance) -> Option<CarrierMeeting> {
     let way = q.origin - p.origin;
     let (height, aside) = p.split(q.origin);
-    let (sin, cos) = half_angle.sin_cos();
+    let (sin, cos) = half_angle.sine_cosine();
     // |x|² cos² − (x·w)² = |x − way|² cos² − (x·w − height)²
     let normal = way * (cos * cos) - p.direction * height;
     let value = 0.5 * (way.length_squared() * cos * cos - height * height);
@@ -110,12 +112,12 @@ fn from_one_apex(p: &Axis, q: &Axis, angles: [f64; 2], tolerance: &Tolerance) ->
     let mut curves = Vec::new();
     for sign in [1.0, -1.0] {
         let other = q.direction * sign;
-        let between = p.direction.cross(other).length().atan2(p.direction.dot(other));
+        let between = p.direction.cross(other).length().arctangent_of(p.direction.dot(other));
         // Two caps of a unit sphere, the angle between their middles known.
         let [r, s] = angles;
         let in_plane = |turn: f64| {
             let beside = n.cross(p.direction) * sign;
-            p.direction * turn.cos() + beside * turn.sin()
+            p.direction * turn.cosine() + beside * turn.sine()
         };
         let ruling = |direction: Vector3, tangent: bool| CarrierCurve {
             conic: Conic::Line(Axis { origin: p.origin, direction }),
@@ -131,13 +133,13 @@ fn from_one_apex(p: &Axis, q: &Axis, angles: [f64; 2], tolerance: &Tolerance) ->
             curves.push(ruling(in_plane(if r > s { r } else { -r }), true));
         } else {
             // Direction x p + y b + z n with x = cos r, and its product with the other axis cos s.
-            let (sin, cos) = between.sin_cos();
-            let x = r.cos();
-            let y = (s.cos() - x * cos) / sin;
+            let (sin, cos) = between.sine_cosine();
+            let x = r.cosine();
+            let y = (s.cosine() - x * cos) / sin;
             // z² = sin² r − y², as a product of sines of half sums, which keeps its digits near a touch.
             let [u, v] = [0.5 * (r + s + between), 0.5 * (r + s - between)];
             let [k, l] = [0.5 * (between + r - s), 0.5 * (between - r + s)];
-            let z = 2.0 * (u.sin() * v.sin() * k.sin() * l.sin()).max(0.0).sqrt() / sin;
+            let z = 2.0 * (u.sine() * v.sine() * k.sine() * l.sine()).max(0.0).sqrt() / sin;
             let beside = n.cross(p.direction) * sign;
             for z in [-z, z] {
                 curves.push(ruling((p.direction * x + beside * y + n * z).unitized()?, false));

@@ -2,6 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use katydid_elementary::Elementary;
+
 use super::{Axis, CarrierCurve, CarrierMeeting, Conic};
 use crate::{Circle, Ellipse, Plane, Tolerance, Vector3};
 
@@ -72,9 +74,9 @@ pub(super) fn of_cone(
     let s = shadow.length();
     let e = shadow.unitized()?;
     let f = n.cross(e);
-    let (sin, cos) = half_angle.sin_cos();
+    let (sin, cos) = half_angle.sine_cosine();
     // How much steeper the plane is than the rulings, in radians.
-    let steep = s.atan2(c.abs()) - (FRAC_PI_2 - half_angle);
+    let steep = s.arctangent_of(c.abs()) - (FRAC_PI_2 - half_angle);
     let d = (s - cos) * (s + cos);
     let apex = axis.origin;
     if h <= tolerance.absolute {
@@ -134,7 +136,7 @@ pub(super) fn of_torus(
                 circle(level, major, minor)?,
             ]));
         }
-        if (slope.atan2(rise.abs()) - (minor / major).asin()).abs() <= tolerance.angle {
+        if (slope.arctangent_of(rise.abs()) - (minor / major).arcsine()).abs() <= tolerance.angle {
             return Some(CarrierMeeting::curves(vec![
                 circle(level, -minor, major)?,
                 circle(level, minor, major)?,

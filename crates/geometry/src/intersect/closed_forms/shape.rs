@@ -1,5 +1,7 @@
 //! Lines and conics in space.
 
+use katydid_elementary::Elementary;
+
 use super::Axis;
 use crate::{
     Arc, BoundingBox, Circle, Curve, Ellipse, Interval, Line, LineCurve, NurbsCurve, Plane, Point3, Result,
@@ -51,7 +53,9 @@ impl Conic {
             Self::Circle(circle) => circle.at(t),
             Self::Ellipse(ellipse) => ellipse.at(t),
             Self::Parabola { plane, focal } => plane.at(t, t * t / (4.0 * focal), 0.0),
-            Self::Hyperbola { plane, a, b } => plane.at(a * t.cosh(), b * t.sinh(), 0.0),
+            Self::Hyperbola { plane, a, b } => {
+                plane.at(a * t.hyperbolic_cosine(), b * t.hyperbolic_sine(), 0.0)
+            }
         }
     }
 
@@ -81,8 +85,8 @@ impl Conic {
                 if far < *a || !(low < high) {
                     return Ok(None);
                 }
-                let widest = (far / a).acosh();
-                let (s, t) = ((low / b).asinh().max(-widest), (high / b).asinh().min(widest));
+                let widest = (far / a).area_cosine();
+                let (s, t) = ((low / b).area_sine().max(-widest), (high / b).area_sine().min(widest));
                 if s < t { self.between(s, t).map(Some) } else { Ok(None) }
             }
         }
@@ -119,8 +123,12 @@ impl Conic {
             }
             Self::Hyperbola { plane, a, b } => {
                 // As for an arc of a circle, with hyperbolic functions (P&T, *The NURBS Book*, §7.6).
-                let (center, weight) = (0.5 * (s + t), (0.5 * (t - s)).cosh());
-                let middle = plane.at(a * center.cosh() / weight, b * center.sinh() / weight, 0.0);
+                let (center, weight) = (0.5 * (s + t), (0.5 * (t - s)).hyperbolic_cosine());
+                let middle = plane.at(
+                    a * center.hyperbolic_cosine() / weight,
+                    b * center.hyperbolic_sine() / weight,
+                    0.0,
+                );
                 quadratic([self.at(s), middle, self.at(t)], weight)
             }
         }
@@ -132,14 +140,14 @@ impl Conic {
             Self::Line(axis) => axis.split(p).0,
             Self::Circle(circle) => {
                 let [x, y, _] = circle.plane.coordinates(p);
-                y.atan2(x)
+                y.arctangent_of(x)
             }
             Self::Ellipse(Ellipse { plane, rx, ry }) => {
                 let [x, y, _] = plane.coordinates(p);
-                (y / ry).atan2(x / rx)
+                (y / ry).arctangent_of(x / rx)
             }
             Self::Parabola { plane, .. } => plane.coordinates(p)[0],
-            Self::Hyperbola { plane, b, .. } => (plane.coordinates(p)[1] / b).asinh(),
+            Self::Hyperbola { plane, b, .. } => (plane.coordinates(p)[1] / b).area_sine(),
         }
     }
 

@@ -1,5 +1,7 @@
 //! A sphere beside the axis of a cylinder, cone or torus: apart, or touching.
 
+use katydid_elementary::Elementary;
+
 use super::{Carrier, CarrierCurve, CarrierMeeting, Conic};
 use crate::{Circle, Plane, Point3, Tolerance};
 
@@ -24,7 +26,7 @@ pub(super) fn meeting(
     match *other {
         Carrier::Cylinder { radius: own, .. } => feet.push([own, height]),
         Carrier::Cone { half_angle, .. } => {
-            let (sin, cos) = half_angle.sin_cos();
+            let (sin, cos) = half_angle.sine_cosine();
             for cos in [cos, -cos] {
                 let along = (r * sin + height * cos).max(0.0);
                 feet.push([along * sin, along * cos]);
@@ -32,7 +34,7 @@ pub(super) fn meeting(
         }
         Carrier::Torus { major_radius, minor_radius, .. } => {
             let [x, z] = [r - major_radius, height];
-            let d = x.hypot(z);
+            let d = x.hypotenuse(z);
             if d <= near {
                 // The sphere's centre is on the middle circle of the tube.
                 if radius > minor_radius + near {
@@ -48,7 +50,7 @@ pub(super) fn meeting(
             }
             feet.push([major_radius + x / d * minor_radius, z / d * minor_radius]);
             // The farthest point is on the other side of the axis.
-            let far = (r + major_radius).hypot(height);
+            let far = (r + major_radius).hypotenuse(height);
             if far + minor_radius < radius - near {
                 return Some(CarrierMeeting::none());
             }
@@ -59,7 +61,7 @@ pub(super) fn meeting(
         }
         Carrier::Plane(_) | Carrier::Sphere { .. } => return None,
     }
-    let distance = |[x, z]: [f64; 2]| (x - r).hypot(z - height);
+    let distance = |[x, z]: [f64; 2]| (x - r).hypotenuse(z - height);
     let least = feet.iter().map(|f| distance(*f)).fold(f64::INFINITY, f64::min);
     if least > radius + near {
         return Some(CarrierMeeting::none());

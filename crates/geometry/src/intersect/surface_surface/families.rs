@@ -3,6 +3,8 @@
 
 use std::f64::consts::TAU;
 
+use katydid_elementary::Elementary;
+
 use super::{SurfaceContactKind, SurfaceMeeting, surface_surface};
 use crate::{Direction, NurbsSurface, Plane, Point3, Sphere, Surface, Tolerance, Torus, Vector3, Xform};
 
@@ -17,7 +19,7 @@ fn counts(met: &SurfaceMeeting) -> [usize; 2] {
 
 /// A flat square at a height, turned so that no side is parallel to anything.
 fn level(z: f64, half: f64) -> NurbsSurface {
-    let at = |turn: f64| Point3::new(half * turn.cos(), half * turn.sin(), z);
+    let at = |turn: f64| Point3::new(half * turn.cosine(), half * turn.sine(), z);
     NurbsSurface::from_corners(at(0.31), at(0.31 + TAU / 4.0), at(0.31 + TAU / 2.0), at(0.31 + 0.75 * TAU))
         .unwrap()
 }
@@ -138,7 +140,7 @@ fn a_ball_and_a_ring_keep_their_curves() {
 /// A surface and itself, with its directions as they are, reversed and exchanged: all of it is common.
 #[test]
 fn equal_surfaces_overlap() {
-    let s = heights(3, 9, |x, y| (x + 0.3 * y).sin() * (1.7 * y).cos());
+    let s = heights(3, 9, |x, y| (x + 0.3 * y).sine() * (1.7 * y).cosine());
     for copy in [s.clone(), s.reversed(Direction::U), s.transposed().reversed(Direction::V)] {
         let met = meet(&s, &copy);
         let [all] = &met.contacts[..] else { panic!("{:?}", met.contacts) };
@@ -238,8 +240,8 @@ fn missed(pairs: u64, first: u64) -> [usize; 2] {
         let mut at = 0;
         let a = heights(degree.max(2), count.max(4), |x, y| {
             at += 1;
-            0.4 * wave[0] * (x * wave[1] * 2.0).sin()
-                + 0.3 * wave[2] * (y * wave[3] * 2.0 + wave[4]).cos()
+            0.4 * wave[0] * (x * wave[1] * 2.0).sine()
+                + 0.3 * wave[2] * (y * wave[3] * 2.0 + wave[4]).cosine()
                 + noise[at % noise.len()]
         });
         let base = 0.2 * wave[5];

@@ -1,5 +1,7 @@
 //! The images of a curve that lies on two surfaces, in the domains of both.
 
+use katydid_elementary::Elementary;
+
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch};
 use crate::chart::thresholds::{BESIDE_POLE, RATE};
@@ -135,7 +137,7 @@ fn walked(
                 out.push(to);
                 from = to;
                 // The error of a cubic grows with the fourth power.
-                step *= (0.5 * target / off.max(f64::MIN_POSITIVE)).powf(0.25).clamp(0.5, 2.0);
+                step *= (0.5 * target / off.max(f64::MIN_POSITIVE)).raised_to(0.25).clamp(0.5, 2.0);
             } else {
                 step = 0.5 * (t - from.t);
                 if !(step.abs() >= shortest) || out.len() > MOST {

@@ -1,5 +1,7 @@
 //! Places where two surfaces have one tangent plane: found by Newton's method, and told by how the surfaces bend there.
 
+use katydid_elementary::Elementary;
+
 use crate::Vector3;
 use crate::chart::Chart;
 use crate::chart::thresholds::{FOUND, LEAST_BEND, NO_BEND, ONE_PLANE, TOUCH_DAMPING};
@@ -157,8 +159,8 @@ pub(super) fn bends(pair: &Pair<'_>, x: Four) -> Option<Bends> {
         }
     }
     let [a, b, c] = difference;
-    let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
-    let (sin, cos) = (0.5 * (2.0 * b).atan2(a - c)).sin_cos();
+    let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypotenuse(b));
+    let (sin, cos) = (0.5 * (2.0 * b).arctangent_of(a - c)).sine_cosine();
     let directions = [f * cos - e * sin, e * cos + f * sin];
     Some(Bends { values: [mean - half, mean + half], directions })
 }

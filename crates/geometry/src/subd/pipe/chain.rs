@@ -1,5 +1,7 @@
 //! Struts in a row, from joint to joint or all round, and the frames in which their rings stand.
 
+use katydid_elementary::Elementary;
+
 use super::network::MultiPipeNetwork;
 use super::node::Node;
 use crate::Vector3;
@@ -83,13 +85,13 @@ pub(super) fn carried(first: Vector3, directions: &[Vector3]) -> Vec<Vector3> {
 /// A vector turned as one direction is turned to another.
 pub(super) fn turned(vector: Vector3, from: Vector3, to: Vector3) -> Vector3 {
     let axis = from.cross(to);
-    let angle = axis.length().atan2(from.dot(to));
+    let angle = axis.length().arctangent_of(from.dot(to));
     vector.rotated(angle, axis).unwrap_or(vector)
 }
 
 /// How far one vector is turned from another about a direction, less quarter turns: from −π/4 to π/4.
 pub(super) fn twist(from: Vector3, to: Vector3, direction: Vector3) -> f64 {
     let quarter = std::f64::consts::FRAC_PI_2;
-    let angle = direction.dot(from.cross(to)).atan2(from.dot(to));
+    let angle = direction.dot(from.cross(to)).arctangent_of(from.dot(to));
     angle - (angle / quarter).round() * quarter
 }

@@ -1,5 +1,7 @@
 //! Nodes that are cubes.
 
+use katydid_elementary::Elementary;
+
 use crate::subd::thresholds::BETTER_COSINE;
 use crate::{Point3, Vector3};
 
@@ -51,7 +53,7 @@ pub(super) fn fitted(directions: &[Vector3], fit: f64) -> Option<[Vector3; 3]> {
     if !(2..=6).contains(&directions.len()) {
         return None;
     }
-    let least = (fit.min(1.0) * CORNER).cos() - BETTER_COSINE;
+    let least = (fit.min(1.0) * CORNER).cosine() - BETTER_COSINE;
     let mut best: Option<([Vector3; 3], f64)> = None;
     for (i, a) in directions.iter().enumerate() {
         for b in directions.iter().skip(i + 1) {

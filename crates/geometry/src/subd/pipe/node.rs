@@ -1,5 +1,7 @@
 //! What a node is, and how far from it its rings lie.
 
+use katydid_elementary::Elementary;
+
 use super::cube::{Cube, fitted};
 use super::network::MultiPipeNetwork;
 use super::{CAGE, MultiPipe};
@@ -78,7 +80,7 @@ fn kind(
         let half = (reach * std::f64::consts::FRAC_1_SQRT_2).min(farthest);
         return Ok(Node::Cube(Box::new(Cube::new(network.nodes[node], axes, half))));
     }
-    let slope = (0.5 * narrowest).tan() / APART;
+    let slope = (0.5 * narrowest).tangent() / APART;
     let least = (reach / slope).max(options.end_offset * radius);
     if least <= farthest {
         return Ok(Node::Joint { reach, distance: least });

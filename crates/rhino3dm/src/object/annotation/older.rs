@@ -1,5 +1,6 @@
 //! Annotations of version 6 and later as versions 4 and 5 have them.
 
+use katydid_elementary::Elementary;
 use katydid_geometry::{Plane, Point2, Vector2};
 use uuid::{Uuid, uuid};
 
@@ -183,7 +184,7 @@ fn angular(
     offsets: [f64; 2],
 ) -> Option<Parts> {
     let turn = |from: Vector2, to: Vector2| {
-        let angle = (from.x * to.y - from.y * to.x).atan2(from.x * to.x + from.y * to.y);
+        let angle = (from.x * to.y - from.y * to.x).arctangent_of(from.x * to.x + from.y * to.y);
         if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
     };
     let [mut from, mut to] = [(first, offsets[0]), (second, offsets[1])];

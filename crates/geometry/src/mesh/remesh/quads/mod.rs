@@ -9,6 +9,8 @@ mod relax;
 mod sizes;
 mod symmetry;
 
+use katydid_elementary::Elementary;
+
 use super::imprint::{Course, imprint};
 use super::net::Net;
 use super::target::Target;
@@ -113,7 +115,7 @@ impl Mesh {
         for _ in 0..TRIES {
             let made = self.in_cells(side, &sizes, options, &surface, &guides)?;
             let share = made.faces().len() as f64 / wanted;
-            let off = share.ln().abs();
+            let off = share.logarithm().abs();
             if best.as_ref().is_none_or(|(least, _)| off < *least) {
                 best = Some((off, made));
             }

@@ -4,6 +4,8 @@ use crate::mesh::thresholds::FLAT_EVERYWHERE;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use katydid_elementary::Elementary;
+
 use super::super::net::Net;
 use crate::Point3;
 use crate::box_tree::{BoxTree, bounds_of};
@@ -53,9 +55,10 @@ impl Sizes {
         if !(usual * side > FLAT_EVERYWHERE) {
             return Self::even();
         }
-        let most = MOST.powf(adaptive);
+        let most = MOST.raised_to(adaptive);
         let largest = if grow { 1.0 } else { most };
-        let factor = |k: f64| (usual / k.max(f64::MIN_POSITIVE)).powf(adaptive).clamp(1.0 / most, largest);
+        let factor =
+            |k: f64| (usual / k.max(f64::MIN_POSITIVE)).raised_to(adaptive).clamp(1.0 / most, largest);
         let mut factors: Vec<f64> = curvatures.into_iter().map(factor).collect();
         grade(&mut factors, &points, &near, SLOPE / side);
         let inverse: Vec<f64> = factors.iter().map(|f| 1.0 / (f * f)).collect();
