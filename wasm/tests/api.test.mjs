@@ -68,7 +68,8 @@ test("pictures and files come out", async () => {
     again.close();
   }
   definition.close();
-  assert.equal(start(await convert(SUM, "ghx"), 5), "<?xml");
+  // A byte order mark stands first, as Grasshopper writes it.
+  assert.equal(start(await convert(SUM, "ghx"), 8).slice(3), "<?xml");
 });
 
 test("a script in C# runs, one in Python says why not", async () => {
