@@ -11,6 +11,7 @@
     reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its ports"
 )]
 
+mod bison;
 mod bitmap_plus;
 mod docofossor;
 mod human;
@@ -37,10 +38,13 @@ macro_rules! plugins {
 }
 
 plugins! {
+    "Bison" by "bison.la" as "bison";
     "BitmapPlus" by "David Mans" as "bitmapplus";
     "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
     "Human" by "Andrew Heumann" as "human";
     "Kangaroo2" by "Daniel Piker" as "kangaroo2";
+    // The elder one, whose components stand in the same tab.
+    "Kangaroo2" by "Daniel Piker" as "kangaroo";
     "LunchBox" by "Proving Ground" as "lunchbox";
     "MeshEdit" by "[uto]" as "meshedit";
     "Noise4D" by "unknown" as "noise4d";
