@@ -11,12 +11,19 @@
     reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its ports"
 )]
 
+mod bison;
+mod bitmap_plus;
+mod docofossor;
 mod human;
 mod kangaroo;
+mod kept;
 mod lunchbox;
 mod mesh_edit;
+mod noise;
 mod polygons;
+mod pufferfish;
 mod telepathy;
+mod voxel_tools;
 mod weaverbird;
 
 use katydid_component::Plugin;
@@ -31,11 +38,20 @@ macro_rules! plugins {
 }
 
 plugins! {
+    "Bison" by "bison.la" as "bison";
+    "BitmapPlus" by "David Mans" as "bitmapplus";
+    "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
     "Human" by "Andrew Heumann" as "human";
     "Kangaroo2" by "Daniel Piker" as "kangaroo2";
+    // The elder one, whose components stand in the same tab.
+    "Kangaroo2" by "Daniel Piker" as "kangaroo";
     "LunchBox" by "Proving Ground" as "lunchbox";
     "MeshEdit" by "[uto]" as "meshedit";
+    "Noise4D" by "unknown" as "noise4d";
+    "Noise4D" by "unknown" as "4dnoise";
+    "Pufferfish" by "Michael Pryor" as "pufferfish";
     "Telepathy" by "Andrew Heumann" as "telepathy";
+    "VoxelTools" by "Arend van Waart" as "voxeltools";
     "Weaverbird" by "Giulio Piacentino" as "weaverbird";
 }
 

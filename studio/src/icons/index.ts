@@ -13,6 +13,7 @@ import { sets } from "./table/sets";
 import { special, unknown } from "./table/special";
 import { surface } from "./table/surface";
 import type { Tab } from "./table/tab";
+import * as terrains from "./table/terrains";
 import { transform } from "./table/transform";
 import { vectors } from "./table/vector";
 
@@ -29,11 +30,17 @@ const TABS: Readonly<Record<string, Tab>> = {
   Transform: transform,
   Display: display,
   Rhino: rhino,
+  Bison: terrains.bison,
+  BitmapPlus: terrains.bitmapPlus,
+  Docofossor: terrains.docofossor,
   Human: plugins.human,
   Kangaroo2: plugins.kangaroo2,
   LunchBox: plugins.lunchbox,
   MeshEdit: plugins.meshedit,
+  Noise4D: terrains.noise4D,
+  Pufferfish: terrains.pufferfish,
   Telepathy: plugins.telepathy,
+  VoxelTools: terrains.voxelTools,
   Weaverbird: plugins.weaverbird,
 };
 

@@ -14,7 +14,7 @@ use super::{Goal, Pull, Rule};
 /// The shear force on a segment of length L is 2 EI sin(α − rest) / (L C), where C is the length of both together: S.
 /// Adriaenssens and M. Barnes, *Tensegrity spline beam and grid shell structures* (2001). The move is the one that turns the
 /// segment by about half of what the angle lacks, so that a step does not go too far.
-fn turn(points: &[Point3], rest: f64, strength: f64, pulls: &mut [Pull]) {
+pub(super) fn turn(points: &[Point3], rest: f64, strength: f64, pulls: &mut [Pull]) {
     let ([a, b, c, d], [p, q, r, s]) = (points, pulls) else { return };
     let (u, v) = (*b - *a, *d - *c);
     let (first, second, both) = (u.length(), v.length(), (u + v).length());

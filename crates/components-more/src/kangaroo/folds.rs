@@ -94,7 +94,7 @@ impl Rule for Hinge {
     }
 }
 
-fn hinge(
+pub(super) fn hinge(
     points: [Point3; 4],
     rest: Option<f64>,
     limit: Option<f64>,

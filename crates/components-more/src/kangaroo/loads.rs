@@ -11,9 +11,9 @@ use super::{Goal, Pull, Rule};
 
 /// The same force on each point.
 #[derive(Debug)]
-struct Force {
-    force: Vector3,
-    weight: f64,
+pub(super) struct Force {
+    pub(super) force: Vector3,
+    pub(super) weight: f64,
 }
 
 impl Rule for Force {
@@ -101,8 +101,8 @@ fn vertex_loads(
 
 /// A force along the normal of a triangle, in proportion to its area.
 #[derive(Debug)]
-struct Pressure {
-    strength: f64,
+pub(super) struct Pressure {
+    pub(super) strength: f64,
 }
 
 impl Rule for Pressure {

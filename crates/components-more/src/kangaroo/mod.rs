@@ -6,6 +6,7 @@
 mod anchors;
 mod angles;
 mod collisions;
+mod elder;
 mod fits;
 mod folds;
 mod goal;

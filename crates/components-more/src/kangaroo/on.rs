@@ -11,9 +11,9 @@ use super::{Goal, Pull, Rule};
 
 /// Points pulled to the nearest place of a curve.
 #[derive(Debug)]
-struct OnCurve {
-    curve: Shared<Curve>,
-    strength: f64,
+pub(super) struct OnCurve {
+    pub(super) curve: Shared<Curve>,
+    pub(super) strength: f64,
 }
 
 impl Rule for OnCurve {
@@ -52,9 +52,9 @@ fn on_curve(
 
 /// Points pulled to the nearest place of a mesh.
 #[derive(Debug)]
-struct OnMesh {
-    tree: MeshTree,
-    strength: f64,
+pub(super) struct OnMesh {
+    pub(super) tree: MeshTree,
+    pub(super) strength: f64,
 }
 
 impl Rule for OnMesh {
@@ -134,8 +134,8 @@ fn on_plane(
 
 /// Points kept from falling below z = 0.
 #[derive(Debug)]
-struct Floor {
-    strength: f64,
+pub(super) struct Floor {
+    pub(super) strength: f64,
 }
 
 impl Rule for Floor {

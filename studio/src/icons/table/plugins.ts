@@ -7,7 +7,7 @@ import * as s from "../shapes";
 import type { Tab } from "./tab";
 
 /** A picture of a panel: its subject, small, with letters in the corner. */
-const of = (subject: Drawing) => (letters: string): Drawing => [small(subject), mark.sign(letters)];
+export const of = (subject: Drawing) => (letters: string): Drawing => [small(subject), mark.sign(letters)];
 
 const pulled = of([ink(line(4, 18, 18, 6)), hotDot(4, 18, 18, 6)]);
 const body = of([s.bareBox, dot(12, 11)]);
@@ -36,6 +36,25 @@ export const human: Tab = {
 };
 
 export const kangaroo2: Tab = {
+  Elder: {
+    AnchorSpring: pulled("AS"),
+    Bend: pulled("Be"),
+    CurvePull: pulled("CP"),
+    Equalize: pulled("Eu"),
+    Hinge: pulled("Hi"),
+    "Kangaroo Settings": pulled("KS"),
+    KangarooPhysics: pulled("KP"),
+    Laplacian: pulled("La"),
+    Planarize: pulled("Pl"),
+    PowerLaw: pulled("PL"),
+    Pressure: pulled("Pr"),
+    PullToMesh: pulled("PM"),
+    PullToSurf: pulled("PS"),
+    SpringsFromLine: pulled("SL"),
+    SpringsFromMesh: pulled("SM"),
+    UnaryForce: pulled("UF"),
+    ZombieKangaroo: pulled("ZK"),
+  },
   "Goals-6dof": {
     RigidPointSet: body("RP"),
   },
