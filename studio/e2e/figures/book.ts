@@ -41,10 +41,10 @@ export function exercisesOf(folder: string): Exercise[] {
   return found;
 }
 
-/** What a panel shows is a text, of a number or a point too. */
+/** What a panel shows is a text, of a number, a point or a domain too. */
 function valueIn(found: unknown, wanted: unknown): unknown {
   if (typeof found !== "string" || typeof wanted === "string") return found;
-  return Array.isArray(wanted) ? found.replace(/^\{(.*)\}$/, "$1").split(",").map(Number) : typeof wanted === "number" ? Number(found) : found;
+  return Array.isArray(wanted) ? found.replace(/^\{(.*)\}$/, "$1").split(/,| To /).map(Number) : typeof wanted === "number" ? Number(found) : found;
 }
 
 /** A matrix comes to a page as its size: its entries are compared by the program's own test (`crates/cli/tests/book.rs`). */
