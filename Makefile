@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -99,6 +99,11 @@ test-studio: studio/node_modules/installed
 test-browser: test-studio programs
 	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e
 	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:viewport
+
+# Every figure of the book in Chromium: it starts, gives its numbers, and each control moves it. `make test-browser` takes a
+# few pages; all of them take half an hour.
+test-figures: test-studio programs
+	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:figures
 
 studio/node_modules/installed: studio/package-lock.json
 	studio/with-node npm ci --no-audit --no-fund

@@ -114,7 +114,7 @@ impl<'a> Builder<'a> {
         }
         for widget in &figure.widgets {
             wrong.extend(solved.output(&widget.object).err().map(|why| ("widgets", why)));
-            let sliders = widget.at.iter().filter(|name| solved.slider(name).is_none());
+            let sliders = widget.sliders().filter(|name| solved.slider(name).is_none());
             wrong.extend(sliders.map(|name| ("widgets", format!("'{name}' is no slider"))));
         }
         wrong.extend(
@@ -202,6 +202,8 @@ impl Edition {
             .guide
             .as_ref()
             .map(|guide| format!(" <small>{} {}</small>", escaped(words.get("guide")), escaped(guide)));
+        // The pages that the guide lacks have a name and no number.
+        let row = if source.folder.contains('/') { String::new() } else { escaped(&source.folder) };
         let on_page: String = page
             .headings
             .iter()
@@ -211,7 +213,7 @@ impl Edition {
             "<article><header><p class=\"row\">{}{}</p><h1>{}</h1><p class=\"summary\">{}</p></header>\n\
              <nav class=\"on-page\" aria-label=\"{}\"><ul>{on_page}</ul></nav>\n{}</article>\n\
              <nav class=\"beside\" aria-label=\"{}\">{}{}</nav>\n",
-            escaped(&source.folder),
+            row,
             guide.unwrap_or_default(),
             escaped(&source.title),
             escaped(&source.summary),
@@ -349,9 +351,9 @@ impl Edition {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
              <title>{full}</title>\n<link rel=\"icon\" href=\"data:,\">\n<link rel=\"stylesheet\" href=\"{site}{style}\">\n{scripts}\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#text\">{skip}</a>\n\
-             <header class=\"top\"><a class=\"book\" href=\"{own}index.html\">{book}</a><div id=\"tools\"></div>{others}</header>\n\
-             <div class=\"sheet\"><nav class=\"contents\" aria-label=\"{word}\"><ul>{contents}</ul></nav>\n\
-             <main id=\"text\" tabindex=\"-1\">\n{body}</main></div>\n{data}\n</body>\n</html>\n",
+             <header class=\"top\"><a class=\"book\" href=\"{own}index.html\">{book}</a><a class=\"to-contents\" href=\"#contents\">{word}</a><div id=\"tools\"></div>{others}</header>\n\
+             <div class=\"sheet\"><main id=\"text\" tabindex=\"-1\">\n{body}</main>\n\
+             <nav class=\"contents\" id=\"contents\" aria-label=\"{word}\"><ul>{contents}</ul></nav></div>\n{data}\n</body>\n</html>\n",
             language = escaped(words.get("language")),
             style = style.name,
             skip = escaped(words.get("skip")),

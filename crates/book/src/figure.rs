@@ -173,6 +173,16 @@ impl Widget {
         })
     }
 
+    /// The sliders that it names. Those of cells of a matrix have the row and column behind a colon: `xS:11`.
+    pub(crate) fn sliders(&self) -> impl Iterator<Item = &str> {
+        let is_matrix = self.kind == "matrix";
+        let is_cell = |cell: &str| cell.len() == 2 && cell.bytes().all(|b| b.is_ascii_digit());
+        self.at.iter().map(move |text| match text.rsplit_once(':') {
+            Some((name, cell)) if is_matrix && is_cell(cell) => name,
+            _ => text.as_str(),
+        })
+    }
+
     fn to_json(&self) -> Json {
         json!({"kind": self.kind, "object": self.object, "at": self.at, "measure": self.measure})
     }

@@ -98,6 +98,12 @@ impl Solved {
         object.is_some_and(|object| matches!(object.special(), Some(Special::Toggle(_))))
     }
 
+    /// Whether an object is a toggle that is on.
+    pub(crate) fn is_on(&self, name: &str) -> bool {
+        let object = self.object(name).and_then(|index| self.session.document().objects.get(index));
+        object.is_some_and(|object| matches!(object.special(), Some(Special::Toggle(true))))
+    }
+
     /// Why a point cannot be dragged; nothing where it can.
     pub(crate) fn why_not_dragged(&self, name: &str) -> Option<String> {
         let document = self.session.document();

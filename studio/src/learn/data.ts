@@ -5,6 +5,8 @@ export interface ControlData {
   label: string;
   /** A slider; a toggle has none. */
   slider: { value: number; min: number; max: number; step: number } | null;
+  /** Whether a toggle is on. */
+  on: boolean;
 }
 
 export interface WidgetData {

@@ -1,10 +1,11 @@
 /** The element of a figure: a still until it is touched, then the engine's picture with its controls, values and widgets. */
 
+import type { Control } from "../core/protocol/Control";
 import type { ControlData, FigureData } from "./data";
 import { button, make } from "./elements";
 import type { Lesson } from "./lesson";
 import { fillLive } from "./live";
-import { readLink, writeLink } from "./link";
+import { clearLink, readLink, settleLink, writeLink } from "./link";
 import type { Stage } from "./stage";
 import { transport } from "./transport";
 import { number, type Value } from "./values";
@@ -14,10 +15,13 @@ import { word } from "./words";
 export class Figure extends HTMLElement {
   data!: FigureData;
   lesson: Lesson | undefined;
-  #stage: Stage | undefined;
+  /** The picture; without one the values follow all the same. */
+  stage: Stage | undefined;
   #starting: Promise<Lesson | undefined> | undefined;
   #text: Promise<string> | undefined;
   #values = new Map<string, number | boolean>();
+  /** The sliders and toggles of the definition as it came. */
+  #first = new Map<string, number | boolean>();
   #inputs = new Map<string, HTMLInputElement>();
   #widgets: Widget[] = [];
   #gestures = new Map<string, number>();
@@ -28,7 +32,7 @@ export class Figure extends HTMLElement {
     if (this.data) return;
     const script = this.querySelector(":scope > script");
     this.data = JSON.parse(script?.textContent ?? "{}") as FigureData;
-    for (const { name, slider } of this.data.controls) if (slider) this.#values.set(name, slider.value);
+    for (const { name, slider, on } of this.data.controls) this.#values.set(name, slider?.value ?? on);
     this.#controls();
     this.#take();
     const stage = this.querySelector<HTMLElement>(".stage");
@@ -80,11 +84,11 @@ export class Figure extends HTMLElement {
   }
 
   hover(object: string | undefined): void {
-    this.#stage?.hover(object);
+    this.stage?.hover(object);
   }
 
   retheme(): void {
-    this.#stage?.retheme();
+    this.stage?.retheme();
     for (const widget of this.#widgets) void widget.refresh();
   }
 
@@ -116,6 +120,10 @@ export class Figure extends HTMLElement {
       const text = await this.#definition();
       const lesson = await Lesson.open(transport(), this.data.definition.replaceAll("/", "-"), text);
       this.lesson = lesson;
+      for (const { nickname, control } of lesson.objects.values()) {
+        const value = stateOf(control);
+        if (value !== undefined) this.#first.set(nickname, value);
+      }
       this.setAttribute("data-state", "live");
       await this.#draw(lesson);
       start?.remove();
@@ -137,17 +145,43 @@ export class Figure extends HTMLElement {
     if (!stage) return;
     const { Stage } = await import("./stage");
     try {
-      this.#stage = new Stage(stage, lesson, this.data);
+      this.stage = new Stage(stage, lesson, this.data);
     } catch {
       stage.querySelector(".live-stage")?.remove();
     }
   }
 
   async #solved(lesson: Lesson): Promise<void> {
+    this.#follow(lesson);
     await fillLive(this, lesson);
     await Promise.all(this.#widgets.map((widget) => widget.refresh().catch(() => undefined)));
     this.setAttribute("data-solved", String(Number(this.getAttribute("data-solved") ?? 0) + 1));
     document.dispatchEvent(new CustomEvent("katydid-solved", { detail: this }));
+  }
+
+  /** Points that are dragged move sliders too: what is shown of them follows. */
+  #follow(lesson: Lesson): void {
+    // While a hand moves a control, it is ahead of what is solved.
+    if (this.#going) return;
+    for (const { nickname, control } of lesson.objects.values()) {
+      const value = stateOf(control);
+      if (value === undefined || this.#queued.has(nickname) || this.#values.get(nickname) === value) continue;
+      if (!this.#values.has(nickname) && this.#first.get(nickname) === value) continue;
+      this.#values.set(nickname, value);
+      this.#show(nickname, value);
+    }
+  }
+
+  /** All sliders, toggles and points as they came. */
+  async #reset(): Promise<void> {
+    const { lesson } = this;
+    if (!lesson) return;
+    for (const { nickname, control } of [...lesson.objects.values()]) {
+      const [value, first] = [stateOf(control), this.#first.get(nickname)];
+      if (first !== undefined && value !== first) void this.set(nickname, first);
+    }
+    await this.stage?.grips.reset();
+    clearLink(this.data.id);
   }
 
   #definition(): Promise<string> {
@@ -166,21 +200,24 @@ export class Figure extends HTMLElement {
       const kind = typeof value === "number" ? "Number Slider" : "Boolean Toggle";
       text = text.replace(new RegExp(`^(${escaped} = ${kind}\\()[^,)]+`, "m"), (_, head: string) => `${head}${value}`);
     }
+    // Points whose coordinates stand in the text.
+    for (const [name, at] of this.stage?.grips.moved() ?? []) {
+      const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+      text = text.replace(new RegExp(`^(${escaped} = Construct Point\\()[-0-9., ]+(?=\\))`, "m"), (_, head: string) => `${head}${at.join(", ")}`);
+    }
     return text;
   }
 
   #controls(): void {
-    if (this.data.controls.length === 0) return;
+    if (this.data.controls.length + this.data.drag.length === 0) return;
     const rows = this.data.controls.map((control) => this.#control(control));
-    const reset = button(word("reset"), () => {
-      for (const { name, slider } of this.data.controls) if (slider) void this.set(name, slider.value);
-    });
+    const reset = button(word("reset"), () => void this.#reset());
     const panel = make("div", { class: "controls", role: "group", "aria-label": word("controls") }, ...rows, reset);
     (this.querySelector(".say") ?? this).before(panel);
   }
 
-  #control({ name, label, slider }: ControlData): HTMLElement {
-    const kind = slider ? { type: "range", min: slider.min, max: slider.max, step: slider.step, value: slider.value } : { type: "checkbox" };
+  #control({ name, label, slider, on }: ControlData): HTMLElement {
+    const kind = slider ? { type: "range", min: slider.min, max: slider.max, step: slider.step, value: slider.value } : { type: "checkbox", checked: on };
     const input = make("input", { ...kind, "data-name": name });
     const output = make("output", {}, slider ? number(slider.value, "6") : "");
     const read = () => (slider ? input.valueAsNumber : input.checked);
@@ -214,7 +251,10 @@ export class Figure extends HTMLElement {
       told.textContent = ` ${word("copied")}`;
     };
     const copied = button(word("take-copy"), () => void this.#now().then(copy));
-    const link = button(word("take-link"), () => void copy(location.href));
+    const link = button(word("take-link"), () => {
+      settleLink();
+      void copy(location.href);
+    });
     const studio = button(word("take-studio"), () => void this.#studio());
     take.append(" ", copied, " ", link, " ", studio, told);
   }
@@ -224,6 +264,12 @@ export class Figure extends HTMLElement {
     const address = await transport().studio(name, await this.#now()).catch(() => undefined);
     if (address) location.assign(address);
   }
+}
+
+/** What a slider or a toggle stands at. */
+function stateOf(control: Control | null): number | boolean | undefined {
+  if (control?.is === "slider") return control.value;
+  return control?.is === "toggle" ? control.on : undefined;
 }
 
 /** The figure of a page by its id. */

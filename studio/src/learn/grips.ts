@@ -16,12 +16,20 @@ interface Grip {
   name: string;
   index: number;
   at: Point;
+  /** Where it was at first. */
+  first: Point;
 }
 
 /** The normal of the plane in which a point is dragged, by the view. */
 const NORMALS: Record<string, Point> = { front: [0, 1, 0], right: [1, 0, 0] };
 /** Arrow keys move a point by this part of what is seen. */
 const SHARE = 0.02;
+
+/** What stands on the button of a point: its name, or of a list with a long name its number. */
+function labelOf(name: string, index: number, isOneOfMany: boolean): string {
+  if (!isOneOfMany) return name;
+  return name.length <= 2 ? `${name}${index}` : String(index);
+}
 
 export class Grips {
   #stage: Stage;
@@ -48,11 +56,28 @@ export class Grips {
       values.forEach((value, index) => {
         if (!Array.isArray(value) || value.length !== 3) return;
         const known = this.#grips.find((grip) => grip.name === name && grip.index === index);
-        const grip = known ?? this.#make(name, index, values.length > 1);
+        const grip = known ?? this.#make(name, index, values.length > 1, value as Point);
         if (grip !== this.#dragged) grip.at = value as Point;
         const told = value.map((x) => number(x, "2")).join(", ");
-        grip.button.setAttribute("aria-label", `${word("point")} ${grip.button.textContent ?? ""} (${told}), ${word("drag-hint")}`);
+        const title = values.length > 1 ? `${name} ${index}` : name;
+        grip.button.setAttribute("aria-label", `${word("point")} ${title} (${told}), ${word("drag-hint")}`);
       });
+    }
+    this.place();
+  }
+
+  /** The points that are not where they were, by their names. */
+  moved(): [string, Point][] {
+    const far = ({ at, first }: Grip) => at.some((x, axis) => x !== first[axis]);
+    return this.#grips.filter(far).map(({ name, at }): [string, Point] => [name, at]);
+  }
+
+  /** Puts all points back. */
+  async reset(): Promise<void> {
+    for (const grip of this.#grips) {
+      if (grip.at.every((x, axis) => x === grip.first[axis])) continue;
+      grip.at = grip.first;
+      await this.#keep(grip, grip.first).catch(() => undefined);
     }
     this.place();
   }
@@ -62,13 +87,13 @@ export class Grips {
     for (const { button, at } of this.#grips) {
       const place = this.#stage.viewport.placeOf(at);
       button.hidden = !place;
-      if (place) button.style.transform = `translate(${place[0]}px, ${place[1]}px)`;
+      if (place) button.style.transform = `translate(${place[0]}px, ${place[1]}px) translate(-50%, -50%)`;
     }
   }
 
-  #make(name: string, index: number, isOneOfMany: boolean): Grip {
-    const button = make("button", { type: "button", class: "grip" }, isOneOfMany ? `${name}${index}` : name);
-    const grip: Grip = { button, name, index, at: [0, 0, 0] };
+  #make(name: string, index: number, isOneOfMany: boolean, at: Point): Grip {
+    const button = make("button", { type: "button", class: "grip" }, labelOf(name, index, isOneOfMany));
+    const grip: Grip = { button, name, index, at, first: at };
     this.#grips.push(grip);
     this.#stage.host.append(button);
     button.addEventListener("pointerdown", (event) => {

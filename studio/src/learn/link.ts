@@ -16,8 +16,36 @@ export function readLink(figure: string): Map<string, number | boolean> {
   return values;
 }
 
-export function writeLink(figure: string, name: string, value: number | boolean): void {
+/** Browsers take some hundred addresses a minute: what is dragged is written when it rests for so many milliseconds. */
+const REST = 200;
+const waiting = new Map<string, string | undefined>();
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+/** Writes what waits, at once. */
+export function settleLink(): void {
+  clearTimeout(timer);
+  if (waiting.size === 0) return;
   const all = held();
-  all.set(`${figure}:${name}`, String(value));
-  history.replaceState(history.state, "", `#${all.toString()}`);
+  for (const [key, value] of waiting) {
+    if (value === undefined) all.delete(key);
+    else all.set(key, value);
+  }
+  waiting.clear();
+  const text = all.toString();
+  history.replaceState(history.state, "", text === "" ? location.pathname + location.search : `#${text}`);
+}
+
+function plan(key: string, value: string | undefined): void {
+  waiting.set(key, value);
+  clearTimeout(timer);
+  timer = setTimeout(settleLink, REST);
+}
+
+export function writeLink(figure: string, name: string, value: number | boolean): void {
+  plan(`${figure}:${name}`, String(value));
+}
+
+/** Takes all values of a figure out of the address. */
+export function clearLink(figure: string): void {
+  for (const key of [...held().keys(), ...waiting.keys()]) if (key.startsWith(`${figure}:`)) plan(key, undefined);
 }

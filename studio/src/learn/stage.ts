@@ -1,6 +1,7 @@
 /** The picture of a figure: the studio's viewport, with hands and a keyboard of its own. */
 
 import type { Rgba } from "../core/preview";
+import { freshSettings, freshState } from "../viewport/settings";
 import { Viewport } from "../viewport/Viewport";
 import type { ViewName } from "../viewport/views";
 import { parseColour } from "../viewport/theme";
@@ -12,16 +13,23 @@ import { Grips } from "./grips";
 const NOTHING: ReadonlySet<string> = new Set();
 /** The usual colour of previews: a clear dark red, as in the studio. */
 const PREVIEW: Rgba = [150, 0, 0, 100];
+/** Pictures of a book are looked at from farther away than a model: heavier lines, larger letters, more room about them. */
+const LOOK = { weight: 1.6, margin: 1.3, textSize: 16 } as const;
+/** How much of a surface's colour covers what is behind it, of 255. */
+const OF_SURFACE = 120;
 const STEP = 24;
 const ZOOM = 1.15;
 
 export class Stage {
   readonly viewport: Viewport;
   readonly host: HTMLElement;
+  /** How this picture is looked at, and what it says: each figure has its own. */
+  readonly settings = freshSettings();
+  readonly state = freshState();
   #lesson: Lesson;
   #data: FigureData;
   #hovered: string | undefined;
-  #grips: Grips;
+  readonly grips: Grips;
   #stop: (() => void)[] = [];
   #colours = new Map<string, Rgba>();
 
@@ -30,11 +38,11 @@ export class Stage {
     this.#data = data;
     this.host = make("div", { class: "live-stage", tabindex: 0, role: "application", "aria-label": data.alt });
     stage.append(this.host);
-    this.viewport = new Viewport(this.host, this.#around());
+    this.viewport = new Viewport(this.host, this.#around(), { ...LOOK, settings: this.settings, state: this.state });
     this.viewport.canvas.setAttribute("aria-hidden", "true");
     this.viewport.panes.look(data.view as ViewName, false, true);
-    this.#grips = new Grips(this, lesson, data);
-    this.viewport.afterDraw = () => this.#grips.place();
+    this.grips = new Grips(this, lesson, data);
+    this.viewport.afterDraw = () => this.grips.place();
     this.#stop.push(
       lesson.geometry.listen({
         put: (object, preview) => this.viewport.put(object, preview),
@@ -60,7 +68,14 @@ export class Stage {
     for (const [name, hue] of Object.entries(this.#data.colours)) {
       const object = this.#lesson.named(name);
       probe.style.color = `var(--${hue})`;
-      if (object) this.#colours.set(object.id, parseColour(getComputedStyle(probe).color));
+      const [red, green, blue] = parseColour(getComputedStyle(probe).color);
+      if (object) this.#colours.set(object.id, [red, green, blue, OF_SURFACE]);
+    }
+    // Names in the picture are read, not looked at: they are in the ink of the text where nothing else is said.
+    probe.style.color = "var(--ink)";
+    const ink = parseColour(getComputedStyle(probe).color);
+    for (const { id, name } of this.#lesson.objects.values()) {
+      if (name.startsWith("Text Tag") && !this.#colours.has(id)) this.#colours.set(id, ink);
     }
     probe.remove();
     this.viewport.surround(this.#around());

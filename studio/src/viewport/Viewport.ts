@@ -1,6 +1,7 @@
 /** The picture of the model: draws when something changed, and never else. */
 
 import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import type { StoreApi } from "zustand/vanilla";
 
 import { union } from "../core/bounds";
 import type { Bounds, Preview, Rgba } from "../core/preview";
@@ -15,7 +16,7 @@ import { dress } from "./scene/dress";
 import { Model } from "./scene/model";
 import { Painter, type Layer } from "./scene/painter";
 import { paintOn, pixelOf, pngOf } from "./snapshot";
-import { settingsStore, viewportStore, type ViewportSettings } from "./settings";
+import { settingsStore, viewportStore, type ViewportSettings, type ViewportState } from "./settings";
 import { readTheme, type Theme } from "./theme";
 import { isOfDocument, isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
@@ -27,6 +28,15 @@ export interface Options {
   /** Smooth borders; off where pictures are compared, and where the graphics card is software. */
   antialias?: boolean;
   pixelRatio?: number;
+  /** Settings and state of its own, where several viewports stand on a page; else those of the studio. */
+  settings?: StoreApi<ViewportSettings>;
+  state?: StoreApi<ViewportState>;
+  /** How many times as wide as usual lines, points and arrowheads are. */
+  weight?: number;
+  /** How much of the view geometry leaves free after it was framed: 1.1 is a tenth. */
+  margin?: number;
+  /** The size of texts that have none of their own, in pixels. */
+  textSize?: number;
 }
 
 /** What a graphics card draws in one go, and what software does. */
@@ -60,7 +70,8 @@ export class Viewport {
     this.invalidate();
   });
   #around: Surroundings;
-  #settings: ViewportSettings = settingsStore.getState();
+  #settings: ViewportSettings;
+  readonly #state: StoreApi<ViewportState>;
   #request = 0;
   #rest: ReturnType<typeof setTimeout> | undefined;
   #isFine = false;
@@ -86,6 +97,8 @@ export class Viewport {
   constructor(host: HTMLElement, around: Surroundings, options: Options = {}) {
     this.#host = host;
     this.#around = around;
+    this.#settings = (options.settings ?? settingsStore).getState();
+    this.#state = options.state ?? viewportStore;
     this.canvas = document.createElement("canvas");
     this.canvas.className = "viewport-canvas";
     host.prepend(this.canvas);
@@ -99,11 +112,12 @@ export class Viewport {
     this.#renderer.sortObjects = true;
     this.#ratio = options.pixelRatio ?? Math.min(devicePixelRatio, 2);
     this.#renderer.setPixelRatio(this.#ratio);
-    this.model = new Model(this.isSoftware ? SOFTWARE : CARD, () => this.#renderer.getPixelRatio());
+    const weight = options.weight ?? 1;
+    this.model = new Model(this.isSoftware ? SOFTWARE : CARD, () => this.#renderer.getPixelRatio() * weight);
     this.#painter = new Painter(this.#renderer, this.model);
-    this.panes = new Panes(() => this.invalidate());
+    this.panes = new Panes(() => this.invalidate(), options.margin);
     this.#picker = new Picker(this.model);
-    this.#texts = new TextLayer(host);
+    this.#texts = new TextLayer(host, options.textSize);
     this.#theme = readTheme(host);
     this.#watch(options);
   }
@@ -280,17 +294,17 @@ export class Viewport {
     const lost = (event: Event) => {
       event.preventDefault();
       this.#isLost = true;
-      viewportStore.setState({ notice: "viewport.lost" });
+      this.#state.setState({ notice: "viewport.lost" });
     };
     const restored = () => {
       this.#isLost = false;
       this.#painter.forget();
-      viewportStore.setState({ notice: undefined });
+      this.#state.setState({ notice: undefined });
       this.invalidate();
     };
     this.canvas.addEventListener("webglcontextlost", lost);
     this.canvas.addEventListener("webglcontextrestored", restored);
-    const unsubscribe = settingsStore.subscribe((settings, before) => this.#take(settings, before));
+    const unsubscribe = (options.settings ?? settingsStore).subscribe((settings, before) => this.#take(settings, before));
     this.panes.layout = this.#settings.layout;
     this.#stop.push(
       () => resize.disconnect(),
@@ -393,7 +407,7 @@ export class Viewport {
     this.#isFramingStale = false;
     const own = this.#boxes();
     const isEmpty = own.length === 0;
-    if (viewportStore.getState().isEmpty !== isEmpty) viewportStore.setState({ isEmpty });
+    if (this.#state.getState().isEmpty !== isEmpty) this.#state.setState({ isEmpty });
     // A Rhino model is looked at where the document shows nothing itself.
     const boxes = isEmpty ? this.#boxesWhere((id) => !isTool(id)) : own;
     if (boxes.length === 0) return;
@@ -404,13 +418,13 @@ export class Viewport {
 
   #colour(): void {
     this.#areColoursStale = false;
-    viewportStore.setState({ legend: this.#falseColours.colour(this.model, this.#settings.analysis) });
+    this.#state.setState({ legend: this.#falseColours.colour(this.model, this.#settings.analysis) });
   }
 
   #frame(isWhole: boolean): void {
     if (this.#isLost) return;
     this.#settle();
-    const range = this.#settings.range ?? viewportStore.getState().legend?.range;
+    const range = this.#settings.range ?? this.#state.getState().legend?.range;
     const isQuick = !this.#isFine && this.#isHeavy();
     const ratio = this.#ratio * (isQuick ? QUICK_SHARE : 1);
     if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
@@ -446,10 +460,10 @@ export class Viewport {
   #overlay(placed: readonly PlacedPane[]): void {
     const views = placed.map((pane) => ({ ...pane, ...this.#view(pane) }));
     const now = { view: this.panes.viewName(), projection: this.panes.projection(), texts: this.#texts.show(this.model, views) };
-    const { view, projection, texts } = viewportStore.getState();
+    const { view, projection, texts } = this.#state.getState();
     // Whoever reads this is not called for pictures that only show other geometry.
     const isSame = now.view === view && now.projection === projection && now.texts.all === texts.all && now.texts.shown === texts.shown;
-    if (!isSame) viewportStore.setState(now);
+    if (!isSame) this.#state.setState(now);
     this.afterDraw(placed);
   }
 }

@@ -28,7 +28,7 @@ const FIELD = 2 * Math.atan(12 / 50);
 const SMALLEST = 1e-6;
 const GREATEST = 1e12;
 /** How much of a view geometry fills after zoom extents. */
-const MARGIN = 1.1;
+export const MARGIN = 1.1;
 /** Geometry that fills less than this share of a view is framed anew. */
 const LEAST_SHARE = 0.3;
 /** A flat or tiny model has this share of the view for depth: points and lines are drawn a little before where they are. */
@@ -104,7 +104,7 @@ export class CameraRig {
    * Shows all of some boxes, as large as the view takes them. In perspective each side of the view is pushed against
    * the corner that reaches it first; where the eye must then be follows from the four sides.
    */
-  fit(boxes: readonly Bounds[], aspect: number): void {
+  fit(boxes: readonly Bounds[], aspect: number, margin: number = MARGIN): void {
     const all = boxes.reduce<Bounds | null>(union, null);
     if (!all) return;
     const middle = new Vector3(...centre(all));
@@ -122,7 +122,7 @@ export class CameraRig {
     // For a perspective the halves are those at the middle's depth: the eye's distance times the slope.
     half = Math.max(half, slope > 0 ? radius(all) * 0.05 : 0);
     const target = middle.addScaledVector(right, across.shift).addScaledVector(up, along.shift);
-    const height = MathUtils.clamp(2 * half * MARGIN, SMALLEST, GREATEST);
+    const height = MathUtils.clamp(2 * half * margin, SMALLEST, GREATEST);
     this.pose = { ...this.pose, target: target.toArray(), height };
   }
 
@@ -130,13 +130,13 @@ export class CameraRig {
    * Whether some boxes are shown as one would frame them: all of them in the view, and neither too small nor so large
    * that the next change leaves it.
    */
-  frames(boxes: readonly Bounds[], aspect: number): boolean {
+  frames(boxes: readonly Bounds[], aspect: number, margin: number = MARGIN): boolean {
     const fitted = new CameraRig(this.pose);
-    fitted.fit(boxes, aspect);
+    fitted.fit(boxes, aspect, margin);
     const [now, wanted] = [this.pose, fitted.pose];
     const off = new Vector3(...now.target).sub(new Vector3(...wanted.target));
     const shift = Math.max(Math.abs(off.dot(this.up())), Math.abs(off.dot(this.right())) / Math.max(aspect, 1));
-    const room = now.height - wanted.height / MARGIN - 2 * shift;
+    const room = now.height - wanted.height / margin - 2 * shift;
     return room >= -1e-9 * now.height && wanted.height >= now.height * LEAST_SHARE;
   }
 

@@ -3,7 +3,7 @@
 import { Vector3 } from "three";
 
 import type { Bounds, Point3 } from "../core/preview";
-import { CameraRig, wrap, type Pose } from "./camera";
+import { CameraRig, MARGIN, wrap, type Pose } from "./camera";
 import { fourPanes, poseOf, viewOf, type Layout, type Pane, type ViewName } from "./views";
 
 /** A pane in pixels, from the top left of the canvas. */
@@ -32,9 +32,12 @@ export class Panes {
   #own = new Set<Pane>();
   #flights = new Map<Pane, { from: Pose; to: Pose; start: number }>();
   #changed: () => void;
+  readonly #margin: number;
 
-  constructor(changed: () => void) {
+  /** `margin` is how much of the view geometry leaves free when it is framed. */
+  constructor(changed: () => void, margin: number = MARGIN) {
     this.#changed = changed;
+    this.#margin = margin;
   }
 
   get active(): Pane {
@@ -121,7 +124,7 @@ export class Panes {
 
   #frames(pane: Pane, boxes: readonly Bounds[]): boolean {
     const { width, height } = this.placedOf(pane);
-    return boxes.length === 0 || new CameraRig(this.#target(pane)).frames(boxes, width / height);
+    return boxes.length === 0 || new CameraRig(this.#target(pane)).frames(boxes, width / height, this.#margin);
   }
 
   /** Shows all of some boxes in all panes that are shown, or in the active one. */
@@ -130,7 +133,7 @@ export class Panes {
     for (const pane of which) {
       const { width, height } = this.placedOf(pane);
       const rig = new CameraRig(this.#target(pane));
-      rig.fit(boxes, width / height);
+      rig.fit(boxes, width / height, this.#margin);
       this.fly(pane, rig.pose, isStill);
     }
   }

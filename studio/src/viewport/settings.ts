@@ -1,6 +1,6 @@
 /** How the model is looked at: what the toolbar changes and shows. */
 
-import { createStore } from "zustand/vanilla";
+import { createStore, type StoreApi } from "zustand/vanilla";
 
 import type { Point3 } from "../core/preview";
 import type { Projection } from "./camera";
@@ -151,6 +151,9 @@ function stored(): string | null {
   }
 }
 
+/** Settings of a viewport that keeps nothing: as usual. */
+export const freshSettings = (): StoreApi<ViewportSettings> => createStore<ViewportSettings>(() => USUAL);
+
 export const settingsStore = createStore<ViewportSettings>(() => readSettings(stored()));
 
 settingsStore.subscribe(({ mode, shown, trackpad, snap, gumball }) => {
@@ -161,12 +164,16 @@ settingsStore.subscribe(({ mode, shown, trackpad, snap, gumball }) => {
   }
 });
 
-export const viewportStore = createStore<ViewportState>(() => ({
-  view: undefined,
-  projection: "perspective",
-  legend: undefined,
-  pointed: undefined,
-  notice: undefined,
-  texts: { all: 0, shown: 0 },
-  isEmpty: true,
-}));
+/** Where a viewport says what it shows. */
+export const freshState = (): StoreApi<ViewportState> =>
+  createStore<ViewportState>(() => ({
+    view: undefined,
+    projection: "perspective",
+    legend: undefined,
+    pointed: undefined,
+    notice: undefined,
+    texts: { all: 0, shown: 0 },
+    isEmpty: true,
+  }));
+
+export const viewportStore = freshState();

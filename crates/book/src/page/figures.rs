@@ -39,6 +39,7 @@ impl<'a> Page<'a> {
         };
         let mut told = figure.to_json();
         for control in told["controls"].as_array_mut().into_iter().flatten() {
+            control["on"] = json!(control["name"].as_str().is_some_and(|name| solved.is_on(name)));
             let slider = control["name"].as_str().and_then(|name| solved.slider(name));
             control["slider"] = slider.map_or(
                 Json::Null,

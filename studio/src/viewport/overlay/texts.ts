@@ -34,7 +34,11 @@ export class TextLayer {
   #spans: HTMLElement[] = [];
   #shown: PlacedText[] = [];
 
-  constructor(parent: HTMLElement) {
+  readonly #usual: number;
+
+  /** `usual` is the size of texts that have none of their own, in pixels. */
+  constructor(parent: HTMLElement, usual: number = USUAL) {
+    this.#usual = usual;
     this.element = document.createElement("div");
     this.element.className = "viewport-texts";
     parent.append(this.element);
@@ -42,7 +46,7 @@ export class TextLayer {
 
   /** Shows the texts of all panes; gives how many there are, and how many are shown. */
   show(model: Model, views: readonly TextView[]): { all: number; shown: number } {
-    const placed = views.flatMap((view) => placeTexts(model, view));
+    const placed = views.flatMap((view) => placeTexts(model, view, this.#usual));
     const shown = placed.length > MOST ? placed.sort((a, b) => a.depth - b.depth).slice(0, MOST) : placed;
     while (this.#spans.length < shown.length) {
       const span = document.createElement("span");
@@ -78,7 +82,7 @@ export class TextLayer {
 }
 
 /** Where the texts of the model are in a pane. */
-export function placeTexts(model: Model, { camera, left, top, width, height }: TextView): PlacedText[] {
+export function placeTexts(model: Model, { camera, left, top, width, height }: TextView, usual: number = USUAL): PlacedText[] {
   const placed: PlacedText[] = [];
   const point = new Vector3();
   for (const { preview, parts } of model.objects.values()) {
@@ -95,7 +99,7 @@ export function placeTexts(model: Model, { camera, left, top, width, height }: T
         const eye = point.clone().applyMatrix4(camera.matrixWorldInverse);
         const { x, y, z } = point.project(camera);
         if (Math.abs(x) > 1.05 || Math.abs(y) > 1.05 || Math.abs(z) > 1) return;
-        const size = part.textHeight > 0 ? part.textHeight * pixelsAUnit(camera, eye.z, height) : USUAL;
+        const size = part.textHeight > 0 ? part.textHeight * pixelsAUnit(camera, eye.z, height) : usual;
         if (size < SMALLEST) return;
         placed.push({
           text,
