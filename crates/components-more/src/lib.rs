@@ -11,6 +11,8 @@
     reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its ports"
 )]
 
+mod anemone;
+mod hoopsnake;
 mod human;
 mod kangaroo;
 mod lunchbox;
@@ -31,6 +33,8 @@ macro_rules! plugins {
 }
 
 plugins! {
+    "Anemone" by "Mateusz Zwierzycki" as "anemone";
+    "HoopSnake" by "Yannis Chatzikonstantinou" as "hoopsnake";
     "Human" by "Andrew Heumann" as "human";
     "Kangaroo2" by "Daniel Piker" as "kangaroo2";
     "LunchBox" by "Proving Ground" as "lunchbox";
