@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 use katydid_component::{Account, Budget, Deadline, Message};
@@ -8,11 +8,11 @@ use katydid_data::Tree;
 use katydid_definition::document::{Document, Object};
 use web_time::Instant;
 
-use crate::graph::Graph;
+use crate::graph::{Graph, Source};
 use crate::object::{Turn, solve};
 use crate::report::{ObjectReport, Status};
 use crate::schedule::Todo;
-use crate::{Finished, Options, Progress, schedule, script};
+use crate::{Finished, Options, Progress, rounds, schedule, script};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
 ///
@@ -105,7 +105,18 @@ impl Engine {
             // What is dirty already has dirty readers.
             if self.reports[object].take().is_some() {
                 self.dirty.push(object);
-                stack.extend(&self.graph.readers[object]);
+                stack.extend(self.graph.hanging(object));
+            }
+        }
+    }
+
+    /// Marks all objects of a loop as dirty where one is: they are solved together or not at all.
+    fn make_regions_whole(&mut self) {
+        let graph = self.graph.clone();
+        for region in graph.regions.outermost.values() {
+            let is_dirty = |at: &usize| self.reports.get(*at).is_some_and(Option::is_none);
+            if region.all.iter().any(is_dirty) {
+                region.all.iter().for_each(|at| self.touch(*at));
             }
         }
     }
@@ -146,6 +157,7 @@ impl Engine {
 
     fn solve_dirty(&mut self) -> Summary {
         let watch = Instant::now();
+        self.make_regions_whole();
         let most = self.options.limits.solve_bytes;
         let account = Arc::new(match &self.options.memory {
             Some(whole) => Account::part_of(whole.clone(), most),
@@ -223,38 +235,38 @@ fn solve_graph(
     let done = AtomicUsize::new(0);
     let kept: &[Option<ObjectReport>] = reports;
     let cancelled = || turn.options.cancel.is_cancelled();
+    // What objects of loops gave in the last round, from their ends to when it is their turn to say so.
+    let last_round: Mutex<HashMap<usize, ObjectReport>> = Mutex::default();
     schedule::run(graph, &todo, &results, |object| {
         if cancelled() {
             return None;
         }
         let watch = Instant::now();
-        let tree = |source: &crate::graph::Source| -> Option<&Tree> {
+        let tree = |source: &Source| -> Option<&Tree> {
             let report = match todo.place(source.object) {
                 Some(place) => results[place].get().and_then(Option::as_ref),
                 None => kept[source.object].as_ref(),
             };
             report?.outputs.get(source.output)
         };
-        let wired: Vec<Vec<&Tree>> =
-            graph.sources[object].iter().map(|sources| sources.iter().filter_map(tree).collect()).collect();
-        let wanted = if turn.options.skip_unread { &graph.wanted[object][..] } else { &[] };
-        let turn = Turn { wanted, ..*turn };
-        let limits = turn.options.limits;
-        let budget = Budget::new(limits, turn.options.cancel.clone(), turn.deadline, turn.account.clone());
-        let mut report = budget.token().during(|| {
-            let report = solve(&turn, object, &wired, &budget);
-            // What an object gives may be made larger by its outputs' modifiers and casts.
-            budget.bytes(0).err().map_or(report, |message| {
-                let outputs = objects.get(object).map_or(0, |object| object.outputs.len());
-                ObjectReport::idle(Status::Error, vec![message], outputs)
-            })
-        });
-        report.time = watch.elapsed();
+        let report = match (graph.regions.outermost.get(&object), graph.regions.end_of(object)) {
+            (Some(region), _) => {
+                let mut report = rounds::solve(turn, graph, region, &tree, &last_round);
+                report.time = watch.elapsed();
+                report
+            }
+            (None, Some(_)) => last_round.lock().ok()?.remove(&object)?,
+            (None, None) => {
+                let mut report = solve_object(turn, graph, object, &tree);
+                report.time = watch.elapsed();
+                report
+            }
+        };
         // It may have noticed, and stopped half-way.
         if cancelled() {
             return None;
         }
-        tell(&turn, object, &report);
+        tell(turn, object, &report);
         if let Some(progress) = &turn.options.progress {
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress(&Progress { done, total, name: objects[object].title().to_owned() });
@@ -267,6 +279,33 @@ fn solve_graph(
         solved += usize::from(reports[object].is_some());
     }
     solved
+}
+
+/// Solves one object, whose sources have the trees that `tree` gives.
+pub(crate) fn solve_object<'a>(
+    turn: &Turn<'_>,
+    graph: &Graph,
+    object: usize,
+    tree: &dyn Fn(&Source) -> Option<&'a Tree>,
+) -> ObjectReport {
+    let wired: Vec<Vec<&Tree>> =
+        graph.sources[object].iter().map(|sources| sources.iter().filter_map(tree).collect()).collect();
+    let wanted = if turn.options.skip_unread { &graph.wanted[object][..] } else { &[] };
+    let turn = Turn { wanted, ..*turn };
+    let limits = turn.options.limits;
+    let budget = Budget::new(limits, turn.options.cancel.clone(), turn.deadline, turn.account.clone());
+    let report = budget.token().during(|| {
+        let report = solve(&turn, object, &wired, &budget);
+        // What an object gives may be made larger by its outputs' modifiers and casts.
+        budget.bytes(0).err().map_or(report, |message| {
+            let outputs = turn.document.objects.get(object).map_or(0, |object| object.outputs.len());
+            ObjectReport::idle(Status::Error, vec![message], outputs)
+        })
+    });
+    match graph.regions.refused.contains(&object) {
+        true => rounds::refused(report),
+        false => report,
+    }
 }
 
 /// Gives a result out as soon as it is there.

@@ -38,7 +38,7 @@ impl Engine {
         while let Some(object) = stack.pop() {
             let Some(seen) = passing.get_mut(object) else { continue };
             if !std::mem::replace(seen, true) {
-                stack.extend(self.graph.readers.get(object).into_iter().flatten());
+                stack.extend(self.graph.hanging(object));
             }
         }
         let mut learnt = 0;

@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, HashMap};
 use katydid_definition::document::Document;
 use uuid::Uuid;
 
+use crate::region::Regions;
+
 /// An output that an input reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Source {
@@ -21,6 +23,11 @@ pub(crate) struct Graph {
     pub(crate) sources: Vec<Vec<Vec<Source>>>,
     /// For each object, the objects that read it; each once.
     pub(crate) readers: Vec<Vec<usize>>,
+    /// For each object, those that wait for it in a solution: they read it, or are solved in rounds with who reads it. Empty
+    /// where nothing is solved in rounds: those that wait are its readers then.
+    followers: Vec<Vec<usize>>,
+    /// What is solved in rounds.
+    pub(crate) regions: Regions,
     /// For each object, for each output, whether anybody reads it.
     pub(crate) wanted: Vec<Vec<bool>>,
     /// The objects in an order in which each stands behind all it reads. Objects in a loop are left out.
@@ -75,16 +82,32 @@ impl Graph {
             }
             graph.sources.push(inputs);
         }
+        graph.regions = Regions::find(document, &graph.sources, &graph.readers);
+        if !graph.regions.outermost.is_empty() {
+            graph.followers = graph.regions.followers(&graph.readers);
+        }
         graph.sort();
         graph
+    }
+
+    /// Those that wait for an object in a solution.
+    pub(crate) fn followers(&self, object: usize) -> &[usize] {
+        let all = if self.followers.is_empty() { &self.readers } else { &self.followers };
+        all.get(object).map_or(&[], Vec::as_slice)
+    }
+
+    /// Those that are solved anew when an object is: who reads it, and who goes rounds with it.
+    pub(crate) fn hanging(&self, object: usize) -> impl Iterator<Item = usize> {
+        let readers = self.readers.get(object).into_iter().flatten().copied();
+        readers.chain(self.regions.fellows(object))
     }
 
     /// Kahn's algorithm for the order; what it leaves is in a loop or behind one, and Tarjan's tells which.
     fn sort(&mut self) {
         let n = self.readers.len();
         let mut missing: Vec<usize> = vec![0; n];
-        for readers in &self.readers {
-            for &reader in readers {
+        for object in 0..n {
+            for &reader in self.followers(object) {
                 missing[reader] += 1;
             }
         }
@@ -97,11 +120,12 @@ impl Graph {
         }
         let mut ready: std::collections::VecDeque<usize> =
             (0..n).filter(|&object| missing[object] == 0).chain(looped.iter().flatten().copied()).collect();
+        let mut order = Vec::with_capacity(n);
         while let Some(object) = ready.pop_front() {
             if missing[object] != usize::MAX {
-                self.order.push(object);
+                order.push(object);
             }
-            for &reader in &self.readers[object] {
+            for &reader in self.followers(object) {
                 if missing[reader] != usize::MAX {
                     missing[reader] -= 1;
                     if missing[reader] == 0 {
@@ -110,6 +134,7 @@ impl Graph {
                 }
             }
         }
+        self.order = order;
         self.rank = vec![None; n];
         for (rank, &object) in (0..).zip(&self.order) {
             self.rank[object] = Some(rank);
@@ -138,7 +163,7 @@ impl Graph {
                     stack.push(v);
                     on_stack[v] = true;
                 }
-                if let Some(&w) = self.readers[v].get(*edge) {
+                if let Some(&w) = self.followers(v).get(*edge) {
                     *edge += 1;
                     match index[w] {
                         None => walk.push((w, 0)),
@@ -161,7 +186,7 @@ impl Graph {
                             break;
                         }
                     }
-                    if members.len() > 1 || self.readers[v].contains(&v) {
+                    if members.len() > 1 || self.followers(v).contains(&v) {
                         members.sort_unstable();
                         loops.push(members);
                     }

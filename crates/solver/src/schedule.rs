@@ -60,7 +60,7 @@ pub(crate) fn run<T: Send + Sync>(
     }
     let missing: Vec<AtomicUsize> = todo.iter().map(|_| AtomicUsize::new(0)).collect();
     for object in todo.iter() {
-        for reader in graph.readers[object].iter().filter_map(|&reader| todo.place(reader)) {
+        for reader in graph.followers(object).iter().filter_map(|&reader| todo.place(reader)) {
             missing[reader].fetch_add(1, Ordering::Relaxed);
         }
     }
@@ -104,7 +104,7 @@ impl<'a, T: Send + Sync, F: Fn(usize) -> T + Sync> Shared<'a, T, F> {
         while let Some(place) = next.take() {
             let object = self.todo.objects[place];
             let _ = self.results[place].set((self.task)(object));
-            for reader in self.graph.readers[object].iter().filter_map(|&reader| self.todo.place(reader)) {
+            for reader in self.graph.followers(object).iter().filter_map(|&reader| self.todo.place(reader)) {
                 if self.missing[reader].fetch_sub(1, Ordering::AcqRel) != 1 {
                     continue;
                 }

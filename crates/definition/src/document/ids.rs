@@ -114,3 +114,14 @@ pub const RHINO_8_SCRIPT: Uuid = uuid!("c9b2d725-6f87-4b07-af90-bd9aefef68eb");
 pub(super) fn takes_several(type_id: Uuid) -> bool {
     [DATA, GEOMETRY].contains(&type_id)
 }
+
+/// Loop Start of the plug-in Anemone. No file at hand shows the ids of the plug-in's own components: these are ours.
+pub const LOOP_START: Uuid = uuid!("a4e302e5-0c1b-4f7e-9d02-6f1f0a9c5e01");
+/// Loop End.
+pub const LOOP_END: Uuid = uuid!("a4e302e5-0c1b-4f7e-9d02-6f1f0a9c5e02");
+/// Fast Loop Start.
+pub const FAST_LOOP_START: Uuid = uuid!("a4e302e5-0c1b-4f7e-9d02-6f1f0a9c5e03");
+/// Fast Loop End.
+pub const FAST_LOOP_END: Uuid = uuid!("a4e302e5-0c1b-4f7e-9d02-6f1f0a9c5e04");
+/// HoopSnake of the plug-in of that name; the id is ours too.
+pub const HOOP_SNAKE: Uuid = uuid!("a4e302e5-0c1b-4f7e-9d02-6f1f0a9c5e05");

@@ -86,7 +86,7 @@ impl Sheet {
     }
 }
 
-fn fill(object: &mut Object, k: usize, input: Input) {
+pub(crate) fn fill(object: &mut Object, k: usize, input: Input) {
     match input {
         Input::Wires(ids) => object.set_sources(k, &ids).unwrap(),
         Input::Values(items) => {
