@@ -7,6 +7,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Colour;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Containment, Curve, Interval, Mesh, MeshTree, Plane, Point3, PolylineCurve, Vector3};
 
 /// The colours from the least value to the most: blue, green, yellow, red.
@@ -54,7 +55,7 @@ fn coloured(
 
 /// The slope of a normal in per cent: 100 is 45 degrees.
 fn per_cent(normal: Vector3) -> f64 {
-    let (flat, up) = (normal.x.hypot(normal.y), normal.z.abs());
+    let (flat, up) = (normal.x.hypotenuse(normal.y), normal.z.abs());
     // A wall has no slope that a number tells: the greatest that is of use stands for it.
     if up > 1e-9 { flat / up * 100.0 } else { 1e9 }
 }
@@ -120,7 +121,7 @@ fn aspect(
     #[port("Angle", "Angle", default = 0.0)]
     angle: f64,
 ) -> (Shared<Mesh>, Vec<Colour>, Vec<Shared<str>>, Vec<f64>) {
-    let (sin, cos) = angle.to_radians().sin_cos();
+    let (sin, cos) = angle.to_radians().sine_cosine();
     let towards = Vector3::new(cos, sin, 0.0);
     let look = |n: Vector3| {
         // What faces down looks as what faces up.
@@ -342,7 +343,7 @@ fn mesh_point(
     let points: Vec<Point3> = points.present().filter(|p| p.is_finite()).collect();
     let moved = mesh.vertices().iter().map(|v| {
         let z = points.iter().fold(v.z, |z, p| {
-            let reach = (p.x - v.x).hypot(p.y - v.y) * slope / 100.0;
+            let reach = (p.x - v.x).hypotenuse(p.y - v.y) * slope / 100.0;
             z.clamp(p.z - reach, p.z + reach)
         });
         Point3::new(v.x, v.y, z)

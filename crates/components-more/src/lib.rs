@@ -11,46 +11,6 @@
     reason = "!(x > limit) refuses a NaN with the too small; a component's signature spells out its ports"
 )]
 
-
-
-
-
-
-
-            Plugin { name: $name, author: $author, library: $library, only_notes: false }
-        $(katydid_component::parts::inventory::submit! {
-        })*
-    "Anemone" by "Mateusz Zwierzycki" as "anemone";
-    "Bison" by "bison.la" as "bison";
-    "BitmapPlus" by "David Mans" as "bitmapplus";
-    "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
-    "HoopSnake" by "Yannis Chatzikonstantinou" as "hoopsnake";
-    "Human" by "Andrew Heumann" as "human";
-    "Kangaroo2" by "Daniel Piker" as "kangaroo";
-    "Kangaroo2" by "Daniel Piker" as "kangaroo2";
-    "LunchBox" by "Proving Ground" as "lunchbox";
-    "MeshEdit" by "[uto]" as "meshedit";
-    "Noise4D" by "unknown" as "4dnoise";
-    "Noise4D" by "unknown" as "noise4d";
-    "Pufferfish" by "Michael Pryor" as "pufferfish";
-    "Telepathy" by "Andrew Heumann" as "telepathy";
-    "VoxelTools" by "Arend van Waart" as "voxeltools";
-    "Weaverbird" by "Giulio Piacentino" as "weaverbird";
-    ($($name:literal by $author:literal as $library:literal;)*) => {
-    // The elder one, whose components stand in the same tab.
-    Plugin { name: "Bifocals", author: "Andrew Heumann", library: "bifocals", only_notes: true }
-    katydid_component::plugins().count()
-    };
-#[cfg(test)]
-// Its objects write names beside others on the canvas, and compute nothing.
-///
-/// A plug-in with its author.
-/// Makes sure that these components are linked into the program, and tells how many plug-ins they stand for.
-/// ```
-/// ```
-/// assert!(katydid_components_more::link() > 1);
-katydid_component::parts::inventory::submit! {
-macro_rules! plugins {
 mod anemone;
 mod bison;
 mod bitmap_plus;
@@ -65,16 +25,56 @@ mod noise;
 mod polygons;
 mod pufferfish;
 mod telepathy;
-mod tests {
 mod voxel_tools;
 mod weaverbird;
-plugins! {
-pub fn link() -> usize {
+
 use katydid_component::Plugin;
+
+/// A plug-in with its author.
+macro_rules! plugins {
+    ($($name:literal by $author:literal as $library:literal;)*) => {
+        $(katydid_component::parts::inventory::submit! {
+            Plugin { name: $name, author: $author, library: $library, only_notes: false }
+        })*
+    };
 }
+
+plugins! {
+    "Anemone" by "Mateusz Zwierzycki" as "anemone";
+    "Bison" by "bison.la" as "bison";
+    "BitmapPlus" by "David Mans" as "bitmapplus";
+    "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
+    "HoopSnake" by "Yannis Chatzikonstantinou" as "hoopsnake";
+    "Human" by "Andrew Heumann" as "human";
+    "Kangaroo2" by "Daniel Piker" as "kangaroo2";
+    // The elder one, whose components stand in the same tab.
+    "Kangaroo2" by "Daniel Piker" as "kangaroo";
+    "LunchBox" by "Proving Ground" as "lunchbox";
+    "MeshEdit" by "[uto]" as "meshedit";
+    "Noise4D" by "unknown" as "noise4d";
+    "Noise4D" by "unknown" as "4dnoise";
+    "Pufferfish" by "Michael Pryor" as "pufferfish";
+    "Telepathy" by "Andrew Heumann" as "telepathy";
+    "VoxelTools" by "Arend van Waart" as "voxeltools";
+    "Weaverbird" by "Giulio Piacentino" as "weaverbird";
 }
+
+// Its objects write names beside others on the canvas, and compute nothing.
+katydid_component::parts::inventory::submit! {
+    Plugin { name: "Bifocals", author: "Andrew Heumann", library: "bifocals", only_notes: true }
 }
+
+/// Makes sure that these components are linked into the program, and tells how many plug-ins they stand for.
+///
+/// ```
+/// assert!(katydid_components_more::link() > 1);
+/// ```
+pub fn link() -> usize {
+    katydid_component::plugins().count()
 }
+
+#[cfg(test)]
+mod tests {
     use katydid_component::parts::Uuid;
     use katydid_component::{registry, stand_in};
     use katydid_data::{Tree, Value};

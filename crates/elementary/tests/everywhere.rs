@@ -12,7 +12,7 @@ const SYSTEM: [&str; 24] = [
 ];
 
 /// The crates whose results count. Others serve, wait or print.
-const CRATES: [&str; 16] = [
+const CRATES: [&str; 17] = [
     "geometry",
     "rhino3dm",
     "step",
@@ -22,6 +22,7 @@ const CRATES: [&str; 16] = [
     "definition",
     "component",
     "components",
+    "components-more",
     "solver",
     "scene",
     "session",

@@ -4,6 +4,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Kind, Value};
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Mesh, MeshSettings, MeshTree, Point3, PolylineCurve, Vector3};
 
 use super::path::{Near, Paths};
@@ -42,7 +43,7 @@ fn cones(
     let points: Vec<Point3> = points.present().filter(|p| p.is_finite()).collect();
     let volume = terrain.change(context, |[x, y], z| {
         points.iter().fold(z, |z, p| {
-            let far = (p.x - x).hypot(p.y - y);
+            let far = (p.x - x).hypotenuse(p.y - y);
             if far <= most { ways.bring(z, p.z, far * rise) } else { z }
         })
     })?;

@@ -5,6 +5,7 @@ use std::collections::BinaryHeap;
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Point3, Vector3};
 
 use super::path::Paths;
@@ -103,7 +104,7 @@ fn sine_wave(
     fade: f64,
 ) -> Result<Vec<f64>, Message> {
     let turn = std::f64::consts::TAU / wavelength(wave)?;
-    displaced(context, &grid, &curves, fade, |[x, y]| amplitude * (x * turn).sin() * (y * turn).sin())
+    displaced(context, &grid, &curves, fade, |[x, y]| amplitude * (x * turn).sine() * (y * turn).sine())
 }
 
 /// The gradient at each height: it looks uphill, as long as the slope is steep; central differences. Stands for Docofossor's Slope
@@ -227,10 +228,10 @@ fn shortest_path(
             if !is_free(j) {
                 continue;
             }
-            let flat = (*a as f64 * terrain.cell[0]).hypot(*b as f64 * terrain.cell[1]);
+            let flat = (*a as f64 * terrain.cell[0]).hypotenuse(*b as f64 * terrain.cell[1]);
             let rise = terrain.height(column as usize, row as usize)
                 - terrain.heights.get(i).copied().unwrap_or(0.0);
-            let new = far + flat.hypot(rise * factor);
+            let new = far + flat.hypotenuse(rise * factor);
             if let (Some(known), Some(from)) = (distances.get_mut(j), next.get_mut(j))
                 && new < *known
             {

@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Mesh, Point3};
 
 use super::Terrain;
@@ -349,7 +350,7 @@ fn grid_smooth(
     if radius > 0 {
         let deviation = f64::from(radius) / 2.0;
         let raw: Vec<f64> =
-            (-radius..=radius).map(|k| (-0.5 * (f64::from(k) / deviation).powi(2)).exp()).collect();
+            (-radius..=radius).map(|k| (-0.5 * (f64::from(k) / deviation).powi(2)).exponential()).collect();
         let sum: f64 = raw.iter().sum();
         let weights: Vec<f64> = raw.iter().map(|weight| weight / sum).collect();
         terrain.heights = terrain.blurred(context, &weights, true)?;

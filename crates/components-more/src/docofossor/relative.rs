@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Point3};
 
 use super::path::Paths;
@@ -22,8 +23,12 @@ fn bumps(
     let points: Vec<Point3> = points.present().filter(|p| p.is_finite()).collect();
     let volume = terrain.change(context, |[x, y], z| {
         points.iter().fold(z, |z, p| {
-            let far = (p.x - x).hypot(p.y - y);
-            if far < reach { z + size * (1.0 + (std::f64::consts::PI * far / reach).cos()) / 2.0 } else { z }
+            let far = (p.x - x).hypotenuse(p.y - y);
+            if far < reach {
+                z + size * (1.0 + (std::f64::consts::PI * far / reach).cosine()) / 2.0
+            } else {
+                z
+            }
         })
     })?;
     Ok((terrain.list(), volume))

@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Line, Point3, Vector3};
 
 use super::goal::finite;
@@ -24,7 +25,7 @@ pub(super) fn turn(points: &[Point3], rest: f64, strength: f64, pulls: &mut [Pul
     if !(first > SHORTEST && second > SHORTEST) {
         return;
     }
-    let lack = (angle - rest).sin();
+    let lack = (angle - rest).sine();
     // Straight segments lie in no plane: any plane through them does.
     let across = |u: Vector3, v: Vector3| {
         let off = v - u * (v.dot(u) / u.length_squared());

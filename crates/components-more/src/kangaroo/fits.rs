@@ -2,6 +2,7 @@
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Circle, Line, Mesh, MeshFace, Plane, Point3, Vector3};
 
 use super::goal::finite;
@@ -342,8 +343,8 @@ impl Rule for Rigid {
                 break;
             }
             let half = 0.5 * angle;
-            let axis = omega * (half.sin() / angle);
-            *turn = product([axis.x, axis.y, axis.z, half.cos()], *turn);
+            let axis = omega * (half.sine() / angle);
+            *turn = product([axis.x, axis.y, axis.z, half.cosine()], *turn);
         }
         for ((shape, p), pull) in self.shape.iter().zip(points).zip(pulls) {
             *pull = Pull::new(mean + rotated(*turn, *shape) - *p, self.strength);

@@ -2,6 +2,7 @@
 
 use katydid_component::{Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Point3, Vector3};
 
 use super::goal::finite;
@@ -26,7 +27,7 @@ pub(super) fn fold_angle([start, end, first, second]: [Point3; 4]) -> Option<f64
     let (n, m) = (edge.cross(first - start).unitized()?, (second - start).cross(edge).unitized()?);
     // Seen along the edge, the second normal leans away from the first tip where the fold is a valley.
     // Adding zero leaves no negative one.
-    Some((m.cross(n).dot(edge) + 0.0).atan2(n.dot(m)))
+    Some((m.cross(n).dot(edge) + 0.0).arctangent_of(n.dot(m)))
 }
 
 /// How the angle changes as each of the four points moves (R. Bridson and others, *Simulation of clothing with folds and

@@ -5,6 +5,7 @@ use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::Value;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Decimation, Mesh, Plane, Point3, PolylineCurve, Vector3};
 
 use super::MOST_PARTS;
@@ -189,7 +190,7 @@ fn pipe(
     let mut rows: Vec<Vec<Point3>> = Vec::new();
     for frame in frames.into_iter().flatten() {
         let at = |v: f64| {
-            let (sin, cos) = (v * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = (v * std::f64::consts::TAU).sine_cosine();
             frame.at(radius * cos, radius * sin, 0.0)
         };
         rows.push(vs.iter().map(|v| at(*v)).collect());

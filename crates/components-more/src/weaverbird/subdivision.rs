@@ -1,6 +1,7 @@
 //! The rules of subdivision, one level at a time.
 
 use katydid_component::Message;
+use katydid_elementary::Elementary as _;
 use katydid_geometry::{Point3, Vector3};
 
 use crate::polygons::{Edges, Polygons, sides};
@@ -171,7 +172,7 @@ pub(super) fn loop_level(polygons: &Polygons, naked: Naked) -> Polygons {
                 return here;
             }
             let n = own.len() as f64;
-            let c = 0.375 + 0.25 * (std::f64::consts::TAU / n).cos();
+            let c = 0.375 + 0.25 * (std::f64::consts::TAU / n).cosine();
             let beta = (0.625 - c * c) / n;
             let ends = own
                 .iter()
