@@ -135,6 +135,8 @@ test("help and search know the components", async ({ page }) => {
   await openText(page);
   await page.keyboard.press("Control+k");
   await page.keyboard.type("help on a component");
+  // The first empties the field, the second closes the search.
+  await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
   await page.locator(".react-flow__pane").dblclick({ position: { x: 60, y: 300 } });
   await page.keyboard.type("addition");
