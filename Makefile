@@ -126,9 +126,12 @@ test-wasm: wasm
 	studio/with-node node $(CURDIR)/wasm/tests/same.mjs $(RELEASED)/katydid $(CURDIR)/book $(CURDIR)/examples \
 		$(wildcard $(abspath ../shared/data/gh))
 
-# The studio without a server, a folder of files for any host: site/.
+# The studio and the book without a server, a folder of files for any host: site/.
 site: wasm
+	studio/with-node npm run build
+	cargo build --release -p katydid
 	studio/with-node npm run build:site
+	$(RELEASED)/katydid book book -o site/learn
 	studio/with-node node $(CURDIR)/wasm/site.mjs $(CURDIR)/site
 
 # That folder in Chromium. Not part of `make test`: it builds the engine.

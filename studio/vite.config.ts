@@ -52,6 +52,12 @@ function site(): Plugin {
   };
 }
 
+/** The site has the book's script too, under a name that its pages know, and one engine for both. */
+const SITE = {
+  input: { index: "index.html", learn: "src/learn/main.ts" },
+  output: { entryFileNames: ({ name }: { name: string }) => (name === "learn" ? "assets/learn.js" : "assets/[name]-[hash].js") },
+};
+
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** `vite build --mode site` makes the studio without a server (`make site`). */
@@ -61,11 +67,18 @@ export default defineConfig(({ mode }) => ({
   resolve: {
     alias: {
       "#engine": here(mode === "site" ? "src/engine/index.ts" : "src/engine/none.ts"),
+      "#ways": here(mode === "site" ? "src/learn/alone/index.ts" : "src/learn/server.ts"),
       "katydid-engine": here("../wasm/index.js"),
     },
   },
   worker: { format: "es" },
-  build: { outDir: mode === "site" ? "../site" : "dist", emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 1600 },
+  build: {
+    outDir: mode === "site" ? "../site" : "dist",
+    emptyOutDir: true,
+    target: "es2022",
+    chunkSizeWarningLimit: 1600,
+    ...(mode === "site" ? { rolldownOptions: SITE } : {}),
+  },
   server: {
     proxy: {
       "/api": asked,

@@ -1,7 +1,7 @@
-// What the site has besides the page: pictures of the gallery's definitions, and the worker that keeps all of it for when
+// What the site has besides the page: pictures of the gallery's definitions, the book's way to the engine, and the worker that keeps all of it for when
 // there is no network. `node wasm/site.mjs FOLDER`, after the page was built into the folder.
 import { createHash } from "node:crypto";
-import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
+import { mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { join, relative, sep } from "node:path";
 
 import { init, raw } from "./index.js";
@@ -14,6 +14,16 @@ await mkdir(join(folder, "portraits"), { recursive: true });
 for (const { id } of JSON.parse(raw.gallery())) {
   const picture = raw.portrait(raw.galleryText(id));
   if (picture) await writeFile(join(folder, "portraits", `${id}.png`), picture);
+}
+
+// The pages of the book, where they were built into the folder, load the script that finds the engine here.
+const book = join(folder, "learn", "assets");
+for (const entry of await readdir(book, { withFileTypes: true }).catch(() => [])) {
+  if (!entry.isDirectory()) continue;
+  const parts = join(book, entry.name);
+  await rm(parts, { recursive: true });
+  await mkdir(parts);
+  await writeFile(join(parts, "learn.js"), 'import "../../../assets/learn.js";\n');
 }
 
 const files = (await readdir(folder, { recursive: true, withFileTypes: true }))

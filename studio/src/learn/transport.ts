@@ -1,8 +1,9 @@
 /** How a page reaches an engine: the studio's server, or whatever else opens a definition and speaks the session's protocol. */
 
-import { Connection, type Answer, type Listener } from "../core/connection";
+import { Ways } from "#ways";
+
+import type { Answer, Listener } from "../core/connection";
 import type { Ask } from "../core/protocol/Ask";
-import { page } from "./words";
 
 /** A way to one definition that is open. */
 export interface Line {
@@ -19,56 +20,7 @@ export interface Transport {
   studio(name: string, text: string): Promise<string | undefined>;
 }
 
-/** The server that serves these pages below `/learn`. */
-class Server implements Transport {
-  readonly #base = new URL(`${page.root}../`, location.href);
+let ways: Transport | undefined;
 
-  #address(path: string, query: Record<string, string> = {}): URL {
-    const url = new URL(path, this.#base);
-    url.search = new URLSearchParams(query).toString();
-    return url;
-  }
-
-  async #upload(name: string, text: string, query: Record<string, string>): Promise<string> {
-    const response = await fetch(this.#address("api/upload", { name, ...query }), { method: "POST", body: text });
-    if (!response.ok) throw new Error(`${response.status}`);
-    return ((await response.json()) as { document: string }).document;
-  }
-
-  open(name: string, text: string): Promise<string> {
-    return this.#upload(name, text, { passing: "true" });
-  }
-
-  connect(document: string, listener: Listener): Line {
-    const url = this.#address("socket", { document });
-    url.protocol = url.protocol === "https:" ? "wss:" : "ws:";
-    const connection = new Connection(url.toString(), listener);
-    const leave = () => {
-      connection.close();
-      const body = JSON.stringify({ document });
-      void fetch(this.#address("api/close"), { method: "POST", body, keepalive: true, headers: { "content-type": "application/json" } }).catch(() => undefined);
-    };
-    addEventListener("pagehide", leave, { once: true });
-    return { ask: (ask) => connection.ask(ask), close: () => connection.close() };
-  }
-
-  async geometry(hash: string, signal: AbortSignal): Promise<ArrayBuffer> {
-    const response = await fetch(this.#address(`geometry/${encodeURIComponent(hash)}`), { signal });
-    if (!response.ok) throw new Error(`${response.status}`);
-    return response.arrayBuffer();
-  }
-
-  async studio(name: string, text: string): Promise<string | undefined> {
-    const document = await this.#upload(name, text, {});
-    return this.#address("", { document }).toString();
-  }
-}
-
-/** What a site without a server puts here before this script runs: the engine in a worker. */
-declare global {
-  interface Window {
-    katydidTransport?: Transport;
-  }
-}
-
-export const transport = (): Transport => (window.katydidTransport ??= new Server());
+/** The way that this page has: its server, or the engine in a worker where the site has none. */
+export const transport = (): Transport => (ways ??= new Ways());
