@@ -4,6 +4,7 @@ import { hotFill, layers, type Drawing, type Piece } from "./piece";
 import { curve } from "./table/curve";
 import { display } from "./table/display";
 import { intersect } from "./table/intersect";
+import * as loops from "./table/loops";
 import { maths, scalar } from "./table/maths";
 import { meshes } from "./table/mesh";
 import { params } from "./table/params";
@@ -30,9 +31,11 @@ const TABS: Readonly<Record<string, Tab>> = {
   Transform: transform,
   Display: display,
   Rhino: rhino,
+  Anemone: loops.anemone,
   Bison: terrains.bison,
   BitmapPlus: terrains.bitmapPlus,
   Docofossor: terrains.docofossor,
+  HoopSnake: loops.hoopSnake,
   Human: plugins.human,
   Kangaroo2: plugins.kangaroo2,
   LunchBox: plugins.lunchbox,
