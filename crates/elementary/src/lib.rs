@@ -15,6 +15,8 @@
 //! assert_eq!(8.0_f64.cube_root(), 2.0);
 //! ```
 
+mod whole;
+
 /// Elementary functions of a number, by names that the standard library does not use.
 pub trait Elementary: Copy {
     /// The sine of an angle in radians.
@@ -105,7 +107,7 @@ pub trait Elementary: Copy {
     #[must_use]
     fn hypotenuse(self, other: f64) -> f64;
 
-    /// This to a power.
+    /// This to a power; whole powers are rounded once.
     #[must_use]
     fn raised_to(self, power: f64) -> f64;
 
@@ -227,7 +229,7 @@ impl Elementary for f64 {
 
     #[inline]
     fn raised_to(self, power: f64) -> f64 {
-        libm::pow(self, power)
+        whole::power(self, power).unwrap_or_else(|| libm::pow(self, power))
     }
 
     #[inline]
@@ -253,6 +255,27 @@ mod tests {
             assert_eq!(x.raised_to(2.0), x * x);
             assert_eq!((3.0 * x).hypotenuse(4.0 * x), 5.0 * x);
         }
+    }
+
+    #[test]
+    fn whole_powers_are_rounded_once() {
+        for n in -240..=240 {
+            let exact: f64 = format!("1e{n}").parse().unwrap_or(f64::NAN);
+            assert_eq!(10_f64.raised_to(f64::from(n)), exact, "10^{n}");
+            assert_eq!((-10_f64).raised_to(f64::from(n)), if n % 2 == 0 { exact } else { -exact });
+        }
+        for n in 0..=80_u32 {
+            assert_eq!(3_f64.raised_to(f64::from(n)), 3_u128.pow(n) as f64, "3^{n}");
+        }
+        // At the ends of what doubles hold, and where nothing is whole.
+        assert_eq!(10_f64.raised_to(400.0), f64::INFINITY);
+        assert_eq!(10_f64.raised_to(-400.0), 0.0);
+        assert_eq!(0_f64.raised_to(-1.0), f64::INFINITY);
+        assert_eq!(0_f64.raised_to(0.0), 1.0);
+        assert!(f64::NAN.raised_to(3.0).is_nan());
+        assert_eq!(f64::NAN.raised_to(0.0), 1.0);
+        assert_eq!(f64::INFINITY.raised_to(-3.0), 0.0);
+        assert_eq!(2.25_f64.raised_to(0.5), 1.5);
     }
 
     #[test]

@@ -28,13 +28,18 @@ pub(crate) fn of(object: &Object) -> Option<Draw> {
 mod tests {
     use super::*;
 
-    const ELSEWHERE: [&str; 6] = [
+    const ELSEWHERE: [&str; 10] = [
         "Context Bake",
         "Context Print",
         "Data Output",
         "Viewport Display",
         "PersistentValues",
         "Test Crash",
+        // Seen on the canvas; and what would write files, and says that definitions write none.
+        "Prev Image",
+        "Export ASC",
+        "Export DF",
+        "Export XYZ",
     ];
 
     /// A component without outputs is there to be seen in the model, but for those that hand data to who runs the
