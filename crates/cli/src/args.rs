@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
+use crate::sweep::SweepArgs;
 use crate::web_args::WebArgs;
 
 /// Grasshopper definitions without Rhino: run them, check them, convert them.
@@ -24,6 +25,7 @@ Examples:
   katydid diff old.gh new.gh                    what changed, in words
   katydid components 'Divide Curve'             help for a component
   katydid view facade.gh -o facade.png          a picture of what it makes
+  katydid sweep facade.gh --plan plan.json -o study   a table of variants
   katydid studio facade.gh                      edit it in the browser
   katydid serve                                 answer the clients of Rhino.Compute and Hops")]
 pub(crate) struct Katydid {
@@ -49,6 +51,8 @@ pub(crate) enum Command {
     Components(ComponentsArgs),
     /// Make a picture of what a definition shows, or of the definition itself
     View(ViewArgs),
+    /// Solve a definition at many points, into a table: grids, samples, rows of a file
+    Sweep(SweepArgs),
     /// Build the pages of a live book from a folder of Markdown and definitions
     Book(BookArgs),
     /// Open the studio in the browser: the definition on a canvas, its geometry beside it

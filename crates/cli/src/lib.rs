@@ -27,6 +27,7 @@ mod serve_args;
 mod serving;
 mod source;
 mod studio;
+mod sweep;
 mod ticks;
 mod view;
 mod web_args;
@@ -61,6 +62,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Components(args) => components::components(args),
         Command::View(args) => view::view(args),
         Command::Book(args) => book::book(args),
+        Command::Sweep(args) => sweep::sweep(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
         Command::Trust(args) => scripts::trust(args),

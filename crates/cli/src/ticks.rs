@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use katydid_component::Cancel;
 use katydid_session::Session;
 
 use crate::args::DefinitionArgs;
@@ -69,16 +70,27 @@ fn words(time: Duration) -> String {
 fn interrupted() -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let raised = Arc::clone(&flag);
+    when_interrupted(move || {
+        raised.store(true, Ordering::Relaxed);
+        note("ends after this tick; Ctrl+C once more ends at once");
+    });
+    flag
+}
+
+/// Has Ctrl+C cancel what heeds the flag; a second one ends the program.
+pub(crate) fn on_interrupt(cancel: Cancel) {
+    when_interrupted(move || cancel.cancel());
+}
+
+fn when_interrupted(first: impl FnOnce() + Send + 'static) {
     std::thread::spawn(move || {
         let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else { return };
         runtime.block_on(async {
             // Without signals the program ends at the first one, as programs do.
             let Ok(mut signals) = Signals::listen() else { return };
             signals.next().await;
-            raised.store(true, Ordering::Relaxed);
-            note("ends after this tick; Ctrl+C once more ends at once");
+            first();
             std::process::exit(signals.next().await.into());
         });
     });
-    flag
 }

@@ -1,0 +1,219 @@
+//! The results that a study keeps of each point.
+
+use katydid_component::Message;
+use katydid_data::Tree;
+use katydid_definition::document::{Document, Lookup, Object, Special, ids};
+use katydid_solver::{Engine, Inputs};
+use uuid::Uuid;
+
+use crate::{Cell, StudyError};
+
+/// A result that a study keeps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Output {
+    /// What it is called in the plan and in tables.
+    pub name: String,
+    source: Source,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Source {
+    /// What an object gives at an output.
+    Given { object: usize, output: usize },
+    /// What an object takes at its first input.
+    Taken { object: usize },
+}
+
+impl Output {
+    /// The output of that name: a label of a group marked `RH_OUT`, a nickname or id of an object, or one of its outputs
+    /// behind a dot, by nickname, name or number: `Area.0`. A panel gives what comes over its wire, with all digits.
+    ///
+    /// # Errors
+    /// Nothing has that name, several objects have, or the object has several outputs and none is named.
+    pub fn find(document: &Document, name: &str) -> Result<Self, StudyError> {
+        let lookup = document.lookup();
+        let marked = marked_in(document, &lookup);
+        if let Some(output) = marked.into_iter().find(|output| output.name == name) {
+            return Ok(output);
+        }
+        let source = match object(document, name)? {
+            Some(object) => source(document, &lookup, object, None, name)?,
+            None => {
+                let missing = || StudyError::Output(format!("no object is called '{name}'"));
+                let (title, port) = name.rsplit_once('.').ok_or_else(missing)?;
+                let object = object(document, title)?.ok_or_else(missing)?;
+                source(document, &lookup, object, Some(port), name)?
+            }
+        };
+        Ok(Self { name: name.to_owned(), source })
+    }
+
+    /// The object that gives it.
+    pub(crate) fn object(&self) -> usize {
+        match self.source {
+            Source::Given { object, .. } | Source::Taken { object } => object,
+        }
+    }
+
+    /// Its data in a solved engine.
+    pub fn tree(&self, engine: &Engine) -> Tree {
+        match self.source {
+            Source::Given { object, output } => engine
+                .report(object)
+                .and_then(|report| report.outputs.get(output))
+                .cloned()
+                .unwrap_or_default(),
+            Source::Taken { object } => Inputs::new(engine).of(object).into_iter().next().unwrap_or_default(),
+        }
+    }
+
+    /// The same as a cell of a table.
+    pub fn cell(&self, engine: &Engine) -> Cell {
+        match self.source {
+            Source::Given { object, output } => {
+                let tree = engine.report(object).and_then(|report| report.outputs.get(output));
+                tree.map_or(Cell::Null, Cell::of_tree)
+            }
+            Source::Taken { .. } => Cell::of_tree(&self.tree(engine)),
+        }
+    }
+
+    /// What the object that gives it says first.
+    pub(crate) fn message<'a>(&self, engine: &'a Engine) -> Option<&'a Message> {
+        engine.report(self.object())?.messages.first()
+    }
+}
+
+/// What a definition marks as its results: groups called `RH_OUT:name`, Context Print; where there are none, the panels
+/// that a wire leads to.
+pub fn marked(document: &Document) -> Vec<Output> {
+    let lookup = document.lookup();
+    let mut found = marked_in(document, &lookup);
+    if found.is_empty() {
+        let panels = document.objects.iter().enumerate().filter(|(_, object)| {
+            object.component == ids::PANEL && object.inputs.iter().any(|port| !port.sources.is_empty())
+        });
+        found = panels
+            .map(|(object, panel)| Output {
+                name: panel.title().to_owned(),
+                source: behind(document, &lookup, object),
+            })
+            .collect();
+    }
+    named_apart(found)
+}
+
+fn marked_in(document: &Document, lookup: &Lookup) -> Vec<Output> {
+    let mut found = Vec::new();
+    for (index, object) in document.objects.iter().enumerate() {
+        match object.special() {
+            Some(Special::Group(group)) if group.marks_output() => {
+                let first = group.members.iter().find_map(|id| lookup.object(*id));
+                found.extend(first.map(|member| Output {
+                    name: group.marked_name().to_owned(),
+                    source: behind(document, lookup, member),
+                }));
+            }
+            _ if object.component == ids::CONTEXT_PRINT => {
+                let name = object.inputs.first().map_or("", |port| &port.nickname).to_owned();
+                found.push(Output { name, source: behind(document, lookup, index) });
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Gives names that several have a number: `Area`, `Area'2`.
+fn named_apart(mut found: Vec<Output>) -> Vec<Output> {
+    for at in 1..found.len() {
+        let (before, rest) = found.split_at_mut(at);
+        let Some(output) = rest.first_mut() else { break };
+        let same =
+            before.iter().filter(|other| other.name.split('\'').next() == Some(output.name.as_str())).count();
+        if same > 0 {
+            output.name = format!("{}'{}", output.name, same + 1);
+        }
+    }
+    found
+}
+
+/// The data of an object without outputs of its own, or of a panel: where its only wire comes from.
+fn behind(document: &Document, lookup: &Lookup, object: usize) -> Source {
+    let Some(at) = document.objects.get(object) else { return Source::Taken { object } };
+    if !(at.component == ids::PANEL || at.outputs.is_empty()) {
+        return Source::Given { object, output: 0 };
+    }
+    match at.inputs.first().map(|port| port.sources.as_slice()) {
+        Some([one]) => lookup.output(*one).map_or(Source::Taken { object }, |from| Source::Given {
+            object: from.object,
+            output: from.port,
+        }),
+        _ if at.outputs.is_empty() => Source::Taken { object },
+        _ => Source::Given { object, output: 0 },
+    }
+}
+
+/// The one object of a nickname, name or id; `None` where nothing has it.
+fn object(document: &Document, name: &str) -> Result<Option<usize>, StudyError> {
+    if let Ok(id) = Uuid::parse_str(name.trim().trim_matches(['{', '}'])) {
+        return Ok(document.objects.iter().position(|object| object.id == id));
+    }
+    let real = || document.objects.iter().enumerate().filter(|(_, object)| !object.is_annotation());
+    let with = |same: &dyn Fn(&Object) -> bool| -> Vec<usize> {
+        real().filter(|(_, object)| same(object)).map(|(at, _)| at).collect()
+    };
+    let mut found = with(&|object| object.title() == name);
+    if found.is_empty() {
+        found = with(&|object| {
+            object.title().eq_ignore_ascii_case(name) || object.name.eq_ignore_ascii_case(name)
+        });
+    }
+    match found.as_slice() {
+        [] => Ok(None),
+        [one] => Ok(Some(*one)),
+        many => {
+            let ids = many
+                .iter()
+                .take(5)
+                .filter_map(|at| document.objects.get(*at))
+                .map(|object| object.id.to_string());
+            let ids: Vec<String> = ids.collect();
+            let count = many.len();
+            Err(StudyError::Output(format!(
+                "{count} objects are called '{name}': use one of their ids, {}",
+                ids.join(", ")
+            )))
+        }
+    }
+}
+
+fn source(
+    document: &Document,
+    lookup: &Lookup,
+    object: usize,
+    port: Option<&str>,
+    name: &str,
+) -> Result<Source, StudyError> {
+    let Some(at) = document.objects.get(object) else {
+        return Err(StudyError::Output(format!("'{name}' is not there")));
+    };
+    let Some(port) = port else {
+        return match at.outputs.len() {
+            0 | 1 => Ok(behind(document, lookup, object)),
+            _ => {
+                let names: Vec<&str> = at.outputs.iter().map(|port| port.nickname.as_str()).collect();
+                Err(StudyError::Output(format!(
+                    "'{name}' has several outputs: say which, {name}.{}",
+                    names.join(&format!(" or {name}."))
+                )))
+            }
+        };
+    };
+    let by_number = || port.parse().ok().filter(|k: &usize| *k < at.outputs.len().max(1));
+    let output = at.outputs.iter().position(|p| p.nickname == port || p.name == port).or_else(by_number);
+    match output {
+        Some(output) => Ok(Source::Given { object, output }),
+        None => Err(StudyError::Output(format!("'{}' has no output '{port}'", at.title()))),
+    }
+}

@@ -1,0 +1,220 @@
+//! A definition made ready to be solved at many points.
+
+use std::time::{Duration, Instant};
+
+use katydid_component::Level;
+use katydid_definition::document::Document;
+use katydid_solver::{self as solver, Engine, Options};
+
+use crate::{Cell, Output, Variable};
+
+/// How a point came out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Status {
+    /// Every object ran.
+    Ok = 0,
+    /// Some object had a warning.
+    Warning = 1,
+    /// Some object had an error.
+    Error = 2,
+    /// An input does not take its value; nothing was solved.
+    Refused = 3,
+    /// The time of a point was over.
+    Time = 4,
+    /// The memory of a point was not enough.
+    Memory = 5,
+    /// An output is NaN or infinite.
+    NotFinite = 6,
+    /// An output has no data.
+    NoData = 7,
+    /// The point's picture or geometry could not be made or written.
+    NoFile = 8,
+}
+
+impl Status {
+    const ALL: [Self; 9] = [
+        Self::Ok,
+        Self::Warning,
+        Self::Error,
+        Self::Refused,
+        Self::Time,
+        Self::Memory,
+        Self::NotFinite,
+        Self::NoData,
+        Self::NoFile,
+    ];
+
+    /// The word for it in tables.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Warning => "warning",
+            Self::Error => "error",
+            Self::Refused => "refused",
+            Self::Time => "time",
+            Self::Memory => "memory",
+            Self::NotFinite => "not-finite",
+            Self::NoData => "no-data",
+            Self::NoFile => "no-file",
+        }
+    }
+
+    /// Whether the row has results that can be used.
+    pub const fn is_good(self) -> bool {
+        matches!(self, Self::Ok | Self::Warning)
+    }
+
+    pub(crate) fn of_byte(byte: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(byte)).copied()
+    }
+}
+
+/// What a point gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// How it came out.
+    pub status: Status,
+    /// Why, where it did not come out well.
+    pub reason: String,
+    /// The outputs.
+    pub cells: Vec<Cell>,
+    /// How long the solve took.
+    pub time: Duration,
+}
+
+/// A definition with its variables and outputs found, and everything solved that does not hang on the variables.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    engine: Engine,
+    variables: Vec<Variable>,
+    outputs: Vec<Output>,
+}
+
+impl Prepared {
+    /// Prepares a definition. The time and memory of the options are those of each point.
+    pub fn new(document: Document, options: Options, variables: Vec<Variable>, outputs: Vec<Output>) -> Self {
+        let mut engine = Engine::new(document, Options { progress: None, finished: None, ..options });
+        engine.solve();
+        Self { engine, variables, outputs }
+    }
+
+    /// The variables.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// The outputs.
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// The engine with the results at the document's own values.
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// What solves points: a clone that keeps from one point to the next what did not change.
+    pub fn worker(&self) -> Worker<'_> {
+        Worker { prepared: self, engine: self.engine.clone(), set: vec![None; self.variables.len()] }
+    }
+}
+
+/// Solves points of a prepared definition, one after another.
+#[derive(Debug, Clone)]
+pub struct Worker<'a> {
+    prepared: &'a Prepared,
+    engine: Engine,
+    /// What the variables are set to.
+    set: Vec<Option<Cell>>,
+}
+
+impl Worker<'_> {
+    /// Solves a point, which has a cell for each variable.
+    pub fn solve(&mut self, point: &[Cell]) -> Outcome {
+        let start = Instant::now();
+        for ((variable, cell), set) in self.prepared.variables.iter().zip(point).zip(&mut self.set) {
+            if set.as_ref() == Some(cell) {
+                continue;
+            }
+            *set = None;
+            let mut result = Ok(());
+            self.engine.edit(variable.object, |object| result = variable.set(object, cell));
+            if let Err(error) = result {
+                let cells = vec![Cell::Null; self.prepared.outputs.len()];
+                return Outcome {
+                    status: Status::Refused,
+                    reason: error.to_string(),
+                    cells,
+                    time: start.elapsed(),
+                };
+            }
+            *set = Some(cell.clone());
+        }
+        self.engine.solve();
+        self.read(start)
+    }
+
+    /// The engine as the last point left it.
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    fn read(&mut self, start: Instant) -> Outcome {
+        let cells: Vec<Cell> = self.prepared.outputs.iter().map(|output| output.cell(&self.engine)).collect();
+        let time = start.elapsed();
+        let limits = self.engine.options().limits;
+        let (mut status, mut reason) = self.state();
+        if status == Status::Error {
+            if limits.time.is_some_and(|limit| time >= limit) {
+                status = Status::Time;
+            } else if reason.contains("raise the memory limit") {
+                status = Status::Memory;
+            }
+        }
+        for (output, cell) in self.prepared.outputs.iter().zip(&cells) {
+            let found = match cell {
+                Cell::Number(x) if !x.is_finite() => (Status::NotFinite, format!("'{}' is {x}", output.name)),
+                Cell::Null => {
+                    let why = output.message(&self.engine).map(|message| format!(": {}", message.text));
+                    (Status::NoData, format!("'{}' has no data{}", output.name, why.unwrap_or_default()))
+                }
+                _ => continue,
+            };
+            if status.is_good() {
+                (status, reason) = found;
+            }
+        }
+        if matches!(status, Status::Error | Status::Time | Status::Memory) {
+            // What was stopped half-way is not kept for the next point.
+            self.engine = self.prepared.engine.clone();
+            self.set.fill(None);
+        }
+        Outcome { status, reason, cells, time }
+    }
+
+    /// The worst that any object says, and who says it first in the order of the document.
+    fn state(&self) -> (Status, String) {
+        let mut worst = (Status::Ok, String::new());
+        for (index, object) in self.engine.document().objects.iter().enumerate() {
+            let Some(report) = self.engine.report(index) else { continue };
+            let (status, level) = match report.status {
+                solver::Status::Error => (Status::Error, Level::Error),
+                solver::Status::Warning | solver::Status::Unsupported | solver::Status::NoData => {
+                    (Status::Warning, Level::Warning)
+                }
+                solver::Status::Ok | solver::Status::Disabled => continue,
+            };
+            if status as u8 > worst.0 as u8 {
+                let said =
+                    report.messages.iter().find(|message| message.level == level).or(report.messages.first());
+                let text = said.map_or(report.status.word(), |message| &message.text);
+                worst = (status, format!("{}: {text}", object.title()));
+                if status == Status::Error {
+                    break;
+                }
+            }
+        }
+        worst
+    }
+}
