@@ -32,6 +32,10 @@ const CRATES: [&str; 17] = [
     "picture",
 ];
 
+/// A quaternion's exponential and logarithm are functions of our own; the cameras of version 1 have the bits that the official
+/// reader gives them, which asks the system.
+const OTHERS: [&str; 2] = ["geometry/src/quaternion.rs", "rhino3dm/src/v1/view.rs"];
+
 fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -61,8 +65,7 @@ fn nothing_that_computes_asks_the_systems_library() {
     assert!(all.len() > 500, "{}", all.len());
     let mut found = Vec::new();
     for path in all {
-        if path.ends_with("quaternion.rs") {
-            // Their exponential and logarithm are functions of our own.
+        if OTHERS.iter().any(|other| path.ends_with(other)) {
             continue;
         }
         let text = fs::read_to_string(&path).unwrap();

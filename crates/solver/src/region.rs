@@ -155,7 +155,8 @@ impl Regions {
             for &reader in readers {
                 let end = self.end_of(reader);
                 let waits = end.unwrap_or(reader);
-                if !(own.is_some() && own == end) && !followers.contains(&waits) {
+                let within = own.is_some() && own == end;
+                if !within && !followers.contains(&waits) {
                     followers.push(waits);
                 }
             }

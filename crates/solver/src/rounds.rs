@@ -387,6 +387,6 @@ impl Record {
     }
 
     fn trees(&self) -> Vec<Tree> {
-        self.parts.iter().map(|part| Tree::merge(part)).collect()
+        self.parts.iter().map(Tree::merge).collect()
     }
 }

@@ -144,7 +144,7 @@ impl Worker<'_> {
                 let cells = vec![Cell::Null; self.prepared.outputs.len()];
                 return Outcome {
                     status: Status::Refused,
-                    reason: error.to_string(),
+                    reason: first_line(error.to_string()),
                     cells,
                     time: start.elapsed(),
                 };
@@ -190,7 +190,7 @@ impl Worker<'_> {
             self.engine = self.prepared.engine.clone();
             self.set.fill(None);
         }
-        Outcome { status, reason, cells, time }
+        Outcome { status, reason: first_line(reason), cells, time }
     }
 
     /// The worst that any object says, and who says it first in the order of the document.
@@ -217,4 +217,12 @@ impl Worker<'_> {
         }
         worst
     }
+}
+
+/// A row of a table is a line: a message that shows its place in a formula does so below its first line.
+fn first_line(mut text: String) -> String {
+    if let Some(end) = text.find(['\n', '\r']) {
+        text.truncate(end);
+    }
+    text
 }

@@ -12,7 +12,7 @@ class P
         var r = new Random(7);
         for (int i = 0; i < 200; i++)
         {
-            double x = (r.NextDouble() - 0.5) * Math.Pow(10, r.Next(-30, 31));
+            double x = (r.NextDouble() - 0.5) * double.Parse("1E" + r.Next(-30, 31));
             float f = (float)x;
             Console.WriteLine(Try(() => (decimal)x) + " " + Try(() => (decimal)f));
         }

@@ -3,7 +3,6 @@
 //! A view is a target that the camera looks at, three angles, a distance and a size; the window it was seen in is
 //! not known, so the picture counts as square. Arithmetic as the official reader does it, to the last bit.
 
-use katydid_elementary::Elementary;
 use katydid_geometry::Vector3;
 use uuid::{Uuid, uuid};
 
@@ -193,7 +192,8 @@ type Rotation = [[f64; 3]; 3];
 /// Sine and cosine of an angle, their noise near right angles taken away.
 fn sine_and_cosine(angle: f64) -> (f64, f64) {
     const NOISE: f64 = 1.490_116_119_385e-8;
-    let (sine, cosine) = angle.sine_cosine();
+    // The system's, as the official reader asks for them: its bits count here.
+    let (sine, cosine) = angle.sin_cos();
     if cosine.abs() <= NOISE {
         (sine.signum(), 0.0)
     } else if sine.abs() <= NOISE {
