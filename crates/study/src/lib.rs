@@ -20,7 +20,7 @@ mod variable;
 pub use cell::Cell;
 pub use error::StudyError;
 pub use output::{Output, marked};
-pub use plan::{Plan, PlanFile};
+pub use plan::{Plan, PlanFile, PlanPoints};
 pub use prepared::{Outcome, Prepared, Status, Worker};
 pub use sweep::{Progress, Settings, Summary, sweep};
 pub use things::Things;

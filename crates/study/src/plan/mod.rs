@@ -48,6 +48,9 @@ enum Points {
     Rows { path: PathBuf, columns: Vec<usize> },
 }
 
+/// The points of a plan one by one: a cell for each input, or why a row of a file is none.
+pub type PlanPoints<'a> = Box<dyn Iterator<Item = Result<Vec<Cell>, StudyError>> + Send + 'a>;
+
 impl Plan {
     /// Binds a plan to a definition: finds its inputs and outputs, and counts its points.
     ///
@@ -152,9 +155,7 @@ impl Plan {
     ///
     /// # Errors
     /// The file with the points cannot be read; so may each point then.
-    pub fn points(
-        &self,
-    ) -> Result<Box<dyn Iterator<Item = Result<Vec<Cell>, StudyError>> + Send + '_>, StudyError> {
+    pub fn points(&self) -> Result<PlanPoints<'_>, StudyError> {
         let fitted = |cells: Vec<Cell>| -> Vec<Cell> {
             self.variables.iter().zip(cells).map(|(variable, cell)| variable.fitted(cell)).collect()
         };
