@@ -1,5 +1,7 @@
 //! Sweeps against closed forms: the same bytes for any number of workers, and after any interruption.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
