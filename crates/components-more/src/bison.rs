@@ -20,6 +20,12 @@ const MOST_PLACES: f64 = 2e7;
 const MAJOR: i64 = 5;
 /// The most contours.
 const MOST_CONTOURS: f64 = 100_000.0;
+/// Beyond it contours cannot be counted: doubles have no whole numbers one apart.
+const COUNTABLE: f64 = 9_007_199_254_740_992.0;
+/// A unit normal that rises by less is one of a wall: no per cent tells its slope, and the largest of use stands for it.
+const WALL: f64 = 1e-9;
+/// The slope of a wall, in per cent.
+const WALL_SLOPE: f64 = 1e9;
 
 /// The colour of a share from 0 to 1.
 fn ramp(share: f64) -> [u8; 4] {
@@ -56,8 +62,7 @@ fn coloured(
 /// The slope of a normal in per cent: 100 is 45 degrees.
 fn per_cent(normal: Vector3) -> f64 {
     let (flat, up) = (normal.x.hypotenuse(normal.y), normal.z.abs());
-    // A wall has no slope that a number tells: the greatest that is of use stands for it.
-    if up > 1e-9 { flat / up * 100.0 } else { 1e9 }
+    if up > WALL { flat / up * 100.0 } else { WALL_SLOPE }
 }
 
 /// Colours a mesh by its slope. Stands for Bison's Slope.
@@ -235,7 +240,7 @@ fn contour(
     }
     let Some(bounds) = mesh.bounding_box() else { return Ok((Vec::new(), Vec::new())) };
     let range = Interval::new((bounds.min.z / interval).ceil(), (bounds.max.z / interval).floor());
-    if !(range.end - range.start <= MOST_CONTOURS && range.end.abs() < 1e15) {
+    if !(range.end - range.start <= MOST_CONTOURS && range.end.abs() < COUNTABLE) {
         return Err(Message::error("The interval is too small for the mesh"));
     }
     let (mut major, mut minor) = (Vec::new(), Vec::new());

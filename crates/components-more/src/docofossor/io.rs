@@ -9,15 +9,16 @@ use super::{HEAD, MOST_HEIGHTS, Terrain};
 
 /// Coordinates that differ by less than this part of the smallest step between columns are one column.
 const SAME: f64 = 0.25;
+/// Steps below this part of the whole are rounding in the file.
+const ROUNDING: f64 = 1e-6;
 
 /// The different values of sorted numbers, and the step between them.
 fn steps(mut values: Vec<f64>) -> (Vec<f64>, f64) {
     values.sort_by(f64::total_cmp);
     values.dedup();
     let size = values.last().zip(values.first()).map_or(0.0, |(b, a)| b - a);
-    // Steps below a millionth of the whole are rounding in the file.
     let gaps = values.windows(2).map(|pair| pair.last().unwrap_or(&0.0) - pair.first().unwrap_or(&0.0));
-    let step = gaps.filter(|gap| *gap > size * 1e-6).fold(f64::INFINITY, f64::min);
+    let step = gaps.filter(|gap| *gap > size * ROUNDING).fold(f64::INFINITY, f64::min);
     let step = if step.is_finite() { step } else { 1.0 };
     let mut distinct: Vec<f64> = Vec::new();
     for x in values {

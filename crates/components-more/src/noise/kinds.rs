@@ -3,6 +3,8 @@
 //! Each takes a place of any number of dimensions; random numbers come from a hash of whole coordinates, so that there is
 //! no table and no period.
 
+/// A vector with a smaller square of its length is not used: few bits of its direction would be drawn.
+const SHORT: f64 = 1e-4;
 /// The multiplier of SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014).
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
@@ -50,7 +52,7 @@ fn gradient<const N: usize>(seed: i32, cell: [i64; N]) -> [f64; N] {
             2.0 * unit(state) - 1.0
         });
         let square: f64 = g.iter().map(|x| x * x).sum();
-        if square > 1e-4 && square <= 1.0 {
+        if square > SHORT && square <= 1.0 {
             let length = square.sqrt();
             return g.map(|x| x / length);
         }

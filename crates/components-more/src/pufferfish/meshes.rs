@@ -13,6 +13,9 @@ use super::grids::mesh_of_rows;
 use super::mix::Mix;
 use crate::polygons::Polygons;
 
+/// Places that differ by less than this part of a radius, or than this many units, differ by rounding.
+const ROUNDING: f64 = 1e-6;
+
 /// The places of a curve at parameters from 0 to 1: shares of its length, or of its domain.
 fn places(curve: &Curve, shares: &[f64], by_domain: bool) -> Vec<Point3> {
     let at = |share: f64| {
@@ -208,7 +211,7 @@ fn pipe(
     }
     let mesh = mesh_of_rows(&rows, triangulate)?;
     // The last place round is the first one but for rounding.
-    let near = context.tolerance().absolute.min(radius * 1e-6);
+    let near = context.tolerance().absolute.min(radius * ROUNDING);
     clean(context, &mesh.with_aligned_vertices(near)?.0)
 }
 
@@ -516,7 +519,7 @@ fn naked_edges(
     let lines: Vec<Curve> =
         lines.filter_map(|line| PolylineCurve::new(vec![line.from, line.to]).ok()).map(Curve::from).collect();
     context.items(lines.len())?;
-    let joined = katydid_geometry::join_curves(&lines, context.tolerance().absolute.min(1e-6), false);
+    let joined = katydid_geometry::join_curves(&lines, context.tolerance().absolute.min(ROUNDING), false);
     Ok(joined.into_iter().map(Shared::new).collect())
 }
 

@@ -15,6 +15,8 @@ const MOST_PLACES: f64 = 1e7;
 const BESIDE: [f64; 2] = [1.37e-5, 2.91e-5];
 /// How far the meshes of round solids stray from them, as a part of the smallest side of a voxel.
 const STRAY: f64 = 0.02;
+/// A box that ends this near a centre, in voxels, has it: what lies nearer is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Numbers of cells along an axis whose centres lie in a range that is counted in cells.
 fn centres(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
@@ -87,8 +89,7 @@ impl Voxels {
             let along = || corners.iter().filter_map(|c| c.get(axis)).copied();
             let (from, to) =
                 (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
-            // A little more, against rounding at the walls.
-            centres(from - 1e-9, to + 1e-9, self.counts.get(axis).copied().unwrap_or(0))
+            centres(from - ROUNDING, to + ROUNDING, self.counts.get(axis).copied().unwrap_or(0))
         };
         let (x, y, z) = (range(0), range(1), range(2));
         z.flat_map(|k| {
