@@ -51,7 +51,7 @@ pub use edits::new_object;
 pub use explain::{explain, explainable, nurbs_of};
 pub use input::{InputError, assign as assign_input, find as find_input, inputs};
 #[cfg(not(target_family = "wasm"))]
-pub use output_file::{OutputFile, write_file};
+pub use output_file::{OutputFile, remove_unfinished, write_file};
 pub use report::{Items, Report};
 pub use results::{Digits, result_view, rows, structure};
 pub use scripts::{imports, scripts};

@@ -96,6 +96,29 @@ fn beside(path: &Path) -> PathBuf {
     path.with_file_name(format!(".{start}.{}.part", Uuid::new_v4().simple()))
 }
 
+/// Removes what programs that were ended in the middle of writing this file have left beside it. Only for whoever alone
+/// writes there: another program's unfinished file would go too.
+///
+/// # Errors
+/// When the folder cannot be read, or one of them cannot be removed.
+pub fn remove_unfinished(path: &Path) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let start: String = name.chars().take(40).collect();
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let found = entry.file_name().to_string_lossy().into_owned();
+        let random = found
+            .strip_prefix(&format!(".{start}."))
+            .and_then(|rest| rest.strip_suffix(".part"))
+            .is_some_and(|random| Uuid::try_parse(random).is_ok());
+        if random && entry.file_type()?.is_file() {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,6 +130,22 @@ mod tests {
             .collect();
         names.sort();
         names
+    }
+
+    #[test]
+    fn unfinished_files_of_one_place_are_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        // As a program leaves it that is ended before it can remove it.
+        std::mem::forget(OutputFile::create(&path).unwrap());
+        for other in [".b.csv.0f8fad5bd9cb469fa16570867728950e.part", ".a.csv.mine.part", "a.csv"] {
+            fs::write(folder.path().join(other), "").unwrap();
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+        remove_unfinished(&path).unwrap();
+        let mut left: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, [".a.csv.mine.part", ".b.csv.0f8fad5bd9cb469fa16570867728950e.part", "a.csv"]);
     }
 
     #[test]

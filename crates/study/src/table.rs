@@ -4,7 +4,7 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use katydid_session::OutputFile;
+use katydid_session::{OutputFile, remove_unfinished};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
@@ -42,6 +42,11 @@ pub(crate) fn write(
     get: &mut Get<'_>,
 ) -> Result<(Vec<PathBuf>, u64), StudyError> {
     let columns = columns(plan, get)?;
+    // What a sweep that was ended in the middle of this has left: the study's file is locked, so that nobody else writes them.
+    for name in ["table.parquet", "data.csv", "failed.csv", "times.csv"] {
+        let path = folder.join(name);
+        remove_unfinished(&path).map_err(|error| StudyError::file(&path, error))?;
+    }
     let mut parquet = Parquet::create(&folder.join("table.parquet"), &columns)?;
     let mut explorer = Csv::create(&folder.join("data.csv"))?;
     let mut failed = Csv::create(&folder.join("failed.csv"))?;
