@@ -19,6 +19,27 @@ struct Node {
     link: u32,
 }
 
+/// Things that lie one after another while a tree is built: the first one's number, how many they are, and twice the
+/// middle of the box around them.
+#[derive(Clone, Copy)]
+struct Run {
+    middle: [f64; 3],
+    first: u32,
+    count: u32,
+}
+
+impl Run {
+    fn new(first: u32, boxes: &[Bounds]) -> Self {
+        let bounds =
+            boxes.iter().skip(1).fold(boxes.first().copied().unwrap_or_default(), |a, b| union(&a, b));
+        Self {
+            middle: std::array::from_fn(|c| bounds[0][c] + bounds[1][c]),
+            first,
+            count: boxes.len() as u32,
+        }
+    }
+}
+
 /// A binary tree over things with boxes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BoxTree {
@@ -48,47 +69,64 @@ impl BoxTree {
     /// The tree over things that lie one after another, like the parts of a curve: each half of the list is a half of
     /// the tree.
     pub(crate) fn in_order(boxes: &[Bounds]) -> Self {
-        let mut tree = Self { nodes: Vec::with_capacity(2 * boxes.len()) };
-        if !boxes.is_empty() && boxes.len() < LEAF as usize / 2 {
-            let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
-            tree.grow(boxes, &mut items, false);
-        }
-        tree
+        Self::in_runs(boxes, boxes.len())
     }
 
     /// The tree over things that lie anywhere: halved by their middles along the longest side.
     pub(crate) fn by_place(boxes: &[Bounds]) -> Self {
+        Self::in_runs(boxes, 1)
+    }
+
+    /// The tree over things of which so many at a time lie one after another, like the segments of many curves: the runs
+    /// are halved by their middles along the longest side, and each run is halved as it stands.
+    pub(crate) fn in_runs(boxes: &[Bounds], run: usize) -> Self {
         let mut tree = Self { nodes: Vec::with_capacity(2 * boxes.len()) };
         if !boxes.is_empty() && boxes.len() < LEAF as usize / 2 {
-            let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
-            tree.grow(boxes, &mut items, true);
+            let starts = (0_u32..).step_by(run.max(1));
+            let mut runs: Vec<Run> =
+                starts.zip(boxes.chunks(run.max(1))).map(|(first, boxes)| Run::new(first, boxes)).collect();
+            tree.grow(boxes, &mut runs);
         }
         tree
     }
 
-    /// Builds the tree over some things and gives its bounds. The recursion is as deep as the tree.
-    fn grow(&mut self, boxes: &[Bounds], items: &mut [u32], sort: bool) -> Bounds {
-        let at = |i: u32| boxes[i as usize];
+    /// Builds the tree over some runs and gives its bounds. The recursion is as deep as the tree.
+    fn grow(&mut self, boxes: &[Bounds], runs: &mut [Run]) -> Bounds {
+        if let [only] = runs {
+            let first = only.first as usize;
+            return self.grow_run(only.first, boxes.get(first..first + only.count as usize).unwrap_or(&[]));
+        }
+        let spread = bounds_of(runs.iter().map(|run| run.middle));
+        let side = |c: usize| spread[1][c] - spread[0][c];
+        let longest = (1..3).fold(0, |best, c| if side(c) > side(best) { c } else { best });
+        let half = runs.len() / 2;
+        runs.select_nth_unstable_by(half, |a, b| a.middle[longest].total_cmp(&b.middle[longest]));
+        let (left, right) = runs.split_at_mut(half);
+        self.join(|tree| tree.grow(boxes, left), |tree| tree.grow(boxes, right))
+    }
+
+    /// Builds the tree over things that lie one after another, of which the first has this number.
+    fn grow_run(&mut self, first: u32, boxes: &[Bounds]) -> Bounds {
+        if let [bounds] = boxes {
+            self.nodes.push(Node { bounds: *bounds, link: LEAF | first });
+            return *bounds;
+        }
+        let half = boxes.len() / 2;
+        let (left, right) = boxes.split_at(half);
+        self.join(|tree| tree.grow_run(first, left), |tree| tree.grow_run(first + half as u32, right))
+    }
+
+    /// A node over what two calls build.
+    fn join(
+        &mut self,
+        left: impl FnOnce(&mut Self) -> Bounds,
+        right: impl FnOnce(&mut Self) -> Bounds,
+    ) -> Bounds {
         let here = self.nodes.len();
-        if let [only] = items {
-            let bounds = at(*only);
-            self.nodes.push(Node { bounds, link: LEAF | *only });
-            return bounds;
-        }
-        let half = items.len() / 2;
-        if sort {
-            let middle = |i: u32, c: usize| at(i)[0][c] + at(i)[1][c];
-            let spread = bounds_of(items.iter().map(|&i| std::array::from_fn(|c| middle(i, c))));
-            let side = |c: usize| spread[1][c] - spread[0][c];
-            let longest = (1..3).fold(0, |best, c| if side(c) > side(best) { c } else { best });
-            items.select_nth_unstable_by(half, |&a, &b| middle(a, longest).total_cmp(&middle(b, longest)));
-        }
         self.nodes.push(Node { bounds: [[0.0; 3]; 2], link: 0 });
-        let (left, right) = items.split_at_mut(half);
-        let a = self.grow(boxes, left, sort);
+        let a = left(self);
         let link = self.nodes.len() as u32;
-        let b = self.grow(boxes, right, sort);
-        let bounds = union(&a, &b);
+        let bounds = union(&a, &right(self));
         if let Some(node) = self.nodes.get_mut(here) {
             *node = Node { bounds, link };
         }
@@ -174,7 +212,7 @@ mod tests {
                 [p, p.map(|x| x + 0.1)]
             })
             .collect();
-        for tree in [BoxTree::in_order(&boxes), BoxTree::by_place(&boxes)] {
+        for tree in [BoxTree::in_order(&boxes), BoxTree::by_place(&boxes), BoxTree::in_runs(&boxes, 7)] {
             for k in 0..50 {
                 let q = [f64::from(k) - 25.0, 3.0, 1.0];
                 let (mut best, mut visits) = (f64::INFINITY, 0);

@@ -12,6 +12,9 @@ use crate::Result;
 use crate::box_tree::{Bounds, BoxTree, bounds_of};
 use crate::silhouette::{each, go_on_or_stop};
 
+/// So many segments of a picture after one another are one thing to be placed in the tree: neighbours lie near each other.
+const RUN: usize = 8;
+
 /// Segments of pictures in a tree.
 pub(super) struct Segments {
     /// The feature and the number of its sample at the start.
@@ -39,7 +42,7 @@ impl Segments {
                 boxes.push(box_of(w[0].at, w[1].at, margin));
             }
         }
-        Self { of, tree: BoxTree::by_place(&boxes) }
+        Self { of, tree: BoxTree::in_runs(&boxes, RUN) }
     }
 
     /// Visits the segments whose boxes meet a box: the feature, and the number of its segment.

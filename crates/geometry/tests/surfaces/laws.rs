@@ -319,6 +319,36 @@ fn tight_boxes_are_tight() {
     close(b.max.z, 1.0, 1e-11, "hill");
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    /// Surfaces of revolution are bounded by formula where the profile lies in a plane with the axis; their exact NURBS forms
+    /// by subdivision. Profiles that cross the axis and parts of a turn too.
+    #[test]
+    fn extents_of_revolutions_are_those_of_their_nurbs_forms(
+        points in prop::collection::vec((-3.0..5.0f64, -4.0..4.0f64), 3..7),
+        start in -7.0..7.0f64,
+        turn in prop_oneof![0.05..6.2f64, Just(std::f64::consts::TAU)],
+        leaves in prop_oneof![Just(0.0), Just(0.3)],
+        towards in (-1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64),
+        place in (-50.0..50.0f64, 0.0..3.0f64),
+    ) {
+        let profile = points.iter().map(|&(x, z)| Point3::new(x, leaves * x * x, z)).collect::<Vec<_>>();
+        let profile = NurbsCurve::clamped_uniform(2, &profile).unwrap();
+        let axis = Line::new(Point3::ORIGIN, Point3::new(0.0, 0.0, 1.0));
+        let s = RevolutionSurface::new(profile.into(), axis, Interval::new(start, start + turn)).unwrap();
+        let moves = Xform::translation(Vector3::new(place.0, -2.0, 7.0))
+            * Xform::rotation(place.1, Vector3::new(1.0, 2.0, -1.0), Point3::new(3.0, 1.0, 0.0)).unwrap();
+        let s = Surface::from(s).transformed(&moves).unwrap();
+        prop_assert!(matches!(s, Surface::Revolution(_)));
+        let direction = Vector3::new(towards.0, towards.1, towards.2);
+        let (own, exact) = (s.extent_along(direction).unwrap(), s.to_nurbs().unwrap().extent_along(direction));
+        prop_assert!((own.start - exact.start).abs() <= 1e-10 && (own.end - exact.end).abs() <= 1e-10);
+        let (own, exact) = (s.bounding_box().unwrap(), s.to_nurbs().unwrap().bounding_box());
+        close_points(own.min, exact.min, 1e-10, "least");
+        close_points(own.max, exact.max, 1e-10, "most");
+    }
+}
+
 /// A ridge of equal height across a patch is bounded, if not as closely as a top.
 #[test]
 fn ridges_are_bounded() {
