@@ -160,6 +160,14 @@ impl<'a> Page<'a> {
                     let dest_url = self.link(&dest_url, line).into();
                     events.push(Event::Start(Tag::Link { link_type, dest_url, title, id }));
                 }
+                // A table of formulas can be wider than a small window: it scrolls alone, by keys too.
+                Event::Start(Tag::Table(_)) => {
+                    let name = escaped(self.edition.words.get("table"));
+                    let opened =
+                        format!("<div class=\"table\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">");
+                    events.extend([Event::Html(opened.into()), event]);
+                }
+                Event::End(TagEnd::Table) => events.extend([event, Event::Html("</div>".into())]),
                 Event::Start(Tag::Image { .. }) => {
                     self.fault(line, "pictures are not supported in pages: a figure is a definition");
                 }
