@@ -24,7 +24,13 @@ fn is_refresh() -> bool {
     std::env::var_os("KATYDID_REFRESH_PAGES").is_some()
 }
 
-/// A name as part of a file's name and as a heading's anchor: letters and digits, all else one dash.
+/// A name as a heading's anchor, as GitHub makes it: small letters, digits, dashes for blanks; all else is left out.
+fn anchor(name: &str) -> String {
+    let kept = name.chars().filter(|c| c.is_alphanumeric() || "-_ ".contains(*c));
+    kept.flat_map(char::to_lowercase).collect::<String>().trim().replace(' ', "-")
+}
+
+/// A name as part of a file's name: letters and digits, all else one dash.
 fn slug(name: &str) -> String {
     let words: Vec<String> = name
         .split(|c: char| !c.is_alphanumeric())
@@ -127,10 +133,10 @@ fn page(
     let folder = slug(&format!("{tab} {panel}"));
     let mut seen = BTreeMap::new();
     for component in components {
-        let count: &mut usize = seen.entry(slug(component.name)).or_default();
+        let count: &mut usize = seen.entry(anchor(component.name)).or_default();
         let anchor = match *count {
-            0 => slug(component.name),
-            n => format!("{}-{n}", slug(component.name)),
+            0 => anchor(component.name),
+            n => format!("{}-{n}", anchor(component.name)),
         };
         *count += 1;
         let first = component.help.split_inclusive(". ").next().unwrap_or_default();
