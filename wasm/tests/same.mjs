@@ -69,7 +69,7 @@ function reasonOf(ours, theirs) {
   const said = [...ours.messages, ...theirs.messages].map(({ text }) => text).join(" ");
   if (/Python/.test(said)) return "Python";
   if (/file|folder|\.3dm|picture|path/i.test(said)) return "files";
-  if (/server|Hops/.test(said)) return "servers";
+  if (/server|Hops|elsewhere/.test(said)) return "servers";
   return undefined;
 }
 
